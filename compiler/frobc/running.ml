@@ -260,10 +260,17 @@ let view =
     let doc = "The seed with which a run was made in the simulator, if it is to drive again." in
     Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc)
   in
-  let run general entry sources print port world seed only_build recording file =
+  let at =
+    let doc = "The time to show at first, as $(b,12.5s), instead of the start." in
+    let parse text = Result.map_error (fun e -> `Msg e) (Driver.Time_span.parse_instant text) in
+    let print out at = Format.pp_print_string out (Driver.Time_span.print at) in
+    let time = Arg.conv (parse, print) in
+    Arg.(value & opt (some time) None & info [ "at" ] ~docv:"TIME" ~doc)
+  in
+  let run general entry sources print port world seed at only_build recording file =
     let recording = if only_build && recording = "-" then None else Some recording in
     Viewing.view general ~entry ~sources
-      { recording; browser = not print; port; world; seed; only_build }
+      { recording; browser = not print; port; world; seed; at; only_build }
       file
   in
   let man =
@@ -282,7 +289,7 @@ let view =
   command "view" ~man ~doc:"look at a recorded run on a page, at any instant"
     Term.(
       const run $ with_params general $ entry $ sources $ print $ port $ world $ seed
-        $ only_build $ recording $ file)
+        $ at $ only_build $ recording $ file)
 
 let serve =
   let some kind names ~docv ~doc = Arg.(value & opt (some kind) None & info names ~docv ~doc) in

@@ -25,7 +25,7 @@ let with_all_probes general (resources : Resources.t) ~entry file =
       match Pipeline.origins (Diagnostic.sink ()) (Source.create ()) request with
       | None -> (general, [])
       | Some (columns, origins) ->
-          ( { general with probes = [ "all" ] },
+          ( { general with probes = [ "all" ]; asserts = Count },
             [
               ("frob_columns.c", Columns.text columns); ("frob_origins.c", Origins.text origins);
             ] ))
@@ -77,6 +77,7 @@ type view = {
   port : int option;
   world : string option;
   seed : int;
+  at : float option;
   only_build : bool;
 }
 
@@ -106,6 +107,7 @@ let view general ~entry ~sources view file =
         let options =
           param_options params @ print_only view.browser
           @ Option.fold ~none:[] ~some:(fun n -> [ "--port"; string_of_int n ]) view.port
+          @ Option.fold ~none:[] ~some:(fun at -> [ "--at"; Printf.sprintf "%.9f" at ]) view.at
         in
         let command =
           viewer general resources ~entry ~sources ~options ~world:(Some world) ~seed:view.seed

@@ -27,6 +27,7 @@ type view = {
   port : int option;  (** any that is free if [None] *)
   world : string option;  (** where the robot drove; as for a {!run} if [None] *)
   seed : int;  (** of the simulator, if it is to drive again *)
+  at : float option;  (** the time to show first, in seconds *)
   only_build : bool;  (** print the path of what is to be run, and show nothing *)
 }
 

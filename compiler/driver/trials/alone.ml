@@ -35,8 +35,9 @@ let run context file (check : Checks.t) : Outcome.t =
             | Ok () ->
                 instants context ~lasts:run.at input;
                 let view =
-                  Printf.sprintf "frobc trace %s%s --entry %s --input %s --probe all" (quoted file)
-                    (robot_option context.general) (quoted entry) (quoted input)
+                  Printf.sprintf "frobc view %s %s%s --entry %s --at %s" (quoted input)
+                    (quoted file) (robot_option context.general) (quoted entry)
+                    (Time_span.print run.at)
                 in
                 Some { Outcome.run; truth = []; around = []; shrunk = ""; picture = ""; view }
           in

@@ -146,8 +146,9 @@ let evidence p (run : Outcome.run) seed : Outcome.evidence =
   match again with
   | Ok again ->
       let view =
-        Printf.sprintf "frobc view %s %s%s --world %s --seed %d  # at %.3f s" (quoted record)
-          (quoted p.file) (robot_option p.context.general) (quoted world) seed again.at
+        Printf.sprintf "frobc view %s %s%s --world %s --seed %d --at %s" (quoted record)
+          (quoted p.file) (robot_option p.context.general) (quoted world) seed
+          (Time_span.print again.at)
       in
       let around = Found.around (read record) in
       { run; truth = again.truth; around; shrunk; picture; view }

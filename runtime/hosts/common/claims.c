@@ -43,12 +43,14 @@ static void see(struct claims *claims, size_t i, int64_t time_ns, const void *ou
     struct claim_state *state = &claims->each[i];
     const struct frob_claim *claim = &claims->program->claims[i];
     const enum verdict verdict = verdict_of(claim->value, output);
+    state->fails = false;
     if (verdict == VERDICT_NONE || (claims->is_void && !claim->is_assumption))
         return;
     state->last = verdict;
     state->asked += verdict != VERDICT_NOT_ASKED ? 1 : 0;
     if (verdict != VERDICT_FAILS)
         return;
+    state->fails = true;
     if (state->failed++ == 0)
         state->first_ns = time_ns;
     if (claim->is_assumption && !claims->is_void) {
@@ -81,34 +83,37 @@ static bool is_alone(const struct frob_program *program, const struct frob_claim
     return true;
 }
 
-static void print_fate(const struct claims *claims, const struct frob_claim *claim,
-                       const struct claim_state *state, FILE *file)
+void claims_fate(const struct claims *claims, size_t i, char text[CLAIMS_FATE])
 {
-    const char *failed = claim->is_assumption ? "failed" : "violated";
+    const bool is_assumption = claims->program->claims[i].is_assumption;
+    const struct claim_state *state = &claims->each[i];
     if (state->failed > 0)
-        fprintf(file, "%s, first at %.3f s; in all at %llu %s\n", failed,
-                (double)state->first_ns * 1e-9, (unsigned long long)state->failed,
-                state->failed == 1 ? "instant" : "instants");
-    else if (claims->is_void && !claim->is_assumption)
-        fprintf(file, "%s until an assumption failed at %.3f s\n",
-                state->asked > 0 ? "held" : "did not matter", (double)claims->void_ns * 1e-9);
-    else if (state->last == VERDICT_OPEN)
-        fputs("undecided at the end\n", file);
+        snprintf(text, CLAIMS_FATE, "%s, first at %.3f s; in all at %llu %s",
+                 is_assumption ? "failed" : "violated", (double)state->first_ns * 1e-9,
+                 (unsigned long long)state->failed,
+                 state->failed == 1 ? "instant" : "instants");
+    else if (claims->is_void && !is_assumption)
+        snprintf(text, CLAIMS_FATE, "%s until an assumption failed at %.3f s",
+                 state->asked > 0 ? "held" : "did not matter", (double)claims->void_ns * 1e-9);
     else
-        fputs(state->asked > 0 ? "held\n" : "never came to matter\n", file);
+        snprintf(text, CLAIMS_FATE, "%s",
+                 state->last == VERDICT_OPEN ? "undecided at the end"
+                 : state->asked > 0          ? "held"
+                                             : "never came to matter");
 }
 
 void claims_print(const struct claims *claims, FILE *file, const char *who)
 {
     const struct frob_program *program = claims->program;
+    char fate[CLAIMS_FATE];
     for (size_t i = 0; i < program->claim_count; i++) {
         const struct frob_claim *claim = &program->claims[i];
         fprintf(file, "%s%s \"%s\"", who, claim->is_assumption ? "assume" : "assert",
                 claim->label);
         if (!is_alone(program, claim))
             fprintf(file, " (%s)", claim->column);
-        fputs(": ", file);
-        print_fate(claims, claim, &claims->each[i], file);
+        claims_fate(claims, i, fate);
+        fprintf(file, ": %s\n", fate);
     }
 }
 

@@ -24,6 +24,7 @@ struct claim_state {
     uint64_t failed;   /* instants at which it failed */
     int64_t first_ns;  /* the first of them */
     enum verdict last; /* the last that there was */
+    bool fails;        /* at the instant that was seen last */
 };
 
 struct claims {
@@ -40,6 +41,11 @@ bool claims_open(struct claims *claims, const struct frob_program *program);
 
 /* The output of an instant. */
 void claims_see(struct claims *claims, int64_t time_ns, const void *output);
+
+#define CLAIMS_FATE 100
+
+/* What became of one, as in `violated, first at 3.200 s; in all at 2 instants`. */
+void claims_fate(const struct claims *claims, size_t i, char text[CLAIMS_FATE]);
 
 /* A line for each, behind `who`: `assert "keeps off": held`. */
 void claims_print(const struct claims *claims, FILE *file, const char *who);

@@ -1,7 +1,7 @@
 /* frob-view -- shows a run of a program on a page, recorded or going on.
  *
  *   frob-view [--print] [--port N] [--source FILE]... [--library FILE]... [--world FILE]
- *             [--param NAME=VALUE]... [--ring N] PROGRAM.so RUN.csv [COMMAND...]
+ *             [--param NAME=VALUE]... [--at SECONDS] [--ring N] PROGRAM.so RUN.csv [COMMAND...]
  *
  * With --ring, the number of an open file, it shows the run of the process that has started
  * this one (../common/ring.h); RUN.csv is what that records in, or `-`.
@@ -79,6 +79,8 @@ static bool read_options(struct options *o, int argc, char **argv)
             o->files.params[o->files.param_count++] = argv[++i];
         else if (strcmp(argv[i], "--world") == 0 && i + 1 < argc)
             o->files.world = argv[++i];
+        else if (strcmp(argv[i], "--at") == 0 && i + 1 < argc)
+            o->files.at = strtod(argv[++i], NULL);
         else
             break;
     }

@@ -46,13 +46,13 @@ left out that it fails without.
   > trial "knows where it is" = Trial { world = "noisy.toml", lasts = 20[s], seeds = 1 `to` 3, judge = proc t -> verdict (t.odometryError < 0.2[m]) }
   > trial "keeps half a metre" = Trial { world = "noisy.toml", lasts = 20[s], seeds = 1 `to` 3, judge = keepsOff 0.5[m] }
   > FROB
-  $ frobc test shrinks.frob --robot pioneer | grep 'disturbances\|view\|FAIL' | sed -E 's/[0-9]+\.[0-9]{3}/N/g; s/seed [0-9]/seed N/; s/-[0-9]\./-N./g; s/--seed [0-9]/--seed N/'
+  $ frobc test shrinks.frob --robot pioneer | grep 'disturbances\|view\|FAIL' | sed -E 's/[0-9]+\.[0-9]{3}/N/g; s/seed [0-9]/seed N/; s/-[0-9]\./-N./g; s/--seed [0-9]/--seed N/; s/--at [0-9.]*s/--at Ns/'
   FAIL  knows where it is: 3 of 3 seeds; seed N: not so at N s
         of the world's disturbances it needs [drive] slip: failed/knows-where-it-is-N.toml
-        frobc view failed/knows-where-it-is-N.csv shrinks.frob --robot pioneer --world failed/knows-where-it-is-N.toml --seed N  # at N s
+        frobc view failed/knows-where-it-is-N.csv shrinks.frob --robot pioneer --world failed/knows-where-it-is-N.toml --seed N --at Ns
   FAIL  keeps half a metre: 3 of 3 seeds; seed N: not so at N s
         fails so without any of the world's disturbances: failed/keeps-half-a-metre-N.toml
-        frobc view failed/keeps-half-a-metre-N.csv shrinks.frob --robot pioneer --world failed/keeps-half-a-metre-N.toml --seed N  # at N s
+        frobc view failed/keeps-half-a-metre-N.csv shrinks.frob --robot pioneer --world failed/keeps-half-a-metre-N.toml --seed N --at Ns
   $ grep -n '#.*noise\|slip\|written' failed/knows-where-it-is-*.toml | sed 's/.*toml://'
   1:# written by frobc: noisy.toml, without what a run does not need to fail
   3:# pillar and a crate; ideal wheels, and sonars with a little noise.

@@ -45,15 +45,15 @@ seed. A line for each, and more of one that fails.
   >         assume "goes" (by 10[s] (t.driven > 0.1[m]))
   > }
   > FROB
-  $ numbers () { sed -E 's/-?[0-9.]+(e-?[0-9]+)?, then -?[0-9.]+(e-?[0-9]+)?$/N, then N/; s/-?[0-9]+\.[0-9]{3}/N/g; s|world /[^ ]*/|world |'; }
+  $ numbers () { sed -E 's/-?[0-9.]+(e-?[0-9]+)?, then -?[0-9.]+(e-?[0-9]+)?$/N, then N/; s/-?[0-9]+\.[0-9]{3}/N/g; s|world /[^ ]*/|world |; s/(--seed.* --at) [0-9.]+s/\1 Ns/'; }
   $ frobc test around.frob --robot pioneer > told
   [1]
   $ numbers < told
   ok    the wave stays small: 2 s
   FAIL  a metre takes a second: not so at N s
-        frobc trace around.frob --robot pioneer --entry 'judge test a metre takes a second' --input failed/a-metre-takes-a-second.csv --probe all
+        frobc view failed/a-metre-takes-a-second.csv around.frob --robot pioneer --entry 'judge test a metre takes a second' --at 1s
   FAIL  waits for what never comes: undecided at its end, after 1 s
-        frobc trace around.frob --robot pioneer --entry 'judge test waits for what never comes' --input failed/waits-for-what-never-comes.csv --probe all
+        frobc view failed/waits-for-what-never-comes.csv around.frob --robot pioneer --entry 'judge test waits for what never comes' --at 1s
   ok    nothing is asked: 1 s; never came to matter
   ok    touches nothing: 4 seeds, 20 s
   FAIL  goes far in no time: 2 of 2 seeds; seed 3: not so at N s
@@ -63,7 +63,7 @@ seed. A line for each, and more of one that fails.
         probe.main.assert is slow, "always": Holds, then Holds
         fails so without any of the world's disturbances: failed/goes-far-in-no-time-3.toml
         picture: failed/goes-far-in-no-time-3.png
-        frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world failed/goes-far-in-no-time-3.toml --seed 3  # at N s
+        frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world failed/goes-far-in-no-time-3.toml --seed 3 --at Ns
   FAIL  is never near the wall: 2 of 2 seeds; seed 1: `far from all` violated at N s
         x N m, y N m, heading N rad, clearance N m, touched by nothing, N m driven, odometry off by N m
         out.forward: N, then N
@@ -71,7 +71,7 @@ seed. A line for each, and more of one that fails.
         probe.main.assert is slow, "always": Holds, then Holds
         fails so without any of the world's disturbances: failed/is-never-near-the-wall-1.toml
         picture: failed/is-never-near-the-wall-1.png
-        frobc view failed/is-never-near-the-wall-1.csv around.frob --robot pioneer --world failed/is-never-near-the-wall-1.toml --seed 1  # at N s
+        frobc view failed/is-never-near-the-wall-1.csv around.frob --robot pioneer --world failed/is-never-near-the-wall-1.toml --seed 1 --at Ns
   7 tests: 4 failed
   $ ls failed
   a-metre-takes-a-second.csv
@@ -90,19 +90,19 @@ The outcome does not depend on how many processes run, and tools can read it.
   $ frobc test around.frob --robot pioneer --json -j 5 | cmp - one
   $ sed -n 1,4p one
   {"file":"around.frob","label":"the wave stays small","ok":true,"lasts":2,"runs":[{"fate":"held","at":2,"by":""}]}
-  {"file":"around.frob","label":"a metre takes a second","ok":false,"lasts":2,"runs":[{"fate":"violated","at":1,"by":"judge"}],"shrunk":"","picture":"","view":"frobc trace around.frob --robot pioneer --entry 'judge test a metre takes a second' --input failed/a-metre-takes-a-second.csv --probe all"}
-  {"file":"around.frob","label":"waits for what never comes","ok":false,"lasts":1,"runs":[{"fate":"undecided","at":1,"by":"judge"}],"shrunk":"","picture":"","view":"frobc trace around.frob --robot pioneer --entry 'judge test waits for what never comes' --input failed/waits-for-what-never-comes.csv --probe all"}
+  {"file":"around.frob","label":"a metre takes a second","ok":false,"lasts":2,"runs":[{"fate":"violated","at":1,"by":"judge"}],"shrunk":"","picture":"","view":"frobc view failed/a-metre-takes-a-second.csv around.frob --robot pioneer --entry 'judge test a metre takes a second' --at 1s"}
+  {"file":"around.frob","label":"waits for what never comes","ok":false,"lasts":1,"runs":[{"fate":"undecided","at":1,"by":"judge"}],"shrunk":"","picture":"","view":"frobc view failed/waits-for-what-never-comes.csv around.frob --robot pioneer --entry 'judge test waits for what never comes' --at 1s"}
   {"file":"around.frob","label":"nothing is asked","ok":true,"lasts":1,"runs":[{"fate":"unasked","at":1,"by":""}]}
   $ frobc test around.frob --robot pioneer -k takes --junit tests.xml
   FAIL  a metre takes a second: not so at 1.000 s
-        frobc trace around.frob --robot pioneer --entry 'judge test a metre takes a second' --input failed/a-metre-takes-a-second.csv --probe all
+        frobc view failed/a-metre-takes-a-second.csv around.frob --robot pioneer --entry 'judge test a metre takes a second' --at 1s
   1 test: 1 failed
   [1]
   $ cat tests.xml
   <?xml version="1.0" encoding="UTF-8"?>
   <testsuite name="frobc test" tests="1" failures="1">
     <testcase classname="around.frob" name="a metre takes a second">
-      <failure message="not so at 1.000 s">frobc trace around.frob --robot pioneer --entry 'judge test a metre takes a second' --input failed/a-metre-takes-a-second.csv --probe all</failure>
+      <failure message="not so at 1.000 s">frobc view failed/a-metre-takes-a-second.csv around.frob --robot pioneer --entry 'judge test a metre takes a second' --at 1s</failure>
     </testcase>
   </testsuite>
   $ frobc test around.frob --robot pioneer -k 'touches' --seeds 2
@@ -111,9 +111,9 @@ The outcome does not depend on how many processes run, and tools can read it.
 
 The command that is told shows the run: it compiles, and the recording is the program's.
 
-  $ view=$(sed -n 's/^ *\(frobc view .*\)  #.*/\1/p' told | head -1)
+  $ view=$(sed -n 's/^ *\(frobc view .* --seed .*\)/\1/p' told | head -1)
   $ echo "$view" | numbers
-  frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world failed/goes-far-in-no-time-3.toml --seed 3
+  frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world failed/goes-far-in-no-time-3.toml --seed 3 --at Ns
   $ frobc view --only-build $(echo "$view" | cut -d' ' -f3-) > built && test -s "$(cat built)"
   $ frobc trace around.frob --robot pioneer --input failed/goes-far-in-no-time-3.csv --output again.csv
   assert "is slow, "always"": held

@@ -2,6 +2,7 @@
 
 A visit to the page in a browser: open, look, plot, scrub, mark, play."""
 
+import atexit
 import os
 import sys
 
@@ -26,7 +27,10 @@ def start(width, height):
         options.add_argument("--no-sandbox")  # which Chromium does not have for root
     options.binary_location = "/usr/bin/chromium"
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+    service = Service("/usr/bin/chromedriver", popen_kw={"start_new_session": True})
+    driver = webdriver.Chrome(service=service, options=options)
+    atexit.register(viewer.dismiss, viewer.guard(service.process.pid))
+    return driver
 
 
 class Page:

@@ -8,12 +8,26 @@ import signal
 import subprocess
 
 
+def guard(group):
+    """Ends a group of processes when this process has ended, however it did. Returns who does
+    so, for `dismiss`."""
+    command = 'read told || kill -KILL "-$0"'
+    return subprocess.Popen(["sh", "-c", command, str(group)], stdin=subprocess.PIPE,
+                            stderr=subprocess.DEVNULL, start_new_session=True)
+
+
+def dismiss(guard):
+    """Nothing is left to be ended."""
+    guard.communicate(b"\n")
+
+
 class Process:
     """What prints the address of a page in its first line."""
 
     def __init__(self, command):
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True,
                                         start_new_session=True)
+        self.guard = guard(self.process.pid)
         atexit.register(self.kill)
         line = self.process.stdout.readline()
         match = re.match(r"view: (http://(127\.0\.0\.1:(\d+))/#([0-9a-f]{32}))", line)
@@ -26,6 +40,7 @@ class Process:
             os.killpg(self.process.pid, signal.SIGKILL)
         except ProcessLookupError:
             pass
+        dismiss(self.guard)
 
 
 class Viewer(Process):

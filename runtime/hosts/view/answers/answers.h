@@ -34,6 +34,10 @@ void answer_extent(const struct view *view, struct buffer *message);
 
 void answer_instant(struct view *view, size_t k, struct buffer *answer);
 
+/* {1 In claims.c} */
+
+void answer_claims(const struct view *view, struct buffer *answer);
+
 /* {1 In picture.c} */
 
 /* `had`: 0, or one more than the instant of the image that the page has. */

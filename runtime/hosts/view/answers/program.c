@@ -207,6 +207,8 @@ void answer_program(struct view *view, struct buffer *answer)
     buffer_text(answer, ",\"recording\":");
     buffer_string(answer, view_is_live(view) ? "" : view_without_folder(view->recording.name));
     answer_extent(view, answer);
+    buffer_text(answer, ",\"at\":");
+    buffer_number(answer, view->files->at);
     buffer_format(answer, ",\"runs\":%s,\"compared\":%s", view->replay.runs ? "true" : "false",
                   has_outputs(view) ? "true" : "false");
     answer_progress(view, answer);

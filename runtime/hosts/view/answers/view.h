@@ -13,6 +13,8 @@
  *   find BEFORE CONDITION      instants at which CONDITION (see condition.h) begins to hold:
  *                              the first, the last before instant BEFORE, the first after it,
  *                              how many there are, and the times for which it holds
+ *   claims                     the program's assertions: what became of each, as far as the program
+ *                              has been run, and at which times it was violated
  *   drive TEXT                 the program as TEXT has it, run in the simulator as the recorded one
  *                              was
  *   what-if TEXT               the program as TEXT has it, run on the same inputs: from which
@@ -30,7 +32,8 @@
  *
  *   more                       the last news was drawn: there may be other
  *
- * While there is such a program, instants and series have the `others` of its values.
+ * While there is such a program, instants and series have the `others` of its values, and each
+ * assertion has its `other` fate.
  * What is no request is answered by `{"is":"refused",…}`, and nothing else happens. */
 #ifndef FROB_VIEW_VIEW_H
 #define FROB_VIEW_VIEW_H
@@ -54,6 +57,7 @@ struct view_files {
     const char *world;    /* that the robot may have driven in; NULL: none */
     const char **params;  /* values of the program's parameters, NAME=VALUE each */
     size_t param_count;
+    double at;            /* the time that pages show at first, in seconds */
     struct what_if_commands commands;
 };
 

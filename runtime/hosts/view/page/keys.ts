@@ -1,6 +1,7 @@
 // Everything by the keyboard; the dialog of the page has the list.
 import type { Player } from "./time/player";
 import type { Store } from "./store";
+import { goToViolation } from "./signals/claims";
 import { toggleTheme } from "./theme";
 import type { WhyPanel } from "./source/why";
 
@@ -28,13 +29,15 @@ export function startKeys(store: Store, player: Player, filter: HTMLInputElement
       case "f": find.focus(); find.select(); break;
       case "w": why.toggle(); break;
       case "Backspace": why.back(); break;
+      case "v": case "V": goToViolation(store, event.key === "v"); break;
       case "e": document.getElementById("what-if")?.click(); break;
       case "?": help.showModal(); break;
       default: return false;
     }
     return true;
   };
-  const moves = new Set(["ArrowLeft", "ArrowRight", "PageUp", "PageDown", "Home", "End"]);
+  const moves = new Set(["ArrowLeft", "ArrowRight", "PageUp", "PageDown", "Home", "End",
+    "v", "V"]);
   document.addEventListener("keydown", (event) => {
     const target = event.target instanceof Element ? event.target : null;
     if (event.ctrlKey || event.altKey || event.metaKey || help.open) return;

@@ -1,6 +1,7 @@
 // The page: what there is, and the panels that show it.
 import { startCamera } from "./camera/camera";
 import { Connection } from "./connection";
+import { startClaims } from "./signals/claims";
 import { startConsole } from "./operate/console";
 import { startKeys } from "./keys";
 import { startLive } from "./operate/live";
@@ -82,6 +83,7 @@ function start(program: Program): Store {
   const why = startSource(store, element("source"));
   startPlots(store, element("plots"));
   startSignals(store, element("list"), filter);
+  startClaims(store, element("claims"), element<HTMLButtonElement>("claimed"), filter);
   startMap(store, element("map"));
   startCamera(store, element("camera"));
   startSearch(store, element<HTMLInputElement>("find"), element("found"),
@@ -94,7 +96,7 @@ function start(program: Program): Store {
   // Who drives looks where the robot goes.
   if (program.live && program.console.length > 0) choose("map");
   if (program.live) store.follow();
-  else store.goTo(0);
+  else store.goToTime(program.at);
   return store;
 }
 
@@ -108,7 +110,11 @@ function answered(answer: Answer): void {
       store = start(answer);
       if (run) store.runsOn(run);
       break;
-    case "progress": if (store) showProgress(store.program, answer); break;
+    case "progress":
+      if (!store) break;
+      showProgress(store.program, answer);
+      store.askClaims();
+      break;
     case "live":
       // The next one when this has been drawn.
       requestAnimationFrame(() => connection.ask("more"));
@@ -128,6 +134,7 @@ function answered(answer: Answer): void {
     case "path": store?.pathReceived(answer); break;
     case "why": store?.whyReceived(answer); break;
     case "found": store?.found(answer); break;
+    case "claims": store?.claimsReceived(answer); break;
     case "what-if": store?.whatIfReceived(answer); break;
     case "refused": showState(answer.why, false); break;
   }

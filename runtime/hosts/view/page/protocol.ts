@@ -68,6 +68,8 @@ export interface Program {
   end: number;
   /** Whether it does. */
   live: boolean;
+  /** The time to show at first. */
+  readonly at: number;
   /** Whether the program can be run on the recording. */
   readonly runs: boolean;
   /** Whether outputs were recorded, so that those of the replay can be compared. */
@@ -205,6 +207,36 @@ export interface Found {
   readonly spans?: readonly number[];
 }
 
+/** What became of an assertion. */
+export interface Fate {
+  readonly failed: boolean;
+  /** It mattered at some instant. */
+  readonly asked: boolean;
+  readonly open: boolean;
+  /** As a summary has it: `violated, first at 3.200 s; in all at 2 instants`. */
+  readonly text: string;
+}
+
+export interface Claim {
+  readonly label: string;
+  /** Its name among the columns of a trace. */
+  readonly column: string;
+  readonly place: string;
+  readonly assumed: boolean;
+  /** That has its verdict; -1: none. */
+  readonly signal: number;
+  readonly fate: Fate;
+  /** At which it was violated: from and to, in turn; what lasts has no end. */
+  readonly times: readonly number[];
+  /** Of the edited program, if there is one; null: it has no such assertion. */
+  readonly other?: Fate | null;
+}
+
+export interface Claims {
+  readonly is: "claims";
+  readonly all: readonly Claim[];
+}
+
 /** An edited program was run on the same inputs, or in the simulator. */
 export interface WhatIf {
   readonly is: "what-if";
@@ -251,4 +283,4 @@ export interface Refused {
 }
 
 export type Answer = Picture | Program | Progress | Live | Run | Instant | Series | Path | Way | Why |
-  Found | WhatIf | Refused;
+  Found | WhatIf | Claims | Refused;

@@ -1,12 +1,12 @@
 // What the page shows at the moment, and who wants to know when that changes.
 import type { Connection } from "./connection";
-import type { Found, Instant, Live, Path, Picture, Place, Program, Run, Series, Way, WhatIf, Why } from
+import type { Claim, Claims, Found, Instant, Live, Path, Picture, Place, Program, Run, Series, Way, WhatIf, Why } from
   "./protocol";
 
 type Listener = () => void;
 export type Change =
   "instant" | "mark" | "range" | "plotted" | "spans" | "what-if" | "extent" | "following" | "run" |
-  "why" | "place";
+  "why" | "place" | "claims";
 
 /** How many seconds plots show at first of a run that goes on. */
 const recently = 20;
@@ -29,6 +29,9 @@ export class Store {
 
   /** For which times the condition that is looked for holds: from and to, in turn. */
   spans: readonly number[] = [];
+
+  /** What became of the program's assertions. */
+  claims: readonly Claim[] = [];
 
   /** The edited program, run on the same inputs; null before anything was asked. */
   whatIf: WhatIf | null = null;
@@ -323,6 +326,15 @@ export class Store {
   setSpans(spans: readonly number[]): void {
     this.spans = spans;
     this.changed("spans");
+  }
+
+  askClaims(): void {
+    this.connection.ask("claims");
+  }
+
+  claimsReceived(claims: Claims): void {
+    this.claims = claims.all;
+    this.changed("claims");
   }
 
   // What if the program were another. Without a text, it is not.

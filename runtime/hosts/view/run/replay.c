@@ -84,7 +84,7 @@ bool replay_start(struct replay *replay, const struct signals *signals,
     replay->state = (unsigned char *)calloc(1, program->state_size + 1);
     replay->output = (unsigned char *)calloc(1, program->output_size + 1);
     if (replay->state == NULL || replay->output == NULL ||
-        !display_start(&replay->display, signals))
+        !display_start(&replay->display, signals) || !watch_start(&replay->watch, program))
         return false;
     program->reset(replay->state, replay->params.values);
     return keep(replay, 0);
@@ -110,6 +110,14 @@ static void go_back(struct replay *replay, size_t k)
     replay->display.shown = replay->shown[k / REPLAY_EVERY];
 }
 
+/* For the first time. */
+static void see(struct replay *replay, size_t k)
+{
+    if (!replay->diverged)
+        compare(replay, k);
+    watch_see(&replay->watch, k, replay->recording->times[k], replay->output);
+}
+
 void replay_advance(struct replay *replay)
 {
     const size_t full = (replay->reached / REPLAY_EVERY + 1) * REPLAY_EVERY;
@@ -120,8 +128,8 @@ void replay_advance(struct replay *replay)
         go_back(replay, replay->reached);
     while (replay->next < end) {
         step(replay);
-        if (!replay->diverged && replay->next > replay->reached)
-            compare(replay, replay->next - 1);
+        if (replay->next > replay->reached)
+            see(replay, replay->next - 1);
     }
     replay->reached = end;
     if (end == full && !keep(replay, end))
@@ -132,6 +140,7 @@ void replay_end(struct replay *replay)
 {
     params_close(&replay->params);
     display_end(&replay->display);
+    watch_end(&replay->watch);
     free(replay->shown);
     free(replay->state);
     free(replay->output);

@@ -6,6 +6,7 @@
 #include "../../common/params.h"
 #include "display.h"
 #include "recording.h"
+#include "watch.h"
 
 /* Of how many instants one has its state kept, so that the program can be set to any
  * instant in fewer steps. */
@@ -27,6 +28,7 @@ struct replay {
     const struct signal *diverged_in;
     struct display display;        /* after instant `next - 1` … */
     struct shown *shown;           /* … and before the instants whose states are kept */
+    struct watch watch;            /* before instant `reached` */
 };
 
 /* Nothing is run yet. The program of the signals need not be the one that the recording was

@@ -34,7 +34,7 @@ static void drop_older(struct client *client, bool (*is_such)(const char *reques
     }
 }
 
-static enum verdict take(struct client *client, const char *token, const char *message)
+static enum reception take(struct client *client, const char *token, const char *message)
 {
     static const char greeting[] = "hello ";
     const size_t length = strlen(message) + 1;
@@ -72,10 +72,10 @@ static enum verdict take(struct client *client, const char *token, const char *m
     return GOES_ON;
 }
 
-enum verdict client_receive(struct client *client, const char *token, const char *piece,
+enum reception client_receive(struct client *client, const char *token, const char *piece,
                             size_t length, bool is_last)
 {
-    enum verdict verdict;
+    enum reception verdict;
     if (client->incoming.length + length > SERVER_MESSAGE)
         return TOO_LONG;
     buffer_bytes(&client->incoming, piece, length);

@@ -23,10 +23,10 @@ struct client {
 };
 
 /* What to do with a page after what it sent. */
-enum verdict { GOES_ON, COMMANDS, TOO_LONG, WRONG_TOKEN, TOO_MANY };
+enum reception { GOES_ON, COMMANDS, TOO_LONG, WRONG_TOKEN, TOO_MANY };
 
 /* Takes a piece of a message, the last or not. */
-enum verdict client_receive(struct client *client, const char *token, const char *piece,
+enum reception client_receive(struct client *client, const char *token, const char *piece,
                             size_t length, bool is_last);
 
 /* The oldest request, which the caller frees; NULL if none waits. */

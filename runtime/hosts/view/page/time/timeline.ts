@@ -2,7 +2,7 @@
 // plots show.
 import { clear } from "../canvas";
 import { machineName, modeSignals } from "../signals/modes";
-import type { Series } from "../protocol";
+import type { Claim, Series } from "../protocol";
 import type { Store } from "../store";
 import { colour, isDark, lineColour, onTheme } from "../theme";
 import { formatNumber, formatTime } from "../values";
@@ -49,6 +49,17 @@ export function startTimeline(store: Store, host: HTMLElement): void {
         if (fitting) context.fillText(fitting, from + 4, y + bandHeight / 2 - 1);
       }
       i = next;
+    }
+  };
+
+  const drawViolations = ({ times, assumed }: Claim, bottom: number) => {
+    for (let i = 0; i < times.length; i += 2) {
+      const x = place(times[i] ?? program.start);
+      const across = Math.max(2, place(times[i + 1] ?? program.end) - x);
+      context.fillStyle = colour(assumed ? "failed" : "violated");
+      context.fillRect(x, 0, across, bottom);
+      context.fillStyle = colour(assumed ? "mark" : "bad");
+      context.fillRect(x, bottom - 3, across, 3);
     }
   };
 
@@ -108,6 +119,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
       context.fillRect(x, 0, Math.max(2, place(store.spans[i + 1] ?? end) - x), bottom);
     }
     drawAxis(bottom);
+    for (const claim of store.claims) drawViolations(claim, bottom);
     modes.forEach((number, i) => {
       const series = bands.get(number);
       if (series) drawBand(number, series, 10 + i * bandHeight);
@@ -169,5 +181,6 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   store.on("mark", drawMoving);
   store.on("range", draw);
   store.on("spans", draw);
+  store.on("claims", draw);
   onTheme(draw);
 }

@@ -1,0 +1,132 @@
+// The program's assertions: what became of each, and where it was violated; a click goes there.
+import type { Claim, Fate } from "../protocol";
+import type { Store } from "../store";
+
+/** How often those of a run that goes on are asked for, in milliseconds. */
+const every = 500;
+
+/** How bad it is, as a class of the page's style. */
+function kindOf(fate: Fate, isAssumed: boolean): string {
+  if (fate.failed) return isAssumed ? "failed" : "violated";
+  return fate.open || !fate.asked ? "undecided" : "held";
+}
+
+function counted(number: number, what: string): string {
+  return `${number} ${what}${number === 1 ? "" : "s"}`;
+}
+
+/** All in a line, for who looks at nothing else. */
+function inShort(claims: readonly Claim[], isLive: boolean): string {
+  const asserted = claims.filter(({ assumed }) => !assumed);
+  const violated = asserted.filter(({ fate }) => fate.failed).length;
+  const failed = claims.filter(({ assumed, fate }) => assumed && fate.failed).length;
+  const bad = [
+    ...(violated > 0 ? [`${violated} of ${counted(asserted.length, "assertion")} violated`] : []),
+    ...(failed > 0 ? [`${counted(failed, "assumption")} failed`] : []),
+  ];
+  if (bad.length > 0) return bad.join(", ");
+  return `no assertion violated${isLive ? " so far" : ""}`;
+}
+
+/** The next instant in `times` at which something begins, after the one that is shown or before
+ *  it; round to the other end where there is none. */
+function nextOf(times: readonly number[], now: number, isForward: boolean): number | undefined {
+  const sorted = [...new Set(times)].sort((a, b) => a - b);
+  return isForward ? sorted.find((t) => t > now) ?? sorted[0]
+    : sorted.filter((t) => t < now).pop() ?? sorted[sorted.length - 1];
+}
+
+const starts = ({ times }: Claim) => times.filter((_, i) => i % 2 === 0);
+
+/** Goes on to where any assertion or assumption next begins to be violated, or back. */
+export function goToViolation(store: Store, isForward: boolean,
+                              claims: readonly Claim[] = store.claims): void {
+  const to = nextOf(claims.flatMap(starts), store.instant?.time ?? 0, isForward);
+  if (to !== undefined) store.goToTime(to);
+}
+
+interface Row {
+  readonly row: HTMLButtonElement;
+  readonly fate: HTMLElement;
+  readonly now: HTMLElement;
+}
+
+export function startClaims(store: Store, host: HTMLElement, short: HTMLButtonElement,
+                            filter: HTMLInputElement): void {
+  const rows: Row[] = [];
+  let asked = 0;
+
+  const made = (claim: Claim, at: number): Row => {
+    const row = document.createElement("button");
+    const now = document.createElement("i");
+    const label = document.createElement("span");
+    const fate = document.createElement("output");
+    label.textContent = claim.assumed ? `assume ${claim.label}` : claim.label;
+    row.append(now, label, fate);
+    row.onclick = () => {
+      const current = store.claims[at];
+      if (!current) return;
+      if (current.times.length > 0 && !store.asker) goToViolation(store, true, [current]);
+      else if (current.signal >= 0) store.pick(current.signal);
+    };
+    return { row, fate, now };
+  };
+
+  /** Of the edited program only what is other. */
+  const textOf = ({ fate, other }: Claim): string => {
+    const text = store.program.live
+      ? fate.text.replace(" at the end", "").replace(/^held$/, "held so far") : fate.text;
+    if (other === undefined) return text;
+    const edited = other === null ? "not there" : other.text;
+    return edited === text ? text : `${text} → ${edited}`;
+  };
+
+  /** The verdict at the instant that is shown. */
+  const showNow = () => store.claims.forEach(({ signal }, at) => {
+    const cell = store.instant?.cells[signal] ?? "";
+    const { now } = rows[at] ?? {};
+    if (!now || now.dataset["verdict"] === cell) return;
+    now.dataset["verdict"] = cell;
+    now.title = cell === "" ? "" : `now: ${cell}`;
+  });
+
+  const show = () => {
+    const { claims } = store;
+    if (rows.length === 0 && claims.length > 0) {
+      const title = document.createElement("h2");
+      title.textContent = "Assertions";
+      rows.push(...claims.map(made));
+      host.append(title, ...rows.map(({ row }) => row));
+    }
+    host.hidden = short.hidden = claims.length === 0;
+    rows.forEach(({ row, fate }, at) => {
+      const claim = claims[at];
+      if (!claim) return;
+      row.className = kindOf(claim.fate, claim.assumed);
+      row.title = `${claim.column} (${claim.place})`;
+      fate.textContent = textOf(claim);
+    });
+    short.textContent = inShort(claims, store.program.live);
+    short.className = claims.some(({ fate }) => fate.failed) ? "violated" : "held";
+    short.disabled = short.className === "held";
+    showNow();
+  };
+
+  const ask = () => {
+    asked = performance.now();
+    store.askClaims();
+  };
+
+  short.onclick = () => goToViolation(store, true);
+  filter.addEventListener("input", () => {
+    const wanted = filter.value.trim().toLowerCase();
+    rows.forEach(({ row }) => { row.hidden = !row.title.toLowerCase().includes(wanted); });
+  });
+  store.on("claims", show);
+  store.on("instant", showNow);
+  store.on("what-if", ask);
+  store.on("extent", () => {
+    if (performance.now() > asked + every || !store.program.live) ask();
+  });
+  ask();
+}
