@@ -7,13 +7,30 @@ type t = {
   mutable too_deep : bool;  (** reported *)
   mutable suggestions : int;  (** still to be made *)
   mutable absent : absent list;  (** newest first *)
+  mutable unknown : Diagnostic.t list;  (** likewise *)
 }
 
 and absent = { imports : string list; code : string; noun : string; name : Syntax.Ir.name }
 
 let create sink =
-  { sink; next_local = 0; depth = 0; too_deep = false; suggestions = 100; absent = [] }
-let emit t diagnostic = Diagnostic.emit t.sink diagnostic
+  {
+    sink;
+    next_local = 0;
+    depth = 0;
+    too_deep = false;
+    suggestions = 100;
+    absent = [];
+    unknown = [];
+  }
+
+
+(* A name that is not known is so at each place where it stands. *)
+let is_of_unknown (d : Diagnostic.t) =
+  List.mem d.code [ "E0205"; "E0206"; "E0207"; "E0208"; "E0215" ]
+
+let emit t diagnostic =
+  if is_of_unknown diagnostic then t.unknown <- diagnostic :: t.unknown
+  else Diagnostic.emit t.sink diagnostic
 
 let fresh t name span : Ir.Local.t =
   let id = t.next_local in
@@ -85,3 +102,56 @@ let tell_imports t program =
   in
   tell (List.sort by_place t.absent);
   t.absent <- []
+
+(* {1 What is unknown} *)
+
+let most_places = 4
+
+(* The same said of another place: shown there, and mended there as well. *)
+let also_there (first : Diagnostic.t) (others : Diagnostic.t list) =
+  let label d (other : Diagnostic.t) = Diagnostic.label ~at:other.at "and here" d in
+  let shown = List.filteri (fun i _ -> i < most_places) others in
+  let more = List.length others - List.length shown in
+  let everywhere (fix : Diagnostic.fix) =
+    let same (other : Diagnostic.fix) = String.equal other.title fix.title in
+    let of_other (d : Diagnostic.t) =
+      Option.fold (List.find_opt same d.fixes) ~none:[] ~some:(fun (f : Diagnostic.fix) -> f.edits)
+    in
+    { fix with edits = fix.edits @ List.concat_map of_other others }
+  in
+  List.fold_left label { first with fixes = List.map everywhere first.fixes } shown
+  |> if more = 0 then Fun.id else Diagnostic.note (Printf.sprintf "and in %d more places" more)
+
+(* A name beside a constructor, of neither of which anything is known, as of one library. *)
+let rec neighbours : Diagnostic.t list -> Diagnostic.t list = function
+  | a :: b :: rest
+    when a.code <> b.code
+         && Span.line a.at.start = Span.line b.at.start
+         && List.for_all
+              (fun (d : Diagnostic.t) ->
+                List.mem d.code [ "E0205"; "E0206" ] && d.hints = [] && d.notes = [])
+              [ a; b ] ->
+      (Diagnostic.label ~at:b.at b.message a
+      |> Diagnostic.hint
+           "a definition of both is missing, or the `import` of the module that has them")
+      :: neighbours rest
+  | d :: rest -> d :: neighbours rest
+  | [] -> []
+
+let tell_unknown t =
+  let by_place (a : Diagnostic.t) (b : Diagnostic.t) = Span.compare a.at b.at in
+  let told = Hashtbl.create 16 in
+  let key (d : Diagnostic.t) = (d.code, d.message, d.hints, d.notes) in
+  let all = List.sort_uniq by_place t.unknown in
+  List.iter (fun d -> Hashtbl.add told (key d) d) all;
+  let once d =
+    match List.rev (Hashtbl.find_all told (key d)) with
+    | first :: others when first == d -> Some (also_there first others)
+    | _ -> None
+  in
+  List.iter (Diagnostic.emit t.sink) (neighbours (List.filter_map once all));
+  t.unknown <- []
+
+let tell t program =
+  tell_imports t program;
+  tell_unknown t

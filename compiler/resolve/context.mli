@@ -7,6 +7,7 @@ type t
 
 val create : Diagnostic.sink -> t
 val emit : t -> Diagnostic.t -> unit
+(** What is said of an unknown name waits for {!tell}. *)
 
 val fresh : t -> string -> Span.t -> Ir.Local.t
 (** A new local variable. *)
@@ -23,8 +24,9 @@ val not_imported : t -> absent -> unit
 val add_import : Syntax.Ir.program -> string -> Diagnostic.t -> Diagnostic.t
 (** Adds the fix that writes this import below those of the module. *)
 
-val tell_imports : t -> Syntax.Ir.program -> unit
-(** At the end of this module: emits one diagnostic for each import that is missing. *)
+val tell : t -> Syntax.Ir.program -> unit
+(** At the end of this module: emits one diagnostic for each import that is missing, and for each
+    name that is not known, wherever it stands. *)
 
 val suggest : t -> string -> string list Lazy.t -> Diagnostic.t -> Diagnostic.t
 (** Adds a hint with the nearest of the names, and the fix that writes it where the diagnostic is.

@@ -139,7 +139,10 @@ let product factors =
     | Amount { digits = "1"; decimal = false } -> one f.span
     | Amount { digits; _ } ->
         Reject.at ~code:"E0119" f.span
-          ~hint:"a power is written `m^2`; a scaled unit is declared, as in `unit inch = 0.0254 m`"
+          ~hint:
+            (Printf.sprintf
+               "a power is written `m^2`; an array of %s has the type `Array %s Float`" digits
+               digits)
           "the number `%s` cannot be part of a unit, only `1` can" digits
   in
   let multiply left (f : Surface.factor) = Some (times left (measure f) ~over:f.over) in
@@ -321,25 +324,7 @@ let where location = function
         "nothing belongs to this `where`"
   | declarations -> declarations
 
-let second_clause (first : Ir.declaration) (second : Ir.declaration) =
-  match (first.desc, second.desc) with
-  | ( Binding { left = Function_name { name = a; _ }; _ },
-      Binding { left = Function_name { name = b; _ }; _ } )
-    when String.equal a.text b.text ->
-      Some
-        (Diagnostic.error ~code:"E0115" ~at:b.span "`%s` is defined by several clauses" b.text
-        |> Diagnostic.label ~at:a.span "the first"
-        |> Diagnostic.hint
-             (Printf.sprintf "write one clause, with a branch for each: `%s x = case x of …`"
-               b.text))
-  | _ -> None
-
 let declarations list =
-  let rec check = function
-    | first :: (second :: _ as rest) ->
-        Option.iter Reject.diagnostic (second_clause first second);
-        check rest
-    | [ _ ] | [] -> ()
-  in
-  check list;
-  list
+  let declarations, clauses = Clauses.joined list in
+  List.iter Reject.diagnostic clauses;
+  declarations

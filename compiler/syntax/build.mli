@@ -69,6 +69,3 @@ val declarations : Ir.declaration list -> Ir.declaration list
 val where : location -> Ir.declaration list -> Ir.declaration list
 (** What follows the word, of a definition or a branch: not nothing. *)
 
-val second_clause : Ir.declaration -> Ir.declaration -> Diagnostic.t option
-(** What to say if the second, right after the first, is one more clause of
-    the same function. *)

@@ -171,13 +171,9 @@ let rec collect reader (program : Ir.program) errors =
             misplaced reader.sink "E0118" import.span "an `import` stands before all definitions"
               "move it up";
           ({ program with imports = import :: program.imports }, errors)
-      | Item (Declaration d) -> (
+      | Item (Declaration d) ->
           check_depth reader d;
-          match program.declarations with
-          | previous :: _ when Build.second_clause previous d <> None ->
-              Option.iter (Diagnostic.emit reader.sink) (Build.second_clause previous d);
-              (program, errors)
-          | declarations -> ({ program with declarations = d :: declarations }, errors))
+          ({ program with declarations = d :: program.declarations }, errors)
     in
     if last then program else collect reader program errors
 
@@ -199,12 +195,9 @@ let read sink ~file text =
       empty 0
   with
   | program ->
-      Some
-        {
-          program with
-          imports = List.rev program.imports;
-          declarations = List.rev program.declarations;
-        }
+      let declarations, clauses = Clauses.joined (List.rev program.declarations) in
+      List.iter (Diagnostic.emit sink) clauses;
+      Some { program with imports = List.rev program.imports; declarations }
   | exception Layout.Too_deep token ->
       too_deep sink (Build.span (token.start, token.stop));
       None

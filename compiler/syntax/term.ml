@@ -17,7 +17,7 @@ let rec to_expr (t : term) : Ir.expr =
       Reject.diagnostic
         (Diagnostic.error ~code:"E0110" ~at:span
            "a unit directly follows its number, without a blank"
-        |> Diagnostic.hint "as in `0.4[m/s]`"
+        |> Diagnostic.hint "take the blank out, as in `0.4[m/s]`"
         |> Diagnostic.fix ~safe:true "take the blank out"
              [ (Span.make ~file:span.file ~start:head.span.stop ~stop:span.start, "") ])
   | Application { head; arguments } ->

@@ -20,6 +20,15 @@ let report_no_method (scope : Scope.t) (class_ : class_) (name : Syntax.Ir.name)
   (if is_builtin_class class_ then diagnostic
   else Diagnostic.label ~at:class_.span "its methods have their signatures there" diagnostic)
   |> Context.suggest scope.context name.text (lazy class_.methods)
+  |> (fun d ->
+       if d.hints = [] then
+         Diagnostic.hint
+           (Printf.sprintf
+              "a function of its own stands at the left edge; what every `%s` has is given its \
+               signature in the class"
+              class_.global.name)
+           d
+       else d)
   |> Context.emit scope.context
 
 (* The methods defined in a block, each with its name, once, in order. *)

@@ -29,6 +29,12 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   | Apply (head, { desc = Parenthesized unit_; span }) when is_unit_of env head unit_ ->
       report_apart env head unit_ span;
       missing
+  | Apply
+      ( { desc = Variable { qualifier = None; name; _ }; _ },
+        { desc = Variable { qualifier = None; name = record; _ }; _ } )
+    when is_a_field env name && Env.is_known env record ->
+      report_field env e.span name record;
+      missing
   | Apply (head, argument) ->
       let resolved = expr env head in
       if resolved.desc == missing && is_statement_elsewhere head then missing
@@ -105,6 +111,17 @@ and is_unit_of env (head : Syntax.Ir.expr) unit_ =
       in
       Unit_word.is_expression is_unit unit_
   | _ -> false
+
+(* The name of a field, and of nothing else. *)
+and is_a_field env (name : Syntax.Ir.name) =
+  (not (Env.is_known env name)) && Scope.records_with (Env.scope env) [ name.text ] <> []
+
+and report_field env span (name : Syntax.Ir.name) (record : Syntax.Ir.name) =
+  let text = Printf.sprintf "%s.%s" record.text name.text in
+  Diagnostic.error ~code:"E0205" ~at:name.span "`%s` is a field, and no function" name.text
+  |> Diagnostic.hint (Printf.sprintf "write `%s`; the function is `\\r -> r.%s`" text name.text)
+  |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (span, "(" ^ text ^ ")") ]
+  |> Context.emit (Env.context env)
 
 and report_apart env (head : Syntax.Ir.expr) unit_ span =
   let number = match head.desc with Apply (_, argument) -> argument | _ -> head in

@@ -13,6 +13,11 @@ let report_field (scope : Scope.t) (constructor : constructor) known (field : Sy
     constructor.global.name field.text
   |> Diagnostic.label ~at:constructor.span "declared here"
   |> Context.suggest scope.context field.text (lazy known)
+  |> (fun d ->
+       if d.hints = [] then
+         Diagnostic.note
+           ("its fields: " ^ String.concat ", " (List.map (Printf.sprintf "`%s`") known)) d
+       else d)
   |> Context.emit scope.context
 
 let report_repeated (scope : Scope.t) (first : Syntax.Ir.name) (second : Syntax.Ir.name) =

@@ -104,7 +104,7 @@ let resolve context ~elsewhere exports (m : Modules.t) =
   let instances =
     Classes.instances env ~expr:Expressions.expr ~command:Expressions.command m.syntax
   in
-  Context.tell_imports context m.syntax;
+  Context.tell context m.syntax;
   let idle ((i : Modules.import), names) =
     Exports.idle scope i.declaration ~module_:i.module_ names
   in

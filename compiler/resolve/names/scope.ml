@@ -203,7 +203,9 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
           (Printf.sprintf "this defines a function `%s` of `%s`" c_type.text name.text)
           diagnostic
         |> Diagnostic.hint
-             (Printf.sprintf
+             (if List.mem c_type.text Syntax.Beginnings.needless then
+              Printf.sprintf "a definition has no `%s` before it: `%s = …`" c_type.text name.text
+             else Printf.sprintf
                 "no type stands before a name: `%s = …`, and if wanted `%s :: %s` on a line of \
                  its own"
                 name.text name.text
@@ -247,7 +249,11 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     Context.not_imported t.context { imports; code = space.unknown; noun = space.noun; name }
   else Context.emit t.context diagnostic
 
-let report_unknown_module t (qualifier : Syntax.Ir.name) =
+(* `Mode.Drive`, of the type `Mode`. *)
+let is_of_a_type t (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) =
+  is_known t tycons qualifier.text && is_known t constructors name.text
+
+let report_unknown_module t (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) =
   let of_library (m : of_library) = String.equal m.module_ qualifier.text in
   let diagnostic =
     Diagnostic.error ~code:"E0215" ~at:qualifier.span "no module `%s` is imported here"
@@ -258,6 +264,13 @@ let report_unknown_module t (qualifier : Syntax.Ir.name) =
      (Printf.sprintf "it is in the library: `import qualified %s`" qualifier.text)
      diagnostic
    |> Context.add_import t.syntax (Printf.sprintf "import qualified %s" qualifier.text)
+  else if is_of_a_type t qualifier name then
+    let title = Printf.sprintf "leave out `%s.`" qualifier.text in
+    Diagnostic.hint
+      (Printf.sprintf "`%s` is a type, of which the constructors stand alone: %s" qualifier.text
+        title)
+      diagnostic
+    |> Diagnostic.fix title [ ({ qualifier.span with stop = name.span.start }, "") ]
   else
     match Other_languages.module_ qualifier.text with
     | Some hint -> Diagnostic.hint hint diagnostic
@@ -291,7 +304,7 @@ let find_qualified t space (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) 
           None
       | candidates -> choose t space name candidates)
   | None ->
-      if t.complete then report_unknown_module t qualifier;
+      if t.complete then report_unknown_module t qualifier name;
       None
 
 let find_with t space ~locals ~signals (q : Syntax.Ir.qualified) =

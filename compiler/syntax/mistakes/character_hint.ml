@@ -98,6 +98,22 @@ let joins text start at =
   && (String.contains line '=' || String.contains line '>')
   && line_of_brace text at = None
 
+let of_for =
+  "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forEachT \
+   xs f` does a task for each"
+
+(* `xs[0:2]` *)
+let is_a_slice text at =
+  let digits = ending text at is_name in
+  char_at text (at - String.length digits - 1) = '['
+
+(* `f (x: Float) = …` *)
+let types_a_parameter text start at =
+  let line = String.sub text start (at - start) in
+  char_at text start <> ' '
+  && String.contains line '('
+  && not (String.exists (function '=' | '{' | '"' -> true | _ -> false) line)
+
 let of_colon text at =
   let start = line_start text at in
   let words = String.split_on_char ' ' (String.trim (String.sub text start (at - start))) in
@@ -108,12 +124,28 @@ let of_colon text at =
   | "def" :: _ when is_a_method text start -> hint of_class
   | "def" :: _ ->
       hint (Printf.sprintf "a function is defined by an equation: `%s = …`" (of_def words))
+  | ("assert" | "assume") :: _ ->
+      hint
+        (Printf.sprintf "what holds has a name, in quotes: `%s \"keeps off the wall\" (x > 0)`"
+           (List.hd words))
+  | "while" :: _ ->
+      hint
+        "no block is repeated: `forever t` does a task again and again, `whileT c t` while a \
+         signal function gives True"
+  | _ when List.mem "for" words || List.mem "(for" words -> hint of_for
+  | _ when is_a_slice text at ->
+      hint
+        "a part of an array is made by `take xs` and `drop xs`, as long as its type says"
+  | _ when char_at text (at - 1) = '"' && line_of_brace text at <> None ->
+      hint "what has names has the fields of a record: `data Gains = Gains { p :: Float }`"
+  | name :: _ when types_a_parameter text start at ->
+      hint
+        (Printf.sprintf
+           "types stand in a signature, a line above: `%s :: Float -> Float`, where the last one \
+            is the result's"
+           (List.hd (String.split_on_char '(' name)))
   | _ when List.exists (fun word -> word = "lambda" || word = "(lambda") words ->
       hint "a function without a name is written `\\x -> …`"
-  | ("for" | "while") :: _ ->
-      hint
-        "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \
-         `forever t` and `forEachT xs f` repeat tasks"
   | _ when ends_line && List.mem "case" words ->
       hint "the line of a `case` ends with `of`: `case x of`"
   | _ when ends_line -> hint of_block

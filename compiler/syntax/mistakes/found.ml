@@ -101,3 +101,8 @@ let between found first last = String.trim (String.sub found.text first (max 0 (
 
 (* Where the line that this offset is in ends. *)
 let rec end_of_line found i = if char_at found i = '\n' then i else end_of_line found (i + 1)
+
+let lines_between found first last =
+  let count = ref 0 in
+  String.iter (fun c -> if c = '\n' then incr count) (String.sub found.text first (last - first));
+  !count

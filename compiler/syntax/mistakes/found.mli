@@ -68,3 +68,6 @@ val start_of_definition : t -> int
 (** Of that at the left edge that the token is in. *)
 
 val first_line_of_definition : t -> string
+
+val lines_between : t -> int -> int -> int
+(** How many end between the two offsets. *)

@@ -81,9 +81,11 @@ let starts_with_a_text found =
 let claim_without_text found =
   match first_word_of_line found with
   | ("assert" | "assume") as word ->
+      let _, stop = first_word_from found found.token.start.pos_bol in
+      let condition = between found stop found.token.start.pos_cnum in
       Some
-        (Printf.sprintf "what holds has a name, in quotes: `%s \"keeps off the wall\" (x > 0)`"
-           word)
+        (Printf.sprintf "what holds has a name, in quotes: `%s \"keeps off the wall\" %s`" word
+           (if condition = "" then "(x > 0)" else Source.grouped condition))
   | _ when starts_with_a_text found ->
       Some "a comment is `-- …`, and `-- | …` before a definition describes it"
   | _ -> None
@@ -101,6 +103,16 @@ let lacks_else found =
   match (found.token.token, found.context) with
   | (END | SEMICOLON | CLOSE | RPAREN), (Layout.Then, _) :: _ -> true
   | _ -> false
+
+(* What is written in place of the token, where nothing else can be meant. *)
+let cured found =
+  match (found.token.token, found.before) with
+  | DO, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _; _ } ->
+      Diagnostic.write (span found.token) "$ do"
+  | EQUAL, Some _ when compares found.context && is_blank (char_at found (found.token.start.pos_cnum
+    - 1)) ->
+      Diagnostic.write (span found.token) "=="
+  | _ -> Fun.id
 
 let plain found =
   let expected, state_hints = message_of_state found.state in
@@ -121,12 +133,15 @@ let plain found =
         ]
     | _ :: _ when found.token.token = EQUAL && awaits_arrow expected && state_hints = [] ->
         [ "`->` leads from the input to what comes out; an equation has `=`" ]
+    | _ when found.token.token = WHERE && awaits_arrow expected ->
+        [ "the output comes first, and then its equations: `proc x -> y where`" ]
     | hints when lacks_else found && innermost_block found.context <> Do ->
         List.map (fun _ -> "every `if` has both `then` and `else`, since it always has a value")
           hints
     | hints -> hints
   in
   List.fold_left (fun d hint -> Diagnostic.hint hint d) d hints
+  |> cured found
   |> other_place found
 
 (* {1 Brackets} *)
@@ -161,7 +176,7 @@ let holds_others found (opener : Lexer.token) =
 let unclosed found ((opener, closer), by) =
   Diagnostic.error ~code:"E0111" ~at:(opener_span by) "this `%s` is never closed" opener
   |> Diagnostic.label ~at:(span found.token) (Printf.sprintf "a `%s` belongs before this" closer)
-  |> (if holds_others found by.Layout.by then
+  |> (if holds_others found by.Layout.by && char_at found found.token.start.pos_cnum <> ';' then
         Diagnostic.hint
           (Printf.sprintf
              "each `%s` closes the last bracket that is still open: if this one was to be closed \
@@ -281,8 +296,79 @@ let of_deriving found =
   let at = span found.token in
   { at with stop = Span.forward (last - stop) at.stop }
 
+(* `let x = 1` at the left edge. *)
+let is_a_top_let found =
+  match found.token.token with
+  | END | SEMICOLON -> part found (word_from found (start_of_definition found)) = "let"
+  | _ -> false
+
+(* `[x * 2 for x in xs]` *)
+let for_each found =
+  match found.context with
+  | (Bracket, { by; _ }) :: _ when found.token.token = IN -> (
+      let inside = between found by.stop.pos_cnum found.token.start.pos_cnum in
+      let rest =
+        between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum)
+      in
+      match (List.rev (String.split_on_char ' ' inside), String.split_on_char ']' rest) with
+      | x :: "for" :: element, xs :: _ ->
+          Some
+            (String.concat " " (List.rev element), x, String.trim xs)
+      | _ -> None)
+  | _ -> None
+
+(* What a `[` directly behind a name holds, and where it ends. *)
+let index found =
+  let start = found.token.stop.pos_cnum in
+  match String.index_from_opt found.text start ']' with
+  | Some stop ->
+      let inside = String.sub found.text start (stop - start) in
+      if inside <> "" && String.for_all is_digit inside then Some (inside, stop + 1) else None
+  | None -> None
+
 let missing found =
   match (found.token.token, found.before) with
+  | _ when is_a_top_let found ->
+      let bol = start_of_definition found in
+      let line = first_line_of_definition found in
+      let own = String.trim (String.sub line 3 (String.length line - 3)) in
+      let start = { found.token.start with pos_bol = bol; pos_cnum = bol; pos_lnum =
+        found.token.start.pos_lnum - lines_between found bol found.token.start.pos_cnum } in
+      let at = Build.span (start, { start with pos_cnum = bol + 3 }) in
+      Some
+        (Diagnostic.error ~code:"E0110" ~at "a definition at the left edge has no `let` before it"
+        |> Diagnostic.hint
+             (if String.length own > 50 then "leave it out" else Printf.sprintf "write `%s`" own)
+        |> Diagnostic.fix "leave it out"
+             [ (Build.span (start, { start with pos_cnum = bol + 4 }), "") ])
+  | ( (THEN | ELSE | IF | IN | OF | WHERE | DO | CASE | LET | TYPE | DATA | MODULE | CLASS | REC),
+      Some { token = BACKTICK; _ } ) ->
+      Some
+        (Diagnostic.error ~code:"E0110" ~at:(span found.token) "%s"
+           (reserved_word (written found)))
+  | IN, _ when for_each found <> None ->
+      let element, x, xs = Option.get (for_each found) in
+      Some
+        (Diagnostic.error ~code:"E0110" ~at:(span found.token) "no array is made by a `for`"
+        |> Diagnostic.hint
+             (Printf.sprintf "each element is computed with by `map (\\%s -> %s) %s`" x element
+                (Source.grouped xs)))
+  | UNIT_BRACKET, Some ({ token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } as name)
+    when index found <> None ->
+      let digits, stop = Option.get (index found) in
+      let name = word_before found name.stop.pos_cnum in
+      let whole =
+        Build.span (found.token.start, { found.token.stop with pos_cnum = stop })
+      in
+      Some
+        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
+           "a `[` directly after a name starts no index and no array"
+        |> Diagnostic.hint
+             (Printf.sprintf
+                "an element of an array is `(%s ! %s)`; a tuple is taken apart by an equation, \
+                 `(a, b) = %s`, and an argument needs a blank before it"
+                name digits name)
+        |> Diagnostic.write whole (" ! " ^ digits))
   | EQUAL, Some _ when ends_a_signature found ->
       Some
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)
@@ -327,7 +413,7 @@ let missing found =
               Float`")
   | _ -> None
 
-let said_once = [ own_operator; no_procedures; by_equation; no_effect ]
+let said_once = [ own_operator; Beginnings.no_procedures; Beginnings.by_equation; no_effect ]
 
 let report sink ~text ~state ~before token =
   let found = { text; state; before; token; context = Layout.context token } in

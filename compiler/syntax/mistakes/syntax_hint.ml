@@ -122,41 +122,33 @@ let opens_fields found sign =
   && at + String.length sign <= String.length found.text
   && String.equal (String.sub found.text at (String.length sign)) sign
 
+(* The first line of the definition, up to what does not belong there. *)
+let head_of_definition found =
+  let start = start_of_definition found in
+  if found.token.start.pos_bol = start then between found start found.token.start.pos_cnum
+  else String.trim (first_line_of_definition found)
+
 let lacks_where found =
   match String.split_on_char ' ' (first_line_of_definition found) with
   | ("class" | "instance") :: words -> not (List.mem "where" words)
   | _ -> false
 
-let by_equation =
-  "a function is defined by an equation, `f x = …`, and a block ends where the indentation does"
-
-let no_procedures =
-  "there are no procedures: a robot's program is equations that hold at every instant, \
-   `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`"
-
-let of_beginning = function
-  | "end" | "endif" | "endfunction" -> Some by_equation
-  | "while" ->
-      Some
-        "a task is done again and again by `whileT condition t`, where the condition is a signal \
-         function, and by `forever t`"
-  | "for" | "foreach" ->
-      Some
-        "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \
-         `forEachT xs f` does a task for each"
-  | "print" | "println" | "printf" | "disp" | "fprintf" | "Serial" | "cout" | "puts" ->
-      Some "nothing is printed: what is to be seen is an output, and `--record` writes all of them"
-  | "struct" | "typedef" ->
-      Some
-        "a record is declared by `data`, and built by its constructor: `data Config = Config { \
-         speed :: Velocity }`"
-  | "enum" -> Some "a choice of names is `data Side = LeftSide | RightSide`"
-  | "extern" ->
-      Some
-        "a function that is in C is declared with its type here, and its name there: `foreign \
-         cubeRoot :: Float -> Float = \"cbrt\"`"
-  | "using" | "namespace" -> Some "names come from a module by `import Control`"
-  | _ -> None
+(* `Robot (setVelTR)`, of `from Robot import setVelTR`. *)
+let python_import found =
+  let bol = found.token.start.pos_bol in
+  let module_ = between found bol found.token.start.pos_cnum in
+  let module_ = String.trim (String.sub module_ 4 (String.length module_ - 4)) in
+  let names =
+    between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum)
+  in
+  let is_name = String.for_all (function
+    | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | ',' | ' ' -> true
+    | _ -> false)
+  in
+  if module_ = "" || not (is_name module_) then "Control (limit)"
+  else
+    let module_ = String.capitalize_ascii module_ in
+    if names = "" || not (is_name names) then module_ else Printf.sprintf "%s (%s)" module_ names
 
 (* The line of the definition or this one, if it begins as in other languages, and what is
    said of that. *)
@@ -168,11 +160,13 @@ let beginning found =
     { start with pos_bol = bol; pos_lnum = start.pos_lnum + 1 - List.length above }
   in
   match part found (word_from found bol) with
-  | "void" -> Some (definition, no_procedures)
-  | "function" -> Some (definition, by_equation)
+  | "void" -> Some (definition, Beginnings.no_procedures)
+  | "function" -> Some (definition, Beginnings.by_equation)
+  | "from" when found.token.token = IMPORT ->
+      Some (start, Printf.sprintf "names are imported by `import %s`" (python_import found))
   | _ ->
       let word = part found (first_word_from found start.pos_bol) in
-      Option.map (fun hint -> (start, hint)) (of_beginning word)
+      Option.map (fun hint -> (start, hint)) (Beginnings.of_word word)
 
 (* [MyRobot] of `my-robot`, which begins with the token. *)
 let module_name found =
@@ -228,23 +222,6 @@ let lacks_of found =
 let no_equation_before_guards =
   "leave out the `=` before the guards: each of them has its own, as in `| x > 0 = 1`"
 
-(* `Robot (setVelTR)`, of `from Robot import setVelTR`. *)
-let python_import found =
-  let bol = found.token.start.pos_bol in
-  let module_ = between found bol found.token.start.pos_cnum in
-  let module_ = String.trim (String.sub module_ 4 (String.length module_ - 4)) in
-  let names =
-    between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum)
-  in
-  let is_name = String.for_all (function
-    | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | ',' | ' ' -> true
-    | _ -> false)
-  in
-  if module_ = "" || not (is_name module_) then "Control (limit)"
-  else
-    let module_ = String.capitalize_ascii module_ in
-    if names = "" || not (is_name names) then module_ else Printf.sprintf "%s (%s)" module_ names
-
 (* The name before `.speed`. *)
 let record_before found (field : Layout.token) =
   match word_before found field.start.pos_cnum with "" -> "r" | name -> name
@@ -290,6 +267,35 @@ let is_local : Layout.block -> bool = function
   | Where | Let | Do | Rec -> true
   | Top | Of -> false
 
+(* `param speed :: Velocity`, or `foreign cbrt :: Float -> Float`, without what it is by default,
+   or its name in C. *)
+let lacks_a_value found =
+  let line = String.trim (first_line_of_definition found) in
+  let words = String.split_on_char ' ' line in
+  match words with
+  | ("param" | "foreign") :: rest
+    when String.length line > 50 || String.contains line '=' || not (List.mem "::" rest) ->
+      None
+  | "param" :: _ -> Some (Printf.sprintf "what it is by default stands behind: `%s = …`" line)
+  | "foreign" :: ("type" | "include" | "sf") :: _ -> None
+  | "foreign" :: name :: _ ->
+      Some (Printf.sprintf "its name in C stands behind: `%s = \"%s\"`" line name)
+  | _ -> None
+
+(* `Float - > Float` *)
+let splits_an_arrow found =
+  let stop = found.token.stop.pos_cnum in
+  is_blank (char_at found stop)
+  && char_at found (stop + 1) = '>'
+  && is_blank (char_at found (stop + 2))
+
+(* `f :: Float, Float -> Float` *)
+let lists_parameters found =
+  let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
+  List.mem "::" (String.split_on_char ' ' line)
+  && (not (String.contains line '='))
+  && not (in_brackets found.context)
+
 (* The line is a signature up to here, and an array is the last in it. *)
 let is_in_a_size found =
   let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
@@ -308,9 +314,6 @@ let of_token found =
   | LOWER _, Some { token = MODULE | IMPORT | QUALIFIED; _ } -> capital found
   | QUALIFIED_UPPER _, Some { token = IMPORT | QUALIFIED; _ } ->
       Some "the name of a module has no points: its file stands beside this one, or in the library"
-  | IMPORT, Some _ when first_word found = "from" ->
-      Some
-        (Printf.sprintf "names are imported from a module by `import %s`" (python_import found))
   | LOWER _, Some _ when first_word found = "import" && written found found.token = "hiding" ->
       Some "nothing needs hiding: a module's own definitions hide imported ones, and two imports \
             of one name clash only where it is used"
@@ -330,7 +333,30 @@ let of_token found =
     | DATA | TYPE | MODULE | IMPORT | REC; _ } as word) ->
       Some (reserved_word (written found word))
   | (EQUAL | BAR | DOUBLE_COLON), _ when lacks_where found ->
-      Some "the methods follow `where`, each on a line of its own"
+      Some
+        (Printf.sprintf "the methods follow `where`, each on a line of its own: `%s where`"
+           (head_of_definition found))
+  | IMPORT, Some { token = FOREIGN; _ } ->
+      Some "the name in C stands last: `foreign cubeRoot :: Float -> Float = \"cbrt\"`"
+  | (END | SEMICOLON), Some _ when lacks_a_value found <> None -> lacks_a_value found
+  | LOWER _, Some { token = DATA | TYPE | CLASS; _ } ->
+      Some
+        (Printf.sprintf "the name of a type or class starts with a capital: `%s`"
+           (String.capitalize_ascii (written found found.token)))
+  | EQUAL, Some { token = UPPER _ | NUMBER _ | UNDERSCORE | RPAREN; _ }
+    when innermost_block found.context = Of && not (in_brackets found.context) ->
+      Some
+        (Printf.sprintf "a branch has `->`: `%s -> …`"
+           (between found found.token.start.pos_bol found.token.start.pos_cnum))
+  | MINUS, Some { token = UPPER _ | LOWER _ | RPAREN | RBRACKET; _ } when splits_an_arrow found ->
+      Some "`->` is always one symbol"
+  | COMMA, Some _ when lists_parameters found ->
+      Some
+        "each parameter is followed by `->`, as in `Float -> Float -> Float`; a tuple stands in \
+         parentheses"
+  | (NUMBER _ | LOWER _ | UPPER _ | LPAREN), Some { token = LBRACE; _ }
+    when List.exists (fun (opener, _) -> opener = Layout.If) found.context ->
+      Some "a choice is written `if c then a else b`, without braces"
   | EQUAL, Some before when is_adjacent found before && assigns found <> None ->
       assigns found
   | EQUAL, Some ({ token = LOWER _; _ } as name)

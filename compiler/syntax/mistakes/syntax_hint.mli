@@ -4,9 +4,10 @@
     ones by the token at which the grammar stops and what stands around it. *)
 
 val own_operator : string
-val no_procedures : string
-val by_equation : string
-(** Hints for who writes operators or procedures of his own. *)
+(** Hint for who writes operators of his own. *)
+
+val reserved_word : string -> string
+(** What is said of such a word where a name should stand. *)
 
 val by_indentation : string
 (** Hint for who writes blocks in braces. *)

@@ -213,6 +213,15 @@ let report_no_condition ctx ~at culprit =
            (if Environment.is_event culprit then "`isEvent e` tells whether it occurs now"
             else "what is asserted is a condition, as in `x > 0`, or a `Verdict`"))
 
+(* Of classes and types that the program declares, an instance may just be missing. *)
+let is_of_the_program (class_ : Ir.Global.t) culprit =
+  (not (List.mem class_.module_ [ "Prelude"; "Capability"; "Trial"; "Display" ]))
+  &&
+  match Type.expand culprit with
+  | Data { tycon; _ } -> not (String.equal tycon.module_ "Prelude")
+  | Number _ | Bool -> true
+  | _ -> false
+
 let report_lacking ctx required lack =
   match (lack.lacking, lack.through) with
   | Declared class_, [] when class_ = Environment.built_in "Claim" && required.by = "`verdict`" ->
@@ -291,6 +300,11 @@ let report_lacking ctx required lack =
                "this is of a robot's input or output, and what it is given is %s: perhaps two \
                 things stand in the other order"
                culprit)
+            diagnostic
+      | Declared class_ when lack.through = [] && is_of_the_program class_ lack.culprit ->
+          Diagnostic.hint
+            (Printf.sprintf "`instance %s where` gives it one, with its methods in the lines below"
+               (Show.constraint_ words lack.lacking lack.culprit))
             diagnostic
       | Declared class_ -> (
           match those_with ctx class_ with

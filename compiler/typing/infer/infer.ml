@@ -109,7 +109,7 @@ let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
   | Some { scheme; at; _ } when errors ctx = 0 ->
       List.map (fun (r : Type.rigid) -> r.variable) scheme.types
       @ List.map (fun (r : Units.rigid) -> r.variable) scheme.representations
-      |> List.filter_map (Signature_mistake.variable_like_a_type ~at)
+      |> List.filter_map (Signature_mistake.variable_like_a_type (words ctx) ~at)
       |> List.iter (Diagnostic.emit ctx.reader.sink)
   | Some _ | None -> ()
 

@@ -232,6 +232,27 @@ let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
               |> Diagnostic.revise_last sink))
   | _ -> ()
 
+(* What takes its arguments in another way than in other languages, as `switch mode event next`. *)
+let tell_habit expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
+  let sink = ctx.reader.Written.sink in
+  let before = errors ctx in
+  let tell mistake =
+    match Diagnostic.last sink with
+    | Some d when List.for_all (fun a -> a.style = Juxtaposed) arguments ->
+        let typed a = (a.value, (expressions.infer ctx a.value).ty) in
+        let told = mistake (words ctx) ~at:e.span (List.map typed arguments) d in
+        let is_told = errors ctx = before && told != d in
+        if is_told then Diagnostic.revise_last sink (fun _ -> told);
+        is_told
+    | Some _ | None -> false
+  in
+  match (head.desc, arguments) with
+  | Global { name = ("switch" | "dSwitch") as name; _ }, _ :: _ :: _ :: _ ->
+      tell (Switch_mistake.three_arguments ~name)
+  | Global { name = ("accum" | "accumHold" | "dAccumHold") as name; _ }, [ _; _; _ ] ->
+      tell (Event_mistake.accumulated ~name)
+  | _ -> false
+
 (* How many arguments such a function takes. *)
 let rec arity t = match Type.expand t with Type.Function (_, result) -> 1 + arity result | _ -> 0
 
@@ -340,7 +361,11 @@ let infer expressions ctx e =
       (match failed with
       | Some failed when errors ctx = before + 1 ->
           let given = List.rev types in
-          if not (tell_parentheses expressions ctx ~head arguments ~given ~parameters ~failed) then
+          let is_told =
+            tell_habit expressions ctx e ~head arguments
+            || tell_parentheses expressions ctx ~head arguments ~given ~parameters ~failed
+          in
+          if not is_told then
             tell_order expressions ctx e ~head arguments ~given ~failed
       | _ -> ());
       result)

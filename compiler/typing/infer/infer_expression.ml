@@ -51,6 +51,16 @@ let local ctx (e : Resolve.Ir.expr) (local : Ir.Local.t) =
   | None ->
       Diagnostic.bug ~stage:"Typing.Infer" "the local %s is used before it is typed" local.name
 
+(* The whole of this is no such value at all: of what stands beside it that needs no second word. *)
+let told_of ctx ~before (e : Resolve.Ir.expr) =
+  errors ctx > before
+  &&
+  match Diagnostic.last ctx.reader.sink with
+  | Some d -> String.equal d.code "E0301" && Span.compare d.at e.span = 0
+  | None -> false
+
+let anything (expected : Expected.t) : Expected.t = { expected with ty = Erroneous }
+
 let rec infer ctx (e : Resolve.Ir.expr) : typed =
   match e.desc with
   | Local name -> local ctx e name
@@ -114,7 +124,9 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   | If { condition; then_; else_ }, _ ->
       let condition = check ctx condition (Expected.make Condition Bool) in
       let undecided = Infer_binding.undecided expected in
+      let before = errors ctx in
       let yes = check ctx then_ expected in
+      let expected = if told_of ctx ~before then_ then anything expected else expected in
       let no = check ctx else_ (Infer_binding.beside ~undecided expected then_.span) in
       fun () ->
         let condition = condition () in
@@ -247,6 +259,7 @@ and case ctx e scrutinee branches expected =
   let value = infer ctx scrutinee in
   (* a value of another type is said once, not once a branch *)
   let matched = ref value.ty in
+  let taken = ref [] in
   let branch (done_, expected) (b : Resolve.Ir.branch) =
     let before = errors ctx in
     let pattern =
@@ -254,7 +267,9 @@ and case ctx e scrutinee branches expected =
     in
     if errors ctx > before then matched := Type.Erroneous;
     let undecided = Infer_binding.undecided expected in
+    let sound = errors ctx = before in
     let right = Infer_binding.right expressions ctx b.right expected in
+    if sound then Taken_twice.tell ctx ~before ~taken b value.ty branches;
     let build () : Ir.branch =
       let pattern = pattern () in
       { pattern; value = right () }

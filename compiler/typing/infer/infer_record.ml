@@ -66,6 +66,70 @@ let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagno
              [ ( Span.merge record.span name.span,
                  Printf.sprintf "(%s %s)" name.text (argument (words ctx)) ) ])
 
+(* The field of this one that is a record with such a field. *)
+let field_within ctx ty name =
+  let has (_, (field_type : Ir.ty)) =
+    match field_type with
+    | Data { tycon; _ } ->
+        Option.fold (Environment.record_of ctx.reader.environment tycon) ~none:false
+          ~some:(fun constructor -> position constructor name <> None)
+    | _ -> false
+  in
+  match Type.expand ty with
+  | Data { tycon; _ } ->
+      Option.bind (Environment.record_of ctx.reader.environment tycon) (fun constructor ->
+          Option.map fst (List.find_opt has constructor.ir.fields))
+  | _ -> None
+
+(* What has no fields itself, but gives values that may have them. *)
+let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
+  let text = Option.value (Show.quote words record.span) ~default:"x" in
+  let grouped = Source.grouped text in
+  let whole = Span.merge record.span name.span in
+  match Type.expand ty with
+  | Signal_function (input, output) ->
+      let signal = Option.value (Show.signal words input) ~default:"()" in
+      let applied = Printf.sprintf "%s %s" text signal in
+      let has_it =
+        Option.fold (Show.fields words output) ~none:false ~some:(fun (_, fields) ->
+            List.mem name.text fields)
+      in
+      let cure = if has_it then Printf.sprintf "(%s).%s" applied name.text else applied in
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf "it is a signal function, and what it gives %s `%s`"
+              (if has_it then "has it:" else "is")
+              cure)
+           d
+        |>
+        if String.equal text grouped then
+          Diagnostic.fix (Printf.sprintf "write `%s`" cure)
+            [ (whole, if has_it then cure else "(" ^ cure ^ ")") ]
+        else Fun.id)
+  | t when Environment.is_event t ->
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf
+              "an event has a value only where it occurs: `mapE (\\x -> x.%s) %s` is the event of \
+               its `%s`, and `hold x0` keeps the latest one, at first `x0`"
+              name.text grouped name.text)
+           d)
+  | Data { tycon; _ } when tycon = Environment.built_in "Maybe" ->
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf "there may be none: `maybe x0 (\\x -> x.%s) %s` is `x0` in its place"
+              name.text grouped)
+           d)
+  | Data { tycon; _ } when tycon = Environment.array ->
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf
+              "an array has elements: `(%s ! 0).%s` is that of the first, `map (\\x -> x.%s) %s` \
+               those of all"
+              grouped name.text name.text grouped)
+           d)
+  | _ -> None
+
 let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
   report ctx (fun words ->
       let described = Show.described words ty in
@@ -90,8 +154,17 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
               let text = Printf.sprintf "%s.%s" applied name.text in
               Diagnostic.hint (Printf.sprintf "`%s` is a function: `%s`" f text) d
               |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (record.span, applied) ]
+          | _, Some text when field_within ctx ty name.text <> None ->
+              let field = Option.get (field_within ctx ty name.text) in
+              let cure = Printf.sprintf "%s.%s.%s" (Source.grouped text) field name.text in
+              Diagnostic.hint (Printf.sprintf "its field `%s` has it: `%s`" field cure) d
+              |> Diagnostic.fix (Printf.sprintf "write `%s`" cure)
+                   [ (name.span, field ^ "." ^ name.text) ]
           | _ -> (
-              match as_a_function ctx name ~record d with Some d -> d | None -> usual ()))
+              match through words name ~record ty d with
+              | Some d -> d
+              | None -> (
+                  match as_a_function ctx name ~record d with Some d -> d | None -> usual ())))
       |> Diagnostic.label ~at:record.span ("this is " ^ described))
 
 (* Of a record whose type is not known, perhaps for another error. *)

@@ -46,6 +46,14 @@ let join ctx s ~result ~at (first : Ir.expr) pattern (rest : Ir.expr) : Ir.expr 
 let whatever ty (span : Span.t) : Ir.pattern later =
  fun () -> { desc = Any; ty = Final.ty ty; span = { span with stop = span.start } }
 
+(* Where what comes after a statement starts. *)
+let next (others : Resolve.Ir.statement list) (last : Resolve.Ir.expr) =
+  match others with
+  | [] -> Some last.span
+  | Task { pattern = Some p; _ } :: _ -> Some p.span
+  | Task { pattern = None; task } :: _ -> Some task.span
+  | Values _ :: _ -> None
+
 (* [first]: the place of the first task, once there was one. *)
 let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected.t) statements
     last : Ir.expr later =
@@ -65,6 +73,7 @@ let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected
         node e.span s.whole (Let (bindings, rest ()))
   | Task { pattern; task = written } :: others ->
       let result = Context.fresh ctx in
+      if pattern = None then Early_return.warn ctx written ~next:(next others last);
       let before = errors ctx in
       let value = expressions.check ctx written { ty = task s result;
         because = Statement (place ~first expected.because) } in

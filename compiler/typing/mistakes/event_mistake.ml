@@ -110,6 +110,38 @@ let for_a_time words wanted found =
   | Some (Number (_, u)) -> String.equal (Show.measure words u) "s"
   | _ -> false
 
+(* A record or another value that is neither a choice nor an event. *)
+let is_thing t =
+  match Type.expand t with
+  | Data _ | Tuple (_ :: _) -> not (Environment.is_event t || Environment.is_task t || is_maybe t)
+  | _ -> false
+
+(* How `x`, which has this type, leads to what is wanted: by the field that is called like it. *)
+let within words t wanted =
+  match (Show.fields words t, Type.expand wanted) with
+  | Some (_, fields), Data { tycon; _ }
+    when List.mem (String.uncapitalize_ascii tycon.name) fields ->
+      "x." ^ String.uncapitalize_ascii tycon.name
+  | _ -> "x"
+
+let accumulated words ~name ~at (arguments : (Resolve.Ir.expr * Type.t) list) d =
+  let text (e : Resolve.Ir.expr) =
+    Option.fold (Show.quote words e.span) ~none:"…" ~some:Source.grouped
+  in
+  match arguments with
+  | [ (start, _); (f, change); (e, event) ] when Environment.is_event event && is_function change ->
+      let takes_its_value =
+        match Type.expand change with Function (_, result) -> is_function result | _ -> false
+      in
+      let event = Printf.sprintf (if takes_its_value then "mapE %s %s" else "tag %s %s") in
+      let event = if takes_its_value then event (text f) (text e) else event (text e) (text f) in
+      let cure = Printf.sprintf "%s %s (%s)" name (text start) event in
+      Diagnostic.error ~code:"E0301" ~at:f.span "`%s` takes no function of its own" name
+      |> Diagnostic.label ~at:e.span "the event brings it"
+      |> Diagnostic.hint (Printf.sprintf "write `%s`" cure)
+      |> Diagnostic.write at cure
+  | _ -> d
+
 let hint words ~subject ~(expected : Expected.t) ~found =
   let wanted = expected.ty in
   match expected.because with
@@ -201,6 +233,17 @@ let hint words ~subject ~(expected : Expected.t) ~found =
            (Option.value
               (Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span))
               ~default:"…"))
+  | Parameter { callee = Some f; takes; _ }
+    when Environment.is_event found && is_thing wanted
+         && not (List.mem f [ "switch"; "dSwitch"; "mkTask"; "."; "map" ]) ->
+      Some
+        (Printf.sprintf
+           "an event has a value only where it occurs: `mapE (\\x -> %s %s%s) %s` is the event of \
+            what `%s` makes of it"
+           f
+           (within words (Option.get (content found)) wanted)
+           (if takes > 1 then " …" else "")
+           (written words subject "e") f)
   | Parameter _ | Operand _ | Branch _
     when Type.expand found = Tuple [] && not (Environment.is_event wanted) -> (
       match subject with

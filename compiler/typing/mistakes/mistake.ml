@@ -140,6 +140,15 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
           "the elements of an array are separated by commas, factors by `*`: `[%s, …]`"
            digits)
         diagnostic
+  | _, Field { record; field; _ } when position = 1 ->
+      let quote span = Show.quote words span in
+      (match (quote record.span, quote at) with
+      | Some record, Some value ->
+          hint
+            (Printf.sprintf "nothing is set: a record with another `%s` is `%s { %s = %s }`"
+               field.text (Source.grouped record) field.text value)
+            diagnostic
+      | _ -> diagnostic)
   | _, Global { name = ("mergeE" | "mergeR" | "min" | "max") as name; _ } when position = 3 ->
       hint (Printf.sprintf "of three it is `%s a (%s b c)`" name name) diagnostic
   | Data _, Global { name = ("when" | "edge"); _ } when Environment.is_event left ->

@@ -136,8 +136,11 @@ let numbers_without_units words (e : Resolve.Ir.expr option) =
       List.filter_map plain es
   | _ -> []
 
+let is_operand (expected : Expected.t) =
+  match expected.because with Operand _ -> true | _ -> false
+
 (* What makes one quantity of another. *)
-let conversion words ~subject (wanted, given) diagnostic =
+let conversion words ~subject ~expected (wanted, given) diagnostic =
   let factor = Show.measure words (Units.divide wanted given) in
   let e =
     Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span)
@@ -170,6 +173,11 @@ let conversion words ~subject (wanted, given) diagnostic =
     let digits, at = Option.get written in
     let text = Printf.sprintf "%s[%s]" digits (Show.measure words wanted) in
     hint (Printf.sprintf "write `%s` if that unit was meant" text) diagnostic |> write at text
+  else if Units.equal (Units.multiply given given) wanted && is_operand expected then
+    let text = Printf.sprintf "%s ^ 2" e in
+    hint (Printf.sprintf "`%s` has that unit" text) diagnostic
+    |> Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) ->
+           fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ])
   else if Units.equal (Units.multiply wanted wanted) given && not (is_per_second words wanted) then
     hint (Printf.sprintf "`sqrt %s` has half the unit" e) diagnostic
   else if String.equal factor "1/s" || String.equal factor "Hz" then
@@ -292,6 +300,20 @@ let signature_of_this words ~subject ~(expected : Expected.t) (wanted, given) di
         diagnostic
   | _ -> diagnostic
 
+(* A turn that grows with something, by a gain that is lacking. *)
+let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
+  match subject with
+  | Some (e : Resolve.Ir.expr)
+    when diagnostic.hints = [] && is_per_second words wanted
+         && not (is_operand expected || Units.is_open given) ->
+      let text = Option.value (Show.quote words e.span) ~default:"e" in
+      hint
+        (Printf.sprintf "a gain makes `1/s` of `%s`, as in `2[%s] * %s`" (Show.measure words given)
+           (Show.measure words (Units.divide wanted given))
+           (Source.grouped text))
+        diagnostic
+  | _ -> diagnostic
+
 let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   let text = Show.measure words and is_one u = Units.equal u Units.one in
   let error format = error ~code:"E0320" ~at format in
@@ -310,11 +332,12 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
     |> unit_of_literal words ~subject ~expected ~found (wanted, given)
   in
   if is_number expected.ty && is_number found then
-    conversion words ~subject (wanted, given) diagnostic
+    conversion words ~subject ~expected (wanted, given) diagnostic
     |> by_time ~expected
     |> gain words ~subject (wanted, given)
     |> factor_without_unit words ~subject (wanted, given)
     |> signature_of_this words ~subject ~expected (wanted, given)
+    |> turn words ~subject ~expected (wanted, given)
   else
     without_brackets words (wanted, given) diagnostic
     |> note

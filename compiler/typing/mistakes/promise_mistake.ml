@@ -25,6 +25,39 @@ let essential ctx missing =
 
 let constraint_ words m = Show.constraint_ words m.class_ m.of_
 
+(* The classes added to what a signature promises. *)
+let promised words ~by (place : Span.t) needed d =
+  let joined = String.concat ", " needed in
+  let alone = match needed with [ _ ] -> joined | _ -> "(" ^ joined ^ ")" in
+  let at i = Span.make ~file:place.file ~start:(Span.forward i place.start)
+      ~stop:(Span.forward i place.start) in
+  let insert whole edits =
+    Diagnostic.hint (Printf.sprintf "write `%s`" whole) d
+    |> Diagnostic.fix (Printf.sprintf "write `%s`" whole) edits
+  in
+  match Show.quote words place with
+  | Some text when String.length text > 0 && Span.line place.start = Span.line place.stop -> (
+      let arrow = List.exists (String.equal "=>") (String.split_on_char ' ' text) in
+      match (arrow, text.[0]) with
+      | false, _ -> insert (alone ^ " => " ^ text) [ (at 0, alone ^ " => ") ]
+      | true, '(' ->
+          let rest = String.sub text 1 (String.length text - 1) in
+          insert ("(" ^ joined ^ ", " ^ rest) [ (at 1, joined ^ ", ") ]
+      | true, _ -> (
+          match String.index_opt text '=' with
+          | Some i ->
+              let before = String.trim (String.sub text 0 i) in
+              let rest = String.sub text i (String.length text - i) in
+              insert
+                (Printf.sprintf "(%s, %s) %s" before joined rest)
+                [ (at 0, "("); (at (String.length before), ", " ^ joined ^ ")") ]
+          | None -> d))
+  | _ ->
+      Diagnostic.hint
+        (Printf.sprintf "begin %s with `%s =>`, or add it to what stands there: `(…, %s) =>`" by
+           alone joined)
+        d
+
 let one ctx ({ required; _ } as m) =
   report ctx (fun words ->
       let needed = constraint_ words m in
@@ -43,10 +76,7 @@ let one ctx ({ required; _ } as m) =
           error by
           |> (if Span.compare place required.at = 0 then Fun.id else Diagnostic.label ~at:place by)
           |> asked
-          |> Diagnostic.hint
-               (Printf.sprintf "begin %s with `%s =>`, or add it to what stands there: `(…, %s) =>`"
-                 by
-                  needed needed))
+          |> promised words ~by place [ needed ])
 
 let several ctx (first : t) rest =
   report ctx (fun words ->
@@ -63,14 +93,10 @@ let several ctx (first : t) rest =
           (Printf.sprintf "%s needs `%s`" m.required.by (constraint_ words m))
           diagnostic
       in
-      let joined = String.concat ", " needed in
       List.fold_left label
         (Diagnostic.error ~code:"E0309" ~at:place "%s does not promise %s" by in_words)
         all
-      |> Diagnostic.hint
-           (Printf.sprintf "begin it with `(%s) =>`, or add them to what stands there: `(…, %s) =>`"
-             joined
-              joined))
+      |> promised words ~by place needed)
 
 let rec report ctx = function
   | [] -> ()

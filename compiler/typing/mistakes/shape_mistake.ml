@@ -113,56 +113,15 @@ let is_a_parameter (expected : Expected.t) =
       not (List.mem name [ "+"; "-"; "*"; "/"; "^+^"; "^-^"; "*^" ])
   | _ -> false
 
-let ends_a_mode (expected : Expected.t) =
-  match expected.because with
-  | Parameter { position = 1; callee = Some ("switch" | "dSwitch" | "mkTask"); _ } -> true
-  | _ -> false
-
-let is_pair t = match Type.expand t with Tuple [ _; _ ] -> true | Flexible _ -> true | _ -> false
-
-let lacks_the_signal_of_its_event wanted given =
-  match (Type.expand wanted, Type.expand given) with
-  | Tuple [ _; event ], Tuple [ _; unrun ] -> (
-      Environment.is_event event
-      && match Type.expand unrun with Signal_function (_, o) -> Environment.is_event o | _ -> false)
-  | _ -> false
-
-let gives_a_truth_for_its_event wanted given =
-  match (Type.expand wanted, Type.expand given) with
-  | Tuple [ _; event ], Tuple [ _; truth ] ->
-      Environment.is_event event && Type.expand truth = Bool
-  | _ -> false
-
-(* What goes on from a value, as a switch does from its event's. *)
-let goes_on (expected : Expected.t) =
-  match expected.because with
-  | Parameter { callee = Some ("switch" | "dSwitch" | "initially" | "thenSF"); _ } -> true
-  | _ -> false
-
-let is_array t =
-  match Type.expand t with
-  | Data { tycon; _ } -> tycon = Environment.array
-  | _ -> false
-
-let unlike_sizes a b =
-  match (Type.expand a, Type.expand b) with Size a, Size b -> a <> b | _ -> false
-
-let arithmetic (expected : Expected.t) =
-  match expected.because with
-  | Parameter { callee = Some ("+" | "-" | "*" | "/" as operator); _ }
-  | Operand { operator = "+" | "-" | "*" | "/" as operator; _ } ->
-      Some operator
-  | _ -> None
-
-(* What events have for the operators of truths. *)
-let of_events (expected : Expected.t) =
-  match expected.because with
-  | Parameter { callee = Some "||"; _ } | Operand { operator = "||"; _ } ->
-      Some "`mergeE a b` occurs where one of two events does"
-  | Parameter { callee = Some "&&"; _ } | Operand { operator = "&&"; _ } ->
-      Some "`pairEvents a b` occurs where two events do, and `gate e b` where `b` is True"
-  | Parameter { callee = Some "not"; _ } -> Some "`isEvent e` tells whether it occurs now"
-  | _ -> None
+(* A value of `return` alone, which any task could be. *)
+let is_only_returned words t =
+  match Environment.as_task t with
+  | Some (input, output, _) -> (
+      match (Type.expand input, Type.expand output) with
+      | Flexible _, Flexible _ ->
+          not (Show.needs_class words input || Show.needs_class words output)
+      | _ -> false)
+  | None -> false
 
 (* For `not x > 0`. *)
 let hint_to_group name operator =
@@ -188,16 +147,6 @@ let is_selected (expected : Expected.t) =
 let takes (expected : Expected.t) =
   match expected.because with Parameter { takes; _ } -> takes | _ -> 0
 
-(* A function of the program's own that is applied to one thing. *)
-let of_a_local_function (e : Resolve.Ir.expr option) =
-  match e with
-  | Some { desc = Apply { head; argument; style = Juxtaposed }; _ } -> (
-      match head.desc with
-      | Local x -> Some (x.name, argument.span)
-      | Global g when not (String.equal g.module_ "Prelude") -> Some (g.name, argument.span)
-      | _ -> None)
-  | _ -> None
-
 let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   let text t = Show.described words t in
   let quote = Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
@@ -213,6 +162,18 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
     when Environment.is_task wanted && (not (Environment.is_task given))
       && of_a_sequence expected ->
       Task_mistake.no_task words ~subject ~at ~found
+  | Data { tycon = { name = "Test"; _ }; _ }, Signal_function (input, _), _ ->
+      let sf = written "sf" in
+      error ~code:"E0301" ~at "a test is no signal function: it says how long that is to hold"
+      |> here (Printf.sprintf "this is %s" (text found))
+      |> hint
+           (match Type.expand input with
+           | Data { tycon = { name = "Truth"; _ }; _ } ->
+               Printf.sprintf
+                 "what is to hold in the simulator is a trial: `trial \"name\" = Trial { world = \
+                  \"room.toml\", lasts = 10[s], seeds = 1 `to` 20, judge = %s }`"
+                 (raw "sf")
+           | _ -> Printf.sprintf "`during 10[s] %s` is a test" sf)
   | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _), _ ->
       unrun words ~subject ~at ~input ~found
         |> note (Printf.sprintf "expected %s" (text expected.ty))
@@ -220,20 +181,10 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
     ->
       unrun words ~subject:(Some other) ~at:other.span ~input ~found:expected.ty
       |> label ~at (Printf.sprintf "this is %s" (text found))
-  | Signal_function (_, wanted), Signal_function (_, given), _
-    when ends_a_mode expected && is_pair wanted && not (is_pair given) ->
+  | Signal_function _, _, None
+    when Switch_mistake.of_a_mode words ~subject ~expected ~found <> None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-      |> hint "it gives its output together with the event that ends it, as `sf &&& e` does"
-  | Signal_function (_, wanted), Signal_function (_, given), _
-    when ends_a_mode expected && lacks_the_signal_of_its_event wanted given ->
-      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-      |> hint "the event is a signal function here, and not run: it lacks its signal, as in `after \
-               5[s] ()`"
-  | Signal_function (_, wanted), Signal_function (_, given), _
-    when ends_a_mode expected && gives_a_truth_for_its_event wanted given ->
-      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-      |> hint
-        "what ends it is an event: `edge b` occurs when `b` becomes True, `when b` wherever it is"
+      |> hint (Option.get (Switch_mistake.of_a_mode words ~subject ~expected ~found))
   | Signal_function (_, wanted), Function (_, given), _
     when Environment.is_event wanted && Type.expand given = Bool ->
       error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
@@ -262,7 +213,7 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
         error ~code:"E0304" ~at "expected a function, found a signal function: %s" (text found)
       in
       match (expected.because, Type.expand expected.ty) with
-      | _ when goes_on expected ->
+      | _ when Switch_mistake.goes_on expected ->
           let sf = Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
           let text = "\\_ -> " ^ Option.value sf ~default:"…" in
           hint (Printf.sprintf "it is given a value, and may ignore it: `%s`" text) diagnostic
@@ -324,6 +275,15 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
               (Printf.sprintf "`%s` takes %d argument%s" name missing
                  (if missing = 1 then "" else "s"))
               d
+        | None
+          when missing = 1 && Environment.is_task expected.ty
+               && Option.bind subject Plain_name.of_head = Some "sleepT" ->
+            let cure = Printf.sprintf "%s restingOutput" (raw "sleepT 1[s]") in
+            hint
+              (Printf.sprintf "`%s` waits with the robot at rest; any other output may stand there"
+                 cure)
+              d
+            |> fix (Printf.sprintf "write `%s`" cure) [ (at, cure) ]
         | None when declared words subject <> None ->
             let name, ty = Option.get (declared words subject) in
             hint
@@ -352,24 +312,11 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> hint
            (Printf.sprintf "vectors have operators of their own: %s"
               (Option.get (vector_operator expected)))
-  | Number _, _, _ when is_array found && arithmetic expected <> None ->
+  | Number _, _, _
+    when Array_mistake.is_array found
+         && Array_mistake.computed words ~subject expected <> None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-      |> hint
-           (let operator = Option.get (arithmetic expected) in
-            Printf.sprintf
-              "`map (\\x -> x %s y) xs` computes with each element, `zipWith (%s) xs ys` with \
-               those of two arrays"
-              operator operator)
-  | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None
-    when ends_a_mode expected && of_a_local_function subject <> None ->
-      let name, argument = Option.get (of_a_local_function subject) in
-      let argument = Option.value (Show.quote words argument) ~default:"x" in
-      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-      |> hint
-           (Printf.sprintf
-              "what is switched are signal functions, which get their signal from the `switch`: \
-               `%s = proc %s -> …`, and the whole runs as `switch %s … %s`"
-              name argument name argument)
+      |> hint (Option.get (Array_mistake.computed words ~subject expected))
   | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint "`constant e` is the signal function that always gives `e`"
@@ -420,7 +367,7 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
              let parts = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) given in
              hint (Printf.sprintf "a pattern for it is `(%s)`" (String.concat ", " parts))
          | _ -> Fun.id)
-  | Data _, Tuple (_ :: _ as given), _ when is_array expected.ty ->
+  | Data _, Tuple (_ :: _ as given), _ when Array_mistake.is_array expected.ty ->
       let elements =
         match subject with
         | Some { desc = Tuple es; _ } ->
@@ -439,11 +386,30 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> hint
            (Printf.sprintf "`number \"name\" %s` is the mark of a number" (written "x"))
   | Data { arguments = [ n; _ ]; _ }, Data { arguments = [ n'; _ ]; _ }, _
-    when is_array expected.ty && is_array found && unlike_sizes n n' ->
+    when Array_mistake.is_array expected.ty
+         && Array_mistake.is_array found
+         && Array_mistake.unlike_sizes n n' ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint
-           "the two have different numbers of elements; `take` and `drop` make an array of the \
-            size that its type says"
+           (match subject with
+           | Some { desc = Array elements; _ } ->
+               Printf.sprintf "%d are written here; an array of as many has the type %s"
+                 (List.length elements) (text found)
+           | _ ->
+               "the two have different numbers of elements; `take` and `drop` make an array of the \
+                size that its type says")
+  | _, given, _ when Array_mistake.mapped expected given <> None ->
+      let name, of_what, place = Option.get (Array_mistake.mapped expected given) in
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint (Printf.sprintf "a function %s is applied by `%s`" of_what name)
+      |> write place name
+  | (Number _ | Bool | Data _ | Tuple (_ :: _)), given, _
+    when Environment.is_task given && is_only_returned words given
+         && not (Environment.is_task expected.ty) ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint
+           "`return` makes a task: the value of a function or an equation is what stands behind \
+            its `=`, without a `return`"
   | Data _, Data _, _ when Show.makers words expected.ty ~of_:found <> [] ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint
@@ -529,6 +495,9 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
                   | [ _; _ ], Bool ->
                       Printf.sprintf ", as in `if %s then … else …`" (raw "b")
                   | _ -> ""))
+      | None, Condition when Truth_mistake.compared words ~subject found <> None ->
+          error ~code:"E0301" ~at "a condition must be `Bool`, but this is %s" (text found)
+          |> hint (Option.get (Truth_mistake.compared words ~subject found))
       | None, Condition ->
           error ~code:"E0301" ~at "a condition must be `Bool`, but this is %s" (text found)
           |> if Environment.is_event found then is_event else Fun.id
@@ -544,9 +513,9 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
           |> hint "an event has a value only where it occurs: `hold x0 e` is the latest one, at \
                    first `x0`"
       | None, _ when Type.expand expected.ty = Bool && Environment.is_event found
-        && of_events expected <> None ->
+        && Truth_mistake.of_events words ~subject expected <> None ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
-          |> hint (Option.get (of_events expected))
+          |> hint (Option.get (Truth_mistake.of_events words ~subject expected))
       | None, _ when Environment.is_event expected.ty && Type.expand found = Bool ->
           error ~code:"E0301" ~at "expected %s, found `Bool`" (text expected.ty)
           |> hint
@@ -562,6 +531,16 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
         when Type.expand expected.ty = Bool && Option.is_some (Plain_name.of_head head) ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
           |> hint_to_group (Option.get (Plain_name.of_head head)) operator
+      | None, (Parameter { before = None; _ } | Operand { other = { desc = Apply _; _ }; _ })
+        when Type.expand expected.ty = Bool
+             && Truth_mistake.compared words ~subject found <> None ->
+          error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
+          |> hint (Option.get (Truth_mistake.compared words ~subject found))
+      | None, Element _ ->
+          error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+          |> hint
+               "all elements of an array have one type; values of several types stand in a tuple, \
+                `(a, b)`, or in a record"
       | None, Value _ ->
           error ~code:"E0301" ~at "this pattern matches %s, but the value is %s" (text found)
             (text expected.ty)

@@ -11,14 +11,56 @@ let type_meant (variable : Ir.variable) =
       Some type_
   | _ -> None
 
-let variable_like_a_type ~at (variable : Ir.variable) =
+(* The places in a signature where this name stands. *)
+let mentions words (place : Span.t) name =
+  let is_part = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false in
+  match Show.quote words place with
+  | Some text when Span.line place.start = Span.line place.stop ->
+      let n = String.length name and length = String.length text in
+      let stands i =
+        i + n <= length
+        && String.equal (String.sub text i n) name
+        && (i = 0 || not (is_part text.[i - 1]))
+        && (i + n = length || not (is_part text.[i + n]))
+      in
+      let span i =
+        let start = Span.forward i place.start in
+        Span.make ~file:place.file ~start ~stop:(Span.forward n start)
+      in
+      List.filter stands (List.init length Fun.id) |> List.map span
+  | Some _ | None -> []
+
+let variable_like_a_type words ~at (variable : Ir.variable) =
   Option.map
     (fun type_ ->
       warning ~code:"W0302" ~at "`%s` is a variable here, and stands for every type" variable.name
-      |> hint (Printf.sprintf "the type is `%s`" type_))
+      |> hint (Printf.sprintf "the type is `%s`" type_)
+      |>
+      match mentions words at variable.name with
+      | [] -> Fun.id
+      | places ->
+          fix (Printf.sprintf "write `%s`" type_) (List.map (fun at -> (at, type_)) places))
     (type_meant variable)
 
-let too_general owner ~at ~kind (variable : Ir.variable) needed =
+(* The signature with what the definition needs in place of the variable. *)
+let less_general words place (variable : Ir.variable) needed d =
+  match (Show.quote words place, mentions words place variable.name) with
+  | Some text, (_ :: _ as places) ->
+      let piece (at : Span.t) = Span.column at.start - Span.column place.start in
+      let replaced =
+        List.fold_left
+          (fun text at ->
+            let i = piece at and n = String.length variable.name in
+            String.sub text 0 i ^ needed ^ String.sub text (i + n) (String.length text - i - n))
+          text (List.rev places)
+      in
+      hint (Printf.sprintf "if the definition is right, the signature says `%s`" replaced) d
+      |> fix
+           (Printf.sprintf "write `%s`" replaced)
+           (List.map (fun at -> (at, needed)) places)
+  | _ -> d
+
+let too_general words owner ~at ~kind ~instead (variable : Ir.variable) needed =
   let diagnostic =
     error ~code:"E0306" ~at "the signature promises every %s `%s`, but the definition needs %s" kind
       variable.name needed
@@ -32,11 +74,21 @@ let too_general owner ~at ~kind (variable : Ir.variable) needed =
   match type_meant variable with
   | Some type_ ->
       hint (Printf.sprintf "the type is `%s`; a name in lower case stands for every %s" type_ kind)
-  | None -> Fun.id
+  | None -> (
+      match (owner variable, instead) with
+      | Some { place; _ }, Some needed -> less_general words place variable needed
+      | _ -> Fun.id)
 
 let general_type words owner ~at (r : Type.rigid) t =
   let kind = match r.kind with Of_types -> "type" | Of_sizes -> "size" in
-  too_general owner ~at ~kind r.variable (Printf.sprintf "it to be %s" (Show.described words t))
+  let instead =
+    match Type.expand t with
+    | Bool | String | Size _ | Data { arguments = []; _ } -> Some (Show.type_ words t)
+    | Number (Float, u) when not (Units.is_open u) -> Some (Show.type_ words t)
+    | _ -> None
+  in
+  too_general words owner ~at ~kind ~instead r.variable
+    (Printf.sprintf "it to be %s" (Show.described words t))
 
 (* `s2` in brackets, which is a variable. *)
 let power_meant (variable : Ir.variable) =
@@ -46,14 +98,21 @@ let power_meant (variable : Ir.variable) =
   | _ -> None
 
 let general_unit words owner ~at (r : Units.rigid) u =
-  too_general owner ~at ~kind:"unit" r.variable
+  let instead = if Units.is_open u then None else Some (Show.measure words u) in
+  let instead = if power_meant r.variable = None then instead else None in
+  too_general words owner ~at ~kind:"unit" ~instead r.variable
     (Printf.sprintf "it to be `%s`" (Show.measure words u))
   |> Option.fold (power_meant r.variable) ~none:Fun.id ~some:(fun power ->
          hint (Printf.sprintf "`%s` is a variable here; a power is written `%s`" r.variable.name
                  power))
 
 let general_representation words owner ~at (r : Units.rigid) n =
-  too_general owner ~at ~kind:"representation" r.variable
+  let instead =
+    match n with
+    | Type.Float | Int -> Some (Show.representation words n)
+    | Flexible_representation _ | Rigid_representation _ -> None
+  in
+  too_general words owner ~at ~kind:"representation" ~instead r.variable
     (Printf.sprintf "it to be `%s`" (Show.representation words n))
 
 let promised_unit (a, b) =

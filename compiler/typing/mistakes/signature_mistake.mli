@@ -21,6 +21,6 @@ val promised_unit : Units.t * Units.t -> (Units.rigid * Units.t) option
 (** Of two units that clash, the one that is a single variable of a signature, if the
     other has no such variable; and that other one. *)
 
-val variable_like_a_type : at:Span.t -> Ir.variable -> Diagnostic.t option
+val variable_like_a_type : Show.words -> at:Span.t -> Ir.variable -> Diagnostic.t option
 (** A warning [W0302] about a variable of a signature that is named as a type
     is, but for its first letter. *)

@@ -77,13 +77,26 @@ let unit_of_type t scope (written : Resolve.Ir.unit_) =
   let { Environment.measure; scale } = unit_ t scope written in
   if not (Exact.equal scale Exact.one) then begin
     let words = Show.words ~named_unit:(Environment.named_unit t.environment) () in
-    Diagnostic.(
-      error ~code:"E0321" ~at:written.span
-        "a type cannot mention a scaled unit: values are held in base units"
-      |> hint (Printf.sprintf "write `%s` here; scaled units stand on literals"
-           (Show.measure words measure))
-      |> write written.span (Show.measure words measure)
-      |> emit t.sink)
+    let text = Show.measure words measure in
+    let told =
+      Diagnostic.(
+        error ~code:"E0321" ~at:written.span
+          "a type cannot mention a scaled unit: values are held in base units"
+        |> hint (Printf.sprintf "write `%s` here; scaled units stand on literals" text)
+        |> write written.span text)
+    in
+    match Diagnostic.last t.sink with
+    | Some d
+      when d.hints = told.hints && d.code = told.code
+           && Span.line d.at.start = Span.line written.span.start ->
+        (* the same signature: one cure for all of it *)
+        let all (f : Diagnostic.fix) (other : Diagnostic.fix) =
+          { f with edits = f.edits @ other.edits }
+        in
+        Diagnostic.revise_last t.sink (fun d ->
+            Diagnostic.label ~at:written.span "and here"
+              { d with fixes = List.map2 all d.fixes told.fixes })
+    | _ -> Diagnostic.emit t.sink told
   end;
   measure
 

@@ -121,7 +121,7 @@ What cannot be compared, what nothing decides, what a signature leaves out.
   6 | either3 x y = x == y
     |                 ^^
     |
-    = hint: begin the signature of `either3` with `Eq a =>`, or add it to what stands there: `(…, Eq a) =>`
+    = hint: write `Eq a => a -> a -> Bool`
   
   3 errors
   [1]
@@ -154,6 +154,8 @@ A signature that promises more than the definition keeps.
     |         ------------ `n` is any representation in the signature of `half`
   5 | half x = x / 2.0
     |          ^
+    |
+    = hint: if the definition is right, the signature says `Float[u] -> Float[u]`
   
   error[E0301]: the two of this pair stand in the other order
    --> promises.frob:8:15
@@ -197,6 +199,8 @@ Patterns, conditions, and a function given itself.
     |
   5 | choose = if 1 then 2 else 3
     |             ^
+    |
+    = hint: the truths are `True` and `False`: it is `True`
   
   error[E0301]: expected a tuple of 2, found one of 3
    --> shapes.frob:8:12

@@ -127,6 +127,8 @@ A signature for every unit that works for one, or for a related one, only.
     |           -------------------- `u` is any unit in the signature of `raised`
   2 | raised x = x + 1[m]
     |                ^^^^ this is `Float[m]`
+    |
+    = hint: if the definition is right, the signature says `Float[m] -> Float[m]`
   
   error[E0320]: expected the unit `u`, found `u^2`
    --> general.frob:5:12

@@ -143,7 +143,7 @@ Rows of a matrix:
   3 | main = proc x -> gain * x
     |                  ^^^^
     |
-    = hint: no type stands before a name: `gain = …`, and if wanted `gain :: Float` on a line of its own
+    = hint: a definition has no `const` before it: `gain = …`
   
   1 error
   [1]

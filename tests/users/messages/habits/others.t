@@ -144,7 +144,7 @@ Python:
   4 |     for d in ds:
     |                ^
     |
-    = hint: nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forever t` and `forEachT xs f` repeat tasks
+    = hint: nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forEachT xs f` does a task for each
   
   1 error
   [1]

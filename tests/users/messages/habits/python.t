@@ -71,13 +71,13 @@ What Python writes, in Frob's words.
   > main = arr (limit 1.0)
   > FROB
   $ frobc check import.frob
-  error[E0110]: expected an operator, an argument, or the end of the expression, found `import`
-   --> import.frob:1:14
+  error[E0110]: Frob has no `from`
+   --> import.frob:1:1
     |
   1 | from Control import limit
-    |              ^^^^^^
+    | ^^^^
     |
-    = hint: names are imported from a module by `import Control (limit)`
+    = hint: names are imported by `import Control (limit)`
   
   1 error
   [1]

@@ -11,7 +11,7 @@ Tuples, records and texts as other languages treat them.
   2 | main = proc p -> p[0] + p[1]
     |                   ^
     |
-    = hint: an element of an array is written `xs ! 0`, a tuple is taken apart by an equation, `(a, b) = p`; an argument needs a blank before it
+    = hint: an element of an array is `(p ! 0)`; a tuple is taken apart by an equation, `(a, b) = p`, and an argument needs a blank before it
   
   1 error
   [1]

@@ -43,13 +43,13 @@ A block in braces is one mistake, whatever is in it:
   > main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0))
   > FROB
   $ frobc check from.frob
-  error[E0110]: expected an operator, an argument, or the end of the expression, found `import`
-   --> from.frob:1:12
+  error[E0110]: Frob has no `from`
+   --> from.frob:1:1
     |
   1 | from Robot import setVelTR
-    |            ^^^^^^
+    | ^^^^
     |
-    = hint: names are imported from a module by `import Robot (setVelTR)`
+    = hint: names are imported by `import Robot (setVelTR)`
   
   1 error
   [1]
@@ -136,7 +136,7 @@ An equation where a task is done:
   3 |     assert (frontSonar i > 0.1[m]))
     |                                   ^
     |
-    = hint: what holds has a name, in quotes: `assert "keeps off the wall" (x > 0)`
+    = hint: what holds has a name, in quotes: `assert "keeps off the wall" (frontSonar i > 0.1[m])`
   
   1 error
   [1]

@@ -671,7 +671,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   3 | sign x = x / abs x
     | ^^^^
     |
-    = hint: write one clause, with a branch for each: `sign x = case x of …`
+    = hint: write one clause, with a branch `pattern -> value` for each in a line below: `sign x = case x of`
   
   1 error
   # 058_list_type.frob
@@ -956,7 +956,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   4 |     for d in ds:
     |                ^
     |
-    = hint: nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forever t` and `forEachT xs f` repeat tasks
+    = hint: nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forEachT xs f` does a task for each
   
   1 error
   # 085_call_with_commas.frob

@@ -90,16 +90,10 @@ A number that is no Int is not exchanged with a 0:
     |
   2 | warm :: Float[C]
     |               ^
-    |
-    = hint: a temperature is in kelvin, `K`, where 0 degrees Celsius are `273.15[K]`; a coulomb is `A s`
-  
-  error[E0208]: unknown unit `C`
-   --> celsius.frob:3:11
-    |
   3 | warm = 21[C]
-    |           ^
+    |           - and here
     |
     = hint: a temperature is in kelvin, `K`, where 0 degrees Celsius are `273.15[K]`; a coulomb is `A s`
   
-  2 errors
+  1 error
   [1]

@@ -89,6 +89,8 @@ In a record the number is shown, and not the record.
     |           ------------------- `u` is any unit in the signature of `scaled`
   9 | scaled k = Vec2 { x = k, y = 1 }
     |                              ^ this is `Float`
+    |
+    = hint: if the definition is right, the signature says `Float[1] -> Vec2[1]`
   
   3 errors
   [1]

@@ -111,7 +111,7 @@ A unit stands on a literal or a type, never on a name, and touches it.
   1 | x = 5 [m]
     |       ^^^
     |
-    = hint: as in `0.4[m/s]`
+    = hint: take the blank out, as in `0.4[m/s]`
   
   1 error
   [1]

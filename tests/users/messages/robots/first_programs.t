@@ -214,7 +214,7 @@ A class or instance without its `where`, a `do` as an argument:
   5 |     size b = 1
     |            ^
     |
-    = hint: the methods follow `where`, each on a line of its own
+    = hint: the methods follow `where`, each on a line of its own: `instance Sized Bool where`
   
   error[E0110]: expected an operator, an argument, or the end of the expression, found `do`
    --> instance.frob:8:17

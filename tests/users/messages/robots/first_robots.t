@@ -254,7 +254,7 @@ A signature that asks for too little.
   76 | bumped :: HasBumpers i => i -> Bool
      |           ------------------------- `bumped` asks for `HasBumpers i` here
      |
-     = hint: begin the signature of `main` with `HasBumpers i =>`, or add it to what stands there: `(…, HasBumpers i) =>`
+     = hint: write `(DiffDrive o, HasBumpers i) => Program i o`
   
   1 error
   [1]
@@ -343,7 +343,7 @@ A signature that promises too little is one mistake, whoever needs what it lacks
   8 |         when (distance (place i) start >= way || frontSonar i < 0.4[m])))
     |                                                  ---------- `frontSonar` needs `HasSonar i`
     |
-    = hint: begin it with `(DiffDrive o, HasSonar i) =>`, or add them to what stands there: `(…, DiffDrive o, HasSonar i) =>`
+    = hint: write `(DiffDrive o, HasSonar i) => Distance -> Task i o ()`
   
   1 error
   [1]

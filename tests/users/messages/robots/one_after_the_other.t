@@ -11,7 +11,6 @@ Semicolons, several commands, and a signature of too few parameters: one message
   2 | main = reactimateTask (forward 1[m]; turnBy 90[deg])
     |                       ^            - a `)` belongs before this
     |
-    = hint: each `)` closes the last bracket that is still open: if this one was to be closed where it is, then a bracket in it is not
     = hint: a `;` ends a definition; tasks one after the other stand in a `do`, each on a line of its own
   
   1 error

@@ -386,7 +386,7 @@ What a switch takes, what a program is made of, what is computed with arrays, an
   2 | main = proc xs -> xs * 2
     |                   ^^ - argument 1 of `*` is a number
     |
-    = hint: `map (\x -> x * y) xs` computes with each element, `zipWith (*) xs ys` with those of two arrays
+    = hint: `map (\x -> x * 2) xs` computes with each element
   
   1 error
   [1]

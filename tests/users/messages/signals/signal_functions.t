@@ -175,7 +175,7 @@ Operators of truths do not take events.
     |                   |
     |                   argument 1 of `not` is `Bool`
     |
-    = hint: `isEvent e` tells whether it occurs now
+    = hint: `isEvent (edge b)` tells whether it occurs now
   
   3 errors
   [1]

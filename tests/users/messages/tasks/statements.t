@@ -20,7 +20,7 @@ An argument is missing: the type of the function shows which.
   5 |     sleepT 5[s]
     |     ^^^^^^^^^^^
     |
-    = hint: an argument is missing, the last of `sleepT :: Time -> b -> Task a b ()`
+    = hint: `sleepT 5[s] restingOutput` waits with the robot at rest; any other output may stand there
   
   1 error
   [1]

@@ -1,0 +1,84 @@
+open Basis
+
+type clause = { name : Ir.name; parameters : Ir.pattern list; right : Ir.right; span : Span.t }
+
+let clause (d : Ir.declaration) =
+  match d.desc with
+  | Binding { left = Function_name { name; parameters }; right; _ } ->
+      Some { name; parameters; right; span = d.span }
+  | _ -> None
+
+let invented = [ "x"; "y"; "z"; "w" ]
+
+(* In one line, and of as many patterns as the first: then its words can stay as they are. *)
+let is_simple ~like c =
+  List.compare_lengths c.parameters like.parameters = 0
+  && List.compare_lengths c.parameters invented <= 0
+  && Span.line c.span.start = Span.line c.span.stop
+  && match c.right with { body = Plain _; where = [] } -> true | _ -> false
+
+let case_of c =
+  let names = List.filteri (fun i _ -> i < List.length c.parameters) invented in
+  let value =
+    match names with [ one ] -> one | _ -> "(" ^ String.concat ", " names ^ ")"
+  in
+  Printf.sprintf "%s %s = case %s of" c.name.text (String.concat " " names) value
+
+(* The edits that make branches of the clauses: what stands between the patterns goes. *)
+let edits ~first c =
+  let gap (from : Span.t) (till : Span.t) text =
+    (Span.make ~file:from.file ~start:from.stop ~stop:till.start, text)
+  in
+  let opening, closing = match c.parameters with [ _ ] -> ("", "") | _ -> ("(", ")") in
+  let rec between (previous : Ir.pattern) = function
+    | (p : Ir.pattern) :: rest -> gap previous.span p.span ", " :: between p rest
+    | [] -> (
+        match c.right.body with
+        | Plain e -> [ gap previous.span e.span (closing ^ " -> ") ]
+        | Guarded _ -> [])
+  in
+  match c.parameters with
+  | [] -> []
+  | p :: rest ->
+      let head = Span.make ~file:c.span.file ~start:c.span.start ~stop:p.span.start in
+      let indentation = String.make (Span.column c.span.start + 3) ' ' in
+      let begins = if c == first then case_of c ^ "\n" ^ indentation else String.make 4 ' ' in
+      (head, begins ^ opening) :: between p rest
+
+let report first others =
+  let also d c = Diagnostic.label ~at:c.name.span "one more" d in
+  let d =
+    match others with
+    | second :: more ->
+        Diagnostic.error ~code:"E0115" ~at:second.name.span "`%s` is defined by several clauses"
+          first.name.text
+        |> Diagnostic.label ~at:first.name.span "the first"
+        |> fun d -> List.fold_left also d more
+    | [] -> Diagnostic.bug ~stage:"Syntax.Clauses" "no second clause"
+  in
+  let all = first :: others in
+  let d =
+    Diagnostic.hint
+      (Printf.sprintf
+         "write one clause, with a branch `pattern -> value` for each in a line below: `%s`"
+         (case_of first))
+      d
+  in
+  if List.for_all (is_simple ~like:first) all then
+    Diagnostic.fix "write one clause with a `case`" (List.concat_map (edits ~first) all) d
+  else d
+
+let joined declarations =
+  let finish first others told =
+    match (first, others) with
+    | Some first, _ :: _ -> report first (List.rev others) :: told
+    | _ -> told
+  in
+  let add (kept, first, others, told) d =
+    match (first, clause d) with
+    | Some f, Some c when String.equal f.name.text c.name.text ->
+        (kept, first, c :: others, told)
+    | _, c -> (d :: kept, c, [], finish first others told)
+  in
+  let kept, first, others, told = List.fold_left add ([], None, [], []) declarations in
+  (List.rev kept, List.rev (finish first others told))

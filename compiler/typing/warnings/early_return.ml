@@ -1,0 +1,46 @@
+open Basis
+
+let prelude name (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Global g -> String.equal g.module_ "Prelude" && String.equal g.name name
+  | _ -> false
+
+let is_return (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Apply { head; style = Juxtaposed; _ } -> prelude "return" head
+  | _ -> false
+
+(* All that it does is to return, whatever holds. *)
+let rec only_returns (e : Resolve.Ir.expr) =
+  is_return e
+  ||
+  match e.desc with
+  | If { then_; else_; _ } -> only_returns then_ && only_returns else_
+  | Apply
+      { head = { desc = Apply { head; style = Juxtaposed; _ }; _ }; argument; style = Juxtaposed }
+    ->
+      prelude "whenT" head && only_returns argument
+  | _ -> false
+
+(* The line goes; the next statement stands in the one below it, so nothing else is in between. *)
+let without (e : Resolve.Ir.expr) next d =
+  match (next : Span.t option) with
+  | Some next when Span.line next.start = Span.line e.span.stop + 1 ->
+      Diagnostic.fix ~safe:true "leave it out"
+        [ (Span.make ~file:e.span.file ~start:e.span.start ~stop:next.start, "") ]
+        d
+  | Some _ | None -> d
+
+let warn (ctx : Context.t) (e : Resolve.Ir.expr) ~next =
+  let tell message = Diagnostic.warning ~code:"W0312" ~at:e.span message in
+  if is_return e then
+    tell "this `return` does nothing: what follows it is done all the same"
+    |> Diagnostic.hint "leave it out: a task ends behind its last statement"
+    |> without e next
+    |> Diagnostic.emit ctx.reader.sink
+  else if only_returns e then
+    tell "this ends nothing: what follows it is done all the same"
+    |> Diagnostic.hint
+         "the rest belongs into the other branch: `if c then return x else do`, and below it what \
+          is to be done else"
+    |> Diagnostic.emit ctx.reader.sink

@@ -1,0 +1,229 @@
+Records and arrays as other languages have them.
+
+  $ cat > record_unknown_field.frob <<'FROB'
+  > data St = St { x :: Float, y :: Float }
+  > main = proc v -> St { x = v, z = 2, y = 1 }
+  > FROB
+  $ frobc check record_unknown_field.frob
+  error[E0209]: constructor `St` has no field `z`
+   --> record_unknown_field.frob:2:30
+    |
+  1 | data St = St { x :: Float, y :: Float }
+    |           -- declared here
+  2 | main = proc v -> St { x = v, z = 2, y = 1 }
+    |                              ^
+    |
+    = note: its fields: `x`, `y`
+  
+  1 error
+  [1]
+
+  $ cat > record_function_access.frob <<'FROB'
+  > data St = St { x :: Float, y :: Float }
+  > main = proc s -> x s + y s
+  > FROB
+  $ frobc check record_function_access.frob
+  error[E0205]: `x` is a field, and no function
+   --> record_function_access.frob:2:18
+    |
+  2 | main = proc s -> x s + y s
+    |                  ^
+    |
+    = hint: write `s.x`; the function is `\r -> r.x`
+  
+  error[E0205]: `y` is a field, and no function
+   --> record_function_access.frob:2:24
+    |
+  2 | main = proc s -> x s + y s
+    |                        ^
+    |
+    = hint: write `s.y`; the function is `\r -> r.y`
+  
+  2 errors
+  [1]
+
+  $ cat > record_update_call.frob <<'FROB'
+  > data St = St { x :: Float, y :: Float }
+  > main :: SF St St
+  > main = proc s -> s.x(3)
+  > FROB
+  $ frobc check record_update_call.frob
+  error[E0302]: this is `Float`, not a function
+   --> record_update_call.frob:3:18
+    |
+  3 | main = proc s -> s.x(3)
+    |                  ^^^ - it is given an argument here
+    |
+    = hint: nothing is set: a record with another `x` is `s { x = 3 }`
+  
+  1 error
+  [1]
+
+  $ cat > enum_dot.frob <<'FROB'
+  > data Mode = Drive | Turn
+  > main = proc b -> if b then Mode.Drive else Mode.Turn
+  > FROB
+  $ frobc check enum_dot.frob
+  error[E0215]: no module `Mode` is imported here
+   --> enum_dot.frob:2:28
+    |
+  2 | main = proc b -> if b then Mode.Drive else Mode.Turn
+    |                            ^^^^            ---- and here
+    |
+    = hint: `Mode` is a type, of which the constructors stand alone: leave out `Mode.`
+  
+  1 error
+  [1]
+
+  $ cat > array_index_bracket.frob <<'FROB'
+  > main :: SF (Array 4 Float) Float
+  > main = proc a -> a[2]
+  > FROB
+  $ frobc check array_index_bracket.frob
+  error[E0110]: a `[` directly after a name starts no index and no array
+   --> array_index_bracket.frob:2:19
+    |
+  2 | main = proc a -> a[2]
+    |                   ^
+    |
+    = hint: an element of an array is `(a ! 2)`; a tuple is taken apart by an equation, `(a, b) = a`, and an argument needs a blank before it
+  
+  1 error
+  [1]
+
+  $ cat > array_type_c.frob <<'FROB'
+  > main :: SF Float[4] Float
+  > main = proc a -> sum a
+  > FROB
+  $ frobc check array_type_c.frob
+  error[E0119]: the number `4` cannot be part of a unit, only `1` can
+   --> array_type_c.frob:1:18
+    |
+  1 | main :: SF Float[4] Float
+    |                  ^
+    |
+    = hint: a power is written `m^2`; an array of 4 has the type `Array 4 Float`
+  
+  1 error
+  [1]
+
+  $ cat > array_for.frob <<'FROB'
+  > total :: Array 4 Float -> Float
+  > total a = for x in a: s += x
+  > main = proc a -> total a
+  > FROB
+  $ frobc check array_for.frob
+  error[E0103]: unexpected character `:`
+   --> array_for.frob:2:21
+    |
+  2 | total a = for x in a: s += x
+    |                     ^
+    |
+    = hint: nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forEachT xs f` does a task for each
+  
+  1 error
+  [1]
+
+  $ cat > array_len_mismatch.frob <<'FROB'
+  > gains :: Array 3 Float
+  > gains = [1, 2, 3, 4]
+  > main = proc x -> x * gains ! 0
+  > FROB
+  $ frobc check array_len_mismatch.frob
+  error[E0301]: expected `Array 3 Float`, found `Array 4 Float`
+   --> array_len_mismatch.frob:2:9
+    |
+  1 | gains :: Array 3 Float
+    |          ------------- the signature of `gains` asks for `Array 3 Float`
+  2 | gains = [1, 2, 3, 4]
+    |         ^^^^^^^^^^^^
+    |
+    = hint: 4 are written here; an array of as many has the type `Array 4 Float`
+  
+  1 error
+  [1]
+
+  $ cat > array_mixed.frob <<'FROB'
+  > vals = [1, True, 3]
+  > main = proc x -> x
+  > FROB
+  $ frobc check array_mixed.frob
+  error[E0301]: expected a number, found `Bool`
+   --> array_mixed.frob:1:12
+    |
+  1 | vals = [1, True, 3]
+    |         -  ^^^^
+    |         |
+    |         the first element is a number
+    |
+    = hint: all elements of an array have one type; values of several types stand in a tuple, `(a, b)`, or in a record
+  
+  1 error
+  [1]
+
+  $ cat > array_plus.frob <<'FROB'
+  > main :: SF (Array 3 Float, Array 3 Float) (Array 3 Float)
+  > main = proc (a, b) -> a + b
+  > FROB
+  $ frobc check array_plus.frob
+  error[E0301]: expected a number, found `Array 3 Float`
+   --> array_plus.frob:2:23
+    |
+  2 | main = proc (a, b) -> a + b
+    |                       ^ - argument 1 of `+` is a number
+    |
+    = hint: `map (\x -> x + b) a` computes with each element, `zipWith (+) a b` with those of two arrays
+  
+  1 error
+  [1]
+
+  $ cat > array_slice.frob <<'FROB'
+  > main :: SF (Array 4 Float) Float
+  > main = proc a -> sum a[0:2]
+  > FROB
+  $ frobc check array_slice.frob
+  error[E0103]: unexpected character `:`
+   --> array_slice.frob:2:25
+    |
+  2 | main = proc a -> sum a[0:2]
+    |                         ^
+    |
+    = hint: a part of an array is made by `take xs` and `drop xs`, as long as its type says
+  
+  1 error
+  [1]
+
+  $ cat > list_comp_if.frob <<'FROB'
+  > main :: SF (Array 4 Float) (Array 4 Float)
+  > main = proc a -> [x * 2 for x in a]
+  > FROB
+  $ frobc check list_comp_if.frob
+  error[E0110]: no array is made by a `for`
+   --> list_comp_if.frob:2:31
+    |
+  2 | main = proc a -> [x * 2 for x in a]
+    |                               ^^
+    |
+    = hint: each element is computed with by `map (\x -> x * 2) a`
+  
+  1 error
+  [1]
+
+  $ cat > field_of_a_field.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = if (robotPose i).x > 1[m] then 0 else 0.3[m/s])
+  > FROB
+  $ frobc check field_of_a_field.frob
+  error[E0310]: `Pose` has no field `x`
+   --> field_of_a_field.frob:3:26
+    |
+  3 |     v = if (robotPose i).x > 1[m] then 0 else 0.3[m/s])
+    |             -----------  ^
+    |             |
+    |             this is `Pose`
+    |
+    = hint: its field `position` has it: `(robotPose i).position.x`
+  
+  1 error
+  [1]

@@ -1,0 +1,263 @@
+Words and signs of other languages around a definition.
+
+  $ cat > from_import_star.frob <<'FROB'
+  > from Robot import *
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0))
+  > FROB
+  $ frobc check from_import_star.frob
+  error[E0110]: Frob has no `from`
+   --> from_import_star.frob:1:1
+    |
+  1 | from Robot import *
+    | ^^^^
+    |
+    = hint: names are imported by `import Robot`
+  
+  1 error
+  [1]
+
+  $ cat > const_decl.frob <<'FROB'
+  > import Robot
+  > const speed = 0.3[m/s]
+  > main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
+  > FROB
+  $ frobc check const_decl.frob
+  error[E0205]: unknown name `speed`
+   --> const_decl.frob:3:52
+    |
+  2 | const speed = 0.3[m/s]
+    | ----- this defines a function `const` of `speed`
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
+    |                                                    ^^^^^
+    |
+    = hint: a definition has no `const` before it: `speed = …`
+  
+  1 error
+  [1]
+
+  $ cat > let_top.frob <<'FROB'
+  > import Robot
+  > let speed = 0.3[m/s]
+  > main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
+  > FROB
+  $ frobc check let_top.frob
+  error[E0110]: a definition at the left edge has no `let` before it
+   --> let_top.frob:2:1
+    |
+  2 | let speed = 0.3[m/s]
+    | ^^^
+    |
+    = hint: write `speed = 0.3[m/s]`
+  
+  1 error
+  [1]
+
+  $ cat > braces_if.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = if frontSonar i < 0.5[m] { 0 } else { 0.3[m/s] })
+  > FROB
+  $ frobc check braces_if.frob
+  error[E0110]: expected the name of a field, found the number `0`
+   --> braces_if.frob:3:36
+    |
+  3 |     v = if frontSonar i < 0.5[m] { 0 } else { 0.3[m/s] })
+    |                                    ^
+    |
+    = hint: a choice is written `if c then a else b`, without braces
+  
+  1 error
+  [1]
+
+  $ cat > type_annot_python.frob <<'FROB'
+  > f (x: Float) = x * 2
+  > main = proc x -> f x
+  > FROB
+  $ frobc check type_annot_python.frob
+  error[E0103]: unexpected character `:`
+   --> type_annot_python.frob:1:5
+    |
+  1 | f (x: Float) = x * 2
+    |     ^
+    |
+    = hint: types stand in a signature, a line above: `f :: Float -> Float`, where the last one is the result's
+  
+  1 error
+  [1]
+
+  $ cat > arrow_return_type.frob <<'FROB'
+  > f :: Float - > Float
+  > f x = x * 2
+  > main = proc x -> f x
+  > FROB
+  $ frobc check arrow_return_type.frob
+  error[E0110]: expected an argument of the type, `->`, or the end of the type, found `-`
+   --> arrow_return_type.frob:1:12
+    |
+  1 | f :: Float - > Float
+    |            ^
+    |
+    = hint: `->` is always one symbol
+  
+  1 error
+  [1]
+
+  $ cat > sig_comma.frob <<'FROB'
+  > f :: Float, Float -> Float
+  > f x y = x * y
+  > main = proc x -> f x x
+  > FROB
+  $ frobc check sig_comma.frob
+  error[E0110]: expected the end of this type, or `->` and more of it, found `,`
+   --> sig_comma.frob:1:11
+    |
+  1 | f :: Float, Float -> Float
+    |           ^
+    |
+    = hint: each parameter is followed by `->`, as in `Float -> Float -> Float`; a tuple stands in parentheses
+  
+  1 error
+  [1]
+
+  $ cat > switch_arrow.frob <<'FROB'
+  > import Robot
+  > drive = proc i -> roMake (setVelTR 0.2[m/s] 0)
+  > rest = proc i -> roMake (setVelTR 0 0)
+  > main = reactimateRobot (drive `switch` bumped `then` rest)
+  > FROB
+  $ frobc check switch_arrow.frob
+  error[E0110]: `then` is a word of the language and cannot be a name
+   --> switch_arrow.frob:4:48
+    |
+  4 | main = reactimateRobot (drive `switch` bumped `then` rest)
+    |                                                ^^^^
+  
+  1 error
+  [1]
+
+  $ cat > mode_state.frob <<'FROB'
+  > data Mode = Drive | Turn
+  > step :: Mode -> Bool -> Mode
+  > step Drive True = Turn
+  > step Drive False = Drive
+  > step Turn _ = Drive
+  > main = proc b -> m where
+  >     m = step (delay Drive m) b
+  > FROB
+  $ frobc check mode_state.frob
+  error[E0115]: `step` is defined by several clauses
+   --> mode_state.frob:4:1
+    |
+  3 | step Drive True = Turn
+    | ---- the first
+  4 | step Drive False = Drive
+    | ^^^^
+  5 | step Turn _ = Drive
+    | ---- one more
+    |
+    = hint: write one clause, with a branch `pattern -> value` for each in a line below: `step x y = case (x, y) of`
+  
+  1 error
+  [1]
+
+  $ cat > case_eq.frob <<'FROB'
+  > data Mode = Drive | Turn
+  > speed :: Mode -> Float
+  > speed m = case m of
+  >     Drive = 1
+  >     Turn = 0
+  > main = proc m -> speed m
+  > FROB
+  $ frobc check case_eq.frob
+  error[E0110]: expected `->` or a guard after this pattern, found `=`
+   --> case_eq.frob:4:11
+    |
+  4 |     Drive = 1
+    |           ^
+    |
+    = hint: a branch has `->`: `Drive -> …`
+  
+  1 error
+  [1]
+
+  $ cat > data_fields_lower.frob <<'FROB'
+  > data st = St { x :: Float }
+  > main = proc v -> St { x = v }
+  > FROB
+  $ frobc check data_fields_lower.frob
+  error[E0110]: expected the name of the new type, with a capital, found `st`
+   --> data_fields_lower.frob:1:6
+    |
+  1 | data st = St { x :: Float }
+    |      ^^
+    |
+    = hint: the name of a type or class starts with a capital: `St`
+  
+  1 error
+  [1]
+
+  $ cat > param_no_default.frob <<'FROB'
+  > import Robot
+  > param speed :: Velocity
+  > main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
+  > FROB
+  $ frobc check param_no_default.frob
+  error[E0110]: expected `=` and the value that the parameter has by default, found the end of the definition
+   --> param_no_default.frob:2:24
+    |
+  2 | param speed :: Velocity
+    |                        ^
+    |
+    = hint: what it is by default stands behind: `param speed :: Velocity = …`
+  
+  1 error
+  [1]
+
+  $ cat > foreign_no_string.frob <<'FROB'
+  > foreign cbrt :: Float -> Float
+  > main = proc x -> cbrt x
+  > FROB
+  $ frobc check foreign_no_string.frob
+  error[E0110]: expected `=` and the name in C, in quotes, found the end of the definition
+   --> foreign_no_string.frob:1:31
+    |
+  1 | foreign cbrt :: Float -> Float
+    |                               ^
+    |
+    = hint: its name in C stands behind: `foreign cbrt :: Float -> Float = "cbrt"`
+  
+  1 error
+  [1]
+
+  $ cat > foreign_haskell.frob <<'FROB'
+  > foreign import ccall "cbrt" cbrt :: Float -> Float
+  > main = proc x -> cbrt x
+  > FROB
+  $ frobc check foreign_haskell.frob
+  error[E0110]: expected what is foreign: a name, `sf` and a name, `type`, or `include`, found `import`
+   --> foreign_haskell.frob:1:9
+    |
+  1 | foreign import ccall "cbrt" cbrt :: Float -> Float
+    |         ^^^^^^
+    |
+    = hint: the name in C stands last: `foreign cubeRoot :: Float -> Float = "cbrt"`
+  
+  1 error
+  [1]
+
+  $ cat > where_before_the_output.frob <<'FROB'
+  > main = proc x where
+  >     y = x + 1
+  >   -> y
+  > FROB
+  $ frobc check where_before_the_output.frob
+  error[E0110]: expected `->` after the input of this `proc`, found `where`
+   --> where_before_the_output.frob:1:15
+    |
+  1 | main = proc x where
+    |               ^^^^^
+    |
+    = hint: the output comes first, and then its equations: `proc x -> y where`
+  
+  1 error
+  [1]

@@ -1,0 +1,80 @@
+Units that want a gain, a power, or a declaration.
+
+  $ cat > type_unit_scaled.frob <<'FROB'
+  > limitCm :: Float[cm] -> Float[cm]
+  > limitCm x = min x 50[cm]
+  > main = proc x -> limitCm x
+  > FROB
+  $ frobc check type_unit_scaled.frob
+  error[E0321]: a type cannot mention a scaled unit: values are held in base units
+   --> type_unit_scaled.frob:1:18
+    |
+  1 | limitCm :: Float[cm] -> Float[cm]
+    |                  ^^           -- and here
+    |
+    = hint: write `m` here; scaled units stand on literals
+  
+  1 error
+  [1]
+
+  $ cat > add_angle_length.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v w) where
+  >     v = 0.2[m/s]
+  >     w = frontSonar i - 0.5[m])
+  > FROB
+  $ frobc check add_angle_length.frob
+  error[E0320]: expected the unit `1/s`, found `m`
+   --> add_angle_length.frob:2:54
+    |
+  2 | main = reactimateRobot (proc i -> roMake (setVelTR v w) where
+    |                                           --------   ^ this is `Float[m]`
+    |                                           |
+    |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
+    |
+    = hint: a gain makes `1/s` of `m`, as in `2[1/m/s] * w`
+  
+  1 error
+  [1]
+
+  $ cat > sqrt_sum.frob <<'FROB'
+  > dist :: Float[m] -> Float[m] -> Float[m]
+  > dist x y = sqrt (x^2 + y)
+  > main = proc (x, y) -> dist x y
+  > FROB
+  $ frobc check sqrt_sum.frob
+  error[E0320]: the operands of `+` have different units: `m^2` and `m`
+   --> sqrt_sum.frob:2:24
+    |
+  2 | dist x y = sqrt (x^2 + y)
+    |                  ---   ^ this is `Float[m]`
+    |                  |
+    |                  this is `Float[m^2]`
+    |
+    = hint: `y ^ 2` has that unit
+  
+  1 error
+  [1]
+
+  $ cat > miles.frob <<'FROB'
+  > a = 3[mph]
+  > b = 4[mph]
+  > c :: Float[mph]
+  > c = a + 5[mph]
+  > main = proc x -> x * a
+  > FROB
+  $ frobc check miles.frob
+  error[E0208]: unknown unit `mph`
+   --> miles.frob:1:7
+    |
+  1 | a = 3[mph]
+    |       ^^^
+  2 | b = 4[mph]
+    |       --- and here
+  3 | c :: Float[mph]
+    |            --- and here
+  4 | c = a + 5[mph]
+    |           --- and here
+  
+  1 error
+  [1]

@@ -1,0 +1,142 @@
+Tasks with the statements of other languages.
+
+  $ cat > return_eq.frob <<'FROB'
+  > import Robot
+  > slow x = return (x * 0.5)
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = slow 0.4[m/s])
+  > FROB
+  $ frobc check return_eq.frob
+  error[E0301]: expected `Velocity` (m/s), found `Task a b Float[m/s]`
+   --> return_eq.frob:3:52
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+    |                                           -------- ^
+    |                                           |
+    |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
+    |
+    = hint: `return` makes a task: the value of a function or an equation is what stands behind its `=`, without a `return`
+  
+  1 error
+  [1]
+
+  $ cat > task_semis.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > main = reactimateTask (forward 1[m]; turnBy 90[deg])
+  > FROB
+  $ frobc check task_semis.frob
+  error[E0111]: this `(` is never closed
+   --> task_semis.frob:3:23
+    |
+  3 | main = reactimateTask (forward 1[m]; turnBy 90[deg])
+    |                       ^            - a `)` belongs before this
+    |
+    = hint: a `;` ends a definition; tasks one after the other stand in a `do`, each on a line of its own
+  
+  1 error
+  [1]
+
+  $ cat > task_loop_while.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > main = reactimateTask square
+  > square = do
+  >     while True:
+  >         forward 1[m]
+  >         turnBy 90[deg]
+  > FROB
+  $ frobc check task_loop_while.frob
+  error[E0103]: unexpected character `:`
+   --> task_loop_while.frob:5:15
+    |
+  5 |     while True:
+    |               ^
+    |
+    = hint: no block is repeated: `forever t` does a task again and again, `whileT c t` while a signal function gives True
+  
+  1 error
+  [1]
+
+  $ cat > task_sleepT_noout.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > go = do
+  >     forward 1[m]
+  >     sleepT 2[s]
+  >     forward 1[m]
+  > main = reactimateTask go
+  > FROB
+  $ frobc check task_sleepT_noout.frob
+  error[E0301]: expected `Task a b c`, found the function `d -> Task e d ()`
+   --> task_sleepT_noout.frob:5:5
+    |
+  4 |     forward 1[m]
+    |     ------------ so each task of this `do` is `Task a b c`
+  5 |     sleepT 2[s]
+    |     ^^^^^^^^^^^
+    |
+    = hint: `sleepT 2[s] restingOutput` waits with the robot at rest; any other output may stand there
+  
+  1 error
+  [1]
+
+  $ cat > return_in_the_middle.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > t = do
+  >     forward 1[m]
+  >     return ()
+  >     turnBy 90[deg]
+  > main = reactimateTask t
+  > FROB
+  $ frobc check return_in_the_middle.frob
+  warning[W0312]: this `return` does nothing: what follows it is done all the same
+   --> return_in_the_middle.frob:5:5
+    |
+  5 |     return ()
+    |     ^^^^^^^^^
+    |
+    = hint: leave it out: a task ends behind its last statement
+  
+  1 warning
+
+  $ cat > early_return.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > t = do
+  >     x <- snapT
+  >     if place x == place x then return 5 else return 6
+  >     return 5
+  >     turnBy 90[deg]
+  > main = reactimateTask t
+  > FROB
+  $ frobc check early_return.frob
+  warning[W0312]: this ends nothing: what follows it is done all the same
+   --> early_return.frob:5:5
+    |
+  5 |     if place x == place x then return 5 else return 6
+    |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: the rest belongs into the other branch: `if c then return x else do`, and below it what is to be done else
+  
+  warning[W0312]: this `return` does nothing: what follows it is done all the same
+   --> early_return.frob:6:5
+    |
+  6 |     return 5
+    |     ^^^^^^^^
+    |
+    = hint: leave it out: a task ends behind its last statement
+  
+  2 warnings
+
+A `return` that does nothing is taken out without asking.
+
+  $ frobc fix return_in_the_middle.frob
+  return_in_the_middle.frob:5:5: leave it out (W0312)
+  $ tail -5 return_in_the_middle.frob
+  import Driving
+  t = do
+      forward 1[m]
+      turnBy 90[deg]
+  main = reactimateTask t
