@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { MOST_SETTINGS = 64 };
 
@@ -101,6 +102,7 @@ bool many_runs(struct trial *trial, const struct options *options,
     FILE *list = fopen(options->runs, "r");
     char *line = NULL;
     size_t room = 0;
+    const pid_t parent = getppid();
     bool ok = list != NULL;
     if (!ok)
         fprintf(stderr, "error: cannot read %s: %s\n", options->runs, strerror(errno));
@@ -110,6 +112,9 @@ bool many_runs(struct trial *trial, const struct options *options,
         if (!ok)
             fprintf(stderr, "error: %s has a line that is no run\n", options->runs);
         ok = ok && one_run(trial, options, program, open_world, &job);
+        /* Whoever asked is gone: who goes on has the rest made anew, not twice. */
+        if (getppid() != parent)
+            break;
     }
     free(line);
     if (list != NULL)

@@ -16,7 +16,8 @@ typedef struct frob_sim *many_open_world(const struct options *options,
  * Writes a line for each to standard output, as soon as it is done: the key, what trial_run
  * writes, and behind one more tab a checksum of all before it, FNV-1a of 64 bits, in hexadecimal.
  * So whoever reads knows which lines are whole. False when a run cannot be made, or a line cannot
- * be written, with a line on standard error; the lines before it stay. */
+ * be written, with a line on standard error; the lines before it stay. When the process that
+ * started this one has ended, the run that is being made is the last. */
 bool many_runs(struct trial *trial, const struct options *options,
                const struct frob_program *program, many_open_world *open_world);
 
