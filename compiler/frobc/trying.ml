@@ -98,6 +98,13 @@ let sweep =
     let doc = "Make no runs, but the table of the rows that are there." in
     Arg.(value & flag & info [ "merge" ] ~doc)
   in
+  let dry =
+    let doc =
+      "Make nothing, but check the plan, and tell how many runs there are and how many of them are \
+       done; and a digest, which is the same on each machine that would make the same runs."
+    in
+    Arg.(value & flag & info [ "dry-run" ] ~doc)
+  in
   let rows =
     let doc = "The folder where rows are kept; without it, $(b,PLAN.rows) beside the plan." in
     Arg.(value & opt (some string) None & info [ "rows" ] ~docv:"DIR" ~doc)
@@ -114,13 +121,13 @@ let sweep =
     let doc = "Draw a heat map over two parameters, a line over one, or else histograms." in
     Arg.(value & opt (some string) None & info [ "picture" ] ~docv:"P.svg" ~doc)
   in
-  let run general sources jobs shard merge rows also table picture plan =
+  let run general sources jobs shard merge dry rows also table picture plan =
     match (positive "--jobs" jobs, List.find_opt (fun dir -> not (Sys.file_exists dir)) also) with
     | Error text, _ -> General.wrong_use text
     | Ok (), Some folder -> General.wrong_use (Printf.sprintf "there is no folder %s" folder)
     | Ok (), None ->
         Driver.Sweep.run general ~sources
-          { Driver.Sweep.jobs; shard; merge; rows; also; table; picture }
+          { Driver.Sweep.jobs; shard; merge; dry; rows; also; table; picture }
           plan
   in
   let man =
@@ -141,4 +148,4 @@ let sweep =
   in
   command "sweep" ~man ~doc:"make many runs of a trial, and a table of them"
     Term.(
-      const run $ general $ sources $ jobs $ shard $ merge $ rows $ also $ table $ picture $ plan)
+      const run $ general $ sources $ jobs $ shard $ merge $ dry $ rows $ also $ table $ picture $ plan)

@@ -2,6 +2,7 @@ type options = {
   jobs : int option;
   shard : Runs.shard;
   merge : bool;
+  dry : bool;
   rows : string option;
   also : string list;
   table : string option;
@@ -95,6 +96,15 @@ let made (t : Setup.t) options resources rows ~folder =
     Ok `Shard
   end
 
+(* The digest is the same where the same runs would be made: with this program, these worlds and
+   this simulator. *)
+let count_only (t : Setup.t) options rows =
+  let keys = List.init (Runs.count t) (fun n -> (Runs.run t n).key) in
+  let missing = List.length (Runs.missing t options.shard rows) in
+  let ours = List.length (Runs.missing t options.shard (Rows.create ())) in
+  Printf.printf "runs: %d\ndone: %d\ndigest: %s\n" ours (ours - missing)
+    (Digest.to_hex (Digest.string (String.concat "" keys)))
+
 let run general ~sources options plan =
   let folder = Option.value options.rows ~default:(stem plan ^ ".rows") in
   let result =
@@ -109,7 +119,9 @@ let run general ~sources options plan =
     in
     let* t = Setup.of_plan general ~sources plan in
     let* rows = loaded (folder :: options.also) in
-    let* state = made t options resources rows ~folder in
-    match state with `Complete -> finish t rows options ~table | `Shard -> Ok ()
+    if options.dry then Ok (count_only t options rows)
+    else
+      let* state = made t options resources rows ~folder in
+      match state with `Complete -> finish t rows options ~table | `Shard -> Ok ()
   in
   match result with Ok () -> Exit_status.ok | Error status -> status

@@ -102,6 +102,26 @@ another program.
   $ cmp -s gaps.csv one.csv
   [1]
 
+How many there are, and how many of them are done, is told without making any; with a digest that
+tells whether another machine would make the same.
+
+  $ dry () { frobc sweep "$@" --dry-run | grep -v digest; }
+  $ dry gaps.toml
+  runs: 48
+  done: 48
+  $ dry more.toml --rows gaps.rows --shard 2/3
+  runs: 16
+  done: 8
+  $ digest () { frobc sweep "$@" --dry-run | grep digest; }
+  $ mkdir elsewhere && cp follow.frob empty.toml p.ppm gaps.toml elsewhere && digest gaps.toml > here
+  $ digest elsewhere/gaps.toml | diff here - && ls elsewhere
+  empty.toml
+  follow.frob
+  gaps.toml
+  p.ppm
+  $ echo '# other' >> elsewhere/empty.toml; digest elsewhere/gaps.toml | cmp -s here -
+  [1]
+
 Points may be sampled: a Latin hypercube has a value in each part of each range.
 
   $ cat > drawn.toml << 'PLAN'
