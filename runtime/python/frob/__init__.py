@@ -1,10 +1,12 @@
-"""Programs of the language Frob in Python: compile, step, run, simulate, read recordings."""
+"""Programs of the language Frob in Python: compile, step, run, simulate, sweep, read
+recordings."""
 
 from .data import Data
 from .errors import CompileError, Error, FrobWarning, InputError
 from .program import Program, compile
 from .recording import Assertion, Columns, read
 from .simulation import Picture, simulate
+from .sweeps import sweep
 
 __all__ = [
     "Assertion",
@@ -19,4 +21,5 @@ __all__ = [
     "compile",
     "read",
     "simulate",
+    "sweep",
 ]

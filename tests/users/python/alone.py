@@ -20,4 +20,15 @@ with open("go.frob", "w") as file:
     file.write("main = reactimateRobot (proc _ -> roMake (setVelTR 0.1[m/s] 0))\n")
 run = frob.simulate("go.frob", duration=1)
 assert isinstance(run, frob.Columns) and len(run["time"]) == 51 and run.attrs["params"] == {}
+with open("go.frob") as file:
+    text = file.read()
+with open("go.frob", "w") as file:
+    file.write("import Trial\n" + text)
+    file.write('trial "goes" = Trial { world = "room.toml", lasts = 1[s], ')
+    file.write("seeds = 1 `to` 3, judge = neverTouches }\n")
+with open("go.toml", "w") as file:
+    file.write('program = "go.frob"\n')
+runs = frob.sweep("go.toml")
+assert isinstance(runs, frob.Columns) and runs["run"] == [1, 2, 3], runs
+assert runs["fate"] == ["held"] * 3 and runs["driven"][0] > 0, runs
 print("ok   the package with nothing but Python")

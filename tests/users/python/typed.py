@@ -17,6 +17,8 @@ assert_type(p.run(pd.DataFrame({"in": [1.0]}), dt=0.1), pd.DataFrame)
 assert_type(p.run([1.0], dt=0.1), List[Any])
 assert_type(frob.simulate("go.frob", duration=3.5), pd.DataFrame)
 assert_type(frob.read("log.csv"), pd.DataFrame)
+assert_type(frob.sweep("gaps.toml", picture=True), pd.DataFrame)
 p.step("soon", 1)  # wrong
 frob.compile("cruise.frob", {})  # wrong
 p.run("text", dt=1)  # wrong
+frob.sweep("gaps.toml", jobs="two")  # wrong

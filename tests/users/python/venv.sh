@@ -22,10 +22,15 @@ test -x "$environment/bin/python" || /usr/bin/python3 -m venv "$environment"
 echo "Installing in $environment, from PyPI: numpy, pandas, pandas-stubs, gymnasium, mypy, nbclient"
 pip numpy pandas pandas-stubs gymnasium mypy nbclient ipykernel
 pip --force-reinstall --no-deps "$build"/wheel/frob-*.whl
-for test in test_program.py test_simulation.py test_gym.py; do
+for test in test_program.py test_simulation.py test_gym.py test_sweep.py; do
     (cd "$work" && FROB_ROOT=$here clean "$environment/bin/python" -W error "$test")
 done
 (cd "$work" && FROB_ROOT=$here clean "$environment/bin/python" test_notebook.py)
+if pip distributed; then
+    (cd "$work" && clean "$environment/bin/python" test_cluster.py)
+else
+    echo "ok   sweeps on a Dask cluster (skipped: distributed cannot be had from PyPI)"
+fi
 "$environment/bin/mypy" --config-file runtime/python/pyproject.toml --cache-dir "$work/mypy" \
     runtime/python/frob && echo "ok   the package's types, by mypy"
 grep -n '# wrong$' "$work/typed.py" | sed 's/^/typed.py:/; s/:[^:]*$/: error/' >"$work/typed.wrong"
