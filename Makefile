@@ -42,6 +42,9 @@ PROVE_PACKAGES = frama-c-base cppcheck
 # What only `make wheel` and `make python` need; they take the rest from PyPI.
 WHEEL_PACKAGES = python3 python3-venv
 
+# What only `make slurm` needs.
+SLURM_PACKAGES = slurmctld slurmd slurm-client
+
 # What only `make rtamt` needs; it takes RTAMT from PyPI besides.
 RTAMT_PACKAGES = python3 python3-venv
 
@@ -84,7 +87,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt wheel python
+.PHONY: all setup run test test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt wheel python slurm
 
 all: setup
 	dune build @install
@@ -190,6 +193,11 @@ wheel: all
 
 python: wheel
 	@sh tests/users/python/venv.sh $(CURDIR)/_build
+
+# A sweep as an array of jobs under Slurm, whose daemons run here while it lasts.
+slurm: all
+	@sh tests/setup.sh $(SLURM_PACKAGES)
+	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh tests/robots/sweep/slurm.sh _build/slurm
 
 matrix: all
 	@sh tests/setup.sh $(MATRIX_PACKAGES)
