@@ -122,7 +122,7 @@ let truth_line = function
           "x %.3f m, y %.3f m, heading %.3f rad, clearance %.3f m, %s, %.3f m driven, odometry off \
            by %.3f m"
           x y heading clearance
-          (if touches <> 0. then "touched" else "touched by nothing")
+          (if touches <> 0. then "touched by something" else "touched by nothing")
           driven lost;
       ]
   | _ -> []
