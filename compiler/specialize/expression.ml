@@ -304,11 +304,17 @@ and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (b
           expr c (inside (trail_of_trivial c s ~span closure body)) whole body
         else if Operator.is_looked_for c body then
           expr c (inside (Context.enter c s.trail ~name:closure.name ~span)) whole body
-        else if first.ty = Tuple [] && others = [] then
+        else if first.ty = Tuple [] && others = [] && is_first closure binder then
           join s closure (fun () -> expr c (inside s.trail) Unnamed body)
         else call_function c s whole ~span ~result:ty applied binder body
       in
       apply c s target ~span ~result value others
+
+(* Not one that comes after others, which its closure does not have. *)
+and is_first (closure : Value.closure) (binder : Ir.binder) =
+  match closure.code with
+  | Lambda (first, _) -> first.local.id = binder.local.id
+  | _ -> false
 
 (* Only an index that is outside will want to know where the call is. *)
 and trail_of_trivial (c : Context.t) s ~span (closure : Value.closure) (body : Ir.expr) =
