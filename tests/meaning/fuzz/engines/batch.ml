@@ -22,7 +22,7 @@ let write path text =
 
 (* Input for a batch: what a program does alone, it does on that of its batch. *)
 let on_input_of ?seen batch (tools : Engines.tools) engines ~seed ~first ~count =
-  let text = Constant.in_range tools.real (Program.make ?seen ~seed ~first ~count ()) in
+  let text = Constant.in_range tools.real (Program.make ?seen ~sees:true ~seed ~first ~count ()) in
   let file = Filename.concat tools.folder "program.frob" in
   write file text;
   let random = Random.State.make [| seed; batch; 1 |] in

@@ -88,6 +88,7 @@ let rec load_with ?(watched = false) probes ?robot tools ~entry file =
   | Some (core, entry, c) ->
       let name = Driver.C_file.name file in
       let input, output = Interp.Execution.interface core entry in
+      if core.console <> [] then Frames.write ~folder:tools.folder;
       Ok
         {
           core;

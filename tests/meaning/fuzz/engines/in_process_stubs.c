@@ -10,6 +10,8 @@
 
 #include <libtcc.h>
 
+#include "frames_stubs.h"
+
 #include <setjmp.h>
 #include <signal.h>
 #include <stdio.h>
@@ -108,6 +110,7 @@ value in_process_compile(value folders, value files)
     for (mlsize_t i = 0; i < Wosize_val(folders); i++)
         tcc_add_include_path(compiler, String_val(Field(folders, i)));
     add_elementary(compiler);
+    frames_add_kernels(compiler);
     ok = tcc_add_library(compiler, "m") == 0;
     for (mlsize_t i = 0; ok && i < Wosize_val(files); i++)
         ok = tcc_add_file(compiler, String_val(Field(files, i))) == 0;
@@ -192,7 +195,7 @@ static const char *instants(const struct frob_program *program, const struct ste
         const int64_t now = (int64_t)Long_val(Field(times, i));
         for (size_t k = 0; k < columns->count; k++) {
             const char *cell = String_val(Field(Field(rows, i), k));
-            if (!frob_cell_read(cell, columns->values[k], input, NULL, &error))
+            if (!frob_cell_read(cell, columns->values[k], input, frames_of_fuzz(), &error))
                 return cell;
         }
         step(stepper, state, Double_flat_field(dts, i), input, output);

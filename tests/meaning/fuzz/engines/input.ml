@@ -29,7 +29,7 @@ let rec value random kind (shape : Interp.Shape.t) : Interp.Value.t =
   | Int -> Int (int random kind)
   | Text -> Text ""
   | Drawing -> Drawing []
-  | Image -> failwith "random programs see nothing"
+  | Image -> Image (Frames.any random)
   | Float real -> Float (Basis.Real.round real (float random kind))
   | Tuple parts -> Tuple (Array.map known (Array.of_list parts))
   | Array (n, element) -> Array (Array.init n (fun _ -> known element))

@@ -24,8 +24,12 @@ let host_sources runtime =
       "core/cell_read.c"; "core/cell_write.c"; "core/frame.c"; "core/trace.c"; "core/console.c";
     ]
 
-let elementary runtime =
-  let folder = runtime / "elementary" in
+let sees (_, text) =
+  match Str.search_forward (Str.regexp_string "struct frob_image") text 0 with
+  | _ -> true
+  | exception Not_found -> false
+
+let sources_in folder =
   List.filter_map
     (fun file -> if Filename.check_suffix file ".c" then Some (folder / file) else None)
     (Array.to_list (Sys.readdir folder))
@@ -78,7 +82,8 @@ let run compiler ~runtime ~folder files recordings =
       (flags @ warnings
       @ [ "-fPIC"; "-shared"; "-I"; runtime / "include"; "-o"; program ]
       @ generated
-      @ elementary runtime
+      @ sources_in (runtime / "elementary")
+      @ (if List.exists sees files then sources_in (runtime / "vision") else [])
       @ [ "-lm" ])
   in
   let trace recording =

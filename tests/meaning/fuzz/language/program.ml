@@ -212,9 +212,17 @@ let operated ~seed number =
       \    top = 1.5\n\n"
       number number number number name (Type.text input_type) (Type.text input_type) name text )
 
+(* {1 A camera} *)
+
+let is_seeing number = number mod 60 = 6
+
+let seen ~seed number =
+  Seeing.definition (Random.State.make [| seed; number; 4 |]) ~number ~input:input_type
+
 (* [main], of programs with their numbers and outputs; and whether there is an operator. *)
-let main ~seed programs =
-  let numbers = List.filter is_operated (List.map (fun (number, _, _) -> number) programs) in
+let main ~sees ~seed programs =
+  let numbers = List.map (fun (number, _, _) -> number) programs in
+  let operating = List.filter is_operated numbers and seeing = List.filter (fun n -> sees && is_seeing n) numbers in
   let output =
     match programs with
     | [ (_, _, output) ] -> output
@@ -222,10 +230,11 @@ let main ~seed programs =
   in
   let run (number, name, _) =
     if is_operated number then f "%s (%s c i)" name (fst (operated ~seed number))
+    else if List.mem number seeing then f "%s (%s (c, i))" name (fst (seen ~seed number))
     else name ^ " i"
   in
   let text =
-    match (programs, numbers) with
+    match (programs, operating @ seeing) with
     | [ (_, run, _) ], [] -> f "%smain = %s\n" (signature "main" output) run
     | _, [] ->
         f "%smain = proc i -> (%s)\n" (signature "main" output)
@@ -235,10 +244,12 @@ let main ~seed programs =
           (Type.text output)
           (String.concat ", " (List.map run programs))
   in
-  let operators = List.map (fun number -> snd (operated ~seed number)) numbers in
-  ((if numbers = [] then "" else import), String.concat "" operators ^ text)
+  let operators = List.map (fun number -> snd (operated ~seed number)) operating in
+  let eyes = List.map (fun number -> snd (seen ~seed number)) seeing in
+  ( (if operating @ seeing = [] then "" else import) ^ (if seeing = [] then "" else Seeing.imports),
+    String.concat "" (operators @ eyes) ^ text )
 
-let make ?(seen = Coverage.create ()) ~seed ~first ~count () =
+let make ?(seen = Coverage.create ()) ?(sees = false) ~seed ~first ~count () =
   let define i =
     let number = first + i in
     let name, text, signals = one ~seen ~seed number in
@@ -248,7 +259,7 @@ let make ?(seen = Coverage.create ()) ~seed ~first ~count () =
     ((number, run, output), text ^ definition)
   in
   let programs = List.init count define in
-  let imports, main = main ~seed (List.map fst programs) in
+  let imports, main = main ~sees ~seed (List.map fst programs) in
   past ^ imports ^ String.concat "" (Shared.text :: List.map snd programs) ^ main
 
 let signals ~seed number =
@@ -260,6 +271,6 @@ let alone ~seed number ~component =
   let pattern = List.mapi (fun i _ -> if i = component then "z" else "_") signals in
   let chosen = name ^ "one" and output = List.nth signals component in
   let run, definition = running ~seed number chosen output in
-  let imports, main = main ~seed [ (number, run, output) ] in
+  let imports, main = main ~sees:true ~seed [ (number, run, output) ] in
   f "%s%s%s%s%s%s = proc i -> z where\n    (%s) = %s i\n\n%s%s" past imports Shared.text text
     (signature chosen output) chosen (String.concat ", " pattern) name definition main

@@ -3,9 +3,11 @@
     The module's input type is one for all; [main] runs all of them side by
     side, so one compilation by the C compiler tests them all. *)
 
-val make : ?seen:Coverage.t -> seed:int -> first:int -> count:int -> unit -> string
+val make :
+  ?seen:Coverage.t -> ?sees:bool -> seed:int -> first:int -> count:int -> unit -> string
 (** [count] programs, from the one with the number [first]: each depends only
-    on the seed and its own number. What stands in them is added to [seen]. *)
+    on the seed and its own number. What stands in them is added to [seen]. With [sees] some
+    look through a camera ({!Seeing}), and need the kernels of vision. *)
 
 val alone : seed:int -> int -> component:int -> string
 (** One program, of whose signals only this one comes out. *)
