@@ -242,7 +242,8 @@ let check_machine sink ~entry uses program first expanded nodes index (m : Ir.ma
           report ~far:Fun.id hops;
           m
       | Goes_far ->
-          let far = Printf.sprintf "if it ends, then after more than %d steps" Chains.most in
+          let far = Printf.sprintf
+            "no end was found within %d steps, the most that an instant may take" Chains.most in
           report ~far:(Diagnostic.note far)
             (hops_of steps (Graph.shortest_cycle graph component));
           m)

@@ -67,7 +67,7 @@ What is no task, tasks that do not fit together, and tasks for signal functions.
   10 |     sleepT 1[s]
      |     ^^^^^^^^^^^
      |
-     = hint: an argument is missing, the last of `sleepT :: Time -> b -> Task a b ()`
+     = hint: `sleepT 1[s] restingOutput` waits with the robot at rest; any other output may stand there
   
   error[E0370]: the statements of a `do` are tasks, but this is a number
     --> mistakes.frob:11:5

@@ -166,10 +166,18 @@ known to end at once …
     |     ------- `go` may go on to itself at its own first instant
     |
     = note: at an instant at which `go` is left as soon as it starts, nothing waits for the next one
-    = note: if it ends, then after more than 1000 steps
+    = note: no end was found within 1000 steps, the most that an instant may take
     = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
   
-  1 error
+  warning[W0312]: this `return` does nothing: what follows it is done all the same
+   --> returns.frob:8:4
+    |
+  8 |    return ()
+    |    ^^^^^^^^^
+    |
+    = hint: leave it out: a task ends behind its last statement
+  
+  1 error, 1 warning
   [1]
 
 … or by a time that may be none; known to be one, it is accepted.
@@ -343,7 +351,7 @@ program asks for it, with what takes time there.
     N |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
     N |
      = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
-     = note: if it ends, then after more than 1000 steps
+     = note: no end was found within 1000 steps, the most that an instant may take
      = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
   
   1 error
