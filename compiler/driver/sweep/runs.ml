@@ -1,3 +1,5 @@
+let ( let* ) = Result.bind
+
 type run = { place : Setup.place; point : string array; seed : int; key : string }
 
 let seeds (t : Setup.t) = t.last - t.first + 1
@@ -58,9 +60,7 @@ let start (t : Setup.t) (resources : Resources.t) ~folder numbers =
     let setting k (axis : Points.axis) = axis.name ^ "=" ^ point.(k) in
     String.concat "\t" (key :: string_of_int seed :: List.mapi setting t.axes) ^ "\n"
   in
-  let channel = open_out list in
-  List.iter (fun number -> output_string channel (line number)) numbers;
-  close_out channel;
+  let* () = Output.write [ (list, String.concat "" (List.map line numbers)) ] in
   let place = (run t (List.hd numbers)).place in
   let arguments =
     [| resources.simulator; place.program; "--world"; place.path; "--judge"; place.judge; "--for";
@@ -72,7 +72,7 @@ let start (t : Setup.t) (resources : Resources.t) ~folder numbers =
   let pid = Unix.create_process resources.simulator arguments Unix.stdin rows complaints in
   Unix.close rows;
   Unix.close complaints;
-  (pid, { numbers; rows_file; errors; seen = 0 })
+  Ok (pid, { numbers; rows_file; errors; seen = 0 })
 
 (* Lines that have come since the last look. *)
 let more process =
@@ -125,8 +125,11 @@ let make t resources ~jobs ~folder rows numbers =
     while
       !stopped = None && Hashtbl.length running < jobs && not (Queue.is_empty waiting)
     do
-      let pid, process = start t resources ~folder (Queue.pop waiting) in
-      Hashtbl.replace running pid process
+      match start t resources ~folder (Queue.pop waiting) with
+      | Ok (pid, process) -> Hashtbl.replace running pid process
+      | Error reason -> stopped := Some reason
+      | exception Unix.Unix_error (reason, _, what) ->
+          stopped := Some (Printf.sprintf "%s: %s" what (Unix.error_message reason))
     done;
     if Hashtbl.length running > 0 then begin
       (match Unix.waitpid [ WNOHANG ] (-1) with

@@ -196,9 +196,8 @@ let tried (context : Checking.t) (t : t) =
     List.mapi (fun k (axis : Points.axis) -> axis.name ^ "=" ^ t.points.(0).(k)) t.axes
   in
   let list = Filename.concat (Temporary.folder ()) "first" in
-  let channel = open_out list in
-  output_string channel (String.concat "\t" ("first" :: string_of_int t.first :: settings) ^ "\n");
-  close_out channel;
+  let line = String.concat "\t" ("first" :: string_of_int t.first :: settings) ^ "\n" in
+  let* () = Result.map_error General.wrong_use (Output.write [ (list, line) ]) in
   let one place =
     let arguments =
       [ place.program; "--world"; place.path; "--judge"; place.judge; "--for"; "0"; "--runs"; list ]

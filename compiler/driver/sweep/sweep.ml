@@ -79,8 +79,6 @@ let made (t : Setup.t) options resources rows ~folder =
                (Printf.sprintf
                   "%s\n%s done, %d left; the same command goes on where this one ended" reason
                   (plural (count - left) "run") left))
-      | exception (Unix.Unix_error _ as fault) ->
-          Error (General.report_exception fault)
   in
   let left = List.length (Runs.missing t whole rows) in
   if left = 0 then Ok `Complete

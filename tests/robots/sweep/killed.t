@@ -50,3 +50,10 @@ Where the disk is full what is done is kept.
   error: cannot write what a run came to: File too large
   N runs done, N left; the same command goes on where this one ended
   $ test $(cat small/*.rows | wc -l) -gt 10 && frobc sweep gaps.toml --rows small > told && cmp gaps.csv whole.csv
+
+So it is where there is no room for the table.
+
+  $ frobc sweep gaps.toml --rows small --table /dev/full
+  error: cannot write /dev/full: No space left on device
+  [2]
+  $ frobc sweep gaps.toml --rows small --merge > told && cmp gaps.csv whole.csv
