@@ -223,9 +223,10 @@ let svg (t : Setup.t) rows =
   let varying =
     List.filter (fun (k, _) -> varies k) (List.mapi (fun k axis -> (k, axis)) t.axes)
   in
-  (* How many held is one number, and has no histogram. *)
+  (* How many held is one number, whose histogram is only drawn where there is nothing else. *)
   let panels = match varying with [ _ ] | [ _; _ ] -> share :: measures | _ -> measures in
   let panels = List.filter (fun panel -> panel.values <> []) panels in
+  let panels = if panels = [] then [ share ] else panels in
   let height = (float_of_int (List.length panels) *. (panel_height +. gap)) +. 40. in
   let out = Buffer.create 65536 in
   Printf.bprintf out

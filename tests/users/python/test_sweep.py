@@ -79,8 +79,10 @@ class Sweep(unittest.TestCase):
         self.assertTrue(frob.sweep("gaps.toml", rows="new/../gaps.rows").equals(before))
 
     def test_robot(self):
+        write("follow.frob", FOLLOW.replace("        error = meanOf (t.clearance - gap)\n", ""))
         write("any.toml", 'program = "follow.frob"\nseeds = [7, 8]\nlasts = 0.1\n')
-        runs = frob.sweep("any.toml", robot="create")
+        runs = frob.sweep("any.toml", robot="create", picture=True)
+        self.assertIn("share of runs that held", runs.attrs["picture"])
         self.assertEqual(list(runs["robot"]), ["create", "create"])
         self.assertEqual(list(runs["seed"]), [7, 8])
 
