@@ -148,4 +148,5 @@ let sweep =
   in
   command "sweep" ~man ~doc:"make many runs of a trial, and a table of them"
     Term.(
-      const run $ general $ sources $ jobs $ shard $ merge $ dry $ rows $ also $ table $ picture $ plan)
+      const run $ general $ sources $ jobs $ shard $ merge $ dry $ rows $ also $ table $ picture
+      $ plan)
