@@ -48,6 +48,9 @@ SLURM_PACKAGES = slurmctld slurmd slurm-client
 # What only `make rtamt` needs; it takes RTAMT from PyPI besides.
 RTAMT_PACKAGES = python3 python3-venv
 
+# What only `make mcap` needs; it takes the packages mcap and @mcap/core from PyPI and npm besides.
+MCAP_PACKAGES = python3 python3-venv
+
 # What only `make fuzz-frontend` needs.
 AFL_PACKAGES = afl++
 
@@ -87,7 +90,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt wheel python slurm
+.PHONY: all setup run test test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt mcap wheel python slurm
 
 all: setup
 	dune build @install
@@ -184,6 +187,11 @@ rtamt: all
 	@sh tests/setup.sh $(RTAMT_PACKAGES)
 	@test -x _build/rtamt/bin/python || { python3 -m venv _build/rtamt && _build/rtamt/bin/pip install --quiet rtamt==0.4.10; }
 	@_build/rtamt/bin/python tests/meaning/rtamt/agree.py $(CURDIR)/$(FROBC) $(N) $(SEED)
+
+# Recordings as MCAP, read by the packages of those who made the format, from PyPI and npm.
+mcap: all
+	@sh tests/setup.sh $(MCAP_PACKAGES)
+	@sh tests/users/convert/readers/run.sh $(CURDIR)/$(FROBC) _build/mcap
 
 # The Python package with frobc and its hosts, in _build/wheel; and that wheel tried in
 # virtual environments, with what it works with. Both take tools from PyPI.

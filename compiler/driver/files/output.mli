@@ -6,6 +6,7 @@
 type content =
   | C  (** generated C and headers: the first line says so *)
   | Table  (** a trace or a recording: its first column is [time] *)
+  | Mcap  (** its header says that we have written it *)
   | Picture  (** PNG, or SVG as frobc draws it *)
   | Rows  (** the table of a sweep: its first columns are [run,world,robot] *)
   | World  (** the first line says so *)
@@ -30,6 +31,10 @@ val check : reads:string list -> t list -> (unit, string) result
 val write : (string * string) list -> (unit, string) result
 (** Paths and texts, all or none: they are written beside, and renamed when all are
     whole. *)
+
+val stream : string -> (string -> (unit, string) result) -> (unit, string) result
+(** [stream path work], for what is too long for the memory: [work] writes a file of the name
+    that it is given, and may raise [Sys_error]. *)
 
 val rewrite : string -> string -> (unit, string) result
 (** [rewrite path text], likewise, with the permissions that the file has. *)

@@ -61,7 +61,7 @@ let rec reach_end channel =
   let some = Bytes.create 65536 in
   input channel some 0 (Bytes.length some) = 0 || reach_end channel
 
-let unpacked path format file run =
+let unpacked ?damaged path format file run =
   let read, write = Unix.pipe ~cloexec:true () in
   let null = Unix.openfile "/dev/null" [ Unix.O_WRONLY; Unix.O_CLOEXEC ] 0 in
   let started = start format "-dcq" ~stdin:file ~stdout:write ~stderr:null in
@@ -88,11 +88,16 @@ let unpacked path format file run =
       let result = Fun.protect ~finally read in
       match !status with
       | WEXITED 127 -> cannot_read path (not_installed format)
-      | status when !ended && status <> WEXITED 0 ->
-          cannot_read path "the archive is cut off or damaged"
+      | status when !ended && status <> WEXITED 0 -> (
+          let reason = "the archive is cut off or damaged" in
+          match damaged with
+          | None -> cannot_read path (reason ^ " (`frobc convert` keeps its whole rows)")
+          | Some tell ->
+              tell reason;
+              result)
       | _ -> result)
 
-let with_input path run =
+let with_input ?damaged path run =
   match open_in_bin path with
   | exception Sys_error reason -> Error [ "cannot read " ^ reason ]
   | channel ->
@@ -110,7 +115,7 @@ let with_input path run =
               | Some format ->
                   let file = Unix.descr_of_in_channel channel in
                   if is_file then ignore (Unix.lseek file 0 SEEK_SET);
-                  unpacked path format file run))
+                  unpacked ?damaged path format file run))
 
 let all channel =
   let text = Buffer.create 65536 in

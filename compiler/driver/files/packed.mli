@@ -7,9 +7,12 @@ val stem : string -> string
 (** {1 Reading} *)
 
 val with_input :
-  string -> (in_channel -> ('a, string list) result) -> ('a, string list) result
+  ?damaged:(string -> unit) ->
+  string ->
+  (in_channel -> ('a, string list) result) ->
+  ('a, string list) result
 (** What the reader makes of it; an archive that turns out to be cut off or damaged is an error,
-    whatever that is. *)
+    whatever that is, or is told to [damaged]. *)
 
 val read : string -> (string, string) result
 (** All of it. *)

@@ -19,6 +19,7 @@ let of_another_kind file =
       Some
         ( "a table of inputs, or a recording",
           Printf.sprintf "it goes beside a program: `frobc trace PROGRAM.frob --input %s`" file )
+  | ".mcap" -> Some ("a recording as MCAP", Printf.sprintf "`frobc convert %s RUN.csv`" file)
   | ".c" | ".cc" | ".cpp" | ".cxx" | ".o" | ".a" | ".so" ->
       Some
         ( "C or C++",

@@ -20,3 +20,7 @@ val run :
     [name]: of the input, for messages. [read] gives its characters, and may
     raise [Sys_error]; [write] is called for each line of the output. The errors
     are texts for the user, each with file, line and column. *)
+
+val nanoseconds : string -> int option
+(** Seconds as an instant's time is written, in whole nanoseconds: exactly, halves away from
+    zero. *)

@@ -61,7 +61,7 @@ const char *packed_reason(const char *name, int error)
         return is_gzip ? "the program gzip, by which it goes, is not installed"
                        : "the program zstd, by which it goes, is not installed (`apt install zstd`)";
     case CUT_OFF:
-        return "the archive is cut off or damaged";
+        return "the archive is cut off or damaged (`frobc convert` keeps its whole rows)";
     case OTHER_FORMAT:
         return is_gzip ? "it is not compressed by gzip, as its name says"
                        : "it is not compressed by zstd, as its name says";

@@ -71,7 +71,7 @@ def _unpacked(path: str, data: bytes) -> bytes:
     tool, magic = _TOOLS.get(os.path.splitext(path)[1], (None, b""))
     if tool is None:
         return data
-    reason = "the archive is cut off or damaged"
+    reason = "the archive is cut off or damaged (`frobc convert` keeps its whole rows)"
     try:
         if not data.startswith(magic):
             reason = f"it is not compressed by {tool}, as its name says"

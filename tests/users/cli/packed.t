@@ -49,17 +49,17 @@ compressed the last part is lost: up to some 100 kB.)
 
   $ head -c 20000 in.csv.gz > cut.csv.gz
   $ frobc trace way.frob --input cut.csv.gz 2>&1 > cut.out | sed 's/:[0-9]*:1:/:LINE:1:/'
-  error: cut.csv.gz:LINE:1: cannot read the file: the archive is cut off or damaged
+  error: cut.csv.gz:LINE:1: cannot read the file: the archive is cut off or damaged (`frobc convert` keeps its whole rows)
   $ test $(wc -l < cut.out) -gt 5000 && head -n $(wc -l < cut.out) out.csv | cmp - cut.out
   $ frobc trace way.frob --engine interp --input cut.csv.gz --output cut.interp.csv
-  error: cannot read cut.csv.gz: the archive is cut off or damaged
+  error: cannot read cut.csv.gz: the archive is cut off or damaged (`frobc convert` keeps its whole rows)
   [2]
   $ cmp cut.out cut.interp.csv
   $ { head -c 3000 in.csv.zst; printf 'damaged'; tail -c +3008 in.csv.zst; } > damaged.csv.zst
   $ frobc trace way.frob --input damaged.csv.zst 2>&1 > damaged.out | grep -o 'the archive is.*'
-  the archive is cut off or damaged
+  the archive is cut off or damaged (`frobc convert` keeps its whole rows)
   $ frobc trace way.frob --engine interp --input damaged.csv.zst > damaged.out
-  error: cannot read damaged.csv.zst: the archive is cut off or damaged
+  error: cannot read damaged.csv.zst: the archive is cut off or damaged (`frobc convert` keeps its whole rows)
   [2]
 
 Names that are not as the files are:

@@ -119,9 +119,10 @@ class Read(unittest.TestCase):
         self.assertEqual(list(frob.read("log.csv.zst")["in"]), [1, 2])
         with open("log.csv", "rb") as file:
             packed = gzip.compress(file.read())
+        damaged = "the archive is cut off or damaged (`frobc convert` keeps its whole rows)"
         for ending, content, reason in (
-            ("gz", packed[:-9], "the archive is cut off or damaged"),
-            ("gz", packed[:12] + b"x" + packed[13:], "the archive is cut off or damaged"),
+            ("gz", packed[:-9], damaged),
+            ("gz", packed[:12] + b"x" + packed[13:], damaged),
             ("gz", b"time,in\n0,1\n", "it is not compressed by gzip, as its name says"),
             ("zst", b"time,in\n0,1\n", "it is not compressed by zstd, as its name says"),
         ):

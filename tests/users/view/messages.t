@@ -61,7 +61,7 @@ One that is compressed, and one of which the end is missing:
   [0]
   $ head -c -8 run.csv.gz > cut.csv.gz
   $ view cut.csv.gz way.frob
-  cut.csv.gz:5: the archive is cut off or damaged; that row and what comes after it is left out
+  cut.csv.gz:5: the archive is cut off or damaged (`frobc convert` keeps its whole rows); that row and what comes after it is left out
   view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
   [0]
   $ cp run.csv plain.csv.gz
