@@ -220,8 +220,8 @@ let run =
     | Error [] ->
         let seed = Option.value seed ~default:1 in
         Simulating.run general ~entry ~sources
-          { Simulating.world; duration; rate; seed; realtime; record; picture; strict; exit_when_done;
-            console; look }
+          { Simulating.world; duration; rate; seed; realtime; record; picture; strict;
+            exit_when_done; console; look }
           file
   in
   command "run" ~doc:"run a robot program in the simulator, or on a robot"

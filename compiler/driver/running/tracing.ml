@@ -15,7 +15,8 @@ let compiled_trace general ~params ~entry ~sources ~modes ~input ~output file =
 (* Speaks as the host of compiled programs does. *)
 let interpreted_trace general ~params ~entry ~input ~output file =
   let* resources = Resources.find () in
-  Compiled.accepted Pipeline.interpretable general resources ~entry file (fun _ (core, entry, marks) ->
+  Compiled.accepted Pipeline.interpretable general resources ~entry file
+    (fun _ (core, entry, marks) ->
       let params = List.map (fun (p : Params.set) -> (p.param, p.value)) params in
       match Interpreted.trace core ~entry ~marks ~params ~input ~output with
       | Ok () -> Exit_status.ok
