@@ -1,5 +1,5 @@
 /* points.c -- distortion of a camera's lens, there and back. */
-#include "view.h"
+#include "points.h"
 
 /* What of the camera's model (frob/image.h) a place, of the axis' units, becomes; and how it
  * changes with the place. */
@@ -45,10 +45,9 @@ void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *
 
 /* Newton's method, from the place itself. Where the model folds over, behind the largest
  * radius that it can give, there is nothing to find. */
-void frob_undistort_point(const struct frob_image *image, const struct frob_vec2 *point,
-                          struct frob_vec2 *result)
+void frob_undistort(const struct frob_camera *c, const struct frob_vec2 *point,
+                    struct frob_vec2 *result)
 {
-    const struct frob_camera *c = &image->camera;
     const double a = (point->x - c->centre_x) / c->focal_x;
     const double b = (point->y - c->centre_y) / c->focal_y;
     double found_a = a, found_b = b, off_a = 1, off_b = 1;
@@ -70,4 +69,10 @@ void frob_undistort_point(const struct frob_image *image, const struct frob_vec2
         return;
     result->x = c->centre_x + c->focal_x * found_a;
     result->y = c->centre_y + c->focal_y * found_b;
+}
+
+void frob_undistort_point(const struct frob_image *image, const struct frob_vec2 *point,
+                          struct frob_vec2 *result)
+{
+    frob_undistort(&image->camera, point, result);
 }

@@ -5,7 +5,7 @@
  * that is tilted one way looks nearly as one that is tilted the other way (Schweighofer and Pinz,
  * "Robust pose estimation from a planar target", 2006): so both poses are improved, by
  * least squares, and the one whose corners are nearer to those that were seen is taken. */
-#include "view.h"
+#include "points.h"
 
 #include <frob/lens.h>
 
@@ -212,30 +212,36 @@ static void unknown(struct frob_tag_place *result)
     result->residual = result->ambiguity = NAN;
 }
 
+static struct frob_camera camera_of(const struct frob_lens *lens)
+{
+    struct frob_camera camera;
+    memset(&camera, 0, sizeof camera);
+    camera.focal_x = lens->focalX;
+    camera.focal_y = lens->focalY;
+    camera.centre_x = lens->centreX;
+    camera.centre_y = lens->centreY;
+    camera.k1 = lens->k1;
+    camera.k2 = lens->k2;
+    camera.k3 = lens->k3;
+    camera.p1 = lens->p1;
+    camera.p2 = lens->p2;
+    return camera;
+}
+
 void frob_find_tag_place(const struct frob_lens *lens, double size, const struct frob_tag *tag,
                          struct frob_tag_place *result)
 {
-    struct frob_image camera;
+    const struct frob_camera camera = camera_of(lens);
     struct pose one, other, kept;
     struct vector facing;
     double x[4], y[4], fit, other_fit;
 
-    memset(&camera, 0, sizeof camera);
-    camera.camera.focal_x = lens->focalX;
-    camera.camera.focal_y = lens->focalY;
-    camera.camera.centre_x = lens->centreX;
-    camera.camera.centre_y = lens->centreY;
-    camera.camera.k1 = lens->k1;
-    camera.camera.k2 = lens->k2;
-    camera.camera.k3 = lens->k3;
-    camera.camera.p1 = lens->p1;
-    camera.camera.p2 = lens->p2;
     unknown(result);
     if (!(lens->focalX > 0) || !(lens->focalY > 0) || !(size > 0) || !(size < INFINITY))
         return;
     for (int32_t i = 0; i < 4; i++) {
         struct frob_vec2 straight;
-        frob_undistort_point(&camera, &tag->corners[i], &straight);
+        frob_undistort(&camera, &tag->corners[i], &straight);
         x[i] = (straight.x - lens->centreX) / lens->focalX;
         y[i] = (straight.y - lens->centreY) / lens->focalY;
     }
