@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "wide.h"
+
 namespace frob::sim {
 namespace {
 
@@ -18,8 +20,8 @@ std::int64_t nanoseconds(double s) { return static_cast<std::int64_t>(std::floor
 
 // The steps from light to numbers, of a row each: simple loops, of which compilers make wide ones.
 
-void take_colours(const Raster::Single *light, double gain, double *__restrict to,
-                  std::size_t count) {
+FROB_WIDE void take_colours(const Raster::Single *light, double gain, double *__restrict to,
+                            std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         to[3 * i] = gain * static_cast<double>(light[i].red);
         to[3 * i + 1] = gain * static_cast<double>(light[i].green);
@@ -27,8 +29,8 @@ void take_colours(const Raster::Single *light, double gain, double *__restrict t
     }
 }
 
-void take_grey(const Raster::Single *light, double gain, double *__restrict to,
-               std::size_t count) {
+FROB_WIDE void take_grey(const Raster::Single *light, double gain, double *__restrict to,
+                         std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
         to[i] = (77 * (gain * static_cast<double>(light[i].red)) +
                  150 * (gain * static_cast<double>(light[i].green)) +
@@ -45,14 +47,15 @@ void take_grains(std::uint64_t bits, std::int32_t *to, std::size_t parts) {
     for (std::size_t i = 0; i < parts; ++i, sums >>= 21) to[i] = static_cast<int>(sums & 511u);
 }
 
-void add_noise(const std::int32_t *grains, double noise, double *__restrict to, std::size_t count) {
+FROB_WIDE void add_noise(const std::int32_t *grains, double noise, double *__restrict to,
+                         std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
         to[i] += noise * ((grains[i] - 190.5) * (1.0 / 63.998));
 }
 
 // What is too bright, or darker than black, is as far as a number goes; no light is so strong
 // that an int has no room for it (strongest).
-void round(const double *from, std::uint8_t *__restrict to, std::size_t count) {
+FROB_WIDE void round(const double *from, std::uint8_t *__restrict to, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const int level = static_cast<int>(from[i] + 0.5);
         to[i] = static_cast<std::uint8_t>(level < 0 ? 0 : level > 255 ? 255 : level);
@@ -65,11 +68,21 @@ float share_of(int i, int count, int radius) {
     return 1.0f / static_cast<float>(last - first + 1);
 }
 
-Raster::Single operator*(float k, Raster::Single s) { return {k * s.red, k * s.green, k * s.blue}; }
+FROB_WIDE void add(const Raster::Single *from, Raster::Single *__restrict to, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        to[i].red += from[i].red;
+        to[i].green += from[i].green;
+        to[i].blue += from[i].blue;
+    }
+}
 
-void add(const Raster::Single *from, Raster::Single *__restrict to, int count) {
-    for (int i = 0; i < count; ++i)
-        to[i] = {to[i].red + from[i].red, to[i].green + from[i].green, to[i].blue + from[i].blue};
+FROB_WIDE void scale(const Raster::Single *from, const float *share, Raster::Single *__restrict to,
+                     std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        to[i].red = share[i] * from[i].red;
+        to[i].green = share[i] * from[i].green;
+        to[i].blue = share[i] * from[i].blue;
+    }
 }
 
 } // namespace
@@ -183,7 +196,7 @@ void Camera::draw(const Exposure &exposure) {
     raster_.start(eye_of(exposure.moment->robots[robot_]));
     scenery_.draw(raster_, *exposure.moment, robot_);
     if (lens_map_.empty()) {
-        light_ = raster_.tints();
+        raster_.give_tints(light_);
         return blur();
     }
     light_.clear();
@@ -209,26 +222,28 @@ void Camera::blur() {
     if (radius == 0) return;
     const auto width = static_cast<std::size_t>(settings_.width);
     std::vector<Raster::Single> sums(width);
+    std::vector<float> shares(width);
+    for (int x = 0; x < settings_.width; ++x)
+        shares[static_cast<std::size_t>(x)] = share_of(x, settings_.width, radius);
     blurred_.resize(light_.size());
-    for (int y = 0; y < settings_.height; ++y) {
-        const Raster::Single *from = &light_[static_cast<std::size_t>(y) * width];
+    for (std::size_t at = 0; at < light_.size(); at += width) {
         std::fill(sums.begin(), sums.end(), Raster::Single{0.0f, 0.0f, 0.0f});
-        for (int by = -radius; by <= radius; ++by)
-            add(from + std::max(0, by), sums.data() + std::max(0, -by),
-                settings_.width - std::abs(by));
-        for (int x = 0; x < settings_.width; ++x)
-            blurred_[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] =
-                share_of(x, settings_.width, radius) * sums[static_cast<std::size_t>(x)];
+        for (int by = -radius; by <= radius; ++by) {
+            const auto before = static_cast<std::size_t>(std::max(0, -by));
+            const auto after = static_cast<std::size_t>(std::max(0, by));
+            if (before + after < width)
+                add(&light_[at] + after, sums.data() + before, width - before - after);
+        }
+        scale(sums.data(), shares.data(), &blurred_[at], width);
     }
     for (int y = 0; y < settings_.height; ++y) {
         std::fill(sums.begin(), sums.end(), Raster::Single{0.0f, 0.0f, 0.0f});
         const int first = std::max(0, y - radius);
         const int last = std::min(settings_.height - 1, y + radius);
         for (int k = first; k <= last; ++k)
-            add(&blurred_[static_cast<std::size_t>(k) * width], sums.data(), settings_.width);
-        const float share = share_of(y, settings_.height, radius);
-        for (std::size_t x = 0; x < width; ++x)
-            light_[static_cast<std::size_t>(y) * width + x] = share * sums[x];
+            add(&blurred_[static_cast<std::size_t>(k) * width], sums.data(), width);
+        std::fill(shares.begin(), shares.end(), share_of(y, settings_.height, radius));
+        scale(sums.data(), shares.data(), &light_[static_cast<std::size_t>(y) * width], width);
     }
 }
 

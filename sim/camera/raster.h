@@ -90,7 +90,9 @@ class Raster {
     };
 
     Single tint(int x, int y) const { return tints_[index(x, y)]; }
-    const std::vector<Single> &tints() const { return tints_; } // row by row
+
+    // All, row by row, in exchange for memory of any contents: the picture is over.
+    void give_tints(std::vector<Single> &to) { tints_.swap(to); }
 
     // Along the axis; infinite where nothing is.
     float depth(int x, int y) const { return depths_[index(x, y)]; }
