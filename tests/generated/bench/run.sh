@@ -17,6 +17,7 @@ mkdir -p "$out"
     sh tests/generated/bench/stop/run.sh "$out"
     sh tests/generated/bench/view/run.sh "$out"
     sh tests/generated/bench/vision/run.sh "$out"
+    sh tests/generated/bench/vision/camera.sh "$out"
     sh tests/generated/bench/lsp/run.sh "$out"
     sh tests/generated/bench/python/run.sh
 } >"$out/lines"
