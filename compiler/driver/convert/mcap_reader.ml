@@ -63,6 +63,7 @@ let attachment channel ~length =
   let fixed = really_input_string channel 16 in
   let next () =
     let head = really_input_string channel 4 in
+    if u32 head 0 > length then wrong "it is damaged";
     (head, really_input_string channel (u32 head 0))
   in
   let name_head, name = next () in

@@ -86,16 +86,23 @@ let may_be_written path =
   | exception Unix.Unix_error (reason, _, _) ->
     Error (Printf.sprintf "cannot write %s: %s" path (Unix.error_message reason))
 
-(* What is to tell whose it is. *)
+(* What is to tell whose it is: of what may be long, its first bytes. *)
 let beginning content path =
+  let first channel =
+    let text = Bytes.create 64 in
+    let n = input channel text 0 (Bytes.length text) in
+    Bytes.sub_string text 0 n
+  in
   match content with
-  | (Table | Mcap) when (Unix.stat path).st_size > 0 ->
-    Packed.with_input path (fun channel ->
-        let text = Bytes.create 64 in
-        let n = input channel text 0 (Bytes.length text) in
-        Ok (Bytes.sub_string text 0 n))
+  | Table when (Unix.stat path).st_size > 0 ->
+    Packed.with_input path (fun channel -> Ok (first channel))
     |> Result.map_error (String.concat "\n")
+  | Mcap ->
+    let channel = open_in_bin path in
+    Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> Ok (first channel))
   | _ -> Ok (read_file path)
+
+let is_mcap path = Filename.check_suffix path ".mcap"
 
 let may_be_replaced { path; content; asked } =
   let refuse reason =
@@ -104,6 +111,12 @@ let may_be_replaced { path; content; asked } =
   in
   if Sys.file_exists path && Sys.is_directory path then
     Error (Printf.sprintf "cannot write %s: it is a directory" path)
+  else if content = Table && is_mcap path then
+    Error
+      (Printf.sprintf
+         "%s writes CSV, and %s would be no MCAP: name a file that ends in .csv; `frobc convert \
+          RUN.csv %s` makes MCAP of it"
+         asked path path)
   else
     match content with
     | Link when is_link path || not (Sys.file_exists path) -> Ok ()

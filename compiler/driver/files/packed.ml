@@ -41,12 +41,14 @@ let rec status_of process =
 (* Whether the file begins as its name says. *)
 let named_rightly path channel =
   let magic = List.map (fun f -> (f, f.magic)) formats in
-  let begins (_, magic) =
+  let begins : type a. a * string -> bool = fun (_, magic) ->
     let n = String.length magic in
     seek_in channel 0;
     in_channel_length channel >= n && String.equal (really_input_string channel n) magic
   in
   match (format_of path, List.find_opt begins magic) with
+  | _, None when begins ((), "\x89MCAP") ->
+      Error "it is MCAP, of which `frobc convert` makes a recording"
   | None, None -> Ok ()
   | Some format, Some (found, _) when found.tool = format.tool -> Ok ()
   | Some format, _ when in_channel_length channel > 0 ->

@@ -18,7 +18,7 @@
 extern char **environ;
 
 /* Faults that are none of the system's, as an errno. */
-enum { NOT_INSTALLED = ENOPKG, CUT_OFF = EBADMSG, OTHER_FORMAT = EILSEQ };
+enum { NOT_INSTALLED = ENOPKG, CUT_OFF = EBADMSG, OTHER_FORMAT = EILSEQ, IS_MCAP = EPROTO };
 
 static const struct format {
     const char *tool, *ending;
@@ -52,6 +52,8 @@ const char *packed_reason(const char *name, int error)
 {
     const struct format *format = format_of(name);
     const bool is_gzip = format == &formats[0];
+    if (error == IS_MCAP)
+        return "it is MCAP, of which `frobc convert` makes a recording";
     if (format == NULL)
         return error == OTHER_FORMAT
                    ? "it is compressed; give it a name that says how, with .gz or .zst at its end"
@@ -72,16 +74,19 @@ const char *packed_reason(const char *name, int error)
     }
 }
 
-/* Whether the file begins as its name says; one that cannot be looked at, being a pipe, does. */
-static bool is_as_named(int file, const struct format *named)
+/* What is wrong with the file's beginning, by what its name says; 0: nothing, and of one that
+ * cannot be looked at, being a pipe. */
+static int wrong_beginning(int file, const struct format *named)
 {
     char head[4] = { 0 };
     if (pread(file, head, sizeof head, 0) < (ssize_t)sizeof head)
-        return true;
+        return 0;
+    if (memcmp(head, "\x89MCA", sizeof head) == 0)
+        return IS_MCAP;
     for (size_t i = 0; i < FORMATS; i++)
         if (memcmp(head, formats[i].magic, strlen(formats[i].magic)) == 0)
-            return named == &formats[i];
-    return named == NULL;
+            return named == &formats[i] ? 0 : OTHER_FORMAT;
+    return named == NULL ? 0 : OTHER_FORMAT;
 }
 
 /* Starts the tool between two files; its process, or 0 with errno set. */
@@ -152,7 +157,10 @@ static bool put_tool(struct packer *packer, const struct format *format, int fil
         return false;
     packer->process = start(format, true, ends[1], file);
     close_quietly(ends[1]);
-    packer->file = ends[0];
+    if (packer->process == 0)
+        close_quietly(ends[0]);
+    else
+        packer->file = ends[0];
     return packer->process > 0;
 }
 
@@ -312,14 +320,16 @@ FILE *packed_read(const char *name)
     const struct format *format = format_of(name);
     const int file = open(name, O_RDONLY | O_CLOEXEC);
     FILE *stream = NULL;
+    int wrong;
     if (file < 0)
         return NULL;
-    if (!is_as_named(file, format))
-        errno = OTHER_FORMAT;
-    else if (format == NULL)
+    wrong = wrong_beginning(file, format);
+    if (wrong == 0 && format == NULL)
         return fdopen(file, "rb");
-    else
+    if (wrong == 0)
         stream = read_from(file, format);
+    else
+        errno = wrong;
     close_quietly(file);
     return stream;
 }

@@ -128,13 +128,38 @@ No recording:
   $ ls bad.mcap
   bad.mcap
   $ cp run.mcap fake.csv; frobc convert fake.csv bad.mcap
-  error: fake.csv:1: not a recording: its first column is `time`, not `‰MCAP0`
+  error: cannot read fake.csv: it is MCAP, of which `frobc convert` makes a recording
   [2]
   $ frobc convert gone.csv run.mcap
   error: there is no file gone.csv
   [2]
   $ frobc convert . run.mcap
   error: . is a folder
+  [2]
+
+MCAP is what `frobc convert` makes and reads, and nobody else:
+
+  $ cat > main.frob <<END
+  > main :: SF Float Float
+  > main = proc x -> x
+  > END
+  $ frobc trace main.frob --input run.mcap
+  error: cannot read run.mcap: it is MCAP, of which `frobc convert` makes a recording
+  [2]
+  $ frobc trace main.frob --engine interp --input run.mcap
+  error: cannot read run.mcap: it is MCAP, of which `frobc convert` makes a recording
+  [2]
+  $ frobc view --print run.mcap main.frob
+  error: cannot view run.mcap: it is MCAP, of which `frobc convert` makes a recording
+  [2]
+  $ frobc trace main.frob --input run.csv --output out.mcap
+  error: --output writes CSV, and out.mcap would be no MCAP: name a file that ends in .csv; `frobc convert RUN.csv out.mcap` makes MCAP of it
+  [2]
+  $ frobc run $see --for 1s --record out.mcap
+  error: --record writes CSV, and out.mcap would be no MCAP: name a file that ends in .csv; `frobc convert RUN.csv out.mcap` makes MCAP of it
+  [2]
+  $ frobc check run.mcap
+  error: run.mcap is no Frob program but a recording as MCAP; `frobc convert run.mcap RUN.csv`
   [2]
 
 Names that say nothing, or too little to do:
