@@ -12,6 +12,8 @@ type bracket = {
   column : int;
   first : bool;  (** on its line *)
   mutable content : int option;  (** the column of what comes behind it on its line *)
+  mutable element : int option;  (** of the last element that was first on its line *)
+  is_record : bool;
   commas_first : bool;
 }
 
@@ -86,21 +88,32 @@ let close state (w : Word.t) =
 
 (* {1 The column of a line} *)
 
+(* To which a [where] counts: where there is one, to the element of a list or record that it is
+   in. *)
+let base_of_where (frame : frame) =
+  match frame.kind with
+  | Bracket { element = Some column; _ } -> column
+  | Bracket _ | Block _ | If _ | Else -> frame.base
+
 let of_item state =
   match state.stack with
   | { kind = Block { column = Some column; _ }; _ } :: _ -> column
   | _ :: outer ->
       let below = around outer in
-      if state.opened_by = 1 then below.base + step else max state.base below.base + step
+      if state.opened_by = 1 then base_of_where below + step else max state.base below.base + step
   | [] -> 0
+
+let begins_element (words : Word.t array) i =
+  match words.(i - 1).token.token with
+  | COMMA | LPAREN | LBRACKET | LBRACE | UNIT_BRACKET -> true
+  | _ -> false
 
 (* What begins a line within brackets: an element of a list, or the rest of one. *)
 let in_bracket (bracket : bracket) ~base ~begins =
-  if begins then
-    match bracket.content with
-    | Some column -> column
-    | None -> base + step
-  else base + step
+  match (begins, bracket.content, bracket.element) with
+  | true, Some column, _ -> column
+  | false, _, Some column when bracket.is_record && not bracket.commas_first -> column + step
+  | _ -> base + step
 
 let of_line state (words : Word.t array) i closed =
   let w = words.(i) in
@@ -111,7 +124,8 @@ let of_line state (words : Word.t array) i closed =
     | THEN, If { then_; _ }, _ -> then_
     | ELSE, If { else_; _ }, _ -> else_
     | IN, _, Some { kind = Block { in_ = Some column; _ }; _ } -> column
-    | (IN | OF | WHERE), _, _ -> frame.base + half_step
+    | WHERE, _, _ -> base_of_where frame + half_step
+    | (IN | OF), _, _ -> frame.base + half_step
     | (RPAREN | RBRACKET | RBRACE), _, Some { kind = Bracket b; base; _ } ->
         if b.first || b.commas_first then b.column
         else if b.content = None then base
@@ -121,13 +135,7 @@ let of_line state (words : Word.t array) i closed =
         match frame.bar with
         | Some (written, column) when written = w.column -> column
         | _ -> frame.base + step)
-    | _, Bracket b, _ ->
-        let begins =
-          match words.(i - 1).token.token with
-          | COMMA | LPAREN | LBRACKET | LBRACE | UNIT_BRACKET -> true
-          | _ -> false
-        in
-        in_bracket b ~base:frame.base ~begins
+    | _, Bracket b, _ -> in_bracket b ~base:frame.base ~begins:(begins_element words i)
     | _ -> frame.base + step
 
 (* {1 All lines} *)
@@ -142,6 +150,7 @@ let starts_line (words : Word.t array) state i column =
       state.base <- column - (choice.then_ - choice.blocks);
       frame.base <- column;
       choice.else_ <- column
+  | _, Bracket bracket when i > 0 && begins_element words i -> bracket.element <- Some column
   | _ -> ()
 
 (* The last word of each line that starts with a word. *)
@@ -197,7 +206,9 @@ let lines ~break (words : Word.t array) =
     | LPAREN | LBRACKET | UNIT_BRACKET | LBRACE ->
         let first = i = 0 || w.starts in
         push state ~base:state.base
-          (Bracket { column; first; content = None; commas_first = w.commas_first })
+          (Bracket
+             { column; first; content = None; element = None;
+               is_record = w.token.token = LBRACE; commas_first = w.commas_first })
     | IF ->
         let then_, blocks, else_ =
           if i = 0 || w.starts then (column + half_step, column, column + half_step)

@@ -213,6 +213,46 @@ A file that is no program stays as it is; the message is that of `frobc check`.
   1 error
   [1]
 
+The equations of a `where` belong to the field of a record, or the element of a list, that they
+are in; and so does the rest of a field.
+
+  $ cat > trial.frob << 'FROB'
+  > trial "keeps off" = Trial {
+  >   world = "room.toml",
+  >   judge = proc t -> neverTouches t where
+  >         assert "far" (t.clearance > 0.5[m])
+  >         assert "on time" (by 1[s] (t.driven > 1[m])),
+  >   lasts = 6
+  >    * tenSeconds,
+  >   seeds = 1 `to` 2 }
+  > 
+  > both = [
+  >     proc x -> y where
+  >       y = x,
+  >     proc x -> z
+  >       where
+  >         z = x
+  > ]
+  > FROB
+  $ frobc format trial.frob && cat trial.frob
+  trial "keeps off" = Trial {
+      world = "room.toml",
+      judge = proc t -> neverTouches t where
+          assert "far" (t.clearance > 0.5[m])
+          assert "on time" (by 1[s] (t.driven > 1[m])),
+      lasts = 6
+          * tenSeconds,
+      seeds = 1 `to` 2 }
+  
+  both = [
+      proc x -> y where
+          y = x,
+      proc x -> z
+        where
+          z = x
+  ]
+  $ frobc format trial.frob --check
+
 What cannot be read or written is said.
 
   $ mkfifo pipe; mkdir folder; echo '[robot]' > world.toml
