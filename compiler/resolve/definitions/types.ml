@@ -123,7 +123,10 @@ let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
         (counted expected noun) found
     in
     (if String.equal tycon.global.name "Array" && is_builtin tycon then
-     Diagnostic.hint "a size and a type, as in `Array 4 Float`" diagnostic
+     Diagnostic.hint
+       (if found > 2 then "rows of columns are arrays in an array: `Array 2 (Array 3 Float)`"
+       else "a size and a type, as in `Array 4 Float`")
+       diagnostic
     else if String.equal tycon.global.name "SF" && is_builtin tycon && found > 2 then
       Diagnostic.hint "several inputs are one tuple, as in `SF (a, b) c`" diagnostic
     else if is_builtin tycon then diagnostic

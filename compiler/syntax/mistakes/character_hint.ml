@@ -145,7 +145,12 @@ let of_colon text at =
             is the result's"
            (List.hd (String.split_on_char '(' name)))
   | _ when List.exists (fun word -> word = "lambda" || word = "(lambda") words ->
-      hint "a function without a name is written `\\x -> …`"
+      let parameters =
+        match List.rev words with
+        | x :: ("lambda" | "(lambda") :: _ when String.for_all is_name x -> x
+        | _ -> "x"
+      in
+      hint (Printf.sprintf "a function without a name is written `\\%s -> …`" parameters)
   | _ when ends_line && List.mem "case" words ->
       hint "the line of a `case` ends with `of`: `case x of`"
   | _ when ends_line -> hint of_block

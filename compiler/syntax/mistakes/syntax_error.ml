@@ -135,6 +135,12 @@ let plain found =
         [ "`->` leads from the input to what comes out; an equation has `=`" ]
     | _ when found.token.token = WHERE && awaits_arrow expected ->
         [ "the output comes first, and then its equations: `proc x -> y where`" ]
+    | _ when lacks_else found && innermost_block found.context = Do && names_before found "return"
+      ->
+        [
+          "a `return` ends only what it is the last of: what else is to be done stands in the \
+           other branch, below `else do`";
+        ]
     | hints when lacks_else found && innermost_block found.context <> Do ->
         List.map (fun _ -> "every `if` has both `then` and `else`, since it always has a value")
           hints

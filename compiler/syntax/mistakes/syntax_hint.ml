@@ -336,6 +336,13 @@ let of_token found =
       Some
         (Printf.sprintf "the methods follow `where`, each on a line of its own: `%s where`"
            (head_of_definition found))
+  | BAR, Some { token = UPPER _ | LOWER _; _ } when first_word found = "type" ->
+      let start = found.token.start.pos_bol + 4 in
+      Some
+        (Printf.sprintf "a choice of several is declared by `data`: `data %s`"
+           (between found start (end_of_line found start)))
+  | COMMA, Some { token = NUMBER _; _ } when names_before found "!" ->
+      Some "an element of a row is reached by one `!` after the other: `m ! 0 ! 1`"
   | IMPORT, Some { token = FOREIGN; _ } ->
       Some "the name in C stands last: `foreign cubeRoot :: Float -> Float = \"cbrt\"`"
   | (END | SEMICOLON), Some _ when lacks_a_value found <> None -> lacks_a_value found

@@ -9,6 +9,9 @@ val own_operator : string
 val reserved_word : string -> string
 (** What is said of such a word where a name should stand. *)
 
+val names_before : Found.t -> string -> bool
+(** The line up to here has this word. *)
+
 val by_indentation : string
 (** Hint for who writes blocks in braces. *)
 

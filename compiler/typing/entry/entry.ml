@@ -107,7 +107,10 @@ let refusal program ~closed (d : Ir.definition) =
         (match d.scheme.ty with
         | Number _ | Variable _ -> "it is a value, not a signal function"
         | ty -> Printf.sprintf "it is a value of type `%s`, not a signal function" (Show.ty ty))
-        (Printf.sprintf "`constant %s` is the signal function that always gives it" name)
+        (if String.equal name "main" then
+           "`constant e` is the signal function that always gives it; on a robot the program is \
+            `main = reactimateRobot (constant e)`"
+         else Printf.sprintf "`constant %s` is the signal function that always gives it" name)
 
 (* {1 Which} *)
 

@@ -257,9 +257,9 @@ let report_lacking ctx required lack =
       in
       match lack.lacking with
       | Declared { name = "RobotOutput"; _ } when by = "`roMake`" && is_function lack.culprit ->
-          Diagnostic.hint
+          { diagnostic with message = "`roMake` takes one function, and makes an output of it" }
+          |> Diagnostic.hint
             "several commands are put together by a dot: `roMake (setVelTR v omega . setLight On)`"
-            diagnostic
       | Declared { name = "RobotOutput"; _ } when is_with_an_event lack.culprit ->
           Diagnostic.hint
             "besides its output it gives the event that ends it, which is lacking here: `(roMake \

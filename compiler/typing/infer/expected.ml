@@ -6,6 +6,7 @@ type reason =
   | Annotation of Span.t
   | Parameter of {
       callee : string option;
+      head : Resolve.Ir.expr option;
       at : Span.t;
       position : int;
       decided_by : (Span.t * Type.t) option;

@@ -9,6 +9,7 @@ type reason =
   | Annotation of Span.t
   | Parameter of {
       callee : string option;
+      head : Resolve.Ir.expr option;  (** what is applied *)
       at : Span.t;
       position : int;
       decided_by : (Span.t * Type.t) option;

@@ -69,6 +69,7 @@ let reason ctx ~(head : Resolve.Ir.expr) ~takes ~arguments ~decided_by ~later ~b
       Parameter
         {
           callee = Plain_name.of_expr head;
+          head = Some head;
           at = head.span;
           position = argument.position;
           decided_by;
@@ -222,14 +223,19 @@ let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
           let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
           let found = (expressions.infer ctx argument.value).ty in
           let given = List.mapi (fun i ty -> if i + 1 = failed then found else ty) given in
-          match
-            Argument_order.exchanged ~parameters:(parameters instance.ty) ~given ~position:failed
-          with
-          | None -> ()
-          | Some other ->
-              let arguments = List.map (fun a -> a.value) arguments in
-              Argument_order.cure (words ctx) ~name:name.name ~at:e.span ~arguments (failed, other)
-              |> Diagnostic.revise_last sink))
+          let parameters = parameters instance.ty in
+          let order =
+            match Argument_order.exchanged ~parameters ~given ~position:failed with
+            | Some other ->
+                Some (Argument_order.exchange failed other ~of_:(List.length arguments))
+            | None -> Argument_order.rotated ~parameters ~given
+          in
+          let cure order =
+            let arguments = List.map (fun a -> a.value) arguments in
+            Argument_order.cure (words ctx) ~name:name.name ~at:e.span ~arguments order
+            |> Diagnostic.revise_last sink
+          in
+          Option.iter cure order))
   | _ -> ()
 
 (* What takes its arguments in another way than in other languages, as `switch mode event next`. *)

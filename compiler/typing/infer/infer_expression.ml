@@ -91,6 +91,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
         Parameter
           {
             callee = Some "-";
+            head = None;
             at = e.span;
             position = 1;
             decided_by = None;

@@ -85,15 +85,28 @@ let pair_exchanged ~unfit ~wanted:(a, b) (a', b') =
   && (not (is_open a' && is_open b'))
   && not (is_open a && is_open b)
 
-let cure words ~name ~at ~(arguments : Resolve.Ir.expr list) (a, b) (d : Diagnostic.t) =
-  let moved i = if i = a then b else if i = b then a else i in
-  let texts =
-    List.mapi
-      (fun i _ ->
-        let (e : Resolve.Ir.expr) = List.nth arguments (moved (i + 1) - 1) in
-        Option.map Source.grouped (Show.quote words e.span))
-      arguments
+let exchange a b ~of_:n =
+  List.init n (fun i ->
+      let i = i + 1 in
+      if i = a then b else if i = b then a else i)
+
+let rotated ~parameters ~given =
+  let fits order =
+    let bound = ref [] in
+    List.for_all2
+      (fun parameter i -> surely bound parameter (List.nth given (i - 1)))
+      parameters order
   in
+  match (parameters, given) with
+  | [ _; _; _ ], [ _; _; _ ] -> List.find_opt fits [ [ 2; 3; 1 ]; [ 3; 1; 2 ] ]
+  | _ -> None
+
+let cure words ~name ~at ~(arguments : Resolve.Ir.expr list) order (d : Diagnostic.t) =
+  let text i =
+    let (e : Resolve.Ir.expr) = List.nth arguments (i - 1) in
+    Option.map Source.grouped (Show.quote words e.span)
+  in
+  let texts = List.map text order in
   let d = { d with hints = []; fixes = [] } in
   if List.mem None texts then
     Diagnostic.hint (Printf.sprintf "the arguments of `%s` belong in the other order" name) d

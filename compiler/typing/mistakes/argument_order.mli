@@ -18,13 +18,19 @@ val exchanged : parameters:Type.t list -> given:Type.t list -> position:int -> i
     [parameters], the function's as its scheme has them. The position of another argument with
     which it could change places. *)
 
+val exchange : int -> int -> of_:int -> int list
+(** The order of so many arguments in which these two have changed places. *)
+
+val rotated : parameters:Type.t list -> given:Type.t list -> int list option
+(** The order in which three arguments fit, each of which stands elsewhere. *)
+
 val cure :
   Show.words ->
   name:string ->
   at:Span.t ->
   arguments:Resolve.Ir.expr list ->
-  int * int ->
+  int list ->
   Diagnostic.t ->
   Diagnostic.t
-(** The diagnostic of an application, with this in place of its own hints: these two
-    arguments change places. *)
+(** The diagnostic of an application, with this in place of its own hints: its arguments in this
+    order, each by its position. *)

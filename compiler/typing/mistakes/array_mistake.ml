@@ -26,6 +26,13 @@ let arithmetic (expected : Expected.t) =
       Some operator
   | _ -> None
 
+let with_each words ~subject expected =
+  Option.map
+    (fun operator ->
+      let a, b = operands words ~subject expected in
+      Printf.sprintf "(\\x -> x %s %s) %s" operator b a)
+    (arithmetic expected)
+
 let computed words ~subject expected =
   let of_both operator =
     let a, b = operands words ~subject expected in
@@ -48,4 +55,24 @@ let mapped (expected : Expected.t) found =
       Some ("mapT", "of what a task ends with", at)
   | Parameter { callee = Some "mapE"; position = 2; at; _ }, t when is_array t ->
       Some ("map", "of each element of an array", at)
+  | _ -> None
+
+let as_a_tuple words (subject : Resolve.Ir.expr option) parts =
+  match subject with
+  | Some { desc = Array elements; span } when List.compare_lengths elements parts = 0 -> (
+      match List.map (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) elements with
+      | texts when not (List.mem None texts) ->
+          Some (span, "(" ^ String.concat ", " (List.map Option.get texts) ^ ")")
+      | _ -> None)
+  | _ -> None
+
+let extreme words (subject : Resolve.Ir.expr option) =
+  match subject with
+  | Some
+      { desc = Apply { head = { desc = Global { name = ("max" | "min") as name; _ }; _ };
+        argument; _ }; _ } ->
+      let xs = Option.fold (Show.quote words argument.span) ~none:"xs" ~some:Source.grouped in
+      Some
+        (Printf.sprintf "`%s` is of two values; of all elements it is `%simumBy id %s`" name name
+           xs)
   | _ -> None

@@ -29,6 +29,26 @@ let of_one_type words (expected : Expected.t) found diagnostic =
               name name variable)
   | _ -> diagnostic
 
+(* Where nothing better is known: which argument it is, and of what. *)
+let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
+  match expected.because with
+  | Parameter { head = Some { desc = Global g; _ }; given; takes; position; _ }
+    when d.hints = [] && (takes > 1 || List.length given > takes)
+         && (String.equal d.code "E0301" || (List.length given = 1 && takes = 2))
+         && (match g.name.[0] with 'a' .. 'z' -> true | _ -> false) -> (
+      match Show.declared words g with
+      | Some ty ->
+          hint
+            (if List.length given > takes then
+               Printf.sprintf "`%s` takes %s, and is given %d: `%s :: %s`" g.name
+                 (Unrun_mistake.count takes) (List.length given) g.name ty
+             else
+               Printf.sprintf "it stands in the place of argument %d: `%s :: %s`" position g.name
+                 ty)
+            d
+      | None -> d)
+  | _ -> d
+
 let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : Unify.clash) =
   (* names of signatures first, so that no invented name repeats one *)
   (match Show.described words expected.ty with
@@ -38,6 +58,7 @@ let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : U
   let finish diagnostic =
     Expected.explain_all words ~subject expected diagnostic
     |> of_one_type words expected found
+    |> by_signature words expected
     |> of_two_modules words
   in
   match clash with

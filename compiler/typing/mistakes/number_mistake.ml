@@ -168,6 +168,14 @@ let conversion words ~subject ~expected (wanted, given) diagnostic =
     hint
       (Printf.sprintf "a gain makes `1/s` of a number without a unit, as in `2[1/s] * %s`" e)
       diagnostic
+  else if
+    Units.equal wanted Units.one && diagnostic.hints = [] && written = None
+    && not (is_operand expected)
+  then
+    hint
+      (Printf.sprintf "how many of a unit it is has none itself: `%s / 1[%s]`" e
+         (Show.measure words given))
+      diagnostic
   else if Units.equal given Units.one || Units.equal wanted Units.one then diagnostic
   else if written <> None then
     let digits, at = Option.get written in
@@ -394,6 +402,7 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
       (Show.described words found)
   in
   match (expected.because, (wanted : Type.representation), (given : Type.representation)) with
+  | Operand { operator = "!"; _ }, _, Float -> plain () |> to_int subject
   | Operand { operator; other; _ }, Float, Int | Operand { operator; other; _ }, Int, Float ->
       let number = if given = Int then subject else Some other in
       error ~code:"E0312" ~at "the operands of `%s` are %s and %s" operator
@@ -408,3 +417,9 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
       plain ()
       |> note (Printf.sprintf "`%s` and `%s` are different representations" (text wanted)
         (text given))
+
+let makes name x =
+  match name with
+  | "Mark" -> Some (Printf.sprintf "`number \"name\" %s` is the mark of a number" x)
+  | "Seeds" -> Some (Printf.sprintf "they are from one to another: ``1 `to` %s``" x)
+  | _ -> None

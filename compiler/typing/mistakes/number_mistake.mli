@@ -28,3 +28,6 @@ val representations :
 
 val without_open_units : Expected.t -> Expected.t
 (** Between Int and Float a unit that is still to be found is no matter. *)
+
+val makes : string -> string -> string option
+(** What makes one of this type of a number, of types of which that is easily told. *)

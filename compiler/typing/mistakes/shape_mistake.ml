@@ -175,11 +175,11 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
                  (raw "sf")
            | _ -> Printf.sprintf "`during 10[s] %s` is a test" sf)
   | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _), _ ->
-      unrun words ~subject ~at ~input ~found
+      unrun words ~subject ~at ~wanted:expected.ty ~input ~found
         |> note (Printf.sprintf "expected %s" (text expected.ty))
   | Signal_function (input, _), (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Some other
     ->
-      unrun words ~subject:(Some other) ~at:other.span ~input ~found:expected.ty
+      unrun words ~subject:(Some other) ~at:other.span ~wanted:found ~input ~found:expected.ty
       |> label ~at (Printf.sprintf "this is %s" (text found))
   | Signal_function _, _, None
     when Switch_mistake.of_a_mode words ~subject ~expected ~found <> None ->
@@ -247,6 +247,10 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
     when Option.is_some (Output_mistake.hint ~subject ~expected:expected.ty ~found) ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint (Option.get (Output_mistake.hint ~subject ~expected:expected.ty ~found))
+  | Number _, Function (from, _), _
+    when Array_mistake.is_array from && Array_mistake.extreme words subject <> None ->
+      error ~code:"E0301" ~at "expected %s, found the function %s" (text expected.ty) (text found)
+      |> hint (Option.get (Array_mistake.extreme words subject))
   | (Number _ | Bool | String | Tuple _ | Data _), Function _, _ ->
       let missing = missing_arguments found in
       let d =
@@ -323,8 +327,10 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   | Function _, Tuple (_ :: _), _ when is_selected expected ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint
-           "a tuple is taken apart by an equation, `(a, b) = p`; of a pair there are `fst p` and \
-            `snd p`"
+           (Printf.sprintf
+              "a tuple is taken apart by an equation, `(a, b) = %s`; of a pair there are `fst %s` \
+               and `snd %s`"
+              (raw "p") (raw "p") (raw "p"))
   | Data _, Number _, Some _ when Show.fields words expected.ty <> None ->
       let _, fields = Option.get (Show.fields words expected.ty) in
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
@@ -363,6 +369,11 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
          | Some { desc = Tuple _; _ } -> Fun.id
          | _ -> here (Printf.sprintf "this is %s" (text found)))
       |> (match expected.because with
+         | Parameter { callee = Some ("fst" | "snd"); _ } ->
+             let parts = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) given in
+             hint
+               (Printf.sprintf "an equation takes it apart: `(%s) = %s`" (String.concat ", " parts)
+                  (raw "p"))
          | Pattern _ ->
              let parts = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) given in
              hint (Printf.sprintf "a pattern for it is `(%s)`" (String.concat ", " parts))
@@ -381,10 +392,32 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
            else
              Printf.sprintf "an array is written in brackets: `[%s]`"
                (String.concat ", " (List.map Option.get elements)))
-  | Data { tycon = { name = "Mark"; _ }; _ }, Number _, _ ->
+  | Data { tycon = { name; _ }; _ }, Number _, _
+    when Number_mistake.makes name (written "x") <> None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-      |> hint
-           (Printf.sprintf "`number \"name\" %s` is the mark of a number" (written "x"))
+      |> hint (Option.get (Number_mistake.makes name (written "x")))
+  | Number _, Data _, _ when Show.fields words found <> None ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint (parts_of_record words ~record:(written "r") found)
+  | Number _, String, _ ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint "a text is a label: nothing is computed with it, and none is joined to another"
+  | Tuple (_ :: _ as parts), given, _
+    when Array_mistake.is_array given && Array_mistake.as_a_tuple words subject parts <> None ->
+      let place, tuple = Option.get (Array_mistake.as_a_tuple words subject parts) in
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint (Printf.sprintf "a tuple stands in parentheses: `%s`" tuple)
+      |> write place tuple
+  | Bool, given, _
+    when Environment.is_task given && Task_mistake.beside_each_other expected <> None ->
+      error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
+      |> hint (Option.get (Task_mistake.beside_each_other expected))
+  | (Function _ as lacking), Number _, Some ({ desc = Apply { style = Juxtaposed; _ }; _ } as e)
+    when declared words (Some e) <> None && missing_arguments lacking = 1 ->
+      let name, ty = Option.get (declared words (Some e)) in
+      error ~code:"E0301" ~at:e.span "`%s` lacks an argument" name
+      |> label ~at "so it is no number, as this is"
+      |> hint (Printf.sprintf "the last one is missing: `%s :: %s`" name ty)
   | Data { arguments = [ n; _ ]; _ }, Data { arguments = [ n'; _ ]; _ }, _
     when Array_mistake.is_array expected.ty
          && Array_mistake.is_array found
@@ -510,8 +543,15 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
                     (written "m"))
       | None, _ when is_number expected.ty && Environment.is_event found ->
           error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-          |> hint "an event has a value only where it occurs: `hold x0 e` is the latest one, at \
-                   first `x0`"
+          |> hint
+               (Printf.sprintf
+                  "an event has a value only where it occurs: `hold x0 %s` is the latest one, at \
+                   first `x0`%s"
+                  (written "e")
+                  (Option.fold
+                     (Array_mistake.with_each words ~subject expected)
+                     ~none:""
+                     ~some:(Printf.sprintf "; `mapE %s` computes with each one")))
       | None, _ when Type.expand expected.ty = Bool && Environment.is_event found
         && Truth_mistake.of_events words ~subject expected <> None ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)

@@ -96,3 +96,11 @@ let no_task words ~subject ~at ~found =
        (match Option.bind subject Plain_name.of_expr with
        | Some name -> Printf.sprintf "`return %s` is the task that ends at once with it" name
        | None -> "`let x = …` names a value; `return x` is the task that ends at once with it")
+
+let beside_each_other (expected : Expected.t) =
+  match expected.because with
+  | Parameter { callee = Some ("||" | "&&"); _ } | Operand { operator = "||" | "&&"; _ } ->
+      Some
+        "two tasks are done side by side by `both s t`, and one until something happens by \
+         `abortWhen`; one after the other they stand in a `do`"
+  | _ -> None

@@ -30,3 +30,6 @@ val unlike_tasks :
   Diagnostic.t option
 (** What is expected, then what is found, both as {!Environment.as_task} gives it; [None]
     if they differ in more than one of the three. *)
+
+val beside_each_other : Expected.t -> string option
+(** The cure of tasks between operators of truths. *)

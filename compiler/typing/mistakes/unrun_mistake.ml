@@ -95,7 +95,28 @@ let hint_to_run words subject input d =
   | Some name, [] -> instead subject (Printf.sprintf "%s %s" name signal)
   | _ -> Fun.id
 
-let unrun words ~subject ~at ~input ~found =
-  error ~code:"E0303" ~at "a signal function stands where the value of its signal is needed"
-  |> here (Printf.sprintf "this is %s" (Show.described words found))
-  |> hint_to_run words subject input
+(* `after 5[s]` as a condition. *)
+let truth_of_event words ~(subject : Resolve.Ir.expr option) ~wanted ~found =
+  let text = Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
+  match (Type.expand wanted, Type.expand found, subject, text) with
+  | Type.Bool, Type.Signal_function (input, output), Some e, Some text
+    when Environment.is_event output -> (
+      let signal = signal_for words input in
+      match (Plain_name.of_head e, arguments_of e) with
+      | Some "after", [ q ] ->
+          Some
+            (Printf.sprintf "elapsed %s ()"
+               (Option.fold (Show.quote words q.span) ~none:"q" ~some:Source.grouped))
+      | _ -> Some (Printf.sprintf "isEvent (%s %s)" text signal))
+  | _ -> None
+
+let unrun words ~subject ~at ~wanted ~input ~found =
+  let d =
+    error ~code:"E0303" ~at "a signal function stands where the value of its signal is needed"
+    |> here (Printf.sprintf "this is %s" (Show.described words found))
+  in
+  match truth_of_event words ~subject ~wanted ~found with
+  | Some cure ->
+      hint (Printf.sprintf "it gives events; what is True or False is `%s`" cure) d
+      |> instead subject cure
+  | None -> hint_to_run words subject input d

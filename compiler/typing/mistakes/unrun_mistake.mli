@@ -6,10 +6,12 @@ val unrun :
   Show.words ->
   subject:Resolve.Ir.expr option ->
   at:Span.t ->
+  wanted:Type.t ->
   input:Type.t ->
   found:Type.t ->
   Diagnostic.t
-(** The hint runs it, on a signal of the type [input] if there is one. *)
+(** The hint runs it, on a signal of the type [input] if there is one, and makes of its event the
+    truth that is wanted. *)
 
 (** {1 Arguments, in words} *)
 

@@ -227,3 +227,129 @@ Records and arrays as other languages have them.
   
   1 error
   [1]
+
+  $ cat > sqrt_dist.frob <<'FROB'
+  > import Robot
+  > import Geometry
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     d = sqrt (place i)
+  >     v = if d > 1[m] then 0 else 0.2[m/s])
+  > FROB
+  $ frobc check sqrt_dist.frob
+  error[E0301]: expected `Float[u]`, found `Point2`
+   --> sqrt_dist.frob:4:15
+    |
+  4 |     d = sqrt (place i)
+    |         ----  ^^^^^^^
+    |         |
+    |         argument 1 of `sqrt` is `Float[u]`
+    |
+    = hint: a vector has parts, `(place i).x`, `(place i).y`, and a length: `norm (place i)`
+  
+  1 error
+  [1]
+
+  $ cat > heading_sub.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0 w) where
+  >     w = 2[1/s] * (robotPose i - 90[deg]))
+  > FROB
+  $ frobc check heading_sub.frob
+  error[E0301]: expected a number, found `Pose`
+   --> heading_sub.frob:3:19
+    |
+  3 |     w = 2[1/s] * (robotPose i - 90[deg]))
+    |                   ^^^^^^^^^^^ - argument 1 of `-` is a number
+    |
+    = hint: it is a record, of which the parts are `(robotPose i).position`, `(robotPose i).heading`
+  
+  1 error
+  [1]
+
+  $ cat > tuple_three_fst.frob <<'FROB'
+  > main :: SF (Float, Float, Float) Float
+  > main = proc p -> fst p
+  > FROB
+  $ frobc check tuple_three_fst.frob
+  error[E0301]: expected a tuple of 2, found one of 3
+   --> tuple_three_fst.frob:2:22
+    |
+  2 | main = proc p -> fst p
+    |                  --- ^ this is `(Float, Float, Float)`
+    |                  |
+    |                  argument 1 of `fst` is `(a, b)`
+    |
+    = hint: an equation takes it apart: `(a, b, c) = p`
+  
+  1 error
+  [1]
+
+  $ cat > tuple_return_list.frob <<'FROB'
+  > f :: Float -> (Float, Float)
+  > f x = [x, x]
+  > main = proc x -> f x
+  > FROB
+  $ frobc check tuple_return_list.frob
+  error[E0301]: expected `(Float, Float)`, found `Array 2 Float`
+   --> tuple_return_list.frob:2:7
+    |
+  1 | f :: Float -> (Float, Float)
+    |      ----------------------- the signature of `f` asks for `(Float, Float)`
+  2 | f x = [x, x]
+    |       ^^^^^^
+    |
+    = hint: a tuple stands in parentheses: `(x, x)`
+  
+  1 error
+  [1]
+
+  $ cat > array_2d.frob <<'FROB'
+  > m :: Array 2 2 Float
+  > m = [[1, 2], [3, 4]]
+  > main = proc x -> x
+  > FROB
+  $ frobc check array_2d.frob
+  error[E0216]: type `Array` takes 2 type arguments, not 3
+   --> array_2d.frob:1:6
+    |
+  1 | m :: Array 2 2 Float
+    |      ^^^^^^^^^^^^^^^
+    |
+    = hint: rows of columns are arrays in an array: `Array 2 (Array 3 Float)`
+  
+  1 error
+  [1]
+
+  $ cat > array_2d_index.frob <<'FROB'
+  > m :: Array 2 (Array 2 Float)
+  > m = [[1, 2], [3, 4]]
+  > main = proc x -> x * m ! 0, 1
+  > FROB
+  $ frobc check array_2d_index.frob
+  error[E0110]: expected an operator, an argument, or the end of this definition, found `,`
+   --> array_2d_index.frob:3:27
+    |
+  3 | main = proc x -> x * m ! 0, 1
+    |                           ^
+    |
+    = hint: an element of a row is reached by one `!` after the other: `m ! 0 ! 1`
+  
+  1 error
+  [1]
+
+  $ cat > string_format.frob <<'FROB'
+  > import Robot
+  > import Display
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . draw (number ("front" + "sonar") (frontSonar i))))
+  > FROB
+  $ frobc check string_format.frob
+  error[E0301]: expected a number, found `String`
+   --> string_format.frob:3:79
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . draw (number ("front" + "sonar") (frontSonar i))))
+    |                                                                               ^^^^^^^ - argument 1 of `+` is a number
+    |
+    = hint: a text is a label: nothing is computed with it, and none is joined to another
+  
+  1 error
+  [1]

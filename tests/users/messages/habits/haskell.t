@@ -86,6 +86,8 @@ What an argument makes of a type is said where it is:
     |                    |     |
     |                    |     because this is a number
     |                    argument 2 of `delay` is a number
+    |
+    = hint: it stands in the place of argument 2: `delay :: a -> SF a a`
   
   error[E0301]: expected `SF (Event Bool) Bool`, found `SF (Event n[u]) n[u]`
    --> decided.frob:5:8
@@ -103,6 +105,8 @@ What an argument makes of a type is said where it is:
     |                   |    |
     |                   |    because this is a number
     |                   argument 2 of `hold` is `Event n[u]`
+    |
+    = hint: it stands in the place of argument 2: `hold :: a -> SF (Event a) a`
   
   error[E0301]: expected `Maybe n[u]`, found `Maybe Bool`
     --> decided.frob:11:26
@@ -112,6 +116,8 @@ What an argument makes of a type is said where it is:
      |              |         |
      |              |         because this is a number
      |              argument 2 of `fromMaybe` is `Maybe n[u]`
+     |
+     = hint: it stands in the place of argument 2: `fromMaybe :: a -> Maybe a -> a`
   
   4 errors
   [1]

@@ -261,3 +261,19 @@ Words and signs of other languages around a definition.
   
   1 error
   [1]
+
+  $ cat > type_vs_data.frob <<'FROB'
+  > type Mode = Go | Stop
+  > main = proc v -> v
+  > FROB
+  $ frobc check type_vs_data.frob
+  error[E0110]: expected an argument of the type, `->`, or the end of the type, found `|`
+   --> type_vs_data.frob:1:16
+    |
+  1 | type Mode = Go | Stop
+    |                ^
+    |
+    = hint: a choice of several is declared by `data`: `data Mode = Go | Stop`
+  
+  1 error
+  [1]

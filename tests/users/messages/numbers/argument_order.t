@@ -113,7 +113,7 @@ Two that are of one type whatever it is are not exchanged:
     |         |   because this is `Float[m/s]`
     |         argument 2 of `min` is `Float[m/s]`
     |
-    = hint: an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`
+    = hint: an event has a value only where it occurs: `hold x0 (tag (edge (bumped i)) 0)` is the latest one, at first `x0`
   
   1 error
   [1]

@@ -19,7 +19,7 @@ What cannot be the entry says why, and what would.
   1 | main = 3
     | ^^^^^^^^
     |
-    = hint: `constant main` is the signal function that always gives it
+    = hint: `constant e` is the signal function that always gives it; on a robot the program is `main = reactimateRobot (constant e)`
   
   1 error
   [1]

@@ -65,7 +65,7 @@ An event where a truth or a number is needed.
   7 | more = proc e -> e + 1
     |                  ^ - argument 1 of `+` is a number
     |
-    = hint: an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`
+    = hint: an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`; `mapE (\x -> x + 1) e` computes with each one
   
   2 errors
   [1]

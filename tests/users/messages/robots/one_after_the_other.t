@@ -37,7 +37,7 @@ Semicolons, several commands, and a signature of too few parameters: one message
   > main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0) (setLight On))
   > FROB
   $ frobc check commands.frob
-  error[E0360]: there is no instance `RobotOutput ((a -> a) -> b)`
+  error[E0360]: `roMake` takes one function, and makes an output of it
      --> commands.frob:2:35
       |
     2 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0) (setLight On))

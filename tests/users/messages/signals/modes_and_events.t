@@ -253,3 +253,37 @@ Switches with their event as an argument, and events that are taken for values.
   
   1 error
   [1]
+
+  $ cat > after_if.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = if after 5[s] then 0 else 0.2[m/s])
+  > FROB
+  $ frobc check after_if.frob
+  error[E0303]: a signal function stands where the value of its signal is needed
+   --> after_if.frob:3:12
+    |
+  3 |     v = if after 5[s] then 0 else 0.2[m/s])
+    |            ^^^^^^^^^^ this is `SF a (Event ())`
+    |
+    = note: expected `Bool`
+    = hint: it gives events; what is True or False is `elapsed 5[s] ()`
+  
+  1 error
+  [1]
+
+  $ cat > event_arith.frob <<'FROB'
+  > main :: SF (Event Int) (Event Int)
+  > main = proc e -> e + 1
+  > FROB
+  $ frobc check event_arith.frob
+  error[E0301]: expected a number, found `Event Int`
+   --> event_arith.frob:2:18
+    |
+  2 | main = proc e -> e + 1
+    |                  ^ - argument 1 of `+` is a number
+    |
+    = hint: an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`; `mapE (\x -> x + 1) e` computes with each one
+  
+  1 error
+  [1]

@@ -51,6 +51,7 @@ What a truth, an event, a function and a signal function are taken for.
   2 | speedUp x = integral x
     |             ^^^^^^^^^^ this is `Float[s]`
     |
+    = hint: how many of a unit it is has none itself: `(integral x) / 1[s]`
     = hint: `integral` is a signal function, and runs in a `proc`: `speedUp = proc x -> …`, of the type `SF … …`
   
   1 error
@@ -93,6 +94,7 @@ A signature that says a function: it is told of the definition, and not again wh
     |                         |
     |                         argument 2 of `switch` is `Distance` (m)
     |
+    = hint: it stands in the place of argument 2: `switch :: SF a (b, Event c) -> (c -> SF a b) -> SF a b`
     = hint: `_` takes every value, and looks at none
   
   1 error

@@ -140,3 +140,42 @@ A `return` that does nothing is taken out without asking.
       forward 1[m]
       turnBy 90[deg]
   main = reactimateTask t
+
+  $ cat > task_return_early.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > go :: Task RobotInput RobotOutput Bool
+  > go = do
+  >     b <- ask (arr bumped)
+  >     if b then return False
+  >     forward 1[m]
+  > main = reactimateTask go
+  > FROB
+  $ frobc check task_return_early.frob
+  error[E0110]: expected `else` after the first branch, found the end of the statement
+   --> task_return_early.frob:6:27
+    |
+  6 |     if b then return False
+    |                           ^
+    |
+    = hint: a `return` ends only what it is the last of: what else is to be done stands in the other branch, below `else do`
+  
+  1 error
+  [1]
+
+  $ cat > task_parallel.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > main = reactimateTask (forward 1[m] || turnBy 90[deg])
+  > FROB
+  $ frobc check task_parallel.frob
+  error[E0301]: expected `Bool`, found `Task a b Bool`
+   --> task_parallel.frob:3:24
+    |
+  3 | main = reactimateTask (forward 1[m] || turnBy 90[deg])
+    |                        ^^^^^^^^^^^^ -- argument 1 of `||` is `Bool`
+    |
+    = hint: two tasks are done side by side by `both s t`, and one until something happens by `abortWhen`; one after the other they stand in a `do`
+  
+  1 error
+  [1]
