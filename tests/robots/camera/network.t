@@ -41,6 +41,19 @@ goes on in its time, and a message says why.
   $ see 2 http://nowhere.invalid/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|; s|: [^:;]*;|: REASON;|'
   warning: camera `camera` (ADDRESS) gives no frames: there is no address of nowhere.invalid: REASON; is its name right, and is this machine on its network?
 
+The program sees it, too: the age of the newest frame grows, and the camera is no longer alive.
+
+  $ cat > ages.frob <<'FROB'
+  > import Robot
+  > import Vision
+  > 
+  > main :: (HasCamera i, DiffDrive o) => Program i o
+  > main = reactimateRobot (proc i -> roMake (setVelTR (frameAge (camera i) * 0.1[m/s^2]) (if cameraAlive 0.5[s] i then 1[rad/s] else 0)))
+  > FROB
+  $ see 3 $address/hangs
+  $ frobc trace ages.frob --robot pioneer --input log.csv | awk -F, 'NR > 1 { if ($3 == 1) lived = 1; dead = lived && $3 == 0 ? dead + 1 : 0; if (dead > 1 && $2 <= before) print "no older"; before = $2; if (dead > longest) { longest = dead; age = $2 } } END { print (longest > 10 && age > 0.08) }'
+  1
+
 JPEGs that are cut short are no frames; the whole ones between them are.
 
   $ see 2 $address/truncated; at_least 'camera frames' 10; at_least 'camera frames not seen' 8; warnings
