@@ -54,3 +54,35 @@ let parts (e : expr) =
       | Run { signal_function; input } -> [ signal_function; input ]
     in
     List.concat_map right equations @ [ output ]
+
+let with_parts f (e : expr) =
+  let right = function
+    | Pure e -> Pure (f e)
+    | Run { signal_function; input } ->
+      let signal_function = f signal_function in
+      Run { signal_function; input = f input }
+  in
+  match e.desc with
+  | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ -> e.desc
+  | Lambda (b, body) -> Lambda (b, f body)
+  | Component (value, k) -> Component (f value, k)
+  | Index (array, k) -> Index (f array, k)
+  | Is_constructor (value, k) -> Is_constructor (f value, k)
+  | Payload p -> Payload { p with value = f p.value }
+  | Apply (g, argument) ->
+    let g = f g in
+    Apply (g, f argument)
+  | Let { binder; value; body } ->
+    let value = f value in
+    Let { binder; value; body = f body }
+  | Tuple es -> Tuple (Basis.Long_list.map f es)
+  | Array es -> Array (Basis.Long_list.map f es)
+  | Construct c -> Construct { c with arguments = Basis.Long_list.map f c.arguments }
+  | If (a, b, c) ->
+    let a = f a in
+    let b = f b in
+    If (a, b, f c)
+  | Proc p ->
+    let equation (eq : equation) = { eq with rhs = right eq.rhs } in
+    let equations = Basis.Long_list.map equation p.equations in
+    Proc { p with equations; output = f p.output }

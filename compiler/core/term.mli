@@ -30,3 +30,6 @@ val is_trivial : Ir.expr -> bool
 val parts : Ir.expr -> Ir.expr list
 (** The expressions in it, in the order of the text; those of a proc's equations before its
     output. *)
+
+val with_parts : (Ir.expr -> Ir.expr) -> Ir.expr -> Ir.expr_desc
+(** The expression with other {!parts}, made in their order. *)

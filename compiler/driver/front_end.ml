@@ -14,7 +14,12 @@ let parse (r : Request.t) sink sources =
       Option.map ignore (stage r sink Parse ~lint ~print parsed)
   | None -> Some ()
 
-type front = { resolved : Resolve.Ir.program; typed : Typing.Ir.program; core : Core.Ir.program }
+type front = {
+  resolved : Resolve.Ir.program;
+  typed : Typing.Ir.program;
+  core : Core.Ir.program;
+  margin : Span.t -> Core.Formula.t option;
+}
 
 type tree = Resolved of Resolve.Ir.program | Typed of Typing.Ir.program
 
@@ -41,10 +46,11 @@ let front ?(seen = ignore) (r : Request.t) sink sources =
   Option.iter (Robots.check_own sink typed) own;
   let* typed = stage r sink Types ~lint:Typing.Lint.program ~print:Typing.Print.program typed in
   let core = Core.Of_typed.program typed in
+  let core, margin = if r.margins then Core.Margin.program core else (core, fun _ -> None) in
   let* core = stage r sink Core ~lint:Core.Lint.program ~print:Core.Print.program core in
-  Some { resolved; typed; core }
+  Some { resolved; typed; core; margin }
 
-let for_a_robot r { resolved; typed; core } entry : Robots.program =
+let for_a_robot r { resolved; typed; core; _ } entry : Robots.program =
   { typed; core; entry; signed = Typing.Entry.is_signed resolved entry; own = Request.own_robot r }
 
 (* The values of parameters, which only functions that come to an end can give. *)
@@ -124,6 +130,7 @@ type t = {
   written : Typing.Ir.definition;
   closed : Core.Ir.program * Core.Ir.Global.t;
   flow : Flow.Ir.program;
+  margin : Span.t -> Core.Formula.t option;
 }
 
 let params sink sources r =
@@ -147,4 +154,4 @@ let program sink sources (r : Request.t) =
   let* written = Typing.Entry.find sink front.typed ~file:r.file r.entry in
   let* closed = Robots.closed sink r.robot (for_a_robot r front written.name) in
   let* closed, flow = specialized r sink front ~written closed in
-  Some { typed = front.typed; written; closed; flow }
+  Some { typed = front.typed; written; closed; flow; margin = front.margin }

@@ -8,6 +8,7 @@ type t = {
   written : Typing.Ir.definition;  (** the entry, as the programmer knows it *)
   closed : Core.Ir.program * Core.Ir.Global.t;  (** the program for its robot, and its entry *)
   flow : Flow.Ir.program;
+  margin : Basis.Span.t -> Core.Formula.t option;  (** of each assertion, by its place *)
 }
 
 val program : Diagnostic.sink -> Source.t -> Request.t -> t option

@@ -2,7 +2,7 @@ open Basis
 
 type format = Text | Json
 
-type asserts = Off | Count | Stop
+type asserts = Off | Count | Stop | Margin
 
 type t = {
   format : format;
@@ -58,9 +58,10 @@ let request general ?robot ?(entry = "main") ?(batch = false) ~library file : Re
     robot = _; params = _ } =
     general
   in
-  let asserts = asserts <> Off in
-  { file; entry; library; files = Program_file.files; robot; real; probes; asserts; params = [];
-    batch; specialization_limit; lint; dump; stop_after }
+  let margins = asserts = Margin and asserts = asserts <> Off in
+  let probes = if margins then Probes.claims :: Probes.margins :: probes else probes in
+  { file; entry; library; files = Program_file.files; robot; real; probes; asserts; margins;
+    params = []; batch; specialization_limit; lint; dump; stop_after }
 
 let ( let* ) result continue =
   match result with Ok value -> continue value | Error text -> wrong_use text

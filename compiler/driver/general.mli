@@ -8,6 +8,7 @@ type asserts =
   | Off  (** nothing of them is compiled *)
   | Count  (** they are judged, and what became of them is told *)
   | Stop  (** and the first that is violated ends the run *)
+  | Margin  (** they are judged, and it is shown how nearly each held *)
 
 type t = {
   format : format;  (** of diagnostics, and of a report *)

@@ -15,7 +15,9 @@ let observed (r : Request.t) sink (p : Front_end.t) ~asserts names =
   let* () = Probes.refuse_hidden sink p.written ~names hidden in
   let is_shown probe = List.assq probe probes in
   let flow = Probe.Observed.program p.flow causal in
-  let claims = if asserts then Probe.Observed.claims ~shown:is_shown causal else [] in
+  let claims =
+    if asserts then Probe.Observed.claims ~shown:is_shown ~margin:p.margin causal else []
+  in
   let flow = { flow with claims } in
   if r.lint then Front_end.lint flow;
   Some { p with flow }
@@ -24,7 +26,7 @@ let checked sink sources (r : Request.t) =
   let* program = Front_end.program sink sources r in
   let has_claims = Probe.Observed.has_claims program.flow in
   let asserts = r.asserts && has_claims in
-  let is_there name = has_claims || name <> Probes.claims in
+  let is_there name = has_claims || not (List.mem name [ Probes.claims; Probes.margins ]) in
   match List.filter is_there (Drawing.others program.flow r.probes) with
   | [] when not asserts -> Some program
   | names -> observed r sink program ~asserts names

@@ -2,6 +2,7 @@ open Basis
 
 let unknown = "E0506"
 let claims = Probe.Selection.claims
+let margins = Probe.Selection.margins
 
 let refuse sink diagnostic =
   Diagnostic.emit sink diagnostic;
@@ -74,6 +75,7 @@ let warn_of_claims sink entry core flow =
 
 let refuse_hidden sink entry ~names (hidden : Probe.Catalogue.probe list) =
   let claims, hidden = List.partition Probe.Selection.is_claim hidden in
+  let hidden = List.filter (fun p -> not (Probe.Selection.is_margin p)) hidden in
   List.iter (warn_unwatched sink) claims;
   match hidden with
   | { name; _ } :: _ when not (List.mem "all" names) ->

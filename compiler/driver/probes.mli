@@ -13,6 +13,9 @@ val unknown : string
 val claims : string
 (** What all verdicts on assertions are called, as one probe. *)
 
+val margins : string
+(** And all that says how nearly they held. *)
+
 val list : Typing.Ir.program -> Flow.Ir.program -> Probe.Catalogue.probe list -> string
 (** A line for each: its name, its type, and where it is written. *)
 

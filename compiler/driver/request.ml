@@ -9,6 +9,7 @@ type t = {
   real : Real.t;
   probes : string list;
   asserts : bool;
+  margins : bool;
   params : Resolve.Parameters.setting list;
   batch : bool;
   specialization_limit : int;
@@ -27,6 +28,7 @@ let make ~library file =
     real = Double;
     probes = [];
     asserts = false;
+    margins = false;
     params = [];
     batch = false;
     specialization_limit = 10_000;

@@ -12,6 +12,7 @@ type t = {
   real : Real.t;  (** the precision of [Float] *)
   probes : string list;  (** inner signals to be seen, as {!Probe.Selection} takes them *)
   asserts : bool;  (** the verdicts on its assertions are part of its output, for hosts *)
+  margins : bool;  (** and how nearly each held: what the probes [margin] are *)
   params : Resolve.Parameters.setting list;  (** values for {!Pipeline.params} to tell *)
   batch : bool;  (** as for {!Cgen.Emit.program} *)
   specialization_limit : int;

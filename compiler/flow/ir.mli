@@ -288,6 +288,7 @@ type claim = {
   label : string;
   shown : bool;  (** as a column of traces, like other probes *)
   claimed_at : Span.t;
+  margin : string option;  (** how nearly it holds, by other [probes]: see {!Core.Formula} *)
 }
 
 type header = { header : string; folder : string  (** its path is from there *) }

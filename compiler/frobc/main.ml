@@ -269,8 +269,8 @@ let commands =
   let all =
     [
       new_project; check; fix; format; compile; Running.trace; Running.run; Trying.test;
-      Trying.sweep; Running.view; Converting.convert; Running.serve; build; export; report;
-      selftest; header; explain; lsp;
+      Trying.sweep; Falsifying.falsify; Running.view; Converting.convert; Running.serve; build;
+      export; report; selftest; header; explain; lsp;
     ]
   in
   all @ [ help ("help" :: List.map Cmd.name all) ]

@@ -111,7 +111,12 @@ let probed =
 
 (* Of a command; [default]: without the option. *)
 let with_asserts ~default ~doc general =
-  let all = [ ("off", General.Off); ("count", General.Count); ("stop", General.Stop) ] in
+  let all =
+    [
+      ("off", General.Off); ("count", General.Count); ("stop", General.Stop);
+      ("margin", General.Margin);
+    ]
+  in
   let asserts = Arg.(value & opt (enum all) default & info [ "asserts" ] ~docv:"HOW" ~doc) in
   Term.(const (fun general asserts -> { general with General.asserts }) $ general $ asserts)
 
@@ -120,13 +125,14 @@ let judging general =
     ~doc:
       "What is done with the program's assertions: $(b,count) them and tell what became of each, \
        $(b,stop) at the first that is violated, with the robot at rest and exit status 4, or \
-       $(b,off)."
+       $(b,off). With $(b,margin) what is recorded also says how nearly each held."
 
 let not_judging general =
   with_asserts general ~default:General.Off
     ~doc:
       "With $(b,count), or $(b,stop), the program's assertions are compiled too, and its table for \
-       hosts has their verdicts; with $(b,off), as without it, nothing of them is."
+       hosts has their verdicts; with $(b,margin) it also says how nearly each held; with $(b,off), \
+       as without it, nothing of them is."
 
 (* Of commands that run a program. *)
 let with_params general =

@@ -301,11 +301,19 @@ let program (before : Ir.program) probes =
     probes = before.probes @ List.map2 shown probes t.given.(count - 1);
   }
 
-let claims ~shown probes =
+let claims ~shown ~margin probes =
+  (* Its columns are of the same instance, and so is their name up to the last part. *)
+  let margin_of (p : Catalogue.probe) =
+    let way = String.sub p.name 0 (String.length p.name - String.length p.signal) in
+    let column number = way ^ Core.Margin.column p.signal number in
+    let json = Option.map (Core.Formula.to_json column) (margin p.span) in
+    (* C promises no longer literals. *)
+    Option.bind json (fun json -> if String.length json < 4000 then Some json else None)
+  in
   let claim (p : Catalogue.probe) : Ir.claim =
     let label = Option.value (Resolve.Labels.label p.signal) ~default:p.signal in
     { column = p.name; is_assumption = Resolve.Labels.is_assumption p.signal; label;
-      shown = shown p; claimed_at = p.span }
+      shown = shown p; claimed_at = p.span; margin = margin_of p }
   in
   List.map claim (List.filter Selection.is_claim probes)
 

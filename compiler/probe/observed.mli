@@ -11,7 +11,11 @@
 val program : Flow.Ir.program -> Catalogue.probe list -> Flow.Ir.program
 (** The probes, of this program's catalogue. *)
 
-val claims : shown:(Catalogue.probe -> bool) -> Catalogue.probe list -> Flow.Ir.claim list
+val claims :
+  shown:(Catalogue.probe -> bool) ->
+  margin:(Basis.Span.t -> Core.Formula.t option) ->
+  Catalogue.probe list ->
+  Flow.Ir.claim list
 (** Of the probes, those that are verdicts on assertions. *)
 
 val has_claims : Flow.Ir.program -> bool

@@ -27,6 +27,8 @@ let candidates probes =
   List.sort_uniq String.compare (List.concat_map names probes)
 
 let claims = "assert"
+let margins = "margin"
+let is_margin (p : Catalogue.probe) = Core.Margin.is_column p.signal
 let is_claim (p : Catalogue.probe) = Resolve.Labels.is_name p.signal
 
 let prefix = "probe."
@@ -44,6 +46,7 @@ let find probes names =
     | "all" :: rest ->
         all ((fun (p : Catalogue.probe) -> not p.handed_down) :: wanted) rest
     | name :: rest when name = claims -> all (is_claim :: wanted) rest
+    | name :: rest when name = margins -> all (is_margin :: wanted) rest
     | name :: rest ->
         let meant =
           let exact (p : Catalogue.probe) = String.equal p.name (plain name) in

@@ -8,8 +8,13 @@
 val claims : string
 (** [assert] *)
 
+val margins : string
+(** [margin]: the columns of {!Core.Margin} *)
+
 val is_claim : Catalogue.probe -> bool
 (** The verdict on an assertion. *)
+
+val is_margin : Catalogue.probe -> bool
 
 val find :
   Catalogue.probe list -> string list -> (Catalogue.probe list, string * string option) result

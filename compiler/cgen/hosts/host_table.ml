@@ -202,6 +202,14 @@ let controls out (program : Step.Ir.program) values =
   let rows = if values = [] then [] else List.map2 row program.console values in
   (table out "control" "controls" rows, List.length rows)
 
+(* How nearly each claim holds, for who looks up that symbol; only if that was asked for. *)
+let margins out (program : Step.Ir.program) =
+  let text (claim : F.claim) = Option.fold ~none:"NULL" ~some:c_string claim.margin in
+  if List.exists (fun (claim : F.claim) -> Option.is_some claim.margin) program.claims then
+    bprintf out
+      "extern const char *const frob_margins[];\nconst char *const frob_margins[] = {%s};\n"
+      (String.concat ", " (List.map text program.claims))
+
 (* The output; its last leaf once more, by itself, where it is what the program ends with;
    the probes that are shown; and the verdicts on assertions. *)
 let outputs out (program : Step.Ir.program) (side : Border.side) =
@@ -247,6 +255,7 @@ let outputs out (program : Step.Ir.program) (side : Border.side) =
     in
     Option.map row (claim_of name)
   in
+  margins out program;
   let claims = List.filter_map Fun.id (List.mapi claim placed) in
   let claims = sprintf "%s, %d" (table out "claim" "claims" claims) (List.length claims) in
   (output, result, probes, claims)

@@ -3,6 +3,7 @@ recordings."""
 
 from .data import Data
 from .errors import CompileError, Error, FrobWarning, InputError
+from .falsification import Counterexample, falsify
 from .program import Program, compile
 from .recording import Assertion, Columns, read
 from .simulation import Picture, simulate
@@ -12,6 +13,7 @@ __all__ = [
     "Assertion",
     "Columns",
     "CompileError",
+    "Counterexample",
     "Data",
     "Error",
     "FrobWarning",
@@ -19,6 +21,7 @@ __all__ = [
     "Picture",
     "Program",
     "compile",
+    "falsify",
     "read",
     "simulate",
     "sweep",

@@ -70,6 +70,14 @@ class Library:
         except ValueError:
             return None
 
+    def margins(self, count: int) -> List[Optional[str]]:
+        """Of so many assertions, how nearly each holds, where the program was compiled for that."""
+        try:
+            texts = (ctypes.c_char_p * count).in_dll(self._object, "frob_margins")
+        except ValueError:
+            return [None] * count
+        return [text.decode() if text is not None else None for text in texts]
+
     def steps(self) -> Tuple[Any, bool]:
         """The C function of many steps, and whether it takes parameters."""
         name = self.name + "_steps"
@@ -137,10 +145,11 @@ def build(
     entry: str,
     robot: Optional[tools.PathLike],
     sources: Sequence[tools.PathLike],
+    asserts: str = "off",
 ) -> Library:
     """Has frobc compile the program, and loads it."""
     path = tools.existing(file, "program")
-    options: List[str] = ["--entry", entry]
+    options: List[str] = ["--entry", entry, "--asserts", asserts]
     if robot is not None:
         options += ["--robot", os.fspath(robot)]
     for source in sources:

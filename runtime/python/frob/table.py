@@ -56,6 +56,16 @@ class Param(c.Structure):
     _fields_ = [("name", c.c_char_p), ("unit", c.c_char_p), ("value", c.POINTER(Value))]
 
 
+class Claim(c.Structure):
+    _fields_ = [
+        ("label", c.c_char_p),
+        ("column", c.c_char_p),
+        ("place", c.c_char_p),
+        ("is_assumption", c.c_int),
+        ("value", c.POINTER(Value)),
+    ]
+
+
 class Program(c.Structure):
     _fields_ = [
         ("abi", c.c_uint),
@@ -79,6 +89,6 @@ class Program(c.Structure):
         ("params_size", c.c_size_t),
         ("params", c.POINTER(Param)),
         ("param_count", c.c_size_t),
-        ("claims", c.c_void_p),
+        ("claims", c.POINTER(Claim)),
         ("claim_count", c.c_size_t),
     ]

@@ -1,0 +1,60 @@
+type search = {
+  params : string list;
+  inputs : string list;
+  duration : float;
+  rate : float;
+  check_rate : float option;
+  points : int;
+  linear : bool;
+  only : string list;
+  runs : int;
+  seed : int;
+  method_ : string;
+  keep : string;
+}
+
+let python = "python3"
+let package = "frob.falsify_command"
+
+let arguments (general : General.t) ~entry ~sources s file =
+  let number = Printf.sprintf "%.17g" in
+  (* In one word, so that a value that begins with `-` is none of the options. *)
+  let option name value = Printf.sprintf "--%s=%s" name value in
+  let some name = Option.fold ~none:[] ~some:(fun value -> [ option name value ]) in
+  List.concat
+    [
+      List.map (option "param") s.params;
+      List.map (option "input") s.inputs;
+      [ option "for" (number s.duration); option "rate" (number s.rate) ];
+      some "check-rate" (Option.map number s.check_rate);
+      [ option "points" (string_of_int s.points) ];
+      (if s.linear then [ "--linear" ] else []);
+      List.map (option "only") s.only;
+      [ option "runs" (string_of_int s.runs); option "seed" (string_of_int s.seed) ];
+      [ option "method" s.method_; option "keep" s.keep; option "entry" entry ];
+      some "robot" general.robot;
+      List.map (option "with") sources;
+      [ "--"; file ];
+    ]
+
+let missing text =
+  Printf.eprintf "error: %s\n" text;
+  Exit_status.wrong_use
+
+let run general ~entry ~sources search file =
+  if not (Sys.file_exists file) then General.wrong_use ("there is no file " ^ file)
+  else begin
+    (* The package is to compile by us, whatever else is installed. *)
+    if Sys.getenv_opt "FROBC" = None then Unix.putenv "FROBC" Sys.executable_name;
+    match Process.output python [ "-c"; "import " ^ package ] with
+    | Error (Not_found _) ->
+        missing "frobc falsify needs python3, which is not installed: `apt install python3`"
+    | Error (Failed _) ->
+        missing
+          "frobc falsify needs the Python package frob, which python3 does not find: install its \
+           wheel (`make wheel`, then `pip install`), or set PYTHONPATH to runtime/python"
+    | Ok _ -> (
+        let arguments = arguments general ~entry ~sources search file in
+        match Process.become python ("-m" :: package :: arguments) with
+        | Not_found _ | Failed _ -> missing "python3 cannot be started")
+  end

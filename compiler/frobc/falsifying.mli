@@ -1,0 +1,3 @@
+(** [frobc falsify]: see {!Driver.Falsification}. *)
+
+val falsify : int Cmdliner.Cmd.t

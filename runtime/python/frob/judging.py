@@ -1,0 +1,166 @@
+"""Runs a program in which assertions are watched, and says how nearly each held."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Iterator, List, Mapping, Optional, Sequence, Tuple
+
+from . import columns, library, margins, shapes
+from .errors import InputError
+from .program import Program
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+FAILS = 3
+"""The tag of the verdict `Fails`."""
+
+FAR = 1e9
+"""As good as certain: more than any difference that is worth a search."""
+
+
+@dataclass(frozen=True)
+class Claim:
+    """An assertion or an assumption, with where its verdict is; in an array of instances each
+    has its own."""
+
+    label: str
+    is_assumption: bool
+    verdict: shapes.Leaf
+    margin: Optional[margins.Margin]
+    suffix: str
+
+
+class Subject:
+    """The program that is looked at, with its assertions."""
+
+    def __init__(self, code: library.Library, duration: float, rate: float) -> None:
+        np = columns.numpy()
+        self.code = code
+        self.duration = duration
+        count = int(duration * rate + 0.5) + 1
+        self.time = np.arange(count) / rate
+        self.nanoseconds = np.rint(self.time * 1e9).astype(np.int64)
+        self.dt = columns.dt_of_time(self.time)
+        self.claims = list(_claims(code))
+        probes = code.table.probes
+        shown = shapes.columns(shapes.of_value(probes[0], {}), "probe") if probes else ()
+        self.leaves = dict(shown)
+
+    # What is searched
+
+    def chosen(self, only: Sequence[str]) -> List[Claim]:
+        assertions = [claim for claim in self.claims if not claim.is_assumption]
+        if not assertions:
+            raise InputError(
+                f"{self.code.name} asserts nothing, so there is nothing to be violated: "
+                'write `assert "label" (condition)` among the equations of a proc'
+            )
+        known = [claim.label for claim in assertions]
+        for label in only:
+            if label not in known:
+                raise InputError(
+                    f"there is no assertion `{label}`; there are: "
+                    + ", ".join(f"`{one}`" for one in dict.fromkeys(known))
+                )
+        return [claim for claim in assertions if not only or claim.label in only]
+
+    # Runs
+
+    def judged(
+        self, claim: Claim, params: Mapping[str, Any], inputs: "Mapping[str, NDArray[Any]]"
+    ) -> Tuple[float, Optional[int]]:
+        """The margin of a run, and the first instant at which it is violated. What comes after
+        an assumption has failed does not count."""
+        np = columns.numpy()
+        memory = self._output(params, inputs)
+        size = self.code.table.output_size
+
+        def first_failure(one: Claim) -> int:
+            runs, tags = _seen(one.verdict, memory, len(self.time), size)
+            failed = tags == FAILS if runs is None else (tags == FAILS) & runs
+            return int(np.argmax(failed)) if bool(failed.any()) else len(self.time)
+
+        assumed = [one for one in self.claims if one.is_assumption]
+        void = min((first_failure(one) for one in assumed), default=len(self.time))
+        failed = first_failure(claim)
+        value = self._margin(claim, memory, void)
+        if failed < void:
+            return min(value, 0.0), failed
+        # The sooner the assumption fails the farther is it from a run that counts.
+        voided = FAR * (1.0 - void / len(self.time)) if void < len(self.time) else 0.0
+        return value + voided, None
+
+    def _output(
+        self, params: Mapping[str, Any], inputs: "Mapping[str, NDArray[Any]]"
+    ) -> "NDArray[Any]":
+        np = columns.numpy()
+        size = self.code.table.input_size
+        memory = np.zeros(len(self.time) * size, dtype=np.uint8)
+        columns.write(memory, size, self.code.input_columns, inputs, len(self.time))
+        program = Program(self.code, params)
+        output: "NDArray[Any]" = program._steps(len(self.time), self.dt, memory)
+        return output
+
+    def _margin(self, claim: Claim, memory: "NDArray[Any]", void: int) -> float:
+        """The least of the run, up to that instant."""
+        np = columns.numpy()
+        if claim.margin is None:
+            return FAR
+        count, size = len(self.time), self.code.table.output_size
+        running: Any = None
+        values = {}
+        for name in claim.margin.columns:
+            leaf = self.leaves.get(f"probe.{name}{claim.suffix}")
+            if leaf is None:
+                return FAR
+            running, values[name] = _seen(leaf, memory, count, size)
+        least = FAR
+        for first, last in _stretches(running, count):
+            last = min(last, void)
+            if first < last:
+                part = {name: column[first:last] for name, column in values.items()}
+                series = claim.margin.over(self.nanoseconds[first:last], part)
+                least = min(least, float(np.min(series)))
+        return max(least, -FAR)
+
+
+def _claims(code: library.Library) -> Iterator[Claim]:
+    count = code.table.claim_count
+    texts = code.margins(count)
+    for row, text in zip((code.table.claims[k] for k in range(count)), texts):
+        margin = None if text is None else margins.Margin(text)
+        for name, leaf in shapes.columns(shapes.of_value(row.value[0], {}), ""):
+            yield Claim(row.label.decode(), bool(row.is_assumption), leaf, margin, name)
+
+
+def _seen(
+    leaf: shapes.Leaf, memory: "NDArray[Any]", count: int, size: int
+) -> "Tuple[Optional[NDArray[Any]], NDArray[Any]]":
+    """A column: at which instants its signal function runs, where that is not at all of them,
+    and the numbers, or the tags of what has several constructors."""
+    np = columns.numpy()
+
+    def view(kind: str, offset: int) -> "NDArray[Any]":
+        return np.ndarray(  # type: ignore[no-any-return]
+            (count,), dtype=kind, buffer=memory, offset=offset, strides=(size,)
+        )
+
+    if isinstance(leaf, shapes.Scalar):
+        return None, view(leaf.numpy_name, leaf.offset)
+    assert isinstance(leaf, shapes.Sum)
+    if leaf.is_event:
+        inner = leaf.constructors[1].parts[0]
+        assert isinstance(inner, (shapes.Scalar, shapes.Sum))
+        return view("uint8", leaf.offset) == 1, _seen(inner, memory, count, size)[1]
+    return None, view("uint8", leaf.offset)
+
+
+def _stretches(running: Any, count: int) -> Iterator[Tuple[int, int]]:
+    """From which instant up to which a signal function runs without a gap."""
+    np = columns.numpy()
+    if running is None:
+        yield 0, count
+        return
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], running.astype(np.int8), [0]))))
+    yield from zip(edges[::2].tolist(), edges[1::2].tolist())
