@@ -53,5 +53,5 @@ let hand_over program arguments =
 
 let become program arguments =
   flush_all ();
-  try Unix.execv program (Array.of_list (program :: arguments))
+  try Unix.execvp program (Array.of_list (program :: arguments))
   with Unix.Unix_error _ -> Not_found program
