@@ -46,7 +46,7 @@ WHEEL_PACKAGES = python3 python3-venv
 # What only `make slurm` needs.
 SLURM_PACKAGES = slurmctld slurmd slurm-client
 
-# What only `make rtamt` needs; it takes RTAMT from PyPI besides.
+# What only `make rtamt` and `make falsify` need; they take the rest from PyPI.
 RTAMT_PACKAGES = python3 python3-venv
 
 # What only `make mcap` needs; it takes the packages mcap and @mcap/core from PyPI and npm besides.
@@ -91,7 +91,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt mcap wheel python slurm
+.PHONY: all setup run test test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt falsify mcap wheel python slurm
 
 all: setup
 	dune build @install
@@ -193,6 +193,14 @@ rtamt: all
 mcap: all
 	@sh tests/setup.sh $(MCAP_PACKAGES)
 	@sh tests/users/convert/readers/run.sh $(CURDIR)/$(FROBC) _build/mcap
+
+# Searches for runs that break the requirements of a benchmark, beside another tool: with the
+# libraries from PyPI.
+falsify: all
+	@sh tests/setup.sh $(RTAMT_PACKAGES)
+	@test -x _build/falsify/bin/python || { python3 -m venv _build/falsify && _build/falsify/bin/pip install --quiet numpy cma==4.5.0 psy-taliro==3.2.0; }
+	@FROBC=$(CURDIR)/$(FROBC) PYTHONPATH=runtime/python PYTHONDONTWRITEBYTECODE=1 _build/falsify/bin/python \
+	  tests/users/python/chasing_cars.py examples/chasing_cars/chasing_cars.frob
 
 # The Python package with frobc and its hosts, in _build/wheel; and that wheel tried in
 # virtual environments, with what it works with. Both take tools from PyPI.

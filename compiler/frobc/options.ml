@@ -131,8 +131,8 @@ let not_judging general =
   with_asserts general ~default:General.Off
     ~doc:
       "With $(b,count), or $(b,stop), the program's assertions are compiled too, and its table for \
-       hosts has their verdicts; with $(b,margin) it also says how nearly each held; with $(b,off), \
-       as without it, nothing of them is."
+       hosts has their verdicts; with $(b,margin) it also says how nearly each held; with \
+       $(b,off), as without it, nothing of them is."
 
 (* Of commands that run a program. *)
 let with_params general =
