@@ -6,6 +6,7 @@ import argparse
 import os
 import re
 import sys
+import warnings
 from typing import Dict, List, Optional, Sequence
 
 from .errors import Error
@@ -17,6 +18,8 @@ VIOLATED, WRONG_USE = 1, 2
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     options = _options().parse_args(arguments)
+    # What frobc warns of, as it does.
+    warnings.showwarning = lambda message, *_: print(message, file=sys.stderr)
     try:
         searches = falsify(
             options.file,
