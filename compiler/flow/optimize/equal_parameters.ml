@@ -1,11 +1,5 @@
 open Basis
 
-(* What an accumulator becomes in a round. *)
-type next = Is of Operands.key | Choice of Operands.key * next * next
-
-(* Choices within choices are looked into so deep. *)
-let depth = 4
-
 (* What one node passes for the parameters of another, its statics and inputs. *)
 type call = { callee : int; arguments : (Ir.argument * Ir.atom) array }
 
@@ -73,16 +67,9 @@ let twins (program : Ir.program) (parameters : Ir.signal array array) =
       firsts (Array.mapi (fun j (s : Ir.signal) -> (j < statics, s.ty)) all)
   in
   let twins = Array.mapi of_type parameters in
-  let place = Int_table.create 64 and choices = Int_table.create 64 in
+  let place = Int_table.create 64 in
   let place_all k = Array.iteri (fun j (s : Ir.signal) -> Int_table.replace place s.id (k, j)) in
   Array.iteri place_all parameters;
-  let note (e : Ir.equation) =
-    match e.rhs with
-    | If { condition; then_; else_ } ->
-        Int_table.replace choices e.defines.id (condition, then_, else_)
-    | _ -> ()
-  in
-  Array.iter (fun (node : Ir.node) -> List.iter note node.equations) program.nodes;
   let key : Ir.atom -> Operands.key = function
     | Signal s -> (
         match Int_table.find_opt place s.id with
@@ -90,26 +77,12 @@ let twins (program : Ir.program) (parameters : Ir.signal array array) =
         | None -> Signal s.id)
     | atom -> Operands.key atom
   in
-  let rec next depth (atom : Ir.atom) =
-    match atom with
-    | Signal s when depth > 0 -> (
-        match Int_table.find_opt choices s.id with
-        | Some (condition, then_, else_) ->
-            Choice (key condition, next (depth - 1) then_, next (depth - 1) else_)
-        | None -> Is (key atom))
-    | atom -> Is (key atom)
-  in
   let changed = ref true in
   let tell_apart { callee; arguments } =
-    let node = program.nodes.(callee) and before = twins.(callee) in
-    let first = List.length node.statics in
+    let before = twins.(callee) in
+    (* What an accumulator becomes is its own. *)
     let passed j (how, atom) =
-      let next =
-        match (how : Ir.argument) with
-        | Accumulator -> Some (next depth (snd (List.nth node.outputs (j - first))))
-        | Element | Same | Counter -> None
-      in
-      (before.(j), how, key atom, next)
+      (before.(j), how, key atom, if how = Ir.Accumulator then j else 0)
     in
     let now = firsts (Array.mapi passed arguments) in
     if now <> before then (
@@ -135,17 +108,6 @@ let program (program : Ir.program) =
     Array.iteri
       (fun j s -> if twins.(k).(j) <> j then replace s parameters.(k).(twins.(k).(j)))
       parameters.(k);
-    (* Twin accumulators end as one too. *)
-    let ends (i : Ir.instance) (l : Ir.loop) =
-      let first = List.length i.statics in
-      let accumulator j how =
-        let twin = twins.(i.node).(first + j) - first in
-        if how = Ir.Accumulator && twin <> j then
-          replace (List.nth i.outputs j) (List.nth i.outputs twin)
-      in
-      List.iteri accumulator l.arguments
-    in
-    List.iter (fun (i : Ir.instance) -> Option.iter (ends i) i.loop) node.instances;
     Substitution.node substitution node
   in
   let nodes = Array.mapi node program.nodes in

@@ -9,28 +9,9 @@ let size_of_instance = 4
 (* The same for a node that is called in one place. *)
 let small_once = 16
 
-(* What is made of the node's statics alone does not count: where it is inlined
-   they are mostly literals. *)
 let size (node : Ir.node) =
-  let static = Int_table.create 8 in
-  List.iter (fun (s : Ir.signal) -> Int_table.replace static s.id ()) node.statics;
-  let is_static (atom : Ir.atom) =
-    match atom with
-    | Signal s -> Int_table.mem static s.id
-    | Bool _ | Int _ | Float _ -> true
-  in
-  let of_statics (e : Ir.equation) =
-    match e.rhs with
-    | (Op _ | If _) as rhs when List.for_all is_static (Operands.all rhs) ->
-        Int_table.replace static e.defines.id ();
-        true
-    | _ -> false
-  in
   let operation (e : Ir.equation) =
-    match e.rhs with
-    | Copy _ | Construct { payload = []; _ } -> 0
-    | _ when node.statics <> [] && of_statics e -> 0
-    | _ -> 1
+    match e.rhs with Copy _ | Construct { payload = []; _ } -> 0 | _ -> 1
   in
   List.fold_left
     (fun size e -> size + operation e)

@@ -15,7 +15,7 @@ let tidy =
     Pass.make "common-subexpressions" Common_subexpressions.program
       "after simplifying, which makes equal what looked different";
     Pass.make "equal-parameters" Equal_parameters.program
-      "what is handed on, or computed by a loop, stands there once";
+      "what is handed on stands there once";
     Pass.make "unreachable-modes" Unreachable_modes.program
       "conditions that are constant are seen to be";
     Pass.make "sole-mode" Sole_mode.program "where others cannot be reached it may be the only one";

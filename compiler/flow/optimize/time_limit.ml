@@ -16,34 +16,9 @@ let with_own_instants (program : Ir.program) =
   done;
   found
 
-(* By parameter: what is passed for it everywhere, if that is always literal. *)
-let passed (program : Ir.program) =
-  let all = Basis.Int_table.create 64 in
-  let note (s : Ir.signal) (a : Ir.atom) =
-    let before = Option.value (Basis.Int_table.find_opt all s.id) ~default:(Some []) in
-    let now = match a with Signal _ -> None | literal -> Option.map (List.cons literal) before in
-    Basis.Int_table.replace all s.id now
-  in
-  let call k atoms = List.iter2 note program.nodes.(k).statics atoms in
-  let machine (m : Ir.machine) =
-    let modes = Array.of_list m.modes in
-    Transitions.into program m (fun t -> call modes.(t.target) t.arguments)
-  in
-  Array.iter
-    (fun (node : Ir.node) ->
-      List.iter (fun (i : Ir.instance) -> call i.node i.statics) node.instances;
-      Option.iter machine node.machine)
-    program.nodes;
-  fun (s : Ir.signal) -> Option.join (Basis.Int_table.find_opt all s.id)
-
 (* The conditions that the time which starts again by [restart] has come to a limit. *)
-let reached passed (node : Ir.node) restart =
-  let is_soon (limit : Ir.atom) =
-    let is_below : Ir.atom -> bool = function Float x -> x <= most | _ -> false in
-    match limit with
-    | Signal s -> Option.fold (passed s) ~none:false ~some:(List.for_all is_below)
-    | Bool _ | Int _ | Float _ -> is_below limit
-  in
+let reached (node : Ir.node) restart =
+  let is_soon : Ir.atom -> bool = function Float limit -> limit <= most | _ -> false in
   let is_time (atom : Ir.atom) =
     let definition : Ir.atom -> Ir.rhs option = function
       | Signal s ->
@@ -66,15 +41,15 @@ let reached passed (node : Ir.node) restart =
     node.equations
 
 (* A mode goes on where no transition occurs. *)
-let ends_in_time passed (node : Ir.node) =
+let ends_in_time (node : Ir.node) =
   let known = lazy (Truth.while_running node []) in
   node.transitions <> []
   && List.exists
        (fun s -> Truth.value (Lazy.force known) (Signal s) = Some false)
-       (reached passed node (Bool false))
+       (reached node (Bool false))
 
 (* Where the limit is reached, what the delays will be then makes it start again. *)
-let starts_again_in_time passed (node : Ir.node) restart =
+let starts_again_in_time (node : Ir.node) restart =
   let at_an_instant = lazy (Truth.at_an_instant node) in
   let an_instant_later now =
     List.filter_map
@@ -90,15 +65,13 @@ let starts_again_in_time passed (node : Ir.node) restart =
       let at_an_instant = Lazy.force at_an_instant in
       let later = an_instant_later (at_an_instant [ (s, true) ]) in
       Truth.value (at_an_instant later) restart = Some true)
-    (reached passed node restart)
+    (reached node restart)
 
 let is_limited program =
   let with_own_instants = lazy (with_own_instants program) in
-  let literals = lazy (passed program) in
-  let passed s = Lazy.force literals s in
   fun k restart ->
     let node = program.Ir.nodes.(k) in
     (match (restart : Ir.atom) with
-    | Signal _ -> starts_again_in_time passed node restart
-    | Bool _ | Int _ | Float _ -> ends_in_time passed node)
+    | Signal _ -> starts_again_in_time node restart
+    | Bool _ | Int _ | Float _ -> ends_in_time node)
     && not (Lazy.force with_own_instants).(k)
