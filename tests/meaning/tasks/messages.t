@@ -279,6 +279,8 @@ Arguments in the wrong order: a time where the task belongs, or the reverse.
     |                                      ------- ^^^^
     |                                      |
     |                                      argument 1 of `timeOut` is `Task a b c`
+    |
+    = hint: it stands in the place of argument 1: `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
   
   error[E0301]: expected `Time` (s), found `Task Float Float ()`
    --> order.frob:8:53
@@ -287,6 +289,8 @@ Arguments in the wrong order: a time where the task belongs, or the reverse.
     |                                      -------        ^^^^^^
     |                                      |
     |                                      argument 2 of `timeOut` is `Time` (s)
+    |
+    = hint: it stands in the place of argument 2: `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
   
   error[E0301]: expected `Int`, found `Task Float Float (Maybe ())`
     --> order.frob:11:13

@@ -117,8 +117,7 @@ let hints =
     hint "a library module that is not imported" "f = wrapAngle 3\n"
       [ "`wrapAngle` is in the library: `import Geometry`" ];
     hint "a field used as a function" "data P = P { heading :: Float }\nf p = heading p\n"
-      [ "the direction in which the robot looks is `(robotPose i).heading`";
-        "`heading` is a field: `r.heading` reads it, and the function is `\\r -> r.heading`" ];
+      [ "write `p.heading`; the function is `\\r -> r.heading`" ];
     hint "a type used as a constructor" "f = Velocity\n" [ "`Velocity` is a type, not a constructor" ];
   ]
 
