@@ -139,6 +139,7 @@ def _values(range_: Range, shares: "NDArray[Any]") -> "NDArray[Any]":
 
 
 PULSE_NUMBERS = 3
+"""Of a pulse: when, how long, for what (`Space.pulse`)."""
 
 Objective = Callable[[Sequence[float]], float]
 """Less is better, and below 0 is what is looked for."""
