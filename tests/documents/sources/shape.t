@@ -6,3 +6,11 @@ more than thirty files.
   $ LC_ALL=C.UTF-8 grep -RnE '^.{101}' --include='*.ml*' .
   [1]
   $ find -L . -type f | sed 's|/[^/]*$||' | sort | uniq -c | awk '$1 > 30'
+
+No page has the marks of a merge that was not finished.
+
+  $ ls ../docs/language.md ../README.md
+  ../README.md
+  ../docs/language.md
+  $ grep -RnE '^(<<<<<<<|>>>>>>>) ' --include='*.md' ../docs ../README.md
+  [1]
