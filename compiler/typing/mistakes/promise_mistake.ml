@@ -35,8 +35,11 @@ let promised words ~by (place : Span.t) needed d =
     Diagnostic.hint (Printf.sprintf "write `%s`" whole) d
     |> Diagnostic.fix (Printf.sprintf "write `%s`" whole) edits
   in
+  (* The place of an instance is its head alone, without what it promises. *)
+  let is_whole = String.starts_with ~prefix:"the signature" by in
   match Show.quote words place with
-  | Some text when String.length text > 0 && Span.line place.start = Span.line place.stop -> (
+  | Some text
+    when is_whole && String.length text > 0 && Span.line place.start = Span.line place.stop -> (
       let arrow = List.exists (String.equal "=>") (String.split_on_char ' ' text) in
       match (arrow, text.[0]) with
       | false, _ -> insert (alone ^ " => " ^ text) [ (at 0, alone ^ " => ") ]

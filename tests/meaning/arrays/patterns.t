@@ -111,6 +111,8 @@ There are as many patterns as the array has elements:
     |      ------------------ `n` is any size in the signature of `k`
   5 | k [a, _] = a
     |   ^^^^^^
+    |
+    = hint: if the definition is right, the signature says `Array 2 Int -> Int`
   
   2 errors
   [1]

@@ -77,7 +77,7 @@ no elements or too many are errors:
     |                  |
     |                  argument 3 of `zipWith` is `Array 2 Float`
     |
-    = hint: the two have different numbers of elements; `take` and `drop` make an array of the size that its type says
+    = hint: 3 are written here; an array of as many has the type `Array 3 Float`
   
   error[E0331]: nothing decides the size of an array where `generate` is used
    --> wrong.frob:5:31

@@ -53,7 +53,7 @@ What is missing is named where it is needed, with the place that asks for it.
   24 | e1 = total (Square { side = 1[m] }) (Disc { radius = 1[m] })
      |      ^^^^^ `total` needs it
      |
-     = note: what has `Shape`: `Bag`, `Square`, `Maybe`
+     = hint: `instance Shape Disc where` gives it one, with its methods in the lines below
   
   error[E0360]: there is no instance `Shape Disc`
     --> needed.frob:26:6
@@ -78,7 +78,7 @@ What is missing is named where it is needed, with the place that asks for it.
   29 | e3 x = area x
      |        ^^^^
      |
-     = hint: begin the signature of `e3` with `Shape a =>`, or add it to what stands there: `(…, Shape a) =>`
+     = hint: write `Shape a => a -> Float[m^2]`
   
   error[E0360]: there is no instance `Shape Float`
     --> needed.frob:31:6
@@ -89,7 +89,7 @@ What is missing is named where it is needed, with the place that asks for it.
   31 | e4 = area 3.0
      |      ^^^^ `area` needs it
      |
-     = note: what has `Shape`: `Bag`, `Square`, `Maybe`
+     = hint: `instance Shape Float where` gives it one, with its methods in the lines below
   
   error[E0307]: `Angle -> Float` has no equality
     --> needed.frob:33:6
@@ -121,7 +121,7 @@ What is missing is named where it is needed, with the place that asks for it.
   38 | e7 = f7 True
      |      ^^ `f7` needs it
      |
-     = note: what has `Shape`: `Bag`, `Square`, `Maybe`
+     = hint: `instance Shape Bool where` gives it one, with its methods in the lines below
   
   error[E0360]: there is no instance `Shape Float`
     --> needed.frob:41:7
@@ -129,7 +129,7 @@ What is missing is named where it is needed, with the place that asks for it.
   41 | e10 = f9 2
      |       ^^ `f9` needs it
      |
-     = note: what has `Shape`: `Bag`, `Square`, `Maybe`
+     = hint: `instance Shape Float where` gives it one, with its methods in the lines below
   
   8 errors
   [1]
@@ -199,7 +199,7 @@ What an instance may be, and what it must give.
   13 | instance Derived T where
      |          ^^^^^^^^^ `Derived T` needs it
      |
-     = note: what has `Base`: `U`, `W`, `Maybe`
+     = hint: `instance Base T where` gives it one, with its methods in the lines below
   
   error[E0309]: `Derived (Maybe a)` needs `Base a`, which the instance of `Derived` does not promise
     --> declared.frob:18:10
@@ -219,6 +219,8 @@ What an instance may be, and what it must give.
      |          ------------- `u` is any unit in the instance of `Base`
   22 |     base x = x
      |              ^ this is `Float[u]`
+     |
+     = hint: if the definition is right, the signature says `Base Float[1]`
   
   error[E0363]: the instance `Base (a, b)` does not give `base`
     --> declared.frob:23:10
@@ -282,7 +284,7 @@ What an instance may be, and what it must give.
   34 | instance Third U where
      |          ^^^^^^^ `Third U` needs it
      |
-     = note: what has `Derived`: `T`, `W`, `Maybe`
+     = hint: `instance Derived U where` gives it one, with its methods in the lines below
   
   error[E0364]: the context speaks of `b`, but the type does not
     --> declared.frob:36:10
@@ -396,6 +398,8 @@ The types of a method's definitions are the class's.
   ...
   10 |     label s x = s
      |                 ^
+     |
+     = hint: if the definition is right, the signature says `a -> Square -> Square`
   
   error[E0306]: the signature promises every type `a`, but the definition needs it to be `Float[m^2]`
     --> bodies.frob:15:19
@@ -405,6 +409,8 @@ The types of a method's definitions are the class's.
   ...
   15 |         Just x -> x
      |                   ^
+     |
+     = hint: if the definition is right, the signature says `Shape (Maybe Float[m^2]`
   
   error[E0306]: the signature promises every type `b`, but the definition needs it to be `Float[m^2]`
     --> bodies.frob:16:17
@@ -414,6 +420,8 @@ The types of a method's definitions are the class's.
   ...
   16 |     label m x = area m
      |                 ^^^^^^
+     |
+     = hint: if the definition is right, the signature says `a -> Float[m^2] -> Float[m^2]`
   
   error[E0302]: `area` has more than the one parameter that its type allows
     --> bodies.frob:19:12

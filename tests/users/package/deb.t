@@ -54,8 +54,10 @@ It brings along what there is to read. Links within lead somewhere, but for some
   frobc-build.1.gz
   frobc-check.1.gz
   frobc-compile.1.gz
+  frobc-convert.1.gz
   frobc-explain.1.gz
   frobc-export.1.gz
+  frobc-falsify.1.gz
   frobc-fix.1.gz
   frobc-format.1.gz
   frobc-header.1.gz

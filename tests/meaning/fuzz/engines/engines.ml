@@ -88,7 +88,8 @@ let rec load_with ?(watched = false) probes ?robot tools ~entry file =
   | Some (core, entry, c) ->
       let name = Driver.C_file.name file in
       let input, output = Interp.Execution.interface core entry in
-      if core.console <> [] then Frames.write ~folder:tools.folder;
+      let sees (c : Core.Ir.control) = c.kind = Camera in
+      if List.exists sees core.console then Frames.write ~folder:tools.folder;
       Ok
         {
           core;
