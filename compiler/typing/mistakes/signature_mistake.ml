@@ -42,10 +42,11 @@ let variable_like_a_type words ~at (variable : Ir.variable) =
           fix (Printf.sprintf "write `%s`" type_) (List.map (fun at -> (at, type_)) places))
     (type_meant variable)
 
-(* The signature with what the definition needs in place of the variable. *)
-let less_general words place (variable : Ir.variable) needed d =
+(* The signature with what the definition needs in place of the variable. The head of an instance
+   is no signature. *)
+let less_general words { by; place } (variable : Ir.variable) needed d =
   match (Show.quote words place, mentions words place variable.name) with
-  | Some text, (_ :: _ as places) ->
+  | Some text, (_ :: _ as places) when String.starts_with ~prefix:"the signature" by ->
       let piece (at : Span.t) = Span.column at.start - Span.column place.start in
       let replaced =
         List.fold_left
@@ -76,7 +77,7 @@ let too_general words owner ~at ~kind ~instead (variable : Ir.variable) needed =
       hint (Printf.sprintf "the type is `%s`; a name in lower case stands for every %s" type_ kind)
   | None -> (
       match (owner variable, instead) with
-      | Some { place; _ }, Some needed -> less_general words place variable needed
+      | Some owner, Some needed -> less_general words owner variable needed
       | _ -> Fun.id)
 
 let general_type words owner ~at (r : Type.rigid) t =

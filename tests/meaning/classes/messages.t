@@ -219,8 +219,6 @@ What an instance may be, and what it must give.
      |          ------------- `u` is any unit in the instance of `Base`
   22 |     base x = x
      |              ^ this is `Float[u]`
-     |
-     = hint: if the definition is right, the signature says `Base Float[1]`
   
   error[E0363]: the instance `Base (a, b)` does not give `base`
     --> declared.frob:23:10
@@ -409,8 +407,6 @@ The types of a method's definitions are the class's.
   ...
   15 |         Just x -> x
      |                   ^
-     |
-     = hint: if the definition is right, the signature says `Shape (Maybe Float[m^2]`
   
   error[E0306]: the signature promises every type `b`, but the definition needs it to be `Float[m^2]`
     --> bodies.frob:16:17
