@@ -91,7 +91,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt falsify mcap wheel python slurm
+.PHONY: all setup run test test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt falsify mcap wheel python slurm
 
 all: setup
 	dune build @install
@@ -168,6 +168,13 @@ fuzz-frontend: setup
 	@mkdir -p $(CURDIR)/_build
 	@OCAMLPARAM='_,afl-instrument=1' dune build --build-dir $(CURDIR)/_build/afl ./tests/users/frontend/harness.exe
 	@sh tests/users/frontend/run.sh $(CURDIR)/_build/afl/default/tests/users/frontend/harness.exe $(CURDIR)/stdlib $(SECONDS)
+
+# Deliberate faults in the examples: their trials should find each; which they do not is told.
+faults: N = 200
+faults: SEED = 1
+faults: all
+	@mkdir -p _build/bench
+	@sh tests/generated/bench/faults/run.sh _build/bench $(N) $(SEED)
 
 fuzz-drivers: setup
 	@dune build ./tests/robots/wire/fuzz/fuzz_scout ./tests/robots/wire/fuzz/fuzz_create ./tests/robots/wire/fuzz/fuzz_pioneer
