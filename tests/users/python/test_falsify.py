@@ -5,6 +5,7 @@ import random
 import subprocess
 import sys
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -234,8 +235,12 @@ class Command(unittest.TestCase):
             file.write(CRUISE)
         command = [frob.tools.frobc(), "falsify", "cruise.frob", "--method", "random", "--for", "5s",
                    "--input", "in.wanted=-1 to 1", "--input", "in.ahead=0.5"]
-        # The Python that runs this has what the search needs.
-        os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
+        # The Python that runs this has what the search needs. It may stand beside another frobc.
+        folders = [os.path.dirname(path) for path in (frob.tools.frobc(), sys.executable)]
+        path = os.pathsep.join([*folders, os.environ["PATH"]])
+        search_path = unittest.mock.patch.dict(os.environ, {"PATH": path})
+        search_path.start()
+        self.addCleanup(search_path.stop)
         held = subprocess.run([*command, "--runs", "20"], capture_output=True, text=True)
         self.assertEqual((held.returncode, held.stderr), (0, ""))
         self.assertEqual(held.stdout.splitlines()[1],

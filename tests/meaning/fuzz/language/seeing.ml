@@ -9,7 +9,8 @@ let rec px random =
   | 1 -> f "(%s + 1000000.0[px])" (px random)
   | _ -> f "%.2f[px]" (Random.State.float random 40. -. 5.)
 
-let share random = f "%.2f" (Random.State.float random 1.2 -. 0.1)
+(* In parentheses: it may be negative, and an argument. *)
+let share random = f "(%.2f)" (Random.State.float random 1.2 -. 0.1)
 let angle random = f "%d[deg]" (Random.State.int random 400 - 20)
 
 let region random =
