@@ -6,41 +6,57 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { COUNT = 3, FRESH = 0x40, ANY = 0x80 };
+/* Places of the frames: the writer's, those in the middle, the newest first, the reader's. */
+enum { BACK = 0, NEWEST = 1, FRONT = NEWEST + BUFFERS_KEPT, COUNT = FRONT + 1 };
 
-/* Which frame is whose: two bits each, see `parts`. */
 struct buffers {
-    uint32_t state;
+    uint32_t state; /* see `order_of` */
     uint32_t beats, begun;
     struct frob_image image;
     uint32_t published; /* the frame that was published last */
     struct captured frames[COUNT];
 };
 
-struct parts {
-    uint32_t back, middle, front;
+/* The state, taken apart. It changes as a whole, so `changes` goes up: nobody takes it for one that
+ * it was before. */
+struct order {
+    uint32_t at[COUNT]; /* which frame is at each place: 3 bits each */
+    uint32_t fresh;     /* how many in the middle, from the newest on, can be taken: 2 bits */
+    bool has_any;       /* has been published */
+    uint32_t changes;   /* 14 bits */
 };
 
-static struct parts parts_of(uint32_t state)
+enum { FRESH_BIT = 15, ANY_BIT = 17, CHANGES_BIT = 18 };
+
+static struct order order_of(uint32_t state)
 {
-    const struct parts p = { state & 3u, state >> 2 & 3u, state >> 4 & 3u };
-    return p;
+    struct order o;
+    for (unsigned i = 0; i < COUNT; i++)
+        o.at[i] = (state >> 3 * i & 7u) % COUNT;
+    o.fresh = state >> FRESH_BIT & 3u;
+    o.has_any = (state >> ANY_BIT & 1u) != 0;
+    o.changes = state >> CHANGES_BIT;
+    return o;
 }
 
-static uint32_t state_of(struct parts p, uint32_t flags)
+static uint32_t state_of(const struct order *o)
 {
-    return p.back | p.middle << 2 | p.front << 4 | flags;
+    uint32_t state = o->fresh << FRESH_BIT | (o->has_any ? 1u : 0u) << ANY_BIT |
+                     o->changes << CHANGES_BIT;
+    for (unsigned i = 0; i < COUNT; i++)
+        state |= o->at[i] << 3 * i;
+    return state;
 }
 
 struct buffers *buffers_make(void)
 {
-    static const struct parts first = { 0, 1, 2 };
+    static const struct order first = { { 0, 1, 2, 3, 4 }, 0, false, 0 };
     const size_t size = sizeof(struct buffers) + COUNT * BUFFERS_ROOM;
     void *memory = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     struct buffers *b = (struct buffers *)memory;
     if (memory == MAP_FAILED)
         return NULL;
-    b->state = state_of(first, 0);
+    b->state = state_of(&first);
     for (size_t i = 0; i < COUNT; i++)
         b->frames[i].pixels = (uint8_t *)memory + sizeof *b + i * BUFFERS_ROOM;
     return b;
@@ -56,56 +72,89 @@ static uint32_t read_state(const struct buffers *b)
     return __atomic_load_n(&b->state, __ATOMIC_ACQUIRE);
 }
 
-static bool change(struct buffers *b, uint32_t *seen, uint32_t next)
+/* From the state that was seen. */
+static bool change(struct buffers *b, uint32_t *seen, struct order *next)
 {
-    return __atomic_compare_exchange_n(&b->state, seen, next, false, __ATOMIC_ACQ_REL,
+    next->changes++;
+    return __atomic_compare_exchange_n(&b->state, seen, state_of(next), false, __ATOMIC_ACQ_REL,
                                        __ATOMIC_ACQUIRE);
 }
 
 struct captured *buffers_back(struct buffers *b)
 {
-    return &b->frames[parts_of(read_state(b)).back];
+    return &b->frames[order_of(read_state(b)).at[BACK]];
 }
 
+/* The oldest one in the middle is the writer's next. */
 void buffers_publish(struct buffers *b)
 {
     uint32_t seen = read_state(b);
-    struct parts next;
-    b->published = parts_of(seen).back;
+    struct order next;
+    b->published = order_of(seen).at[BACK];
     do {
-        const struct parts now = parts_of(seen);
+        const struct order now = order_of(seen);
         next = now;
-        next.back = now.middle;
-        next.middle = now.back;
-    } while (!change(b, &seen, state_of(next, FRESH | ANY)));
+        next.at[BACK] = now.at[FRONT - 1];
+        for (unsigned i = NEWEST; i < FRONT; i++)
+            next.at[i] = now.at[i - 1];
+        next.fresh = now.fresh < BUFFERS_KEPT ? now.fresh + 1 : now.fresh;
+        next.has_any = true;
+    } while (!change(b, &seen, &next));
     syscall(SYS_futex, &b->state, FUTEX_WAKE, 1, NULL, NULL, 0);
 }
 
 const struct captured *buffers_published(const struct buffers *b)
 {
-    return (read_state(b) & ANY) != 0 ? &b->frames[b->published] : NULL;
+    return order_of(read_state(b)).has_any ? &b->frames[b->published] : NULL;
+}
+
+/* What is read here may change meanwhile: then so does the state, and nothing is taken. */
+struct fresh buffers_look(const struct buffers *b)
+{
+    struct fresh fresh;
+    struct order now;
+    fresh.state = read_state(b);
+    now = order_of(fresh.state);
+    fresh.count = now.fresh;
+    for (size_t k = 0; k < now.fresh; k++) {
+        const volatile struct captured *frame = &b->frames[now.at[NEWEST + k]];
+        fresh.captured_ns[k] = frame->captured_ns;
+        fresh.numbers[k] = frame->number;
+    }
+    return fresh;
+}
+
+/* Those behind it move up, and the reader's old one comes last. */
+const struct captured *buffers_take_one(struct buffers *b, const struct fresh *fresh, size_t k)
+{
+    uint32_t seen = fresh->state;
+    const struct order now = order_of(seen);
+    struct order next = now;
+    next.at[FRONT] = now.at[NEWEST + k];
+    for (size_t i = NEWEST + k; i < FRONT; i++)
+        next.at[i] = now.at[i + 1];
+    next.fresh = (uint32_t)k;
+    return change(b, &seen, &next) ? &b->frames[next.at[FRONT]] : NULL;
 }
 
 const struct captured *buffers_take(struct buffers *b)
 {
-    uint32_t seen = read_state(b);
-    struct parts next;
-    do {
-        const struct parts now = parts_of(seen);
-        if ((seen & FRESH) == 0)
+    for (;;) {
+        const struct fresh fresh = buffers_look(b);
+        const struct captured *frame;
+        if (fresh.count == 0)
             return NULL;
-        next = now;
-        next.front = now.middle;
-        next.middle = now.front;
-    } while (!change(b, &seen, state_of(next, ANY)));
-    return &b->frames[next.front];
+        frame = buffers_take_one(b, &fresh, 0);
+        if (frame != NULL)
+            return frame;
+    }
 }
 
 void buffers_wait(struct buffers *b, int wait_ms)
 {
     const struct timespec wait = { wait_ms / 1000, (long)(wait_ms % 1000) * 1000000 };
     const uint32_t seen = read_state(b);
-    if ((seen & FRESH) == 0)
+    if (order_of(seen).fresh == 0)
         syscall(SYS_futex, &b->state, FUTEX_WAIT, seen, &wait, NULL, 0);
 }
 

@@ -1,9 +1,9 @@
-/* buffers.h -- the newest frame of a camera, handed from one process to another.
+/* buffers.h -- the newest frames of a camera, handed from one process to another.
  *
- * Three frames in memory that both processes share: one that the writer fills, one that the
- * reader looks at, and the newest one between them. Each side exchanges its own for the one in
- * the middle, in one step of the processor: nobody waits, the writer never touches what the reader
- * looks at, and a writer that dies in the middle of a frame leaves the others whole.
+ * Five frames in memory that both processes share: one that the writer fills, one that the
+ * reader looks at, and the newest three between them. Each side exchanges its own for one of those
+ * in the middle, in one step of the processor: nobody waits, the writer never touches what the
+ * reader looks at, and a writer that dies in the middle of a frame leaves the others whole.
  *
  * The memory is at the same address in both processes, since it is made before they part. */
 #ifndef FROB_HOST_CAMERA_BUFFERS_H
@@ -48,6 +48,23 @@ const struct captured *buffers_published(const struct buffers *b);
 /* The reader's: the newest frame, once; NULL if there is none that was not taken before. It stays
  * as it is until the next call that gives one. */
 const struct captured *buffers_take(struct buffers *b);
+
+/* Those of the three that are newer than what was taken, the newest first: when they were taken and
+ * their numbers. Who has two cameras chooses frames that belong together (pair.h). */
+enum { BUFFERS_KEPT = 3 };
+
+struct fresh {
+    uint32_t state;
+    size_t count;
+    int64_t captured_ns[BUFFERS_KEPT];
+    uint32_t numbers[BUFFERS_KEPT];
+};
+
+struct fresh buffers_look(const struct buffers *b);
+
+/* One of these, as buffers_take gives it; those before it can be taken later. NULL if the writer
+ * has published another one since: look again. */
+const struct captured *buffers_take_one(struct buffers *b, const struct fresh *fresh, size_t k);
 
 /* Waits for so long for a frame to take; whoever drives does not. */
 void buffers_wait(struct buffers *b, int wait_ms);

@@ -1,6 +1,7 @@
 #include "cameras.h"
 
 #include <errno.h>
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
@@ -74,6 +75,27 @@ static bool start(struct cameras *all, struct camera *c)
     return c->process > 0;
 }
 
+static struct camera *labelled(struct cameras *c, const char *label)
+{
+    for (size_t i = 0; i < c->count; i++)
+        if (strcmp(c->each[i].options->label, label) == 0)
+            return &c->each[i];
+    return NULL;
+}
+
+static void pair_up(struct cameras *c)
+{
+    struct stereo_pair *s = &c->stereo;
+    struct camera *left = labelled(c, "left"), *right = labelled(c, "right");
+    if (left != NULL && right != NULL) {
+        const double *one = left->options->settings, *other = right->options->settings;
+        s->left = left;
+        s->right = right;
+        pair_init(&s->pair, 1.0 / fmax(one[CAMERA_RATE], other[CAMERA_RATE]),
+                  fmin(one[CAMERA_PAIR_WITHIN], other[CAMERA_PAIR_WITHIN]));
+    }
+}
+
 bool cameras_start(struct cameras *c, const struct frob_program *program,
                    const struct camera_options *options, size_t count, bool tells)
 {
@@ -88,6 +110,7 @@ bool cameras_start(struct cameras *c, const struct frob_program *program,
         if (!start(c, &c->each[i]))
             return false;
     }
+    pair_up(c);
     return true;
 }
 
@@ -114,59 +137,6 @@ void cameras_end(struct cameras *c)
         end(&c->each[i]);
     c->count = 0;
     tag_finder_close(&c->finder);
-}
-
-/* {1 Frames} */
-
-/* The process may have gone mad: what it says of a frame is looked at before anybody uses it. */
-static const struct captured *take(struct camera *c, struct frob_image *image, int64_t first_ns)
-{
-    const struct captured *frame = buffers_take(c->way.given);
-    if (frame == NULL)
-        return NULL;
-    image->width = frame->width;
-    image->height = frame->height;
-    image->format = frame->format;
-    if ((image->format != FROB_GREY8 && image->format != FROB_RGB8) || image->width < 1 ||
-        image->width > FROB_IMAGE_SIDE || image->height < 1 || image->height > FROB_IMAGE_SIDE)
-        return NULL;
-    image->stride = image->width * frob_image_pixel_size(image->format);
-    if ((size_t)image->stride * (size_t)image->height > BUFFERS_ROOM)
-        return NULL;
-    image->pixels = frame->pixels;
-    image->captured_ns = frame->captured_ns - first_ns;
-    image->number = frame->number;
-    image->camera = camera_geometry(c->options, image->width, image->height);
-    if (frame->has_camera)
-        image->camera = frame->camera;
-    c->given++;
-    c->last_number = frame->number;
-    return frame;
-}
-
-void cameras_look(struct cameras *c, void *input, int64_t first_ns, int64_t now_ns)
-{
-    const struct frob_program *program = c->program;
-    for (size_t k = 0; k < c->count; k++) {
-        struct camera *camera = &c->each[k];
-        const char *label = camera->options->label;
-        struct frob_image *image = buffers_image(camera->way.given);
-        const struct captured *frame;
-        buffers_begin(camera->way.given);
-        frame = take(camera, image, first_ns);
-        for (size_t i = 0; i < program->control_count; i++) {
-            const struct frob_control *control = &program->console[i];
-            const size_t length = frob_camera_label(control);
-            if (length == 0 || length != strlen(label) ||
-                strncmp(control->label, label, length) != 0)
-                continue;
-            if (control->kind == FROB_CAMERA)
-                frob_camera_give(control, input, frame != NULL ? image : NULL, now_ns);
-            else
-                frob_tags_give(control, input, frame != NULL ? image : NULL,
-                               frame != NULL ? &frame->tags : NULL, now_ns);
-        }
-    }
 }
 
 /* {1 What is told} */
@@ -218,6 +188,40 @@ void cameras_hear(struct cameras *c)
         hear(c, &c->each[i]);
 }
 
+/* Frames of both cameras that are no pairs, for so long. */
+static void tell_pair(struct stereo_pair *s, bool is_pair, int64_t without_ns)
+{
+    const struct pair *p = &s->pair;
+    const double period_ns = fmax(p->rhythms[0].period_ns, p->rhythms[1].period_ns);
+    if (is_pair && s->has_failed)
+        fprintf(stderr, "cameras `left` and `right` give pairs of frames again\n");
+    if (is_pair)
+        s->has_failed = false;
+    if (is_pair || s->has_failed || p->nearest_ns == INT64_MAX ||
+        (double)without_ns <= fmax(1e9, 3.0 * period_ns))
+        return;
+    s->has_failed = true;
+    s->failures++;
+    fprintf(stderr, "warning: cameras `left` and `right` give no pairs of frames: those nearest to "
+                    "each other were taken %.0f ms apart, and may be %.0f ms apart (%s): ",
+            (double)p->nearest_ns * 1e-6, (double)pair_most_ns(p) * 1e-6,
+            pair_most_ns(p) == p->within_ns ? "pair_within" : "0.6 of a period");
+    fprintf(stderr, "have both take their frames at the same time and rate%s; if those of one come "
+                    "later than those of the other, set its latency to how much\n",
+            pair_most_ns(p) == p->within_ns ? ", or set pair_within to more" : "");
+}
+
+/* By the seats of both no depth can be known. */
+static void check_seats(const struct stereo_pair *s)
+{
+    const struct frob_camera *l = &buffers_image(s->left->way.given)->camera;
+    const struct frob_camera *r = &buffers_image(s->right->way.given)->camera;
+    if (fabs(l->x_m - r->x_m) + fabs(l->y_m - r->y_m) + fabs(l->z_m - r->z_m) < 0.001)
+        fprintf(stderr, "warning: cameras `left` and `right` are said to sit at the same place, so "
+                        "that no depth can be computed: set where they sit, as `--set left.left=0.06 "
+                        "--set right.left=-0.06` for two that are 12 cm apart\n");
+}
+
 void cameras_print(const struct cameras *all)
 {
     for (size_t i = 0; i < all->count; i++) {
@@ -228,5 +232,83 @@ void cameras_print(const struct cameras *all)
         printf("%s frames not seen: %lu\n", label,
                (unsigned long)(c->last_number + 1 - (int64_t)c->given));
         printf("%s failures: %lu\n", label, (unsigned long)c->failures);
+    }
+    if (all->stereo.left != NULL) {
+        const struct pair *p = &all->stereo.pair;
+        printf("pairs: %lu\n", (unsigned long)p->count);
+        if (p->count > 0)
+            printf("pairs apart: %.1f ms on average, %.1f ms at most\n",
+                   p->apart_ns / p->count * 1e-6, (double)p->most_ns * 1e-6);
+        printf("pair failures: %lu\n", (unsigned long)all->stereo.failures);
+    }
+}
+
+/* {1 Frames} */
+
+/* The process may have gone mad: what it says of a frame is looked at before anybody uses it. */
+static bool describe(struct camera *c, const struct captured *frame, int64_t first_ns)
+{
+    struct frob_image *image = buffers_image(c->way.given);
+    image->width = frame->width;
+    image->height = frame->height;
+    image->format = frame->format;
+    if ((image->format != FROB_GREY8 && image->format != FROB_RGB8) || image->width < 1 ||
+        image->width > FROB_IMAGE_SIDE || image->height < 1 || image->height > FROB_IMAGE_SIDE)
+        return false;
+    image->stride = image->width * frob_image_pixel_size(image->format);
+    if ((size_t)image->stride * (size_t)image->height > BUFFERS_ROOM)
+        return false;
+    image->pixels = frame->pixels;
+    image->captured_ns = frame->captured_ns - first_ns;
+    image->number = frame->number;
+    image->camera = camera_geometry(c->options, image->width, image->height);
+    if (frame->has_camera)
+        image->camera = frame->camera;
+    c->given++;
+    c->last_number = frame->number;
+    return true;
+}
+
+/* To the program: a frame of this camera, or none. */
+static void give(const struct cameras *all, struct camera *c, const struct captured *frame,
+                 void *input, int64_t first_ns, int64_t now_ns)
+{
+    const struct frob_program *program = all->program;
+    const char *label = c->options->label;
+    const bool has_frame = frame != NULL && describe(c, frame, first_ns);
+    const struct frob_image *image = has_frame ? buffers_image(c->way.given) : NULL;
+    for (size_t i = 0; i < program->control_count; i++) {
+        const struct frob_control *control = &program->console[i];
+        const size_t length = frob_camera_label(control);
+        if (length == 0 || length != strlen(label) ||
+            strncmp(control->label, label, length) != 0)
+            continue;
+        if (control->kind == FROB_CAMERA)
+            frob_camera_give(control, input, image, now_ns);
+        else
+            frob_tags_give(control, input, image, has_frame ? &frame->tags : NULL, now_ns);
+    }
+}
+
+void cameras_look(struct cameras *c, void *input, int64_t first_ns, int64_t now_ns)
+{
+    struct stereo_pair *s = &c->stereo;
+    for (size_t k = 0; k < c->count; k++) {
+        struct camera *camera = &c->each[k];
+        buffers_begin(camera->way.given);
+        if (camera != s->left && camera != s->right)
+            give(c, camera, buffers_take(camera->way.given), input, first_ns, now_ns);
+    }
+    if (s->left != NULL) {
+        struct buffers *const both[2] = { s->left->way.given, s->right->way.given };
+        const struct captured *frames[2] = { NULL, NULL };
+        const bool is_pair = pair_take(&s->pair, both, frames);
+        give(c, s->left, is_pair ? frames[0] : NULL, input, first_ns, now_ns);
+        give(c, s->right, is_pair ? frames[1] : NULL, input, first_ns, now_ns);
+        if (is_pair && s->pair.count == 1)
+            check_seats(s);
+        if (is_pair || !s->left->works || !s->right->works || s->paired_ns == 0)
+            s->paired_ns = first_ns + now_ns;
+        tell_pair(s, is_pair, first_ns + now_ns - s->paired_ns);
     }
 }

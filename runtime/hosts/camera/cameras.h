@@ -9,6 +9,7 @@
 #include <frob/program.h>
 
 #include "capture.h"
+#include "pair.h"
 #include "settings.h"
 
 enum { CAMERAS_MOST = 4 };
@@ -25,10 +26,20 @@ struct camera {
     uint32_t failures;
 };
 
+/* Two of them whose frames are given in pairs, as a stereo head's. */
+struct stereo_pair {
+    struct camera *left, *right; /* NULL: there is none */
+    struct pair pair;
+    int64_t paired_ns; /* when there was a pair last, or could not have been */
+    bool has_failed;
+    uint32_t failures;
+};
+
 struct cameras {
     const struct frob_program *program;
     struct camera each[CAMERAS_MOST];
     size_t count;
+    struct stereo_pair stereo;
     struct tag_finder finder; /* if tags are asked for: each process that looks for them has a copy */
     bool tells; /* also of what is as it should be */
 };
@@ -44,7 +55,8 @@ bool cameras_start(struct cameras *c, const struct frob_program *program,
                    const struct camera_options *options, size_t count, bool tells);
 
 /* What the program sees at this instant, `now_ns` after `first_ns` on the monotonic clock: the
- * newest frames that it has not been given, and their tags. They stay as they are until the next call. */
+ * newest frames that it has not been given, and their tags; of cameras `left` and `right` those that
+ * were taken together. They stay as they are until the next call. */
 void cameras_look(struct cameras *c, void *input, int64_t first_ns, int64_t now_ns);
 
 /* Passes on to standard error what the processes say. */

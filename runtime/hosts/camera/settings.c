@@ -10,6 +10,7 @@ const struct frob_setting camera_settings[CAMERA_SETTING_COUNT] = {
     { "grey", 0, 0, 1, "1: frames without colours; of raw frames, a byte a pixel" },
     { "rate", 30, 0.1, 200, "Hz, of pictures in files; what a device is asked for" },
     { "latency", 0, 0, 10, "s from a frame's exposure until it comes here" },
+    { "pair_within", NAN, 0, 10, "s: of left and right, how far apart a pair may be; 0.6 periods" },
     { "frozen", 1, 0, 3600, "s with the same frame after which it is none any more; 0: never" },
     { "field_of_view_deg", 60, 1, 175, "from side to side" },
     { "focal_x", NAN, 1, 1e6, "pixels, as calibration has it, instead of the field of view" },

@@ -107,7 +107,7 @@ Wrong options are told before anything moves.
   $ see 1 pictures --set camera.width=64; cat messages
   error: of camera `camera` set both width and height, or none
   $ see 1 pictures --set camera.tilt=3; cat messages
-  error: `tilt=3` is no setting of a camera; write camera.NAME=VALUE with one of: width, height, grey, rate, latency, frozen, field_of_view_deg, focal_x, focal_y, centre_x, centre_y, k1, k2, k3, p1, p2, ahead, left, up, yaw_deg, pitch_deg, roll_deg
+  error: `tilt=3` is no setting of a camera; write camera.NAME=VALUE with one of: width, height, grey, rate, latency, pair_within, frozen, field_of_view_deg, focal_x, focal_y, centre_x, centre_y, k1, k2, k3, p1, p2, ahead, left, up, yaw_deg, pitch_deg, roll_deg
   $ see 1 pictures --set camera.width=4000 --set camera.height=4000; cat messages
   error: camera `camera`: there is room for frames of 1920 x 1200 pixels, and not 4000 x 4000
   $ frobc run sees.frob --robot pioneer --camera pictures

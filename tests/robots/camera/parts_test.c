@@ -1,9 +1,11 @@
 /* The parts of a real camera that do no I/O: how a stream is cut into frames, whatever comes in
  * it and in whatever pieces, and what becomes of a frame. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "../drivers/check.h"
@@ -11,6 +13,7 @@
 #include "hosts/camera/buffers.h"
 #include "hosts/camera/chunks.h"
 #include "hosts/camera/decode.h"
+#include "hosts/camera/pair.h"
 #include "hosts/camera/splitter.h"
 #include "hosts/camera/yuyv.h"
 
@@ -258,6 +261,124 @@ static void test_buffers(void)
     buffers_free(b);
 }
 
+static void publish(struct buffers *b, uint32_t number, int64_t captured_ns)
+{
+    struct captured *frame = buffers_back(b);
+    frame->number = number;
+    frame->captured_ns = captured_ns;
+    buffers_publish(b);
+}
+
+/* Two cameras on a clock of milliseconds: the left one's frames have such a period, the right one's
+ * another; these are so late, and come here so much later. The program looks each `instant`. For ten
+ * seconds; how many pairs it is given. */
+struct two {
+    int period, other_period, late, delay, instant;
+    double within_s;
+};
+
+static uint32_t pairs_of(const struct two *two)
+{
+    enum { WHILE = 10000, MS = 1000000 };
+    struct buffers *both[2] = { buffers_make(), buffers_make() };
+    int64_t before[2] = { -1, -1 };
+    struct pair p;
+    uint32_t taken = 0;
+    pair_init(&p, 1.0 / 30, two->within_s);
+    for (int now = 0; now < WHILE; now++) {
+        const int there = now - two->late - two->delay;
+        const struct captured *frames[2];
+        if (now % two->period == 0)
+            publish(both[0], (uint32_t)(now / two->period), (int64_t)now * MS);
+        if (there >= 0 && there % two->other_period == 0)
+            publish(both[1], (uint32_t)(there / two->other_period), (int64_t)(now - two->delay) * MS);
+        if (now % two->instant != 0 || !pair_take(&p, both, frames))
+            continue;
+        taken++;
+        for (int i = 0; i < 2; i++) {
+            CHECK(frames[i]->captured_ns > before[i]);
+            before[i] = frames[i]->captured_ns;
+        }
+        CHECK(llabs(before[0] - before[1]) <= pair_most_ns(&p));
+    }
+    CHECK(p.count == taken);
+    buffers_free(both[0]);
+    buffers_free(both[1]);
+    return taken;
+}
+
+/* Wherever one camera's frames lie between the other's, and however often the program looks, it has
+ * a pair for almost each frame of the slower camera, or at each instant if these are rarer. */
+static void test_pairs(void)
+{
+    static const int instants[] = { 1, 10, 20, 50, 100, 400 };
+    struct two two = { 32, 32, 0, 0, 0, NAN };
+    for (size_t i = 0; i < sizeof instants / sizeof *instants; i++)
+        for (two.late = 0; two.late < two.period; two.late += 3) {
+            const int rarer = instants[i] > two.period ? instants[i] : two.period;
+            two.instant = instants[i];
+            CHECK(pairs_of(&two) >= (uint32_t)(10000 / rarer - 3));
+        }
+    {
+        const struct two slower = { 33, 100, 13, 0, 20, NAN }, slow = { 200, 200, 90, 0, 20, NAN };
+        const struct two delayed = { 33, 33, 5, 60, 10, NAN }, strict = { 32, 32, 7, 0, 10, 0.006 };
+        const struct two close = { 32, 32, 5, 0, 10, 0.006 }, lost = { 33, 33, 5, 150, 10, NAN };
+        CHECK(pairs_of(&slower) >= 10000 / 100 - 3);
+        CHECK(pairs_of(&slow) >= 10000 / 200 - 30); /* that they are slow has to be learned */
+        CHECK(pairs_of(&delayed) >= 10000 / 33 - 5);
+        CHECK(pairs_of(&strict) == 0);
+        CHECK(pairs_of(&close) >= 10000 / 32 - 3);
+        CHECK(pairs_of(&lost) == 0); /* the left one's have been replaced by then */
+    }
+}
+
+static int64_t clock_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (int64_t)now.tv_sec % 100000 * 1000000000 + now.tv_nsec;
+}
+
+/* Of two writers whose frames have each the other's of its time. */
+static void test_pairs_of_processes(void)
+{
+    struct buffers *both[2] = { buffers_make(), buffers_make() };
+    pid_t writers[2];
+    struct pair p;
+    const struct captured *frames[2];
+    const int64_t until = clock_ns() + 60 * INT64_C(1000000000);
+    int64_t before = -1;
+    int pairs = 0;
+    pair_init(&p, 3e-3, 1e-3);
+    for (int i = 0; i < 2; i++) {
+        writers[i] = fork();
+        if (writers[i] == 0) {
+            for (uint32_t last = 0;;) {
+                const uint32_t k = (uint32_t)(clock_ns() / 3000000);
+                if (k > last) {
+                    publish(both[i], k, (int64_t)k * 3000000);
+                    last = k;
+                }
+                usleep(200);
+            }
+        }
+    }
+    while (pairs < 100 && clock_ns() < until)
+        if (pair_take(&p, both, frames)) {
+            CHECK(frames[0]->number == frames[1]->number);
+            CHECK(frames[0]->captured_ns == frames[1]->captured_ns);
+            CHECK(frames[0]->captured_ns > before);
+            before = frames[0]->captured_ns;
+            pairs++;
+        }
+    CHECK(pairs == 100);
+    for (int i = 0; i < 2; i++) {
+        kill(writers[i], SIGKILL);
+        waitpid(writers[i], NULL, 0);
+        buffers_free(both[i]);
+    }
+}
+
 /* Frames with bytes changed, cut or doubled, through all of it, under sanitizers: there is a frame
  * or there is none. */
 static void test_damage(const uint8_t *jpeg, size_t size)
@@ -324,7 +445,11 @@ int main(int argc, char **argv)
     test_addresses();
     done("addresses and answers");
     test_buffers();
-    done("three buffers between processes");
+    done("frames between processes");
+    test_pairs();
+    done("frames of two cameras are paired");
+    test_pairs_of_processes();
+    done("pairs between processes");
     test_truncated(jpeg, size);
     done("a JPEG that is cut is none");
     test_damage(jpeg, size);
