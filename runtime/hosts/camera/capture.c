@@ -27,7 +27,7 @@ struct capture {
     struct source source;
     bool is_open;
     int64_t opened_ns, frame_ns; /* when it was opened; the last good frame; 0: none */
-    int64_t period_ns;           /* between the last two */
+    int64_t period_ns;           /* between frames, where none is missing; 0: not known */
     int64_t same_ns;             /* since when frames have been the same */
     int32_t width, height;       /* of all frames; 0: of the first one yet to come */
     enum frob_image_format format;
@@ -61,6 +61,16 @@ static void complain(struct capture *c, const char *text)
 {
     if (c->frame_ns == 0 || source_now_ns() - c->frame_ns > patience_ns(c))
         report(c, CAPTURE_FAILS, text);
+}
+
+/* What is between two frames where nothing is amiss. It gets shorter at once and longer slowly: a
+ * few that stay away are no slow camera, and must not make for more patience with the next. */
+static void take_period(struct capture *c, int64_t since_ns)
+{
+    if (c->period_ns == 0 || since_ns < c->period_ns)
+        c->period_ns = since_ns;
+    else
+        c->period_ns += (since_ns - c->period_ns) / 8;
 }
 
 static bool is_silent(const struct capture *c)
@@ -176,7 +186,8 @@ static void got_frame(struct capture *c, struct captured *frame)
     describe(c, frame, text);
     c->number++;
     buffers_publish(c->buffers);
-    c->period_ns = c->frame_ns != 0 && now - c->frame_ns < 10 * SILENT_NS ? now - c->frame_ns : 0;
+    if (c->frame_ns != 0 && c->told.state == CAPTURE_WORKS)
+        take_period(c, now - c->frame_ns);
     c->frame_ns = now;
     c->source.fault[0] = '\0';
     report(c, CAPTURE_WORKS, text);
