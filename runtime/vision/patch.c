@@ -23,6 +23,16 @@ static int32_t column_of(double x, int32_t most)
     return !(x > 0) ? 0 : x >= most ? most : (int32_t)x;
 }
 
+/* From which column (or row) on, and how many, within the room: of a larger part what is in its
+ * middle, where the patch is looked for first. */
+static void take_part(double place, double around, int32_t size, int32_t *from, int32_t *count)
+{
+    const double most = ROOM_SIDE / 2 - 1, reach = around < most ? around : most;
+
+    *from = column_of(place - reach, size - 1);
+    *count = column_of(place + reach, size - 1) + 1 - *from;
+}
+
 bool frob_greys_around(struct frob_greys *greys, const struct frob_image *image,
                        const struct frob_placement *place, double reach)
 {
@@ -40,16 +50,10 @@ bool frob_greys_around(struct frob_greys *greys, const struct frob_image *image,
         greys->stride = image->stride;
         return true;
     }
-    greys->left = column_of(place->x - around, image->width - 1);
-    greys->top = column_of(place->y - around, image->height - 1);
-    greys->width = column_of(place->x + around, image->width - 1) + 1 - greys->left;
-    greys->height = column_of(place->y + around, image->height - 1) + 1 - greys->top;
+    take_part(place->x, around, image->width, &greys->left, &greys->width);
+    take_part(place->y, around, image->height, &greys->top, &greys->height);
     greys->pixels = greys->room;
     greys->stride = ROOM_SIDE;
-    if (greys->width > ROOM_SIDE || greys->height > ROOM_SIDE) {
-        greys->width = greys->height = 0;
-        return true;
-    }
     for (int32_t y = 0; y < greys->height; y++) {
         uint8_t *room = greys->room + y * ROOM_SIDE;
         (void)frob_grey_row(image, greys->top + y, greys->left, greys->left + greys->width, room);

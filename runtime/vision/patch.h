@@ -8,7 +8,7 @@
  * is made for places around one. */
 struct frob_greys {
     const struct frob_image *image;
-    int32_t left, top, width, height; /* of what is there as bytes; no width: nothing is */
+    int32_t left, top, width, height; /* of what is there as bytes */
     const uint8_t *pixels;
     ptrdiff_t stride;
     uint8_t room[160 * 160];
