@@ -8,7 +8,7 @@ What the examples promise of themselves holds, on each robot that they are for.
   ok    drives into the dock: 10 seeds, 40 s
   ok    docks within 2 cm and 2 degrees: 20 seeds, 35 s
   ok    goes on and on: 3 seeds, 300 s
-  ok    goes after the ball and touches nothing: 2 seeds, 45 s
+  ok    keeps a metre behind the ball, and touches nothing: 2 seeds, 45 s
   ok    holds its course, and stops before the wall: 10 seeds, 25 s
   ok    follows the tape round: 2 seeds, 60 s
   ok    follows the tape three times round: 3 seeds, 220 s
