@@ -22,8 +22,9 @@ MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \
 
 # What only `make bench` needs, and what other tools it compares with, where they
 # can be had.
-BENCH_PACKAGES = valgrind gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
-COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev
+BENCH_PACKAGES = valgrind gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
+  libapriltag-dev libturbojpeg0 python3
+COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev python3-opencv python3-numpy python3-pip
 
 # What only `make site` and `make pictures` need; mkdocs itself comes from PyPI, see
 # docs/site/requirements.txt.
@@ -33,8 +34,8 @@ PICTURE_PACKAGES = imagemagick chromium chromium-driver fonts-dejavu-core python
 # What only `make deb` needs.
 DEB_PACKAGES = dpkg-dev lintian
 
-# What only `make stereo` needs.
-STEREO_PACKAGES = python3-opencv python3-numpy python3-pip
+# What only `make photographs` needs; it takes pictures from three packages besides.
+PHOTOGRAPH_PACKAGES = python3-opencv python3-numpy python3-pip libapriltag-dev
 
 # What only `make prove` needs; the second does without the first where Debian has none, as 13.
 ANALYSIS_PACKAGES = frama-c-base
@@ -91,7 +92,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt falsify mcap wheel python slurm
+.PHONY: all setup run test test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install deb clean rtamt falsify mcap wheel python slurm
 
 all: setup
 	dune build @install
@@ -256,11 +257,11 @@ bench: all
 	-@sh tests/setup.sh $(COMPARED_PACKAGES)
 	@sh tests/generated/bench/run.sh
 
-# Stereo beside OpenCV's, on a pair of pictures whose disparities are known, from the
-# package scikit-image, which is fetched from PyPI, and not installed.
-stereo: setup
-	@sh tests/setup.sh $(STEREO_PACKAGES)
-	@sh tests/generated/bench/vision/stereo.sh _build/stereo
+# The kernels of vision on photographs, beside OpenCV and what is known of what is on them: from
+# scikit-image (PyPI), opencv-doc and visp-images-data (Debian), fetched, and not installed.
+photographs: setup
+	@sh tests/setup.sh $(PHOTOGRAPH_PACKAGES)
+	@sh tests/generated/photographs/run.sh _build/photographs
 
 install: setup
 	dune build -p frobc @install

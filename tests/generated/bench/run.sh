@@ -19,6 +19,13 @@ mkdir -p "$out"
     sh tests/generated/bench/view/run.sh "$out"
     sh tests/generated/bench/vision/run.sh "$out"
     sh tests/generated/bench/vision/camera.sh "$out"
+    sh tests/generated/bench/vision/frames.sh "$out"
+    sh tests/generated/bench/vision/share.sh "$out"
+    python3 tests/generated/bench/vision/truth.py _build/install/default/bin/frobc "$out/truth"
+    if /usr/bin/python3 -c 'import cv2' 2>/dev/null; then
+        sh tests/generated/photographs/run.sh _build/photographs >"$out/photographs" || true
+        cat _build/photographs/lines
+    fi
     sh tests/generated/bench/lsp/run.sh "$out"
     sh tests/generated/bench/python/run.sh
 } >"$out/lines"
