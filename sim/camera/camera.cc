@@ -4,93 +4,22 @@
 #include <cmath>
 #include <utility>
 
-#include "wide.h"
-
 namespace frob::sim {
 namespace {
 
-// Streams of noise, apart from those of the robot's other sensors.
-constexpr std::uint64_t timing_stream = 1u << 16, frame_stream = std::uint64_t{1} << 32;
-
-constexpr double strongest = 1e6; // exposure and noise: all is white then, or as likely black
+// The stream of noise, apart from those of the robot's other sensors.
+constexpr std::uint64_t timing_stream = 1u << 16;
 
 constexpr std::size_t most_waiting = 64; // frames on their way; the oldest are lost
 
 std::int64_t nanoseconds(double s) { return static_cast<std::int64_t>(std::floor(s * 1e9 + 0.5)); }
 
-// The steps from light to numbers, of a row each: simple loops, of which compilers make wide ones.
-
-FROB_WIDE void take_colours(const Raster::Single *light, double gain, double *__restrict to,
-                            std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        to[3 * i] = gain * static_cast<double>(light[i].red);
-        to[3 * i + 1] = gain * static_cast<double>(light[i].green);
-        to[3 * i + 2] = gain * static_cast<double>(light[i].blue);
-    }
-}
-
-FROB_WIDE void take_grey(const Raster::Single *light, double gain, double *__restrict to,
-                         std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i)
-        to[i] = (77 * (gain * static_cast<double>(light[i].red)) +
-                 150 * (gain * static_cast<double>(light[i].green)) +
-                 29 * (gain * static_cast<double>(light[i].blue))) /
-                256;
-}
-
-// Of each part of a pixel the sum of three numbers of seven bits: mean 190.5, standard deviation
-// 63.998, nearly normal, out to three deviations. All parts are summed at once, as none has a sum
-// that reaches into the next one's 21 bits.
-void take_grains(std::uint64_t bits, std::int32_t *to, std::size_t parts) {
-    constexpr std::uint64_t sevens = 127u | std::uint64_t{127} << 21 | std::uint64_t{127} << 42;
-    std::uint64_t sums = (bits & sevens) + (bits >> 7 & sevens) + (bits >> 14 & sevens);
-    for (std::size_t i = 0; i < parts; ++i, sums >>= 21) to[i] = static_cast<int>(sums & 511u);
-}
-
-FROB_WIDE void add_noise(const std::int32_t *grains, double noise, double *__restrict to,
-                         std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i)
-        to[i] += noise * ((grains[i] - 190.5) * (1.0 / 63.998));
-}
-
-// What is too bright, or darker than black, is as far as a number goes; no light is so strong
-// that an int has no room for it (strongest).
-FROB_WIDE void round(const double *from, std::uint8_t *__restrict to, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const int level = static_cast<int>(from[i] + 0.5);
-        to[i] = static_cast<std::uint8_t>(level < 0 ? 0 : level > 255 ? 255 : level);
-    }
-}
-
-// A mean's share of each pixel up to `radius` away of which there are `count`, around number i.
-float share_of(int i, int count, int radius) {
-    const int first = std::max(0, i - radius), last = std::min(count - 1, i + radius);
-    return 1.0f / static_cast<float>(last - first + 1);
-}
-
-FROB_WIDE void add(const Raster::Single *from, Raster::Single *__restrict to, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        to[i].red += from[i].red;
-        to[i].green += from[i].green;
-        to[i].blue += from[i].blue;
-    }
-}
-
-FROB_WIDE void scale(const Raster::Single *from, const float *share, Raster::Single *__restrict to,
-                     std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        to[i].red = share[i] * from[i].red;
-        to[i].green = share[i] * from[i].green;
-        to[i].blue = share[i] * from[i].blue;
-    }
-}
-
 } // namespace
 
 Camera::Camera(const CameraSettings &settings, const Chassis &chassis, const Scenery &scenery,
                std::size_t robot, std::uint64_t seed, std::uint64_t trigger)
-    : settings_(settings), scenery_(scenery), robot_(robot), seed_(seed),
-      timing_(trigger, timing_stream) {
+    : settings_(settings), scenery_(scenery), robot_(robot), timing_(trigger, timing_stream),
+      film_(settings, seed) {
     const Vec half = exact_direction(settings.field_of_view / 2);
     geometry_.focal_x = geometry_.focal_y = settings.width / 2.0 * half.x / half.y;
     geometry_.centre_x = (settings.width - 1) / 2.0;
@@ -105,6 +34,8 @@ Camera::Camera(const CameraSettings &settings, const Chassis &chassis, const Sce
     geometry_.roll_rad = settings.roll;
     shift(settings.aside);
     make_lens_map();
+    raster_.emplace(settings.width + 2 * margin_x_);
+    light_.resize(3 * static_cast<std::size_t>(settings.width));
 }
 
 // Along its rows, to the left: (0, 1, 0) turned by Rz(yaw) Ry(pitch) Rx(roll).
@@ -160,7 +91,14 @@ const frob_image *Camera::newest(std::int64_t now_ns) {
     const Exposure exposure = std::move(waiting_[arrived - 1]);
     waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(arrived));
     draw(exposure);
-    develop(exposure);
+    image_.width = settings_.width;
+    image_.height = settings_.height;
+    image_.stride = settings_.width * (settings_.grey ? 1 : 3);
+    image_.format = settings_.grey ? FROB_GREY8 : FROB_RGB8;
+    image_.pixels = film_.pixels();
+    image_.captured_ns = exposure.taken_ns;
+    image_.number = exposure.number;
+    image_.camera = geometry_;
     return &image_;
 }
 
@@ -193,91 +131,37 @@ Pinhole Camera::eye_of(const Pose &robot) const {
 }
 
 void Camera::draw(const Exposure &exposure) {
-    raster_.start(eye_of(exposure.moment->robots[robot_]));
-    scenery_.draw(raster_, *exposure.moment, robot_);
-    if (lens_map_.empty()) {
-        raster_.give_tints(light_);
-        return blur();
-    }
-    light_.clear();
-    for (const Vec &p : lens_map_) {
-        const int x = static_cast<int>(p.x), y = static_cast<int>(p.y);
-        const float right = static_cast<float>(p.x - x), low = static_cast<float>(p.y - y);
-        const auto mean = [&](float Raster::Single::*part) {
-            const float top = raster_.tint(x, y).*part, bottom = raster_.tint(x, y + 1).*part;
-            const float above = top + right * (raster_.tint(x + 1, y).*part - top);
-            const float below = bottom + right * (raster_.tint(x + 1, y + 1).*part - bottom);
-            return above + low * (below - above);
-        };
-        light_.push_back({mean(&Raster::Single::red), mean(&Raster::Single::green),
-                          mean(&Raster::Single::blue)});
-    }
-    blur();
-}
-
-// Means over squares, along rows and then along columns; at the rim of what is there. Sums go from
-// one end to the other, of many pixels side by side.
-void Camera::blur() {
-    const int radius = static_cast<int>(settings_.blur);
-    if (radius == 0) return;
-    const auto width = static_cast<std::size_t>(settings_.width);
-    std::vector<Raster::Single> sums(width);
-    std::vector<float> shares(width);
-    for (int x = 0; x < settings_.width; ++x)
-        shares[static_cast<std::size_t>(x)] = share_of(x, settings_.width, radius);
-    blurred_.resize(light_.size());
-    for (std::size_t at = 0; at < light_.size(); at += width) {
-        std::fill(sums.begin(), sums.end(), Raster::Single{0.0f, 0.0f, 0.0f});
-        for (int by = -radius; by <= radius; ++by) {
-            const auto before = static_cast<std::size_t>(std::max(0, -by));
-            const auto after = static_cast<std::size_t>(std::max(0, by));
-            if (before + after < width)
-                add(&light_[at] + after, sums.data() + before, width - before - after);
-        }
-        scale(sums.data(), shares.data(), &blurred_[at], width);
-    }
+    raster_->start(eye_of(exposure.moment->robots[robot_]));
+    scenery_.draw(*raster_, *exposure.moment, robot_);
+    film_.start(exposure.number);
+    if (!lens_map_.empty()) return draw_distorted();
     for (int y = 0; y < settings_.height; ++y) {
-        std::fill(sums.begin(), sums.end(), Raster::Single{0.0f, 0.0f, 0.0f});
-        const int first = std::max(0, y - radius);
-        const int last = std::min(settings_.height - 1, y + radius);
-        for (int k = first; k <= last; ++k)
-            add(&blurred_[static_cast<std::size_t>(k) * width], sums.data(), width);
-        std::fill(shares.begin(), shares.end(), share_of(y, settings_.height, radius));
-        scale(sums.data(), shares.data(), &light_[static_cast<std::size_t>(y) * width], width);
+        raster_->row(y, light_.data());
+        film_.expose(light_.data());
     }
 }
 
-// From light to numbers: value = 255 exposure light + noise n, n normal.
-void Camera::develop(const Exposure &exposure) {
-    const double gain = 255.0 * std::min(settings_.exposure, strongest);
-    const double noise = std::min(settings_.noise, strongest);
-    const std::size_t parts = settings_.grey ? 1 : 3;
-    const auto width = static_cast<std::size_t>(settings_.width), row = parts * width;
-    Noise random(seed_, frame_stream + exposure.number);
-    std::vector<double> values(row);
-    std::vector<std::int32_t> grains(row);
-    pixels_.resize(parts * light_.size());
-    for (std::size_t y = 0; y * width < light_.size(); ++y) {
-        const Raster::Single *light = &light_[y * width];
-        if (settings_.grey)
-            take_grey(light, gain, values.data(), width);
-        else
-            take_colours(light, gain, values.data(), width);
-        if (noise > 0.0) {
-            for (std::size_t x = 0; x < width; ++x)
-                take_grains(random.bits(), &grains[parts * x], parts);
-            add_noise(grains.data(), noise, values.data(), row);
+// Each pixel is between four of what the lens would show without distortion.
+void Camera::draw_distorted() {
+    const std::size_t row = 3 * static_cast<std::size_t>(raster_->eye().width);
+    straight_.resize(row * static_cast<std::size_t>(raster_->eye().height));
+    for (int y = 0; y < raster_->eye().height; ++y)
+        raster_->row(y, &straight_[row * static_cast<std::size_t>(y)]);
+    const Vec *p = lens_map_.data();
+    for (int y = 0; y < settings_.height; ++y) {
+        for (std::size_t i = 0; i < light_.size(); i += 3, ++p) {
+            const auto left = static_cast<std::size_t>(p->x), top = static_cast<std::size_t>(p->y);
+            const float right_share = static_cast<float>(p->x - static_cast<double>(left));
+            const float low_share = static_cast<float>(p->y - static_cast<double>(top));
+            const float *high = &straight_[row * top + 3 * left], *low = high + row;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const float above = high[k] + right_share * (high[k + 3] - high[k]);
+                const float below = low[k] + right_share * (low[k + 3] - low[k]);
+                light_[i + k] = above + low_share * (below - above);
+            }
         }
-        round(values.data(), &pixels_[y * row], row);
+        film_.expose(light_.data());
     }
-    image_.width = settings_.width;
-    image_.height = settings_.height;
-    image_.stride = settings_.width * (settings_.grey ? 1 : 3);
-    image_.format = settings_.grey ? FROB_GREY8 : FROB_RGB8;
-    image_.pixels = pixels_.data();
-    image_.captured_ns = exposure.taken_ns;
-    image_.number = exposure.number;
-    image_.camera = geometry_;
 }
 
 } // namespace frob::sim

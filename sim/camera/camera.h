@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <frob/image.h>
 
+#include "film.h"
 #include "noise.h"
 #include "scenery.h"
 
@@ -44,25 +46,23 @@ class Camera {
     Pinhole eye_of(const Pose &robot) const;
     void shift(double aside);
     void make_lens_map();
-    void blur();
-    void develop(const Exposure &exposure);
+    void draw_distorted();
 
     CameraSettings settings_;
     const Scenery &scenery_;
     std::size_t robot_;
-    std::uint64_t seed_;
     Noise timing_;
     frob_camera geometry_{};
     std::int64_t due_ns_ = 0;
     std::uint32_t next_ = 0; // the number of the next frame
     std::deque<Exposure> waiting_;
 
-    Raster raster_;
+    std::optional<Raster> raster_;
     int margin_x_ = 0, margin_y_ = 0;      // of the raster around the picture, with distortion
     std::vector<Vec> lens_map_;            // for each pixel where it is in the raster, likewise
-    std::vector<Raster::Single> light_;    // what falls on each pixel
-    std::vector<Raster::Single> blurred_;  // that, on its way
-    std::vector<std::uint8_t> pixels_;
+    std::vector<float> straight_;          // the light of all of the raster, likewise
+    std::vector<float> light_;             // of a row: red, green, blue of each pixel
+    Film film_;
     frob_image image_{};
 };
 

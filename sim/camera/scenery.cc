@@ -2,18 +2,13 @@
 
 #include <algorithm>
 
-#include "texture.h"
 #include "triangulate.h"
 
 namespace frob::sim {
 namespace {
 
-const Point sun = unit({0.45, 0.30, 0.84}); // where most of the light comes from
-constexpr double shadow = 0.62;             // of what faces away from it
-constexpr int round = 24;                   // sides of what is round
-constexpr double lifted = 0.004;            // m: a poster from its wall
-
-double light_on(Point normal) { return shadow + (1.0 - shadow) * std::max(0.0, dot(normal, sun)); }
+constexpr int round = 24;        // sides of what is round
+constexpr double lifted = 0.004; // m: a poster from its wall
 
 std::vector<Vec> ring(Vec middle, double radius) {
     std::vector<Vec> outline;
@@ -44,7 +39,8 @@ std::vector<Point> raised(const std::vector<Vec> &outline, double z) {
 void Scenery::add_side(std::vector<Side> &sides, std::vector<Point> corners, const Look &look) {
     const Point normal = unit(cross(corners[1] - corners[0], corners[2] - corners[0]));
     const Point along = unit(corners[1] - corners[0]), across = cross(normal, along);
-    sides.push_back({std::move(corners), normal, along, across, &look, light_on(normal)});
+    sides.push_back({std::move(corners), normal, {{}, along, across},
+                     {light_on(normal) * look.tint, look.texture}});
 }
 
 void Scenery::add_prism(std::vector<Side> &sides, const std::vector<Vec> &outline,
@@ -67,7 +63,7 @@ void Scenery::add_cone(std::vector<Side> &sides, const Cone &cone) {
                  cone.look);
     // Its stripes go round it.
     for (std::size_t i = sides.size() - foot.size(); i < sides.size(); ++i)
-        sides[i].across = {0.0, 0.0, 1.0};
+        sides[i].chart.across = {0.0, 0.0, 1.0};
 }
 
 void Scenery::add_wall(const Wall &wall) {
@@ -82,14 +78,12 @@ void Scenery::add_wall(const Wall &wall) {
     }
 }
 
-const Look &Scenery::floor_look(double reflectance, const std::optional<Tint> &tint) {
-    looks_.push_back(std::make_unique<Look>(
-        Look{tint ? *tint : reflectance * scene_.floor.tint, scene_.floor.texture, 0.0}));
-    return *looks_.back();
+Look Scenery::floor_look(double reflectance, const std::optional<Tint> &tint) const {
+    return {tint ? *tint : reflectance * scene_.floor.tint, scene_.floor.texture, 0.0};
 }
 
 void Scenery::add_tape(const Tape &tape) {
-    const Look &look = floor_look(tape.reflectance, tape.tint);
+    const Look look = floor_look(tape.reflectance, tape.tint);
     const std::size_t n = tape.points.size();
     for (std::size_t i = 0; i + (tape.closed ? 0 : 1) < n; ++i) {
         const Vec a = tape.points[i], b = tape.points[(i + 1) % n];
@@ -135,21 +129,9 @@ Scenery::Scenery(const Scene &scene, const Chassis &chassis)
 }
 
 void Scenery::draw(Raster &raster, const Side &side, bool lies_below) {
-    const Patterns &patterns = Patterns::all();
-    const double grain = 1.0 / raster.eye().focal;
-    const Look &look = *side.look;
     // Only what faces the camera is seen.
-    if (dot(side.normal, raster.eye().origin - side.corners[0]) <= 0.0) return;
-    patterns.with(look.texture, [&](const auto &brightness) {
-        raster.polygon(
-            side.corners,
-            [&](Point place, double depth) {
-                return side.light * brightness(dot(place, side.along), dot(place, side.across),
-                                               grain * depth) *
-                       look.tint;
-            },
-            lies_below);
-    });
+    if (dot(side.normal, raster.eye().origin - side.corners[0]) > 0.0)
+        raster.polygon(side.corners, side.chart, side.finish, lies_below);
 }
 
 void Scenery::draw_moving(Raster &raster, const Moment &moment, std::size_t robot) const {
@@ -166,13 +148,13 @@ void Scenery::draw_moving(Raster &raster, const Moment &moment, std::size_t robo
     for (const Side &side : sides) draw(raster, side, false);
     for (std::size_t i = 0; i < moment.balls.size(); ++i) {
         const Ball &ball = scene_.balls[i];
-        raster.sphere(at_height(moment.balls[i], ball.radius), ball.radius,
-                      [&](Point, Point normal) { return light_on(normal) * ball.tint; });
+        raster.ball(at_height(moment.balls[i], ball.radius), ball.radius, ball.tint);
     }
 }
 
 void Scenery::draw(Raster &raster, const Moment &moment, std::size_t robot) const {
     const Pinhole &eye = raster.eye();
+    raster.sky(scene_.sky.tint);
     draw_moving(raster, moment, robot);
     for (const Poster &poster : scene_.posters) {
         // Who looks at it has its right side where it has its left hand.
@@ -183,28 +165,18 @@ void Scenery::draw(Raster &raster, const Moment &moment, std::size_t robot) cons
         const Point corner = at_height(at, poster.middle + poster.size.y / 2) -
                              0.5 * poster.size.x * right; // the upper left one, as it is seen
         const Point across = poster.size.x * right, down = {0.0, 0.0, -poster.size.y};
-        const double light = light_on(at_height(facing, 0.0));
-        const double grain = 1.0 / (eye.focal * poster.size.x);
+        Finish finish;
+        finish.print = &poster.print;
+        finish.light = light_on(at_height(facing, 0.0));
+        finish.width = poster.size.x;
         raster.polygon({corner, corner + down, corner + down + across, corner + across},
-                       [&](Point place, double depth) {
-                           const Point p = place - corner;
-                           return light * poster.print.at(dot(p, right) / poster.size.x,
-                                                          -p.z / poster.size.y, grain * depth);
-                       });
+                       {corner, (1.0 / poster.size.x) * right, {0.0, 0.0, -1.0 / poster.size.y}},
+                       finish);
     }
     for (const Side &side : fixed_) draw(raster, side, false);
     for (const Side &side : lying_) draw(raster, side, true);
-    const Patterns &patterns = Patterns::all();
-    const Tint floor = light_on({0.0, 0.0, 1.0}) * (scene_.floor.reflectance * scene_.floor.tint);
-    patterns.with(scene_.floor.texture, [&](const auto &brightness) {
-        raster.background([&](int x, int y) {
-            const Point ray = raster.ray(x, y);
-            if (ray.z >= 0.0) return scene_.sky.tint;
-            const double depth = -eye.origin.z / ray.z;
-            const Point place = eye.origin + depth * ray;
-            return brightness(place.x, place.y, depth / eye.focal) * floor;
-        });
-    });
+    raster.floor({light_on({0.0, 0.0, 1.0}) * (scene_.floor.reflectance * scene_.floor.tint),
+                  scene_.floor.texture});
 }
 
 } // namespace frob::sim

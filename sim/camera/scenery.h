@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "chassis.h"
@@ -28,13 +28,13 @@ class Scenery {
     void draw(Raster &raster, const Moment &moment, std::size_t robot) const;
 
   private:
-    // A flat side of something, and how it is lit. Its pattern begins at the world's origin, so
-    // that it goes on from side to side of a wall.
+    // A flat side of something. Its pattern begins at the world's origin, so that it goes on from
+    // side to side of a wall.
     struct Side {
         std::vector<Point> corners; // counter-clockwise, as it is seen
-        Point normal, along, across;
-        const Look *look;
-        double light;
+        Point normal;
+        Chart chart;
+        Finish finish;
     };
 
     static void draw(Raster &raster, const Side &side, bool lies_below);
@@ -47,14 +47,13 @@ class Scenery {
     void draw_moving(Raster &raster, const Moment &moment, std::size_t robot) const;
 
     // Of a floor of its tint and pattern, where it gives back this share of the light.
-    const Look &floor_look(double reflectance, const std::optional<Tint> &tint);
+    Look floor_look(double reflectance, const std::optional<Tint> &tint) const;
 
     const Scene &scene_;
     const Chassis &chassis_;
     Look robot_;
     std::vector<Side> fixed_;
     std::vector<Side> lying_; // on the floor, what lies on top first
-    std::vector<std::unique_ptr<Look>> looks_;
 };
 
 } // namespace frob::sim

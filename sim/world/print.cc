@@ -43,28 +43,26 @@ int next_number(const std::string &text, std::size_t &at) {
     return at > start ? number : -1;
 }
 
-Tint mean(Tint a, Tint b, double share) {
-    return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
-            a.blue + share * (b.blue - a.blue)};
-}
-
 } // namespace
 
 Print::Print(int width, int height, const std::vector<std::uint8_t> &pixels) {
     Level first{width, height, {}};
     for (std::size_t i = 0; i + 2 < pixels.size(); i += 3)
-        first.pixels.push_back({pixels[i] / 255.0, pixels[i + 1] / 255.0, pixels[i + 2] / 255.0});
+        first.pixels.push_back({static_cast<float>(pixels[i]) / 255.0f,
+                                static_cast<float>(pixels[i + 1]) / 255.0f,
+                                static_cast<float>(pixels[i + 2]) / 255.0f});
     levels_.push_back(std::move(first));
     while (levels_.back().width > 1 && levels_.back().height > 1) {
         const Level &finer = levels_.back();
         Level level{finer.width / 2, finer.height / 2, {}};
         for (int y = 0; y < level.height; ++y) {
             for (int x = 0; x < level.width; ++x) {
-                const auto at = [&](int i, int j) {
-                    return finer.pixels[static_cast<std::size_t>((2 * y + j) * finer.width + 2 * x + i)];
-                };
-                level.pixels.push_back(
-                    mean(mean(at(0, 0), at(1, 0), 0.5), mean(at(0, 1), at(1, 1), 0.5), 0.5));
+                const auto *high = &finer.pixels[static_cast<std::size_t>(2 * y * finer.width + 2 * x)];
+                const auto *low = high + finer.width;
+                std::array<float, 3> mean;
+                for (std::size_t k = 0; k < 3; ++k)
+                    mean[k] = 0.25f * ((high[0][k] + high[1][k]) + (low[0][k] + low[1][k]));
+                level.pixels.push_back(mean);
             }
         }
         levels_.push_back(std::move(level));
@@ -103,19 +101,33 @@ Print Print::tag(int id) {
     return {10 * cell, 10 * cell, pixels};
 }
 
-Tint Print::at(double x, double y, double grain) const {
-    std::size_t level = 0;
-    while (level + 1 < levels_.size() && grain * levels_[level].width > 1.5) ++level;
-    const Level &l = levels_[level];
-    const double px = std::clamp(x * l.width - 0.5, 0.0, l.width - 1.0);
-    const double py = std::clamp(y * l.height - 0.5, 0.0, l.height - 1.0);
-    const int i = static_cast<int>(px), j = static_cast<int>(py);
-    const auto pixel = [&](int a, int b) {
-        return l.pixels[static_cast<std::size_t>(std::min(b, l.height - 1) * l.width +
-                                                 std::min(a, l.width - 1))];
+// Between the middles of four pixels, of the first level whose pixels are not much finer than those
+// that see them.
+void Print::colours(int count, const float *x, const float *y, const float *per_width, float light,
+                    float *to) const {
+    std::size_t number = 0;
+    const auto is_too_fine = [&](std::size_t level, float pixels) {
+        return level + 1 < levels_.size() && static_cast<float>(levels_[level].width) > 1.5f * pixels;
     };
-    return mean(mean(pixel(i, j), pixel(i + 1, j), px - i),
-                mean(pixel(i, j + 1), pixel(i + 1, j + 1), px - i), py - j);
+    for (int i = 0; i < count; ++i) {
+        while (is_too_fine(number, per_width[i])) ++number;
+        while (number > 0 && !is_too_fine(number - 1, per_width[i])) --number;
+        const Level &l = levels_[number];
+        const float right = static_cast<float>(l.width - 1), bottom = static_cast<float>(l.height - 1);
+        const float px = std::clamp(x[i] * static_cast<float>(l.width) - 0.5f, 0.0f, right);
+        const float py = std::clamp(y[i] * static_cast<float>(l.height) - 0.5f, 0.0f, bottom);
+        const int column = static_cast<int>(px), row = static_cast<int>(py);
+        const float right_share = px - static_cast<float>(column);
+        const float low_share = py - static_cast<float>(row);
+        const auto *high = &l.pixels[static_cast<std::size_t>(row * l.width + column)];
+        const auto *low = high + (row + 1 < l.height ? l.width : 0);
+        const int next = column + 1 < l.width ? 1 : 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float above = high[0][k] + right_share * (high[next][k] - high[0][k]);
+            const float below = low[0][k] + right_share * (low[next][k] - low[0][k]);
+            to[3 * i + static_cast<int>(k)] = light * (above + low_share * (below - above));
+        }
+    }
 }
 
 } // namespace frob::sim

@@ -1,6 +1,7 @@
 // A printed picture: from a PGM or PPM file, or an AprilTag.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -24,15 +25,17 @@ class Print {
     static Print tag(int id);
     static constexpr int tags = 30;
 
-    // Its colour at a place, from 0 at the left and the top to 1 at the right and the bottom.
-    // `grain` is how much of its width a pixel sees.
-    Tint at(double x, double y, double grain) const;
+    // The colours, under a light, of so many places: x and y from 0 at the left and the top to 1 at
+    // the right and the bottom. `per_width` is how many pixels see its width there. Three numbers
+    // of each, all computed in single precision.
+    void colours(int count, const float *x, const float *y, const float *per_width, float light,
+                 float *to) const;
 
   private:
     // The picture, and smaller ones, each pixel the mean of four.
     struct Level {
         int width, height;
-        std::vector<Tint> pixels;
+        std::vector<std::array<float, 3>> pixels;
     };
 
     std::vector<Level> levels_;

@@ -76,6 +76,7 @@ struct SkyLook {
 struct CameraSettings {
     std::string name = "camera"; // as programs ask for it
     int width = 320, height = 240; // pixels
+    static constexpr int most_pixels = 2048; // of a side
     double field_of_view = radians(60.0); // across
     double rate = 30.0;       // Hz
     double latency = 0.0;     // s from a frame's exposure to the program

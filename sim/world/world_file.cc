@@ -19,7 +19,6 @@ constexpr int most_robots = 10'000;
 // More than these are slower than the robot, or want a gigabyte.
 constexpr std::size_t most_bytes = 4 << 20; // of a file
 constexpr std::size_t most_boxes = 2'000, most_in_one_place = 16;
-constexpr int most_pixels = 2048; // of a camera's side
 
 // One robot, or a block of `count` in rows of `columns`, `spacing` apart: the
 // first row goes from (x, y) along x, the next stands beside it along y.
@@ -178,8 +177,8 @@ Poster read_tag(TomlReader reader) {
 // What cameras and pairs of them have in common.
 CameraSettings read_any_camera(TomlReader &reader) {
     CameraSettings camera;
-    camera.width = reader.integer("width", camera.width, 8, most_pixels);
-    camera.height = reader.integer("height", camera.height, 8, most_pixels);
+    camera.width = reader.integer("width", camera.width, 8, CameraSettings::most_pixels);
+    camera.height = reader.integer("height", camera.height, 8, CameraSettings::most_pixels);
     camera.field_of_view =
         radians(reader.number("field_of_view_deg", degrees(camera.field_of_view), Range::positive));
     if (camera.field_of_view > radians(150.0))

@@ -63,7 +63,7 @@ back can be replayed.
   /ranges foxglove.SceneUpdate 41
       {"deletions": [], "entities": [{"timestamp": {"sec": 0, "nsec": 20000000}, "frame_id": "robot", "id": "in.sonar[0]", "lifetime": {"sec": 0, "nsec": 700000000}, "frame_locked": true, "metadata": [], "lines": [{"type": 1, "pose"
   /image/in.console.camera foxglove.RawImage 29
-      {"timestamp": {"sec": 0, "nsec": 0}, "frame_id": "/image/in.console.camera", "width": 320, "height": 240, "encoding": "rgb8", "step": 960, "file": "000000-5817b9a59e.ppm", "head": "P6\n# frob frame 0 captured_ns 0\n# camera 27
+      {"timestamp": {"sec": 0, "nsec": 0}, "frame_id": "/image/in.console.camera", "width": 320, "height": 240, "encoding": "rgb8", "step": 960, "file": "000000-1e19cbcf6c.ppm", "head": "P6\n# frob frame 0 captured_ns 0\n# camera 27
   $ mkdir back
   $ frobc convert ball.mcap back/ball.csv
   $ cmp ball.csv back/ball.csv && diff -r ball.frames back/ball.frames && echo as they were
