@@ -1,5 +1,6 @@
 let size = Bias.alike
 let rows = 25
+let most_judges = 2
 
 type failure = { number : int; recordings : Recording.t list; outcome : Engines.outcome; text : string; real : Basis.Real.t }
 
@@ -20,22 +21,66 @@ let write path text =
   let channel = open_out_bin path in
   Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel text)
 
+(* {1 Tests and trials that stand in it} *)
+
+(* No host asks for them: not a byte of the C is another. *)
+let change_nothing tools file subject without : Engines.outcome =
+  write file without;
+  match Engines.load tools ~entry:"main" file with
+  | Error outcome -> outcome
+  | Ok plain when Engines.files plain = Engines.files subject -> Agree
+  | Ok _ -> Failed "without its tests its C is another"
+
+(* What judges in them is a program like any other. *)
+let judge_alike random tools file : Engines.outcome =
+  let of_entry so_far entry : Engines.outcome =
+    if so_far <> Engines.Agree then so_far
+    else
+      let outcome =
+        match Engines.load tools ~entry file with
+        | Error outcome -> outcome
+        | Ok subject ->
+            Engines.judge tools [ Tcc ] subject (Engines.recordings random ~rows subject)
+      in
+      match outcome with
+      | Agree -> Agree
+      | other -> Failed (Printf.sprintf "`%s` %s" entry (Engines.describe other))
+  in
+  match Engines.judges tools file with
+  | Error outcome -> outcome
+  | Ok entries ->
+      List.fold_left of_entry Engines.Agree (List.filteri (fun k _ -> k < most_judges) entries)
+
+(* {1 A batch} *)
+
 (* Input for a batch: what a program does alone, it does on that of its batch. *)
 let on_input_of ?seen batch (tools : Engines.tools) engines ~seed ~first ~count =
-  let text = Constant.in_range tools.real (Program.make ?seen ~sees:true ~seed ~first ~count ()) in
+  let make with_tests =
+    Constant.in_range tools.real (Program.make ?seen ~sees:true ~with_tests ~seed ~first ~count ())
+  in
+  let text = make true in
   let file = Filename.concat tools.folder "program.frob" in
   write file text;
   let random = Random.State.make [| seed; batch; 1 |] in
+  let tried subject : Engines.outcome =
+    if not (Program.is_tried first) then Agree
+    else
+      match judge_alike random tools file with
+      | Agree -> change_nothing tools file subject (make false)
+      | other -> other
+  in
   let outcome, recordings =
     match Engines.load tools ~entry:"main" file with
     | Error outcome -> (outcome, [])
-    | Ok subject ->
+    | Ok subject -> (
         let recordings = Engines.recordings random ~rows subject in
         let recordings =
           if Choice.chance random 3 then recordings @ [ Engines.with_dt random ~rows tools subject ]
           else recordings
         in
-        (Engines.judge tools engines subject recordings, recordings)
+        match Engines.judge tools engines subject recordings with
+        | Agree -> (tried subject, recordings)
+        | other -> (other, recordings))
   in
   match outcome with
   | Agree -> None

@@ -110,6 +110,20 @@ let load ?robot tools ~entry file =
   in
   load_with ~watched probes ?robot tools ~entry file
 
+let judges tools file =
+  guarded @@ fun () ->
+  let sink = Diagnostic.sink () and sources = Source.create () in
+  let request = Driver.Request.make ~library:tools.library file in
+  match Driver.Pipeline.checks sink sources request with
+  | None -> Error (Rejected (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink)))
+  | Some checks ->
+      let judge (check : Driver.Checks.t) =
+        match check.plan with
+        | Traced _ -> None
+        | Alone | Simulated _ -> Some (Resolve.Labels.judge check.name)
+      in
+      Ok (List.filter_map judge checks)
+
 let files subject = subject.files
 
 (* The lines of what was saved, or else any values. *)

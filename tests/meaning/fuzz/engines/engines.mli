@@ -33,6 +33,9 @@ type subject
 val load : ?robot:Cgen.Robot.t -> tools -> entry:string -> string -> (subject, outcome) result
 (** Of a file; a program that leaves its robot open is one for [robot]. *)
 
+val judges : tools -> string -> (string list, outcome) result
+(** The entries of a file that judge in its tests and trials. *)
+
 val files : subject -> (string * string) list
 (** The names and texts of its C, with the table for hosts. *)
 

@@ -51,7 +51,7 @@ let noted =
     "instance in a branch or function"; "local function";
     "section"; "both orders"; "record update"; "record field";
     "pattern of an array"; "pun in an expression"; "pun in a pattern"; "function by cases"; "tuple section"; "guards that fall through"; "data with parameters";
-    "function chosen at run time"; "assertion"; "method of a class"; "division by zero"; "NaN"; "unit";
+    "function chosen at run time"; "assertion"; "test by itself"; "golden trace"; "trial"; "method of a class"; "division by zero"; "NaN"; "unit";
   ]
 
 (* The names whose types stand in the text. *)

@@ -249,18 +249,69 @@ let main ~sees ~seed programs =
   ( (if operating @ seeing = [] then "" else import) ^ (if seeing = [] then "" else Seeing.imports),
     String.concat "" (operators @ eyes) ^ text )
 
-let make ?(seen = Coverage.create ()) ?(sees = false) ~seed ~first ~count () =
-  let define i =
-    let number = first + i in
-    let name, text, signals = one ~seen ~seed number in
-    Coverage.count_words seen text;
-    let output = Type.Tuple signals in
-    let run, definition = running ~seed number name output in
-    ((number, run, output), text ^ definition)
+(* {1 Tests} *)
+
+let is_tried number = number / Bias.alike mod 7 = 1
+
+(* What is tried of the program of that number is one number's own, as the program is. *)
+let tried_scope ~seen ~seed number =
+  let random = Random.State.make [| seed; number; 6 |] in
+  scope ~seen ~seed ~random ~prefix:(f "p%d" number) ~declared:[] number
+
+let tried ~seen ~seed (number, _, signals, run) =
+  let scope = tried_scope ~seen ~seed number in
+  if is_tried number && chance scope.random 2 then Trying.some scope { name = run; signals } else ""
+
+(* {1 All of it} *)
+
+let define ~seen ~seed number =
+  let name, text, signals = one ~seen ~seed number in
+  Coverage.count_words seen text;
+  let run, definition = running ~seed number name (Type.Tuple signals) in
+  ((number, name, signals, run), text ^ definition)
+
+let main_of ~sees ~seed programs =
+  main ~sees ~seed (List.map (fun (number, _, signals, run) -> (number, run, Type.Tuple signals)) programs)
+
+let make ?(seen = Coverage.create ()) ?(sees = false) ?(with_tests = true) ~seed ~first ~count () =
+  let defined = List.init count (fun i -> define ~seen ~seed (first + i)) in
+  let programs = List.map fst defined in
+  let imports, main = main_of ~sees ~seed programs in
+  let checks = String.concat "" (List.map (tried ~seen ~seed) programs) in
+  (* lines keep their numbers *)
+  let blank = String.map (fun c -> if c = '\n' then c else ' ') Trying.imports in
+  let trying = if checks = "" then "" else if with_tests then Trying.imports else blank in
+  past ^ trying ^ imports
+  ^ String.concat "" (Shared.text :: List.map snd defined)
+  ^ main
+  ^ if with_tests && checks <> "" then "\n" ^ checks else ""
+
+let without_claims text =
+  let is_claim line =
+    let line = String.trim line in
+    List.exists (fun word -> String.starts_with ~prefix:word line) [ "assert \""; "assume \"" ]
   in
-  let programs = List.init count define in
-  let imports, main = main ~sees ~seed (List.map fst programs) in
-  past ^ imports ^ String.concat "" (Shared.text :: List.map snd programs) ^ main
+  String.concat "\n" (List.filter (fun line -> not (is_claim line)) (String.split_on_char '\n' text))
+
+let observed ~seed ~first ~count =
+  let seen = Coverage.create () in
+  let defined = List.init count (fun i -> define ~seen ~seed (first + i)) in
+  let programs = List.map fst defined in
+  let imports, main = main_of ~sees:false ~seed programs in
+  let observer (number, _, signals, run) =
+    let scope = tried_scope ~seen ~seed number in
+    let reference = f "reference%d" number in
+    (reference, Trying.observer scope { name = run; signals } (Scope.fresh scope "observed"))
+  in
+  let observers = List.map observer programs in
+  let of_observer (name, observer) = Trying.test observer ^ Trying.reference name observer in
+  let text =
+    past ^ Trying.imports ^ imports
+    ^ without_claims (String.concat "" (Shared.text :: List.map snd defined))
+    ^ main ^ "\n"
+    ^ String.concat "" (List.map of_observer observers)
+  in
+  (text, observers)
 
 let signals ~seed number =
   let _, _, signals = one ~seen:(Coverage.create ()) ~seed number in

@@ -357,26 +357,10 @@ let local_function s ~signals name argument result =
   f "%s %s = %s" name text (Expression.expression inside 2 result)
 
 (* What is asserted changes nothing, whatever it is made of. *)
-let claim s (signals : Scope.t) =
+let claim s signals =
   Scope.note s.values "assertion";
-  let random = s.values.random in
-  let condition () = Expression.expression signals 2 Bool in
-  let p = condition () in
-  let said =
-    match Random.State.int random 9 with
-    | 0 -> f "(respondsWithin 0.3[s] (%s, %s))" p (condition ())
-    | 1 -> f "(afterwards (%s, %s))" p (condition ())
-    | 2 -> f "(max (verdict %s) (by 0.5[s] %s))" p (condition ())
-    | 3 -> f "(implies %s %s)" p (condition ())
-    | 4 -> f "(heldFor 0.2[s] %s)" p
-    | 5 -> f "(within 0.2[s] (always %s))" p
-    | 6 -> f "(since (%s, %s))" p (condition ())
-    | 7 -> f "(holds (verdict (ever %s)))" p
-    | _ -> p
-  in
-  f "%s \"%s\" %s"
-    (if chance random 5 then "assume" else "assert")
-    (Scope.fresh s.values "said") said
+  let word = if chance s.values.random 5 then "assume" else "assert" in
+  f "%s \"%s\" %s" word (Scope.fresh s.values "said") (Claim.condition signals)
 
 type output = Computed of Type.t | All_signals
 
