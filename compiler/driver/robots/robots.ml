@@ -4,6 +4,7 @@ module Fit = Typing.Fit
 
 type t = Robot.t
 
+let unfit = "E0503"
 let names = List.map (fun (robot : t) -> robot.name) Robot.all
 
 let is_file name = Filename.check_suffix name ".frob"
@@ -63,7 +64,7 @@ let check_own sink (typed : Typing.Ir.program) (robot : t) =
   let lacks format =
     Printf.ksprintf
       (fun what ->
-        Diagnostic.error ~code:"E0503" ~at:(Span.start_of_file file)
+        Diagnostic.error ~code:unfit ~at:(Span.start_of_file file)
           "module `%s` is no robot: it has no %s" robot.module_ what
         |> Diagnostic.hint
              (Printf.sprintf
@@ -138,7 +139,7 @@ let having p class_ diagnostic =
   |> cure
 
 let lacking p (robot : t) (lack : Fit.lack) =
-  Diagnostic.error ~code:"E0503" ~at:lack.need.place "%s has no `%s`" (quoted robot)
+  Diagnostic.error ~code:unfit ~at:lack.need.place "%s has no `%s`" (quoted robot)
     lack.class_.name
   |> Diagnostic.here (Printf.sprintf "%s needs it" lack.need.by)
   |> having p lack.class_
@@ -149,7 +150,7 @@ let lacking p (robot : t) (lack : Fit.lack) =
 (* What each robot lacks, each need once. *)
 let on_no_robot p candidates =
   let error =
-    Diagnostic.error ~code:"E0503" ~at:(entry_span p) "no robot has all that `%s` asks for"
+    Diagnostic.error ~code:unfit ~at:(entry_span p) "no robot has all that `%s` asks for"
       p.entry.name
   in
   let add error (robot : t) =
@@ -165,7 +166,7 @@ let on_no_robot p candidates =
   |> Diagnostic.note "a robot of your own is named by the file of its module: `--robot FILE.frob`"
 
 let another p (robot : t) others =
-  Diagnostic.error ~code:"E0503" ~at:(entry_span p) "`%s` is a program for %s, not for %s"
+  Diagnostic.error ~code:unfit ~at:(entry_span p) "`%s` is a program for %s, not for %s"
     p.entry.name
     (Enumeration.all (List.map quoted others))
     (quoted robot)
@@ -173,7 +174,7 @@ let another p (robot : t) others =
        "leave the robot open, as in `main :: (HasSonar i, DiffDrive o) => Program i o`"
 
 let mixed p (input : t) (output : t) =
-  Diagnostic.error ~code:"E0503" ~at:(entry_span p)
+  Diagnostic.error ~code:unfit ~at:(entry_span p)
     "`%s` senses as %s and acts as %s: that is no robot" p.entry.name (quoted input)
     (quoted output)
 

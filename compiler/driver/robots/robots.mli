@@ -10,6 +10,9 @@ type t = Cgen.Robot.t
 
 val names : string list
 
+val unfit : string
+(** The code of a program that does not fit the robot, or any. *)
+
 val known : string option -> (t option, string) result
 (** The robot asked for, if any: one of the library by its name, or a user's own
     by the file of its module, which ends in [.frob]. The error is a text for the

@@ -15,6 +15,22 @@ let mentions text name =
   in
   from 0
 
+let is_free_to_call name = C_names.is_pure name || Kernels.is_known name
+
+(* It, or what makes a signal function of it. *)
+let gives texts name =
+  let has name = List.exists (fun text -> mentions text name) texts in
+  has name || (has (name ^ "_reset") && has (name ^ "_step"))
+
+let giving ~calls files =
+  let wanted = List.filter (fun name -> not (is_free_to_call name)) calls in
+  let is_giving file =
+    match Own_headers.read file with
+    | Ok text -> List.exists (gives [ text ]) wanted
+    | Error _ -> false
+  in
+  List.filter is_giving files
+
 let check ~calls ~sources ~header ~folders =
   (* What cannot be read is the C compiler's to tell. *)
   let headers = function
@@ -27,11 +43,7 @@ let check ~calls ~sources ~header ~folders =
     @ headers (Own_headers.of_text ~folders header)
   in
   let texts = List.filter_map (fun file -> Result.to_option (Own_headers.read file)) files in
-  let has name = List.exists (fun text -> mentions text name) texts in
-  let is_known name =
-    C_names.is_pure name || Kernels.is_known name || has name
-    || (has (name ^ "_reset") && has (name ^ "_step"))
-  in
+  let is_known name = is_free_to_call name || gives texts name in
   match List.filter (fun name -> not (is_known name)) calls with
   | [] -> Ok ()
   | unknown ->

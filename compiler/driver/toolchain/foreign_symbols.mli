@@ -8,3 +8,9 @@ val check :
     ({!Kernels}), or is mentioned in one of
     the user's C files [sources], or of the headers that they or the text [header]
     include from [folders]. The error tells which is not. *)
+
+val mentions : string -> string -> bool
+(** [mentions text name]: whether the name is in the text, as a word of its own. *)
+
+val giving : calls:string list -> string list -> string list
+(** Of C files those that mention one of these names, other than the pure ones and kernels. *)

@@ -29,6 +29,8 @@ type t = {
   evidence : evidence option;
 }
 
+type skipped = { path : string; name : string; what : string; command : string }
+
 let is_failure r =
   match r.fate with Violated | Undecided -> true | Held | Unasked | Void -> false
 
@@ -152,11 +154,16 @@ let print t =
     t.evidence;
   flush stdout
 
-let print_total all =
+let print_skipped { name; what; command; _ } =
+  Printf.printf "skip  %s: needs %s\n      %s\n" name what command;
+  flush stdout
+
+let print_total all ~skipped =
   let failed = List.length (List.filter has_failed all) in
-  Printf.printf "%s: %s\n"
+  Printf.printf "%s: %s%s\n"
     (plural (List.length all) "test")
     (if failed = 0 then "all hold" else Printf.sprintf "%d failed" failed)
+    (if skipped = 0 then "" else Printf.sprintf "; %d skipped" skipped)
 
 let fate_name = function
   | Held -> "held"
@@ -230,11 +237,21 @@ let json t =
         ]
        @ chance @ result @ evidence))
 
-let junit all =
+let skipped_json { path; name; what; command } =
+  let open Basis.Json in
+  to_string
+    (Object
+       [
+         ("file", String path); ("label", String name); ("skipped", String ("needs " ^ what));
+         ("command", String command);
+       ])
+
+let junit all skipped =
+  let name file label =
+    Printf.sprintf "classname=\"%s\" name=\"%s\"" (Xml.escaped file) (Xml.escaped label)
+  in
   let case t =
-    let name =
-      Printf.sprintf "classname=\"%s\" name=\"%s\"" (Xml.escaped t.file) (Xml.escaped t.label)
-    in
+    let name = name t.file t.label in
     if not (has_failed t) then Printf.sprintf "  <testcase %s/>\n" name
     else
       let more = match t.evidence with Some e -> e.around @ [ e.view ] | None -> [] in
@@ -243,10 +260,16 @@ let junit all =
         (Xml.escaped (verdict t))
         (Xml.escaped (String.concat "\n" more))
   in
+  let left_out s =
+    Printf.sprintf "  <testcase %s>\n    <skipped message=\"needs %s\">%s</skipped>\n  </testcase>\n"
+      (name s.path s.name) (Xml.escaped s.what) (Xml.escaped s.command)
+  in
   Printf.sprintf
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-     <testsuite name=\"frobc test\" tests=\"%d\" failures=\"%d\">\n\
-     %s</testsuite>\n"
-    (List.length all)
+     <testsuite name=\"frobc test\" tests=\"%d\" failures=\"%d\" skipped=\"%d\">\n\
+     %s%s</testsuite>\n"
+    (List.length all + List.length skipped)
     (List.length (List.filter has_failed all))
+    (List.length skipped)
     (String.concat "" (List.map case all))
+    (String.concat "" (List.map left_out skipped))

@@ -37,6 +37,14 @@ type t = {
   evidence : evidence option;
 }
 
+(** A test that was not run, as it needs what is given on the command line alone. *)
+type skipped = {
+  path : string;  (** of its program *)
+  name : string;  (** its label *)
+  what : string;  (** that it needs *)
+  command : string;  (** that runs it *)
+}
+
 val failures : t -> run list
 val has_failed : t -> bool
 
@@ -47,9 +55,12 @@ val decided : t -> int option
 val print : t -> unit
 (** A line on standard output, and more below it if it has failed. *)
 
-val print_total : t list -> unit
+val print_skipped : skipped -> unit
+val print_total : t list -> skipped:int -> unit
 val json : t -> string
 (** An object in a line. *)
 
-val junit : t list -> string
+val skipped_json : skipped -> string
+
+val junit : t list -> skipped list -> string
 (** A document as CI servers read it. *)

@@ -6,20 +6,25 @@ let mentions_tests text =
   in
   List.exists is_test (String.split_on_char '\n' text)
 
+type file = {
+  path : string;
+  named : bool;  (* by the user; others were found in a folder *)
+}
+
 (* In a folder all files with tests, in the order of their names. *)
-let rec files path =
+let rec files ?(named = true) path =
   if Sys.is_directory path then
     Sys.readdir path |> Array.to_list |> List.sort String.compare
     |> List.filter (fun name -> not (String.starts_with ~prefix:"." name || name = "_build"))
     |> List.map (Filename.concat path)
     |> List.concat_map (fun inner ->
-           if Sys.is_directory inner then files inner
+           if Sys.is_directory inner then files ~named:false inner
            else
              let is_one =
                Filename.check_suffix inner ".frob" && mentions_tests (Checking.read inner)
              in
-             if is_one then [ inner ] else [])
-  else [ path ]
+             if is_one then [ { path = inner; named = false } ] else [])
+  else [ { path; named } ]
 
 let contains text part =
   let n = String.length part in
@@ -43,8 +48,17 @@ let one (context : Checking.t) file (check : Checks.t) =
 let tell (options : Checking.options) outcome =
   if options.json then print_endline (Outcome.json outcome) else Outcome.print outcome
 
-(* Of a file: its outcomes, or the status of a file that is none. *)
-let of_file (context : Checking.t) file =
+(* What came of a file. *)
+type result = { status : int; ran : Outcome.t list; skipped : Outcome.skipped list }
+
+let skip (options : Checking.options) path ({ what; command } : Needs.t) (check : Checks.t) =
+  let skipped = { Outcome.path; name = check.label; what; command } in
+  if options.json then print_endline (Outcome.skipped_json skipped)
+  else Outcome.print_skipped skipped;
+  skipped
+
+(* What somebody looks for in a folder need not all run; what is named must. *)
+let of_file (context : Checking.t) { path = file; named } =
   let found = ref [] in
   let status =
     Compiled.accepted Pipeline.checks context.general context.resources ~entry:"main" file
@@ -60,16 +74,21 @@ let of_file (context : Checking.t) file =
     tell context.options outcome;
     outcome
   in
-  (status, List.map outcome (List.filter is_wanted !found))
+  let wanted = List.filter is_wanted !found in
+  match if named || wanted = [] then None else Needs.of_file context file wanted with
+  | None -> { status; ran = List.map outcome wanted; skipped = [] }
+  | Some needs ->
+      { status; ran = []; skipped = List.map (skip context.options file needs) wanted }
 
-let finish (options : Checking.options) all =
-  if not options.json then Outcome.print_total all;
+let finish (options : Checking.options) all skipped =
+  if not (options.json || all = []) then
+    Outcome.print_total all ~skipped:(List.length skipped);
   match options.junit with
   | None -> Ok ()
   | Some path -> (
       match open_out path with
       | channel ->
-          output_string channel (Outcome.junit all);
+          output_string channel (Outcome.junit all skipped);
           close_out channel;
           Ok ()
       | exception Sys_error reason -> Error (Printf.sprintf "cannot write %s" reason))
@@ -83,18 +102,23 @@ let run (general : General.t) ~sources (options : Checking.options) paths =
       let jobs = match options.jobs with Some n -> n | None -> Workers.processors () in
       let general = { general with General.asserts = Count } in
       let context = { Checking. general; sources; options; resources; jobs } in
-      let results = List.map (of_file context) (List.concat_map files paths) in
-      let statuses = List.map fst results and all = List.concat_map snd results in
-      match (List.find_opt (fun status -> status <> Exit_status.ok) statuses, all) with
-      | None, [] ->
+      let results = List.map (of_file context) (List.concat_map (fun path -> files path) paths) in
+      let all = List.concat_map (fun r -> r.ran) results in
+      let skipped = List.concat_map (fun r -> r.skipped) results in
+      let rejected =
+        List.find_opt (fun status -> status <> Exit_status.ok) (List.map (fun r -> r.status) results)
+      in
+      match (rejected, all, skipped) with
+      | None, [], [] ->
           General.wrong_use
             (match options.pattern with
             | Some part -> Printf.sprintf "no test has `%s` in its label" part
             | None -> "there are no tests here: `test \"…\" = …` or `trial \"…\" = …`")
-      | Some status, [] -> status
-      | rejected, _ -> (
-          match finish options all with
+      | Some status, [], [] -> status
+      | _, _, _ -> (
+          match finish options all skipped with
           | Error reason -> General.wrong_use reason
-          | Ok () ->
-              if List.exists Outcome.has_failed all then Exit_status.rejected
-              else Option.value rejected ~default:Exit_status.ok))
+          | Ok () when List.exists Outcome.has_failed all -> Exit_status.rejected
+          | Ok () when all = [] && rejected = None -> 
+              General.wrong_use "no test was run; what runs those skipped is above"
+          | Ok () -> Option.value rejected ~default:Exit_status.ok))

@@ -105,7 +105,7 @@ let trial (s : Scope.t) label =
         "neverTouches"; "keepsOff 0.2[m]"; "bothOf neverTouches (endsWithin 9[s])"; "comesFar 1[m] 8[s]";
         "arrives 5[s] 10[cm] (Vec2 { x = 1[m], y = -2[m] })";
         f
-          "proc t -> %s where\n\
+          "proc t -> verdict (%s) where\n\
           \        near = %s (t.clearance / 1[m])\n\
           \        assert \"still said\" (%s)"
           (outcome (Scope.bind bound { s with run = None }))
