@@ -38,6 +38,7 @@ What the examples promise of themselves holds, on each robot that they are for.
 What needs C runs if its files are named, as it is told to.
 
   $ frobc test $examples/light_seek $examples/blob_tracker | sed -n 's/^      //p' > commands
+  error: no test was run; what runs those skipped is above
   $ sed "s|$examples/||g" commands
   frobc test light_seek/light_seek.frob --robot light_seek/Moth.frob --with light_seek/moth_body.c
   frobc test blob_tracker/blob_tracker.frob --with blob_tracker/blob.c
@@ -57,3 +58,7 @@ What needs C runs if its files are named, as it is told to.
 Named, they have to run.
 
   $ frobc test $examples/blob_tracker/blob_tracker.frob
+  FAIL  the tracker of parts finds what the whole one does: cannot be run
+  1 test: 1 failed
+  error: the program calls `blob_brighter`, `blob_measure`, `blob_around` in C, which no C file of it mentions: name the C files with `--with FILE.c` (without a file there are only the functions of <math.h> that docs/foreign.md lists)
+  [1]

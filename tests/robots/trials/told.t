@@ -100,7 +100,7 @@ The outcome does not depend on how many processes run, and tools can read it.
   [1]
   $ cat tests.xml
   <?xml version="1.0" encoding="UTF-8"?>
-  <testsuite name="frobc test" tests="1" failures="1">
+  <testsuite name="frobc test" tests="1" failures="1" skipped="0">
     <testcase classname="around.frob" name="a metre takes a second">
       <failure message="not so at 1.000 s">frobc view failed/a-metre-takes-a-second.csv around.frob --robot pioneer --entry 'judge test a metre takes a second' --at 1s</failure>
     </testcase>
