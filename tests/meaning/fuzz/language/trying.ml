@@ -46,14 +46,15 @@ let input = "(x, n, b, e, m, y, xs, d)"
 
 (* {1 Observers} *)
 
-let outcome (s : Scope.t) =
+(* [answer]: a Bool that is so now and then. *)
+let outcome ~answer (s : Scope.t) =
   let condition = Claim.condition s in
   match Random.State.int s.random 6 with
   | 0 -> f "by 0.3[s] (holds (verdict %s))" condition
   | 1 -> f "atEnd (holds (verdict %s))" condition
   | 2 -> f "verdict (%s)" condition
   (* which are not so at once *)
-  | 3 -> f "respondsWithin 0.2[s] (%s, b)" (Expression.expression s 2 Bool)
+  | 3 -> f "respondsWithin 0.2[s] (%s, %s)" (Expression.expression s 2 Bool) answer
   | 4 -> f "implies (time () > 0.2[s]) (holds (verdict %s))" condition
   | _ -> condition
 
@@ -66,12 +67,12 @@ let observer (s : Scope.t) { name; signals } label =
   let seen = Scope.bind (bound @ shown) s in
   let claim k =
     let word = if chance random 3 then "assume" else "assert" in
-    (word, f "said %d of %s" k label, outcome seen)
+    (word, f "said %d of %s" k label, outcome ~answer:"b" seen)
   in
   {
     label;
     seconds = one_of random [ 0.1; 0.4; 0.5 ];
-    judge = outcome seen;
+    judge = outcome ~answer:"b" seen;
     claims = List.init (Random.State.int random 3) claim;
     equations = made_up @ [ f "%s = %s %s" left name input ];
   }
@@ -108,7 +109,7 @@ let trial (s : Scope.t) label =
           "proc t -> verdict (%s) where\n\
           \        near = %s (t.clearance / 1[m])\n\
           \        assert \"still said\" (%s)"
-          (outcome (Scope.bind bound { s with run = None }))
+          (outcome ~answer:"t.touches" (Scope.bind bound { s with run = None }))
           (one_of random [ "meanOf"; "largestOf"; "smallestOf"; "lastOf" ])
           (Claim.condition (Scope.bind bound s));
       ]
