@@ -48,17 +48,12 @@ no output tells.
   > END
   $ matrix set.frob
   ok gcc-O0: 2 modules
-  $ sed -i 's/step(state, params,/step(state, program->default_params,/' runner.c && matrix set.frob
+  $ sed -i 's/step(state, params,/step(state, program->default_params,/' runner.c && matrix set.frob | grep -v 'recording [12]'
   FAIL gcc-O0
   gcc-O0, set:
   set: recording 0: the output differs
-  set: recording 1: the output differs
-  set: recording 2: the output differs
   gcc-O0, set_single:
   set: recording 0: the output differs
-  set: recording 1: the output differs
-  set: recording 2: the output differs
-  [1]
   $ cp whole.c runner.c
   $ cat > kept.frob << 'END'
   > main :: SF Float Float

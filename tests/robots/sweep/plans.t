@@ -140,11 +140,10 @@ What is wrong with a plan is told before the first run, with its place.
   $ echo "notes" > plan.csv; printf 'program = "follow.frob"\nlasts = 0.1\nseeds = [1, 1]\n' | try --robot pioneer
   error: --table would overwrite plan.csv, which is there already and not the table of a sweep: move it away, or name another file
   [2]
-  $ ls
+  $ ls -I '*.t'
   bare.frob
   follow.frob
   inside.toml
   odd.toml
   plan.csv
   plan.toml
-  plans.t

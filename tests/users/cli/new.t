@@ -128,14 +128,13 @@ Names are those of files, C and the library.
   [2]
   $ frobc new $(printf 'a%.0s' $(seq 241)) 2>&1 | sed 's/a\{100,\}/NAME/g'
   error: the name of NAME.frob is too long for C files: 240 characters at most
-  $ frobc new -- -x; frobc new; ls
+  $ frobc new -- -x; frobc new; ls -I '*.t'
   error: `-x` cannot be the name of a project: give it one of letters, digits, `_` and `-` that begins with a letter
   frobc: required argument NAME is missing
   Usage: frobc new [OPTION]… NAME
   Try 'frobc new --help' or 'frobc --help' for more information.
   link
   my robots
-  new.t
   robots
   rover
   taken

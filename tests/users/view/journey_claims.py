@@ -20,7 +20,8 @@ def row_of(page, label):
 
 
 def time_of(page):
-    return float(page.text("#now").split()[3])
+    now = page.text("#now").split()
+    return float(now[3]) if len(now) > 3 else float("nan")
 
 
 def red(page):
