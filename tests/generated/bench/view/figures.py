@@ -39,6 +39,30 @@ def processor_time(pid):
     return sum(map(int, fields[11:15])) / os.sysconf("SC_CLK_TCK")
 
 
+# Goes to a place of the timeline, a share of its width; `done` is told how long it took until the
+# element whose text tells of it has changed, and is on the screen.
+scrub = """
+const [shows, to, done] = arguments;
+const canvas = document.querySelector("#timeline canvas");
+const box = canvas.getBoundingClientRect();
+const now = document.querySelector(shows);
+const before = performance.now();
+const seen = new MutationObserver(() => {
+  seen.disconnect();
+  requestAnimationFrame(() => {
+    const next = new MessageChannel();
+    next.port1.onmessage = () => done(performance.now() - before);
+    next.port2.postMessage(null);
+  });
+});
+seen.observe(now, { childList: true, characterData: true, subtree: true });
+for (const type of ["pointerdown", "pointerup"])
+  canvas.dispatchEvent(new PointerEvent(type, {
+    bubbles: true, pointerId: 1, button: 0, isPrimary: true,
+    clientX: box.left + to * box.width, clientY: box.top + box.height / 2 }));
+"""
+
+
 class Clock:
     """The host of clock_host.c, which keeps time; with a viewer, or with none."""
 

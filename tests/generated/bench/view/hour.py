@@ -11,7 +11,7 @@ import subprocess
 import sys
 import time
 
-from figures import example, figure, memory, processor_time, quantile
+from figures import example, figure, memory, processor_time, quantile, scrub
 
 import viewer
 import websockets
@@ -19,28 +19,6 @@ from journey import Page, start
 from protocol import connect
 
 PROBES = "ahead.front,ahead.left,ahead.right,ahead.omega,explore.mode,watching.n,sides.least,ahead.mode"
-
-scrub = """
-const [to, done] = arguments;
-const canvas = document.querySelector("#timeline canvas");
-const box = canvas.getBoundingClientRect();
-const now = document.getElementById("now");
-const before = performance.now();
-const seen = new MutationObserver(() => {
-  seen.disconnect();
-  requestAnimationFrame(() => {
-    const next = new MessageChannel();
-    next.port1.onmessage = () => done(performance.now() - before);
-    next.port2.postMessage(null);
-  });
-});
-seen.observe(now, { childList: true, characterData: true, subtree: true });
-for (const type of ["pointerdown", "pointerup"])
-  canvas.dispatchEvent(new PointerEvent(type, {
-    bubbles: true, pointerId: 1, button: 0, isPrimary: true,
-    clientX: box.left + to * box.width, clientY: box.top + box.height / 2 }));
-"""
-
 
 async def ask(client, request):
     await client.send(request)
@@ -115,7 +93,8 @@ def main():
         page = Page(driver, v.address)
         page.at(0)
         driver.set_script_timeout(10)
-        took = [driver.execute_async_script(scrub, random.random()) for _ in range(200)]
+        took = [driver.execute_async_script(scrub, "#now", random.random())
+                for _ in range(200)]
         for name, share in ("median", 0.5), ("99 %", 0.99):
             figure("explore", f"any instant on the screen, {name}", quantile(took, share), 33, "ms")
         time.sleep(10)  # for the browser to collect what it does not need

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Runs that are looked at: the cost of publishing an instant; and, where there is a browser, what it
 # costs the host to be looked at, how late the page is, how long a recording of an hour takes to
-# open and to go through, and a what-if. The argument is the folder to work in.
+# open and to go through, images with what is drawn on them, and a what-if. The argument is the folder
+# to work in.
 set -eu
 here=tests/generated/bench/view
 common=runtime/hosts/common
@@ -20,5 +21,6 @@ if test -x $python && test -x /usr/bin/chromedriver &&
     $python $here/latency.py "$frobc" "$1" 300
     $python $here/jitter.py "$frobc" "$1" 3
     $python $here/hour.py "$frobc" "$1"
+    $python $here/sees.py "$frobc" "$1"
     $python $here/what_if.py "$frobc" "$1" 20
 fi
