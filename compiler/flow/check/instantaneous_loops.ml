@@ -43,10 +43,10 @@ let hint ~entry ~(by : Ir.follower) sources =
   | "after" :: _, _ -> "a time of at least 1 ns makes it wait: `after (max 1[ms] q)`"
   | "elapsed" :: _, _ -> "a time of at least 1 ns makes it wait: `max 1[ms] q`"
   | _ :: _, _ when not (List.exists (fun (_, at) -> Own_code.is_own ~entry at) sources) ->
-      "let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output \
-       meanwhile"
+      "let time pass between: `sleepT 10[ms] …` after the task takes some, with the output \
+       meanwhile, such as the `restingOutput` of a robot"
   | _, Statement _ ->
-      "`untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one \
+      "`untilT (proc x -> (…, condition))` ends when the condition holds, and takes at least one \
        instant; `edge` may wait for ever where it holds from the start"
   | _, Continuation _ ->
       "`notYet` on the event takes one instant at least; `edge` may wait for ever where the \
@@ -136,14 +136,29 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
   in
   let round = circle (map (fun (v, w, (t : Ir.transition), _) -> (name v, name w, t.by)) hops) in
   let d = Diagnostic.error ~code:"E0402" ~at "%s may go round for ever within one instant" round in
+  (* What occurs somewhere in the prelude says less than what the program wrote there. *)
+  let in_prelude (at : Span.t) =
+    String.equal (Filename.basename at.file) "Prelude.frob" && not (Own_code.is_own ~entry at)
+  in
+  let by_prelude (v, _, _, source) =
+    Own_code.is_own ~entry program.nodes.(modes.(v)).span
+    && Option.fold source ~none:false ~some:(fun (_, at) -> in_prelude at)
+  in
+  let here (d : Diagnostic.t) =
+    let starts_there (v, _, _, _) = Span.compare program.nodes.(modes.(v)).span at = 0 in
+    if List.exists (fun hop -> by_prelude hop && starts_there hop) hops then
+      Diagnostic.here "this may end as soon as it starts" d
+    else d
+  in
   (* Once, where modes of one name do the same. *)
   let label ~at text (d : Diagnostic.t) =
     let there (l : Diagnostic.label) = l.at = at && String.equal l.text text in
     if List.exists there d.labels then d else Diagnostic.label ~at text d
   in
-  let label d (v, w, (t : Ir.transition), source) =
+  let label d ((v, w, (t : Ir.transition), source) as hop) =
     let d =
       match source with
+      | Some _ when by_prelude hop -> d
       | Some (origin, at) when origin = name v ->
           label ~at (Printf.sprintf "`%s` may end at its first instant" origin) d
       | Some (origin, at) ->
@@ -160,8 +175,11 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
   in
   let sources = List.filter_map (fun (_, _, _, source) -> source) hops in
   let by = match hops with (_, _, t, _) :: _ -> t.Ir.by | [] -> Continuation "" in
-  List.fold_left label d hops
-  |> Diagnostic.note (note (map (fun (v, _, _, source) -> (name v, Option.map fst source)) hops))
+  let event ((_, _, _, source) as hop) =
+    if by_prelude hop then None else Option.map fst source
+  in
+  List.fold_left label (here d) hops
+  |> Diagnostic.note (note (map (fun ((v, _, _, _) as hop) -> (name v, event hop)) hops))
   |> far
   |> Diagnostic.hint (hint ~entry ~by sources)
   |> Diagnostic.emit sink

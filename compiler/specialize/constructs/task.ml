@@ -74,8 +74,8 @@ let report_circle (c : Context.t) ~span hops =
        "what ends as soon as it starts takes no time, as `return` and `snapT`: nothing here waits \
         for the next instant"
   |> Diagnostic.hint
-       "put a task that takes time into the circle: `untilT (proc x -> (y, condition))` gives `y` \
-        for one instant at least, `sleepT 10[ms] y` for 10 ms"
+       "put a task that takes time into the circle: `untilT (proc x -> (…, condition))` takes one \
+        instant at least, `sleepT 10[ms] …` 10 ms, each with its output in place of `…`"
   |> Diagnostic.emit c.sink;
   raise Context.Stopped
 

@@ -37,6 +37,8 @@ type group = {
   mutable waiting : question list;  (** newest first *)
   mutable required : required list;  (** newest first *)
   mutable sizes : size list;  (** newest first *)
+  mutable told : (int * string * string) list;
+      (** what does not fit: its line, how it is written, and the message *)
 }
 
 type t = {
@@ -63,6 +65,7 @@ let new_group () =
     waiting = [];
     required = [];
     sizes = [];
+    told = [];
   }
 
 let start reader ~sources ~real =
@@ -165,21 +168,40 @@ let report t diagnostic =
 
 let errors t = t.group.errors
 
+(* The same name or call, twice in a line, is one mistake; each number is written by itself. *)
+let is_told t (subject : Resolve.Ir.expr option) (d : Diagnostic.t) =
+  match subject with
+  | None | Some { desc = Number _ | Negate _; _ } -> false
+  | Some { span; _ } -> (
+      match Source.quote t.sources span with
+      | None -> false
+      | Some text ->
+          let key = (Span.line span.start, text, d.message) in
+          List.mem key t.group.told
+          || begin
+               t.group.told <- key :: t.group.told;
+               false
+             end)
+
 let expect t ?subject ~at (expected : Expected.t) found =
   match Unify.types expected.ty found with
   | Ok () -> ()
   | Error clash ->
       let owner (v : Ir.variable) = Hashtbl.find_opt t.owners v.id in
-      report t (fun words -> Mistake.mismatch words owner ~subject ~at ~expected ~found clash)
+      let d = Mistake.mismatch (words t) owner ~subject ~at ~expected ~found clash in
+      if is_told t subject d then t.group.errors <- t.group.errors + 1 else report t (fun _ -> d)
 
 let require t required = t.group.required <- required :: t.group.required
 
+let has_no_instance t (class_ : Ir.class_) ty =
+  match (class_, Head.of_type ty) with
+  | Declared class_, Some (head, _) ->
+      Option.is_none (Environment.instance t.reader.environment class_ head)
+  | _ -> false
+
 let lacks_class t ~wanted given =
   let lacks (r : required) =
-    match (r.class_, Head.of_type wanted) with
-    | Declared class_, Some (head, _) when Type.expand r.argument == Type.expand given ->
-        Option.is_none (Environment.instance t.reader.environment class_ head)
-    | _ -> false
+    Type.expand r.argument == Type.expand given && has_no_instance t r.class_ wanted
   in
   match Type.expand given with Flexible _ -> List.exists lacks t.group.required | _ -> false
 

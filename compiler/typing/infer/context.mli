@@ -112,6 +112,9 @@ val use :
 
 val require : t -> required -> unit
 
+val has_no_instance : t -> Ir.class_ -> Type.t -> bool
+(** The type is known well enough to say so. *)
+
 val lacks_class : t -> wanted:Type.t -> Type.t -> bool
 (** Something asks for a class of the second type, which is a variable, that the first one has no
     instance of. *)

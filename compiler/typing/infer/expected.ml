@@ -1,5 +1,7 @@
 open Basis
 
+type decider = { place : Span.t; decides : Type.t; a_size : bool }
+
 type reason =
   | Unknown
   | Signature of { name : string; at : Span.t }
@@ -9,7 +11,7 @@ type reason =
       head : Resolve.Ir.expr option;
       at : Span.t;
       position : int;
-      decided_by : (Span.t * Type.t) option;
+      decided_by : decider list;
       takes : int;
       given : Resolve.Ir.expr list;
       later : Type.t list;
@@ -35,9 +37,9 @@ open Diagnostic
 
 let decided words decided_by diagnostic =
   match decided_by with
-  | Some (at, ty) ->
-      label ~at (Printf.sprintf "because this is %s" (Show.described words ty)) diagnostic
-  | None -> diagnostic
+  | { place; decides; _ } :: _ ->
+      label ~at:place (Printf.sprintf "because this is %s" (Show.described words decides)) diagnostic
+  | [] -> diagnostic
 
 let rec explain_reason words reason (expected : Type.t) diagnostic =
   let is_here at = Span.compare at diagnostic.at = 0 in

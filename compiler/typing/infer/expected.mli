@@ -2,6 +2,10 @@
 
 open Basis
 
+(** An earlier argument whose type has a variable in common with the parameter's. *)
+type decider = { place : Span.t; decides : Type.t;  (** its type *) a_size : bool
+  (** the variable is the size of an array *) }
+
 (** Why a type is expected at a place. *)
 type reason =
   | Unknown
@@ -12,8 +16,7 @@ type reason =
       head : Resolve.Ir.expr option;  (** what is applied *)
       at : Span.t;
       position : int;
-      decided_by : (Span.t * Type.t) option;
-          (** an earlier argument, where the parameter's type has that argument's type in it *)
+      decided_by : decider list;
       takes : int;  (** how many parameters the callee has *)
       given : Resolve.Ir.expr list;  (** all its arguments *)
       later : Type.t list;  (** of the parameters of the arguments that come after it *)

@@ -27,28 +27,51 @@ let rec parameters (t : Type.t) =
   | Erroneous ->
       []
 
-(* Of each parameter that an earlier one decides: that one, and what it is. Both
-   while the type is as general as it will ever be. *)
+(* Do both types depend on a variable of types, or on one of units? *)
+let rec flexible (t : Type.t) =
+  match Type.expand t with
+  | Flexible v -> ([ v ], [])
+  | Number (_, u) -> ([], List.map fst (Units.flexible_powers (Units.resolve u)))
+  | Tuple ts -> all_flexible ts
+  | Function (a, b) | Signal_function (a, b) -> all_flexible [ a; b ]
+  | Data { arguments; units; _ } ->
+      let types, of_arguments = all_flexible arguments in
+      let powers u = List.map fst (Units.flexible_powers (Units.resolve u)) in
+      (types, of_arguments @ List.concat_map powers units)
+  | Rigid _ | Bool | String | Size _ | Alias _ | Erroneous -> ([], [])
+
+and all_flexible ts =
+  let types, units = List.split (List.map flexible ts) in
+  (List.concat types, List.concat units)
+
+(* Of each parameter the earlier ones that decide it: those first that are nothing but a
+   variable. While the type is as general as it will ever be. *)
 let deciding parameters arguments =
-  (* [variables]: the earlier parameters that are a variable *)
-  let rec of_parameters variables parameters arguments =
+  let rec of_parameters earlier parameters arguments =
     match (parameters, arguments) with
-    | [], _ -> List.map (fun _ -> None) arguments
+    | [], _ -> List.map (fun _ -> []) arguments
     | _, [] -> []
     | parameter :: parameters, argument :: arguments ->
-        let decided_by =
-          match variables with
-          | [] -> None
-          | _ ->
-              List.find_opt (fun (v, _) -> Type.occurs v parameter) variables
-              |> Option.map (fun (_, earlier) -> earlier)
+        let types, units = flexible parameter in
+        let decides ((types', units'), place, decides) : Expected.decider list =
+          let shared = List.filter (fun v -> List.memq v types) types' in
+          let is_size (v : Type.flexible) = v.kind = Of_sizes in
+          let sizes, others = List.partition is_size shared in
+          let decider a_size : Expected.decider = { place; decides; a_size } in
+          (if sizes = [] then [] else [ decider true ])
+          @
+          if others <> [] || List.exists (fun u -> List.mem u units) units' then
+            [ decider false ]
+          else []
         in
-        let variables =
+        let decided_by = List.concat_map decides earlier in
+        let this = ((types, units), argument.value.span, parameter) in
+        let earlier =
           match Type.expand parameter with
-          | Flexible v -> variables @ [ (v, (argument.value.span, parameter)) ]
-          | _ -> variables
+          | Flexible _ -> this :: earlier
+          | _ -> earlier @ [ this ]
         in
-        decided_by :: of_parameters variables parameters arguments
+        decided_by :: of_parameters earlier parameters arguments
   in
   of_parameters [] parameters arguments
 
@@ -222,13 +245,31 @@ let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
       | Some { scheme; _ } -> (
           let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
           let found = (expressions.infer ctx argument.value).ty in
-          let given = List.mapi (fun i ty -> if i + 1 = failed then found else ty) given in
+          (* no text comes in: an input that is one was only taken for one here *)
+          let is_input (e : Resolve.Ir.expr) =
+            match e.desc with Local x -> List.mem_assoc x.name ctx.inputs | _ -> false
+          in
+          let given =
+            List.mapi
+              (fun i ty ->
+                if i + 1 = failed then found
+                else if Type.expand ty = String && is_input (List.nth arguments i).value then
+                  Type.Erroneous
+                else ty)
+              given
+          in
           let parameters = parameters instance.ty in
+          let unfit ~wanted given =
+            let lacks (class_, argument) =
+              Type.expand argument == Type.expand wanted && has_no_instance ctx class_ given
+            in
+            List.exists lacks instance.required
+          in
           let order =
-            match Argument_order.exchanged ~parameters ~given ~position:failed with
+            match Argument_order.exchanged ~unfit ~parameters ~given ~position:failed with
             | Some other ->
                 Some (Argument_order.exchange failed other ~of_:(List.length arguments))
-            | None -> Argument_order.rotated ~parameters ~given
+            | None -> Argument_order.rotated ~unfit ~parameters ~given
           in
           let cure order =
             let arguments = List.map (fun a -> a.value) arguments in

@@ -5,20 +5,37 @@ let representations_agree a b =
   | Int, Float | Float, Int -> false
   | (Int | Float | Flexible_representation _ | Rigid_representation _), _ -> true
 
+(* What the variables of the wanted type stand for. *)
+type bound = {
+  mutable types : (Type.flexible * Type.t) list;
+  mutable units : (Units.t * Units.t) list;
+}
+
+let nothing_bound () = { types = []; units = [] }
+
+let units_agree bound wanted given =
+  if not (Units.is_open wanted) then Units.is_open given || Units.equal wanted given
+  else
+    match List.find_opt (fun (u, _) -> Units.equal u wanted) bound.units with
+    | Some (_, earlier) -> Units.is_open earlier || Units.is_open given || Units.equal earlier given
+    | None ->
+        bound.units <- (wanted, given) :: bound.units;
+        true
+
 (* Could what is given be meant where this is wanted? A variable of the wanted type is one
    thing wherever it stands; [bound] tells what. *)
 let rec agree bound wanted given =
   let all ws gs = List.compare_lengths ws gs = 0 && List.for_all2 (agree bound) ws gs in
   match (Type.expand wanted, Type.expand given) with
   | Flexible variable, given -> (
-      match List.find_opt (fun (v, _) -> v == variable) !bound with
-      | Some (_, earlier) -> agree (ref []) earlier given
+      match List.find_opt (fun (v, _) -> v == variable) bound.types with
+      | Some (_, earlier) -> agree (nothing_bound ()) earlier given
       | None ->
-          bound := (variable, given) :: !bound;
+          bound.types <- (variable, given) :: bound.types;
           true)
   | _, (Flexible _ | Erroneous) | Erroneous, _ -> true
   | Number (r, u), Number (r', u') ->
-      representations_agree r r' && (Units.is_open u || Units.is_open u' || Units.equal u u')
+      representations_agree r r' && units_agree bound u u'
   | Tuple ws, Tuple gs -> all ws gs
   | Function (a, b), Function (a', b') | Signal_function (a, b), Signal_function (a', b') ->
       all [ a; b ] [ a'; b' ]
@@ -32,13 +49,13 @@ let rec agree bound wanted given =
       false
 
 (* As [agree], but not because nothing is known of what is given. *)
-let surely bound wanted given =
+let surely ~unfit bound wanted given =
   match (Type.expand wanted, Type.expand given) with
-  | Flexible _, _ -> agree bound wanted given
+  | Flexible _, _ -> (not (unfit ~wanted given)) && agree bound wanted given
   | _, (Flexible _ | Erroneous) -> false
   | _ -> agree bound wanted given
 
-let exchanged ~parameters ~given ~position =
+let exchanged ~unfit ~parameters ~given ~position =
   let alike a b =
     match (Type.expand a, Type.expand b) with
     | Number (_, u), Number (_, u') -> Units.equal u u'
@@ -65,11 +82,11 @@ let exchanged ~parameters ~given ~position =
     else if alike (List.nth given (i - 1)) (List.nth given (position - 1)) then false
     else
       let moved j = if j = i then position else if j = position then i else j in
-      let bound = ref [] in
+      let bound = nothing_bound () in
       List.mapi (fun j parameter -> (j + 1, parameter)) parameters
       |> List.for_all (fun (j, parameter) ->
              match List.nth_opt given (moved j - 1) with
-             | Some ty when moved j <> j -> surely bound parameter ty
+             | Some ty when moved j <> j -> surely ~unfit bound parameter ty
              | Some ty -> agree bound parameter ty
              | None -> true)
   in
@@ -77,7 +94,7 @@ let exchanged ~parameters ~given ~position =
   else List.find_opt fit (List.mapi (fun i _ -> i + 1) given)
 
 let pair_exchanged ~unfit ~wanted:(a, b) (a', b') =
-  let fits wanted given = agree (ref []) wanted given && not (unfit ~wanted given) in
+  let fits wanted given = agree (nothing_bound ()) wanted given && not (unfit ~wanted given) in
   let is_open t = match Type.expand t with Type.Flexible _ | Erroneous -> true | _ -> false in
   (not (fits a a' && fits b b'))
   && fits a b' && fits b a'
@@ -90,16 +107,18 @@ let exchange a b ~of_:n =
       let i = i + 1 in
       if i = a then b else if i = b then a else i)
 
-let rotated ~parameters ~given =
+let rotated ~unfit ~parameters ~given =
+  let n = List.length given in
   let fits order =
-    let bound = ref [] in
+    let bound = nothing_bound () in
     List.for_all2
-      (fun parameter i -> surely bound parameter (List.nth given (i - 1)))
+      (fun parameter i -> surely ~unfit bound parameter (List.nth given (i - 1)))
       parameters order
   in
-  match (parameters, given) with
-  | [ _; _; _ ], [ _; _; _ ] -> List.find_opt fits [ [ 2; 3; 1 ]; [ 3; 1; 2 ] ]
-  | _ -> None
+  if n < 3 || List.compare_length_with parameters n <> 0 then None
+  else
+    let by k = List.init n (fun i -> ((i + k) mod n) + 1) in
+    List.find_opt fits [ by 1; by (n - 1) ]
 
 let cure words ~name ~at ~(arguments : Resolve.Ir.expr list) order (d : Diagnostic.t) =
   let text i =

@@ -13,16 +13,21 @@ val pair_exchanged :
 (** The two of a pair do not fit where they stand, and would if they changed places. [unfit]:
     this type fits only as long as nobody asks for its classes. *)
 
-val exchanged : parameters:Type.t list -> given:Type.t list -> position:int -> int option
-(** [given] are the types of the arguments, of which that at [position], from 1, does not fit
+val exchanged :
+  unfit:(wanted:Type.t -> Type.t -> bool) ->
+  parameters:Type.t list -> given:Type.t list -> position:int -> int option
+(** [unfit] as above. [given] are the types of the arguments, of which that at [position], from 1, does not fit
     [parameters], the function's as its scheme has them. The position of another argument with
     which it could change places. *)
 
 val exchange : int -> int -> of_:int -> int list
 (** The order of so many arguments in which these two have changed places. *)
 
-val rotated : parameters:Type.t list -> given:Type.t list -> int list option
-(** The order in which three arguments fit, each of which stands elsewhere. *)
+val rotated :
+  unfit:(wanted:Type.t -> Type.t -> bool) ->
+  parameters:Type.t list -> given:Type.t list -> int list option
+(** The order in which three arguments or more fit, if the first was given last, or the last
+    first. *)
 
 val cure :
   Show.words ->

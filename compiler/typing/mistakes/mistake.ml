@@ -49,7 +49,30 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
       | None -> d)
   | _ -> d
 
+(* Types with the same constructor outside: what is in them does not fit. *)
+let alike a b =
+  match (Type.expand a, Type.expand b) with
+  | Data { tycon; _ }, Data { tycon = other; _ } -> tycon = other
+  | Tuple ts, Tuple us -> List.compare_lengths ts us = 0
+  | Number _, Number _ | Function _, Function _ | Signal_function _, Signal_function _ -> true
+  | _ -> false
+
+(* Which argument decided a variable matters where the variable does not fit. *)
+let without_idle_deciders (expected : Expected.t) found (clash : Unify.clash) : Expected.t =
+  let is_variable (t : Type.t) = match t with Flexible _ -> true | _ -> false in
+  let of_sizes = match clash with Different (Size _, Size _) -> true | _ -> false in
+  let matters ({ decides; a_size; _ } : Expected.decider) =
+    a_size = of_sizes
+    && (is_variable expected.ty || is_variable decides || alike expected.ty found)
+  in
+  match expected.because with
+  | Parameter p ->
+      { expected with
+        because = Parameter { p with decided_by = List.filter matters p.decided_by } }
+  | _ -> expected
+
 let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : Unify.clash) =
+  let expected = without_idle_deciders expected found clash in
   (* names of signatures first, so that no invented name repeats one *)
   (match Show.described words expected.ty with
   | "a number" -> ()
@@ -98,6 +121,11 @@ let exchanged_pair words ~at (expected : Expected.t) ((a : Resolve.Ir.expr), fir
   (* names of signatures first *)
   ignore (Show.type_ words expected.ty);
   let found = Type.Tuple [ first; second ] in
+  let without_decider : Expected.reason -> Expected.reason = function
+    | Parameter p -> Parameter { p with decided_by = [] }
+    | because -> because
+  in
+  let expected = { expected with because = without_decider expected.because } in
   let d =
     error ~code:"E0301" ~at "the two of this pair stand in the other order"
     |> Expected.explain words expected

@@ -371,15 +371,25 @@ let without_open_units (expected : Expected.t) =
   in
   Expected.make because (without_open_unit expected.ty)
 
-let to_float (e : Resolve.Ir.expr option) =
-  match Option.bind e Plain_name.of_expr with
-  | Some name -> fun d ->
-      let text = Printf.sprintf "toFloat %s" name in
+(* What converts each number that is in such a value. *)
+let for_each t =
+  match Type.expand t with
+  | Data { tycon; _ } when tycon = Environment.array -> Some "map "
+  | _ when Environment.is_event t -> Some "mapE "
+  | Number _ -> Some ""
+  | _ -> None
+
+let to_float ~found (e : Resolve.Ir.expr option) =
+  match (Option.bind e Plain_name.of_expr, for_each found) with
+  | Some name, Some each -> fun d ->
+      let text = Printf.sprintf "%stoFloat %s" each name in
       hint (Printf.sprintf "write `%s`" text) d
       |> fix (Printf.sprintf "write `%s`" text) [ ((Option.get e).span, "(" ^ text ^ ")") ]
-  | None -> hint "`toFloat` makes a `Float` of an `Int`"
+  | None, Some (("map " | "mapE ") as each) ->
+      hint (Printf.sprintf "`%stoFloat` makes each `Int` in it a `Float`" each)
+  | _ -> hint "`toFloat` makes a `Float` of an `Int`"
 
-let to_int (e : Resolve.Ir.expr option) =
+let to_int ~found (e : Resolve.Ir.expr option) =
   let whole digits =
     match String.index_opt digits '.' with
     | Some point
@@ -392,7 +402,13 @@ let to_int (e : Resolve.Ir.expr option) =
   | Some { desc = Number { digits; unit_ = None; _ }; span } when whole digits <> None -> fun d ->
       let text = Option.get (whole digits) in
       hint (Printf.sprintf "a whole number has no point: `%s`" text) d |> write span text
-  | _ -> hint "`round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`"
+  | _ -> (
+      match for_each found with
+      | Some (("map " | "mapE ") as each) ->
+          hint
+            (Printf.sprintf "`%sround` makes each `Float` in it an `Int`; or `floor`, `ceiling`, \
+              `truncate`" each)
+      | _ -> hint "`round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`")
 
 let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   let text = Show.representation words in
@@ -402,17 +418,17 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
       (Show.described words found)
   in
   match (expected.because, (wanted : Type.representation), (given : Type.representation)) with
-  | Operand { operator = "!"; _ }, _, Float -> plain () |> to_int subject
+  | Operand { operator = "!"; _ }, _, Float -> plain () |> to_int ~found subject
   | Operand { operator; other; _ }, Float, Int | Operand { operator; other; _ }, Int, Float ->
       let number = if given = Int then subject else Some other in
       error ~code:"E0312" ~at "the operands of `%s` are %s and %s" operator
         (Show.described words expected.ty) (Show.described words found)
       |> here (Printf.sprintf "this is %s" (Show.described words found))
-      |> to_float number
+      |> to_float ~found number
   | Parameter { callee = Some "/"; _ }, Float, Int ->
-      plain () |> hint "`div` divides whole numbers" |> to_float subject
-  | _, Float, Int -> plain () |> to_float subject
-  | _, Int, Float -> plain () |> to_int subject
+      plain () |> hint "`div` divides whole numbers" |> to_float ~found subject
+  | _, Float, Int -> plain () |> to_float ~found subject
+  | _, Int, Float -> plain () |> to_int ~found subject
   | _ ->
       plain ()
       |> note (Printf.sprintf "`%s` and `%s` are different representations" (text wanted)

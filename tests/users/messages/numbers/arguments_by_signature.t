@@ -48,8 +48,9 @@ Arguments that are forgotten, too many, or of another kind: the signature of wha
    --> foldl_two.frob:2:28
     |
   2 | main = proc a -> foldl (+) a
-    |                  -----     ^
-    |                  |
+    |                  ----- --- ^
+    |                  |     |
+    |                  |     because this is `n[u] -> n[u] -> n[u]`
     |                  argument 2 of `foldl` is a number
     |
     = hint: it stands in the place of argument 2: `foldl :: (b -> a -> b) -> b -> Array n a -> b`

@@ -34,8 +34,9 @@ Arrays of another size, ranges, patterns of another length.
    --> sizes.frob:5:99
     |
   5 | main = reactimateRobot (proc i -> roMake (setVelTR (0.5[1/s] * sum (zipWith (\g d -> g * d) gains ds)) 0) where
-    |                                                                     -------                       ^^
-    |                                                                     |
+    |                                                                     -------                 ----- ^^
+    |                                                                     |                       |
+    |                                                                     |                       because this is `Array 3 Float`
     |                                                                     argument 3 of `zipWith` is `Array 3 Float[u]`
     |
     = hint: the two have different numbers of elements; `take` and `drop` make an array of the size that its type says

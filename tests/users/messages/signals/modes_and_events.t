@@ -203,17 +203,7 @@ Switches with their event as an argument, and events that are taken for values.
     |
     = hint: an event has a value only where it occurs: `mapE (\x -> findBlob x.image …) (camera i)` is the event of what `findBlob` makes of it
   
-  error[E0301]: expected `Image`, found `Event Frame`
-   --> camera_direct.frob:5:42
-    |
-  5 |     b = findBlob (camera i) (everywhere (camera i)) red)
-    |                              ----------  ^^^^^^^^
-    |                              |
-    |                              argument 1 of `everywhere` is `Image`
-    |
-    = hint: an event has a value only where it occurs: `mapE (\x -> everywhere x.image) (camera i)` is the event of what `everywhere` makes of it
-  
-  2 errors, 2 warnings
+  1 error, 2 warnings
   [1]
 
   $ cat > camera_hold.frob <<'FROB'

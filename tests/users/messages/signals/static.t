@@ -60,7 +60,7 @@ A task that goes on as itself must take time.
      |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
      |
      = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
-     = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
+     = hint: let time pass between: `sleepT 10[ms] …` after the task takes some, with the output meanwhile, such as the `restingOutput` of a robot
   
   1 error
   [1]

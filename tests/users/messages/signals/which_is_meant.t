@@ -90,8 +90,9 @@ A signature that says a function: it is told of the definition, and not again wh
    --> unit_pattern.frob:2:115
     |
   2 | main = reactimateRobot (switch (proc i -> (roMake (setVelTR 0.2[m/s] 0), tag (edge (bumped i)) (frontSonar i))) (\() -> …
-    |                         ------                                                                                    ^^
-    |                         |
+    |                         ------  ------------------------------------------------------------------------------    ^^
+    |                         |       |
+    |                         |       because this is `SF a (b, Event Distance)`
     |                         argument 2 of `switch` is `Distance` (m)
     |
     = hint: it stands in the place of argument 2: `switch :: SF a (b, Event c) -> (c -> SF a b) -> SF a b`
