@@ -34,10 +34,32 @@ let at_the_edge ~column piece =
   | [] -> ""
   | first :: rest -> String.concat "\n" (first :: List.map moved rest)
 
-let formatted piece =
-  match Formatting.Formatter.text (Diagnostic.sink ()) ~file:"" (piece ^ "\n") with
-  | Formatted text -> String.trim text
-  | Broken | Refused _ -> piece
+let format text =
+  match Formatting.Formatter.text (Diagnostic.sink ()) ~file:"" text with
+  | Formatted text -> Some text
+  | Broken | Refused _ -> None
+
+let formatted piece = Option.fold (format (piece ^ "\n")) ~none:piece ~some:String.trim
+
+(* The one edit between two texts, of whole lines. *)
+let difference before after =
+  let n = String.length before and m = String.length after in
+  let rec same_start i = if i < min n m && before.[i] = after.[i] then same_start (i + 1) else i in
+  let start = start_of_line before (same_start 0) in
+  let rec same_end k =
+    if k < min n m - start && before.[n - k - 1] = after.[m - k - 1] then same_end (k + 1) else k
+  in
+  let k = n - end_of_line before (n - same_end 0) in
+  ((start, n - k), String.sub after start (m - start - k))
+
+(* A text that is formatted stays so: names with their arguments may make lines too long, and
+   what stood in columns beside what is gone may move. *)
+let tidy text edits =
+  let after = applied text edits in
+  match (format text, format after) with
+  | Some before, Some tidy when String.equal before text && not (String.equal tidy after) ->
+      [ difference text tidy ]
+  | _ -> edits
 
 (* {1 Out of its block} *)
 
@@ -237,4 +259,4 @@ let at ws (doc : Document.t) view place =
           Option.map inferred (Facts.global facts global)
     in
     let signed = Option.bind (written ()) (fun signature -> attempt (signature ^ "\n")) in
-    Some { name; edits = Option.fold signed ~none:edits ~some:fst }
+    Some { name; edits = tidy text (Option.fold signed ~none:edits ~some:fst) }

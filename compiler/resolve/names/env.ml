@@ -51,6 +51,18 @@ let warn_hidden t (outer : Ir.Local.t) (inner : Ir.Local.t) =
   |> Diagnostic.label ~at:outer.span "hidden from here on"
   |> Context.emit (context t)
 
+(* Whoever sets the parameter would set nothing here. *)
+let warn_of_param t (inner : Ir.Local.t) =
+  let is_it (param : Syntax.Ir.name) = String.equal param.text inner.name in
+  match List.find_opt is_it (Lazy.force t.scope.params) with
+  | Some param ->
+      Diagnostic.warning ~code:"W0201" ~at:inner.span "`%s` hides the parameter of that name"
+        inner.name
+      |> Diagnostic.label ~at:param.span "what is set when a run starts does not matter there"
+      |> Diagnostic.hint "give one of them another name"
+      |> Context.emit (context t)
+  | None -> ()
+
 let bind t variables =
   let add (fresh, locals) variable =
     let name = variable.local.name in
@@ -61,7 +73,7 @@ let bind t variables =
     | None ->
         (match String_map.find_opt name t.locals with
         | Some outer -> warn_hidden t outer.local variable.local
-        | None -> ());
+        | None -> warn_of_param t variable.local);
         (String_map.add name variable.local fresh, String_map.add name variable locals)
   in
   let _, locals = List.fold_left add (String_map.empty, t.locals) variables in

@@ -62,6 +62,11 @@ let in_capitals (program : program) =
   in
   List.filter_map declared program.declarations
 
+let params (program : program) =
+  List.filter_map
+    (fun (d : declaration) -> match d.desc with Parameter { name; _ } -> Some name | _ -> None)
+    program.declarations
+
 let without_definition (program : program) =
   let defined = Hashtbl.create 16 in
   List.iter

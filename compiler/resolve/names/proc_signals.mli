@@ -28,3 +28,6 @@ val c_declarations : Syntax.Ir.program -> (Syntax.Ir.name * Syntax.Ir.name) list
 
 val of_right : Syntax.Ir.right -> t list
 (** What all [proc]s within a right side bind. *)
+
+val params : Syntax.Ir.program -> Syntax.Ir.name list
+(** The names that [param] declares. *)

@@ -26,6 +26,7 @@ type t = {
   signals : Proc_signals.t list Lazy.t;
   c_declarations : (Syntax.Ir.name * Syntax.Ir.name) list Lazy.t;
   in_capitals : string list Lazy.t;
+  params : Syntax.Ir.name list Lazy.t;
   without_definition : string list Lazy.t;
 }
 
@@ -369,4 +370,5 @@ let create context ~module_ ~library ~own ~imports ~complete ~elsewhere ~syntax 
     signals = lazy (Proc_signals.of_module syntax);
     c_declarations = lazy (Proc_signals.c_declarations syntax);
     in_capitals = lazy (Proc_signals.in_capitals syntax);
+    params = lazy (Proc_signals.params syntax);
     without_definition = lazy (Proc_signals.without_definition syntax) }

@@ -40,6 +40,7 @@ type t = {
   c_declarations : (Syntax.Ir.name * Syntax.Ir.name) list Lazy.t;
       (** see {!Proc_signals.c_declarations} *)
   in_capitals : string list Lazy.t;  (** see {!Proc_signals.in_capitals} *)
+  params : Syntax.Ir.name list Lazy.t;  (** those that the module declares *)
   without_definition : string list Lazy.t;  (** see {!Proc_signals.without_definition} *)
 }
 

@@ -122,3 +122,30 @@ be its parameters, and it gets a signature.
   > v slow way = slow way
   -- x - d
   not offered
+
+A program that is formatted stays so: a line that its name with arguments makes too long is broken.
+
+  $ cat > drive.frob <<'END'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR speed 0) where
+  >     wantedDistance = 0.6[m] + 0 * frontSonar i
+  >     gainOfTheController = 0.5[1/s]
+  >     slow y = gainOfTheController * (y - wantedDistance)
+  >     speed = max (slow (sideSonar i)) (min (slow (frontSonar i)) (slow (rightSonar i))))
+  > END
+  $ frobc format drive.frob
+  $ python3 -c "from lift import *; text = lift('drive.frob', 'slow y'); print(text, end=''); client.end()" > lifted.frob
+  lift `slow` to the top level
+  $ frobc check lifted.frob; frobc format --check lifted.frob; cat lifted.frob
+  import Robot
+  
+  main = reactimateRobot (proc i -> roMake (setVelTR speed 0) where
+      wantedDistance = 0.6[m] + 0 * frontSonar i
+      gainOfTheController = 0.5[1/s]
+      speed = max (slow gainOfTheController wantedDistance (sideSonar i))
+          (min (slow gainOfTheController wantedDistance (frontSonar i))
+              (slow gainOfTheController wantedDistance (rightSonar i))))
+  
+  slow :: n[u] -> n[v] -> n[v] -> n[u v]
+  slow gainOfTheController wantedDistance y = gainOfTheController * (y - wantedDistance)
