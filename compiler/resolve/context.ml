@@ -32,6 +32,8 @@ let emit t diagnostic =
   if is_of_unknown diagnostic then t.unknown <- diagnostic :: t.unknown
   else Diagnostic.emit t.sink diagnostic
 
+let is_told t is_it = List.exists is_it t.unknown
+
 let fresh t name span : Ir.Local.t =
   let id = t.next_local in
   t.next_local <- id + 1;

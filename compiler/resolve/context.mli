@@ -9,6 +9,9 @@ val create : Diagnostic.sink -> t
 val emit : t -> Diagnostic.t -> unit
 (** What is said of an unknown name waits for {!tell}. *)
 
+val is_told : t -> (Diagnostic.t -> bool) -> bool
+(** Something of this kind is said of an unknown name already. *)
+
 val fresh : t -> string -> Span.t -> Ir.Local.t
 (** A new local variable. *)
 

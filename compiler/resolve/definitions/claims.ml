@@ -15,12 +15,37 @@ let check_label (scope : Scope.t) (label : Syntax.Ir.name) =
     |> Diagnostic.hint "it says in a few words what is to hold; the summary of a run shows it"
     |> Context.emit scope.context
 
+(* `trial name = Trial { … }`, which defines a function. *)
+let check_quotes (scope : Scope.t) (d : Syntax.Ir.declaration) =
+  let rec is_a_check (e : Syntax.Ir.expr) =
+    match e.desc with
+    | Record { constructor = { name = { text = "Trial" | "Test"; _ }; _ }; _ } -> true
+    | Variable { name = { text = "during" | "trace"; _ }; _ } -> true
+    | Apply (head, _) | Parenthesized head -> is_a_check head
+    | _ -> false
+  in
+  match d.desc with
+  | Binding
+      { left =
+          Function_name
+            { name = { text = ("trial" | "test") as word; _ };
+              parameters = [ { desc = Bound label; _ } ] };
+        right = { body = Plain value; _ }; _ }
+    when is_a_check value ->
+      let text = Printf.sprintf "\"%s\"" label.text in
+      Diagnostic.error ~code:"E0235" ~at:label.span "the label of a `%s` is a text, in quotes" word
+      |> Diagnostic.hint (Printf.sprintf "write `%s %s = …`" word text)
+      |> Diagnostic.write label.span text
+      |> Context.emit scope.context
+  | _ -> ()
+
 let check scope (program : Syntax.Ir.program) =
   let rec visit ~in_proc (node : Syntax.Node.t) =
     (match node with
     | Declaration { desc = Claim { kind; label; _ }; span; _ } ->
         if in_proc then check_label scope label else report_place scope kind span
     | Declaration { desc = Check { label; _ }; _ } -> check_label scope label
+    | Declaration d -> check_quotes scope d
     | _ -> ());
     let in_proc =
       match node with Expression { desc = Proc _; _ } -> true | _ -> false

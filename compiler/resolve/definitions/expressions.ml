@@ -26,6 +26,10 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   | Apply (head, { desc = Array [ unit_ ]; span }) when is_unit_of env head unit_ ->
       report_apart env head unit_ span;
       missing
+  | Apply (head, { desc = Array [ unit_ ]; span })
+    when head.span.stop = span.start && is_a_unit env unit_ ->
+      report_unit_of_a_value env head unit_ (Span.merge head.span span) span;
+      missing
   | Apply (head, { desc = Parenthesized unit_; span }) when is_unit_of env head unit_ ->
       report_apart env head unit_ span;
       missing
@@ -105,12 +109,29 @@ and is_statement_elsewhere head =
 and is_unit_of env (head : Syntax.Ir.expr) unit_ =
   match head.desc with
   | Number { unit_ = None; _ } | Apply (_, { desc = Number { unit_ = None; _ }; _ }) ->
-      let is_unit (name : Syntax.Ir.name) =
-        (not (Env.is_known env name))
-        && Scope.look (Env.scope env) Interface.units name <> None
-      in
-      Unit_word.is_expression is_unit unit_
+      is_a_unit env unit_
   | _ -> false
+
+and is_a_unit env unit_ =
+  let is_unit (name : Syntax.Ir.name) =
+    (not (Env.is_known env name)) && Scope.look (Env.scope env) Interface.units name <> None
+  in
+  Unit_word.is_expression is_unit unit_
+
+(* `(k * x)[m/s]` *)
+and report_unit_of_a_value env (head : Syntax.Ir.expr) unit_ whole span =
+  let unit_ = Unit_word.of_expression unit_ in
+  Diagnostic.error ~code:"E0205" ~at:span
+    "a unit stands on a number written out or on a type, not on what is computed"
+  |> Diagnostic.hint
+       (Printf.sprintf
+          "a value has its unit already; to give one to a plain number, multiply: `x * 1[%s]`" unit_)
+  |> (match head.desc with
+     | Parenthesized _ ->
+         let at = { whole with start = head.span.stop } in
+         Diagnostic.fix "multiply by it" [ (at, Printf.sprintf " * 1[%s]" unit_) ]
+     | _ -> Fun.id)
+  |> Context.emit (Env.context env)
 
 (* The name of a field, and of nothing else. *)
 and is_a_field env (name : Syntax.Ir.name) =

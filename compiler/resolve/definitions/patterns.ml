@@ -20,6 +20,25 @@ let report_field (scope : Scope.t) (constructor : constructor) known (field : Sy
        else d)
   |> Context.emit scope.context
 
+(* Several are one mistake: another record was in mind. *)
+let report_fields (scope : Scope.t) (constructor : constructor) known = function
+  | [] -> ()
+  | [ field ] -> report_field scope constructor known field
+  | (first : Syntax.Ir.name) :: _ as fields ->
+      let quoted (field : Syntax.Ir.name) = Printf.sprintf "`%s`" field.text in
+      Diagnostic.error ~code:"E0209" ~at:first.span "constructor `%s` has no fields %s"
+        constructor.global.name
+        (Enumeration.all (List.map quoted fields))
+      |> Diagnostic.label ~at:constructor.span "declared here"
+      |> (if List.compare_length_with known 8 <= 0 then
+            Diagnostic.hint
+              (Printf.sprintf "it is built so: `%s { %s }`" constructor.global.name
+                 (String.concat ", " (List.map (Printf.sprintf "%s = …") known)))
+         else
+           Diagnostic.note
+             ("its fields: " ^ String.concat ", " (List.map (Printf.sprintf "`%s`") known)))
+      |> Context.emit scope.context
+
 let report_repeated (scope : Scope.t) (first : Syntax.Ir.name) (second : Syntax.Ir.name) =
   Diagnostic.error ~code:"E0213" ~at:second.span "field `%s` is given twice" second.text
   |> Diagnostic.label ~at:first.span "first given here"
@@ -35,6 +54,7 @@ let construction (scope : Scope.t) (constructor : constructor) ~at given =
       None
   | Some known ->
       let known_set = String_set.of_list known in
+      let wrong = ref [] in
       let add (seen, reversed) ((field : Syntax.Ir.name), x) =
         match String_map.find_opt field.text seen with
         | Some first ->
@@ -43,10 +63,12 @@ let construction (scope : Scope.t) (constructor : constructor) ~at given =
         | None when String_set.mem field.text known_set ->
             (String_map.add field.text field seen, (field, x) :: reversed)
         | None ->
-            report_field scope constructor known field;
+            wrong := field :: !wrong;
             (seen, reversed)
       in
-      Some (List.rev (snd (List.fold_left add (String_map.empty, []) given)))
+      let given = List.rev (snd (List.fold_left add (String_map.empty, []) given)) in
+      report_fields scope constructor known (List.rev !wrong);
+      Some given
 
 let report_arity (scope : Scope.t) (constructor : constructor) ~found at =
   Diagnostic.error ~code:"E0225" ~at "constructor `%s` has %d argument%s, not %d"

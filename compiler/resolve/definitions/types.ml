@@ -129,6 +129,16 @@ let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
        diagnostic
     else if String.equal tycon.global.name "SF" && is_builtin tycon && found > 2 then
       Diagnostic.hint "several inputs are one tuple, as in `SF (a, b) c`" diagnostic
+    else if String.equal tycon.global.name "SF" && is_builtin tycon then
+      Diagnostic.hint "what comes in and what comes out, as in `SF Float Bool`; `()` is nothing"
+        diagnostic
+    else if String.equal tycon.global.name "Task" && is_builtin tycon then
+      Diagnostic.hint
+        "what comes in, what comes out, and what it ends with, as in `Task i o ()`; `()` is nothing"
+        diagnostic
+    else if String.equal tycon.global.name "Program" && is_builtin tycon then
+      Diagnostic.hint "the robot's input and output, as in `Program RobotInput RobotOutput`"
+        diagnostic
     else if is_builtin tycon then diagnostic
     else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
     |> Context.emit scope.context

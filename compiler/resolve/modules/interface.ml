@@ -158,7 +158,11 @@ let add context space ?(hint = Fun.id) names (name : Syntax.Ir.name) entry =
       Diagnostic.error ~code:"E0211" ~at:name.span "the %s `%s` is defined twice" space.noun
         name.text
       |> Diagnostic.label ~at:(space.place earlier) "first defined here"
-      |> hint |> Context.emit context
+      |> hint
+      |> (fun d ->
+           if d.hints = [] then Diagnostic.hint "take one of them out, or give it another name" d
+           else d)
+      |> Context.emit context
 
 let signed_names declarations =
   let signed = String_table.create 16 in

@@ -39,6 +39,7 @@ let number = function
       Some "`x - x == 0` tells that x is finite; infinity is written `1 / 0`"
   | "deg2rad" | "radians" | "toRadians" | "to_radians" ->
       Some "angles are in radians, and `90[deg]` is one; x degrees are `x * 1[deg]`"
+  | "as" -> Some "nothing is converted: how many of a unit there are in x is `x / 1[deg]`"
   | "rad2deg" | "degrees" | "toDegrees" | "to_degrees" -> Some "an angle in degrees is `a / 1[deg]`"
   | "wrapToPi" | "wrap_angle" | "wrap_to_pi" | "normalizeAngle" | "normalize_angle" -> Some wrapped
   | "angle_diff" | "shortest_angular_distance" -> Some "it is `angleDiff a b`: `import Geometry`"
@@ -88,9 +89,15 @@ let activity = function
       Some "`map f xs` is each element's; tasks one after the other are `forEachT xs f`"
   | "millis" | "micros" -> Some "`time ()` is the time since the start, in seconds"
   | "localTime" -> Some "it is `time`"
-  | "dt" -> Some "`stepTime ()` of `Control` is the time since the instant before"
-  | "undefined" | "assert" ->
-      Some "a program never stops at a fault: what may have no value is a `Maybe`"
+  | "dt" | "deltaTime" | "delta_t" ->
+      Some
+        "`integral x` and `derivative x` know the time by themselves; `stepTime ()` of `Control` is \
+         the time since the instant before"
+  | "assert" | "assume" ->
+      Some
+        "an assertion is an equation of a `proc`, and no task or value: `proc i -> y where`, with \
+         `assert \"label\" (y > 0)` below"
+  | "undefined" -> Some "a program never stops at a fault: what may have no value is a `Maybe`"
   | _ -> None
 
 let signal_function = function

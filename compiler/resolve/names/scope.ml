@@ -97,9 +97,14 @@ let other_meaning t space (name : Syntax.Ir.name) diagnostic =
   else if String.equal space.noun "type" && is_known t constructors name.text then
     Diagnostic.note (Printf.sprintf "`%s` is a constructor, not a type" name.text) diagnostic
   else if String.equal space.noun "name" && String_map.mem name.text (Lazy.force t.records) then
+    let owners = String_map.find name.text (Lazy.force t.records) in
+    let owners = List.map (fun (r : tycon) -> Printf.sprintf "`%s`" r.global.name) owners in
+    let owners = List.filteri (fun i _ -> i < 3) (List.sort_uniq String.compare owners) in
     Diagnostic.note
-      (Printf.sprintf "`%s` is a field: `r.%s` reads it, and the function is `\\r -> r.%s`"
-         name.text name.text name.text)
+      (Printf.sprintf
+         "`%s` is a field of %s: `r.%s` reads it; the function is `\\r -> r.%s`, the signal \
+          function `proc r -> r.%s`"
+         name.text (Enumeration.all owners) name.text name.text name.text)
       diagnostic
   else if String.equal space.noun "name" && is_known t units name.text then
     Diagnostic.note
@@ -153,6 +158,20 @@ let c_type_before t (name : Syntax.Ir.name) =
   in
   Option.map fst (List.find_opt is_it (Lazy.force t.c_declarations))
 
+let is_no_type =
+  "a class says what a type can do: it stands before `=>`, and a variable is the type, as in \
+   `(HasSonar i, DiffDrive o) => SF i o`"
+
+(* `SF HasSonar DiffDrive`: told once of a signature. *)
+let report_class t (name : Syntax.Ir.name) =
+  let same (d : Diagnostic.t) =
+    List.mem is_no_type d.hints && Span.line d.at.start = Span.line name.span.start
+  in
+  if not (Context.is_told t.context same) then
+    Diagnostic.error ~code:"E0207" ~at:name.span "`%s` is a class, and no type" name.text
+    |> Diagnostic.hint is_no_type
+    |> Context.emit t.context
+
 let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
@@ -168,11 +187,24 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     let all = List.filter has (Lazy.force t.elsewhere) in
     match List.filter (fun m -> m.gathers) all with [] -> all | gathering -> gathering
   in
+  let by_qualifier =
+    let has (i : import) =
+      (not i.unqualified) && String_table.mem (space.table i.names) name.text
+    in
+    match List.find_opt has t.imports with
+    | Some { qualifiers = q :: _; _ } -> Some (q ^ "." ^ name.text)
+    | Some _ | None -> None
+  in
   let imports =
     List.map (fun (m : of_library) -> Printf.sprintf "import %s" m.module_) with_it
   in
   let diagnostic =
     match (with_it, other_writing t space name.text) with
+    | _ when by_qualifier <> None ->
+        let text = Option.get by_qualifier in
+        Diagnostic.hint (Printf.sprintf "it is imported with its module's name: write `%s`" text)
+          diagnostic
+        |> Diagnostic.write name.span text
     | _ when List.exists is_it (Lazy.force signals) ->
         let signal = List.find is_it (Lazy.force signals) in
         Diagnostic.label ~at:signal.name.span
@@ -246,6 +278,8 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     | _ -> false
   in
   if told then ()
+  else if by_qualifier <> None then Context.emit t.context diagnostic
+  else if String.equal space.noun "type" && is_known t classes name.text then report_class t name
   else if with_it <> [] && not hidden then
     Context.not_imported t.context { imports; code = space.unknown; noun = space.noun; name }
   else Context.emit t.context diagnostic

@@ -77,18 +77,11 @@ let starts_with_a_text found =
   let bol = found.token.start.pos_bol in
   bol < String.length found.text && found.text.[bol] = '"'
 
-(* `assert (x > 0)` *)
-let claim_without_text found =
-  match first_word_of_line found with
-  | ("assert" | "assume") as word ->
-      let _, stop = first_word_from found found.token.start.pos_bol in
-      let condition = between found stop found.token.start.pos_cnum in
-      Some
-        (Printf.sprintf "what holds has a name, in quotes: `%s \"keeps off the wall\" %s`" word
-           (if condition = "" then "(x > 0)" else Source.grouped condition))
-  | _ when starts_with_a_text found ->
-      Some "a comment is `-- …`, and `-- | …` before a definition describes it"
-  | _ -> None
+(* `"drives ahead"` at the left edge *)
+let text_alone found =
+  if starts_with_a_text found then
+    Some "a comment is `-- …`, and `-- | …` before a definition describes it"
+  else None
 
 let no_effect =
   "nothing is called for its effect: an equation gives a value a name, as in `v = 0.3[m/s]`"
@@ -109,6 +102,8 @@ let cured found =
   match (found.token.token, found.before) with
   | DO, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _; _ } ->
       Diagnostic.write (span found.token) "$ do"
+  | EQUAL, Some _ when awaits_arrow (fst (message_of_state found.state)) ->
+      Diagnostic.write (span found.token) "->"
   | EQUAL, Some _ when compares found.context && is_blank (char_at found (found.token.start.pos_cnum
     - 1)) ->
       Diagnostic.write (span found.token) "=="
@@ -129,9 +124,9 @@ let plain found =
         [
           (match compares_instead found with
           | Some hint -> hint
-          | None -> Option.value (claim_without_text found) ~default:no_effect);
+          | None -> Option.value (text_alone found) ~default:no_effect);
         ]
-    | _ :: _ when found.token.token = EQUAL && awaits_arrow expected && state_hints = [] ->
+    | _ :: _ when found.token.token = EQUAL && awaits_arrow expected ->
         [ "`->` leads from the input to what comes out; an equation has `=`" ]
     | _ when found.token.token = WHERE && awaits_arrow expected ->
         [ "the output comes first, and then its equations: `proc x -> y where`" ]
@@ -425,7 +420,7 @@ let report sink ~text ~state ~before token =
   let found = { text; state; before; token; context = Layout.context token } in
   let first_of list = List.find_map (fun explain -> explain found) list in
   let d =
-    match first_of [ choice_of_commands; missing; bracket ] with
+    match first_of [ choice_of_commands; Lacking.diagnostic; missing; bracket ] with
     | Some d -> d
     | None -> plain found
   in

@@ -311,7 +311,10 @@ let of_token found =
   match (found.token.token, found.before) with
   | _ when beginning found <> None -> Option.map snd (beginning found)
   | _, Some before when foreign_operator found before <> None -> foreign_operator found before
+  | (LOWER _ | STRING _ | SLASH | OPERATOR "."), Some { token = IMPORT | QUALIFIED; _ }
+    when Lacking.path found <> None -> Lacking.path found
   | LOWER _, Some { token = MODULE | IMPORT | QUALIFIED; _ } -> capital found
+  | LOWER _, Some _ when Lacking.choices found <> None -> Lacking.choices found
   | QUALIFIED_UPPER _, Some { token = IMPORT | QUALIFIED; _ } ->
       Some "the name of a module has no points: its file stands beside this one, or in the library"
   | LOWER _, Some _ when first_word found = "import" && written found found.token = "hiding" ->

@@ -20,7 +20,9 @@ let check sink ~at name (scheme : Ir.scheme) =
         ~hint:"let it be a number that the function uses"
   | _, (Tuple _ | Data _) ->
       refuse sink ~at "the parameter `%s` cannot be of type `%s`" name (Show.scheme scheme)
-        ~hint:"declare a parameter for each number in it"
+        ~hint:
+          "declare a parameter for each number in it; one of two choices is a `Bool`, one of more \
+           an `Int`"
   | _, (Variable _ | Number _ | Bool | String | Size _) ->
       refuse sink ~at "the parameter `%s` cannot be of type `%s`" name (Show.scheme scheme)
 

@@ -61,6 +61,16 @@ let rec output_of (e : Ir.expr) =
 
 let is_closed (d : Ir.definition) = d.scheme.types = [] && d.scheme.representations = []
 
+(* A variable of its type that is called as a value of the program. *)
+let size_of_a_name (program : Ir.program) (d : Ir.definition) =
+  let is_a_value (v : Ir.variable) =
+    List.exists
+      (fun (other : Ir.definition) ->
+        String.equal other.name.name v.name && String.equal other.name.module_ d.name.module_)
+      program.definitions
+  in
+  Option.map (fun (v : Ir.variable) -> v.name) (List.find_opt is_a_value d.scheme.types)
+
 let refusal program ~closed (d : Ir.definition) =
   let name = d.name.name and ty = Show.scheme d.scheme in
   let refuse ?(at = d.span) what cure =
@@ -79,6 +89,14 @@ let refusal program ~closed (d : Ir.definition) =
         (Printf.sprintf "its type is `%s`, and what comes out is not what a robot takes" ty)
         "the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`"
   | (Signal_function _ | Program _) when closed || is_closed d -> None
+  | Signal_function _ | Program _ when size_of_a_name program d <> None ->
+      let size = Option.get (size_of_a_name program d) in
+      refuse
+        (Printf.sprintf "its type `%s` leaves open what comes in or goes out" ty)
+        (Printf.sprintf
+           "`%s` is any size here, and not the value of that name: a size is a number, or a name \
+            for one, `type N = 4`"
+           size)
   | Signal_function _ | Program _ ->
       refuse
         (Printf.sprintf "its type `%s` leaves open what comes in or goes out" ty)

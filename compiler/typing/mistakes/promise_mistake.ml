@@ -25,6 +25,22 @@ let essential ctx missing =
 
 let constraint_ words m = Show.constraint_ words m.class_ m.of_
 
+(* What is promised, each class of the variable that needs it, if all that is needed is promised
+   of others. *)
+let of_other_variables needed promised =
+  let class_of text = List.hd (String.split_on_char ' ' (String.trim text)) in
+  let promised = List.map String.trim (String.split_on_char ',' promised) in
+  let is_promised need =
+    List.exists (fun p -> String.equal (class_of p) (class_of need)) promised
+  in
+  if not (List.for_all is_promised needed) then None
+  else
+    let meant p =
+      let same need = String.equal (class_of need) (class_of p) in
+      Option.value (List.find_opt same needed) ~default:p
+    in
+    Some (String.concat ", " (List.map meant promised))
+
 (* The classes added to what a signature promises. *)
 let promised words ~by (place : Span.t) needed d =
   let joined = String.concat ", " needed in
@@ -48,6 +64,16 @@ let promised words ~by (place : Span.t) needed d =
           insert ("(" ^ joined ^ ", " ^ rest) [ (at 1, joined ^ ", ") ]
       | true, _ -> (
           match String.index_opt text '=' with
+          (* the first of several in parentheses, which the place is within *)
+          | Some i when String.contains (String.sub text 0 i) ')' -> (
+              let close = String.rindex_from text i ')' in
+              let rest = String.sub text close (String.length text - close) in
+              match of_other_variables needed (String.sub text 0 close) with
+              | Some promised ->
+                  let whole = Span.make ~file:place.file ~start:place.start
+                      ~stop:(Span.forward close place.start) in
+                  insert ("(" ^ promised ^ rest) [ (whole, promised) ]
+              | None -> insert ("(" ^ joined ^ ", " ^ text) [ (at 0, joined ^ ", ") ])
           | Some i ->
               let before = String.trim (String.sub text 0 i) in
               let rest = String.sub text i (String.length text - i) in

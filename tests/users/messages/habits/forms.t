@@ -104,7 +104,7 @@ A `case` without `of`, as Python has it:
   1 | half = proc x = x / 2
     |               ^
     |
-    = hint: as in `proc x -> x + 1`; several inputs are a tuple, as in `proc (x, y) -> x + y`
+    = hint: `->` leads from the input to what comes out; an equation has `=`
   
   1 error
   [1]

@@ -136,7 +136,7 @@ A field is no function:
   3 | speeds wheels = map speed wheels
     |                     ^^^^^
     |
-    = note: `speed` is a field: `r.speed` reads it, and the function is `\r -> r.speed`
+    = note: `speed` is a field of `Wheel`: `r.speed` reads it; the function is `\r -> r.speed`, the signal function `proc r -> r.speed`
     = hint: did you mean `speeds`?
   
   1 error

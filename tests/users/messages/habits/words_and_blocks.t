@@ -130,13 +130,13 @@ An equation where a task is done:
   >     assert (frontSonar i > 0.1[m]))
   > FROB
   $ frobc check no_text.frob
-  error[E0110]: expected `=` after the left side of a definition, found the end of the block
-   --> no_text.frob:3:35
+  error[E0110]: an `assert` has a label, which says what is to hold
+   --> no_text.frob:3:5
     |
   3 |     assert (frontSonar i > 0.1[m]))
-    |                                   ^
+    |     ^^^^^^
     |
-    = hint: what holds has a name, in quotes: `assert "keeps off the wall" (frontSonar i > 0.1[m])`
+    = hint: write `assert "keeps off the wall" (frontSonar i > 0.1[m])`
   
   1 error
   [1]

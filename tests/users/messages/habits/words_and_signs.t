@@ -234,13 +234,13 @@ Words and signs of other languages around a definition.
   > main = proc x -> cbrt x
   > FROB
   $ frobc check foreign_haskell.frob
-  error[E0110]: expected what is foreign: a name, `sf` and a name, `type`, or `include`, found `import`
+  error[E0110]: `foreign` has no `import` behind it, and the name in C stands last
    --> foreign_haskell.frob:1:9
     |
   1 | foreign import ccall "cbrt" cbrt :: Float -> Float
     |         ^^^^^^
     |
-    = hint: the name in C stands last: `foreign cubeRoot :: Float -> Float = "cbrt"`
+    = hint: write `foreign cbrt :: Float -> Float = "cbrt"`
   
   1 error
   [1]

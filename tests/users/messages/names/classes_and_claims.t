@@ -107,13 +107,13 @@ Classes, assertions and tests that lack a part.
   >     assert frontSonar i > 0.2[m])
   > FROB
   $ frobc check assert_noname.frob
-  error[E0110]: expected `=` after the left side of a definition, found the end of the block
-   --> assert_noname.frob:3:33
+  error[E0110]: an `assert` has a label, which says what is to hold
+   --> assert_noname.frob:3:5
     |
   3 |     assert frontSonar i > 0.2[m])
-    |                                 ^
+    |     ^^^^^^
     |
-    = hint: what holds has a name, in quotes: `assert "keeps off the wall" (frontSonar i > 0.2[m])`
+    = hint: write `assert "keeps off the wall" (frontSonar i > 0.2[m])`
   
   1 error
   [1]
