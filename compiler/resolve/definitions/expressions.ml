@@ -125,7 +125,8 @@ and report_unit_of_a_value env (head : Syntax.Ir.expr) unit_ whole span =
     "a unit stands on a number written out or on a type, not on what is computed"
   |> Diagnostic.hint
        (Printf.sprintf
-          "a value has its unit already; to give one to a plain number, multiply: `x * 1[%s]`" unit_)
+          "a value has its unit already; to give one to a plain number, multiply: `x * 1[%s]`"
+          unit_)
   |> (match head.desc with
      | Parenthesized _ ->
          let at = { whole with start = head.span.stop } in

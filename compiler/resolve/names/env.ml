@@ -73,7 +73,8 @@ let bind t variables =
     | None ->
         (match String_map.find_opt name t.locals with
         | Some outer -> warn_hidden t outer.local variable.local
-        | None -> warn_of_param t variable.local);
+        (* what is handed to a function may well be the parameter *)
+        | None -> if Option.is_some variable.owner then warn_of_param t variable.local);
         (String_map.add name variable.local fresh, String_map.add name variable locals)
   in
   let _, locals = List.fold_left add (String_map.empty, t.locals) variables in

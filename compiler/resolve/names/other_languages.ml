@@ -91,8 +91,8 @@ let activity = function
   | "localTime" -> Some "it is `time`"
   | "dt" | "deltaTime" | "delta_t" ->
       Some
-        "`integral x` and `derivative x` know the time by themselves; `stepTime ()` of `Control` is \
-         the time since the instant before"
+        "`integral x` and `derivative x` know the time by themselves; `stepTime ()` of `Control` \
+         is the time since the instant before"
   | "assert" | "assume" ->
       Some
         "an assertion is an equation of a `proc`, and no task or value: `proc i -> y where`, with \

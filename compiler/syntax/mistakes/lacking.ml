@@ -41,7 +41,9 @@ let claim found =
       let rest = (stop, if found.token.token = EQUAL then snd (line found) else ends) in
       let text = between found (fst rest) (snd rest) in
       let whole = (fst at, snd rest) in
-      let written condition label = Printf.sprintf "%s %s %s" word label (Source.grouped condition) in
+      let written condition label =
+        Printf.sprintf "%s %s %s" word label (Source.grouped condition)
+      in
       let balanced text =
         let count c = List.length (String.split_on_char c text) in
         count '(' = count ')'
@@ -54,7 +56,8 @@ let claim found =
       let without_sign behind =
         let is_sign c = c = '=' || c = ':' || c = ',' in
         let rec skip i =
-          if i < String.length behind && (is_sign behind.[i] || is_blank behind.[i]) then skip (i + 1)
+          if i < String.length behind && (is_sign behind.[i] || is_blank behind.[i]) then
+            skip (i + 1)
           else i
         in
         let i = skip 0 in
@@ -83,7 +86,7 @@ let claim found =
 let type_of value =
   let inside =
     match (String.index_opt value '[', String.rindex_opt value ']') with
-    | Some first, Some last when last = String.length value - 1 && value <> "" && value.[0] <> '[' ->
+    | Some first, Some last when last = String.length value - 1 && first > 0 ->
         Some (String.sub value first (last - first + 1))
     | _ -> None
   in
@@ -182,7 +185,8 @@ let module_head found =
            "the head of a module ends with `where`"
         |> Diagnostic.hint
              (Printf.sprintf
-                "write `module %s where`; a module that hands on all that it has needs no head" name)
+                "write `module %s where`; a module that hands on all that it has needs no head"
+                name)
         |> Diagnostic.fix "write `where`"
              [ (span_of found (before.stop.pos_cnum, before.stop.pos_cnum), " where") ])
   | _ -> None

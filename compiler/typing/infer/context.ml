@@ -199,11 +199,16 @@ let has_no_instance t (class_ : Ir.class_) ty =
       Option.is_none (Environment.instance t.reader.environment class_ head)
   | _ -> false
 
-let lacks_class t ~wanted given =
+let asked_in_vain t ~wanted given =
   let lacks (r : required) =
     Type.expand r.argument == Type.expand given && has_no_instance t r.class_ wanted
   in
-  match Type.expand given with Flexible _ -> List.exists lacks t.group.required | _ -> false
+  match Type.expand given with
+  | Flexible _ ->
+      Option.map (fun (r : required) -> r.by) (List.find_opt lacks t.group.required)
+  | _ -> None
+
+let lacks_class t ~wanted given = Option.is_some (asked_in_vain t ~wanted given)
 
 (* What the scheme's context demands of the types of this instance. *)
 let require_context t ~at ~name ~said (scheme : Type.scheme) (instance : Type.instance) =

@@ -115,6 +115,9 @@ val require : t -> required -> unit
 val has_no_instance : t -> Ir.class_ -> Type.t -> bool
 (** The type is known well enough to say so. *)
 
+val asked_in_vain : t -> wanted:Type.t -> Type.t -> string option
+(** As {!lacks_class}: what asks for it, in backticks. *)
+
 val lacks_class : t -> wanted:Type.t -> Type.t -> bool
 (** Something asks for a class of the second type, which is a variable, that the first one has no
     instance of. *)

@@ -38,7 +38,9 @@ open Diagnostic
 let decided words decided_by diagnostic =
   match decided_by with
   | { place; decides; _ } :: _ ->
-      label ~at:place (Printf.sprintf "because this is %s" (Show.described words decides)) diagnostic
+      label ~at:place
+        (Printf.sprintf "because this is %s" (Show.described words decides))
+        diagnostic
   | [] -> diagnostic
 
 let rec explain_reason words reason (expected : Type.t) diagnostic =

@@ -291,6 +291,17 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   in
   { ty = result; build }
 
+(* `robotPose i.heading`, where the field was to be that of `robotPose i`. *)
+let tell_tighter ctx (e : Resolve.Ir.expr) ~(record : Resolve.Ir.expr) (name : Syntax.Ir.name) ~by =
+  report ctx (fun words ->
+      let function_ = String.concat "" (String.split_on_char '`' by) in
+      let record = Option.value (Show.quote words record.span) ~default:"r" in
+      Diagnostic.error ~code:"E0310" ~at:e.span "a field binds tighter than application: this is %s's"
+        (Printf.sprintf "`%s`" record)
+      |> Diagnostic.hint
+           (Printf.sprintf "what `%s` gives has it: `(%s %s).%s`" function_ function_ record
+              name.text))
+
 let field expressions ctx (e : Resolve.Ir.expr) ~record (name : Syntax.Ir.name) ~candidates =
   let typed = expressions.infer ctx record in
   let result = Context.fresh ctx in
@@ -303,7 +314,11 @@ let field expressions ctx (e : Resolve.Ir.expr) ~record (name : Syntax.Ir.name) 
             List.nth (field_types ctx constructor ~at:e.span typed.ty) (indexed constructor name)
       in
       answer := Some constructor;
-      expect ctx ~subject:e ~at:e.span { ty = result; because = Unknown } ty);
+      match asked_in_vain ctx ~wanted:ty result with
+      | Some by ->
+          tell_tighter ctx e ~record name ~by;
+          expect ctx ~at:e.span { ty = result; because = Unknown } Type.Erroneous
+      | None -> expect ctx ~subject:e ~at:e.span { ty = result; because = Unknown } ty);
   let build () =
     node e.span result
       (match decided ctx answer with

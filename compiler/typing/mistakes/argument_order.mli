@@ -16,8 +16,8 @@ val pair_exchanged :
 val exchanged :
   unfit:(wanted:Type.t -> Type.t -> bool) ->
   parameters:Type.t list -> given:Type.t list -> position:int -> int option
-(** [unfit] as above. [given] are the types of the arguments, of which that at [position], from 1, does not fit
-    [parameters], the function's as its scheme has them. The position of another argument with
+(** [unfit] as above. [given] are the types of the arguments, of which that at [position], from 1,
+    does not fit [parameters], the function's as its scheme has them. The position of another argument with
     which it could change places. *)
 
 val exchange : int -> int -> of_:int -> int list

@@ -32,20 +32,25 @@ let of_one_type words (expected : Expected.t) found diagnostic =
 (* Where nothing better is known: which argument it is, and of what. *)
 let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
   match expected.because with
+  | Parameter { head = Some { span; _ }; given; takes; _ }
+    when List.length given > takes && Environment.is_task expected.ty
+         && Span.line (List.nth given takes).span.start > Span.line span.stop ->
+      hint "several tasks, one below the other, stand in a `do`, which opens their block"
+        { d with hints = []; fixes = [] }
   | Parameter { head = Some { desc = Global g; _ }; given; takes; position; _ }
-    when d.hints = [] && (takes > 1 || List.length given > takes)
+    when (d.hints = [] || (List.length given > takes && String.equal d.code "E0320")) && (takes > 1 || List.length given > takes)
          && (String.equal d.code "E0301" || (List.length given = 1 && takes = 2))
          && (match g.name.[0] with 'a' .. 'z' -> true | _ -> false) -> (
       match Show.declared words g with
       | Some ty ->
           hint
-            (if List.length given > takes then
+            (if List.length given > takes || (List.length given = 1 && takes = 2) then
                Printf.sprintf "`%s` takes %s, and is given %d: `%s :: %s`" g.name
                  (Unrun_mistake.count takes) (List.length given) g.name ty
              else
                Printf.sprintf "it stands in the place of argument %d: `%s :: %s`" position g.name
                  ty)
-            d
+            (if List.length given > takes then { d with hints = []; fixes = [] } else d)
       | None -> d)
   | _ -> d
 
@@ -202,10 +207,22 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
       hint (Printf.sprintf "of three it is `%s a (%s b c)`" name name) diagnostic
   | Data _, Global { name = ("when" | "edge"); _ } when Environment.is_event left ->
       hint
-        "it makes an event of a truth; a choice between two values is `if c then a else b`"
+        "it makes an event of a truth; a choice between two values is `if c then a else b`, and a \
+         task that is done on a condition is `whenT c t`"
         diagnostic
   | Data { tycon; _ }, _ when tycon = Environment.array ->
-      let array = Plain_name.of_expr head and index = Show.quote words at in
+      (* all that is applied before it, and the index, perhaps in brackets of its own *)
+      let applied = { head.span with stop = at.start } in
+      let without_paren text =
+        let n = String.length text in
+        if n > 1 && text.[n - 1] = '(' then String.trim (String.sub text 0 (n - 1)) else text
+      in
+      let array = Option.map without_paren (Option.map String.trim (Show.quote words applied)) in
+      let without_brackets text =
+        let n = String.length text in
+        if n > 2 && text.[0] = '[' && text.[n - 1] = ']' then String.sub text 1 (n - 2) else text
+      in
+      let index = Option.map without_brackets (Show.quote words at) in
       let written array index = Printf.sprintf "%s ! %s" array index in
       hint
         (Printf.sprintf "an element is `%s`, counted from 0"
@@ -229,10 +246,24 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
         diagnostic
   | _ when Environment.is_task left && Span.line at.start > Span.line head.span.stop ->
       hint "several tasks, one below the other, stand in a `do`, which opens their block" diagnostic
+  | _, Global g when Environment.is_task left && position > 1 && Show.declared words g <> None ->
+      hint
+        (Printf.sprintf "`%s :: %s`" g.name (Option.get (Show.declared words g)))
+        diagnostic
   | _ when Environment.is_task left ->
       hint "a task is run by `runTask`: `runTask t` is a signal function" diagnostic
-  | _, Local x when position = 1 ->
-      label ~at:x.span (Printf.sprintf "this local `%s` is meant here" x.name) diagnostic
+  | _, Local x when position = 1 -> (
+      let d = label ~at:x.span (Printf.sprintf "this local `%s` is meant here" x.name) diagnostic in
+      match (Type.expand left, Show.quote words at) with
+      | (Number _ | Bool), Some text when d.hints = [] ->
+          hint
+            (Printf.sprintf
+               "two values stand in a tuple, `(%s, %s)`, or have an operator between them" x.name
+               text)
+            d
+      | _ -> d)
+  | _, Global g when position > 1 && diagnostic.hints = [] && Show.declared words g <> None ->
+      hint (Printf.sprintf "`%s :: %s`" g.name (Option.get (Show.declared words g))) diagnostic
   | _ -> diagnostic
 
 let applied_without_parentheses ~name ~inner ~whole (d : Diagnostic.t) =

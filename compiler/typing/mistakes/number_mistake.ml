@@ -322,6 +322,17 @@ let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
         diagnostic
   | _ -> diagnostic
 
+(* `n > 50[px]`, where the other operand is a plain number. *)
+let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, _) d =
+  match (expected.because, Option.bind subject (literal words)) with
+  | Operand { other; _ }, Some (digits, Some _, at, _)
+    when d.hints = [] && Units.equal wanted Units.one ->
+      (match Show.quote words other.span with
+      | Some other -> hint (Printf.sprintf "`%s` is a plain number: write `%s`" other digits) d
+      | None -> hint (Printf.sprintf "write `%s` if a plain number is meant" digits) d)
+      |> write at digits
+  | _ -> d
+
 let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   let text = Show.measure words and is_one u = Units.equal u Units.one in
   let error format = error ~code:"E0320" ~at format in
@@ -346,6 +357,7 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
     |> factor_without_unit words ~subject (wanted, given)
     |> signature_of_this words ~subject ~expected (wanted, given)
     |> turn words ~subject ~expected (wanted, given)
+    |> plain_number words ~subject ~expected (wanted, given)
   else
     without_brackets words (wanted, given) diagnostic
     |> note

@@ -2,6 +2,7 @@ open Basis
 open Diagnostic
 open Unrun_mistake
 open Vector_mistake
+open Argument_mistake
 
 (* As a foreign function without arguments. *)
 let of_nothing t =
@@ -17,16 +18,6 @@ let signal_of words t =
       | Flexible _ when not (Show.needs_class words argument) -> None
       | _ -> Show.signal words argument)
   | _ -> None
-
-(* The head of an application, with its type as it is declared. *)
-let rec declared words (e : Resolve.Ir.expr option) =
-  match e with
-  | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> declared words (Some head)
-  | Some { desc = Global g; _ } -> Option.map (fun ty -> (g.name, ty)) (Show.declared words g)
-  | _ -> None
-
-let rec missing_arguments t =
-  match Type.expand t with Function (_, result) -> 1 + missing_arguments result | _ -> 0
 
 (* The operand before, if what is expected is nothing but its type. *)
 let operand_before (expected : Expected.t) =
@@ -51,46 +42,6 @@ let separated_by_commas (expected : Expected.t) =
   | Parameter { position = 1; callee = Some name; _ } -> (
       match name.[0] with 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false)
   | _ -> false
-
-(* How a record is built that is wanted as an argument. *)
-let record words (expected : Expected.t) =
-  match (expected.because, Show.fields words expected.ty) with
-  | Parameter _, Some (constructor, fields) when List.compare_length_with fields 8 <= 0 ->
-      Some
-        (Printf.sprintf "it is a record: `%s { %s }`" constructor
-           (String.concat ", " (List.map (Printf.sprintf "%s = …") fields)))
-  | _ -> None
-
-(* What lacks arguments: the head of this, or of what it stands for. *)
-let lacking_arguments words ~subject missing d =
-  match (subject : Resolve.Ir.expr option) with
-  | Some { desc = Local x; _ } -> (
-      match Option.map (fun e -> (e, Plain_name.of_head e)) (Show.definition words x) with
-      | Some (({ desc = Apply _; _ } as e), Some head) ->
-          let all = missing + List.length (arguments_of e) in
-          label ~at:e.span (Printf.sprintf "`%s` is this, and lacks %s" x.name (count missing)) d
-          |> hint
-               (match declared words (Some e) with
-               | Some (_, ty) when List.compare_length_with (arguments_of e) 0 > 0 ->
-                   Printf.sprintf "`%s` takes %s: `%s :: %s`" head (count all) head ty
-               | _ -> Printf.sprintf "`%s` takes %s" head (count all))
-          |> Option.some
-      | _ -> None)
-  | _ -> None
-
-(* The result of a function that is given an argument too many. *)
-let one_too_many words ~subject ~wanted d =
-  match (wanted, subject) with
-  | Type.Function _,
-    Some ({ desc = Apply { style = Juxtaposed; head; _ }; _ } as e : Resolve.Ir.expr)
-    -> (
-      match (Plain_name.of_head e, Show.quote words head.span) with
-      | Some name, Some text ->
-          hint
-            (Printf.sprintf "`%s` has an argument too many here: `%s` is a function" name text)
-            d
-      | _ -> d)
-  | _ -> d
 
 let is_function t = match Type.expand t with Function _ -> true | _ -> false
 
@@ -291,8 +242,11 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
         | None when declared words subject <> None ->
             let name, ty = Option.get (declared words subject) in
             hint
-              (Printf.sprintf "%s missing, the last of `%s :: %s`"
+              (Printf.sprintf "%s missing, %s `%s :: %s`"
                  (if missing = 1 then "an argument is" else count missing ^ " are")
+                 (match input_given words subject found with
+                 | Some x -> Printf.sprintf "before `%s`:" x
+                 | None -> "the last of")
                  name ty)
               d
         | None when missing = 1 -> hint "an argument is missing" d
@@ -347,9 +301,21 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       let name = match expected.because with Parameter { callee = Some f; _ } -> f | _ -> "f" in
       let written =
         match expected.because with
-        | Parameter { given; _ } when List.compare_lengths given wanted = 0 ->
-            List.map (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) (List.tl given)
+        | Parameter { given; position; _ }
+          when List.length given - position + 1 = List.length wanted ->
+            List.map
+              (fun (e : Resolve.Ir.expr) -> Show.quote words e.span)
+              (List.filteri (fun i _ -> i >= position) given)
         | _ -> []
+      in
+      let before =
+        match expected.because with
+        | Parameter { given; position; _ } ->
+            List.filteri (fun i _ -> i < position - 1) given
+            |> List.map (fun (e : Resolve.Ir.expr) ->
+                   " " ^ Option.fold (Show.quote words e.span) ~none:"…" ~some:Source.grouped)
+            |> String.concat ""
+        | _ -> ""
       in
       let other i _ =
         match List.nth_opt written i with
@@ -359,7 +325,8 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       let others = List.mapi other (List.tl wanted) in
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint
-           (Printf.sprintf "`%s` takes one tuple of %d: `%s (%s)`" name (List.length wanted) name
+           (Printf.sprintf "`%s` takes one tuple of %d: `%s%s (%s)`" name (List.length wanted) name
+              before
               (String.concat ", " (raw "a" :: others)))
   | Tuple (_ :: _ as wanted), Tuple (_ :: _ as given), _
     when List.compare_lengths wanted given <> 0 ->
@@ -388,7 +355,13 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       error ~code:"E0301" ~at "expected %s, found a tuple of %d" (text expected.ty)
         (List.length given)
       |> hint
-           (if List.mem None elements then "an array is written in brackets, as in `[a, b]`"
+           (if List.mem None elements then
+            let parts = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) given in
+            let parts = String.concat ", " parts in
+            Printf.sprintf
+              "a tuple is taken apart by an equation, `(%s) = %s`; an array is written in \
+               brackets, `[%s]`"
+              parts (raw "p") parts
            else
              Printf.sprintf "an array is written in brackets: `[%s]`"
                (String.concat ", " (List.map Option.get elements)))
@@ -398,7 +371,7 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> hint (Option.get (Number_mistake.makes name (written "x")))
   | Number _, Data _, _ when Show.fields words found <> None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-      |> hint (parts_of_record words ~record:(written "r") found)
+      |> hint (Record_mistake.parts words ~subject ~record:(written "r") found)
   | Number _, String, _ ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint "a text is a label: nothing is computed with it, and none is joined to another"
@@ -453,9 +426,12 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       let elements = Option.to_list subject in
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint ("a vector has its fields by name: " ^ Option.get (vector words ~elements wanted))
-  | Data _, (Number _ | Bool), _ when record words expected <> None ->
+  | Data _, (Number _ | Bool), _ when Record_mistake.built words expected <> None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-      |> hint (Option.get (record words expected))
+      |> hint (Option.get (Record_mistake.built words expected))
+  | wanted, Data _, _ when Record_mistake.elements words ~wanted found <> None ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint (Option.get (Record_mistake.elements words ~wanted found))
   | wanted, Tuple (_ :: _ as types), _ when vector_fields words ~subject wanted types <> None ->
       error ~code:"E0301" ~at "expected %s, found a tuple of %d" (text expected.ty)
         (List.length types)
@@ -567,6 +543,20 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
         when Type.expand expected.ty = Bool ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
           |> hint_to_group name operator
+      | None, Operand { operator = "==" | "/=" as operator; other; _ }
+        when Type.expand expected.ty = Bool && is_number found && Show.quote words other.span <> None
+        ->
+          let truth = Option.get (Show.quote words other.span) in
+          let negated = Printf.sprintf "not %s" (Source.grouped truth) in
+          error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
+          |> hint
+               (match (raw "1", operator) with
+               | "1", "==" | "0", "/=" ->
+                   Printf.sprintf "it is True or False by itself: write `%s`" truth
+               | "0", "==" | "1", "/=" ->
+                   Printf.sprintf "it is True or False by itself: write `%s`" negated
+               | _ ->
+                   Printf.sprintf "it is True or False by itself: `%s`, or `%s`" truth negated)
       | None, Operand { operator; other = { desc = Apply { head; style = Juxtaposed; _ }; _ }; _ }
         when Type.expand expected.ty = Bool && Option.is_some (Plain_name.of_head head) ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)

@@ -35,12 +35,3 @@ let vector_operator (expected : Expected.t) =
       | "*" -> Some "`*^` with the number first, and `dot`"
       | _ -> None)
   | _ -> None
-
-let parts_of_record words ~record:r found =
-  let fields = match Show.fields words found with Some (_, fields) -> fields | None -> [] in
-  let shown = List.filteri (fun i _ -> i < 4) fields in
-  let all = String.concat ", " (List.map (fun f -> Printf.sprintf "`%s.%s`" r f) shown) in
-  match Type.expand found with
-  | Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ } ->
-      Printf.sprintf "a vector has parts, %s, and a length: `norm %s`" all r
-  | _ -> "it is a record, of which the parts are " ^ all

@@ -10,6 +10,3 @@ val vector_fields :
 
 val vector_operator : Expected.t -> string option
 (** What vectors have for the operator of numbers that expects one. *)
-
-val parts_of_record : Show.words -> record:string -> Type.t -> string
-(** What there is in a record, or a vector, where a number is needed. *)

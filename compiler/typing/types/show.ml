@@ -157,6 +157,8 @@ let fields words t = words.place.fields t
 let choices words t = words.place.choices t
 let makers words t ~of_ = words.place.makers t ~of_
 
+let is_input words name = List.mem_assoc name words.place.inputs
+
 let signal words input =
   let same_kind t =
     match (Head.of_type input, Head.of_type t) with

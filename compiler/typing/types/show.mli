@@ -54,6 +54,9 @@ val makers : words -> Type.t -> of_:Type.t -> string list
 val declared : words -> Resolve.Ir.Global.t -> string option
 (** The type as its signature has it. *)
 
+val is_input : words -> string -> bool
+(** Comes into the proc around under this name. *)
+
 val signal : words -> Type.t -> string option
 (** An input of the proc around that may be of this type. *)
 

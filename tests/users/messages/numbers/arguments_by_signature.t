@@ -34,7 +34,7 @@ Arguments that are forgotten, too many, or of another kind: the signature of wha
     |         |
     |         argument 1 of `lowPass` is `Time` (s)
     |
-    = hint: it stands in the place of argument 1: `lowPass :: Time -> SF Float[u] Float[u]`
+    = hint: `lowPass` takes two arguments, and is given 1: `lowPass :: Time -> SF Float[u] Float[u]`
   
   1 error
   [1]

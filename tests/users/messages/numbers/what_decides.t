@@ -17,7 +17,7 @@ The argument that decided a type is shown where another one does not fit it.
     |               |     because this is `n[m] -> n[m] -> n[m]`
     |               argument 3 of `foldl` is `Array 16 n[m]`
     |
-    = hint: it stands in the place of argument 3: `foldl :: (b -> a -> b) -> b -> Array n a -> b`
+    = hint: its elements are records, of which the parts are `seat`, `halfAngle` and `echo`: `map (\x -> x.echo)` takes one of each
   
   1 error
   [1]

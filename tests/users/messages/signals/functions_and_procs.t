@@ -27,7 +27,7 @@ A function or signal function that is not opened as one.
   2 | f = \x = x + 1
     |        ^
     |
-    = hint: as in `\x -> x + 1`
+    = hint: `->` leads from the input to what comes out; an equation has `=`
   
   1 error
   [1]

@@ -1,4 +1,5 @@
-A local name that hides a parameter: setting that would change nothing there.
+An equation with the name of a parameter: setting that would change nothing there. What is handed to a
+function may well be the parameter.
 
   $ cat > gain.frob <<'FROB'
   > param gain :: Float = 0.5
@@ -27,15 +28,4 @@ A local name that hides a parameter: setting that would change nothing there.
     |
     = hint: give one of them another name
   
-  warning[W0201]: `offset` hides the parameter of that name
-    --> gain.frob:10:8
-     |
-   2 | param offset :: Float = 1
-     |       ------ what is set when a run starts does not matter there
-  ...
-  10 | scaled offset = offset * offset
-     |        ^^^^^^
-     |
-     = hint: give one of them another name
-  
-  2 warnings
+  1 warning

@@ -31,7 +31,7 @@ What a truth, an event, a function and a signal function are taken for.
     |         |
     |         with one argument the result is `Event ()`
     |
-    = hint: it makes an event of a truth; a choice between two values is `if c then a else b`
+    = hint: it makes an event of a truth; a choice between two values is `if c then a else b`, and a task that is done on a condition is `whenT c t`
   
   1 error
   [1]

@@ -1,0 +1,143 @@
+Records where their parts belong, parts where records do, and numbers for truths.
+
+  $ cat > heading.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0 w) where
+  >     h = robotPose i.heading
+  >     w = -0.5[1/s] * h)
+  > FROB
+  $ frobc check heading.frob
+  error[E0301]: expected `Float[u]`, found `Pose`
+   --> heading.frob:4:21
+    |
+  4 |     w = -0.5[1/s] * h)
+    |          --------   ^
+    |          |
+    |          this is `Float[1/s]`
+    |
+    = hint: a field binds tighter than application: write `(robotPose i).heading`
+  
+  1 error
+  [1]
+
+  $ cat > position.frob <<'FROB'
+  > import Robot
+  > import Geometry
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     p = robotPose i.heading
+  >     v = if norm p.position > 1[m] then 0 else 0.2[m/s])
+  > FROB
+  $ frobc check position.frob
+  error[E0310]: a field binds tighter than application: this is `i`'s
+   --> position.frob:4:19
+    |
+  4 |     p = robotPose i.heading
+    |                   ^^^^^^^^^
+    |
+    = hint: what `robotPose` gives has it: `(robotPose i).heading`
+  
+  1 error
+  [1]
+
+  $ cat > nearest.frob <<'FROB'
+  > import Robot
+  > main :: (HasSonarRing i, DiffDrive o) => Program i o
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     nearest = foldl min 5[m] (sonars i)
+  >     v = if nearest < 0.4[m] then 0 else 0.3[m/s])
+  > FROB
+  $ frobc check nearest.frob
+  error[E0301]: expected `Array 16 n[m]`, found `Array 16 Sonar`
+   --> nearest.frob:4:31
+    |
+  4 |     nearest = foldl min 5[m] (sonars i)
+    |               ----- ---       ^^^^^^^^
+    |               |     |
+    |               |     because this is `n[m] -> n[m] -> n[m]`
+    |               argument 3 of `foldl` is `Array 16 n[m]`
+    |
+    = hint: its elements are records, of which the parts are `seat`, `halfAngle` and `echo`: `map (\x -> x.echo)` takes one of each
+  
+  1 error
+  [1]
+
+  $ cat > halve.frob <<'FROB'
+  > data Cmd = Cmd { v :: Velocity, w :: AngularVelocity }
+  > halve :: Cmd -> Cmd
+  > halve c = c.v * 0.5
+  > main :: SF Cmd Cmd
+  > main = proc c -> halve c
+  > FROB
+  $ frobc check halve.frob
+  error[E0301]: expected `Cmd`, found `Float[m/s]`
+   --> halve.frob:3:11
+    |
+  2 | halve :: Cmd -> Cmd
+    |          ---------- the signature of `halve` asks for `Cmd`
+  3 | halve c = c.v * 0.5
+    |           ^^^^^^^^^
+    |
+    = hint: such a record is given as a whole: `Cmd { v = …, w = … }`, or `r { v = … }`, which is r with another `v`
+  
+  1 error
+  [1]
+
+  $ cat > scale.frob <<'FROB'
+  > scale :: (Float, Float) -> (Float, Float)
+  > scale p = map (\x -> 2 * x) p
+  > main :: SF (Float, Float) (Float, Float)
+  > main = proc p -> scale p
+  > FROB
+  $ frobc check scale.frob
+  error[E0301]: expected `Array m n[u]`, found a tuple of 2
+   --> scale.frob:2:29
+    |
+  2 | scale p = map (\x -> 2 * x) p
+    |           ---               ^
+    |           |
+    |           argument 2 of `map` is `Array m n[u]`
+    |
+    = hint: a tuple is taken apart by an equation, `(a, b) = p`; an array is written in brackets, `[a, b]`
+  
+  1 error
+  [1]
+
+  $ cat > truth.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = if bumped i == 1 then 0 else 0.3[m/s])
+  > FROB
+  $ frobc check truth.frob
+  error[E0301]: expected `Bool`, found a number
+   --> truth.frob:3:24
+    |
+  3 |     v = if bumped i == 1 then 0 else 0.3[m/s])
+    |            --------    ^
+    |            |
+    |            this is `Bool`
+    |
+    = hint: it is True or False by itself: write `bumped i`
+  
+  1 error
+  [1]
+
+  $ cat > pixels.frob <<'FROB'
+  > import Vision
+  > seen :: Blob -> Bool
+  > seen b = b.pixels > 50[px]
+  > main :: SF Blob Bool
+  > main = proc b -> seen b
+  > FROB
+  $ frobc check pixels.frob
+  error[E0320]: the operands of `>` have different units: `1` and `px`
+   --> pixels.frob:3:21
+    |
+  3 | seen b = b.pixels > 50[px]
+    |          --------   ^^^^^^ this is `Int[px]`
+    |          |
+    |          this is `Int`
+    |
+    = hint: `b.pixels` is a plain number: write `50`
+  
+  1 error
+  [1]

@@ -1,0 +1,257 @@
+Arguments that are one too many, or missing in front: what the function takes, or how it is written.
+
+  $ cat > turn.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > main = reactimateTask (do
+  >     forward 0.3[m/s] 2[m]
+  >     turnBy 90[deg] 0.5[rad/s])
+  > FROB
+  $ frobc check turn.frob
+  error[E0320]: expected the unit `m`, found `m/s`
+   --> turn.frob:4:13
+    |
+  4 |     forward 0.3[m/s] 2[m]
+    |     ------- ^^^^^^^^ this is `Float[m/s]`
+    |     |
+    |     argument 1 of `forward` is `Distance` (m)
+    |
+    = hint: write `0.3[m]` if that unit was meant
+  
+  error[E0302]: `turnBy` takes 1 argument, but is given more
+   --> turn.frob:5:20
+    |
+  5 |     turnBy 90[deg] 0.5[rad/s])
+    |     ------         ^^^^^^^^^^ one too many
+    |     |
+    |     with one argument the result is `Task a b ()`
+    |
+    = hint: `turnBy :: Angle -> Task i o ()`
+  
+  2 errors
+  [1]
+
+  $ cat > drive.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > main = reactimateTask (forward 2[m] 0.3[m/s])
+  > FROB
+  $ frobc check drive.frob
+  error[E0302]: `forward` takes 1 argument, but is given more
+   --> drive.frob:3:37
+    |
+  3 | main = reactimateTask (forward 2[m] 0.3[m/s])
+    |                        -------      ^^^^^^^^ one too many
+    |                        |
+    |                        with one argument the result is `Task a b Bool`
+    |
+    = hint: `forward :: Distance -> Task i o Bool`
+  
+  1 error
+  [1]
+
+  $ cat > label.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = if buttonHeld i then 0.2[m/s] else 0)
+  > FROB
+  $ frobc check label.frob
+  error[E0301]: expected `Bool`, found the function `a -> Bool`
+   --> label.frob:3:12
+    |
+  3 |     v = if buttonHeld i then 0.2[m/s] else 0)
+    |            ^^^^^^^^^^^^
+    |
+    = hint: an argument is missing, before `i`: `buttonHeld :: String -> i -> Bool`
+  
+  1 error
+  [1]
+
+  $ cat > knob.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR (knob "speed" 0.4[m/s] i) 0))
+  > FROB
+  $ frobc check knob.frob
+  error[E0301]: expected `Velocity` (m/s), found the function `Float[m/s] -> a -> Float[m/s]`
+   --> knob.frob:2:53
+    |
+  2 | main = reactimateRobot (proc i -> roMake (setVelTR (knob "speed" 0.4[m/s] i) 0))
+    |                                           --------  ^^^^^^^^^^^^^^^^^^^^^^^
+    |                                           |
+    |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
+    |
+    = hint: two arguments are missing, before `i`: `knob :: String -> Float[u] -> Float[u] -> Float[u] -> i -> Float[u]`
+  
+  1 error
+  [1]
+
+  $ cat > gains.frob <<'FROB'
+  > import Robot
+  > import Control
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     err = frontSonar i - 0.5[m]
+  >     v = pid err)
+  > FROB
+  $ frobc check gains.frob
+  error[E0301]: expected `Pid[u, v]`, found `Float[m]`
+   --> gains.frob:5:13
+    |
+  5 |     v = pid err)
+    |         --- ^^^
+    |         |
+    |         argument 1 of `pid` is `Pid[u, v]`
+    |
+    = hint: it is a record, and stands before `err`: `pid (Pid { kp = …, ki = …, kd = …, largest = … }) err`
+  
+  1 error
+  [1]
+
+  $ cat > filter.frob <<'FROB'
+  > import Control
+  > main :: SF Distance Distance
+  > main = proc d -> lowPass d
+  > FROB
+  $ frobc check filter.frob
+  error[E0320]: expected the unit `s`, found `m`
+   --> filter.frob:3:26
+    |
+  3 | main = proc d -> lowPass d
+    |                  ------- ^ this is `Distance` (m)
+    |                  |
+    |                  argument 1 of `lowPass` is `Time` (s)
+    |
+    = hint: `lowPass` takes two arguments, and is given 1: `lowPass :: Time -> SF Float[u] Float[u]`
+  
+  1 error
+  [1]
+
+  $ cat > pair.frob <<'FROB'
+  > import Past
+  > main :: SF (Bool, Velocity) Velocity
+  > main = proc (stop, v) -> w where
+  >     w = if stop then 0 else v
+  >     assert "stops" (respondsWithin 1[s] stop (w == 0))
+  > FROB
+  $ frobc check pair.frob
+  error[E0301]: expected `(Bool, Bool)`, found `Bool`
+   --> pair.frob:5:41
+    |
+  5 |     assert "stops" (respondsWithin 1[s] stop (w == 0))
+    |                     --------------      ^^^^
+    |                     |
+    |                     argument 2 of `respondsWithin` is `(Bool, Bool)`
+    |
+    = hint: `respondsWithin` takes one tuple of 2: `respondsWithin 1[s] (stop, w == 0)`
+  
+  1 error
+  [1]
+
+  $ cat > index.frob <<'FROB'
+  > import Robot
+  > main :: (HasSonarRing i, DiffDrive o) => Program i o
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = if sonars i [3] < 0.4[m] then 0 else 0.3[m/s])
+  > FROB
+  $ frobc check index.frob
+  error[E0302]: `sonars` takes 1 argument, but is given more
+   --> index.frob:4:21
+    |
+  4 |     v = if sonars i [3] < 0.4[m] then 0 else 0.3[m/s])
+    |            ------   ^^^ one too many
+    |            |
+    |            with one argument the result is `Array 16 Sonar`
+    |
+    = hint: an element is `sonars i ! 3`, counted from 0
+  
+  1 error
+  [1]
+
+  $ cat > output.frob <<'FROB'
+  > import Control
+  > main :: SF (Distance, Velocity) Distance
+  > main = proc (d, v) -> do
+  >     a <- lowPass 0.1[s] -< d
+  >     b <- integral -< v
+  >     returnA -< a b
+  > FROB
+  $ frobc check output.frob
+  error[E0302]: `a` is `Float[m]`, not a function
+   --> output.frob:6:16
+    |
+  4 |     a <- lowPass 0.1[s] -< d
+    |     - this local `a` is meant here
+  5 |     b <- integral -< v
+  6 |     returnA -< a b
+    |                ^ - it is given an argument here
+    |
+    = hint: two values stand in a tuple, `(a, b)`, or have an operator between them
+  
+  1 error
+  [1]
+
+Tasks below each other, on a condition, and with a time:
+
+  $ cat > forever.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > main = reactimateTask (forever
+  >     forward 1[m]
+  >     turnBy 90[deg])
+  > FROB
+  $ frobc check forever.frob
+  error[E0301]: expected `Task a b c`, found the function `Distance -> Task d e Bool`
+   --> forever.frob:4:5
+    |
+  3 | main = reactimateTask (forever
+    |                        ------- argument 1 of `forever` is `Task a b c`
+  4 |     forward 1[m]
+    |     ^^^^^^^
+    |
+    = hint: several tasks, one below the other, stand in a `do`, which opens their block
+  
+  1 error
+  [1]
+
+  $ cat > when.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > import Geometry
+  > main = reactimateTask (do
+  >     ok <- driveTo (Vec2 { x = 1[m], y = 0 })
+  >     when (not ok) (turnBy 90[deg])
+  >     forward 1[m])
+  > FROB
+  $ frobc check when.frob
+  error[E0302]: `when` takes 1 argument, but is given more
+   --> when.frob:6:20
+    |
+  6 |     when (not ok) (turnBy 90[deg])
+    |     ----           ^^^^^^^^^^^^^^ one too many
+    |     |
+    |     with one argument the result is `Event ()`
+    |
+    = hint: it makes an event of a truth; a choice between two values is `if c then a else b`, and a task that is done on a condition is `whenT c t`
+  
+  1 error
+  [1]
+
+  $ cat > time_out.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > main = reactimateTask (do
+  >     timeOut 5[s] (forward 2[m])
+  >     turnBy 90[deg])
+  > FROB
+  $ frobc check time_out.frob
+  error[E0301]: expected `Task a b c`, found a number of `s`
+   --> time_out.frob:4:13
+    |
+  4 |     timeOut 5[s] (forward 2[m])
+    |     ------- ^^^^
+    |     |
+    |     argument 1 of `timeOut` is `Task a b c`
+    |
+    = hint: the arguments of `timeOut` belong in the other order: `timeOut (forward 2[m]) 5[s]`
+  
+  1 error
+  [1]
