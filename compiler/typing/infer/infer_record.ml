@@ -296,8 +296,8 @@ let tell_tighter ctx (e : Resolve.Ir.expr) ~(record : Resolve.Ir.expr) (name : S
   report ctx (fun words ->
       let function_ = String.concat "" (String.split_on_char '`' by) in
       let record = Option.value (Show.quote words record.span) ~default:"r" in
-      Diagnostic.error ~code:"E0310" ~at:e.span "a field binds tighter than application: this is %s's"
-        (Printf.sprintf "`%s`" record)
+      Diagnostic.error ~code:"E0310" ~at:e.span
+        "a field binds tighter than application: this is a field of `%s`" record
       |> Diagnostic.hint
            (Printf.sprintf "what `%s` gives has it: `(%s %s).%s`" function_ function_ record
               name.text))

@@ -17,8 +17,8 @@ val exchanged :
   unfit:(wanted:Type.t -> Type.t -> bool) ->
   parameters:Type.t list -> given:Type.t list -> position:int -> int option
 (** [unfit] as above. [given] are the types of the arguments, of which that at [position], from 1,
-    does not fit [parameters], the function's as its scheme has them. The position of another argument with
-    which it could change places. *)
+    does not fit [parameters], the function's as its scheme has them. The position of another
+    argument with which it could change places. *)
 
 val exchange : int -> int -> of_:int -> int list
 (** The order of so many arguments in which these two have changed places. *)

@@ -38,8 +38,10 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
       hint "several tasks, one below the other, stand in a `do`, which opens their block"
         { d with hints = []; fixes = [] }
   | Parameter { head = Some { desc = Global g; _ }; given; takes; position; _ }
-    when (d.hints = [] || (List.length given > takes && String.equal d.code "E0320")) && (takes > 1 || List.length given > takes)
-         && (String.equal d.code "E0301" || (List.length given = 1 && takes = 2))
+    when (d.hints = [] || (List.length given > takes && String.equal d.code "E0320"))
+         && (takes > 1 || List.length given > takes)
+         && (String.equal d.code "E0301" || List.length given > takes
+            || (List.length given = 1 && takes = 2))
          && (match g.name.[0] with 'a' .. 'z' -> true | _ -> false) -> (
       match Show.declared words g with
       | Some ty ->
@@ -170,6 +172,8 @@ let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.e
          let place at = Span.make ~file:minus.file ~start:at ~stop:at in
          fix "put parentheses around it" [ (place minus.start, "("); (place at.stop, ")") ])
 
+let is_digit c = c >= '0' && c <= '9'
+
 let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
   let callee = match Plain_name.of_expr head with Some name -> "`" ^ name ^ "`" | None -> "this" in
   let diagnostic =
@@ -255,7 +259,7 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
   | _, Local x when position = 1 -> (
       let d = label ~at:x.span (Printf.sprintf "this local `%s` is meant here" x.name) diagnostic in
       match (Type.expand left, Show.quote words at) with
-      | (Number _ | Bool), Some text when d.hints = [] ->
+      | (Number _ | Bool), Some text when d.hints = [] && not (is_digit text.[0]) ->
           hint
             (Printf.sprintf
                "two values stand in a tuple, `(%s, %s)`, or have an operator between them" x.name

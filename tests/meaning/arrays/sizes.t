@@ -73,8 +73,9 @@ no elements or too many are errors:
    --> wrong.frob:2:33
     |
   2 | add = proc xs -> zipWith (+) xs [1, 2, 3]
-    |                  -------        ^^^^^^^^^
-    |                  |
+    |                  -------     -- ^^^^^^^^^
+    |                  |           |
+    |                  |           because this is `Array 2 Float`
     |                  argument 3 of `zipWith` is `Array 2 Float`
     |
     = hint: 3 are written here; an array of as many has the type `Array 3 Float`

@@ -141,6 +141,8 @@ their module is part of the program.
     |
   4 | instance Shape Bool where
     |          ^^^^^
+    |
+    = hint: it is imported with its module's name: write `Shapes.Shape`
   
   error[E0223]: module `Shapes` has no type class `Sizd`
    --> hidden.frob:5:13

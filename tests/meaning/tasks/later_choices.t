@@ -46,24 +46,21 @@ start; so it may if the time-out can be at once.
   52 |     blocked = when (looks && ahead < min blockedAt (norm way)))
      |     ----------------------------------------------------------- `driveTo` may occur at the first instant of `timeOut`
      = note: at an instant at which `driveTo` occurs as soon as `timeOut` starts, nothing waits for the next one
-     = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
+     = hint: let time pass between: `sleepT 10[ms] …` after the task takes some, with the output meanwhile, such as the `restingOutput` of a robot
   1 error
   $ sed 's/20\[s\]/0[s]/' visit.frob > no_time.frob
   $ frobc check no_time.frob 2>&1 | grep -v '^ *|* *$'
   error[E0402]: `visit → visit` may go round for ever within one instant
-     --> no_time.frob:6:10
-    6 |     r <- driveTo goal `timeOut` 0[s]
-      |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^
-    7 |     case r of
-      |     ---------
+    --> no_time.frob:6:10
+   6 |     r <- driveTo goal `timeOut` 0[s]
+     |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^ this may end as soon as it starts
+   7 |     case r of
+     |     ---------
   ...
-   10 |         Nothing -> return ()
-      |         -------------------- `visit` may go on to itself at its own first instant
-     ::: stdlib/Prelude.frob:673:9
-  673 |   where late = elapsed q ())
-      |         ------------------- `elapsed` may occur at the first instant of `visit`
-      = note: at an instant at which `elapsed` occurs as soon as `visit` starts, nothing waits for the next one
-      = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
+  10 |         Nothing -> return ()
+     |         -------------------- `visit` may go on to itself at its own first instant
+     = note: at an instant at which `visit` is left as soon as it starts, nothing waits for the next one
+     = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
   1 error
 
 Both engines agree on what happens when the task does end at its first instant.

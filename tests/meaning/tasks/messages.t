@@ -280,7 +280,7 @@ Arguments in the wrong order: a time where the task belongs, or the reverse.
     |                                      |
     |                                      argument 1 of `timeOut` is `Task a b c`
     |
-    = hint: it stands in the place of argument 1: `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
+    = hint: `timeOut` takes two arguments, and is given 1: `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
   
   error[E0301]: expected `Time` (s), found `Task Float Float ()`
    --> order.frob:8:53

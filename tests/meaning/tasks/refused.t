@@ -137,7 +137,7 @@ known to end at once …
     |                 ^^^^^^^^^^^^^ `snapT` may end at once, and `forever` goes on
     |
     = note: what ends as soon as it starts takes no time, as `return` and `snapT`: nothing here waits for the next instant
-    = hint: put a task that takes time into the circle: `untilT (proc x -> (y, condition))` gives `y` for one instant at least, `sleepT 10[ms] y` for 10 ms
+    = hint: put a task that takes time into the circle: `untilT (proc x -> (…, condition))` takes one instant at least, `sleepT 10[ms] …` 10 ms, each with its output in place of `…`
   
   1 error
 
@@ -167,7 +167,7 @@ known to end at once …
     |
     = note: at an instant at which `go` is left as soon as it starts, nothing waits for the next one
     = note: no end was found within 1000 steps, the most that an instant may take
-    = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
+    = hint: `untilT (proc x -> (…, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
   
   warning[W0312]: this `return` does nothing: what follows it is done all the same
    --> returns.frob:8:4
@@ -194,17 +194,14 @@ known to end at once …
      --> may_be_none.frob:5:16
       |
     5 |       forever (sleepT (x * 1[s]) 2)
-      |                ^^^^^^^^^^^^^^^^^^^
+      |                ^^^^^^^^^^^^^^^^^^^ this may end as soon as it starts
       |
      ::: stdlib/Prelude.frob
       |
-      | sleepT q y = untilRight (proc _ -> if elapsed q () then Right () else Left y)
-      |                                       ------------ `elapsed` may occur at the first instant of `sleepT`
-  ...
       |     forever t
       |     --------- `sleepT` may go on to itself at its own first instant
       |
-      = note: at an instant at which `elapsed` occurs as soon as `sleepT` starts, nothing waits for the next one
+      = note: at an instant at which `sleepT` is left as soon as it starts, nothing waits for the next one
       = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
   
   1 error
@@ -236,7 +233,7 @@ and `untilT` is the cure that neither waits for a change nor stands still.
       |         ---------------- `past` may go on to itself at its own first instant
       |
       = note: at an instant at which `when` occurs as soon as `past` starts, nothing waits for the next one
-      = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
+      = hint: `untilT (proc x -> (…, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
   
   1 error
   $ sed 's/mkTask (proc x -> (limit, when (x > limit)))/untilT (proc x -> (limit, x > limit))/' corners.frob > until.frob
@@ -268,7 +265,7 @@ A task in a combinator of the library's is called by its own name.
       |     --------- `blink` may go on to itself at its own first instant
       |
       = note: at an instant at which `blink` is left as soon as it starts, nothing waits for the next one
-      = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
+      = hint: `untilT (proc x -> (…, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
   
   1 error
 
@@ -296,7 +293,7 @@ One that is written in the combinator's argument is called as the definition aro
       |     --------- `blink` may go on to itself at its own first instant
       |
       = note: at an instant at which `blink` is left as soon as it starts, nothing waits for the next one
-      = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
+      = hint: `untilT (proc x -> (…, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
   
   1 error
 
@@ -352,7 +349,7 @@ program asks for it, with what takes time there.
     N |
      = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
      = note: no end was found within 1000 steps, the most that an instant may take
-     = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
+     = hint: let time pass between: `sleepT 10[ms] …` after the task takes some, with the output meanwhile, such as the `restingOutput` of a robot
   
   1 error
   $ cat > places.frob <<'FROB'
@@ -379,7 +376,7 @@ program asks for it, with what takes time there.
     N |         ---------------- `driveTo` may go on to itself at its own first instant
     N |
       = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
-      = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
+      = hint: let time pass between: `sleepT 10[ms] …` after the task takes some, with the output meanwhile, such as the `restingOutput` of a robot
   
   1 error
   $ sed 's/driveTo)/visit)/' places.frob > visits.frob

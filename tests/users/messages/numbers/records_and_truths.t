@@ -28,7 +28,7 @@ Records where their parts belong, parts where records do, and numbers for truths
   >     v = if norm p.position > 1[m] then 0 else 0.2[m/s])
   > FROB
   $ frobc check position.frob
-  error[E0310]: a field binds tighter than application: this is `i`'s
+  error[E0310]: a field binds tighter than application: this is a field of `i`
    --> position.frob:4:19
     |
   4 |     p = robotPose i.heading

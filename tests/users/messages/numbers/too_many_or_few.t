@@ -16,7 +16,7 @@ Arguments that are one too many, or missing in front: what the function takes, o
     |     |
     |     argument 1 of `forward` is `Distance` (m)
     |
-    = hint: write `0.3[m]` if that unit was meant
+    = hint: `forward` takes one argument, and is given 2: `forward :: Distance -> Task i o Bool`
   
   error[E0302]: `turnBy` takes 1 argument, but is given more
    --> turn.frob:5:20

@@ -77,8 +77,6 @@ Outputs of robots where something else stands: said once, with what is lacking.
     |     ------- this local `forward` is meant here
   4 |     forward 1[m])
     |     ^^^^^^^ ---- it is given an argument here
-    |
-    = hint: two values stand in a tuple, `(forward, 1[m])`, or have an operator between them
   
   1 error
   [1]

@@ -18,8 +18,10 @@ let built words (expected : Expected.t) =
       | Parameter _ -> Some (Printf.sprintf "it is a record: `%s`" whole)
       | Signature _ | Output _ | Branch _ | Field _ ->
           Some
-            (Printf.sprintf "such a record is given as a whole: `%s`, or `r { %s = … }`, which is r \
-                             with another `%s`" whole (List.hd fields) (List.hd fields))
+            (Printf.sprintf
+               "such a record is given as a whole: `%s`, or `r { %s = … }`, which is r with \
+                another `%s`"
+               whole (List.hd fields) (List.hd fields))
       | _ -> None)
   | _ -> None
 

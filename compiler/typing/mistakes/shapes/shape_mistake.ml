@@ -544,8 +544,8 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
           |> hint_to_group name operator
       | None, Operand { operator = "==" | "/=" as operator; other; _ }
-        when Type.expand expected.ty = Bool && is_number found && Show.quote words other.span <> None
-        ->
+        when Type.expand expected.ty = Bool && is_number found
+             && Show.quote words other.span <> None ->
           let truth = Option.get (Show.quote words other.span) in
           let negated = Printf.sprintf "not %s" (Source.grouped truth) in
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
