@@ -5,7 +5,7 @@
 # Linux ones are replayed on this machine, bit for bit.
 #
 # Prints a line for each check, `ok` or `FAIL`; the exit status is 1 if any
-# fails. Takes about a minute.
+# fails. Takes about a minute and a half.
 set -eu
 cd "$(dirname "$0")/../../.."
 frobc=$PWD/_build/install/default/bin/frobc
@@ -58,6 +58,26 @@ on_linux () { # TARGET, EMULATOR, LIBRARIES
     check "$1: follows the wall" drove 3.5
     check "$1: one connection" within connections 1 1 steps 700 760 <"$work/summary"
     check "$1: its recording replays here, bit for bit" replays "$work/log.csv"
+    with_camera "$@"
+}
+
+# A camera is a folder of pictures there: random ones, of whose brightness the speed is made.
+with_camera () { # TARGET, EMULATOR, LIBRARIES
+    seeing=$PWD/tests/robots/camera/sees.frob
+    mkdir -p "$work/pictures"
+    for k in 1 2 3 4 5 6; do
+        { printf 'P5 64 48 255\n'; head -c 3072 /dev/urandom; } >"$work/pictures/$k.pgm"
+    done
+    "$frobc" build "$seeing" --robot pioneer --target "$1" -o "$work/sees-$1"
+    serve
+    "$2" -L "$3" "$work/sees-$1" --device "$device" --camera "$work/pictures" --set camera.rate=2 \
+        --for 4 --record "$work/seen.csv" >"$work/summary" 2>"$work/told"
+    kill "$robot"
+    wait "$robot"
+    check "$1: a program sees" within camera_frames 6 6 late_steps 0 0 <"$work/summary"
+    grep -v '^#' "$work/seen.csv" | sed 's/"[^"]*"//g' | cut -d, -f1,31- >"$work/drove.csv"
+    "$frobc" trace "$seeing" --robot pioneer --input "$work/seen.csv" --output "$work/again.csv"
+    check "$1: what it saw replays here, bit for bit" cmp "$work/drove.csv" "$work/again.csv"
 }
 
 # Without the runtime, as the board runs it.

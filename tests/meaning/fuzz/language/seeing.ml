@@ -96,7 +96,7 @@ let followed random =
       "switch (proc e -> (%s, learn %s e)) (\\patch -> proc e -> hold %s (mapE (\\f -> (%s)) e)) frame"
       (share random) (placement random) (share random) k
   in
-  match Random.State.int random 6 with
+  match Random.State.int random 8 with
   | 0 -> f "hold %s (mapE (\\f -> %s) frame)" (share random) (found random)
   | 1 ->
       learned (f "(matchPatch f.image patch %s).residual" (search random))
@@ -107,6 +107,15 @@ let followed random =
         "switch (proc e -> (0.0, learn %s e)) (\\patch -> proc e -> (ssdTracker patch %s e).estimate.x / 1[px]) \
          frame"
         (placement random) (placement random)
+  | 5 ->
+      f "(squareTracker %s %s frame).estimate.scale / 1[px]"
+        (one_of random [ "Brighter"; "Darker" ])
+        (placement random)
+  | 6 ->
+      f
+        "(smoothTrack 0.1[s] (cornerTracker (Meeting { one = %s, other = %s }) frame)).estimate.one.x / \
+         1[px]"
+        (segment random) (segment random)
   | _ -> f "frameAge frame / 1[s]"
 
 let definition random ~number ~input =
