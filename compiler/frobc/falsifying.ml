@@ -17,6 +17,21 @@ let inputs =
        1'). With one value, $(b,in.speed=0.5), it has that all the time. All inputs have to be \
        given."
 
+let disturbances =
+  several "disturbance" ~docv:"TABLE.KEY=\"LOW to HIGH\""
+    ~doc:
+      "Of a program that drives a robot: search over this number of the world file, as in \
+       $(b,--disturbance 'sonar.noise=0 to 0.05') or $(b,--disturbance 'start.x=1 to 2'). May be \
+       given several times."
+
+let seeds =
+  let doc = "Likewise: search over these seeds of the world's noise, as $(b,1 to 100)." in
+  Arg.(value & opt (some string) None & info [ "seeds" ] ~docv:"LOW to HIGH" ~doc)
+
+let world =
+  let doc = "Likewise: its world. The default is that of $(b,frobc run)." in
+  Arg.(value & opt (some string) None & info [ "world" ] ~docv:"WORLD.toml" ~doc)
+
 let duration =
   Arg.(
     value & opt time_span 60. & info [ "for" ] ~docv:"TIME" ~doc:"How long a run is.")
@@ -61,11 +76,11 @@ let keep =
   Arg.(value & opt string "falsified" & info [ "keep" ] ~docv:"DIR" ~doc)
 
 let falsify =
-  let run general entry sources params inputs duration rate check_rate points linear only runs seed
+  let run general entry sources params inputs disturbances seeds world duration rate check_rate points linear only runs seed
       method_ keep file =
     Falsification.run general ~entry ~sources
-      { params; inputs; duration; rate; check_rate; points; linear; only; runs; seed; method_;
-        keep }
+      { params; inputs; disturbances; seeds; world; duration; rate; check_rate; points; linear;
+        only; runs; seed; method_; keep }
       file
   in
   let man =
@@ -76,6 +91,10 @@ let falsify =
          parameters and inputs. How nearly the assertion held guides the search: by how much a \
          comparison held, and of several the one that decides.";
       `P
+        "A program that drives a robot does so in the simulator. There it is searched over \
+         parameters, disturbances and seeds, and it is an assertion too that the robot touches \
+         nothing.";
+      `P
         "A line for each assertion, and for each that was violated the command that shows the \
          run. The exit status is 1 if there is one. That none was found proves nothing.";
       `P
@@ -84,5 +103,5 @@ let falsify =
   in
   command "falsify" ~man ~doc:"look for a run in which an assertion is violated"
     Term.(
-      const run $ general $ entry $ sources $ params $ inputs $ duration $ rate $ check_rate
-      $ points $ linear $ only $ runs $ seed $ method_ $ keep $ file)
+      const run $ general $ entry $ sources $ params $ inputs $ disturbances $ seeds $ world
+      $ duration $ rate $ check_rate $ points $ linear $ only $ runs $ seed $ method_ $ keep $ file)

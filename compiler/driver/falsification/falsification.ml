@@ -1,6 +1,9 @@
 type search = {
   params : string list;
   inputs : string list;
+  disturbances : string list;
+  seeds : string option;
+  world : string option;
   duration : float;
   rate : float;
   check_rate : float option;
@@ -25,6 +28,9 @@ let arguments (general : General.t) ~entry ~sources s file =
     [
       List.map (option "param") s.params;
       List.map (option "input") s.inputs;
+      List.map (option "disturbance") s.disturbances;
+      some "seeds" s.seeds;
+      some "world" s.world;
       [ option "for" (number s.duration); option "rate" (number s.rate) ];
       some "check-rate" (Option.map number s.check_rate);
       [ option "points" (string_of_int s.points) ];

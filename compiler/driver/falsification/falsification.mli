@@ -7,6 +7,9 @@
 type search = {
   params : string list;  (** [NAME=LOW to HIGH] each *)
   inputs : string list;  (** likewise, or [NAME=VALUE] *)
+  disturbances : string list;  (** [TABLE.KEY=LOW to HIGH] each, of the world file *)
+  seeds : string option;  (** [LOW to HIGH], of its noise *)
+  world : string option;
   duration : float;  (** s *)
   rate : float;  (** instants a second *)
   check_rate : float option;

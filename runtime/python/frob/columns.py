@@ -20,8 +20,8 @@ def numpy() -> Any:
         import numpy
     except ImportError:
         raise Error(
-            "columns and arrays need numpy, which is not installed: install it, or give a list "
-            "of inputs"
+            "columns and arrays need numpy, which is not installed: `apt install python3-numpy` "
+            "or `pip install numpy`, or give a list of inputs"
         ) from None
     return numpy
 

@@ -6,12 +6,25 @@ import csv
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence
 
-from . import columns, data, library, ranges, search, tools
+from . import columns, library, ranges, search, simulated, tools
 from .errors import InputError
 from .judging import FAR, Claim, Subject
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class Drive:
+    """What makes a run in the simulator, beside the parameters."""
+
+    world: str
+    """The path of the world file."""
+    seed: int
+    disturbances: Dict[str, float]
+    text: str
+    """The world file with them."""
+
 
 @dataclass(frozen=True)
 class Counterexample:
@@ -28,7 +41,10 @@ class Counterexample:
     settings: Dict[str, str]
     """The parameters as texts with their units, for `--param`."""
     inputs: "Dict[str, NDArray[Any]]"
-    """The columns of the run, `time` first, as `Program.run` takes them."""
+    """The columns of the run, `time` first, as `Program.run` takes them. Of a run in the
+    simulator there is nothing but `time`."""
+    drive: Optional[Drive] = None
+    """Of a run in the simulator."""
 
     def write(self, file: tools.PathLike) -> None:
         """As a trace that `frobc trace --input` takes."""
@@ -61,6 +77,9 @@ def falsify(
     *,
     params: Optional[Mapping[str, Any]] = None,
     inputs: Optional[Mapping[str, Any]] = None,
+    disturbances: Optional[Mapping[str, Any]] = None,
+    seeds: Any = None,
+    world: Optional[tools.PathLike] = None,
     duration: float = 60.0,
     rate: float = 50.0,
     points: int = 10,
@@ -82,6 +101,11 @@ def falsify(
     (`"linear"`). The search is guided by how nearly the assertion held; `only` names some of
     them, `runs` is the most for each. What is found is found again with the same `seed`.
     With `check_rate` only what is violated with so many instants a second too has been found.
+
+    A program that drives a robot does so in the simulator: in `world`, or the one that
+    `frobc run` takes. Varied are parameters, `seeds` of the noise (`"1 to 100"`) and
+    `disturbances`, numbers of the world file, as `{"sonar.noise": (0, 0.05)}`. There it is an
+    assertion too that the robot touches nothing.
     """
     _check("duration", duration, 1e-3, 1e6)
     _check("rate", rate, 0.1, 1e6)
@@ -93,15 +117,39 @@ def falsify(
         raise InputError(f"shape: expected \"constant\" or \"linear\", found {shape!r}")
     if method not in search.METHODS:
         raise InputError(f"method: expected \"cma\" or \"random\", found {method!r}")
+    search.need_numpy()
     if method == "cma":
         search.cma()
-    code = library.build(file, entry, robot, sources, asserts="margin")
-    subject = Subject(code, duration, rate)
+    path = tools.existing(file, "program")
+    robot = simulated.robot_for(path, world) if robot is None else robot
+    code = library.build(path, entry, robot, sources, asserts="margin")
+    if code.robot:
+        if inputs or check_rate is not None:
+            raise InputError(
+                f"{code.name} drives a robot, so its inputs come from the simulator: vary "
+                "parameters, disturbances and seeds instead of inputs; and check_rate is for others"
+            )
+        beside = simulated.disturbances(disturbances or {})
+        place = simulated.world_of(path, world, [one.name for one in beside])
+        subject: Subject = simulated.Simulated(code, place, duration, rate)
+        beside += simulated.seeds(seeds)
+        varied, signals = ranges.of_params(code, params or {}), ranges.Inputs([], {})
+    else:
+        if world is not None or disturbances or seeds is not None:
+            raise InputError(
+                f"{code.name} is a program for no robot, so it has no world: vary parameters and "
+                "inputs (`reactimateRobot` makes a program for a robot)"
+            )
+        subject, beside = Subject(code, duration, rate), []
+        varied, signals = ranges.of_program(code, params or {}, inputs or {})
     chosen = subject.chosen(only)
-    varied, signals = ranges.of_program(code, params or {}, inputs or {})
-    space = search.Space(varied, signals.varied, int(points), shape)
+    space = search.Space([*varied, *beside], signals.varied, int(points), shape)
     if space.size == 0:
-        raise InputError("nothing is varied: give a range to a parameter or to an input")
+        raise InputError(
+            "nothing is varied: give a range to a parameter, a disturbance or the seeds"
+            if code.robot
+            else "nothing is varied: give a range to a parameter or to an input"
+        )
     finer = None if check_rate is None else Subject(code, duration, check_rate)
     looking = Looking(subject, finer, space, signals.fixed)
     return [looking.searched(claim, int(runs), seed, method) for claim in chosen]
@@ -115,7 +163,7 @@ def _check(name: str, value: Any, least: float, most: float) -> None:
 
 
 def _setting(value: Any) -> str:
-    return str(value) if isinstance(value, bool) else data.text(value)
+    return repr(value)
 
 
 @dataclass(frozen=True)
@@ -148,15 +196,16 @@ class Looking:
                     time=float(self.subject.time[failed]),
                     margin=value if abs(value) < FAR else 0.0,
                     runs=len(nearest),
-                    params=params,
+                    params=self.subject.params_of(params),
                     settings=self._settings(params),
                     inputs={"time": self.subject.time, **inputs},
+                    drive=self._drive(params),
                 )
             )
             return -1.0
 
         search.Search(self.space, objective, runs, seed).run(method)
-        has_margin = claim.margin is not None
+        has_margin = claim.margin is not None or claim is simulated.TOUCHES
         return Search(
             claim.label, found[0] if found else None, len(nearest), min(nearest), has_margin
         )
@@ -170,5 +219,13 @@ class Looking:
         units = {name: param.unit for name, param in self.subject.code.params.items()}
         return {
             name: _setting(value) + (f"[{units[name]}]" if units[name] not in ("", "1") else "")
-            for name, value in params.items()
+            for name, value in self.subject.params_of(params).items()
         }
+
+    def _drive(self, values: Dict[str, Any]) -> Optional[Drive]:
+        if not isinstance(self.subject, simulated.Simulated):
+            return None
+        world = self.subject.world
+        disturbances = {name: float(values[name]) for name in world.varied}
+        seed = self.subject.seed_of(values)
+        return Drive(world.path, seed, disturbances, world.text(disturbances))

@@ -25,6 +25,9 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
             options.file,
             params=_ranges("--param", options.param),
             inputs=_ranges("--input", options.input),
+            disturbances=_ranges("--disturbance", options.disturbance),
+            seeds=options.seeds,
+            world=options.world,
             duration=options.duration,
             rate=options.rate,
             points=options.points,
@@ -39,7 +42,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
             sources=options.sources,
         )
         for search in searches:
-            _tell(search, options.file, options.keep)
+            _tell(search, options)
     except Error as error:
         told = str(error)
         print(told if told.startswith(("error", "internal")) else f"error: {told}", file=sys.stderr)
@@ -55,6 +58,9 @@ def _options() -> argparse.ArgumentParser:
     parser.add_argument("file")
     parser.add_argument("--param", action="append", default=[])
     parser.add_argument("--input", action="append", default=[])
+    parser.add_argument("--disturbance", action="append", default=[])
+    parser.add_argument("--seeds", default=None)
+    parser.add_argument("--world", default=None)
     parser.add_argument("--for", dest="duration", type=float, default=60.0)
     parser.add_argument("--rate", type=float, default=50.0)
     parser.add_argument("--check-rate", type=float, default=None)
@@ -83,7 +89,7 @@ def _ranges(option: str, settings: List[str]) -> Dict[str, str]:
     return found
 
 
-def _tell(search: Search, file: str, folder: str) -> None:
+def _tell(search: Search, options: argparse.Namespace) -> None:
     label, found = search.label, search.found
     runs = f"{search.runs} run" + ("" if search.runs == 1 else "s")
     if found is None:
@@ -91,12 +97,30 @@ def _tell(search: Search, file: str, folder: str) -> None:
         blind = "" if search.has_margin else "; it compares nothing, so the search was blind"
         print(f"held      {label}: not violated in {runs}{nearest}{blind}")
         return
-    print(f"violated  {label}: at {found.time:g} s, found in {runs}, margin {found.margin:.6g}")
-    os.makedirs(folder, exist_ok=True)
-    kept = os.path.join(folder, re.sub(r"[^A-Za-z0-9_.-]+", "-", label) + ".csv")
-    found.write(kept)
+    margin = f", margin {found.margin:.6g}" if found.margin < 0 else ""
+    print(f"violated  {label}: at {found.time:g} s, found in {runs}{margin}")
     settings = "".join(f" --param {name}={value}" for name, value in found.settings.items())
-    print(f"          frobc trace {file} --input {kept}{settings}")
+    stem = os.path.join(options.keep, re.sub(r"[^A-Za-z0-9_.-]+", "-", label))
+    if found.drive is None:
+        os.makedirs(options.keep, exist_ok=True)
+        found.write(stem + ".csv")
+        print(f"          frobc trace {options.file} --input {stem}.csv{settings}")
+        return
+    drive = found.drive
+    world = drive.world
+    if drive.disturbances:
+        os.makedirs(options.keep, exist_ok=True)
+        world = stem + ".toml"
+        with open(world, "w", encoding="utf-8") as file:
+            file.write(drive.text)
+    given = [f"--world {world}", f"--seed {drive.seed}", f"--for {options.duration:g}s"]
+    given += [f"--rate {options.rate:g}"] if options.rate != 50 else []
+    given += [f"--robot {options.robot}"] if options.robot is not None else []
+    given += [f"--entry {options.entry}"] if options.entry != "main" else []
+    print(f"          frobc run {options.file} {' '.join(given)}{settings}")
+    if drive.disturbances:
+        told = ", ".join(f"{name} = {value:.6g}" for name, value in drive.disturbances.items())
+        print(f"          with {told}")
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Iterator, List, Mapping, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
 
 from . import columns, library, margins, shapes
 from .errors import InputError
@@ -49,8 +49,11 @@ class Subject:
 
     # What is searched
 
+    def assertions(self) -> List[Claim]:
+        return [claim for claim in self.claims if not claim.is_assumption]
+
     def chosen(self, only: Sequence[str]) -> List[Claim]:
-        assertions = [claim for claim in self.claims if not claim.is_assumption]
+        assertions = self.assertions()
         if not assertions:
             raise InputError(
                 f"{self.code.name} asserts nothing, so there is nothing to be violated: "
@@ -65,6 +68,10 @@ class Subject:
                 )
         return [claim for claim in assertions if not only or claim.label in only]
 
+    def params_of(self, values: Mapping[str, Any]) -> Dict[str, Any]:
+        """Of all that a search varies those that are the program's."""
+        return dict(values)
+
     # Runs
 
     def judged(
@@ -72,24 +79,29 @@ class Subject:
     ) -> Tuple[float, Optional[int]]:
         """The margin of a run, and the first instant at which it is violated. What comes after
         an assumption has failed does not count."""
-        np = columns.numpy()
         memory = self._output(params, inputs)
-        size = self.code.table.output_size
-
-        def first_failure(one: Claim) -> int:
-            runs, tags = _seen(one.verdict, memory, len(self.time), size)
-            failed = tags == FAILS if runs is None else (tags == FAILS) & runs
-            return int(np.argmax(failed)) if bool(failed.any()) else len(self.time)
-
-        assumed = [one for one in self.claims if one.is_assumption]
-        void = min((first_failure(one) for one in assumed), default=len(self.time))
-        failed = first_failure(claim)
+        void = self.void(memory)
+        failed = self._first_failure(claim, memory)
         value = self._margin(claim, memory, void)
         if failed < void:
             return min(value, 0.0), failed
-        # The sooner the assumption fails the farther is it from a run that counts.
-        voided = FAR * (1.0 - void / len(self.time)) if void < len(self.time) else 0.0
-        return value + voided, None
+        return value + self.voided(void), None
+
+    def void(self, memory: "NDArray[Any]") -> int:
+        """From which instant on nothing counts, as an assumption has failed."""
+        assumed = [one for one in self.claims if one.is_assumption]
+        return min((self._first_failure(one, memory) for one in assumed), default=len(self.time))
+
+    def voided(self, void: int) -> float:
+        """The sooner the assumption fails the farther is it from a run that counts."""
+        return FAR * (1.0 - void / len(self.time)) if void < len(self.time) else 0.0
+
+    def _first_failure(self, claim: Claim, memory: "NDArray[Any]") -> int:
+        """The number of instants if there is none."""
+        np = columns.numpy()
+        runs, tags = _seen(claim.verdict, memory, len(self.time), self.code.table.output_size)
+        failed = tags == FAILS if runs is None else (tags == FAILS) & runs
+        return int(np.argmax(failed)) if bool(failed.any()) else len(self.time)
 
     def _output(
         self, params: Mapping[str, Any], inputs: "Mapping[str, NDArray[Any]]"

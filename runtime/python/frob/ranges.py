@@ -19,24 +19,24 @@ class Inputs:
 def of_program(
     code: library.Library, params: Mapping[str, Any], inputs: Mapping[str, Any]
 ) -> Tuple[List[search.Range], Inputs]:
-    return _params(code, params), _inputs(code, inputs)
+    return of_params(code, params), _inputs(code, inputs)
 
 
-def _params(code: library.Library, params: Mapping[str, Any]) -> List[search.Range]:
+def of_params(code: library.Library, params: Mapping[str, Any]) -> List[search.Range]:
     found = []
     for name, given in params.items():
         param = code.params.get(name)
         if param is None:
             known = ", ".join(code.params) or "none"
             raise InputError(f"{code.name} has no parameter `{name}`; it has: {known}")
-        ends = _ends(f"param {name}", given)
-        if len(ends) == 1:
+        given_ends = ends(f"param {name}", given)
+        if len(given_ends) == 1:
             unit = f"[{param.unit}]" if param.unit not in ("", "1") else ""
             raise InputError(
                 f"param {name}: expected a range, as \"{_text(param.default)}{unit} to …\", "
                 f"found {shapes.shown(given)}"
             )
-        low, high = (param.value(end) for end in ends)
+        low, high = (param.value(end) for end in given_ends)
         found.append(_range(f"param {name}", name, param.shape, low, high))
     return found
 
@@ -51,16 +51,17 @@ def _inputs(code: library.Library, inputs: Mapping[str, Any]) -> Inputs:
             raise InputError(f"{code.name} has no input `{name}`; it has: {known}")
         if not isinstance(leaf, shapes.Scalar):
             raise InputError(f"{name}: it is no number ({leaf.meaning}), so it has no range")
-        ends = [_value(leaf, end, name) for end in _ends(name, given)]
-        if len(ends) == 1:
-            found.fixed[name] = ends[0]
+        values = [_value(leaf, end, name) for end in ends(name, given)]
+        if len(values) == 1:
+            found.fixed[name] = values[0]
         else:
-            found.varied.append(_range(name, name, leaf, *ends))
+            found.varied.append(_range(name, name, leaf, *values))
     columns.check(code.input_columns, inputs, code.name)
     return found
 
 
-def _ends(place: str, given: Any) -> List[Any]:
+def ends(place: str, given: Any) -> List[Any]:
+    """Two of a range, one of a value."""
     if isinstance(given, str):
         return [part.strip() for part in given.split(" to ")] if " to " in given else [given]
     if isinstance(given, (tuple, list)):
@@ -78,6 +79,10 @@ def _value(leaf: shapes.Scalar, given: Any, place: str) -> Any:
 
 def _range(place: str, name: str, shape: shapes.Scalar, low: Any, high: Any) -> search.Range:
     kind = {shapes.Bool: "bool", shapes.Int: "int"}.get(type(shape), "float")
+    return between(place, name, kind, low, high)
+
+
+def between(place: str, name: str, kind: str, low: Any, high: Any) -> search.Range:
     if not (abs(low) < float("inf") and abs(high) < float("inf")):
         raise InputError(f"{place}: a range has two ends, found {_text(low)} to {_text(high)}")
     if not low < high:

@@ -6,10 +6,13 @@ has control points.
 
 from __future__ import annotations
 
+import heapq
+import itertools
 import random
 import warnings
+from bisect import bisect_right
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Sequence, Tuple
 
 from . import columns
 from .errors import Error, InputError
@@ -76,19 +79,6 @@ class Space:
                 found[input_.name] = values[np.minimum(index, self.points - 1)]
         return found
 
-    def refined(self, point: Sequence[float], points: int) -> List[float]:
-        """A point of a space whose inputs have so many control points, no more than here, as one
-        of this space. A part that is constant there is one here."""
-        fine = list(point[: len(self.params)])
-        for first in range(len(self.params), len(point), points):
-            coarse = list(point[first : first + points])
-            if self.shape == "linear" and points > 1:
-                places = [k * (points - 1) / (self.points - 1) for k in range(self.points)]
-                fine += [_between(coarse, place) for place in places]
-            else:
-                fine += [coarse[k * points // self.points] for k in range(self.points)]
-        return fine
-
     def corners(self, most: int, drawn: random.Random) -> Iterator[List[float]]:
         """Everything at one of its ends, inputs all the time; some of them where these are
         more than `most`."""
@@ -100,33 +90,54 @@ class Space:
         for number in numbers:
             yield self._steady([float(number >> k & 1) for k in range(count)])
 
-    def pulse(self, drawn: random.Random) -> Callable[[Sequence[float]], List[float]]:
-        """Any corner, parameters anywhere, and one input that leaves its end for a while: for the
-        numbers from 0 to 1 that say when, how long (rather a short time than a long one) and for
-        what."""
-        params = [drawn.random() for _ in self.params]
-        steady = self._steady(params + [float(drawn.getrandbits(1)) for _ in self.inputs])
-        offset = len(self.params) + drawn.randrange(len(self.inputs)) * self.points
+    def sketch(self, most: int, drawn: random.Random) -> "Sketch":
+        """Parameters anywhere, and inputs that are constant but for a few changes: at most so
+        many parts each. Half of the changes are early, as those have the rest of the run to act
+        in; many values are at an end, and most last ones, where things come to rest."""
 
-        def point(numbers: Sequence[float]) -> List[float]:
-            when, length, value = numbers
-            first = min(int(max(when, 0.0) * self.points), self.points - 1)
-            last = first + int(self.points ** min(max(length, 0.0), 1.0))
-            changed = list(steady)
-            for k in range(first, min(last, self.points)):
-                changed[offset + k] = _within(value)
-            return changed
+        def value(at_end: float) -> float:
+            return float(drawn.getrandbits(1)) if drawn.random() < at_end else drawn.random()
 
-        return point
+        def change() -> float:
+            share = drawn.random()
+            return share if drawn.getrandbits(1) else self.points**-share
+
+        parts = [drawn.randint(1, min(most, self.points)) for _ in self.inputs]
+        numbers = [value(OFTEN) for _ in self.params]
+        for count in parts:
+            numbers += sorted(change() for _ in range(count - 1))
+            numbers += [value(OFTEN) for _ in range(count - 1)] + [value(MOSTLY)]
+        return Sketch(self, parts, numbers)
 
     def _steady(self, shares: List[float]) -> List[float]:
         own, others = shares[: len(self.params)], shares[len(self.params) :]
         return own + [share for share in others for _ in range(self.points)]
 
 
-def _between(values: Sequence[float], place: float) -> float:
-    first = min(int(place), len(values) - 2)
-    return values[first] + (place - first) * (values[first + 1] - values[first])
+@dataclass(frozen=True)
+class Sketch:
+    """A point of a space by fewer numbers, each from 0 to 1."""
+
+    space: Space
+    parts: List[int]
+    """Of each input."""
+    numbers: List[float]
+    """A number for each parameter; then of each input the times at which it changes, and its
+    values between them."""
+
+    def at(self, numbers: Sequence[float]) -> List[float]:
+        """The point for other numbers. What is beyond an end is at the end."""
+        within = [min(max(number, 0.0), 1.0) for number in numbers]
+        first = len(self.space.params)
+        point = within[:first]
+        points = self.space.points
+        for count in self.parts:
+            changes = sorted(within[first : first + count - 1])
+            values = within[first + count - 1 : first + 2 * count - 1]
+            first += 2 * count - 1
+            places = ((k + 0.5) / points for k in range(points))
+            point += [values[bisect_right(changes, place)] for place in places]
+        return point
 
 
 def _values(range_: Range, shares: "NDArray[Any]") -> "NDArray[Any]":
@@ -138,23 +149,26 @@ def _values(range_: Range, shares: "NDArray[Any]") -> "NDArray[Any]":
     return np.array([range_.at(share) for share in shares], dtype=kind)  # type: ignore[no-any-return]
 
 
-PULSE_NUMBERS = 3
-"""Of a pulse: when, how long, for what (`Space.pulse`)."""
-
 Objective = Callable[[Sequence[float]], float]
 """Less is better, and below 0 is what is looked for."""
 
 CORNERS = 8
 """At most so many of a search's runs are spent on them."""
 
-BEYOND = 0.25
-"""A search goes so far beyond each end, which is the end itself: there is where things break."""
+OFTEN, MOSTLY = 0.4, 0.8
+"""How likely a value is at an end."""
 
-PULSES = 300
-"""So many of them are tried before CMA-ES begins at another place."""
+FEW = 3
+"""So many parts an input has at most in the first sketches."""
 
-PATIENCE = 12
-"""CMA-ES ends after so many runs for each number that it looks for."""
+SKETCHES = 30
+"""So many are tried before the best of them is bettered."""
+
+WIDTH = 0.1
+"""How far CMA-ES goes at first from the sketch that it betters."""
+
+PATIENCE = 3
+"""CMA-ES ends when so many generations have come no nearer."""
 
 
 class Over(Exception):
@@ -164,11 +178,11 @@ class Over(Exception):
 class Search:
     """Looks for a point whose value is below 0, in so many runs at most.
 
-    First the corners. Then pulses: everything stays at an end, but for one input in some part of
-    the time; from each that comes nearer than all before, CMA-ES (Hansen) changes that part. And,
-    in turn with them, CMA-ES over everything, from another place each time. There inputs begin
-    with few control points, and come to all of them by and by: what can be found with few is
-    found sooner.
+    First the corners. Then sketches: inputs that change a few times, and are often at an end, as
+    what has modes is broken by such runs rather than by restless ones. Whenever some have been
+    tried, CMA-ES (Hansen) betters the best that has not been yet: the times of its changes, its
+    values and the parameters. Sketches may have more parts from round to round, in the end as
+    many as inputs have control points.
     """
 
     def __init__(self, space: Space, objective: Objective, runs: int, seed: int) -> None:
@@ -176,19 +190,21 @@ class Search:
         self.objective = objective
         self.runs = runs
         self.used = 0
-        self.nearest = float("inf")
         self.drawn = random.Random(seed)
 
     def run(self, method: str) -> None:
         try:
             for corner in self.space.corners(CORNERS, self.drawn):
                 self.value(corner)
-            while method == "random":
-                self.value([_within(self.drawn.random()) for _ in range(self.space.size)])
-            for points in _levels(self.space):
-                for _ in range(PULSES if self.space.inputs else 0):
-                    self.pulse()
-                self.everything(points)
+            tried: List[Tuple[float, int, Sketch]] = []
+            for most in itertools.count(FEW):
+                for _ in range(SKETCHES):
+                    sketch = self.space.sketch(most, self.drawn)
+                    value = self.value(sketch.at(sketch.numbers))
+                    heapq.heappush(tried, (value, self.used, sketch))
+                if method == "cma":
+                    nearest, _, sketch = heapq.heappop(tried)
+                    self.better(nearest, sketch)
         except Over:
             pass
 
@@ -197,55 +213,31 @@ class Search:
         self.used += 1
         if value < 0 or self.used >= self.runs:
             raise Over
-        self.nearest = min(self.nearest, value)
         return value
 
-    def pulse(self) -> None:
-        before = self.nearest
-        pulse = self.space.pulse(self.drawn)
-        numbers = [self.drawn.random() for _ in range(PULSE_NUMBERS)]
-        if self.value(pulse(numbers)) < before:
-            self.evolution(numbers, 0.1, pulse)
-
-    def everything(self, points: int) -> None:
-        space = self.space
-        size = len(space.params) + points * len(space.inputs)
-        # It adapts a covariance, which one number has none of.
-        beginning = [self.drawn.random() for _ in range(max(size, 2))]
-
-        def refined(shares: Sequence[float]) -> List[float]:
-            return space.refined([_within(share) for share in shares[:size]], points)
-
-        self.evolution(beginning, 0.4, refined)
-
-    def evolution(
-        self,
-        beginning: List[float],
-        width: float,
-        point: Callable[[Sequence[float]], List[float]],
-    ) -> None:
+    def better(self, value: float, sketch: Sketch) -> None:
+        # It adapts a covariance, which one number has none of: the second makes no difference.
+        count = len(sketch.numbers)
+        beginning = sketch.numbers if count > 1 else sketch.numbers * 2
         options = {"seed": self.drawn.randrange(1, 2**31), "verbose": -9}
-        strategy = cma().CMAEvolutionStrategy(beginning, width, options)
-        left = PATIENCE * len(beginning)
-        while left > 0 and not strategy.stop():
+        strategy = cma().CMAEvolutionStrategy(beginning, WIDTH, options)
+        nearest, ago = value, 0
+        while ago < PATIENCE and not strategy.stop():
             asked = strategy.ask()
-            strategy.tell(asked, [self.value(point(shares)) for shares in asked])
-            left -= len(asked)
+            values = [self.value(sketch.at(some[:count])) for some in asked]
+            strategy.tell(asked, values)
+            ago = 0 if min(values) < nearest else ago + 1
+            nearest = min(nearest, *values)
 
 
-def _levels(space: Space) -> Iterator[int]:
-    """How many control points, one search after the other, without end: 2; 2, 3; 2, 3, 5; …"""
-    all_ = [space.points]
-    while all_[0] > 2:
-        all_.insert(0, (all_[0] + 1) // 2)
-    round_ = 1
-    while True:
-        yield from all_[:round_]
-        round_ = min(round_ + 1, len(all_))
-
-
-def _within(share: float) -> float:
-    return min(max((1 + 2 * BEYOND) * share - BEYOND, 0.0), 1.0)
+def need_numpy() -> None:
+    try:
+        import numpy  # noqa: F401
+    except ImportError:
+        raise Error(
+            "falsify needs numpy, which is not installed: `apt install python3-numpy` or "
+            "`pip install numpy`"
+        ) from None
 
 
 def cma() -> Any:

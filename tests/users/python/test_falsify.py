@@ -207,29 +207,153 @@ main = proc x -> y where
         with self.assertRaisesRegex(frob.InputError, "asserts nothing"):
             frob.falsify("nothing.frob", inputs={"in": (0, 1)}, method="random")
 
-    def test_without_the_library_the_cure_is_told(self):
-        try:
-            import cma  # noqa: F401
-        except ImportError:
-            with self.assertRaisesRegex(frob.Error, "pip install cma"):
-                self.look(method="cma")
-        else:
-            self.assertIsNotNone(self.look(params={"most": (0, 1)}, method="cma")[1].found)
+    def test_without_the_libraries_the_cure_is_told(self):
+        def told(missing, method):
+            text = (f"import sys; sys.modules['{missing}'] = None; import frob.falsify_command as it\n"
+                    f"sys.exit(it.main(['cruise.frob', '--method', '{method}', '--input', 'in=0']))")
+            done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            return done.stderr
 
-    def test_a_coarse_signal_is_a_fine_one(self):
-        space = search.Space([], [search.Range("in", 0, 10, "float")], 4, "constant")
-        self.assertEqual(space.refined([0.0, 1.0], 2), [0.0, 0.0, 1.0, 1.0])
+        self.assertEqual(told("numpy", "random"),
+                         "error: falsify needs numpy, which is not installed: "
+                         "`apt install python3-numpy` or `pip install numpy`\n")
+        self.assertIn("needs the package cma, which is not installed: `pip install cma`, or search at "
+                      "random", told("cma", "cma"))
+
+    def test_a_sketch_is_a_signal_of_few_parts(self):
+        space = search.Space([search.Range("p", 0, 1, "float")],
+                             [search.Range("in", 0, 10, "float")], 4, "constant")
+        sketch = search.Sketch(space, [3], [])
+        self.assertEqual(sketch.at([0.5, 0.25, 0.5, 0.1, 0.2, 0.3]), [0.5, 0.1, 0.2, 0.3, 0.3])
+        # Times have an order, whichever number is which; what is beyond an end is at it.
+        self.assertEqual(sketch.at([0.5, 2, 0.5, 0.1, 0.2, -1]), [0.5, 0.1, 0.1, 0.2, 0.2])
         time = np.arange(9) / 8
         self.assertEqual(
-            space.inputs_at([0, 0.1, 0.2, 0.3], time, 1.0)["in"].tolist(),
+            space.inputs_at([0, 0, 0.1, 0.2, 0.3], time, 1.0)["in"].tolist(),
             [0, 0, 1, 1, 2, 2, 3, 3, 3])
         space = search.Space([], [search.Range("in", 0, 10, "float")], 3, "linear")
-        self.assertEqual(space.refined([0.0, 1.0], 2), [0.0, 0.5, 1.0])
         self.assertEqual(
             space.inputs_at([0, 1, 0], time, 1.0)["in"].tolist(), [0, 2.5, 5, 7.5, 10, 7.5, 5, 2.5, 0])
+        r = random.Random(1)
+        for most in (1, 2, 7):
+            for _ in range(50):
+                point = search.Space([], space.inputs, 9, "constant").sketch(most, r)
+                signal = point.at(point.numbers)
+                self.assertEqual(len(signal), 9)
+                self.assertLess(sum(a != b for a, b in zip(signal, signal[1:])), most)
+
+
+WORLD = """[start]
+x = 0
+y = 0
+
+[[wall]]
+points = [[-1, -2], [4, -2], [4, 2], [-1, 2]]
+closed = true
+
+[drive]
+slip = 0.01
+"""
+
+STOPPING = """import Robot
+
+-- | How far it stops from what is ahead.
+param gap :: Distance = 0.5[m]
+
+main :: (HasSonar i, DiffDrive o) => Program i o
+main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+    v = if frontSonar i < gap then 0 else 0.4[m/s]
+    assert "stops in time" (frontSonar i > 0.1[m]))
+"""
+
+
+class Simulated(unittest.TestCase):
+    def look(self, **options):
+        with open("stopping.frob", "w") as file:
+            file.write(STOPPING)
+        with open("hall.toml", "w") as file:
+            file.write(WORLD)
+        options = {"duration": 12, "method": "random", "robot": "pioneer", "world": "hall.toml",
+                   "runs": 60, **options}
+        return frob.falsify("stopping.frob", **options)
+
+    def test_what_is_found_is_what_a_run_does(self):
+        searches = self.look(params={"gap": "0.02[m] to 0.6[m]"}, seeds="1 to 9",
+                             disturbances={"sonar.noise": (0, 0.02), "drive.slip": "0 to 0.1"})
+        self.assertEqual([one.label for one in searches], ["stops in time", "touches nothing"])
+        for one in searches:
+            found = one.found
+            with open("hall-found.toml", "w") as file:
+                file.write(found.drive.text)
+            settings = [f"--param={name}={value}" for name, value in found.settings.items()]
+            command = [frob.tools.frobc(), "run", "stopping.frob", "--robot", "pioneer", "--world",
+                       "hall-found.toml", "--seed", str(found.drive.seed), "--for", "12s", *settings]
+            done = subprocess.run(command, capture_output=True, text=True)
+            if one.label == "stops in time":
+                self.assertIn(f'"stops in time": violated, first at {found.time:.3f}', done.stdout + done.stderr)
+                self.assertLess(found.margin, 0)
+            else:
+                self.assertNotIn("collisions: 0", done.stdout)
+                self.assertIn("collisions: ", done.stdout)
+
+    def test_what_cannot_fail_is_not_found(self):
+        stops, touches = self.look(params={"gap": (0.5, 0.6)}, runs=5)
+        self.assertEqual((stops.found, touches.found, touches.runs), (None, None, 5))
+        self.assertGreater(stops.nearest, 0)
+        # From the middle of the robot.
+        self.assertGreater(touches.nearest, 0.25)
+
+    def test_the_world_is_as_the_file_says_but_for_what_is_varied(self):
+        found = self.look(params={"gap": (0.02, 0.03)}, only=["touches nothing"], runs=5,
+                          disturbances={"drive.slip": (0.2, 0.3), "sonar.noise": (0.1, 0.2),
+                                        "start.x": (1, 2)})[0].found
+        values = found.drive.disturbances
+        text = WORLD.replace("slip = 0.01", f"slip = {values['drive.slip']!r}")
+        text = text.replace("x = 0\n", f"x = {values['start.x']!r}\n")
+        self.assertEqual(found.drive.text, text + f"\n[sonar]\nnoise = {values['sonar.noise']!r}\n")
+
+    def test_bad_input_is_told(self):
+        def told(expected, **options):
+            with self.assertRaises(frob.Error) as caught:
+                self.look(**options)
+            self.assertIn(expected, str(caught.exception))
+
+        told("nothing is varied: give a range to a parameter, a disturbance or the seeds")
+        told("its inputs come from the simulator", inputs={"in.x": (0, 1)})
+        told("expected a table of the world file and its key", disturbances={"noise": (0, 1)})
+        told('expected a range, as "0 to 0.1"', disturbances={"sonar.noise": 0.1})
+        told("hall.toml:13:1: unknown key `noose`", disturbances={"sonar.noose": (0, 0.1)})
+        told("the range ends at 0, which is not more than 1", disturbances={"sonar.noise": (1, 0)})
+        told("seeds: expected whole numbers", seeds="1.5 to 2")
+        told("there is no world none.toml", world="none.toml")
+        with open("closed.frob", "w") as file:
+            file.write(CRUISE)
+        with self.assertRaisesRegex(frob.InputError, "a program for no robot, so it has no world"):
+            frob.falsify("closed.frob", inputs=INPUTS, seeds=(1, 2), method="random")
 
 
 class Command(unittest.TestCase):
+    def test_it_tells_how_to_drive_again(self):
+        with open("stopping.frob", "w") as file:
+            file.write(STOPPING)
+        with open("hall.toml", "w") as file:
+            file.write(WORLD)
+        os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
+        command = [frob.tools.frobc(), "falsify", "stopping.frob", "--robot", "pioneer", "--world",
+                   "hall.toml", "--for", "12s", "--method", "random", "--seeds", "1 to 100",
+                   "--disturbance", "sonar.dropout=0 to 0.5", "--keep", "driven"]
+        found = subprocess.run(command, capture_output=True, text=True)
+        self.assertEqual((found.returncode, found.stderr), (1, ""))
+        first, again, with_ = found.stdout.splitlines()[:3]
+        self.assertTrue(first.startswith("violated  stops in time: at "), first)
+        self.assertTrue(with_.startswith("          with sonar.dropout = "), with_)
+        words = again.split()
+        self.assertEqual(words[:2], ["frobc", "run"])
+        driven = subprocess.run([frob.tools.frobc(), *words[1:]], capture_output=True, text=True)
+        at = first[len("violated  stops in time: at "):].split()[0]
+        self.assertIn(f'"stops in time": violated, first at {float(at):.3f}', driven.stdout + driven.stderr)
+
     def test_it_tells_what_it_finds_and_how_to_see_it(self):
         with open("cruise.frob", "w") as file:
             file.write(CRUISE)
