@@ -10,7 +10,8 @@ import warnings
 from typing import Dict, List, Optional, Sequence
 
 from .errors import Error
-from .falsification import FAR, Search, falsify
+from .falsification import Search, falsify
+from .judging import FAR
 
 VIOLATED, WRONG_USE = 1, 2
 """Exit statuses, as those of frobc."""

@@ -90,9 +90,9 @@ class Space:
         for number in numbers:
             yield self._steady([float(number >> k & 1) for k in range(count)])
 
-    def sketch(self, most: int, drawn: random.Random) -> "Sketch":
+    def sketch(self, most: int, drawn: random.Random, is_restless: bool) -> "Sketch":
         """Parameters anywhere, and inputs that are constant but for a few changes: at most so
-        many parts each. Half of the changes are early, as those have the rest of the run to act
+        many parts each, or if they are restless as many as there are control points. Half of the changes are early, as those have the rest of the run to act
         in; many values are at an end, and most last ones, where things come to rest."""
 
         def value(at_end: float) -> float:
@@ -102,7 +102,8 @@ class Space:
             share = drawn.random()
             return share if drawn.getrandbits(1) else self.points**-share
 
-        parts = [drawn.randint(1, min(most, self.points)) for _ in self.inputs]
+        most = min(most, self.points)
+        parts = [self.points if is_restless else drawn.randint(1, most) for _ in self.inputs]
         numbers = [value(OFTEN) for _ in self.params]
         for count in parts:
             numbers += sorted(change() for _ in range(count - 1))
@@ -161,6 +162,9 @@ OFTEN, MOSTLY = 0.4, 0.8
 FEW = 3
 """So many parts an input has at most in the first sketches."""
 
+RESTLESS = 4
+"""One sketch of so many has as many parts as inputs have control points."""
+
 SKETCHES = 30
 """So many are tried before the best of them is bettered."""
 
@@ -179,10 +183,10 @@ class Search:
     """Looks for a point whose value is below 0, in so many runs at most.
 
     First the corners. Then sketches: inputs that change a few times, and are often at an end, as
-    what has modes is broken by such runs rather than by restless ones. Whenever some have been
-    tried, CMA-ES (Hansen) betters the best that has not been yet: the times of its changes, its
-    values and the parameters. Sketches may have more parts from round to round, in the end as
-    many as inputs have control points.
+    what has modes is broken by such runs rather than by restless ones, of which there are some
+    too. Whenever some have been tried, CMA-ES (Hansen) betters the best that has not been yet:
+    the times of its changes, its values and the parameters. Sketches may have more parts from
+    round to round, in the end as many as inputs have control points.
     """
 
     def __init__(self, space: Space, objective: Objective, runs: int, seed: int) -> None:
@@ -198,8 +202,9 @@ class Search:
                 self.value(corner)
             tried: List[Tuple[float, int, Sketch]] = []
             for most in itertools.count(FEW):
-                for _ in range(SKETCHES):
-                    sketch = self.space.sketch(most, self.drawn)
+                for number in range(SKETCHES):
+                    is_restless = number % RESTLESS == 0
+                    sketch = self.space.sketch(most, self.drawn, is_restless)
                     value = self.value(sketch.at(sketch.numbers))
                     heapq.heappush(tried, (value, self.used, sketch))
                 if method == "cma":

@@ -3,8 +3,8 @@ requirement, beside Psy-TaLiRo on the same program.
 
 chasing_cars.py EXAMPLE [TRIES]   with cma, and with psy-taliro where it is installed
 
-An input has 20 values in 100 s. The program takes Euler steps of 10 ms; what is found counts if it
-is violated with steps of 0.1 ms too.
+An input has 20 values in 100 s. The program takes Euler steps of 2.5 ms (with 10 ms cars brake
+where others would not); what is found counts if it is violated with steps of 0.1 ms too.
 """
 import importlib.util
 import statistics
@@ -17,7 +17,7 @@ from frob.judging import Subject
 
 # Means of FalCAuN in ARCH-COMP 2026; CCx it has not falsified.
 PUBLISHED = {"CC1": "198", "CC2": "38", "CC3": "61", "CC4": "474", "CCx": "never"}
-SECONDS, RATE, FINE, POINTS, RUNS = 100.0, 100.0, 10000.0, 20, 5000
+SECONDS, RATE, FINE, POINTS, RUNS = 100.0, 400.0, 10000.0, 20, 5000
 RIVAL_RUNS = 1000
 INPUTS = {"in.throttle": (0, 1), "in.brake": (0, 1)}
 
@@ -46,11 +46,11 @@ def rival(code, label, seeds):
     _, signals = ranges.of_program(code, {}, INPUTS)
     space = search.Space([], signals.varied, POINTS, "constant")
 
-    @staliro.costfunc()
-    def cost(sample):
-        inputs = space.inputs_at(list(sample.values), subject.time, SECONDS)
+    @staliro.costfunc
+    def cost(given):
+        inputs = space.inputs_at(list(given.static.values()), subject.time, SECONDS)
         value, failed = subject.judged(claim, {}, inputs)
-        return staliro.Result(-1.0 if failed is not None else max(value, 0.0), None)
+        return -1.0 if failed is not None else max(value, 0.0)
 
     found, used = [], 0
     begun = time.process_time()

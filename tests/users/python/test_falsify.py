@@ -238,7 +238,7 @@ main = proc x -> y where
         r = random.Random(1)
         for most in (1, 2, 7):
             for _ in range(50):
-                point = search.Space([], space.inputs, 9, "constant").sketch(most, r)
+                point = search.Space([], space.inputs, 9, "constant").sketch(most, r, False)
                 signal = point.at(point.numbers)
                 self.assertEqual(len(signal), 9)
                 self.assertLess(sum(a != b for a, b in zip(signal, signal[1:])), most)
