@@ -162,7 +162,7 @@ OFTEN, MOSTLY = 0.4, 0.8
 FEW = 3
 """So many parts an input has at most in the first sketches."""
 
-RESTLESS = 4
+RESTLESS = 10
 """One sketch of so many has as many parts as inputs have control points."""
 
 SKETCHES = 30
