@@ -6,6 +6,7 @@
 #ifndef FROB_HOST_APRILTAG_H
 #define FROB_HOST_APRILTAG_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -28,6 +29,16 @@ struct apriltag_array {
 struct apriltag_settings {
     int threads;
     float decimate; /* looks at a picture that is smaller by this factor first */
+    float blur;
+    bool refines_edges;
+    double sharpening;
+    bool debugs;
+    struct { /* apriltag_quad_thresh_params */
+        int least_cluster, most_corners;
+        float angle, cosine, most_error;
+        int least_contrast; /* between the lightest and the darkest pixel of a few tiles */
+        int deglitch;
+    } quads;
 };
 
 /* apriltag_detection_t. In its coordinates the middle of the upper left pixel is at

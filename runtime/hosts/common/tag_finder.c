@@ -83,6 +83,25 @@ void tag_finder_close(struct tag_finder *finder)
     memset(finder, 0, sizeof *finder);
 }
 
+/* How much darker than its white parts a tag's black ones are at least: a sixth of what the whole
+ * picture has, so that a dark picture may have less. In what has less contrast the library does not
+ * look for a tag. By its own setting, 5, it looks at all that is noise, which takes most of its time. */
+static void set_contrast(struct tag_finder *finder, size_t size)
+{
+    struct apriltag_settings settings;
+    uint8_t darkest = 255, lightest = 0;
+    int contrast;
+    for (size_t i = 0; i < size; i++) {
+        const uint8_t p = finder->grey[i];
+        darkest = p < darkest ? p : darkest;
+        lightest = p > lightest ? p : lightest;
+    }
+    contrast = (lightest - darkest) / 6;
+    memcpy(&settings, finder->detector, sizeof settings);
+    settings.quads.least_contrast = contrast < 5 ? 5 : contrast;
+    memcpy(finder->detector, &settings, sizeof settings);
+}
+
 /* Rows without gaps, as the library wants them. */
 static bool make_grey(struct tag_finder *finder, const struct frob_image *image)
 {
@@ -149,6 +168,7 @@ bool tag_finder_find(struct tag_finder *finder, const struct frob_image *image,
         fprintf(stderr, "error: not enough memory to look for tags\n");
         return false;
     }
+    set_contrast(finder, (size_t)image->width * (size_t)image->height);
     seen.pixels = finder->grey;
     found = library.detect(finder->detector, &seen);
     for (int i = 0; found != NULL && i < found->count; i++) {

@@ -19,6 +19,7 @@ SAME(apriltag_array, count, zarray_t, size);
 SAME(apriltag_array, elements, zarray_t, data);
 SAME(apriltag_settings, threads, apriltag_detector_t, nthreads);
 SAME(apriltag_settings, decimate, apriltag_detector_t, quad_decimate);
+SAME(apriltag_settings, quads.least_contrast, apriltag_detector_t, qtp.min_white_black_diff);
 SAME(apriltag_found, id, apriltag_detection_t, id);
 SAME(apriltag_found, wrong_bits, apriltag_detection_t, hamming);
 SAME(apriltag_found, margin, apriltag_detection_t, decision_margin);

@@ -7,7 +7,7 @@ What the examples promise of themselves holds, on each robot that they are for.
   ok    drives to the end of the corridor: 10 seeds, 35 s
   ok    keeps to the middle, to the end: 3 seeds, 28 s
   ok    drives into the dock: 10 seeds, 40 s
-  ok    docks within 2 cm and 2 degrees: 20 seeds, 35 s
+  ok    docks within 2 cm and 2 degrees: 20 seeds, 20 s
   ok    goes on and on: 3 seeds, 300 s
   ok    keeps a metre behind the ball, and touches nothing: 2 seeds, 45 s
   ok    comes to its speed, and says when it is there: 4 s
