@@ -16,6 +16,7 @@ type t = {
   options : options;
   resources : Resources.t;
   jobs : int;
+  rejected : (string * string, string) Hashtbl.t;
 }
 
 let alone general ~sources resources =
@@ -23,7 +24,7 @@ let alone general ~sources resources =
   let options =
     { pattern; seeds; jobs; rate = 50.; json = false; junit; update = false; keep = "failed" }
   in
-  { general; sources; options; resources; jobs = 1 }
+  { general; sources; options; resources; jobs = 1; rejected = Hashtbl.create 1 }
 
 let read path =
   let channel = open_in_bin path in
@@ -31,8 +32,7 @@ let read path =
     ~finally:(fun () -> close_in channel)
     (fun () -> really_input_string channel (in_channel_length channel))
 
-(* What is wrong with it has been told. *)
-let compiled context general ~entry file =
+let compiled_anew context general ~entry file =
   let path = ref None in
   let status =
     Built.shared ~quiet:true general ~entry ~sources:context.sources file (fun _ program ->
@@ -43,6 +43,15 @@ let compiled context general ~entry file =
   | Some program -> Ok program
   | None when status = Exit_status.wrong_use -> Error "cannot be run"
   | None -> Error "does not compile"
+
+(* What is wrong with it is told once, however many tests need it. *)
+let compiled context general ~entry file =
+  match Hashtbl.find_opt context.rejected (file, entry) with
+  | Some reason -> Error reason
+  | None ->
+      let result = compiled_anew context general ~entry file in
+      Result.iter_error (Hashtbl.add context.rejected (file, entry)) result;
+      result
 
 let measures context ~entry file =
   let found = ref [] in

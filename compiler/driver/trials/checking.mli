@@ -17,6 +17,8 @@ type t = {
   options : options;
   resources : Resources.t;
   jobs : int;
+  rejected : (string * string, string) Hashtbl.t;
+      (** of files and entries that {!compiled} could not compile: why, in a few words *)
 }
 
 val alone : General.t -> sources:string list -> Resources.t -> t

@@ -261,7 +261,8 @@ let junit all skipped =
         (Xml.escaped (String.concat "\n" more))
   in
   let left_out s =
-    Printf.sprintf "  <testcase %s>\n    <skipped message=\"needs %s\">%s</skipped>\n  </testcase>\n"
+    Printf.sprintf
+      "  <testcase %s>\n    <skipped message=\"needs %s\">%s</skipped>\n  </testcase>\n"
       (name s.path s.name) (Xml.escaped s.what) (Xml.escaped s.command)
   in
   Printf.sprintf

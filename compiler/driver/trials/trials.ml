@@ -101,13 +101,13 @@ let run (general : General.t) ~sources (options : Checking.options) paths =
   | Ok resources, None -> (
       let jobs = match options.jobs with Some n -> n | None -> Workers.processors () in
       let general = { general with General.asserts = Count } in
-      let context = { Checking. general; sources; options; resources; jobs } in
+      let rejected = Hashtbl.create 8 in
+      let context = { Checking.general; sources; options; resources; jobs; rejected } in
       let results = List.map (of_file context) (List.concat_map (fun path -> files path) paths) in
       let all = List.concat_map (fun r -> r.ran) results in
       let skipped = List.concat_map (fun r -> r.skipped) results in
-      let rejected =
-        List.find_opt (fun status -> status <> Exit_status.ok) (List.map (fun r -> r.status) results)
-      in
+      let statuses = List.map (fun r -> r.status) results in
+      let rejected = List.find_opt (fun status -> status <> Exit_status.ok) statuses in
       match (rejected, all, skipped) with
       | None, [], [] ->
           General.wrong_use

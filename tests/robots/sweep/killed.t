@@ -1,16 +1,6 @@
 Whoever is killed, and whenever, the same command goes on, and the table is the same.
 
-  $ cat > follow.frob << 'FROB'
-  > import Robot
-  > import Trial
-  > import WallFollow
-  > param gap :: Distance = 0.3[m]
-  > main :: (HasSonar i, DiffDrive o) => Program i o
-  > main = reactimateRobot (wallFollow1 gap)
-  > trial "keeps off" = Trial { world = "room.toml", lasts = 5[s], seeds = 1 `to` 60, judge = proc t -> neverTouches t where
-  >     error = meanOf (t.clearance - gap)
-  > }
-  > FROB
+  $ . ./follow.sh && follow 5 60
   $ cat > gaps.toml << 'PLAN'
   > program = "follow.frob"
   > robots = ["pioneer"]

@@ -1,16 +1,6 @@
 A hundred shards, of which some have a run more than others, in any order and two at a time.
 
-  $ cat > follow.frob << 'FROB'
-  > import Robot
-  > import Trial
-  > import WallFollow
-  > param gap :: Distance = 0.3[m]
-  > main :: (HasSonar i, DiffDrive o) => Program i o
-  > main = reactimateRobot (wallFollow1 gap)
-  > trial "keeps off" = Trial { world = "room.toml", lasts = 1[s], seeds = 1 `to` 45, judge = proc t -> neverTouches t where
-  >     error = meanOf (t.clearance - gap)
-  > }
-  > FROB
+  $ . ./follow.sh && follow 1 45
   $ cat > gaps.toml << 'PLAN'
   > program = "follow.frob"
   > robots = ["pioneer", "scout"]

@@ -245,3 +245,22 @@ What is wrong is told before anything runs, or in the place of a result.
   $ frobc test around.frob --robot pioneer --seeds 0
   error: --seeds takes a number of at least 1
   [2]
+
+What is wrong with a program is told once, however many of its tests need it.
+
+  $ cat > open.frob << 'FROB'
+  > import Robot
+  > import Trial
+  > import WallFollow
+  > main :: (HasSonar i, DiffDrive o) => Program i o
+  > main = reactimateRobot (wallFollow1 0.3[m])
+  > trial "one" = Trial { world = "room.toml", lasts = 1[s], seeds = 1 `to` 2, judge = neverTouches }
+  > trial "another" = Trial { world = "room.toml", lasts = 2[s], seeds = 1 `to` 2, judge = neverTouches }
+  > FROB
+  $ frobc test open.frob 2> complaints
+  FAIL  one: does not compile
+  FAIL  another: does not compile
+  2 tests: 2 failed
+  [1]
+  $ grep -c '^error' complaints
+  1
