@@ -28,7 +28,8 @@ let rec obstacle environment (ty : Ir.ty) =
   | Bool | Number ((Int | Float), _) | Size _ -> None
   | Number (Representation_variable _, _) ->
       here "C has different functions for Int and Float" ~cure:"write `Float[…]` or `Int[…]`"
-  | String | Function _ | Signal_function _ -> here compile_time
+  | String -> here compile_time ~cure:"an `Int` can tell C which text is meant"
+  | Function _ | Signal_function _ -> here compile_time
   | Variable { name = ("double" | "float" | "int" | "bool") as name; _ } ->
       let cure =
         match name with "int" -> "`Int`" | "bool" -> "`Bool`" | _ -> "`Float`, which is a `double`"

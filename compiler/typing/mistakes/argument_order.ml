@@ -127,11 +127,9 @@ let cure words ~name ~at ~(arguments : Resolve.Ir.expr list) order (d : Diagnost
   in
   let texts = List.map text order in
   let d = { d with hints = []; fixes = [] } in
-  if List.mem None texts then
-    Diagnostic.hint (Printf.sprintf "the arguments of `%s` belong in the other order" name) d
-  else
-    let text = String.concat " " (name :: List.map Option.get texts) in
-    Diagnostic.hint
-      (Printf.sprintf "the arguments of `%s` belong in the other order: `%s`" name text)
-      d
-    |> Diagnostic.write at text
+  let shown = List.map (Option.value ~default:"(…)") texts in
+  let cure = String.concat " " (name :: shown) in
+  Diagnostic.hint
+    (Printf.sprintf "the arguments of `%s` belong in the other order: `%s`" name cure)
+    d
+  |> if List.mem None texts then Fun.id else Diagnostic.write at cure

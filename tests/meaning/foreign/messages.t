@@ -25,6 +25,7 @@ What the type of foreign code cannot be.
     |                  ^^^^^^^^^^^^^
     |
     = note: functions, signal functions and labels exist only while compiling
+    = hint: an `Int` can tell C which text is meant
   
   1 error
   [1]

@@ -219,6 +219,24 @@ Parameters, modules and what is foreign:
   1 error
   [1]
 
+  $ cat > text.frob <<'FROB'
+  > foreign logc :: String -> Float -> Float = "log_it"
+  > main :: SF Float Float
+  > main = proc x -> logc "x" x
+  > FROB
+  $ frobc check text.frob
+  error[E0380]: `logc` cannot give C a value of type `String`
+   --> text.frob:1:17
+    |
+  1 | foreign logc :: String -> Float -> Float = "log_it"
+    |                 ^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: functions, signal functions and labels exist only while compiling
+    = hint: an `Int` can tell C which text is meant
+  
+  1 error
+  [1]
+
 Equations:
 
   $ cat > let.frob <<'FROB'

@@ -255,3 +255,27 @@ Tasks below each other, on a condition, and with a time:
   
   1 error
   [1]
+
+  $ cat > repeat.frob <<'FROB'
+  > import Robot
+  > import Driving
+  > main = reactimateTask (repeatT (do
+  >     forward 1[m]
+  >     turnBy 90[deg]) 4)
+  > FROB
+  $ frobc check repeat.frob
+  error[E0301]: expected `Int`, found `Task a b c`
+   --> repeat.frob:3:33
+    |
+  3 | main = reactimateTask (repeatT (do
+    |                        -------  ^^
+    |                        |
+    |                        argument 1 of `repeatT` is `Int`
+  4 |     forward 1[m]
+  5 |     turnBy 90[deg]) 4)
+    |     ^^^^^^^^^^^^^^
+    |
+    = hint: the arguments of `repeatT` belong in the other order: `repeatT 4 (…)`
+  
+  1 error
+  [1]
