@@ -18,6 +18,13 @@ let size (node : Ir.node) =
     (size_of_instance * List.length node.instances)
     node.equations
 
+(* How many instances there are of each node, in all nodes together. *)
+let uses (program : Ir.program) =
+  let uses = Array.make (Array.length program.nodes) 0 in
+  let use (i : Ir.instance) = uses.(i.node) <- uses.(i.node) + 1 in
+  Array.iter (fun (node : Ir.node) -> List.iter use node.instances) program.nodes;
+  uses
+
 let becomes_small ~once node = size node <= if once then small_once else small
 
 type context = {
@@ -217,7 +224,7 @@ let to_look_at ~most (program : Ir.program) =
   { program with nodes = context.nodes; next_id = context.fresh }
 
 let program (program : Ir.program) =
-  let calls = Uses.of_nodes program in
+  let uses = uses program in
   let context = context_of program in
   let changed = ref false in
   Array.iteri
@@ -231,6 +238,6 @@ let program (program : Ir.program) =
       context.nodes.(index) <- expanded;
       context.is_small.(index) <-
         Option.is_none expanded.machine && Option.is_none expanded.foreign
-        && becomes_small ~once:(calls.(index) = 1) expanded)
+        && becomes_small ~once:(uses.(index) = 1) expanded)
     program.nodes;
   if !changed then { program with nodes = context.nodes; next_id = context.fresh } else program

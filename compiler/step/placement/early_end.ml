@@ -2,8 +2,6 @@ module F = Flow.Ir
 open Basis
 open Fragment
 
-let broken what = Diagnostic.bug ~stage:"Step.Early_end" "%s" what
-
 let possible (program : F.program) =
   let found = Array.make (Array.length program.nodes) false in
   let delayed = List.exists (fun (t : F.transition) -> t.delayed) in
@@ -54,54 +52,26 @@ let needed (fragment : Fragment.t) ending =
   let results = List.map (fun (_, atom, _) -> atom) fragment.results in
   needed_for fragment (ending.ends :: List.filteri (fun k _ -> k >= ending.told) results)
 
-(* One that occurs only where another one of them does. *)
-let implies_other resolve (node : F.node) atoms atom =
-  let definition = function
-    | F.Signal s -> List.find_opt (fun (e : F.equation) -> e.defines.id = s.id) node.equations
-    | Bool _ | Int _ | Float _ -> None
-  in
-  let is_part operator part whole =
-    match definition whole with
-    | Some { rhs = Op (o, both); _ } when o = operator ->
-        List.exists (fun a -> Flow.Operands.same (resolve a) part) both
-    | Some _ | None -> false
-  in
-  List.exists
-    (fun a ->
-      (not (Flow.Operands.same a atom)) && (is_part F.And a atom || is_part F.Or atom a))
-    atoms
-
-let either ~fresh (node : F.node) (a : atom) (b : atom) =
+let either ~fresh (node : F.node) (items, (a : atom)) b =
   let id = fresh () in
   let signal : F.signal = { id; name = ""; ty = Bool; group = id; span = node.span } in
   let build arguments = Ir.Operation { operator = Or; ty = Bool; arguments } in
   let operands = [ a; b ] in
   let item = Computed { signal; operands; build; choice = None; weight = 1; span = node.span } in
-  (item, F.Signal signal)
+  (item :: items, F.Signal signal)
 
 let find ~fresh ~resolve (node : F.node) (fragment : Fragment.t) =
-  let told = List.length node.outputs in
   let occurs = List.map (fun (t : F.transition) -> resolve t.occurs) node.transitions in
   let can_occur = List.filter (function F.Bool false -> false | _ -> true) occurs in
-  let more = ref [] in
-  let either a b =
-    let item, atom = either ~fresh node a b in
-    more := item :: !more;
-    atom
-  in
   let is_signal = function F.Signal _ -> true | Bool _ | Int _ | Float _ -> false in
   let tries = List.exists (fun (i : F.instance) -> i.trials <> []) node.instances in
   match can_occur with
-  | _ :: _
+  | first :: others
     when List.for_all is_signal can_occur && (not tries)
          && Option.is_none fragment.returned && Option.is_none (Late.split fragment) ->
-      let independent atom = not (implies_other resolve node can_occur atom) in
-      let ends =
-        match List.filter independent can_occur with
-        | [] -> broken "transitions that each need another to occur"
-        | first :: others -> List.fold_left either first others
-      in
-      let items = Array.append fragment.items (Array.of_list (List.rev !more)) in
+      let more, ends = List.fold_left (either ~fresh node) ([], first) others in
+      let items = Array.append fragment.items (Array.of_list (List.rev more)) in
+      let told = List.length node.outputs in
       { fragment with items; ending = Some { ends; told; span = node.span } }
   | _ -> fragment
 

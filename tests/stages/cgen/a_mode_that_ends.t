@@ -38,7 +38,7 @@ is left out, the machine within it among that.
   8.000000000,2
   $ frobc trace duty.frob --input in.csv --engine interp | cmp - c.csv
 
-Of two ways to end of which one is also the other, only that is asked.
+Of two ways to end each is asked, also where one holds wherever the other does.
 
   $ cat > turn.frob <<'END'
   > import Geometry
@@ -60,8 +60,8 @@ Of two ways to end of which one is also the other, only that is asked.
   > END
   $ frobc compile turn.frob --lint
   $ sed -n '/^static.* turn_go_/,/^}/p' turn.c | sed "s, */\*.*,,"
-  static inline void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3,
-          double *out_p_x, bool *out_4)
+  static void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3, double *out_p_x,
+          bool *out_4)
   {
       const double p_x = in->f1.x;
       const double p_y = in->f1.y;
@@ -74,7 +74,7 @@ Of two ways to end of which one is also the other, only that is asked.
       *out_3 = t1;
       *out_p_x = p_x;
       *out_4 = t4;
-      if (!t4) {
+      if (!(t1 || t4)) {
           *out_2 = t3;
       }
   }
@@ -85,6 +85,46 @@ Of two ways to end of which one is also the other, only that is asked.
   static inline double turn_go_far(double p_x, double q_x)
   {
       return q_x - p_x;
+  }
+  static void turn_go_reset(struct turn_go_state *self)
+  {
+      self->mode = TURN_GO_GO;
+  }
+  static inline double turn_go_step(struct turn_go_state *self, const struct turn_input *in)
+  {
+      const double p_x = in->f1.x;
+      const double p_y = in->f1.y;
+      double t1 = 0.0;
+      int32_t steps = 0;
+      do {
+          switch (self->mode) {
+          case TURN_GO_GO: {
+              bool t2;
+              double p_x_2;
+              bool t3;
+              turn_go_go(in, &t1, &t2, &p_x_2, &t3);
+              if (t2) {
+                  self->mode = TURN_GO_FAR;
+                  self->modes.far.p_x = p_x_2;
+                  continue;
+              } else if (t3) {
+                  self->mode = TURN_GO_TURNED;
+                  continue;
+              }
+              break;
+          }
+          case TURN_GO_TURNED: {
+              t1 = turn_go_turned(p_y);
+              break;
+          }
+          default: {
+              t1 = turn_go_far(self->modes.far.p_x, p_x);
+              break;
+          }
+          }
+          break;
+      } while (++steps < 2);
+      return t1;
   }
   $ printf 'time,in.1.x,in.1.y,in.2\n0,3,0.1,0\n1,4,0,0.5\n2,7,-1,3\n3,8,2,0\n' > in.csv
   $ frobc trace turn.frob --input in.csv | tee c.csv
@@ -103,8 +143,7 @@ Of two ways to end of which one is also the other, only that is asked.
   3.000000000,2
   $ frobc trace turn.frob --input in.csv --engine interp | cmp - c.csv
 
-Where one way to end is taken only if another one's condition holds as well, that one alone
-is asked.
+The same where one way to end is taken only if another one's condition holds as well.
 
   $ cat > both.frob <<'END'
   > main, go :: SF (Bool, Float) Float
@@ -121,10 +160,11 @@ is asked.
   {
       self->x_integral += dt * self->x_integral_input;
       const bool t1 = x > 5.0;
-      *out_3 = t1 && on;
+      const bool t2 = t1 && on;
+      *out_3 = t2;
       *out_4 = t1;
       *out_x = x;
-      if (!t1) {
+      if (!(t2 || t1)) {
           *out_2 = self->x_integral;
           self->x_integral_input = x;
       }

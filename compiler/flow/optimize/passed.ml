@@ -1,0 +1,63 @@
+open Basis
+
+type call = { callee : int; arguments : (Ir.argument * Ir.atom) array }
+
+let each_as_given = List.map (fun a -> (Ir.Same, a))
+
+let calls (program : Ir.program) =
+  let found = ref [] in
+  let call callee arguments = found := { callee; arguments = Array.of_list arguments } :: !found in
+  let instance (i : Ir.instance) =
+    let inputs =
+      match i.loop with
+      | None -> each_as_given i.inputs
+      | Some l -> List.combine l.arguments i.inputs
+    in
+    call i.node (each_as_given i.statics @ inputs)
+  in
+  let machine (m : Ir.machine) =
+    let modes = Array.of_list m.modes in
+    let transition inputs (t : Ir.transition) =
+      call modes.(t.target) (each_as_given (t.arguments @ inputs))
+    in
+    List.iter (transition m.inputs) (m.start @ m.controls);
+    let from_mode mode =
+      let node = program.nodes.(mode) in
+      List.iter (transition (List.map (fun s -> Ir.Signal s) node.inputs)) node.transitions
+    in
+    Array.iter from_mode modes
+  in
+  let node (node : Ir.node) =
+    List.iter instance node.instances;
+    Option.iter machine node.machine
+  in
+  Array.iter node program.nodes;
+  !found
+
+let parameters (node : Ir.node) = Array.of_list (node.statics @ node.inputs)
+
+let places (program : Ir.program) =
+  let places = Int_table.create 64 in
+  let place k j (s : Ir.signal) = Int_table.replace places s.id (k, j) in
+  Array.iteri (fun k node -> Array.iteri (place k) (parameters node)) program.nodes;
+  fun (atom : Ir.atom) ->
+    match atom with
+    | Signal s -> Int_table.find_opt places s.id
+    | Bool _ | Int _ | Float _ -> None
+
+let settle program visit =
+  let calls = calls program in
+  let rec again () =
+    if List.fold_left (fun changed call -> visit call || changed) false calls then again ()
+  in
+  again ()
+
+let replaced (program : Ir.program) replacement =
+  let node k node =
+    let substitution = Substitution.create () in
+    let replace j s = Option.iter (Substitution.replace substitution s) (replacement k j) in
+    Array.iteri replace (parameters node);
+    Substitution.node substitution node
+  in
+  let nodes = Array.mapi node program.nodes in
+  if Array.for_all2 ( == ) nodes program.nodes then program else { program with nodes }
