@@ -27,18 +27,16 @@ let signal names ppf (s : Ir.signal) =
     | None -> sprintf "<undefined %s>" s.name)
 
 let float x =
-  let short = sprintf "%.12g" x in
-  if float_of_string short = x then short else sprintf "%.17g" x
+  let short = sprintf "%.15g" x in
+  let text = if Float.equal (float_of_string short) x then short else sprintf "%.17g" x in
+  if String.for_all (function '0' .. '9' | '-' -> true | _ -> false) text then text ^ ".0" else text
 
 let atom names ppf : Ir.atom -> unit = function
   | Signal s -> signal names ppf s
   | Bool true -> pp_print_string ppf "True"
   | Bool false -> pp_print_string ppf "False"
   | Int n -> fprintf ppf "%ld" n
-  | Float x ->
-      let text = float x in
-      let is_plain = String.for_all (function '0' .. '9' | '-' -> true | _ -> false) text in
-      pp_print_string ppf (if is_plain then text ^ ".0" else text)
+  | Float x -> pp_print_string ppf (float x)
 
 let comma ppf () = pp_print_string ppf ", "
 let list pp ppf items = pp_print_list ~pp_sep:comma pp ppf items

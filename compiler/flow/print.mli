@@ -6,5 +6,6 @@
 
 val program : Format.formatter -> Ir.program -> unit
 val ty : Ir.sum array -> Ir.ty -> string
+val float : float -> string
 val operator : Ir.operator -> string
 (** As the source language has it: [+], [min]. *)

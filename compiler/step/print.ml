@@ -19,11 +19,6 @@ let variable names (v : Ir.variable) =
 let operator = Flow.Print.operator
 let is_symbol text = match text.[0] with 'a' .. 'z' -> false | _ -> true
 
-let float x =
-  let short = sprintf "%.15g" x in
-  let text = if Float.equal (float_of_string short) x then short else sprintf "%.17g" x in
-  if String.for_all (function '0' .. '9' | '-' -> true | _ -> false) text then text ^ ".0" else text
-
 let field (f : Ir.field) = sprintf "self.%s#%d" f.name f.id
 
 type context = { program : Ir.program; names : names }
@@ -34,7 +29,7 @@ let rec expr c ppf (e : Ir.expr) =
   match e with
   | Bool b -> pp_print_bool ppf b
   | Int i -> fprintf ppf "%ld" i
-  | Float x -> pp_print_string ppf (float x)
+  | Float x -> pp_print_string ppf (Flow.Print.float x)
   | Zero_time -> pp_print_string ppf "0ns"
   | Param k -> fprintf ppf "param %d" k
   | Absent _ -> pp_print_string ppf "absent"

@@ -13,10 +13,7 @@ let fill names (i : Interface.t) name values =
   let leaf steps (ty, value) =
     Crossing.elements names To_c ty steps ~c:(Access.path (address name) steps) ~own:value
   in
-  let clear steps =
-    Access.for_each names steps (fun indices ->
-        [ plain (Ir.Assign (Access.path (address name) steps indices, Integer 0l)) ])
-  in
+  let clear steps = Access.clear names steps (address name) in
   (plain (Ir.Variables { ty = Struct i.struct_name; names = [ name ] })
   :: List.concat (List.map2 leaf i.leaves values))
   @ List.concat_map clear i.unused
@@ -77,7 +74,7 @@ let result names results { ty; leaf; _ } =
   | Bare name -> copy [ Element (size ty) ] (bare name)
   | Inside (from, i) ->
       let steps = List.nth i.Interface.leaves leaf in
-      if Access.is_in_array steps then copy steps (Access.path from steps)
+      if Interface.is_in_array steps then copy steps (Access.path from steps)
       else in_one_piece (Access.path from steps [])
 
 (* The leaf of the result that an output of the node is: some may be unused. *)

@@ -31,7 +31,9 @@ let for_each names steps body =
   in
   around steps []
 
-let is_in_array = List.exists (function Interface.Element _ -> true | Member _ -> false)
+let clear names steps from =
+  for_each names steps (fun indices ->
+      [ plain (Ir.Assign (path from steps indices, Integer 0l)) ])
 
 (* Between a place in an array of the input or output and a variable. *)
 let copy names steps ~from_interface from own =

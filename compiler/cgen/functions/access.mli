@@ -11,8 +11,10 @@ val for_each :
   Ir.statement list
 (** Gets the indices of all arrays around the place. *)
 
-val is_in_array : Interface.step list -> bool
 val dimensions : Interface.step list -> int
+
+val clear : Expression.names -> Interface.step list -> Ir.expr -> Ir.statement list
+(** The place becomes 0, in all elements of the arrays around it. *)
 
 val copy :
   Expression.names ->

@@ -362,7 +362,7 @@ let only_elements_read body (variable : M.variable) ~dimensions =
 
 let inputs c (node : M.node) =
   let take (variable : M.variable) members =
-    if Access.is_in_array members then
+    if Interface.is_in_array members then
       if not (Int_table.mem c.read variable.id) then []
       else if
         only_elements_read node.step.body variable ~dimensions:(Access.dimensions members)
@@ -397,7 +397,7 @@ let root_step (v : V.t) k : Ir.function_ =
   let names = Expression.names v ~node:k in
   let outputs = Array.of_list v.output.leaves in
   let write k value =
-    if Access.is_in_array outputs.(k) then
+    if Interface.is_in_array outputs.(k) then
       Access.copy names outputs.(k) ~from_interface:false (Name "out") value
     else plain (Ir.Assign (Access.path (Name "out") outputs.(k) [], value))
   in
@@ -407,10 +407,7 @@ let root_step (v : V.t) k : Ir.function_ =
   name_variables names node.step.body;
   let clock = clock c node in
   let body = statements c node.step.body in
-  let clear steps =
-    Access.for_each names steps (fun indices ->
-        [ plain (Ir.Assign (Access.path (Name "out") steps indices, Integer 0l)) ])
-  in
+  let clear steps = Access.clear names steps (Name "out") in
   let unused = List.concat_map clear v.output.unused in
   let reads_input =
     List.exists (fun (v : M.variable) -> Int_table.mem c.read v.id) node.step.parameters

@@ -15,7 +15,6 @@ type t = {
 }
 
 let few = 3
-let is_in_array = List.exists (function Interface.Element _ -> true | Member _ -> false)
 
 let none (program : M.program) =
   let node _ = { passed = Hashtbl.create 1; refused = true; given = false } in
@@ -104,14 +103,14 @@ let note_calls t (program : M.program) k =
     node.step.body
 
 let of_program (program : M.program) (input : Interface.t) =
-  let members = List.filter (fun steps -> not (is_in_array steps)) input.leaves in
+  let members = List.filter (fun steps -> not (Interface.is_in_array steps)) input.leaves in
   if List.compare_length_with members few < 0 then none program
   else
     let node _ = { passed = Hashtbl.create 8; refused = false; given = false } in
     let t = { leaves = Array.of_list input.leaves; nodes = Array.map node program.nodes } in
     let root = Array.length program.nodes - 1 in
     let own (leaf, steps) (v : M.variable) =
-      let passed = if is_in_array steps then Different else Leaf leaf in
+      let passed = if Interface.is_in_array steps then Different else Leaf leaf in
       Hashtbl.replace t.nodes.(root).passed v.id passed
     in
     List.iter2 own (List.mapi (fun leaf steps -> (leaf, steps)) input.leaves)

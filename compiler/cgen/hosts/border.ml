@@ -158,20 +158,17 @@ let convert out program sums shape side ~own ~host ~inward =
 let passed = function
   | None -> ("    (void)params;\n", "")
   | Some params ->
-      ("", sprintf "(const struct %s *)params, " (Param_struct.struct_name params))
+      ("", sprintf ", (const struct %s *)params" (Param_struct.struct_name params))
 
-let double_step ~params ~name ~(input : side) ~(output : side) =
-  let unread, passed = passed params in
-  sprintf
-    {|
-static void step(void *state, const void *params, double dt, const void *in, void *out)
+let arithmetic =
+  {|
+static unsigned arithmetic(void)
 {
-%s    %s_step((struct %s_state *)state, %sdt, (const struct %s *)in, (struct %s *)out);
+    return frob_arithmetic_faults() | frob_arithmetic_float_faults();
 }
 |}
-    unread name name passed input.host.struct_name output.host.struct_name
 
-let single_step ~params (program : Step.Ir.program) sums ~name ~input ~output =
+let step ~params (program : Step.Ir.program) sums ~name ~input ~output =
   let out = Buffer.create 1024 in
   let unread, passed = passed params in
   let own_type side = "struct " ^ side.own.struct_name in
@@ -196,22 +193,13 @@ let single_step ~params (program : Step.Ir.program) sums ~name ~input ~output =
   declare output ~constant:"" "out";
   if input.robot <> None then
     convert out program sums program.input input ~own:"own_in." ~host:"host_in->" ~inward:true;
-  bprintf out "    %s_step_ns((struct %s_state *)state, %sfrob_whole_ns(dt), %s, %s);\n" name name
-    passed
+  let suffix, dt =
+    match program.real with Double -> ("", "dt") | Single -> ("_ns", "frob_whole_ns(dt)")
+  in
+  bprintf out "    %s_step%s((struct %s_state *)state%s, %s, %s, %s);\n" name suffix name passed dt
     (given input ~constant:"const " "in") (given output ~constant:"" "out");
   if output.robot <> None then
     convert out program sums program.output output ~own:"own_out." ~host:"host_out->" ~inward:false;
   bprintf out "}\n";
-  Buffer.add_string out
-    {|
-static unsigned arithmetic(void)
-{
-    return frob_arithmetic_faults() | frob_arithmetic_float_faults();
-}
-|};
+  if program.real = Single then Buffer.add_string out arithmetic;
   Buffer.contents out
-
-let step ~params (program : Step.Ir.program) sums ~name ~input ~output =
-  match program.real with
-  | Double -> double_step ~params ~name ~input ~output
-  | Single -> single_step ~params program sums ~name ~input ~output

@@ -29,6 +29,10 @@ val includes : side list -> string
 val definitions : Step.Ir.program -> side -> string
 (** Of the host's output where it is a robot's and something beside it. *)
 
+val passed : Param_struct.t option -> string * string
+(** How a function of the table that is given [params] ignores them, and how it passes them
+    on after the state. *)
+
 val step :
   params:Param_struct.t option ->
   Step.Ir.program -> Sum_type.t array -> name:string -> input:side -> output:side -> string

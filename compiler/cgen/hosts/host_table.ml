@@ -329,6 +329,7 @@ let text ?own (program : Step.Ir.program) (files : Of_step.t) =
   let controls, control_count = controls out program values in
   let output, result, probes, claims = outputs out program output_side in
   let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
+  let unread, passed = Border.passed files.params in
   let params = params out program files.params in
   let robot_name = function Some (robot : Robot.t) -> robot.name | None -> "" in
   let robot = robot_name (robot ?own program) in
@@ -362,11 +363,7 @@ const struct frob_program frob_program = {
     %s,
 };
 |}
-    (if Option.is_none files.params then "    (void)params;\n" else "")
-    name name
-    (match files.params with
-    | None -> ""
-    | Some t -> sprintf ", (const struct %s *)params" (Param_struct.struct_name t))
+    unread name name passed
     (Border.step ~params:files.params program files.sums ~name ~input:input_side
        ~output:output_side)
     (c_string program.name) (c_string robot) name input_side.host.struct_name

@@ -20,6 +20,8 @@ type t = {
 
 and step = Member of string | Element of int
 
+let is_in_array = List.exists (function Element _ -> true | Member _ -> false)
+
 let types scope ~real ~prefix ~sum ~foreign =
   { real; scope; prefix; sum; foreign; known = Hashtbl.create 8; definitions = [] }
 let key (product : F.product) =

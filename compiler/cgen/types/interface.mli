@@ -27,6 +27,8 @@ and step =
   | Member of string
   | Element of int  (** of an array: any of so many *)
 
+val is_in_array : step list -> bool
+
 val leaf_type : types -> Flow.Ir.ty -> Ir.ty
 
 val of_shape : types -> name:string -> Flow.Ir.shape -> t

@@ -54,8 +54,7 @@ let payload sums ?(first = Step.Layout.none) (constructor : F.sum_constructor) =
 
 type kind = Number | Whole | Truth | Inner_tag | Large of F.ty
 
-let kinds sums ?(first = Step.Layout.none) t =
-  let slots = t.slots in
+let kinds_of_slots sums ?(first = Step.Layout.none) (slots : Step.Layout.slots) =
   let some count start slot kind = List.init count (fun k -> (slot (start + k), kind)) in
   let large (ty, count) =
     some count (Step.Layout.arrays_before first ty) (array_slot sums ty) (Large ty)
@@ -68,6 +67,8 @@ let kinds sums ?(first = Step.Layout.none) t =
       some slots.tags first.tags tag_slot Inner_tag;
       List.concat_map large slots.arrays;
     ]
+
+let kinds sums ?first t = kinds_of_slots sums ?first t.slots
 
 let members sums ?first t =
   let ty : kind -> Ir.ty = function
@@ -106,18 +107,14 @@ let rec zero real sums ~absent (ty : Step.Ir.ty) : Ir.expr =
 (* In the order of the members. Each only when it is asked for, as [absent] declares
    a variable. *)
 and zeros real sums ~absent (slots : Step.Layout.slots) =
-  let some count e = List.init count (fun _ -> e) in
-  let large (ty, count) =
-    some count (fun () -> zero real sums ~absent (Step.Layout.ty ty))
+  let of_kind kind () : Ir.expr =
+    match kind with
+    | Number -> Float (real, 0.)
+    | Whole | Inner_tag -> Integer 0l
+    | Truth -> Boolean false
+    | Large ty -> zero real sums ~absent (Step.Layout.ty ty)
   in
-  List.concat
-    [
-      some slots.floats (fun () -> Ir.Float (real, 0.));
-      some slots.ints (fun () -> Ir.Integer 0l);
-      some slots.bools (fun () -> Ir.Boolean false);
-      some slots.tags (fun () -> Ir.Integer 0l);
-      List.concat_map large slots.arrays;
-    ]
+  List.map (fun (_, kind) -> of_kind kind) (kinds_of_slots sums slots)
 
 (* The function's value, a struct given member by member. *)
 let return_struct ty values : Ir.statement list =

@@ -46,29 +46,16 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root
     let own = List.rev_map (fun (_, atom) -> Draft.resolve d atom) node.outputs in
     List.rev_append own (List.map (Draft.resolve d) for_transitions)
   in
-  let states =
-    (* What ticks last: it belongs to no other event. *)
-    let delayed = List.filter_map (Memory.next d state) equations in
-    List.rev_append (List.rev delayed) (List.rev (Draft.states d))
-  in
+  let delayed = List.filter_map (Memory.next d state) equations in
   let returned, results =
     match outputs with
     | [ atom ] when not is_root -> (Some (atom, output_span node atom), [])
     | atoms -> (None, List.mapi (fun k atom -> (Ir.Result k, atom, output_span node atom)) atoms)
   in
-  let fragment : Fragment.t =
-    {
-      leaves = Draft.leaves d;
-      nanoseconds = Draft.nanoseconds d;
-      items = Draft.items d;
-      results;
-      states;
-      returned;
-      advances;
-      ending = None;
-    }
-  in
-  (fragment, Draft.resolve d)
+  let fragment = Draft.fragment d in
+  (* What ticks last: it belongs to no other event. *)
+  let states = List.rev_append (List.rev delayed) fragment.states in
+  ({ fragment with results; states; returned; advances }, Draft.resolve d)
 
 (* What reset does for one item; it comes after all static values. *)
 let reset_effects context draft state (item : Flow.Schedule.item) =
@@ -94,13 +81,4 @@ let reset (context : Calls.context) state (node : F.node) (statics : Statics.t) 
   let effects item = List.iter (Draft.add d) (reset_effects context d state item) in
   List.iter effects statics.in_step;
   List.iter effects statics.at_reset;
-  {
-    Fragment.leaves = Draft.leaves d;
-    nanoseconds = Draft.nanoseconds d;
-    items = Draft.items d;
-    results = [];
-    states = [];
-    returned = None;
-    advances = [];
-    ending = None;
-  }
+  Draft.fragment d

@@ -42,7 +42,14 @@ let work ?(defines = []) ?(operands = []) ?(always = true) ?advances ?(weight = 
 let keep_at_end draft field next ~leaf span =
   draft.states <- (field, next, leaf, span) :: draft.states
 
-let leaves draft = draft.leaves
-let nanoseconds draft = draft.nanoseconds
-let items draft = Array.of_list (List.rev draft.items)
-let states draft = draft.states
+let fragment { leaves; nanoseconds; items; states; copies = _ } : Fragment.t =
+  {
+    leaves;
+    nanoseconds;
+    items = Array.of_list (List.rev items);
+    states = List.rev states;
+    results = [];
+    returned = None;
+    advances = [];
+    ending = None;
+  }

@@ -36,11 +36,5 @@ val work :
 (** Statements; if nothing else is said they write state, define no variable and cost
     next to nothing. *)
 
-(** {1 The parts of the fragment} *)
-
-val leaves : t -> Ir.expr Int_table.t
-val nanoseconds : t -> unit Int_table.t
-val items : t -> Fragment.item array
-
-val states : t -> (Ir.field * Flow.Ir.atom * Flow.Ir.signal option * Span.t) list
-(** Those of {!keep_at_end}, last first. *)
+val fragment : t -> Fragment.t
+(** All so far; its states are those of {!keep_at_end}. *)
