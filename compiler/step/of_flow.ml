@@ -4,7 +4,7 @@ open Basis
 type context = {
   calls : Calls.context;
   statics : Statics.t array;
-  is_limited : int -> F.atom -> bool;  (** see {!Flow.Time_limit} *)
+  is_limited : int -> bool;  (** see {!Flow.Time_limit} *)
   may_end_early : bool array;
 }
 
@@ -64,7 +64,7 @@ let own_node context k ~is_root : Ir.node =
     if context.may_end_early.(k) then Early_end.find ~fresh:calls.fresh ~resolve node step
     else step
   in
-  let ends_early = Early_end.told step in
+  let ends_early = Option.map (fun (e : Fragment.ending) -> e.told) step.ending in
   let step = Placement.statements (Feedback.of_node node) step in
   let reset = Placement.statements Feedback.none (Body.reset calls state node statics) in
   let modes = State.modes state in
@@ -111,36 +111,26 @@ let node context k ~is_root =
   | { foreign = None; _ } -> own_node context k ~is_root
 
 let program (program : F.program) : Ir.program =
-  let count = Array.length program.nodes in
-  let translated = Array.make count None in
-  let callee k =
-    match translated.(k) with
-    | Some node -> node
-    | None -> Diagnostic.bug ~stage:"Step.Of_flow" "a node is used before it is known"
-  in
   let next_id = ref program.next_id in
   let fresh () =
     let id = !next_id in
     incr next_id;
     id
   in
-  let context =
-    {
-      calls = { program; callee; fresh };
-      statics = Statics.program program;
-      is_limited = Flow.Time_limit.is_limited program;
-      may_end_early = Early_end.possible program;
-    }
+  let statics = Statics.program program in
+  let is_limited = Flow.Time_limit.is_limited program in
+  let may_end_early = Early_end.possible program in
+  let root = Array.length program.nodes - 1 in
+  let translated ~before k _ =
+    let calls = { Calls.program; callee = before; fresh } in
+    node { calls; statics; is_limited; may_end_early } k ~is_root:(k = root)
   in
-  for k = 0 to count - 1 do
-    translated.(k) <- Some (node context k ~is_root:(k = count - 1))
-  done;
   {
     name = program.name;
     sums = program.sums;
     imports = program.imports;
     headers = program.headers;
-    nodes = Array.init count callee;
+    nodes = In_order.map ~stage:"Step.Of_flow" translated program.nodes;
     input = program.input;
     console = program.console;
     output = program.output;

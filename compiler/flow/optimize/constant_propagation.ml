@@ -36,37 +36,31 @@ let parameters (program : Ir.program) =
   Passed.replaced program (fun k j ->
       match passed.(k).(j) with Always literal -> Some literal | Nothing | Different -> None)
 
+let replace substitution s = function
+  | Always literal -> Substitution.replace substitution s literal
+  | Nothing | Different -> ()
+
+let results (node : Ir.node) = List.map (fun (_, atom) -> of_atom atom) node.outputs
+
 (* What all modes put out alike is a literal. *)
-let outputs_of_modes (nodes : Ir.node array) substitution (machine : Ir.machine) =
-  let of_modes = List.map (fun mode -> List.map snd nodes.(mode).outputs) machine.modes in
-  let rec each (outputs : Ir.signal list) rests =
-    match outputs with
-    | [] -> ()
-    | s :: others ->
-        (match List.fold_left (fun all outputs -> join all (of_atom (List.hd outputs))) Nothing rests with
-        | Always literal -> Substitution.replace substitution s literal
-        | Nothing | Different -> ());
-        each others (List.map List.tl rests)
-  in
-  each machine.outputs of_modes
+let of_modes (nodes : Ir.node array) (machine : Ir.machine) =
+  match List.map (fun mode -> results nodes.(mode)) machine.modes with
+  | [] -> []
+  | first :: others -> List.fold_left (List.map2 join) first others
 
 let outputs (program : Ir.program) =
   let nodes = Array.copy program.nodes in
-  Array.iteri
-    (fun index (node : Ir.node) ->
-      let substitution = Substitution.create () in
-      let output s (_, (a : Ir.atom)) =
-        match a with
-        | Signal _ -> ()
-        | Bool _ | Int _ | Float _ -> Substitution.replace substitution s a
-      in
-      let outputs (i : Ir.instance) =
-        if i.loop = None then List.iter2 output i.outputs nodes.(i.node).outputs
-      in
-      List.iter outputs node.instances;
-      Option.iter (outputs_of_modes nodes substitution) node.machine;
-      nodes.(index) <- Substitution.node substitution node)
-    nodes;
+  let node index (node : Ir.node) =
+    let substitution = Substitution.create () in
+    let replace = List.iter2 (replace substitution) in
+    let instance (i : Ir.instance) =
+      if i.loop = None then replace i.outputs (results nodes.(i.node))
+    in
+    List.iter instance node.instances;
+    Option.iter (fun (m : Ir.machine) -> replace m.outputs (of_modes nodes m)) node.machine;
+    nodes.(index) <- Substitution.node substitution node
+  in
+  Array.iteri node program.nodes;
   { program with nodes }
 
 let program program = outputs (parameters program)

@@ -25,8 +25,6 @@ let uses (program : Ir.program) =
   Array.iter (fun (node : Ir.node) -> List.iter use node.instances) program.nodes;
   uses
 
-let becomes_small ~once node = size node <= if once then small_once else small
-
 type context = {
   nodes : Ir.node array;  (** callees already done *)
   is_small : bool array;  (** of those done *)
@@ -202,42 +200,38 @@ let rec open_loops context (node : Ir.node) =
       |> expand_chosen context (fun i -> is_chosen i && not (is_machine context i))
       |> open_loops context
 
-let context_of (program : Ir.program) =
-  {
-    nodes = Array.copy program.nodes;
-    is_small = Array.make (Array.length program.nodes) false;
-    passages = lazy (Dependency.program program);
-    fresh = program.next_id;
-  }
+(* Where the nodes that [is_small] holds for run they are expanded, from callees to callers;
+   what [also] does with a node comes after that. *)
+let expand_all ?(also = fun _ node -> node) ~is_small (program : Ir.program) =
+  let count = Array.length program.nodes in
+  let context =
+    {
+      nodes = Array.copy program.nodes;
+      is_small = Array.make count false;
+      passages = lazy (Dependency.program program);
+      fresh = program.next_id;
+    }
+  in
+  let chosen (i : Ir.instance) = i.loop = None && i.trials = [] && context.is_small.(i.node) in
+  for k = 0 to count - 1 do
+    let node = program.nodes.(k) in
+    let is_changed = List.exists chosen node.instances in
+    let expanded = also context (if is_changed then expand_chosen context chosen node else node) in
+    context.nodes.(k) <- expanded;
+    context.is_small.(k) <-
+      Option.is_none expanded.machine && Option.is_none expanded.foreign && is_small k expanded
+  done;
+  if Array.for_all2 ( == ) context.nodes program.nodes then program
+  else { program with nodes = context.nodes; next_id = context.fresh }
 
-let to_look_at ~most (program : Ir.program) =
-  let context = context_of program in
-  Array.iteri
-    (fun index (node : Ir.node) ->
-      let chosen (i : Ir.instance) = i.loop = None && i.trials = [] && context.is_small.(i.node) in
-      let expanded = expand_chosen context chosen node in
-      context.nodes.(index) <- expanded;
-      context.is_small.(index) <-
-        Option.is_none expanded.machine && Option.is_none expanded.foreign
-        && List.compare_length_with expanded.equations most <= 0)
-    program.nodes;
-  { program with nodes = context.nodes; next_id = context.fresh }
+let to_look_at ~most program =
+  let is_small _ (node : Ir.node) = List.compare_length_with node.equations most <= 0 in
+  expand_all ~is_small program
 
-let program (program : Ir.program) =
+let program program =
   let uses = uses program in
-  let context = context_of program in
-  let changed = ref false in
-  Array.iteri
-    (fun index (node : Ir.node) ->
-      let is_small (i : Ir.instance) = i.loop = None && context.is_small.(i.node) in
-      let expanded =
-        if List.exists is_small node.instances then expand_chosen context is_small node else node
-      in
-      let expanded = if expanded.instances = [] then expanded else open_loops context expanded in
-      if expanded != node then changed := true;
-      context.nodes.(index) <- expanded;
-      context.is_small.(index) <-
-        Option.is_none expanded.machine && Option.is_none expanded.foreign
-        && becomes_small ~once:(uses.(index) = 1) expanded)
-    program.nodes;
-  if !changed then { program with nodes = context.nodes; next_id = context.fresh } else program
+  let is_small k node = size node <= if uses.(k) = 1 then small_once else small in
+  let also context (node : Ir.node) =
+    if node.instances = [] then node else open_loops context node
+  in
+  expand_all ~also ~is_small program

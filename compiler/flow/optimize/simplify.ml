@@ -184,17 +184,17 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
   | _ -> rhs
 
 (* Each element of an array of equal ones is what it is filled with. *)
-let of_loop known (i : Ir.instance) =
+let of_loop known atom (i : Ir.instance) =
   let all_equal array =
-    match definition known array with
+    match definition known (atom array) with
     | Some (Fill a) -> Some a
     | Some (Elements (a :: others)) when List.for_all (same a) others -> Some a
     | Some _ | None -> None
   in
-  let given (how : Ir.argument) atom =
-    match if how = Element then all_equal atom else None with
+  let given (how : Ir.argument) input =
+    match if how = Element then all_equal input else None with
     | Some a -> (Ir.Same, a)
-    | None -> (how, atom)
+    | None -> (how, input)
   in
   match i.loop with
   | None -> i
@@ -234,13 +234,9 @@ let node real ~fresh (node : Ir.node) =
         | rhs -> Int_table.replace known e.defines.id rhs)
   in
   List.iter visit (Schedule.as_far_as_possible node);
-  let instance (i : Ir.instance) =
-    if i.loop = None then i
-    else of_loop known { i with inputs = List.map (Substitution.atom substitution) i.inputs }
-  in
-  let instances = Long_list.map_sharing instance node.instances in
-  let same_loop (a : Ir.instance) (b : Ir.instance) = a.loop = b.loop in
-  if (not !changed) && List.for_all2 same_loop instances node.instances then node
+  let loop = of_loop known (Substitution.atom substitution) in
+  let instances = Long_list.map_sharing loop node.instances in
+  if (not !changed) && instances == node.instances then node
   else
     let equations =
       List.filter_map

@@ -32,7 +32,7 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root
   List.iter
     (fun (item : Flow.Schedule.item) ->
       match item with
-      | Equation eq -> Memory.step ~fresh:context.fresh ~limited d state eq
+      | Equation eq -> Memory.step ~fresh:context.fresh d state eq
       | Instance i -> Draft.add d (Calls.call context (Draft.resolve d) i (State.instance state i))
       | Trial (i, trial) ->
           let field = State.instance state i in

@@ -7,7 +7,7 @@ val step :
   Calls.context ->
   State.t ->
   Flow.Ir.node ->
-  limited:(Flow.Ir.atom -> bool) ->
+  limited:bool ->
   is_root:bool ->
   Statics.t ->
   Fragment.t * (Flow.Ir.atom -> Flow.Ir.atom)

@@ -35,9 +35,8 @@ let later ~limited (time : Ir.field) =
 
 let advance ~limited state (eq : F.equation) =
   match State.memory state eq.defines with
-  | Some (Elapsed { time; restart = Bool false as restart }) ->
-      let value = later ~limited:(limited restart) time in
-      Some (Ir.Assign { place = Own time; value; span = eq.span })
+  | Some (Elapsed { time; restart = Bool false }) ->
+      Some (Ir.Assign { place = Own time; value = later ~limited time; span = eq.span })
   | Some (Integrated { value; input }) ->
       let step = operation F.Multiply Float [ Dt; input ] in
       let sum = operation F.Add Float [ Field value; step ] in
@@ -49,9 +48,9 @@ let advance ~limited state (eq : F.equation) =
   | Some (Elapsed _ | Delayed _ | Differentiated _ | Kept _) | None -> None
 
 (* Where it does not start again, it goes on. *)
-let start_again ~limited draft time restart span =
+let start_again draft time restart span =
   let statements restart =
-    let else_ = later ~limited time in
+    let else_ = later ~limited:false time in
     let value =
       match one restart with
       | Operation { operator = Not; arguments = [ condition ]; _ } ->
@@ -98,7 +97,7 @@ let read_time fresh draft (eq : F.equation) time build =
   Draft.add draft
     (Computed { signal = eq.defines; operands; build; choice = None; weight = 5; span = eq.span })
 
-let step ~fresh ~limited draft state (eq : F.equation) =
+let step ~fresh draft state (eq : F.equation) =
   let s = eq.defines in
   let memory_of (atom : F.atom) =
     match atom with Signal s -> State.memory state s | Bool _ | Int _ | Float _ -> None
@@ -116,7 +115,7 @@ let step ~fresh ~limited draft state (eq : F.equation) =
   | Some (Elapsed { time; restart }) ->
       (match Draft.resolve draft restart with
       | Bool false -> ()
-      | again -> start_again ~limited:(limited restart) draft time again eq.span);
+      | again -> start_again draft time again eq.span);
       read_time fresh draft eq time (fun e -> Seconds e)
   | Some (Ticked { time; period }) -> tick fresh draft s time (Draft.resolve draft period) eq.span
   | Some (Integrated { value; _ }) -> Draft.leaf draft s (Field value)

@@ -6,19 +6,18 @@
 
 open Basis
 
-val advance : limited:(Flow.Ir.atom -> bool) -> State.t -> Flow.Ir.equation -> Ir.statement option
-(** At the start of a step, before anything is computed. [limited], of a restart:
-    the node's time with it needs no check (see {!Flow.Time_limit}). *)
+val advance : limited:bool -> State.t -> Flow.Ir.equation -> Ir.statement option
+(** At the start of a step, before anything is computed. [limited]:
+    the node's time, if it never starts again, needs no check (see {!Flow.Time_limit}). *)
 
 val step :
   fresh:(unit -> int) ->
-  limited:(Flow.Ir.atom -> bool) ->
   Draft.t ->
   State.t ->
   Flow.Ir.equation ->
   unit
 (** The equation's value, and what changes where it stands; one without memory
-    is computed. [fresh] gives ids for signals; [limited] as in {!advance}. *)
+    is computed. [fresh] gives ids for signals. *)
 
 val next :
   Draft.t ->

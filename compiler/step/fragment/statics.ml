@@ -170,22 +170,12 @@ let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) 
   }
 
 let program (program : Flow.Ir.program) =
-  let results = Array.make (Array.length program.nodes) None in
-  let callee i =
-    match results.(i) with
-    | Some t -> t
-    | None -> Diagnostic.bug ~stage:"Step.Statics" "node %d comes after its caller" i
+  let node ~before _ (node : Flow.Ir.node) =
+    match node.kind with
+    | Function -> of_function node
+    | Signal_function -> of_signal_function program before node
   in
-  Array.mapi
-    (fun i (node : Flow.Ir.node) ->
-      let t =
-        match node.kind with
-        | Function -> of_function node
-        | Signal_function -> of_signal_function program callee node
-      in
-      results.(i) <- Some t;
-      t)
-    program.nodes
+  In_order.map ~stage:"Step.Statics" node program.nodes
 
 let equations_in_step statics =
   List.filter_map

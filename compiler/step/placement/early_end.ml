@@ -74,5 +74,3 @@ let find ~fresh ~resolve (node : F.node) (fragment : Fragment.t) =
       let told = List.length node.outputs in
       { fragment with items; ending = Some { ends; told; span = node.span } }
   | _ -> fragment
-
-let told (fragment : Fragment.t) = Option.map (fun ending -> ending.told) fragment.ending

@@ -27,6 +27,3 @@ val find :
   Fragment.t
 (** The step of that node, a mode for which it is possible, with its [ending]. [resolve]
     looks through copies. *)
-
-val told : Fragment.t -> int option
-(** The node's [ends_early]. *)
