@@ -18,7 +18,6 @@ let size (node : Ir.node) =
     (size_of_instance * List.length node.instances)
     node.equations
 
-(* How many instances there are of each node, in all nodes together. *)
 let uses (program : Ir.program) =
   let uses = Array.make (Array.length program.nodes) 0 in
   let use (i : Ir.instance) = uses.(i.node) <- uses.(i.node) + 1 in

@@ -18,3 +18,6 @@ val to_look_at : most:int -> Ir.program -> Ir.program
 
 val program : Ir.program -> Ir.program
 (** The same program, physically, if there was nothing to inline. *)
+
+val uses : Ir.program -> int array
+(** By node: how many instances run it. *)

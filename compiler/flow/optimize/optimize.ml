@@ -30,13 +30,18 @@ let inline =
   Pass.make "inline" Inline.program
     "sizes are those of the work that remains; what was done twice is inlined once"
 
+let absorb =
+  Pass.make "absorb" Absorb.program
+    "late, for a machine that so becomes a part of its user is inlined no more"
+
 type step =
   | Pass of Ir.program Pass.t
   | Tidy  (** if anything has changed since *)
 
 (* Twice, as inlining brings loops of several nodes together. *)
 let steps =
-  [ Tidy; Pass loop_fusion; Pass inline; Tidy; Pass loop_fusion; Pass inline; Tidy ]
+  [ Tidy; Pass loop_fusion; Pass inline; Tidy; Pass loop_fusion; Pass inline; Tidy;
+    Pass absorb; Pass simplify; Pass dead_code ]
 
 (* Few programs need more than three; a chain of functions could have one for each. *)
 let most_rounds = 8

@@ -27,8 +27,7 @@ where not the time alone decides.
       self->time = frob_later(self->time, dt_ns);
       self->time = frob_later(self->time, dt_ns);
 
-Likewise where a time that has come to its limit starts again an instant later, as that
-of `debounce`, which counts while the input differs; not where only the input says when.
+Nor where it starts again, whether the time says when, as in `debounce`, or the input.
 
   $ cat > settles.frob <<'EOF'
   > import Control
@@ -37,7 +36,7 @@ of `debounce`, which counts while the input differs; not where only the input sa
   > main = proc b -> debounce 30[ms] b
   > EOF
   $ advances settles
-      self->since = differs && self->waiting ? frob_soon(self->since, dt_ns) : 0;
+      self->since = differs && self->waiting ? frob_later(self->since, dt_ns) : 0;
   $ cat > held.frob <<'EOF'
   > main :: SF Bool Bool
   > main = proc b -> nanoseconds (timeSince b) >= nanoseconds 2[s]

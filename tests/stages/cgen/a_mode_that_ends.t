@@ -60,8 +60,8 @@ Of two ways to end each is asked, also where one holds wherever the other does.
   > END
   $ frobc compile turn.frob --lint
   $ sed -n '/^static.* turn_go_/,/^}/p' turn.c | sed "s, */\*.*,,"
-  static void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3, double *out_p_x,
-          bool *out_4)
+  static inline void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3,
+          double *out_p_x, bool *out_4)
   {
       const double p_x = in->f1.x;
       const double p_y = in->f1.y;
@@ -85,46 +85,6 @@ Of two ways to end each is asked, also where one holds wherever the other does.
   static inline double turn_go_far(double p_x, double q_x)
   {
       return q_x - p_x;
-  }
-  static void turn_go_reset(struct turn_go_state *self)
-  {
-      self->mode = TURN_GO_GO;
-  }
-  static inline double turn_go_step(struct turn_go_state *self, const struct turn_input *in)
-  {
-      const double p_x = in->f1.x;
-      const double p_y = in->f1.y;
-      double t1 = 0.0;
-      int32_t steps = 0;
-      do {
-          switch (self->mode) {
-          case TURN_GO_GO: {
-              bool t2;
-              double p_x_2;
-              bool t3;
-              turn_go_go(in, &t1, &t2, &p_x_2, &t3);
-              if (t2) {
-                  self->mode = TURN_GO_FAR;
-                  self->modes.far.p_x = p_x_2;
-                  continue;
-              } else if (t3) {
-                  self->mode = TURN_GO_TURNED;
-                  continue;
-              }
-              break;
-          }
-          case TURN_GO_TURNED: {
-              t1 = turn_go_turned(p_y);
-              break;
-          }
-          default: {
-              t1 = turn_go_far(self->modes.far.p_x, p_x);
-              break;
-          }
-          }
-          break;
-      } while (++steps < 2);
-      return t1;
   }
   $ printf 'time,in.1.x,in.1.y,in.2\n0,3,0.1,0\n1,4,0,0.5\n2,7,-1,3\n3,8,2,0\n' > in.csv
   $ frobc trace turn.frob --input in.csv | tee c.csv
