@@ -27,7 +27,7 @@ let signal names ppf (s : Ir.signal) =
     | None -> sprintf "<undefined %s>" s.name)
 
 let float x =
-  let short = sprintf "%.15g" x in
+  let short = sprintf "%.12g" x in
   let text = if Float.equal (float_of_string short) x then short else sprintf "%.17g" x in
   if String.for_all (function '0' .. '9' | '-' -> true | _ -> false) text then text ^ ".0" else text
 

@@ -40,8 +40,7 @@ let declared c variables =
     (List.fold_left declare [] variables)
 
 let uninitialized c variables =
-  let own = List.filter (fun v -> not (Expression.is_elsewhere c.names v)) variables in
-  List.rev (declared c (List.map (fun v -> (v, Expression.variable c.names v)) own))
+  List.rev (declared c (List.map (fun v -> (v, Expression.variable c.names v)) variables))
 
 let in_seconds c ns = Ir.Binary (Over, Cast (V.real c.v, ns), V.float c.v 1e9)
 

@@ -49,11 +49,6 @@ let variable n (variable : M.variable) =
       Int_table.replace n.variables variable.id (Ir.Name name);
       name
 
-let is_elsewhere n (variable : M.variable) =
-  match Int_table.find_opt n.variables variable.id with
-  | None | Some (Name _) -> false
-  | Some _ -> true
-
 let field n (field : M.field) =
   match Int_table.find_opt n.v.nodes.(n.node).members field.id with
   | Some (first :: inside) ->

@@ -23,9 +23,6 @@ val element : names -> Step.Ir.expr -> Ir.expr -> Ir.expr
 val variable : names -> Step.Ir.variable -> string
 (** Its name, chosen at the first call. *)
 
-val is_elsewhere : names -> Step.Ir.variable -> bool
-(** Whether it is read as what is no name, and so needs none. *)
-
 val field : names -> Step.Ir.field -> Ir.expr
 (** [self->x] *)
 

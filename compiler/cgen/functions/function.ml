@@ -108,10 +108,8 @@ and statements c body = List.rev (List.fold_left (statement c) [] body)
 (* The programmer's names come before the compiler's: [t1] stays [t1]. *)
 let name_variables names body =
   let named pass (variable : M.variable) =
-    if
-      Bool.equal pass (not (String.equal variable.name ""))
-      && not (Expression.is_elsewhere names variable)
-    then ignore (Expression.variable names variable)
+    if Bool.equal pass (not (String.equal variable.name "")) then
+      ignore (Expression.variable names variable)
   in
   let declared visit =
     Step.Walk.statements
@@ -127,42 +125,6 @@ let name_variables names body =
   in
   declared (named true);
   declared (named false)
-
-(* A result of a call that only becomes one of the function's own goes there at once:
-   the body without the statement between, and the numbers of these results. *)
-let handed_on body =
-  let reads = Int_table.create 16 and results = ref [] in
-  let count (v : M.variable) = Option.value (Int_table.find_opt reads v.id) ~default:0 in
-  Step.Walk.expressions
-    (function M.Variable v -> Int_table.replace reads v.id (count v + 1) | _ -> ())
-    body;
-  let rec block statements =
-    let given = Int_table.create 4 in
-    let keep (s : M.statement) : M.statement option =
-      match s with
-      | Step { results = _ :: _ :: _ as results; _ } ->
-          List.iter (fun (v : M.variable) -> Int_table.replace given v.id ()) results;
-          Some s
-      | Run { results; active = None; drops = false; _ } ->
-          (* What may need a zero first. *)
-          let give (v : M.variable) =
-            match v.ty with
-            | Bool | Int | Float | Nanoseconds -> Int_table.replace given v.id ()
-            | Sum _ | Array _ | Foreign _ -> ()
-          in
-          List.iter give results;
-          Some s
-      | Assign { place = Result k; value = Variable v; _ }
-        when Int_table.mem given v.id && count v = 1 ->
-          results := (v, k) :: !results;
-          None
-      | If i -> Some (If { i with then_ = block i.then_; else_ = block i.else_ })
-      | s -> Some s
-    in
-    List.filter_map keep statements
-  in
-  let body = block body in
-  (body, !results)
 
 (* What only goes on by the pointer to the input is not read. *)
 let variables_read (v : V.t) (node : M.node) body =
@@ -265,21 +227,14 @@ let own_step (v : V.t) k : Ir.function_ =
         (Void, List.map result node.outputs)
   in
   let places = Array.of_list results in
-  let own_body, handed_on =
-    if results = [] then (node.step.body, []) else handed_on node.step.body
-  in
-  List.iter
-    (fun (variable, k) ->
-      Expression.read_as names variable (Unary (Dereference, Name (snd places.(k)))))
-    handed_on;
-  name_variables names own_body;
+  name_variables names node.step.body;
   let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
   let c = { v; names; index = k; node; write; read; place = "" } in
   let state = if V.has_state v k then [ self v k ] else [] in
   let params = params v (Step.Param_use.in_step v.param_use k) in
   let dt = if node.seconds then [ (V.real v, "dt") ] else [] in
   let dt_ns = if node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
-  let body = statements c own_body in
+  let body = statements c node.step.body in
   let unread = if state = [] then [] else unread names in
   {
     linkage = (if node.operations <= inline_size then Static_inline else Static);

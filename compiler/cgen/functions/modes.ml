@@ -51,7 +51,8 @@ let ends_early c (mode : M.mode) = Option.is_some c.v.program.nodes.(mode.node).
 let place c (v : M.variable) = expression c (M.Variable v)
 let named (_, name) = Ir.Name name
 
-let zero c (v : M.variable) name =
+let zero c (v : M.variable) =
+  let name = Expression.variable c.names v in
   plain (Ir.Variable { ty = V.ty c.v v.ty; name; value = V.zero c.v v.ty })
 
 (* With [drops] C compilers cannot see that the first mode gives values, nor where modes
@@ -61,12 +62,7 @@ let results_of_run c (run : M.run) =
   if (not run.drops) && Option.is_none run.active && not ends then
     List.rev (uninitialized c run.results)
   else
-    let set (v : M.variable) =
-      if Expression.is_elsewhere c.names v then
-        plain (Ir.Assign (place c v, V.zero c.v v.ty))
-      else zero c v (Expression.variable c.names v)
-    in
-    List.map set run.results
+    List.map (zero c) run.results
 
 (* A mode's step, with the places of its results. *)
 let step c (mode : M.mode) (case : M.case) results =
