@@ -23,8 +23,6 @@ type t = {
   measures : Measures.t list;
 }
 
-val most_runs : int
-
 val of_plan : General.t -> sources:string list -> string -> (t, int) result
 (** Of the file of a plan. The error is the exit status; what is wrong has been told, with the
     place in the plan. Each place is tried for an instant, so that no run is made if one cannot

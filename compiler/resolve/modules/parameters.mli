@@ -13,9 +13,6 @@ val shown : string -> string
 (** A name as it stands in a source: of a parameter's value from outside that of the
     parameter. *)
 
-val file_of : setting -> string
-(** What spans in the expression have for a file. *)
-
 val give :
   Basis.Diagnostic.sink ->
   remember:(file:string -> string -> unit) ->
