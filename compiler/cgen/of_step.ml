@@ -185,11 +185,7 @@ let header (v : V.t) (functions : Ir.function_ list) ~(batch : Batch.t option) :
               #ifndef %s\n\
               #define %s\n"
              v.program.name v.name v.name exact guard guard);
-        Text
-          (includes
-             (robots
-             @ [ "<stdbool.h>"; "<stdint.h>" ]
-             @ foreign_headers v));
+        Text (includes (robots @ [ "<stdbool.h>"; "<stdint.h>" ] @ foreign_headers v));
         Text "#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
       ];
       foreign_structs v;
@@ -202,9 +198,7 @@ let header (v : V.t) (functions : Ir.function_ list) ~(batch : Batch.t option) :
       states v;
       List.map (fun (f : Ir.function_) -> Ir.Prototype { f with comment = "" }) functions;
       List.map (fun (b : Batch.t) -> Ir.Text b.prototype) (Option.to_list batch);
-      [
-        Text "#ifdef __cplusplus\n}\n#endif\n#endif\n";
-      ];
+      [ Text "#ifdef __cplusplus\n}\n#endif\n#endif\n" ];
     ]
 
 (* A definition is named above the first of its functions. *)

@@ -43,7 +43,7 @@ and sum names direction ~depth k ~to_ ~from =
     | Large ty -> value names direction ~depth (Step.Layout.ty ty) ~to_ ~from
     | Whole | Truth | Inner_tag -> [ plain (Ir.Assign (to_, from)) ]
   in
-  List.concat_map one (("tag", Sum_type.Inner_tag) :: Sum_type.kinds sums v.sums.(k))
+  List.concat_map one (("tag", Sum_type.Inner_tag) :: Sum_type.kinds sums v.sums.(k).slots)
 
 let assign names direction = value names direction ~depth:0
 

@@ -280,9 +280,7 @@ let machines out ~state (list : Machine_table.t list) =
   (table out "machine" "machines" rows, List.length rows)
 
 let robot ?own (program : Step.Ir.program) =
-  match (Robot.of_shape ?own program.input, Robot.of_shape ?own program.output) with
-  | Some robot, _ | None, Some robot -> Some robot
-  | None, None -> None
+  List.find_map (Robot.of_shape ?own) [ program.input; program.output ]
 
 (* Each parameter with where it is in their struct. *)
 let params out (program : Step.Ir.program) params =
@@ -331,8 +329,7 @@ let text ?own (program : Step.Ir.program) (files : Of_step.t) =
   let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
   let unread, passed = Border.passed files.params in
   let params = params out program files.params in
-  let robot_name = function Some (robot : Robot.t) -> robot.name | None -> "" in
-  let robot = robot_name (robot ?own program) in
+  let robot = Option.fold (robot ?own program) ~none:"" ~some:(fun (r : Robot.t) -> r.name) in
   bprintf out
     {|
 static void reset(void *state, const void *params)

@@ -54,7 +54,7 @@ let payload sums ?(first = Step.Layout.none) (constructor : F.sum_constructor) =
 
 type kind = Number | Whole | Truth | Inner_tag | Large of F.ty
 
-let kinds_of_slots sums ?(first = Step.Layout.none) (slots : Step.Layout.slots) =
+let kinds sums ?(first = Step.Layout.none) (slots : Step.Layout.slots) =
   let some count start slot kind = List.init count (fun k -> (slot (start + k), kind)) in
   let large (ty, count) =
     some count (Step.Layout.arrays_before first ty) (array_slot sums ty) (Large ty)
@@ -68,8 +68,6 @@ let kinds_of_slots sums ?(first = Step.Layout.none) (slots : Step.Layout.slots) 
       List.concat_map large slots.arrays;
     ]
 
-let kinds sums ?first t = kinds_of_slots sums ?first t.slots
-
 let members sums ?first t =
   let ty : kind -> Ir.ty = function
     | Number -> Real t.real
@@ -78,7 +76,7 @@ let members sums ?first t =
     | Inner_tag -> Uint8
     | Large ty -> List.assoc ty t.arrays
   in
-  List.map (fun (name, kind) -> (name, ty kind)) (kinds sums ?first t)
+  List.map (fun (name, kind) -> (name, ty kind)) (kinds sums ?first t.slots)
 
 let definition sums (sum : F.sum) t =
   let member (name, ty) : Ir.member = { name; ty; comment = "" } in
@@ -114,7 +112,7 @@ and zeros real sums ~absent (slots : Step.Layout.slots) =
     | Truth -> Boolean false
     | Large ty -> zero real sums ~absent (Step.Layout.ty ty)
   in
-  List.map (fun (_, kind) -> of_kind kind) (kinds_of_slots sums slots)
+  List.map (fun (_, kind) -> of_kind kind) (kinds sums slots)
 
 (* The function's value, a struct given member by member. *)
 let return_struct ty values : Ir.statement list =

@@ -43,8 +43,8 @@ type kind =
   | Inner_tag
   | Large of Flow.Ir.ty  (** an array, or a foreign value *)
 
-val kinds : Flow.Ir.sum array -> ?first:Step.Layout.slots -> t -> (string * kind) list
-(** The members of its struct, without the tag. *)
+val kinds : Flow.Ir.sum array -> ?first:Step.Layout.slots -> Step.Layout.slots -> (string * kind) list
+(** The members that a struct has for these slots; [first] slots belong to others. *)
 
 val members :
   Flow.Ir.sum array -> ?first:Step.Layout.slots -> t -> (string * Ir.ty) list

@@ -273,7 +273,6 @@ let absent t (ty : F.foreign_type) : Ir.expr =
 
 let zero t ty = Sum_type.zero t.program.real t.program.sums ~absent:(absent t) ty
 
-
 let call t name arguments = Ir.Call (name ^ Print.real_suffix t.program.real, arguments)
 
 let elementary (f : Core.Primitive.elementary) =

@@ -151,7 +151,5 @@ let call context resolve (i : F.instance) state =
 let reset context resolve (i : F.instance) state =
   let node = context.callee i.node in
   let operands = List.map resolve (arguments context i node.reset) in
-  let statements arguments =
-    [ Ir.Reset { node = i.node; state; arguments; span = i.span } ]
-  in
+  let statements arguments = [ Ir.Reset { node = i.node; state; arguments; span = i.span } ] in
   Draft.work ~operands i.span statements

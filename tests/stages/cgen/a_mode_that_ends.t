@@ -60,8 +60,8 @@ Of two ways to end each is asked, also where one holds wherever the other does.
   > END
   $ frobc compile turn.frob --lint
   $ sed -n '/^static.* turn_go_/,/^}/p' turn.c | sed "s, */\*.*,,"
-  static inline void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3,
-          double *out_p_x, bool *out_4)
+  static void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3, double *out_p_x,
+          bool *out_4)
   {
       const double p_x = in->f1.x;
       const double p_y = in->f1.y;
