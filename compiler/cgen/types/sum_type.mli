@@ -43,7 +43,8 @@ type kind =
   | Inner_tag
   | Large of Flow.Ir.ty  (** an array, or a foreign value *)
 
-val kinds : Flow.Ir.sum array -> ?first:Step.Layout.slots -> Step.Layout.slots -> (string * kind) list
+val kinds :
+  Flow.Ir.sum array -> ?first:Step.Layout.slots -> Step.Layout.slots -> (string * kind) list
 (** The members that a struct has for these slots; [first] slots belong to others. *)
 
 val members :
