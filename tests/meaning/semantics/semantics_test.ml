@@ -11,8 +11,8 @@ let prelude = declared "Prelude"
 
 (* With a heading each in appendix B. *)
 let library =
-  [ "Control"; "Geometry"; "Driving"; "Sources"; "Past"; "Trial"; "WallFollow"; "Display"; "Vision";
-    "Stereo"; "Tags" ]
+  [ "Control"; "Geometry"; "Driving"; "Sources"; "Past"; "TestRobot"; "Trial"; "WallFollow";
+    "Display"; "Vision"; "Stereo"; "Tags" ]
 
 let modules = List.map (fun name -> (name, declared name)) library
 let frobc = Sys.argv.(1)
