@@ -251,7 +251,7 @@ async def what_if(v, frobc, recording, program, robot, rows):
               and series["others"] == [number(row["out.forward"]) for row in others])
         wrong = await ask(client, f"what-if {text.replace('13[m]', '13[s]')}")
         check("what the compiler says comes back", not wrong["there"] and "error[" in wrong["why"]
-              and " bug.frob:12" in wrong["why"])
+              and " bug.frob:14" in wrong["why"])
         other = await ask(client, "what-if main :: SF Float Float\nmain = proc x -> x")
         check("another input is refused", "cannot be run on this recording" in other["why"])
         answer = await ask(client, "what-if")
