@@ -1,11 +1,11 @@
 """usage: faults.py FROBC FOLDER COUNT SEED
 
-How many controllers with a planted fault the trials of the examples catch: those of all examples
-without cameras, as they stand. As many faults in each example, drawn by the seed: first a kind
-(see plant.py), then a place. What does not compile is no controller, and another is drawn. A fault
-is caught if `frobc test` says that a trial fails. If not, and if the program has the same outputs
-as the one without it at each instant of all runs of the trials, then it is no fault, and does not
-count.
+How many controllers with a planted fault the trials and tests of the examples catch: those of all
+examples without cameras and C, as they stand. As many faults in each example, drawn by the seed: first a
+kind (see plant.py), then a place. What does not compile is no controller, and another is drawn. A
+fault is caught if `frobc test` says that a trial or a test fails. If not, and if the program has
+the same outputs as the one without it at each instant of all runs of the trials, then it is no
+fault, and does not count.
 
 Prints a row for each example, and a line for each fault that was missed.
 """
@@ -27,12 +27,13 @@ WORKERS = 2
 
 
 def examples():
-    """The programs that have trials, and no camera."""
+    """The programs that have trials, and need neither a camera nor C."""
     for path in sorted(glob.glob("examples/*/*.frob")):
         with open(path) as file:
             text = file.read()
         world = os.path.join(os.path.dirname(path), "world.toml")
-        if not re.search(r"^trial ", text, re.MULTILINE):
+        in_c = glob.glob(os.path.join(os.path.dirname(path), "*.c"))
+        if in_c or not re.search(r"^trial ", text, re.MULTILINE):
             continue
         with open(world) as file:
             if not re.search(r"^\[(camera|stereo)\]", file.read(), re.MULTILINE):
