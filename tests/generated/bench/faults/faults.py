@@ -1,11 +1,11 @@
 """usage: faults.py FROBC FOLDER COUNT SEED
 
 How many controllers with a planted fault the trials and tests of the examples catch: those of all
-examples without cameras and C, as they stand. As many faults in each example, drawn by the seed: first a
-kind (see plant.py), then a place. What does not compile is no controller, and another is drawn. A
-fault is caught if `frobc test` says that a trial or a test fails. If not, and if the program has
-the same outputs as the one without it at each instant of all runs of the trials, then it is no
-fault, and does not count.
+examples without cameras and C, as they stand. As many faults in each example, drawn by the seed:
+first a kind (see plant.py), then a place. What does not compile is no controller, and another is
+drawn. A fault is caught if `frobc test` says that a trial or a test fails. If not, and if the
+program has the same outputs as the one without it at each instant of all runs of the trials, then
+it is no fault, and does not count.
 
 Prints a row for each example, and a line for each fault that was missed.
 """
