@@ -76,8 +76,8 @@ let keep =
   Arg.(value & opt string "falsified" & info [ "keep" ] ~docv:"DIR" ~doc)
 
 let falsify =
-  let run general entry sources params inputs disturbances seeds world duration rate check_rate points linear only runs seed
-      method_ keep file =
+  let run general entry sources params inputs disturbances seeds world duration rate check_rate
+      points linear only runs seed method_ keep file =
     Falsification.run general ~entry ~sources
       { params; inputs; disturbances; seeds; world; duration; rate; check_rate; points; linear;
         only; runs; seed; method_; keep }
