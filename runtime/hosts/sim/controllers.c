@@ -53,16 +53,39 @@ static bool open_one(struct controllers *c, size_t robot, const char *record)
     return true;
 }
 
-/* What is missing in the world file. The cameras of a stereo head are one table. */
-static void tell_missing_camera(const char *label)
+static bool is_of_a_pair(const char *label)
 {
-    const bool is_pair = strcmp(label, "left") == 0 || strcmp(label, "right") == 0;
-    const bool is_usual = strcmp(label, "camera") == 0;
-    fprintf(stderr,
-            "error: the program looks through a camera, `%s`, and the robot of this world has "
-            "none: add a table %s%s%s%s to the world file\n",
-            label, is_pair ? "[stereo]" : "[camera]", is_pair || is_usual ? "" : " with name = \"",
-            is_pair || is_usual ? "" : label, is_pair || is_usual ? "" : "\"");
+    return strcmp(label, "left") == 0 || strcmp(label, "right") == 0;
+}
+
+/* Tells of the robot's cameras that have other names, which a stereo head's cannot change. False if
+ * there are none. */
+static bool tell_other_cameras(const struct frob_sim *sim)
+{
+    const char *name, *before = " none of this name, but";
+    for (size_t i = 0; (name = frob_sim_camera_name(sim, i)) != NULL; i++) {
+        if (is_of_a_pair(name))
+            continue;
+        fprintf(stderr, "%s `%s`", before, name);
+        before = ",";
+    }
+    return *before == ',';
+}
+
+/* What is missing in the world file. The cameras of a stereo head are one table. */
+static void tell_missing_camera(const struct frob_sim *sim, const char *label)
+{
+    const bool is_pair = is_of_a_pair(label);
+    const char *table = is_pair ? "[stereo]" : "[camera]";
+    fprintf(stderr, "error: the program looks through a camera, `%s`, and the robot of this world has",
+            label);
+    if (!is_pair && tell_other_cameras(sim))
+        fprintf(stderr, ": give one of them `name = \"%s\"` in the world file, or write [[camera]] "
+                        "for each there and add one\n", label);
+    else if (is_pair || strcmp(label, "camera") == 0)
+        fprintf(stderr, " none: add a table %s to the world file\n", table);
+    else
+        fprintf(stderr, " none: add a table %s with name = \"%s\" to the world file\n", table, label);
 }
 
 /* Through which camera this one looks: that of a control before it, or a new one of the world. */
@@ -84,7 +107,7 @@ static int look_through(struct controllers *c, size_t i)
     memcpy(label, console[i].label, length);
     number = frob_sim_look_through(c->sim, label);
     if (number < 0)
-        tell_missing_camera(label);
+        tell_missing_camera(c->sim, label);
     free(label);
     return number;
 }

@@ -84,6 +84,19 @@ A world without a camera, and hosts that have none.
   $ frobc run sees.frob --world dark.toml --for 1s
   error: the program looks through a camera, `camera`, and the robot of this world has none: add a table [camera] to the world file
   [2]
+  $ cat > named.toml <<'TOML'
+  > [start]
+  > x = 0
+  > y = 0
+  > [stereo]
+  > [[camera]]
+  > name = "front"
+  > [[camera]]
+  > name = "rear"
+  > TOML
+  $ frobc run sees.frob --world named.toml --for 1s
+  error: the program looks through a camera, `camera`, and the robot of this world has none of this name, but `front`, `rear`: give one of them `name = "camera"` in the world file, or write [[camera]] for each there and add one
+  [2]
   $ cat > deep.frob <<'FROB'
   > import Robot
   > import Stereo
