@@ -54,6 +54,11 @@ class Simulation {
         return members_[robot].cameras[camera].newest(now_ns);
     }
 
+    // What that frame really shows. It must have been given.
+    Truth frame_truth(std::size_t camera, std::size_t robot = 0) {
+        return members_[robot].cameras[camera].truth();
+    }
+
     std::int64_t time_ns() const { return time_ns_; }
     const Scene &scene() const { return scene_; }
     World &world() { return world_; }

@@ -88,7 +88,7 @@ const frob_image *Camera::newest(std::int64_t now_ns) {
     std::size_t arrived = 0;
     while (arrived < waiting_.size() && waiting_[arrived].arrives_ns <= now_ns) ++arrived;
     if (arrived == 0) return nullptr;
-    const Exposure exposure = std::move(waiting_[arrived - 1]);
+    Exposure exposure = std::move(waiting_[arrived - 1]);
     waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(arrived));
     draw(exposure);
     image_.width = settings_.width;
@@ -99,6 +99,7 @@ const frob_image *Camera::newest(std::int64_t now_ns) {
     image_.captured_ns = exposure.taken_ns;
     image_.number = exposure.number;
     image_.camera = geometry_;
+    moment_ = std::move(exposure.moment);
     return &image_;
 }
 
@@ -139,6 +140,28 @@ void Camera::draw(const Exposure &exposure) {
         raster_->row(y, light_.data());
         film_.expose(light_.data());
     }
+}
+
+Truth Camera::truth() {
+    Truth truth(settings_.width, settings_.height);
+    raster_->start(eye_of(moment_->robots[robot_]));
+    scenery_.draw(*raster_, *moment_, robot_);
+    const int width = raster_->eye().width, height = raster_->eye().height;
+    Truth straight(width, height);
+    std::vector<float> light(3 * static_cast<std::size_t>(width));
+    for (int y = 0; y < height; ++y) {
+        raster_->row(y, light.data());
+        for (int x = 0; x < width; ++x) straight.set(x, y, raster_->depth(x), raster_->thing(x));
+    }
+    if (lens_map_.empty()) return straight;
+    const Vec *p = lens_map_.data();
+    for (int y = 0; y < settings_.height; ++y) {
+        for (int x = 0; x < settings_.width; ++x, ++p) {
+            const int i = static_cast<int>(p->x + 0.5), j = static_cast<int>(p->y + 0.5);
+            truth.set(x, y, straight.depth_at(i, j), straight.thing_at(i, j));
+        }
+    }
+    return truth;
 }
 
 // Each pixel is between four of what the lens would show without distortion.

@@ -12,6 +12,7 @@
 #include "film.h"
 #include "noise.h"
 #include "scenery.h"
+#include "truth.h"
 
 namespace frob::sim {
 
@@ -34,6 +35,10 @@ class Camera {
 
     // That one once more; nullptr before the first.
     const frob_image *last() const { return image_.pixels == nullptr ? nullptr : &image_; }
+
+    // What the pixels of that one really show, without blur and noise; with a lens that distorts,
+    // each pixel shows what is nearest to its place in a straight picture. There must be one.
+    Truth truth();
 
   private:
     struct Exposure {
@@ -64,6 +69,7 @@ class Camera {
     std::vector<float> light_;             // of a row: red, green, blue of each pixel
     Film film_;
     frob_image image_{};
+    std::shared_ptr<const Moment> moment_; // of that one
 };
 
 } // namespace frob::sim

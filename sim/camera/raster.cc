@@ -135,6 +135,7 @@ void Raster::add(const std::vector<Point> &corners, const Chart &chart, const Fi
     surface.u_start = dot(eye_.origin - chart.origin, chart.along);
     surface.v_start = dot(eye_.origin - chart.origin, chart.across);
     surface.finish = finish;
+    surface.thing = thing_;
     order_.push_back(surfaces_.size());
     surfaces_.push_back(surface);
 }
@@ -197,7 +198,7 @@ bool Raster::find_bounds(Ball &ball) const {
 }
 
 void Raster::ball(Point middle, double radius, Tint tint) {
-    Ball ball{0, 0, 0, 0, middle, radius, tint};
+    Ball ball{0, 0, 0, 0, middle, radius, tint, thing_};
     if (find_bounds(ball)) balls_.push_back(ball);
 }
 
@@ -275,6 +276,13 @@ void Raster::paint(const Ball &ball, int y, int from, int count, float *to) {
     }
     tint_run(brightness_.data(), static_cast<float>(ball.tint.red),
              static_cast<float>(ball.tint.green), static_cast<float>(ball.tint.blue), to, count);
+}
+
+Thing Raster::thing(int x) const {
+    const std::int32_t number = numbers_[static_cast<std::size_t>(x)];
+    if (number > 0) return surfaces_[static_cast<std::size_t>(number - 1)].thing;
+    if (number < 0) return balls_[static_cast<std::size_t>(-1 - number)].thing;
+    return {};
 }
 
 void Raster::row(int y, float *to) {

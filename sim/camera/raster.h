@@ -10,6 +10,7 @@
 #include "print.h"
 #include "space.h"
 #include "texture.h"
+#include "truth.h"
 
 namespace frob::sim {
 
@@ -54,6 +55,9 @@ class Raster {
 
     const Pinhole &eye() const { return eye_; }
 
+    // What is drawn from now on is of this thing.
+    void of(Thing thing) { thing_ = thing; }
+
     // What is seen where nothing is.
     void sky(Tint tint) { sky_ = tint; }
 
@@ -71,6 +75,12 @@ class Raster {
     // What falls on a row: red, green and blue of each pixel. Rows in their order, once each, when
     // everything has been drawn.
     void row(int y, float *to);
+
+    // What the last row's pixel in this column sees.
+    Thing thing(int x) const;
+
+    // How far away that is along the axis, in metres; infinity for the sky.
+    double depth(int x) const { return 1.0 / static_cast<double>(inverses_[static_cast<std::size_t>(x)]); }
 
   private:
     // A number that depends on a pixel's column and row as a plane does.
@@ -93,6 +103,7 @@ class Raster {
         Planar inverse, u, v;          // of the depth; of the places over the depth,
         double u_start, v_start;       // from these on
         Finish finish;
+        Thing thing;
     };
 
     struct Ball {
@@ -100,6 +111,7 @@ class Raster {
         Point middle;
         double radius;
         Tint tint;
+        Thing thing;
     };
 
     // In pixels, of what of it is ahead of the camera; empty if nothing is. In outline_.
@@ -122,6 +134,7 @@ class Raster {
     Pinhole eye_;
     Point corner_, right_, down_; // the ray of pixel (0, 0), and its steps along rows and columns
     Tint sky_;
+    Thing thing_; // whose surfaces come
     std::vector<Surface> surfaces_;
     std::vector<Ball> balls_;
     std::vector<Edge> edges_;

@@ -35,15 +35,19 @@ class Scenery {
         Point normal;
         Chart chart;
         Finish finish;
+        Thing thing; // whose side it is
     };
 
     static void draw(Raster &raster, const Side &side, bool lies_below);
-    static void add_side(std::vector<Side> &sides, std::vector<Point> corners, const Look &look);
+    static void add_side(std::vector<Side> &sides, std::vector<Point> corners, const Look &look,
+                         Thing thing);
     static void add_prism(std::vector<Side> &sides, const std::vector<Vec> &outline,
-                          const Look &look);
-    static void add_cone(std::vector<Side> &sides, const Cone &cone);
-    void add_wall(const Wall &wall);
-    void add_tape(const Tape &tape);
+                          const Look &look, Thing thing);
+    static void add_cone(std::vector<Side> &sides, const Cone &cone, Thing thing);
+    void add_polygon(const Polygon &polygon, Thing thing);
+    void add_wall(const Wall &wall, Thing thing);
+    void add_tape(const Tape &tape, Thing thing);
+    void draw_poster(Raster &raster, const Poster &poster) const;
     void draw_moving(Raster &raster, const Moment &moment, std::size_t robot) const;
 
     // Of a floor of its tint and pattern, where it gives back this share of the light.

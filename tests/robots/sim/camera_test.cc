@@ -33,6 +33,9 @@ class Seer {
         return simulation_.newest_frame(time_ns, 0);
     }
 
+    // What that one really shows.
+    Truth truth() { return simulation_.frame_truth(0); }
+
   private:
     Simulation simulation_;
 };
@@ -132,6 +135,45 @@ void near_hides_far() {
     const Spot seen = red_spot(image);
     check::that(seen.x < 100 && seen.pixels > 100,
                 "a ball behind a box is hidden, one beside it is not");
+}
+
+// A low wall 2 m away, and a ball in front of it.
+void truth_is_geometry() {
+    const std::string wall = "[[wall]]\npoints = [[2.05, -3], [2.05, 3]]\nheight = 0.5\n";
+    Seer seer("noise = 20\nblur = 2", wall + red_ball(1, 0, 0.1));
+    const frob_camera lens = seer.at(0)->camera;
+    const Truth truth = seer.truth();
+    const auto is = [&](int x, int y, Thing::Kind kind) {
+        return truth.thing_at(x, y) == Thing{kind, 0};
+    };
+    check::that(is(10, 120, Thing::Kind::wall) && is(160, 118, Thing::Kind::wall),
+                "truth: a wall, behind the ball too");
+    check::near(truth.depth_at(10, 120), 2.0, 1e-6, "2 m away along the axis, at the side");
+    check::near(truth.depth_at(160, 118), 2.0, 1e-6, "and in the middle");
+    // The ray through its middle meets it one radius earlier.
+    const int low = static_cast<int>(std::lround(lens.centre_y + lens.focal_y * 0.15));
+    check::that(is(160, low, Thing::Kind::ball), "a ball in front");
+    check::near(truth.depth_at(160, low), 1.0 - 0.1 / std::hypot(1.0, 0.15), 1e-4,
+                "a radius nearer than its middle");
+    check::that(is(10, 230, Thing::Kind::floor), "the floor");
+    check::near(truth.depth_at(10, 230), 0.25 * lens.focal_y / (230 - lens.centre_y), 1e-6,
+                "as far as its row says");
+    check::that(is(10, 5, Thing::Kind::sky) && std::isinf(truth.depth_at(10, 5)),
+                "the sky, infinitely far");
+    // The lens shows what is beside the ball nearer to the middle, as undistorted places have it.
+    Seer round("k1 = -0.2", wall + red_ball(1, 0, 0.1));
+    const frob_camera bent = round.at(0)->camera;
+    const Truth seen = round.truth();
+    const double a = 0.4, shrunk = a * (1.0 - 0.2 * a * a); // of the focal length, from the axis
+    Seer post("k1 = -0.2", "[[circle]]\ncenter = [2, -0.8]\nradius = 0.02\n");
+    check::that(post.at(0) != nullptr, "a post");
+    const Truth posts = post.truth();
+    const int column = static_cast<int>(std::lround(bent.centre_x + bent.focal_x * shrunk));
+    check::that(posts.thing_at(column, 120) == Thing{Thing::Kind::circle, 0} &&
+                    posts.thing_at(static_cast<int>(bent.centre_x + bent.focal_x * a), 120) !=
+                        Thing{Thing::Kind::circle, 0},
+                "with a lens that distorts it is where the picture has it");
+    check::near(seen.depth_at(10, 120), 2.0, 1e-6, "as far as it is");
 }
 
 void time_passes() {
@@ -243,6 +285,31 @@ const char *const all_things =
 const char *const all_faults = "noise = 5\nblur = 1\nk1 = -0.2\nk2 = 0.03\npitch_deg = 8\nroll_deg = 2\n"
                                "exposure = 1.1\njitter = 0.003\n";
 
+void truth_knows_all_things() {
+    Simulation simulation(parse_world("[[start]]\nx = 0\ny = 0\n[[start]]\nx = 2\ny = 1.2\n[camera]\n" +
+                                          std::string(all_faults) + all_things,
+                                      "test"),
+                          1, false);
+    const auto camera = simulation.look_through("camera");
+    const frob_image &image = *simulation.newest_frame(0, *camera);
+    const Truth truth = simulation.frame_truth(*camera);
+    std::vector<int> pixels(static_cast<std::size_t>(Thing::Kind::patch) + 1);
+    bool is_one = true;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const Thing thing = truth.thing_at(x, y);
+            ++pixels[static_cast<std::size_t>(thing.kind)];
+            is_one = is_one && thing.number == (thing.kind == Thing::Kind::robot ? 1 : 0);
+        }
+    }
+    // The walls hide the sky.
+    const bool are_all = pixels[0] == 0 && *std::min_element(pixels.begin() + 1, pixels.end()) > 10;
+    check::that(are_all, "truth: each kind of thing is somewhere");
+    check::that(is_one, "and has its number");
+    if (!are_all)
+        for (const int count : pixels) std::printf("  %d\n", count);
+}
+
 // The number is that of one machine: no other may have another.
 void pixels_are_the_same_everywhere() {
     Seer seer(all_faults, all_things);
@@ -298,6 +365,8 @@ int main() {
     roll_is_clockwise();
     tags_are_readable();
     near_hides_far();
+    truth_is_geometry();
+    truth_knows_all_things();
     time_passes();
     pairs_have_disparities();
     pairs_are_of_one_time();
