@@ -1,6 +1,7 @@
 #!/bin/sh
 # Processor time of `frobc test` of all examples with 100 seeds each. Those with cameras, which
-# take long, are run with two seeds, and that is multiplied. Each has been compiled before.
+# take long, are run with two seeds, and that is multiplied. Each has been compiled before. Those
+# with C of their own, which is given by options, are left out.
 set -eu
 frobc=_build/install/default/bin/frobc
 work=$(mktemp -d)
@@ -19,6 +20,7 @@ row() { # name, seconds
 plain=0 seeing=0
 for example in $(grep -l '^trial' examples/*/*.frob); do
     name=$(basename "$example" .frob)
+    if ls "$(dirname "$example")"/*.c >/dev/null 2>&1; then continue; fi
     if grep -q '^\[camera\]\|^\[stereo\]' "$(dirname "$example")/world.toml"; then
         value=$(seconds "$example" 2 | awk '{ print 50 * $1 }')
         seeing=$(awk "BEGIN { print $seeing + $value }")
