@@ -9,7 +9,8 @@ namespace frob::sim {
 namespace {
 
 constexpr std::uint64_t frame_stream = std::uint64_t{1} << 32; // of noise: a frame's number beyond
-constexpr double strongest = 1e6; // exposure and noise: all is white then, or as likely black
+constexpr double longest = 3e3;    // exposure: all is white then
+constexpr double strongest = 1e6;  // noise: all is as likely black as white
 
 // Numbers from 0 to 252, nearly normal, in a row without an end that matters: each the sum of four
 // of six bits. Noise is the sum of two stretches of it, from random places on, different ones for
@@ -57,7 +58,7 @@ FROB_WIDE void take_grey(const float *light, float *__restrict to, std::size_t p
 }
 
 // What is too bright, or darker than black, is as far as a number goes; no light is so strong
-// that an int has no room for it (strongest).
+// that an int has no room for it (longest).
 FROB_WIDE void make_pixels(const float *light, const float *gains, float share,
                            const std::uint8_t *a, const std::uint8_t *b, float noise,
                            std::uint8_t *__restrict to, std::size_t count) {
@@ -85,7 +86,7 @@ Film::Film(const CameraSettings &settings, std::uint64_t seed)
     padded_.resize(row_ + 6 * radius);
     spread_.resize(row_ * (2 * radius + 1));
     pixels_.resize(parts_ * static_cast<std::size_t>(height_));
-    const double gain = 255.0 * std::min(settings.exposure, strongest);
+    const double gain = 255.0 * std::min(settings.exposure, longest);
     for (int x = 0; x < settings.width; ++x)
         gains_.insert(gains_.end(), settings.grey ? 1 : 3,
                       static_cast<float>(gain * share_of(x, settings.width, radius_)));

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double nearest = 0.01;    // m: what is nearer is not seen
 constexpr float farthest = 1000.0f; // m: patterns of what is farther are not right
+constexpr double brightest = 1e3;   // of light, 1 for white
 constexpr float below = 0.9999f;    // of 1 / depth: more than its rounding
 
 // A number that changes evenly along a row.
@@ -135,6 +136,7 @@ void Raster::add(const std::vector<Point> &corners, const Chart &chart, const Fi
     surface.u_start = dot(eye_.origin - chart.origin, chart.along);
     surface.v_start = dot(eye_.origin - chart.origin, chart.across);
     surface.finish = finish;
+    surface.normal = (distance < 0.0 ? 1.0 : -1.0) * unit(normal);
     surface.thing = thing_;
     order_.push_back(surfaces_.size());
     surfaces_.push_back(surface);
@@ -278,6 +280,32 @@ void Raster::paint(const Ball &ball, int y, int from, int count, float *to) {
              static_cast<float>(ball.tint.green), static_cast<float>(ball.tint.blue), to, count);
 }
 
+// A lamp gives its light times the cosine of the angle to it, over its squared distance.
+float Raster::relight(Point place, Point normal) const {
+    double lamps = 0.0;
+    for (const Shine &lamp : *lamps_) {
+        const Point way = lamp.place - place;
+        const double squared = dot(way, way), facing = dot(way, normal);
+        if (facing > 0.0) lamps += lamp.light * facing / (squared * std::sqrt(squared));
+    }
+    return static_cast<float>(std::min(brightest, even_ + lamps / light_on(normal)));
+}
+
+void Raster::relight(std::int32_t number, int y, int from, int count, float *to) const {
+    const Point first = corner_ + static_cast<double>(y) * down_;
+    for (int x = from; x < from + count; ++x) {
+        const Point place = eye_.origin + depth(x) * (first + static_cast<double>(x) * right_);
+        float share;
+        if (number > 0) {
+            share = relight(place, surfaces_[static_cast<std::size_t>(number - 1)].normal);
+        } else {
+            const Ball &ball = balls_[static_cast<std::size_t>(-1 - number)];
+            share = relight(place, (1.0 / ball.radius) * (place - ball.middle));
+        }
+        for (int k = 0; k < 3; ++k) *to++ *= share;
+    }
+}
+
 Thing Raster::thing(int x) const {
     const std::int32_t number = numbers_[static_cast<std::size_t>(x)];
     if (number > 0) return surfaces_[static_cast<std::size_t>(number - 1)].thing;
@@ -321,6 +349,7 @@ void Raster::row(int y, float *to) {
         else
             fill_run(static_cast<float>(sky_.red), static_cast<float>(sky_.green),
                      static_cast<float>(sky_.blue), to + 3 * from, count);
+        if (lamps_ != nullptr && number != 0) relight(number, y, x, count, to + 3 * from);
     }
 }
 

@@ -45,6 +45,12 @@ struct Finish {
 // The light on what faces this way: most of it comes from one side.
 double light_on(Point normal);
 
+// A lamp, and the light on what faces it 1 m away, 1 for white.
+struct Shine {
+    Point place;
+    double light;
+};
+
 class Raster {
   public:
     // For pictures with rows of so many pixels at most.
@@ -54,6 +60,10 @@ class Raster {
     void start(const Pinhole &eye);
 
     const Pinhole &eye() const { return eye_; }
+
+    // The light that there is: so much everywhere, as light_on has it, and that of lamps, which
+    // must stay. Without a call it is 1 and no lamps.
+    void light(double even, const std::vector<Shine> &lamps) { even_ = even, lamps_ = &lamps; }
 
     // What is drawn from now on is of this thing.
     void of(Thing thing) { thing_ = thing; }
@@ -80,7 +90,9 @@ class Raster {
     Thing thing(int x) const;
 
     // How far away that is along the axis, in metres; infinity for the sky.
-    double depth(int x) const { return 1.0 / static_cast<double>(inverses_[static_cast<std::size_t>(x)]); }
+    double depth(int x) const {
+        return 1.0 / static_cast<double>(inverses_[static_cast<std::size_t>(x)]);
+    }
 
   private:
     // A number that depends on a pixel's column and row as a plane does.
@@ -103,6 +115,7 @@ class Raster {
         Planar inverse, u, v;          // of the depth; of the places over the depth,
         double u_start, v_start;       // from these on
         Finish finish;
+        Point normal; // of length 1, towards the camera
         Thing thing;
     };
 
@@ -124,6 +137,10 @@ class Raster {
     void paint(const Surface &surface, int y, int from, int count, float *to);
     void paint(const Ball &ball, int y, int from, int count, float *to);
 
+    // A place's share of the light that it was painted with.
+    float relight(Point place, Point normal) const;
+    void relight(std::int32_t number, int y, int from, int count, float *to) const;
+
     // Which pixels a ball may be seen in; false if none.
     bool find_bounds(Ball &ball) const;
 
@@ -134,6 +151,8 @@ class Raster {
     Pinhole eye_;
     Point corner_, right_, down_; // the ray of pixel (0, 0), and its steps along rows and columns
     Tint sky_;
+    double even_ = 1.0;
+    const std::vector<Shine> *lamps_ = nullptr;
     Thing thing_; // whose surfaces come
     std::vector<Surface> surfaces_;
     std::vector<Ball> balls_;

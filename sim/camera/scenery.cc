@@ -112,6 +112,10 @@ Scenery::Scenery(const Scene &scene, const Chassis &chassis)
     : scene_(scene), chassis_(chassis),
       robot_{{0.72, 0.16, 0.12}, Texture::plain, chassis.height} {
     using Kind = Thing::Kind;
+    if (scene.ambient.white)
+        for (const Lamp &lamp : scene.lamps)
+            lamps_.push_back({at_height(lamp.position, lamp.height),
+                              lamp.intensity / *scene.ambient.white});
     for (std::size_t i = 0; i < scene.walls.size(); ++i) add_wall(scene.walls[i], {Kind::wall, i});
     for (std::size_t i = 0; i < scene.polygons.size(); ++i)
         add_polygon(scene.polygons[i], {Kind::polygon, i});
@@ -182,6 +186,7 @@ void Scenery::draw_poster(Raster &raster, const Poster &poster) const {
 
 void Scenery::draw(Raster &raster, const Moment &moment, std::size_t robot) const {
     raster.sky(scene_.sky.tint);
+    if (scene_.ambient.white) raster.light(scene_.ambient.light / *scene_.ambient.white, lamps_);
     draw_moving(raster, moment, robot);
     for (std::size_t i = 0; i < scene_.posters.size(); ++i) {
         raster.of({Thing::Kind::poster, i});

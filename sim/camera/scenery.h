@@ -56,6 +56,7 @@ class Scenery {
     const Scene &scene_;
     const Chassis &chassis_;
     Look robot_;
+    std::vector<Shine> lamps_;
     std::vector<Side> fixed_;
     std::vector<Side> lying_; // on the floor, what lies on top first
 };

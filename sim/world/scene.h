@@ -173,14 +173,17 @@ struct FloorSettings {
 // A lamp above the floor, which shines in all directions; it is in nobody's way.
 struct Lamp {
     Vec position;
-    double height = 0.3;     // m above the photocells
+    double height = 0.3;     // m above the photocells; for cameras above the floor
     double intensity = 60.0; // cd: a bulb of 750 lm
 };
 
-// The light of the room, for photocells.
+// The light of the room.
 struct AmbientSettings {
     double light = 0.0; // lx: what comes from everywhere, beside the lamps
     double noise = 0.0; // relative standard deviation of what a photocell reads
+    // lx on a white thing that cameras see as white, by all this light; without a value they see
+    // everything in an even light.
+    std::optional<double> white;
 };
 
 struct LightSettings {

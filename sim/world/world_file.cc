@@ -365,10 +365,14 @@ Lamp read_lamp(TomlReader reader) {
     return lamp;
 }
 
-AmbientSettings read_ambient(TomlReader reader) {
+AmbientSettings read_ambient(TomlReader reader, bool has_lamps) {
     AmbientSettings ambient;
     ambient.light = reader.number("light", ambient.light, Range::not_negative);
     ambient.noise = reader.number("noise", ambient.noise, Range::not_negative);
+    ambient.white = reader.optional_number("white", Range::positive);
+    if (ambient.white && ambient.light == 0.0 && !has_lamps)
+        reader.mistake_at("white", "with `white` cameras see by the light of this world, and there "
+                                   "is none: add `light`, or a table [[lamp]]");
     reader.finish();
     return ambient;
 }
@@ -479,7 +483,7 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root, const std::string 
     for (const toml::table *table : reader.tables("lamp"))
         scene.lamps.push_back(read_lamp(inside(table)));
     if (const toml::table *table = reader.table("ambient"))
-        scene.ambient = read_ambient(inside(table));
+        scene.ambient = read_ambient(inside(table), !scene.lamps.empty());
     if (const toml::table *table = reader.table("floor")) scene.floor = read_floor(inside(table));
     if (const toml::table *table = reader.table("light")) scene.light = read_light(inside(table));
     if (const toml::table *table = reader.table("drive")) scene.drive = read_drive(inside(table));

@@ -176,6 +176,38 @@ void truth_is_geometry() {
     check::near(seen.depth_at(10, 120), 2.0, 1e-6, "as far as it is");
 }
 
+// The middle of a white wall 2 m away, and its left side, by the square of the distance.
+void light_falls_off() {
+    const std::string wall = "[[wall]]\npoints = [[2.05, -3], [2.05, 3]]\ncolour = \"#ffffff\"\n"
+                             "texture = \"plain\"\n";
+    const auto lit = [&](const std::string &light, int x, const std::string &things) {
+        Seer seer("", light + things);
+        return static_cast<double>(*pixel(*seer.at(0), x, 120));
+    };
+    // 60 cd, 2 m away from what faces it: 15 lx.
+    const std::string lamp = "[[lamp]]\nposition = [0, 0]\nheight = 0.25\n";
+    const std::string dim = "[ambient]\nwhite = 30\n";
+    check::near(lit(lamp + dim, 160, wall), 127.5, 1.0, "light: half of what is white");
+    const double aside = 159.5 / 160.0 * std::tan(pi / 6);
+    check::near(lit(lamp + dim, 0, wall), 127.5 / std::pow(1.0 + aside * aside, 1.5), 1.0,
+                "at the side less, as that is farther away and askew");
+    const std::string far = "[[lamp]]\nposition = [-2, 0]\nheight = 0.25\n";
+    check::near(lit(far + dim, 160, wall), 127.5 / 4, 1.0, "a quarter from twice as far away");
+    check::near(lit(far + lamp + dim, 160, wall), 127.5 * 1.25, 1.0, "two lamps together");
+    const std::string behind = "[[lamp]]\nposition = [3, 0]\nheight = 0.25\n";
+    check::near(lit(behind + dim, 160, wall), 0.0, 0.0, "nothing from behind");
+    check::near(lit(behind + dim + "light = 15\n", 160, wall), 0.5 * lit("", 160, wall), 1.0,
+                "the light of the room is as it is without `white`");
+    // Where it is seen in the direction of its middle, a ball faces the lamp at the camera.
+    Seer seer("", lamp + "[ambient]\nwhite = 144.5\n" +
+                      "[[ball]]\ncenter = [1, 0]\nradius = 0.1\ncolour = \"#ffffff\"\n");
+    const frob_image &image = *seer.at(0);
+    const double way = std::hypot(1.0, 0.15) - 0.1;
+    check::near(*pixel(image, 160, static_cast<int>(std::lround(
+                                       image.camera.centre_y + image.camera.focal_y * 0.15))),
+                255.0 * 60.0 / (way * way) / 144.5, 2.0, "a ball, where it faces the lamp");
+}
+
 void time_passes() {
     Seer late("rate = 20\nlatency = 0.12", "");
     check::that(late.at(115 * millisecond) == nullptr, "nothing comes before its time");
@@ -353,6 +385,13 @@ void mistakes_are_told() {
                     "w:5:12: `baseline` must be more than zero\n"
                     "w:6:1: unknown key `name`; did you mean `rate`?",
                 "a head of one camera");
+    check::that(told("[ambient]\nwhite = 100\n") ==
+                    "w:5:9: with `white` cameras see by the light of this world, and there is none: "
+                    "add `light`, or a table [[lamp]]",
+                "no light");
+    check::that(told("[ambient]\nwhite = 0\nlight = 10\n") ==
+                    "w:5:9: `white` must be more than zero",
+                "nothing is white");
     check::that(told("[[ball]]\nway = [[1, 1], [2, 2]]\n") ==
                                        "w:4:1: this needs a key `speed`",
                 "a way without a speed");
@@ -366,6 +405,7 @@ int main() {
     tags_are_readable();
     near_hides_far();
     truth_is_geometry();
+    light_falls_off();
     truth_knows_all_things();
     time_passes();
     pairs_have_disparities();
