@@ -370,14 +370,18 @@ let infer expressions ctx e =
           step expressions ctx ~operand ~head ~negative ~because ~previous function_ argument
         in
         let next =
+          if Degrees.keeps head then { next with ty = Degrees.kept next.ty ~operand:ty } else next
+        in
+        let next =
           match (argument.style, previous) with
-          | Operator operator, Some left when Degrees.compares operator ->
+          | Operator operator, Some left when In_degrees.meets operator ->
+              let right = (argument.value, ty) in
               let build () =
-                Degrees.warn_of_operands ctx left (argument.value, ty);
+                if Degrees.compares operator then Degrees.warn_of_operands ctx left right;
+                In_degrees.warn_of_operands ctx left right;
                 next.build ()
               in
               { next with build }
-          | _ when Degrees.keeps head -> { next with ty = Degrees.kept next.ty ~operand:ty }
           | _ -> next
         in
         (next, Some (argument.value, ty))

@@ -121,6 +121,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
 
 and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   Degrees.warn ctx e expected;
+  In_degrees.warn ctx e expected;
   match (e.desc, Type.expand expected.ty) with
   | If { condition; then_; else_ }, _ ->
       let condition = check ctx condition (Expected.make Condition Bool) in
@@ -213,6 +214,7 @@ and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expec
         match typed with
         | Some (typed : typed) ->
             Degrees.warn ctx x (Expected.make Unknown ty);
+            In_degrees.warn ctx x (Expected.make Unknown ty);
             expect ctx ~subject:x ~at:x.span { expected with ty } typed.ty;
             typed.build
         | None -> check ctx x { expected with ty }

@@ -2,6 +2,12 @@
 
     Codes: [W0303]. *)
 
+val is_angle : Type.t -> bool
+(** By that name. *)
+
+val operation : Resolve.Ir.expr -> (Resolve.Ir.expr * string * Resolve.Ir.expr) option
+(** Two operands with an operator of the prelude between them. *)
+
 val warn : Context.t -> Resolve.Ir.expr -> Expected.t -> unit
 (** Of a number without a unit, of more than a whole turn, where an [Angle] is expected by
     that name, or what is added there, or taken away: a literal, or a product or quotient of
