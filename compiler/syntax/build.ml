@@ -199,6 +199,25 @@ let scaled_unit ~(name : Ir.name) factors : Ir.declaration_desc =
 
 let last_statement_hint = "end with the output, as in `returnA -< x`"
 
+(* The first word of an expression, if that is a name. *)
+let rec first_word (e : Ir.expr) =
+  match e.desc with
+  | Variable { qualifier = None; name; _ } -> Some name
+  | Apply (head, _) -> first_word head
+  | Binary { left; _ } -> first_word left
+  | _ -> None
+
+(* A block of another language, among the statements of a [proc]. *)
+let reject_block term =
+  match first_word (Term.to_expr term) with
+  | Some { text = ("while" | "for" | "foreach" | "repeat") as text; span } ->
+      Reject.at ~code:"E0116" span
+        ~hint:
+          "all statements of a `proc` hold at every instant, and `if c then a else b` chooses a \
+           value; what is done until something happens is a task, as `whileT c t`"
+        "nothing is repeated in a `proc`, so there is no `%s`" text
+  | _ -> ()
+
 let do_body location statements : Ir.proc_body =
   (* [rec] has no effect: its statements join the others. *)
   let rec flatten done_ work : Surface.statement list =
@@ -221,7 +240,8 @@ let do_body location statements : Ir.proc_body =
         let before = { command.span with stop = command.span.start } in
         Bind { pattern = { desc = Any; span = before }; command }
     | Let declarations -> Let_equations declarations
-    | Bare_expression { span; _ } ->
+    | Bare_expression ({ span; _ } as term) ->
+        reject_block term;
         Reject.at ~code:"E0116" span
           ~hint:
             "nothing is done for its effect, such as printing or waiting: bind its value with \
@@ -231,7 +251,8 @@ let do_body location statements : Ir.proc_body =
   in
   match flatten [] [ statements ] with
   | Bare_command result :: before -> Do { statements = List.rev_map statement before; result }
-  | Bare_expression { span; _ } :: _ ->
+  | Bare_expression ({ span; _ } as term) :: _ ->
+      reject_block term;
       Reject.at ~code:"E0116" span ~hint:"write `returnA -< …` if this is the value"
         "the last statement of a `do` gives the output, and needs `-<`"
   | (Arrow_bind { left = { span; _ }; _ } | Command_bind { left = { span; _ }; _ }) :: _ ->

@@ -68,16 +68,18 @@ let report_missing loader ~directory (target : Syntax.Ir.name) =
   let is_module name = name <> "" && 'A' <= name.[0] && name.[0] <= 'Z' in
   let modules, others = List.partition is_module known in
   let same name = String.equal (String.capitalize_ascii name) target.text in
-  (match (List.find_opt same others, Suggest.closest target.text modules) with
-  | Some file, _ ->
+  let near = Suggest.closest target.text modules in
+  (match (List.find_opt same others, Other_languages.module_ target.text, near) with
+  | Some file, _, _ ->
       Diagnostic.hint
         (Printf.sprintf "a module's file begins with a capital too: call `%s` `%s`" (file_of file)
            (file_of target.text))
         diagnostic
-  | None, Some near ->
+  | None, Some hint, _ -> Diagnostic.hint hint diagnostic
+  | None, None, Some near ->
       Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
       |> Diagnostic.write target.span near
-  | None, None -> diagnostic)
+  | None, None, None -> diagnostic)
   |> Diagnostic.emit loader.sink
 
 let report_unreadable loader ~at shown reason =

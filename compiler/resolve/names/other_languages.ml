@@ -78,7 +78,8 @@ let activity = function
       Some "nothing is printed: what is to be seen is an output, and `--record` writes all of them"
   | "analogRead" | "digitalRead" -> Some "what is read is a part of the program's input"
   | "analogWrite" | "digitalWrite" -> Some "what is written is a part of the program's output"
-  | "sleep" | "usleep" | "wait" | "delayMicroseconds" -> Some "a task that waits is `sleepT q out`"
+  | "sleep" | "usleep" | "wait" | "delayMicroseconds" -> 
+      Some "a task that waits is `sleepT 2[s] restingOutput`, with the robot at rest"
   | "while" ->
       Some
         "a task again and again is `forever t`, and `whileT condition t` while a signal function \
@@ -146,6 +147,10 @@ let robot = function
       Some "a task that turns on the spot is `turnBy 90[deg]`, to the left if it is positive"
   | "moveForward" | "move_forward" | "driveForward" | "goForward" | "move" | "driveStraight" ->
       Some "a task that drives straight ahead is `forward 1[m]`"
+  | "red" | "green" | "blue" | "yellow" | "orange" ->
+      Some
+        "a colour that a camera looks for is a range of one's own: `ColourRange { hueFrom = \
+         340[deg], hueTo = 20[deg], … }`, with `import Vision`"
   | "stop" | "halt" | "stopMotors" -> Some "a robot at rest has the output `restingOutput`"
   | _ -> None
 
@@ -169,7 +174,11 @@ let constructor = function
   | _ -> None
 
 let module_ = function
-  | "Math" -> Some no_module
+  | "Math" | "Maths" | "Numeric" -> Some no_module
+  | "Time" | "Clock" -> Some "time needs no module: `time ()` is the time since the start"
+  | "List" | "Array" | "Vector" | "Arrays" ->
+      Some "arrays need no module: `map f xs`, `foldl (+) 0 xs`"
+  | "Random" -> Some "random numbers are `whiteNoise 1 ()`: `import Sources`"
   | _ -> None
 
 let type_ = function

@@ -181,6 +181,7 @@ let knowing place patterns =
 
 let not_constant w (e : expr) problem =
   let error at format = Diagnostic.error ~code:"E0347" ~at format in
+  let index = match e.desc with Local (x, _) -> x.name | Global (g, _) -> g.name | _ -> "i" in
   (match (problem : Constant_index.problem) with
   | Variable (x, at) ->
     error at "the index of `!` must be constant, but `%s` is not" x.name
@@ -192,7 +193,9 @@ let not_constant w (e : expr) problem =
   | Computed at ->
     error e.span "the index of `!` must be constant" |> Diagnostic.label ~at "this is computed")
   |> Diagnostic.note "an index is a number, a name of one, or arithmetic with such"
-  |> Diagnostic.hint "`at i default xs` takes any index"
+  |> Diagnostic.hint
+       (Printf.sprintf "`at %s x xs` takes any index; where there is no such element it is `x`"
+          index)
   |> Diagnostic.emit w.sink
 
 let outside w (array : expr) (index : expr) k =

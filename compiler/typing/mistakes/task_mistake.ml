@@ -11,6 +11,27 @@ let parts words (e : Resolve.Ir.expr) =
       (quote input.span "x", quote output.span "output")
   | _ -> ("x", "output")
 
+(* `delay(1000)`, as if it waited: what it is given. *)
+let waits (expected : Expected.t) (e : Resolve.Ir.expr) =
+  match (expected.because, e.desc) with
+  | ( (Statement _ | Last_statement _),
+      Apply { head = { desc = Global { module_ = "Prelude"; name = "delay" }; _ }; argument; _ } )
+    ->
+      Some argument
+  | _ -> None
+
+let to_wait words (argument : Resolve.Ir.expr) =
+  let how_long =
+    match argument.desc with
+    | Number { unit_ = Some _; _ } -> Option.value (Show.quote words argument.span) ~default:"1[s]"
+    | _ -> "1[s]"
+  in
+  hint
+    (Printf.sprintf
+       "`delay` is the value of a signal one instant ago; a task that waits is `sleepT %s \
+        restingOutput`, with the robot at rest"
+       how_long)
+
 (* How a signal function becomes a task: it ends at its event, or never. *)
 let to_task words subject output =
   let name = match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "sf" in
@@ -43,7 +64,9 @@ let task_and_signal_function words ~subject ~at ~(expected : Expected.t) ~found 
          | Parameter { callee = Some "reactimateTask"; _ } ->
              hint "`reactimateRobot` makes a program of a signal function"
          | _ -> Fun.id)
-      |> to_task words subject output
+      |> (match Option.bind subject (waits expected) with
+         | Some argument -> to_wait words argument
+         | None -> to_task words subject output)
   | _ ->
       let name =
         match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "t"
@@ -61,7 +84,8 @@ let task_and_signal_function words ~subject ~at ~(expected : Expected.t) ~found 
                  name)
 
 (* Two tasks that differ in one thing. *)
-let unlike_tasks words ~at (input, output, result) (input', output', result') =
+let unlike_tasks words ~at ~(because : Expected.reason) (input, output, result)
+    (input', output', result') =
   let differ a b =
     match Type.expand a with
     | Flexible _ -> false
@@ -76,7 +100,10 @@ let unlike_tasks words ~at (input, output, result) (input', output', result') =
     match (differ input input', differ output output', differ result result') with
     | false, false, true ->
         (cure :=
-           if nothing result then hint "in a `do`, `return ()` below it drops its result"
+           if nothing result then
+             hint
+               "`mapT (const ()) t` is the task `t` without its result; in a `do`, `return ()` \
+                below it drops it"
            else if nothing result' then
              hint "in a `do`, `return x` below it ends the two with `x`"
            else hint "`mapT f t` is the task `t`, and ends with `f` of its result");
@@ -84,6 +111,13 @@ let unlike_tasks words ~at (input, output, result) (input', output', result') =
     | false, true, false ->
         says "expected a task whose output is %s, but that of this one is %s" output output'
     | true, false, false ->
+        (match because with
+        | Parameter { callee = Some "watching"; _ } ->
+            cure :=
+              hint
+                "`watching` adds to the input what is heard; a task of any input has the \
+                 capabilities in its signature: `(HasSonar i, DiffDrive o) => Task i o Bool`"
+        | _ -> ());
         says "expected a task whose input is %s, but that of this one is %s" input input'
     | _ -> None
   in

@@ -25,6 +25,7 @@ val no_task :
 val unlike_tasks :
   Show.words ->
   at:Span.t ->
+  because:Expected.reason ->
   Type.t * Type.t * Type.t ->
   Type.t * Type.t * Type.t ->
   Diagnostic.t option

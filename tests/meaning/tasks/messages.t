@@ -116,7 +116,7 @@ What is no task, tasks that do not fit together, and tasks for signal functions.
   22 | i b = if b then return 1[m] else sleepT 1[s] 2
      |                 ^^^^^^^^^^^
      |
-     = hint: in a `do`, `return ()` below it drops its result
+     = hint: `mapT (const ()) t` is the task `t` without its result; in a `do`, `return ()` below it drops it
   
   error[E0301]: expected a task that ends with `()`, but this one ends with a number of `m`
     --> mistakes.frob:23:36
@@ -126,7 +126,7 @@ What is no task, tasks that do not fit together, and tasks for signal functions.
      |                 |
      |                 this branch is `Task a n[1] ()`
      |
-     = hint: in a `do`, `return ()` below it drops its result
+     = hint: `mapT (const ()) t` is the task `t` without its result; in a `do`, `return ()` below it drops it
   
   error[E0301]: expected a task whose output is a number, but that of this one is `Bool`
     --> mistakes.frob:26:4

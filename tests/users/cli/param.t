@@ -133,7 +133,7 @@ What is wrong with a declaration.
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
     = note: a parameter is a number or a truth value: what a command line can write
-    = hint: declare a parameter for each number in it
+    = hint: declare a parameter for each number in it; one of two choices is a `Bool`, one of more an `Int`
   
   error[E0390]: the parameter `any` cannot be of every type `Float[u]`
    --> wrong.frob:2:1
@@ -161,19 +161,19 @@ What is wrong with a declaration.
     |                        ^
     |
     = note: an index is a number, a name of one, or arithmetic with such
-    = hint: `at i default xs` takes any index
+    = hint: `at k x xs` takes any index; where there is no such element it is `x`
   
   1 error
   [1]
   $ echo 'param k = 1' > untyped.frob
   $ frobc check untyped.frob
-  error[E0110]: expected `::` and a type after the name of the parameter, found `=`
+  error[E0110]: a parameter has its type before its value
    --> untyped.frob:1:9
     |
   1 | param k = 1
     |         ^
     |
-    = hint: as in `param kTurn :: Float[1/m] = 4[1/m]`
+    = hint: write `param k :: Float = 1`
   
   1 error
   [1]

@@ -472,7 +472,8 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   | _ -> (
       let tasks =
         match (Environment.as_task expected.ty, Environment.as_task found) with
-        | Some wanted, Some given -> Task_mistake.unlike_tasks words ~at wanted given
+        | Some wanted, Some given ->
+            Task_mistake.unlike_tasks words ~at ~because:expected.because wanted given
         | _ -> None
       in
       match (tasks, expected.because) with

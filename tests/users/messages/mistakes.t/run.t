@@ -509,7 +509,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
     |                  `k` is bound here
     |
     = note: an index is a number, a name of one, or arithmetic with such
-    = hint: `at i default xs` takes any index
+    = hint: `at k x xs` takes any index; where there is no such element it is `x`
   
   1 error
   # 044_case_misses_one.frob

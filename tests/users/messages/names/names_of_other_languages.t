@@ -77,7 +77,7 @@ Names that other languages have are answered with what they are here. Of each na
   $ hint millis micros delayMicroseconds digitalWrite analogRead for undefined
   millis: `time ()` is the time since the start, in seconds
   micros: `time ()` is the time since the start, in seconds
-  delayMicroseconds: a task that waits is `sleepT q out`
+  delayMicroseconds: a task that waits is `sleepT 2[s] restingOutput`, with the robot at rest
   digitalWrite: what is written is a part of the program's output
   analogRead: what is read is a part of the program's input
   for: `map f xs` is each element's; tasks one after the other are `forEachT xs f`

@@ -1,0 +1,183 @@
+A loop of another language among the equations of a `proc`: nothing is repeated there.
+
+  $ cat > loop.frob <<'FROB'
+  > import Robot
+  > 
+  > drive = proc i -> do
+  >     while frontSonar i > 0.5[m]
+  >         setVelTR 0.3[m/s] 0
+  > 
+  > main = reactimateRobot drive
+  > FROB
+  $ frobc check loop.frob
+  error[E0116]: nothing is repeated in a `proc`, so there is no `while`
+   --> loop.frob:4:5
+    |
+  4 |     while frontSonar i > 0.5[m]
+    |     ^^^^^
+    |
+    = hint: all statements of a `proc` hold at every instant, and `if c then a else b` chooses a value; what is done until something happens is a task, as `whileT c t`
+  
+  1 error
+  [1]
+
+In the middle too.
+
+  $ cat > middle.frob <<'FROB'
+  > import Robot
+  > 
+  > drive = proc i -> do
+  >     repeat 10
+  >     returnA -< roMake (setVelTR 0.3[m/s] 0)
+  > 
+  > main = reactimateRobot drive
+  > FROB
+  $ frobc check middle.frob
+  error[E0116]: nothing is repeated in a `proc`, so there is no `repeat`
+   --> middle.frob:4:5
+    |
+  4 |     repeat 10
+    |     ^^^^^^
+    |
+    = hint: all statements of a `proc` hold at every instant, and `if c then a else b` chooses a value; what is done until something happens is a task, as `whileT c t`
+  
+  1 error
+  [1]
+
+An Arduino's `delay`, and `sleep`.
+
+  $ cat > wait.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask (watching (do
+  >     forward 1[m]
+  >     delay(1000)
+  >     forward 1[m]
+  >     delay 2[s]))
+  > FROB
+  $ frobc check wait.frob
+  error[E0371]: a signal function stands where a task is needed
+   --> wait.frob:5:5
+    |
+  3 | main = reactimateTask (watching (do
+    |                        -------- so each task of this `do` is `Task (Watched a) b c`
+  4 |     forward 1[m]
+  5 |     delay(1000)
+    |     ^^^^^^^^^^^ this is `SF n[1] n[1]`
+    |
+    = hint: `delay` is the value of a signal one instant ago; a task that waits is `sleepT 1[s] restingOutput`, with the robot at rest
+  
+  error[E0371]: a signal function stands where a task is needed
+   --> wait.frob:7:5
+    |
+  3 | main = reactimateTask (watching (do
+    |                        -------- argument 1 of `watching` is `Task (Watched a) b c`
+  ...
+  7 |     delay 2[s]))
+    |     ^^^^^^^^^^ this is `SF n[s] n[s]`
+    |
+    = hint: `delay` is the value of a signal one instant ago; a task that waits is `sleepT 2[s] restingOutput`, with the robot at rest
+  
+  2 errors
+  [1]
+  $ cat > sleep.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask (watching (do
+  >     forward 1[m]
+  >     sleep 2[s]))
+  > FROB
+  $ frobc check sleep.frob
+  error[E0205]: unknown name `sleep`
+   --> sleep.frob:5:5
+    |
+  5 |     sleep 2[s]))
+    |     ^^^^^
+    |
+    = hint: a task that waits is `sleepT 2[s] restingOutput`, with the robot at rest
+  
+  1 error
+  [1]
+
+The cures.
+
+  $ cat > cured.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask (watching (do
+  >     whileT (proc i -> frontSonar i > 0.5[m]) (forward 0.1[m])
+  >     sleepT 2[s] restingOutput
+  >     forward 1[m]))
+  > FROB
+  $ frobc check cured.frob
+
+A task whose signature names the robot's input, where `watching` asks for any.
+
+  $ cat > watched.frob <<'FROB'
+  > import Robot
+  > 
+  > patrol :: Task RobotInput RobotOutput Bool
+  > patrol = do
+  >     forward 1[m]
+  >     turnBy 90[deg]
+  >     forward 1[m]
+  > 
+  > main = reactimateTask (watching patrol)
+  > FROB
+  $ frobc check watched.frob
+  error[E0301]: expected a task whose input is `Watched a`, but that of this one is `RobotInput`
+   --> watched.frob:9:33
+    |
+  9 | main = reactimateTask (watching patrol)
+    |                        -------- ^^^^^^
+    |                        |
+    |                        argument 1 of `watching` is `Task (Watched a) b c`
+    |
+    = hint: `watching` adds to the input what is heard; a task of any input has the capabilities in its signature: `(HasSonar i, DiffDrive o) => Task i o Bool`
+  
+  1 error
+  [1]
+  $ sed 's/^patrol ::.*/patrol :: (HasSonar i, DiffDrive o) => Task i o Bool/' watched.frob > any.frob
+  $ frobc check any.frob
+
+Modules of other languages, for what needs none.
+
+  $ for m in Maths Time List Random; do
+  >   printf 'import %s\n\nmain :: SF Float Float\nmain = proc x -> sqrt x\n' $m > m.frob
+  >   frobc check m.frob 2>&1 | grep -e error -e hint
+  > done
+  error[E0201]: there is no module `Maths`
+    = hint: the functions on numbers need no module: `abs x`, `sqrt x`
+  1 error
+  error[E0201]: there is no module `Time`
+    = hint: time needs no module: `time ()` is the time since the start
+  1 error
+  error[E0201]: there is no module `List`
+    = hint: arrays need no module: `map f xs`, `foldl (+) 0 xs`
+  1 error
+  error[E0201]: there is no module `Random`
+    = hint: random numbers are `whiteNoise 1 ()`: `import Sources`
+  1 error
+
+A colour that nobody has defined.
+
+  $ cat > colour.frob <<'FROB'
+  > import Robot
+  > import Vision
+  > 
+  > side :: Frame -> Angle
+  > side f = bearing (lens f.image) (findBlob f.image (everywhere f.image) red).cx
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0 (1[1/s] * hold 0 (mapE side (camera i)))))
+  > FROB
+  $ frobc check colour.frob
+  error[E0205]: unknown name `red`
+   --> colour.frob:5:72
+    |
+  5 | side f = bearing (lens f.image) (findBlob f.image (everywhere f.image) red).cx
+    |                                                                        ^^^
+    |
+    = hint: a colour that a camera looks for is a range of one's own: `ColourRange { hueFrom = 340[deg], hueTo = 20[deg], … }`, with `import Vision`
+  
+  1 error
+  [1]
