@@ -73,11 +73,23 @@ void Camera::make_lens_map() {
         pixel = pixel + Vec{geometry_.centre_x + margin_x_, geometry_.centre_y + margin_y_};
 }
 
+bool Camera::is_rolling() const {
+    return std::any_of(waiting_.begin(), waiting_.end(),
+                       [](const Exposure &e) { return !e.is_whole(); });
+}
+
 void Camera::take(std::int64_t time_ns, std::shared_ptr<const Moment> moment) {
+    for (Exposure &exposure : waiting_) {
+        if (exposure.is_whole() || exposure.times_ns.back() == time_ns) continue;
+        exposure.times_ns.push_back(time_ns);
+        exposure.moments.push_back(moment);
+    }
+    if (time_ns < due_ns_) return;
     const bool is_lost = timing_.uniform() < settings_.dropout;
+    const std::int64_t rolled_ns = time_ns + nanoseconds(settings_.rolling);
     if (!is_lost)
-        waiting_.push_back(
-            {next_, time_ns, time_ns + nanoseconds(settings_.latency), std::move(moment)});
+        waiting_.push_back({next_, time_ns, rolled_ns, rolled_ns + nanoseconds(settings_.latency),
+                            {time_ns}, {std::move(moment)}});
     if (waiting_.size() > most_waiting) waiting_.pop_front();
     ++next_;
     const double shift = settings_.jitter * (2.0 * timing_.uniform() - 1.0);
@@ -86,20 +98,21 @@ void Camera::take(std::int64_t time_ns, std::shared_ptr<const Moment> moment) {
 
 const frob_image *Camera::newest(std::int64_t now_ns) {
     std::size_t arrived = 0;
-    while (arrived < waiting_.size() && waiting_[arrived].arrives_ns <= now_ns) ++arrived;
+    while (arrived < waiting_.size() && waiting_[arrived].arrives_ns <= now_ns &&
+           waiting_[arrived].is_whole())
+        ++arrived;
     if (arrived == 0) return nullptr;
-    Exposure exposure = std::move(waiting_[arrived - 1]);
+    exposure_ = std::move(waiting_[arrived - 1]);
     waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(arrived));
-    draw(exposure);
+    draw();
     image_.width = settings_.width;
     image_.height = settings_.height;
     image_.stride = settings_.width * (settings_.grey ? 1 : 3);
     image_.format = settings_.grey ? FROB_GREY8 : FROB_RGB8;
     image_.pixels = film_.pixels();
-    image_.captured_ns = exposure.taken_ns;
-    image_.number = exposure.number;
+    image_.captured_ns = exposure_->taken_ns;
+    image_.number = exposure_->number;
     image_.camera = geometry_;
-    moment_ = std::move(exposure.moment);
     return &image_;
 }
 
@@ -131,26 +144,51 @@ Pinhole Camera::eye_of(const Pose &robot) const {
     return eye;
 }
 
-void Camera::draw(const Exposure &exposure) {
-    raster_->start(eye_of(exposure.moment->robots[robot_]));
-    scenery_.draw(*raster_, *exposure.moment, robot_);
-    film_.start(exposure.number);
+// When a row of the raster is taken. Margins, of lenses that distort, go with the rows beside them.
+Moment Camera::moment_of(int y) const {
+    const int row = std::clamp(y - margin_y_, 0, settings_.height - 1);
+    const std::int64_t time_ns =
+        exposure_->taken_ns + nanoseconds(settings_.rolling * row / (settings_.height - 1));
+    const std::vector<std::int64_t> &times = exposure_->times_ns;
+    std::size_t next = 1;
+    while (next + 1 < times.size() && times[next] < time_ns) ++next;
+    const double share = static_cast<double>(time_ns - times[next - 1]) /
+                         static_cast<double>(times[next] - times[next - 1]);
+    return between(*exposure_->moments[next - 1], *exposure_->moments[next], share);
+}
+
+// The rows of the raster one after the other. If they are not all taken at once, each few of them
+// are of a picture of their own.
+void Camera::draw_row(int y, float *to) {
+    constexpr int few = 4;
+    const auto look = [&](const Moment &moment) {
+        raster_->start(eye_of(moment.robots[robot_]));
+        scenery_.draw(*raster_, moment, robot_);
+    };
+    if (exposure_->moments.size() == 1) {
+        if (y == 0) look(*exposure_->moments.front());
+    } else if (y % few == 0) {
+        look(moment_of(y + few / 2));
+    }
+    raster_->row(y, to);
+}
+
+void Camera::draw() {
+    film_.start(exposure_->number);
     if (!lens_map_.empty()) return draw_distorted();
     for (int y = 0; y < settings_.height; ++y) {
-        raster_->row(y, light_.data());
+        draw_row(y, light_.data());
         film_.expose(light_.data());
     }
 }
 
 Truth Camera::truth() {
     Truth truth(settings_.width, settings_.height);
-    raster_->start(eye_of(moment_->robots[robot_]));
-    scenery_.draw(*raster_, *moment_, robot_);
-    const int width = raster_->eye().width, height = raster_->eye().height;
+    const int width = settings_.width + 2 * margin_x_, height = settings_.height + 2 * margin_y_;
     Truth straight(width, height);
     std::vector<float> light(3 * static_cast<std::size_t>(width));
     for (int y = 0; y < height; ++y) {
-        raster_->row(y, light.data());
+        draw_row(y, light.data());
         for (int x = 0; x < width; ++x) straight.set(x, y, raster_->depth(x), raster_->thing(x));
     }
     if (lens_map_.empty()) return straight;
@@ -166,10 +204,10 @@ Truth Camera::truth() {
 
 // Each pixel is between four of what the lens would show without distortion.
 void Camera::draw_distorted() {
-    const std::size_t row = 3 * static_cast<std::size_t>(raster_->eye().width);
-    straight_.resize(row * static_cast<std::size_t>(raster_->eye().height));
-    for (int y = 0; y < raster_->eye().height; ++y)
-        raster_->row(y, &straight_[row * static_cast<std::size_t>(y)]);
+    const int height = settings_.height + 2 * margin_y_;
+    const std::size_t row = 3 * static_cast<std::size_t>(settings_.width + 2 * margin_x_);
+    straight_.resize(row * static_cast<std::size_t>(height));
+    for (int y = 0; y < height; ++y) draw_row(y, &straight_[row * static_cast<std::size_t>(y)]);
     const Vec *p = lens_map_.data();
     for (int y = 0; y < settings_.height; ++y) {
         for (std::size_t i = 0; i < light_.size(); i += 3, ++p) {

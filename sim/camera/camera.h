@@ -23,10 +23,10 @@ class Camera {
     Camera(const CameraSettings &settings, const Chassis &chassis, const Scenery &scenery,
            std::size_t robot, std::uint64_t seed, std::uint64_t trigger);
 
-    // Whether a frame is to be taken at this step of the physics.
-    bool is_due(std::int64_t time_ns) const { return time_ns >= due_ns_; }
+    // Whether a frame, or some of its rows, are to be taken at this step of the physics.
+    bool is_due(std::int64_t time_ns) const { return time_ns >= due_ns_ || is_rolling(); }
 
-    // Takes it. What it shows is drawn if it is asked for.
+    // Takes them. What a frame shows is drawn if it is asked for.
     void take(std::int64_t time_ns, std::shared_ptr<const Moment> moment);
 
     // The newest frame that has arrived by now, once; those before it are gone. nullptr if there
@@ -43,11 +43,17 @@ class Camera {
   private:
     struct Exposure {
         std::uint32_t number;
-        std::int64_t taken_ns, arrives_ns;
-        std::shared_ptr<const Moment> moment;
+        std::int64_t taken_ns, rolled_ns, arrives_ns; // first row, last row, frame
+        std::vector<std::int64_t> times_ns; // of moments, from the first row to the last
+        std::vector<std::shared_ptr<const Moment>> moments;
+
+        bool is_whole() const { return times_ns.back() >= rolled_ns; }
     };
 
-    void draw(const Exposure &exposure);
+    bool is_rolling() const;
+    void draw();
+    void draw_row(int y, float *to);
+    Moment moment_of(int y) const;
     Pinhole eye_of(const Pose &robot) const;
     void shift(double aside);
     void make_lens_map();
@@ -69,7 +75,7 @@ class Camera {
     std::vector<float> light_;             // of a row: red, green, blue of each pixel
     Film film_;
     frob_image image_{};
-    std::shared_ptr<const Moment> moment_; // of that one
+    std::optional<Exposure> exposure_; // of that one
 };
 
 } // namespace frob::sim

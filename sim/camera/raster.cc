@@ -102,6 +102,7 @@ void Raster::start(const Pinhole &eye) {
     order_.clear();
     active_.clear();
     begun_ = 0;
+    is_sorted_ = false;
 }
 
 // What is nearer than the camera can see is cut off, edge by edge (Sutherland and Hodgman).
@@ -314,10 +315,11 @@ Thing Raster::thing(int x) const {
 }
 
 void Raster::row(int y, float *to) {
-    if (y == 0)
+    if (!is_sorted_)
         std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
             return surfaces_[a].first < surfaces_[b].first;
         });
+    is_sorted_ = true;
     const auto width = static_cast<std::size_t>(eye_.width);
     std::fill_n(inverses_.begin(), width, 0.0f);
     std::fill_n(numbers_.begin(), width, 0);
@@ -329,7 +331,7 @@ void Raster::row(int y, float *to) {
                   active_.end());
     const auto before = static_cast<std::ptrdiff_t>(active_.size());
     for (; begun_ < order_.size() && surfaces_[order_[begun_]].first <= y; ++begun_)
-        active_.push_back(order_[begun_]);
+        if (surfaces_[order_[begun_]].last >= y) active_.push_back(order_[begun_]);
     std::inplace_merge(active_.begin(), active_.begin() + before, active_.end());
     for (const std::size_t k : active_)
         cover(surfaces_[k], 1 + static_cast<std::int32_t>(k), y);

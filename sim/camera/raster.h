@@ -82,8 +82,8 @@ class Raster {
 
     void ball(Point middle, double radius, Tint tint);
 
-    // What falls on a row: red, green and blue of each pixel. Rows in their order, once each, when
-    // everything has been drawn.
+    // What falls on a row: red, green and blue of each pixel. Rows in their order from any
+    // on, once each, when everything has been drawn.
     void row(int y, float *to);
 
     // What the last row's pixel in this column sees.
@@ -160,6 +160,7 @@ class Raster {
     std::vector<Vec> outline_;
     std::vector<std::size_t> order_, active_; // by their first rows; those of this row, in their order
     std::size_t begun_ = 0;
+    bool is_sorted_ = false;
 
     // Of a row: what is nearest (0 is the sky, n surface n - 1, -n ball n - 1), and 1 / depth.
     std::vector<std::int32_t> numbers_;

@@ -36,6 +36,24 @@ std::vector<Point> raised(const std::vector<Vec> &outline, double z) {
 
 } // namespace
 
+Moment between(const Moment &a, const Moment &b, double share) {
+    const auto mix = [&](Vec from, Vec to) { return from + share * (to - from); };
+    const auto mix_poses = [&](const std::vector<Pose> &from, const std::vector<Pose> &to) {
+        std::vector<Pose> poses;
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            const double turn = to[i].heading - from[i].heading;
+            const double shorter = turn - 2.0 * pi * std::floor(turn / (2.0 * pi) + 0.5);
+            poses.push_back({mix(from[i].position, to[i].position),
+                             from[i].heading + share * shorter});
+        }
+        return poses;
+    };
+    Moment moment{mix_poses(a.robots, b.robots), mix_poses(a.boxes, b.boxes), {}};
+    for (std::size_t i = 0; i < a.balls.size(); ++i)
+        moment.balls.push_back(mix(a.balls[i], b.balls[i]));
+    return moment;
+}
+
 void Scenery::add_side(std::vector<Side> &sides, std::vector<Point> corners, const Look &look,
                        Thing thing) {
     const Point normal = unit(cross(corners[1] - corners[0], corners[2] - corners[0]));

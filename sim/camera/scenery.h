@@ -19,6 +19,9 @@ struct Moment {
     std::vector<Vec> balls;
 };
 
+// Between two of them, at a share of the way from a to b.
+Moment between(const Moment &a, const Moment &b, double share);
+
 class Scenery {
   public:
     // Both must stay.

@@ -80,6 +80,7 @@ struct CameraSettings {
     double field_of_view = radians(60.0); // across
     double rate = 30.0;       // Hz
     double latency = 0.0;     // s from a frame's exposure to the program
+    double rolling = 0.0;     // s from the exposure of a frame's first row to that of its last
     double jitter = 0.0;      // s: each frame is taken so much sooner or later at most
     double dropout = 0.0;     // share of frames that are lost
     double noise = 0.0;       // standard deviation of a pixel, of 255

@@ -187,6 +187,10 @@ CameraSettings read_any_camera(TomlReader &reader) {
     if (camera.rate > 200.0)
         reader.mistake_at("rate", "`rate` must be at most 200, as often as the physics has a step");
     camera.latency = reader.number("latency", camera.latency, Range::not_negative);
+    camera.rolling = reader.number("rolling", camera.rolling, Range::not_negative);
+    if (camera.rolling * camera.rate > 1.0)
+        reader.mistake_at("rolling", "`rolling` must be at most 1 / `rate`, the time from frame to "
+                                     "frame: a row is taken once in each");
     camera.jitter = reader.number("jitter", camera.jitter, Range::not_negative);
     camera.dropout = reader.number("dropout", camera.dropout, Range::share);
     camera.noise = reader.number("noise", camera.noise, Range::not_negative);

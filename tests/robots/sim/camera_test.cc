@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "check.h"
+#include "pioneer_controls.h"
 #include "simulation.h"
 #include "world_file.h"
 
@@ -293,6 +294,47 @@ void pairs_are_of_one_time() {
     check::that(lost > 5, "and some are lost");
 }
 
+// A ball goes by, and a robot turns before a post: rows are taken from the first to the last.
+void rows_roll() {
+    Seer seer("rate = 10\nrolling = 0.1",
+              "[[ball]]\ncolour = \"red\"\nway = [[2, -2], [2, 2]]\nspeed = 2\nradius = 0.08\n");
+    seer.at(500 * millisecond);
+    check::that(seer.at(595 * millisecond) == nullptr, "rolling: a frame comes with its last row");
+    const frob_image &image = *seer.at(600 * millisecond);
+    check::that(image.number == 5 && image.captured_ns == 500 * millisecond,
+                "and is of the time of its first");
+    const Spot spot = red_spot(image);
+    const double left = -2.0 + 2.0 * (0.5 + 0.1 * spot.y / (image.height - 1));
+    check::near(spot.x, image.camera.centre_x - image.camera.focal_x * left / 2.0, 1.0,
+                "what moves is where it is at the time of its row");
+
+    Simulation turning(parse_world("[start]\nx = 0\ny = 0\nheading_deg = 150\n"
+                                   "[camera]\nahead = 0\nup = 0.25\nrolling = 0.03\n"
+                                   "[[circle]]\ncenter = [-2, 0]\nradius = 0.02\ncolour = \"red\"\n",
+                                   "test"),
+                       1, false);
+    const auto camera = turning.look_through("camera");
+    command(turning, 0, drive(0.0, 1.0));
+    bool is_slanted = false;
+    for (std::int64_t t = 0; t < 1200 * millisecond; t += 5 * millisecond) {
+        turning.advance(t);
+        const frob_image *frame = turning.newest_frame(t, *camera);
+        if (t < 700 * millisecond || frame == nullptr) continue;
+        const auto column = [&](int y) {
+            double sum = 0.0, count = 0.0;
+            for (int x = 0; x < frame->width; ++x)
+                if (is_reddish(pixel(*frame, x, y))) sum += x, ++count;
+            return sum / count;
+        };
+        const double shift = column(130) - column(70), focal = frame->camera.focal_x;
+        if (std::abs(column(100) - frame->camera.centre_x) > 60.0) continue;
+        is_slanted = true;
+        check::near(shift, focal * 0.03 * 60.0 / (frame->height - 1), 0.8, "a post leans as it turns");
+        break;
+    }
+    check::that(is_slanted, "a post was seen");
+}
+
 std::uint64_t hash(const frob_image &image) {
     std::uint64_t h = 0xcbf29ce484222325u;
     const auto size = static_cast<std::size_t>(image.stride) * static_cast<std::size_t>(image.height);
@@ -385,6 +427,10 @@ void mistakes_are_told() {
                     "w:5:12: `baseline` must be more than zero\n"
                     "w:6:1: unknown key `name`; did you mean `rate`?",
                 "a head of one camera");
+    check::that(told("[camera]\nrate = 20\nrolling = 0.06\n") ==
+                    "w:6:11: `rolling` must be at most 1 / `rate`, the time from frame to frame: a "
+                    "row is taken once in each",
+                "rows too slow");
     check::that(told("[ambient]\nwhite = 100\n") ==
                     "w:5:9: with `white` cameras see by the light of this world, and there is none: "
                     "add `light`, or a table [[lamp]]",
@@ -408,6 +454,7 @@ int main() {
     light_falls_off();
     truth_knows_all_things();
     time_passes();
+    rows_roll();
     pairs_have_disparities();
     pairs_are_of_one_time();
     pixels_are_the_same_everywhere();
