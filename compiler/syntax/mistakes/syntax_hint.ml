@@ -315,6 +315,11 @@ let of_token found =
     when Lacking.path found <> None -> Lacking.path found
   | LOWER _, Some { token = MODULE | IMPORT | QUALIFIED; _ } -> capital found
   | LOWER _, Some _ when Lacking.choices found <> None -> Lacking.choices found
+  | QUALIFIED_UPPER (("Data" | "Control" | "Prelude" | "Math" | "System" | "Text" | "GHC"), _),
+    Some { token = IMPORT | QUALIFIED; _ } ->
+      Some "what that has for lists, numbers and choices is there without an import, as `map`, \
+            `foldl`, `maybe`; the modules of the library are `Control`, `Geometry`, `Robot` and \
+            others, without points"
   | QUALIFIED_UPPER _, Some { token = IMPORT | QUALIFIED; _ } ->
       Some "the name of a module has no points: its file stands beside this one, or in the library"
   | LOWER _, Some _ when first_word found = "import" && written found found.token = "hiding" ->

@@ -183,10 +183,19 @@ let those_with ctx class_ =
   let name : Head.t -> string option = function Data g -> Some ("`" ^ g.name ^ "`") | _ -> None in
   List.filter_map name (Environment.heads ctx.reader.environment class_)
 
-let for_any_robot =
+(* [robot]: its input or output, as it is named. *)
+let for_any_robot (class_ : Ir.Global.t) robot =
+  let asked =
+    match Type.expand robot with
+    | Data { tycon; _ } when Filename.check_suffix tycon.name "Output" ->
+        Printf.sprintf "(HasOdometry i, %s o)" class_.name
+    | _ -> Printf.sprintf "(%s i, DiffDrive o)" class_.name
+  in
   Diagnostic.hint
-    "a `main` whose signature asks for this class in place of a robot's type is for each robot \
-     that has it"
+    (Printf.sprintf
+       "a program for each robot that has it asks for the class in place of a robot's type: `main \
+        :: %s => Program i o`"
+       asked)
 
 let is_function t = match Type.expand t with Function _ -> true | _ -> false
 
@@ -312,7 +321,8 @@ let report_lacking ctx required lack =
               Diagnostic.note
                 (Printf.sprintf "what has `%s`: %s" class_.name (String.concat ", " types))
                 diagnostic
-              |> if String.equal class_.module_ "Capability" then for_any_robot else Fun.id
+              |> if String.equal class_.module_ "Capability" then for_any_robot class_ lack.culprit
+                 else Fun.id
           | _ -> diagnostic))
 
 let undecided ctx (required : required) class_ =

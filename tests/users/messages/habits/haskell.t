@@ -269,7 +269,7 @@ Operators that only Haskell has, and its other ways to write a list, a branch an
   1 | import Data.Maybe
     |        ^^^^^^^^^^
     |
-    = hint: the name of a module has no points: its file stands beside this one, or in the library
+    = hint: what that has for lists, numbers and choices is there without an import, as `map`, `foldl`, `maybe`; the modules of the library are `Control`, `Geometry`, `Robot` and others, without points
   
   1 error
   [1]

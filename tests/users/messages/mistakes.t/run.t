@@ -637,7 +637,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
       |                 --------------- `setLight` asks for `HasLight o` here
       |
       = note: what has `HasLight`: `CreateOutput`
-      = hint: a `main` whose signature asks for this class in place of a robot's type is for each robot that has it
+      = hint: a program for each robot that has it asks for the class in place of a robot's type: `main :: (HasOdometry i, HasLight o) => Program i o`
   
   1 error
   # 055_two_modules_T.frob

@@ -212,7 +212,7 @@ A robot has no such thing, or its module is not imported:
       |                 --------------- `setLight` asks for `HasLight o` here
       |
       = note: what has `HasLight`: `CreateOutput`
-      = hint: a `main` whose signature asks for this class in place of a robot's type is for each robot that has it
+      = hint: a program for each robot that has it asks for the class in place of a robot's type: `main :: (HasOdometry i, HasLight o) => Program i o`
   
   1 error
   [1]
