@@ -61,9 +61,9 @@ No robot of the library sees light.
 
   $ frobc check $seek/light_seek.frob --robot create
   error[E0503]: `create` has no `HasPhotocells`
-    --> ../../../examples/light_seek/light_seek.frob:28:16
+    --> ../../../examples/light_seek/light_seek.frob:31:16
      |
-  28 | brightness i = lightLeft i + lightRight i
+  31 | brightness i = lightLeft i + lightRight i
      |                ^^^^^^^^^ `lightLeft` needs it
      |
      = note: no robot of the library has it
