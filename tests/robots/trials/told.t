@@ -230,6 +230,8 @@ What is wrong is told before anything runs, or in the place of a result.
     |      --- first defined here
   3 | test "a" = during 1[s] (proc () -> True)
     |      ^^^
+    |
+    = hint: take one of them out, or give it another name
   
   1 error
   [1]
