@@ -66,10 +66,8 @@ def _expect(rest: List[str], mark: str) -> None:
 def _value(rest: List[str]) -> Any:
     """An application, or what may stand alone."""
     word = rest[-1] if rest else ""
-    if word[:1].isalpha() and word[:1].isupper():
+    if word[:1].isalpha() and word[:1].isupper() and rest[-2:-1] != ["{"]:
         rest.pop()
-        if rest and rest[-1] == "{":
-            return Data(word, **_fields(rest))
         args: List[Any] = []
         while rest and rest[-1] not in (")", "]", "}", ",", "="):
             args.append(_alone(rest))
@@ -91,7 +89,7 @@ def _alone(rest: List[str]) -> Any:
     if word[0] in "0123456789+-." or word in ("nan", "inf"):
         return _number(word)
     if word[:1].isalpha() and word[:1].isupper():
-        return _plain(word, [])
+        return Data(word, **_fields(rest)) if rest[-1:] == ["{"] else _plain(word, [])
     raise CellError(f"`{word}` is no value")
 
 

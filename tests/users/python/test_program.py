@@ -64,6 +64,14 @@ class Values(unittest.TestCase):
         self.assertEqual(idle[2].way, frob.Data("Idle"))
         self.assertEqual(repr(idle[0]), "Data('Just', nan)")
 
+    def test_a_record_in_a_constructor_as_a_cell_has_it(self):
+        p = program("""
+data Wheel = Wheel { speed :: Float }
+main :: SF (Either Bool Wheel) Float
+main = proc e -> either (const 0) (\\w -> w.speed) e
+""")
+        self.assertEqual(p.step(0.1, "Right Wheel {speed = 0.25}"), 0.25)
+
     def test_shapes_of_run(self):
         half = program(HALF)
         self.assertEqual(half.run(np.array([2.0, 4.0]), dt=0.1).tolist(), [1, 2])
