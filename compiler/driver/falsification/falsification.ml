@@ -50,8 +50,10 @@ let missing text =
 let run general ~entry ~sources search file =
   if not (Sys.file_exists file) then General.wrong_use ("there is no file " ^ file)
   else begin
-    (* The package is to compile by us, whatever else is installed. *)
+    (* The package is to work with us and our hosts, whatever else is installed. *)
     if Sys.getenv_opt "FROBC" = None then Unix.putenv "FROBC" Sys.executable_name;
+    if Sys.getenv_opt "FROB_HOME" = None then
+      Result.iter (fun (r : Resources.t) -> Unix.putenv "FROB_HOME" r.prefix) (Resources.find ());
     match Process.output python [ "-c"; "import " ^ package ] with
     | Error (Not_found _) ->
         missing "frobc falsify needs python3, which is not installed: `apt install python3`"

@@ -1,4 +1,5 @@
 type t = {
+  prefix : string;
   library : string;
   headers : string;
   runtime : string;
@@ -18,6 +19,7 @@ let ( / ) = Filename.concat
 
 let under prefix =
   {
+    prefix;
     library = prefix / "share" / "frobc" / "stdlib";
     headers = prefix / "share" / "frobc" / "include";
     runtime = prefix / "lib" / "frobc" / "libfrob.a";

@@ -2,6 +2,7 @@
     in an installation or in the build, or in [FROB_HOME]. *)
 
 type t = {
+  prefix : string;  (** the folder of the installation, with [lib] and [share] *)
   library : string;  (** folder of the [.frob] standard library *)
   headers : string;  (** to be passed as [-I]: holds [frob/program.h] … *)
   runtime : string;  (** the archive [libfrob.a] that generated C is linked with *)

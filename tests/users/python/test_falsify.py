@@ -334,12 +334,19 @@ class Simulated(unittest.TestCase):
 
 
 class Command(unittest.TestCase):
+    def setUp(self):
+        # The Python that runs this has what the search needs. It may stand beside another frobc.
+        folders = [os.path.dirname(path) for path in (frob.tools.frobc(), sys.executable)]
+        path = os.pathsep.join([*folders, os.environ["PATH"]])
+        search_path = unittest.mock.patch.dict(os.environ, {"PATH": path})
+        search_path.start()
+        self.addCleanup(search_path.stop)
+
     def test_it_tells_how_to_drive_again(self):
         with open("stopping.frob", "w") as file:
             file.write(STOPPING)
         with open("hall.toml", "w") as file:
             file.write(WORLD)
-        os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
         command = [frob.tools.frobc(), "falsify", "stopping.frob", "--robot", "pioneer", "--world",
                    "hall.toml", "--for", "12s", "--method", "random", "--seeds", "1 to 100",
                    "--disturbance", "sonar.dropout=0 to 0.5", "--keep", "driven"]
@@ -359,12 +366,6 @@ class Command(unittest.TestCase):
             file.write(CRUISE)
         command = [frob.tools.frobc(), "falsify", "cruise.frob", "--method", "random", "--for", "5s",
                    "--input", "in.wanted=-1 to 1", "--input", "in.ahead=0.5"]
-        # The Python that runs this has what the search needs. It may stand beside another frobc.
-        folders = [os.path.dirname(path) for path in (frob.tools.frobc(), sys.executable)]
-        path = os.pathsep.join([*folders, os.environ["PATH"]])
-        search_path = unittest.mock.patch.dict(os.environ, {"PATH": path})
-        search_path.start()
-        self.addCleanup(search_path.stop)
         held = subprocess.run([*command, "--runs", "20"], capture_output=True, text=True)
         self.assertEqual((held.returncode, held.stderr), (0, ""))
         self.assertEqual(held.stdout.splitlines()[1],
