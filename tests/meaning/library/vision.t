@@ -12,7 +12,7 @@ focal length of 300 px and its axis at (160, 120).
   >     , centreX = 160[px], centreY = 120[px], k1 = 0, k2 = 0, k3 = 0, p1 = 0, p2 = 0
   >     , ahead = 0.2[m], left = 0, up = 0.3[m], yaw = yaw, pitch = pitch, roll = roll }
   > 
-  > main :: SF (Vec2[px], Vec3[1]) (Angle, Distance, Distance, Vec3[1], Maybe Point2)
+  > main :: SF (Vec2[px], Vec3[1]) (Float, Distance, Distance, Vec3[1], Maybe Point2)
   > main = proc (p, turns) ->
   >     (bearing l p.x / 1[deg], distanceByWidth l 0.3[m] p.x, distanceByHeight l 0.3[m] p.y, rayOf l p, groundPoint l p)
   >   where
