@@ -41,7 +41,7 @@ None are as near to each other as they have to be: the program has no pairs and 
 what may help. One camera whose frames come later than the other's says by how much.
 
   $ frames_of one 0.1 0; frames_of two 0.1 0.15
-  $ both 4 --camera left=one --camera right=two --set left.pair_within=0.0001 --set right.latency=0.05 --set left.left=0.1
+  $ both 4 --camera left=one --camera right=two --set left.pair_within=0.0000001 --set right.latency=0.05 --set left.left=0.1
   $ sed -n 's/^late/late/p' summary; at_least 'pair failures' 1
   late steps: 0
   pair failures: enough
