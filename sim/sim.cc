@@ -28,26 +28,31 @@ struct frob_sim {
     Simulation simulation;
 };
 
-namespace {
+namespace
+{
 
-void say(char *message, std::size_t room, const std::string &text) {
+void say(char *message, std::size_t room, const std::string &text)
+{
     std::snprintf(message, room, "%s", text.c_str());
 }
 
 } // namespace
 
 frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *settings, char *message,
-                        std::size_t room) {
+                        std::size_t room)
+{
     try {
         auto own = settings->body != nullptr ? std::make_unique<Own>(*settings->body) : nullptr;
         if (!own && settings->robot != nullptr && robot_kind(settings->robot) == nullptr) {
-            say(message, room, std::string("there is no simulated ") + settings->robot +
+            say(message, room,
+                std::string("there is no simulated ") + settings->robot +
                     "; the body of a robot of your own is `frob_" + settings->robot +
                     "_body`, in a C file that is given with `--with`");
             return nullptr;
         }
         Scene scene = read_world_file(world_file);
-        if (scene.robot.empty() && settings->robot != nullptr) scene.robot = settings->robot;
+        if (scene.robot.empty() && settings->robot != nullptr)
+            scene.robot = settings->robot;
         if (settings->robot != nullptr && scene.robot != settings->robot) {
             say(message, room,
                 std::string(world_file) + ": this world is for " + scene.robot + ", not for " +
@@ -55,13 +60,14 @@ frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *setting
             return nullptr;
         }
         if (settings->wall_distance_m > 0.0) {
-            if (!scene.measure) scene.measure.emplace();
+            if (!scene.measure)
+                scene.measure.emplace();
             scene.measure->what = MeasureSettings::What::wall;
             scene.measure->distance = settings->wall_distance_m;
         }
         const RobotKind *kind = own ? &own->kind : nullptr;
-        return new frob_sim{std::move(own),
-                            {std::move(scene), settings->seed, settings->picture != 0, kind}};
+        return new frob_sim{ std::move(own),
+                             { std::move(scene), settings->seed, settings->picture != 0, kind } };
     } catch (const WorldFileError &error) {
         say(message, room, error.what());
     } catch (const std::exception &error) {
@@ -70,15 +76,23 @@ frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *setting
     return nullptr;
 }
 
-void frob_sim_close(frob_sim *sim) { delete sim; }
+void frob_sim_close(frob_sim *sim)
+{
+    delete sim;
+}
 
-std::size_t frob_sim_input_size(const frob_sim *sim) { return sim->simulation.kind().input_size; }
+std::size_t frob_sim_input_size(const frob_sim *sim)
+{
+    return sim->simulation.kind().input_size;
+}
 
-std::size_t frob_sim_output_size(const frob_sim *sim) {
+std::size_t frob_sim_output_size(const frob_sim *sim)
+{
     return sim->simulation.kind().output_size;
 }
 
-const char *frob_sim_world_robot(const char *world_file, char *message, std::size_t room) {
+const char *frob_sim_world_robot(const char *world_file, char *message, std::size_t room)
+{
     try {
         const Scene scene = read_world_file(world_file);
         return scene.robot.empty() ? "" : robot_kind(scene.robot)->name;
@@ -88,7 +102,8 @@ const char *frob_sim_world_robot(const char *world_file, char *message, std::siz
     }
 }
 
-int frob_sim_read_plan(const char *plan_file, char **text) {
+int frob_sim_read_plan(const char *plan_file, char **text)
+{
     std::string said;
     bool ok = true;
     try {
@@ -98,56 +113,78 @@ int frob_sim_read_plan(const char *plan_file, char **text) {
         ok = false;
     }
     *text = static_cast<char *>(std::malloc(said.size() + 1));
-    if (*text != nullptr) std::memcpy(*text, said.c_str(), said.size() + 1);
+    if (*text != nullptr)
+        std::memcpy(*text, said.c_str(), said.size() + 1);
     return ok ? 1 : 0;
 }
 
-std::size_t frob_sim_robots(const frob_sim *sim) { return sim->simulation.robots(); }
+std::size_t frob_sim_robots(const frob_sim *sim)
+{
+    return sim->simulation.robots();
+}
 
-void frob_sim_advance(frob_sim *sim, std::int64_t time_ns) { sim->simulation.advance(time_ns); }
+void frob_sim_advance(frob_sim *sim, std::int64_t time_ns)
+{
+    sim->simulation.advance(time_ns);
+}
 
-void frob_sim_read(frob_sim *sim, void *input) { frob_sim_read_robot(sim, 0, input); }
+void frob_sim_read(frob_sim *sim, void *input)
+{
+    frob_sim_read_robot(sim, 0, input);
+}
 
-void frob_sim_read_robot(frob_sim *sim, std::size_t robot, void *input) {
+void frob_sim_read_robot(frob_sim *sim, std::size_t robot, void *input)
+{
     sim->simulation.read(input, robot);
 }
 
-int frob_sim_look_through(frob_sim *sim, const char *camera) {
+int frob_sim_look_through(frob_sim *sim, const char *camera)
+{
     const auto number = sim->simulation.look_through(camera);
     return number ? static_cast<int>(*number) : -1;
 }
 
-const char *frob_sim_camera_name(const frob_sim *sim, std::size_t number) {
+const char *frob_sim_camera_name(const frob_sim *sim, std::size_t number)
+{
     const auto &cameras = sim->simulation.scene().cameras;
     return number < cameras.size() ? cameras[number].name.c_str() : nullptr;
 }
 
-const frob_image *frob_sim_frame(frob_sim *sim, std::size_t robot, int camera, std::int64_t time_ns) {
+const frob_image *frob_sim_frame(frob_sim *sim, std::size_t robot, int camera, std::int64_t time_ns)
+{
     return sim->simulation.newest_frame(time_ns, static_cast<std::size_t>(camera), robot);
 }
 
-void frob_sim_command(frob_sim *sim, std::int64_t time_ns, const void *output) {
+void frob_sim_command(frob_sim *sim, std::int64_t time_ns, const void *output)
+{
     frob_sim_command_robot(sim, 0, time_ns, output);
 }
 
 void frob_sim_command_robot(frob_sim *sim, std::size_t robot, std::int64_t time_ns,
-                            const void *output) {
+                            const void *output)
+{
     sim->simulation.command(time_ns, output, robot);
 }
 
-frob_sim_place frob_sim_place_robot(const frob_sim *sim, std::size_t robot) {
+frob_sim_place frob_sim_place_robot(const frob_sim *sim, std::size_t robot)
+{
     const Pose pose = sim->simulation.body(robot).pose();
     const bool touches = !sim->simulation.robot(robot).contacts().points().empty();
-    return {pose.position.x, pose.position.y, pose.heading, touches ? 1 : 0};
+    return { pose.position.x, pose.position.y, pose.heading, touches ? 1 : 0 };
 }
 
-double frob_sim_clearance_robot(const frob_sim *sim, std::size_t robot) {
+double frob_sim_clearance_robot(const frob_sim *sim, std::size_t robot)
+{
     return clearance(sim->simulation.scene(), sim->simulation.body(robot).pose().position);
 }
 
-frob_sim_summary frob_sim_summarize(const frob_sim *sim) { return frob_sim_summarize_robot(sim, 0); }
+frob_sim_summary frob_sim_summarize(const frob_sim *sim)
+{
+    return frob_sim_summarize_robot(sim, 0);
+}
 
-frob_sim_summary frob_sim_summarize_robot(const frob_sim *sim, std::size_t robot) {
+frob_sim_summary frob_sim_summarize_robot(const frob_sim *sim, std::size_t robot)
+{
     const Simulation &simulation = sim->simulation;
     frob_sim_summary summary{};
     summary.time_s = static_cast<double>(simulation.time_ns()) * 1e-9;
@@ -176,7 +213,8 @@ frob_sim_summary frob_sim_summarize_robot(const frob_sim *sim, std::size_t robot
     return summary;
 }
 
-int frob_sim_picture(const frob_sim *sim, const char *file, char *message, std::size_t room) {
+int frob_sim_picture(const frob_sim *sim, const char *file, char *message, std::size_t room)
+{
     try {
         draw_picture(sim->simulation, file);
         return 1;

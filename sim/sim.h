@@ -27,13 +27,14 @@ extern "C" {
 
 struct frob_sim;
 struct frob_image; /* <frob/image.h> */
-struct frob_body; /* <frob/body.h> */
+struct frob_body;  /* <frob/body.h> */
 
 struct frob_sim_settings {
-    const char *robot;       /* "pioneer", …: what the host can talk to; NULL: any */
-    uint64_t seed;           /* of all noise */
-    double wall_distance_m;  /* measures a wall, with this for `distance` of the world file's [measure]; 0: as it says */
-    int picture;             /* whether to keep what frob_sim_picture shows */
+    const char *robot; /* "pioneer", …: what the host can talk to; NULL: any */
+    uint64_t seed;     /* of all noise */
+    double
+        wall_distance_m; /* measures a wall, with this for `distance` of the world file's [measure]; 0: as it says */
+    int picture;                  /* whether to keep what frob_sim_picture shows */
     const struct frob_body *body; /* of a robot of the user's own, which is `robot`; else NULL */
 };
 
@@ -82,8 +83,7 @@ const struct frob_image *frob_sim_frame(struct frob_sim *sim, size_t robot, int 
 
 /* What the robot does from now on, as its output struct: limited to what it can do, and rest if any
  * of it is NaN. `time_ns` is the controller's instant, for the record. */
-void frob_sim_command(struct frob_sim *sim, int64_t time_ns,
-                      const void *output);
+void frob_sim_command(struct frob_sim *sim, int64_t time_ns, const void *output);
 void frob_sim_command_robot(struct frob_sim *sim, size_t robot, int64_t time_ns,
                             const void *output);
 
@@ -100,21 +100,21 @@ struct frob_sim_place frob_sim_place_robot(const struct frob_sim *sim, size_t ro
 double frob_sim_clearance_robot(const struct frob_sim *sim, size_t robot);
 
 struct frob_sim_summary {
-    double time_s;            /* simulated */
-    double distance_m;        /* along the path */
-    int collisions;           /* with what stands fast, and with other robots */
-    double odometry_error_m;  /* between where the robot is and believes to be */
-    int measured;             /* the world file says to measure the distance from a wall: */
-    double wall_distance_m;   /* that the robot should keep */
-    double mean_error_m;      /* since it settled; NaN if it has not */
+    double time_s;           /* simulated */
+    double distance_m;       /* along the path */
+    int collisions;          /* with what stands fast, and with other robots */
+    double odometry_error_m; /* between where the robot is and believes to be */
+    int measured;            /* the world file says to measure the distance from a wall: */
+    double wall_distance_m;  /* that the robot should keep */
+    double mean_error_m;     /* since it settled; NaN if it has not */
     double largest_error_m;
-    int tape_measured;        /* or that from the middle of tape on the floor: */
-    double mean_tape_m;       /* since it settled; NaN if it has not */
+    int tape_measured;  /* or that from the middle of tape on the floor: */
+    double mean_tape_m; /* since it settled; NaN if it has not */
     double largest_tape_m;
-    double tape_way_m;        /* come along the tape, in the order of its points */
-    int ball_measured;        /* or the distance from a ball: */
-    double ball_distance_m;   /* that the robot should keep */
-    double mean_ball_m;       /* error since it settled; NaN if it has not */
+    double tape_way_m;      /* come along the tape, in the order of its points */
+    int ball_measured;      /* or the distance from a ball: */
+    double ball_distance_m; /* that the robot should keep */
+    double mean_ball_m;     /* error since it settled; NaN if it has not */
     double largest_ball_m;
 };
 

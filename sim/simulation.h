@@ -12,7 +12,8 @@
 #include "wall_distance.h"
 #include "world.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // One of the robots, and what is known of its run.
 struct Member {
@@ -24,7 +25,8 @@ struct Member {
     std::vector<Camera> cameras; // those that are looked through
 };
 
-class Simulation {
+class Simulation
+{
   public:
     // Throws WorldFileError if a robot starts inside something. Samples are
     // for a picture; without one they need not be kept.
@@ -50,12 +52,14 @@ class Simulation {
 
     // The newest frame that has arrived by now, once, of a robot's camera of this number; nullptr
     // if there is none. Good until the next call for the same camera.
-    const frob_image *newest_frame(std::int64_t now_ns, std::size_t camera, std::size_t robot = 0) {
+    const frob_image *newest_frame(std::int64_t now_ns, std::size_t camera, std::size_t robot = 0)
+    {
         return members_[robot].cameras[camera].newest(now_ns);
     }
 
     // What that frame really shows. It must have been given.
-    Truth frame_truth(std::size_t camera, std::size_t robot = 0) {
+    Truth frame_truth(std::size_t camera, std::size_t robot = 0)
+    {
         return members_[robot].cameras[camera].truth();
     }
 
@@ -70,19 +74,23 @@ class Simulation {
     const Body &body(std::size_t robot = 0) const { return world_.robots()[robot]; }
     const Robot &robot(std::size_t robot = 0) const { return *members_[robot].robot; }
     const Recorder &recorder(std::size_t robot = 0) const { return members_[robot].recorder; }
-    const std::optional<WallDistance> &wall_distance(std::size_t robot = 0) const {
+    const std::optional<WallDistance> &wall_distance(std::size_t robot = 0) const
+    {
         return members_[robot].wall_distance;
     }
-    const std::optional<TapeDistance> &tape_distance(std::size_t robot = 0) const {
+    const std::optional<TapeDistance> &tape_distance(std::size_t robot = 0) const
+    {
         return members_[robot].tape_distance;
     }
 
-    const std::optional<BallDistance> &ball_distance(std::size_t robot = 0) const {
+    const std::optional<BallDistance> &ball_distance(std::size_t robot = 0) const
+    {
         return members_[robot].ball_distance;
     }
 
     // The last frame of the first camera that a robot's program was given; nullptr without one.
-    const frob_image *last_frame(std::size_t robot = 0) const {
+    const frob_image *last_frame(std::size_t robot = 0) const
+    {
         const std::vector<Camera> &cameras = members_[robot].cameras;
         return cameras.empty() ? nullptr : cameras.front().last();
     }

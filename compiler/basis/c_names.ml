@@ -21,8 +21,8 @@ let taken =
     "char8_t co_await co_return co_yield concept consteval constinit import module override \
      requires typeof complex imaginary noreturn errno linux unix i386 INFINITY NAN HUGE_VAL NULL \
      EOF DOMAIN SING OVERFLOW UNDERFLOW PLOSS TLOSS float_t double_t int8_t int16_t int32_t \
-     int64_t \
-     uint8_t uint16_t uint32_t uint64_t intptr_t uintptr_t intmax_t uintmax_t size_t ptrdiff_t"
+     int64_t uint8_t uint16_t uint32_t uint64_t intptr_t uintptr_t intmax_t uintmax_t size_t \
+     ptrdiff_t"
 
 let is_macro_like name =
   let starts prefix = String.starts_with ~prefix name in

@@ -10,5 +10,5 @@ val some : string list -> more:int -> string
 (** [a, b and 2 more]; without more as {!all}. *)
 
 val circle : string list -> string
-(** [`a → b → a`] of [a; b]; of a circle too long to read, the beginning and the end. What
-    comes again is shown once. *)
+(** [`a → b → a`] of [a; b]; of a circle too long to read, the beginning and the end. What comes
+    again is shown once. *)

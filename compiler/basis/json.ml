@@ -44,7 +44,11 @@ let rec add buffer = function
   | String s -> add_string buffer s
   | List list ->
       Buffer.add_char buffer '[';
-      List.iteri (fun i x -> if i > 0 then Buffer.add_char buffer ','; add buffer x) list;
+      List.iteri
+        (fun i x ->
+          if i > 0 then Buffer.add_char buffer ',';
+          add buffer x)
+        list;
       Buffer.add_char buffer ']'
   | Object fields ->
       Buffer.add_char buffer '{';

@@ -2,7 +2,6 @@
 type t = int String_table.t
 
 let create () = String_table.create 64
-
 let mem = String_table.mem
 
 let unique t name =

@@ -1,5 +1,4 @@
-(** Names that must differ: the first user of a name has it as it is, later
-    ones get [_2], [_3]… *)
+(** Names that must differ: the first user of a name has it as it is, later ones get [_2], [_3]… *)
 
 type t
 

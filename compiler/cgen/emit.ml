@@ -16,14 +16,12 @@ let program ?own ?batch (program : Step.Ir.program) =
     header = Print.file files.header;
     source = Print.file files.source;
     host_table =
-      (if
-         List.for_all (Flow.Shape.for_hosts program.sums) [ program.input; program.output ]
-       then Some (Host_table.text ?own program files)
-      else None);
+      (if List.for_all (Flow.Shape.for_hosts program.sums) [ program.input; program.output ] then
+         Some (Host_table.text ?own program files)
+       else None);
     robot = Option.map (fun (robot : Robot.t) -> robot.name) (Host_table.robot ?own program);
     robot_header = None;
-    cameras =
-      List.sort_uniq String.compare (List.filter_map Core.Console.camera program.console);
+    cameras = List.sort_uniq String.compare (List.filter_map Core.Console.camera program.console);
     foreign =
       {
         calls =

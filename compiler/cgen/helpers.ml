@@ -30,7 +30,10 @@ let code text = String.trim (rewritten ~word:Fun.id ~comment:(fun _ -> "") text)
 
 let identifiers text =
   let found = ref [] in
-  let word name = found := name :: !found; name in
+  let word name =
+    found := name :: !found;
+    name
+  in
   ignore (rewritten ~word ~comment:(fun _ -> "") text : string);
   List.rev !found
 
@@ -95,9 +98,7 @@ let elementary_pieces ~(real : Basis.Real.t) files =
   in
   let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
   let all = List.rev (List.fold_left visit [] (List.map fst sources)) in
-  List.filter
-    (fun p -> not (has_word "include" p || has_word "ifndef" p))
-    (List.concat_map snd all)
+  List.filter (fun p -> not (has_word "include" p || has_word "ifndef" p)) (List.concat_map snd all)
 
 (* Functions static, and all with names that no program has. *)
 let own pieces =
@@ -111,7 +112,10 @@ let own pieces =
     if (not p.is_function) || String.starts_with ~prefix:"static" p.code then p
     else
       let comments = ref "" in
-      let comment text = comments := String.concat "" [ !comments; text; "\n" ]; "" in
+      let comment text =
+        comments := String.concat "" [ !comments; text; "\n" ];
+        ""
+      in
       ignore (rewritten ~word:Fun.id ~comment (List.hd (String.split_on_char '{' p.text)) : string);
       let behind = String.length !comments in
       let definition = String.sub p.text behind (String.length p.text - behind) in
@@ -162,7 +166,6 @@ let standalone ~real ~elementary source =
   let texts = List.map (fun p -> p.text) in
   let before, program = around_include source in
   String.concat "\n"
-    ((before ^ String.concat "\n" includes ^ "\n")
-     :: texts (checks @ needed step source)
+    (((before ^ String.concat "\n" includes ^ "\n") :: texts (checks @ needed step source))
     @ (if prototypes = [] then [] else [ String.concat "" prototypes ])
-    @ (String.trim program ^ "\n") :: texts elementary)
+    @ ((String.trim program ^ "\n") :: texts elementary))

@@ -1,8 +1,8 @@
 (** C: the part of C99 that we emit, which is also C++17.
 
-    Always true: names are C identifiers, different from each other where C
-    asks for it; expressions have no side effects except through [Call]; every
-    conversion that loses something is an explicit [Cast]. *)
+    Always true: names are C identifiers, different from each other where C asks for it; expressions
+    have no side effects except through [Call]; every conversion that loses something is an explicit
+    [Cast]. *)
 
 type ty =
   | Void
@@ -21,11 +21,7 @@ type ty =
 
 and member = { name : string; ty : ty; comment : string  (** or [""] *) }
 
-type unary =
-  | Negate
-  | Not
-  | Address
-  | Dereference
+type unary = Negate | Not | Address | Dereference
 
 type binary =
   | Times
@@ -73,16 +69,13 @@ and statement_desc =
       (** by constants, each once; the last one is the default *)
   | For of { index : string; count : int; body : statement list }  (** an Int32, from 0 *)
   | Repeat of { rounds : string; most : int; body : statement list }
-      (** at least once, again at its end or a [Continue], but not more than so
-          often: [rounds] is an Int32, declared before as 0 *)
+      (** at least once, again at its end or a [Continue], but not more than so often: [rounds] is
+          an Int32, declared before as 0 *)
   | Continue  (** of the [For] or [Repeat] around it: the next round, if there is one *)
   | Break  (** out of the [For] or [Repeat] around it; not in a [Switch] *)
   | Return of expr
 
-type linkage =
-  | External
-  | Static
-  | Static_inline
+type linkage = External | Static | Static_inline
 
 type function_ = {
   linkage : linkage;
@@ -97,15 +90,14 @@ type declaration =
   | Struct_definition of {
       name : string;
       overlaid : bool;
-          (** its memory may have been that of another struct: compilers must not
-              take accesses to the two for independent *)
+          (** its memory may have been that of another struct: compilers must not take accesses to
+              the two for independent *)
       members : member list;
       comment : string;
     }
   | Constants of { names : string list; comment : string }  (** an enumeration, from 0 *)
   | Prototype of function_  (** without its body *)
   | Function of function_
-  | Text of string
-      (** lines of C of our own: directives, comments *)
+  | Text of string  (** lines of C of our own: directives, comments *)
 
 type file = declaration list

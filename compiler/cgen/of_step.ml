@@ -80,7 +80,8 @@ let states (v : V.t) =
   let overlaid = V.has_modes v in
   let struct_of k (node : M.node) =
     if Option.is_some node.foreign then []
-    else if V.has_state v k || V.is_root v k then state_struct v ~overlaid k node else []
+    else if V.has_state v k || V.is_root v k then state_struct v ~overlaid k node
+    else []
   in
   List.concat (List.mapi struct_of (Array.to_list v.program.nodes))
 
@@ -106,9 +107,7 @@ let foreign_headers (v : V.t) =
 (* Structs of which only addresses are passed need not be known. *)
 let foreign_structs (v : V.t) =
   let imported (f : Flow.Ir.import) = f.result :: f.arguments in
-  let shapes =
-    v.program.input :: v.program.output :: List.concat_map imported v.program.imports
-  in
+  let shapes = v.program.input :: v.program.output :: List.concat_map imported v.program.imports in
   let types = List.concat_map Flow.Shape.leaves shapes in
   let declared (f : Flow.Ir.foreign_type) =
     if f.copyable || not (String.contains f.c_type ' ') then None else Some (f.c_type ^ ";\n")
@@ -123,8 +122,8 @@ let foreign_structs (v : V.t) =
 let own_records (v : V.t) =
   let mark (d : Ir.declaration) =
     match d with
-    | Struct_definition { name; _ }
-      when List.mem name [ v.input.struct_name; v.output.struct_name ] ->
+    | Struct_definition { name; _ } when List.mem name [ v.input.struct_name; v.output.struct_name ]
+      ->
         Some (Printf.sprintf "#define %s\n" (Value_types.defined name))
     | _ -> None
   in
@@ -171,8 +170,7 @@ let header (v : V.t) (functions : Ir.function_ list) ~(batch : Batch.t option) :
   let exact =
     match v.program.real with
     | Double -> ""
-    | Single ->
-        Printf.sprintf ",\n * or %s_step_ns with whole nanoseconds, which are exact" v.name
+    | Single -> Printf.sprintf ",\n * or %s_step_ns with whole nanoseconds, which are exact" v.name
   in
   let robots = List.map Robot.included v.robots in
   List.concat

@@ -1,6 +1,5 @@
-(** From state, reset and step to C: names, structs, and the order of the two
-    files. The root's functions are the program's; every other node has its
-    own, static ones. *)
+(** From state, reset and step to C: names, structs, and the order of the two files. The root's
+    functions are the program's; every other node has its own, static ones. *)
 
 type t = {
   name : string;  (** as C has it *)

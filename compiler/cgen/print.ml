@@ -259,8 +259,7 @@ let rec continues = function
 let rec statement out ~indent { desc; comment } =
   let put text = line out ~indent ~comment text in
   match desc with
-  | Constant { ty; name; value } ->
-      put (constant ty name ^ " = " ^ with_breaks value ^ ";")
+  | Constant { ty; name; value } -> put (constant ty name ^ " = " ^ with_breaks value ^ ";")
   | Table { ty; name; value } ->
       put ("static const " ^ declarator ty name ^ " = " ^ with_breaks value ^ ";")
   | Variables { ty; names } -> put (variables ty names ^ ";")
@@ -341,10 +340,7 @@ let heading out comment = if comment <> "" then line out ~indent:0 ("/* " ^ comm
 
 let signature { linkage; result; name; parameters; _ } =
   let linkage =
-    match linkage with
-    | External -> ""
-    | Static -> "static "
-    | Static_inline -> "static inline "
+    match linkage with External -> "" | Static -> "static " | Static_inline -> "static inline "
   in
   let parameters =
     match parameters with

@@ -1,5 +1,5 @@
-(** C as text: four spaces of indentation, lines of at most about 96 columns
-    where expressions can be broken, comments at the end of statements. *)
+(** C as text: four spaces of indentation, lines of at most about 96 columns where expressions can
+    be broken, comments at the end of statements. *)
 
 val file : Ir.file -> string
 

@@ -1,16 +1,14 @@
-(** Core: small, explicitly typed, higher-order. What the reference
-    interpreter runs and what the specializer evaluates.
+(** Core: small, explicitly typed, higher-order. What the reference interpreter runs and what the
+    specializer evaluates.
 
-    No longer there: units, patterns (tests and payloads instead), guards,
-    records as such (data with one constructor), do-notation, arrow commands,
-    anonymous instances: each run of a signal function is an equation of a
-    proc; local functions that are polymorphic, and local signal functions and
-    tasks that go on as themselves: they are definitions.
+    No longer there: units, patterns (tests and payloads instead), guards, records as such (data
+    with one constructor), do-notation, arrow commands, anonymous instances: each run of a signal
+    function is an equation of a proc; local functions that are polymorphic, and local signal
+    functions and tasks that go on as themselves: they are definitions.
 
-    Always true (see {!Lint}): every variable is bound once and in scope;
-    types are closed over the type parameters of their definition; in a proc
-    the order of equations has no meaning, and its [Run]s are the only
-    instances; a [Payload] stands only where its constructor was tested;
+    Always true (see {!Lint}): every variable is bound once and in scope; types are closed over the
+    type parameters of their definition; in a proc the order of equations has no meaning, and its
+    [Run]s are the only instances; a [Payload] stands only where its constructor was tested;
     functions do not call themselves. *)
 
 open Basis
@@ -36,15 +34,13 @@ type program = {
   main_module : string;
   real : Real.t;  (** the precision of [Float] *)
   data : data list;  (** used before users *)
-  instances : instance list;
-      (** at most one for each class and type constructor *)
+  instances : instance list;  (** at most one for each class and type constructor *)
   foreign : foreign;
   console : control list;  (** filled by {!Console.declare} *)
   definitions : definition list;  (** dependency order *)
   params : param list;
 }
 
-(** A parameter of the program: what mentions it mentions a [Global]. *)
 and param = {
   param : Global.t;  (** a definition: of the value that it has by default *)
   given : Global.t option;  (** that of the value that it is given from outside *)
@@ -54,14 +50,15 @@ and param = {
   doc : string option;
   span : Span.t;  (** of its name *)
 }
+(** A parameter of the program: what mentions it mentions a [Global]. *)
 
-(** What stands on the operator's console, under a label that nothing else there has. *)
 and control = {
   label : string;
   kind : control_kind;
   unit_ : string;  (** of a knob: [m/s]; [""] without one, or if it is open *)
   span : Span.t;  (** where the program asks for it *)
 }
+(** What stands on the operator's console, under a label that nothing else there has. *)
 
 and control_kind =
   | Button  (** pressed: an event of [()] *)
@@ -72,13 +69,13 @@ and control_kind =
   | Camera  (** an event of a frame *)
   | Tags  (** an event of the tags in a frame *)
 
-(** What is C code of the user's. *)
 and foreign = {
   headers : header list;
   types : foreign_type list;  (** also data without constructors *)
   values : (Primitive.foreign * ty) list;
       (** [Function]s or a [Signal_function] of closed first-order types *)
 }
+(** What is C code of the user's. *)
 
 and header = { header : string; of_file : string  (** its path is from that file's folder *) }
 
@@ -97,8 +94,7 @@ and instance = {
 and implementation =
   | Given of Global.t
       (** a definition whose parameters begin with the head's variables, in order *)
-  | Default of Global.t
-      (** a definition whose parameters begin with the class's variable *)
+  | Default of Global.t  (** a definition whose parameters begin with the class's variable *)
 
 and data = {
   tycon : Global.t;
@@ -122,7 +118,6 @@ and definition = {
 }
 
 and binder = { local : Local.t; ty : ty }
-
 and expr = { desc : expr_desc; ty : ty; span : Span.t }
 
 and expr_desc =
@@ -130,9 +125,8 @@ and expr_desc =
   | Global of Global.t * ty list
   | Primitive of Primitive.t * ty list
   | Method of { class_ : Global.t; name : string; ty : ty; types : ty list }
-      (** of the instance for [ty]; [types]: for the method's own parameters.
-          [ty] is a variable: where its constructor is known the instance's
-          definition stands itself, as a [Global] *)
+      (** of the instance for [ty]; [types]: for the method's own parameters. [ty] is a variable:
+          where its constructor is known the instance's definition stands itself, as a [Global] *)
   | Number of Exact.t  (** of type Int, Float or a representation variable *)
   | Boolean of bool
   | String of string
@@ -158,14 +152,8 @@ and proc = {
   output : expr;
 }
 
-and equation = {
-  binder : binder;
-  rhs : rhs;
-  span : Span.t;
-}
+and equation = { binder : binder; rhs : rhs; span : Span.t }
 
 and rhs =
-  | Pure of expr
-      (** holds at every instant: a signal, a static value or a local function *)
-  | Run of { signal_function : expr; input : expr }
-      (** an instance of a static signal function *)
+  | Pure of expr  (** holds at every instant: a signal, a static value or a local function *)
+  | Run of { signal_function : expr; input : expr }  (** an instance of a static signal function *)

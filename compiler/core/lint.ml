@@ -12,9 +12,7 @@ type scope = {
 }
 
 let fail (span : Span.t) format =
-  Format.kasprintf
-    (fun text -> Diagnostic.bug ~stage:"Core.Lint" "%a: %s" Span.pp span text)
-    format
+  Format.kasprintf (fun text -> Diagnostic.bug ~stage:"Core.Lint" "%a: %s" Span.pp span text) format
 
 (* {1 Types} *)
 
@@ -28,12 +26,12 @@ let rec same (a : ty) (b : ty) =
   | Size m, Size n -> m = n
   | Tuple ts, Tuple us -> all_same ts us
   | Function (a, b), Function (c, d) | Signal_function (a, b), Signal_function (c, d) ->
-    same a c && same b d
+      same a c && same b d
   | Data (t, ts), Data (u, us) -> t = u && all_same ts us
-  | ( ( Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _
-      | Data _ | Array _ | Size _ ),
+  | ( ( Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Data _
+      | Array _ | Size _ ),
       _ ) ->
-    false
+      false
 
 and all_same ts us = List.compare_lengths ts us = 0 && List.for_all2 same ts us
 
@@ -43,34 +41,33 @@ let agree span ~expected ~found =
 
 let rec closed s span = function
   | Variable v ->
-    if not (Hashtbl.mem s.parameters v.id) then
-      fail span "type variable `%s` is not in scope" v.name
+      if not (Hashtbl.mem s.parameters v.id) then
+        fail span "type variable `%s` is not in scope" v.name
   | Bool | Int | Float | String | Size _ -> ()
   | Tuple ts | Data (_, ts) -> List.iter (closed s span) ts
   | Function (a, b) | Signal_function (a, b) | Array (a, b) ->
-    closed s span a;
-    closed s span b
+      closed s span a;
+      closed s span b
 
 let instantiate s span (parameters, ty) types =
   List.iter (closed s span) types;
   if List.compare_lengths parameters types <> 0 then
-    fail span "%d type arguments for %d parameters" (List.length types)
-      (List.length parameters);
+    fail span "%d type arguments for %d parameters" (List.length types) (List.length parameters);
   if parameters = [] then ty else Erasure.substitute (List.combine parameters types) ty
 
 let field_types s span ty constructor =
   match ty with
   | Data (tycon, types) -> (
-    match (Hashtbl.find_opt s.data tycon, Hashtbl.find_opt s.fields tycon) with
-    | Some d, Some fields when constructor >= 0 && constructor < Array.length fields ->
-      List.map
-        (fun (_, field) -> instantiate s span (d.parameters, field) types)
-        fields.(constructor)
-    | Some _, Some _ -> fail span "`%s` has no constructor %d" tycon.name constructor
-    | _ -> fail span "`%s` is no data type" tycon.name)
+      match (Hashtbl.find_opt s.data tycon, Hashtbl.find_opt s.fields tycon) with
+      | Some d, Some fields when constructor >= 0 && constructor < Array.length fields ->
+          List.map
+            (fun (_, field) -> instantiate s span (d.parameters, field) types)
+            fields.(constructor)
+      | Some _, Some _ -> fail span "`%s` has no constructor %d" tycon.name constructor
+      | _ -> fail span "`%s` is no data type" tycon.name)
   | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Array _
   | Size _ ->
-    fail span "%a has no constructors" Print.ty ty
+      fail span "%a has no constructors" Print.ty ty
 
 (* {1 Scopes} *)
 
@@ -99,116 +96,113 @@ let rec expr s (e : expr) =
   let is found = agree e.span ~expected:e.ty ~found in
   match e.desc with
   | Local x -> (
-    match Hashtbl.find_opt s.locals x.id with
-    | Some ty -> is ty
-    | None -> fail e.span "`%s` (%d) is not in scope" x.name x.id)
-  | Global (g, types) -> (
-    match Hashtbl.find_opt s.globals g with
-    | Some scheme -> is (instantiate s e.span scheme types)
-    | None -> fail e.span "`%s.%s` is not defined" g.module_ g.name)
-  | Primitive (p, types) -> (
-    List.iter (closed s e.span) types;
-    match (Signature.of_primitive p types, p) with
-    | Some ty, _ -> is ty
-    | None, Foreign f when types = [] -> (
-      match List.assoc_opt f s.foreign with
+      match Hashtbl.find_opt s.locals x.id with
       | Some ty -> is ty
-      | None -> fail e.span "`%s` is not imported" f.foreign_name)
-    | None, _ ->
-      fail e.span "primitive `%s` has %d type arguments" (Primitive.name p)
-        (List.length types))
+      | None -> fail e.span "`%s` (%d) is not in scope" x.name x.id)
+  | Global (g, types) -> (
+      match Hashtbl.find_opt s.globals g with
+      | Some scheme -> is (instantiate s e.span scheme types)
+      | None -> fail e.span "`%s.%s` is not defined" g.module_ g.name)
+  | Primitive (p, types) -> (
+      List.iter (closed s e.span) types;
+      match (Signature.of_primitive p types, p) with
+      | Some ty, _ -> is ty
+      | None, Foreign f when types = [] -> (
+          match List.assoc_opt f s.foreign with
+          | Some ty -> is ty
+          | None -> fail e.span "`%s` is not imported" f.foreign_name)
+      | None, _ ->
+          fail e.span "primitive `%s` has %d type arguments" (Primitive.name p) (List.length types))
   | Method { ty; types; _ } -> (
-    List.iter (closed s e.span) (ty :: types);
-    match ty with
-    | Variable _ -> ()
-    | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
-    | Size _ ->
-      fail e.span "a method of the known type %a" Print.ty ty)
+      List.iter (closed s e.span) (ty :: types);
+      match ty with
+      | Variable _ -> ()
+      | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
+      | Size _ ->
+          fail e.span "a method of the known type %a" Print.ty ty)
   | Number _ -> (
-    match e.ty with
-    | Int | Float | Variable _ -> ()
-    | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _ | Size _ ->
-      fail e.span "a number of type %a" Print.ty e.ty)
+      match e.ty with
+      | Int | Float | Variable _ -> ()
+      | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _ | Size _ ->
+          fail e.span "a number of type %a" Print.ty e.ty)
   | Boolean _ -> is Bool
   | String _ -> is String
   | Lambda (b, body) ->
-    enter s b;
-    expr s body;
-    leave s b;
-    is (Function (b.ty, body.ty))
+      enter s b;
+      expr s body;
+      leave s b;
+      is (Function (b.ty, body.ty))
   | Apply (f, a) -> (
-    expr s f;
-    expr s a;
-    match f.ty with
-    | Function (parameter, result) ->
-      agree a.span ~expected:parameter ~found:a.ty;
-      is result
-    | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ | Array _
-    | Size _ ->
-      fail f.span "a value of type %a is applied" Print.ty f.ty)
+      expr s f;
+      expr s a;
+      match f.ty with
+      | Function (parameter, result) ->
+          agree a.span ~expected:parameter ~found:a.ty;
+          is result
+      | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ | Array _
+      | Size _ ->
+          fail f.span "a value of type %a is applied" Print.ty f.ty)
   | Let _ -> lets s e.ty [] e
   | Tuple parts ->
-    List.iter (expr s) parts;
-    is (Tuple (Long_list.map (fun (e : expr) -> e.ty) parts))
+      List.iter (expr s) parts;
+      is (Tuple (Long_list.map (fun (e : expr) -> e.ty) parts))
   | Array elements -> (
-    List.iter (expr s) elements;
-    match e.ty with
-    | Array (Size n, element) when n = List.length elements ->
-      List.iter (fun (a : expr) -> agree a.span ~expected:element ~found:a.ty) elements
-    | _ -> fail e.span "an array of %d of type %a" (List.length elements) Print.ty e.ty)
+      List.iter (expr s) elements;
+      match e.ty with
+      | Array (Size n, element) when n = List.length elements ->
+          List.iter (fun (a : expr) -> agree a.span ~expected:element ~found:a.ty) elements
+      | _ -> fail e.span "an array of %d of type %a" (List.length elements) Print.ty e.ty)
   | Index (array, k) -> (
-    expr s array;
-    match array.ty with
-    | Array (Size n, _) when k < 0 || k >= n -> fail e.span "element %d of an array of %d" k n
-    | Array (_, element) -> is element
-    | _ -> fail e.span "element %d of a value of type %a" k Print.ty array.ty)
+      expr s array;
+      match array.ty with
+      | Array (Size n, _) when k < 0 || k >= n -> fail e.span "element %d of an array of %d" k n
+      | Array (_, element) -> is element
+      | _ -> fail e.span "element %d of a value of type %a" k Print.ty array.ty)
   | Component (value, index) -> (
-    expr s value;
-    match value.ty with
-    | Tuple types when index >= 0 && index < List.length types -> is (List.nth types index)
-    | _ -> fail e.span "component %d of a value of type %a" index Print.ty value.ty)
+      expr s value;
+      match value.ty with
+      | Tuple types when index >= 0 && index < List.length types -> is (List.nth types index)
+      | _ -> fail e.span "component %d of a value of type %a" index Print.ty value.ty)
   | Construct { data; constructor; arguments } ->
-    List.iter (expr s) arguments;
-    (match e.ty with
-    | Data (tycon, _) when tycon = data -> ()
-    | _ -> fail e.span "a `%s` of type %a" data.name Print.ty e.ty);
-    let fields = field_types s e.span e.ty constructor in
-    if List.compare_lengths fields arguments <> 0 then
-      fail e.span "%d arguments for %d fields" (List.length arguments) (List.length fields);
-    List.iter2
-      (fun field (a : expr) -> agree a.span ~expected:field ~found:a.ty)
-      fields arguments
+      List.iter (expr s) arguments;
+      (match e.ty with
+      | Data (tycon, _) when tycon = data -> ()
+      | _ -> fail e.span "a `%s` of type %a" data.name Print.ty e.ty);
+      let fields = field_types s e.span e.ty constructor in
+      if List.compare_lengths fields arguments <> 0 then
+        fail e.span "%d arguments for %d fields" (List.length arguments) (List.length fields);
+      List.iter2 (fun field (a : expr) -> agree a.span ~expected:field ~found:a.ty) fields arguments
   | Is_constructor (value, constructor) ->
-    expr s value;
-    ignore (field_types s e.span value.ty constructor);
-    is Bool
+      expr s value;
+      ignore (field_types s e.span value.ty constructor);
+      is Bool
   | Payload { value; constructor; field } -> (
-    expr s value;
-    match List.nth_opt (field_types s e.span value.ty constructor) field with
-    | Some ty -> is ty
-    | None -> fail e.span "constructor %d has no field %d" constructor field)
+      expr s value;
+      match List.nth_opt (field_types s e.span value.ty constructor) field with
+      | Some ty -> is ty
+      | None -> fail e.span "constructor %d has no field %d" constructor field)
   | If (condition, a, b) ->
-    expr s condition;
-    agree condition.span ~expected:Bool ~found:condition.ty;
-    expr s a;
-    is a.ty;
-    expr s b;
-    is b.ty
+      expr s condition;
+      agree condition.span ~expected:Bool ~found:condition.ty;
+      expr s a;
+      is a.ty;
+      expr s b;
+      is b.ty
   | Proc p -> is (proc s p)
 
 (* A chain of bindings is as long as a program: it must not nest here. *)
 and lets s ty entered (e : expr) =
   match e.desc with
   | Let { binder; value; body } ->
-    expr s value;
-    agree value.span ~expected:binder.ty ~found:value.ty;
-    enter s binder;
-    agree e.span ~expected:ty ~found:e.ty;
-    lets s ty (binder :: entered) body
+      expr s value;
+      agree value.span ~expected:binder.ty ~found:value.ty;
+      enter s binder;
+      agree e.span ~expected:ty ~found:e.ty;
+      lets s ty (binder :: entered) body
   | _ ->
-    expr s e;
-    agree e.span ~expected:ty ~found:e.ty;
-    List.iter (leave s) entered
+      expr s e;
+      agree e.span ~expected:ty ~found:e.ty;
+      List.iter (leave s) entered
 
 and proc s (p : proc) =
   enter s p.input;
@@ -222,14 +216,12 @@ and proc s (p : proc) =
 and equation s (eq : equation) =
   match eq.rhs with
   | Pure value ->
-    expr s value;
-    agree eq.span ~expected:eq.binder.ty ~found:value.ty
+      expr s value;
+      agree eq.span ~expected:eq.binder.ty ~found:value.ty
   | Run { signal_function; input } ->
-    expr s signal_function;
-    expr s input;
-    agree eq.span
-      ~expected:(Signal_function (input.ty, eq.binder.ty))
-      ~found:signal_function.ty
+      expr s signal_function;
+      expr s input;
+      agree eq.span ~expected:(Signal_function (input.ty, eq.binder.ty)) ~found:signal_function.ty
 
 (* {1 Programs} *)
 

@@ -63,10 +63,7 @@ let params (p : T.program) =
         param.param.module_ ^ "." ^ param.param.name
     | _ -> param.param.name
   in
-  let unit_ : T.ty -> string = function
-    | Number (_, unit_) -> Typing.Show.unit_ unit_
-    | _ -> ""
-  in
+  let unit_ : T.ty -> string = function Number (_, unit_) -> Typing.Show.unit_ unit_ | _ -> "" in
   List.map
     (fun (param : T.param) : Ir.param ->
       {
@@ -83,16 +80,13 @@ let params (p : T.program) =
 let define ctx lifted (d : T.definition) =
   let parameters = Erasure.parameters d.scheme in
   let body = Expression.closed ctx lifted ~name:d.name parameters d.value in
-  Context.define ctx
-    { name = d.name; parameters; ty = Erasure.ty d.scheme.ty; body; span = d.span }
+  Context.define ctx { name = d.name; parameters; ty = Erasure.ty d.scheme.ty; body; span = d.span }
 
 let program (p : T.program) : Ir.program =
   let is_built_in (d : T.data) = List.mem d.tycon [ Erasure.boolean; Erasure.array ] in
   let data =
     List.rev
-      (List.fold_left
-         (fun found d -> if is_built_in d then found else data d :: found)
-         [] p.data)
+      (List.fold_left (fun found d -> if is_built_in d then found else data d :: found) [] p.data)
   in
   let instances = List.map instance p.instances in
   let foreign = foreign p.foreign in

@@ -82,7 +82,6 @@ and elementary =
   | Atan2
 
 and console = Button | Hold | Knob | Toggle | Map | Camera | Tags
-
 and bitwise = Bit_and | Bit_or | Bit_xor | Shift_left | Shift_right
 
 and foreign = {
@@ -190,6 +189,7 @@ let table =
 (* To look up; nothing is added later. *)
 let by_name =
   Basis.String_table.of_seq (Seq.map (fun (name, t, _) -> (name, t)) (List.to_seq table))
+
 let by_meaning = Hashtbl.of_seq (Seq.map (fun ((_, t, _) as row) -> (t, row)) (List.to_seq table))
 let of_name text = Basis.String_table.find_opt by_name text
 let row t = Hashtbl.find_opt by_meaning t

@@ -1,8 +1,8 @@
 (** The one table of what the language has built in.
 
     A primitive is declared with its type in the standard library
-    ([primitive sin :: Float -> Float]) and has its row here; its meaning is
-    given by {!Specialize} (and by the interpreter). *)
+    ([primitive sin :: Float -> Float]) and has its row here; its meaning is given by {!Specialize}
+    (and by the interpreter). *)
 
 type t =
   (* on numbers of any representation *)
@@ -84,16 +84,16 @@ type t =
   (* declared by programs *)
   | Foreign of foreign  (** in C *)
 
-(** The runtime's elementary functions ([frob/elementary.h]), and those that IEEE 754
-    defines to the last bit: [Sqrt], the whole number next below or above, as a Float
-    (C's [floor] and [ceil]), and whole nanoseconds. *)
+(** The runtime's elementary functions ([frob/elementary.h]), and those that IEEE 754 defines to the
+    last bit: [Sqrt], the whole number next below or above, as a Float (C's [floor] and [ceil]), and
+    whole nanoseconds. *)
 and elementary =
   | Sqrt
   | Floor_float
   | Ceiling_float
   | Nanoseconds
-      (** of seconds, of the precision of Float: 10⁹ times as many, rounded to a whole
-          number, halves to even; of negative ones 0, of NaN NaN *)
+      (** of seconds, of the precision of Float: 10⁹ times as many, rounded to a whole number,
+          halves to even; of negative ones 0, of NaN NaN *)
   | Hypot
   | Exp
   | Log
@@ -105,15 +105,14 @@ and elementary =
   | Atan
   | Atan2
 
-(** What it takes: a label, but for [Map], of which there is one; the limits and the first
-    position of a knob, the first of a toggle; and the console. *)
+(** What it takes: a label, but for [Map], of which there is one; the limits and the first position
+    of a knob, the first of a toggle; and the console. *)
 and console = Button | Hold | Knob | Toggle | Map | Camera | Tags
 
-(** A shift by a negative number goes the other way; one by 32 or more is what as many
-    by one are. To the right the sign stays. *)
+(** A shift by a negative number goes the other way; one by 32 or more is what as many by one are.
+    To the right the sign stays. *)
 and bitwise = Bit_and | Bit_or | Bit_xor | Shift_left | Shift_right
 
-(** C code of the user's. *)
 and foreign = {
   module_ : string;
   foreign_name : string;  (** in the program *)
@@ -121,6 +120,7 @@ and foreign = {
   kind : foreign_kind;
   span : Basis.Span.t;  (** of its declaration *)
 }
+(** C code of the user's. *)
 
 and foreign_kind =
   | Stateless of int  (** a function of so many arguments, at least one *)

@@ -27,10 +27,10 @@ let rec separated c separator f = function
   | [] -> ()
   | [ x ] -> f x
   | x :: rest ->
-    f x;
-    put c separator;
-    space c;
-    separated c separator f rest
+      f x;
+      put c separator;
+      space c;
+      separated c separator f rest
 
 let enclosed c opening closing f parts =
   Format.pp_open_hvbox c.out 1;
@@ -51,13 +51,11 @@ let local c (x : Local.t) =
   match Hashtbl.find_opt c.names x.id with
   | Some name -> name
   | None ->
-    let count = 1 + Option.value ~default:0 (Hashtbl.find_opt c.uses x.name) in
-    Hashtbl.replace c.uses x.name count;
-    let name =
-      if count = 1 && x.name <> "" then x.name else x.name ^ "_" ^ string_of_int count
-    in
-    Hashtbl.replace c.names x.id name;
-    name
+      let count = 1 + Option.value ~default:0 (Hashtbl.find_opt c.uses x.name) in
+      Hashtbl.replace c.uses x.name count;
+      let name = if count = 1 && x.name <> "" then x.name else x.name ^ "_" ^ string_of_int count in
+      Hashtbl.replace c.names x.id name;
+      name
 
 (* {1 Types} *)
 
@@ -70,17 +68,19 @@ let rec type_ c level = function
   | String -> put c "String"
   | Tuple parts -> tuple c (type_ c 0) parts
   | Function (a, b) ->
-    parenthesized c (level > 0) (fun () ->
-        type_ c 1 a;
-        put c " -> ";
-        type_ c 0 b)
+      parenthesized c (level > 0) (fun () ->
+          type_ c 1 a;
+          put c " -> ";
+          type_ c 0 b)
   | Signal_function (a, b) -> constructed c level "SF" [ a; b ]
   | Data (tycon, arguments) -> constructed c level (global c tycon) arguments
   | Array (size, element) -> constructed c level "Array" [ size; element ]
   | Size n -> put c (string_of_int n)
 
 and constructed c level name arguments =
-  parenthesized c (level > 1 && arguments <> []) (fun () ->
+  parenthesized c
+    (level > 1 && arguments <> [])
+    (fun () ->
       put c name;
       List.iter
         (fun t ->
@@ -110,7 +110,7 @@ let constructor c (ty : ty) index =
     | Data (tycon, _) -> Hashtbl.find_opt c.data tycon
     | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Array _
     | Size _ ->
-      None
+        None
   in
   match declared with
   | Some d when index < List.length d.constructors -> (List.nth d.constructors index).name.name
@@ -136,97 +136,100 @@ let rec expr c level (e : expr) =
   | Tuple parts -> tuple c (expr c 0) parts
   | Array elements -> enclosed c "[" "]" (expr c 0) elements
   | Index (array, k) ->
-    parenthesized c (level > 0) (fun () ->
-        expr c 1 array;
-        put c (" ! " ^ string_of_int k))
+      parenthesized c (level > 0) (fun () ->
+          expr c 1 array;
+          put c (" ! " ^ string_of_int k))
   | Component (value, index) ->
-    expr c 2 value;
-    put c ("." ^ string_of_int index)
+      expr c 2 value;
+      put c ("." ^ string_of_int index)
   | Payload { value; constructor = k; field } ->
-    expr c 2 value;
-    put c (Printf.sprintf ".%s.%d" (constructor c value.ty k) field)
+      expr c 2 value;
+      put c (Printf.sprintf ".%s.%d" (constructor c value.ty k) field)
   | Is_constructor (value, k) ->
-    parenthesized c (level > 0) (fun () ->
-        expr c 2 value;
-        put c (" ? " ^ constructor c value.ty k))
+      parenthesized c (level > 0) (fun () ->
+          expr c 2 value;
+          put c (" ? " ^ constructor c value.ty k))
   | Construct { constructor = k; arguments; data = _ } ->
-    parenthesized c (level > 1 && arguments <> []) (fun () ->
-        Format.pp_open_hovbox c.out 2;
-        put c (constructor c e.ty k);
-        List.iter
-          (fun a ->
-            space c;
-            expr c 2 a)
-          arguments;
-        close c)
+      parenthesized c
+        (level > 1 && arguments <> [])
+        (fun () ->
+          Format.pp_open_hovbox c.out 2;
+          put c (constructor c e.ty k);
+          List.iter
+            (fun a ->
+              space c;
+              expr c 2 a)
+            arguments;
+          close c)
   | Apply ({ desc = Apply ({ desc = Primitive (p, _); _ }, a); _ }, b)
     when operator (Primitive.name p) <> Primitive.name p ->
-    parenthesized c (level > 0) (fun () ->
-        Format.pp_open_hovbox c.out 0;
-        expr c 1 a;
-        put c (" " ^ Primitive.name p);
-        space c;
-        expr c 1 b;
-        close c)
+      parenthesized c (level > 0) (fun () ->
+          Format.pp_open_hovbox c.out 0;
+          expr c 1 a;
+          put c (" " ^ Primitive.name p);
+          space c;
+          expr c 1 b;
+          close c)
   | Apply _ ->
-    parenthesized c (level > 1) (fun () ->
-        Format.pp_open_hovbox c.out 2;
-        application c e [];
-        close c)
+      parenthesized c (level > 1) (fun () ->
+          Format.pp_open_hovbox c.out 2;
+          application c e [];
+          close c)
   | Lambda _ ->
-    parenthesized c (level > 0) (fun () ->
-        Format.pp_open_hovbox c.out 2;
-        put c "\\";
-        lambda c e;
-        close c)
+      parenthesized c (level > 0) (fun () ->
+          Format.pp_open_hovbox c.out 2;
+          put c "\\";
+          lambda c e;
+          close c)
   | If (a, { desc = Boolean false; _ }, { desc = Boolean true; _ }) ->
-    parenthesized c (level > 1) (fun () ->
-        put c "not ";
-        expr c 2 a)
+      parenthesized c (level > 1) (fun () ->
+          put c "not ";
+          expr c 2 a)
   | If (a, b, { desc = Boolean false; _ }) ->
-    parenthesized c (level > 0) (fun () ->
-        Format.pp_open_hovbox c.out 0;
-        expr c 1 a;
-        put c " and";
-        space c;
-        expr c (if is_conjunction b then 0 else 1) b;
-        close c)
+      parenthesized c (level > 0) (fun () ->
+          Format.pp_open_hovbox c.out 0;
+          expr c 1 a;
+          put c " and";
+          space c;
+          expr c (if is_conjunction b then 0 else 1) b;
+          close c)
   | If (_, a, b) ->
-    parenthesized c (level > 0) (fun () ->
-        if is_block a || is_block b then Format.pp_open_vbox c.out 0
-        else Format.pp_open_hvbox c.out 0;
-        choice c e;
-        close c)
+      parenthesized c (level > 0) (fun () ->
+          if is_block a || is_block b then Format.pp_open_vbox c.out 0
+          else Format.pp_open_hvbox c.out 0;
+          choice c e;
+          close c)
   | Let _ ->
-    parenthesized c (level > 0) (fun () ->
-        Format.pp_open_vbox c.out 0;
-        lets c e;
-        close c)
+      parenthesized c (level > 0) (fun () ->
+          Format.pp_open_vbox c.out 0;
+          lets c e;
+          close c)
   | Proc p -> parenthesized c (level > 0) (fun () -> proc c p)
 
 and choice c (e : expr) =
   match e.desc with
   | If (condition, a, b) when not (is_conjunction e) ->
-    put c "if ";
-    expr c 0 condition;
-    space c;
-    put c "then ";
-    expr c 0 a;
-    space c;
-    put c "else ";
-    choice c b
+      put c "if ";
+      expr c 0 condition;
+      space c;
+      put c "then ";
+      expr c 0 a;
+      space c;
+      put c "else ";
+      choice c b
   | _ -> expr c 0 e
 
 and name c level text types =
-  parenthesized c (level > 1 && types <> []) (fun () ->
+  parenthesized c
+    (level > 1 && types <> [])
+    (fun () ->
       put c text;
       type_arguments c types)
 
 and number c level value =
   let exact = Exact.to_string value in
   let text =
-    if String.length exact <= 20 then exact
-    else Printf.sprintf "%.17g" (Exact.to_float value)
+    if String.length exact <= 20 then exact else Printf.sprintf "%.17g" (Exact.to_float value)
   in
   parenthesized c (level > 0 && text.[0] = '-') (fun () -> put c text)
 
@@ -234,43 +237,43 @@ and application c (e : expr) arguments =
   match e.desc with
   | Apply (f, a) -> application c f (a :: arguments)
   | _ ->
-    expr c 1 e;
-    List.iter
-      (fun a ->
-        space c;
-        expr c 2 a)
-      arguments
+      expr c 1 e;
+      List.iter
+        (fun a ->
+          space c;
+          expr c 2 a)
+        arguments
 
 and lambda c (e : expr) =
   match e.desc with
   | Lambda (b, body) ->
-    put c "(";
-    binder c b;
-    put c ") ";
-    lambda c body
+      put c "(";
+      binder c b;
+      put c ") ";
+      lambda c body
   | Let _ ->
-    put c "->";
-    Format.pp_force_newline c.out ();
-    expr c 0 e
+      put c "->";
+      Format.pp_force_newline c.out ();
+      expr c 0 e
   | _ ->
-    put c "->";
-    space c;
-    expr c 0 e
+      put c "->";
+      space c;
+      expr c 0 e
 
 (* A chain of bindings is as long as a program: no recursion but the tail's. *)
 and lets c (e : expr) =
   match e.desc with
   | Let { binder = b; value; body } ->
-    Format.pp_open_hovbox c.out 2;
-    put c "let ";
-    binder c b;
-    put c " =";
-    space c;
-    expr c 0 value;
-    put c " in";
-    close c;
-    cut c;
-    lets c body
+      Format.pp_open_hovbox c.out 2;
+      put c "let ";
+      binder c b;
+      put c " =";
+      space c;
+      expr c 0 value;
+      put c " in";
+      close c;
+      cut c;
+      lets c body
   | _ -> expr c 0 e
 
 and proc c p =
@@ -296,16 +299,16 @@ and equation c eq =
   binder c eq.binder;
   (match eq.rhs with
   | Pure value ->
-    put c " =";
-    space c;
-    expr c 0 value
+      put c " =";
+      space c;
+      expr c 0 value
   | Run { signal_function; input } ->
-    put c " <-";
-    space c;
-    expr c 1 signal_function;
-    space c;
-    put c "-< ";
-    expr c 0 input);
+      put c " <-";
+      space c;
+      expr c 1 signal_function;
+      space c;
+      put c "-< ";
+      expr c 0 input);
   close c
 
 (* {1 Programs} *)
@@ -381,13 +384,7 @@ let belongs_to own (i : instance) =
   match List.find_map given i.methods with Some g -> own g | None -> own i.class_
 
 let context out qualifies =
-  {
-    out;
-    qualifies;
-    data = Hashtbl.create 64;
-    names = Hashtbl.create 64;
-    uses = Hashtbl.create 64;
-  }
+  { out; qualifies; data = Hashtbl.create 64; names = Hashtbl.create 64; uses = Hashtbl.create 64 }
 
 let program out (p : program) =
   let own (g : Global.t) = String.equal g.module_ p.main_module in
@@ -402,7 +399,10 @@ let program out (p : program) =
   let own_value ((f : Primitive.foreign), _) = String.equal f.module_ p.main_module in
   List.iter (fun v -> if own_value v then foreign_value c v) p.foreign.values;
   List.iter
-    (fun (param : param) -> if own param.param then (put c ("param " ^ param.label); cut c))
+    (fun (param : param) ->
+      if own param.param then (
+        put c ("param " ^ param.label);
+        cut c))
     p.params;
   List.iter (fun (d : definition) -> if own d.name then definition c d) p.definitions;
   List.iter (fun i -> if belongs_to own i then instance c i) p.instances;

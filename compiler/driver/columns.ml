@@ -63,8 +63,7 @@ let sides typed (entry : Ir.definition) (program : Flow.Ir.program) =
     | _ -> (None, None)
   in
   let with_units = with_units typed written ~console:program.console in
-  with_units "in" input program.input
-  @ with_units "out" output (command program)
+  with_units "in" input program.input @ with_units "out" output (command program)
 
 (* {1 Probes} *)
 

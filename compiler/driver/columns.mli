@@ -1,5 +1,5 @@
-(** What a programmer knows of the columns of a program's trace: units, and where inner
-    signals are written; as the table of [<frob/columns.h>]. *)
+(** What a programmer knows of the columns of a program's trace: units, and where inner signals are
+    written; as the table of [<frob/columns.h>]. *)
 
 type t = {
   name : string;  (** [in.odometry.position.x], [probe.follow.v]; of an array, without [[0]] *)
@@ -17,8 +17,8 @@ val of_program :
   Flow.Ir.program ->
   Probe.Catalogue.probe list ->
   t list
-(** Those of its inputs and outputs that have a unit, and its probes. The definition is the
-    entry, as it was written. *)
+(** Those of its inputs and outputs that have a unit, and its probes. The definition is the entry,
+    as it was written. *)
 
 val quoted : string -> string
 (** A C string. *)

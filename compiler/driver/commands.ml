@@ -57,18 +57,17 @@ let report general ~entry ~states file =
         Format.printf "%a@?" Report.Diagram.print program;
         Exit_status.ok)
   else
-  Compiled.accepted Pipeline.watched general resources ~entry file (fun _ (program, watched) ->
-      if general.dump = None then begin
-        let bounds = Report.Bounds.of_program program in
-        let judged program =
-          Report.Judged.of_programs ~plain:bounds ~watched:(Report.Bounds.of_program program)
-        in
-        let judged = Option.map judged watched in
-        match general.format with
-        | Text -> print_string (Report.Text.to_string ?judged bounds)
-        | Json -> print_endline (Report.For_tools.to_string ?judged bounds)
-      end;
-      Exit_status.ok)
+    Compiled.accepted Pipeline.watched general resources ~entry file (fun _ (program, watched) ->
+        (if general.dump = None then
+           let bounds = Report.Bounds.of_program program in
+           let judged program =
+             Report.Judged.of_programs ~plain:bounds ~watched:(Report.Bounds.of_program program)
+           in
+           let judged = Option.map judged watched in
+           match general.format with
+           | Text -> print_string (Report.Text.to_string ?judged bounds)
+           | Json -> print_endline (Report.For_tools.to_string ?judged bounds));
+        Exit_status.ok)
 
 let header robot =
   let* resources = Resources.find () in

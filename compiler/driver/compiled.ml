@@ -2,8 +2,8 @@ open Basis
 open General
 
 (* Goes on with what a pipeline gives, or gives the status with which to end. *)
-let accepted ?(quiet = false) pipeline general ?batch (resources : Resources.t) ~entry file
-    continue =
+let accepted ?(quiet = false) pipeline general ?batch (resources : Resources.t) ~entry file continue
+    =
   let* robot = Robots.known general.robot in
   let* () = Program_file.check file in
   let sink = Diagnostic.sink () and sources = Source.create () in
@@ -18,8 +18,7 @@ let header_of (resources : Resources.t) (robot : Robots.t) =
   let sink = Diagnostic.sink () and sources = Source.create () and library = resources.library in
   let file = Option.value robot.file ~default:(Filename.concat library (robot.module_ ^ ".frob")) in
   let request = { (Request.make ~library file) with robot = Some robot; entry = "atRest" } in
-  (Option.map (Cgen.Interface_header.text robot) (Pipeline.step sink sources request), sink,
-    sources)
+  (Option.map (Cgen.Interface_header.text robot) (Pipeline.step sink sources request), sink, sources)
 
 let robot_header resources (robot : Robots.t) =
   match header_of resources robot with
@@ -27,7 +26,7 @@ let robot_header resources (robot : Robots.t) =
   | None, sink, sources ->
       Error
         (Printf.sprintf "%s cannot be compiled:\n%s"
-          (Option.value robot.file ~default:robot.module_)
+           (Option.value robot.file ~default:robot.module_)
            (Render_text.diagnostics ~colour:(colour ()) sources (Diagnostic.all sink)))
 
 let to_c ?quiet ?batch general resources ~entry file continue =

@@ -21,12 +21,11 @@ val to_c :
   string ->
   (Cgen.Emit.t -> int) ->
   int
-(** Compiles a file to C and goes on with it; tells what is wrong with it
-    otherwise. [quiet]: only errors are told, no warnings. *)
+(** Compiles a file to C and goes on with it; tells what is wrong with it otherwise. [quiet]: only
+    errors are told, no warnings. *)
 
 val robot_header : Resources.t -> Robots.t -> (string * string, string) result
 (** Its name and text, or a text for the user. *)
 
-val header_of :
-  Resources.t -> Robots.t -> string option * Basis.Diagnostic.sink * Basis.Source.t
+val header_of : Resources.t -> Robots.t -> string option * Basis.Diagnostic.sink * Basis.Source.t
 (** The text of the header with its types, and what was said of its module. *)

@@ -30,12 +30,11 @@ let check_labels sink (written : Typing.Ir.definition) (program : Flow.Ir.progra
     && String.equal sum.name "Text"
     && List.compare_length_with sum.constructors most_labels > 0
   in
-  if Array.exists too_many program.sums then begin
+  if Array.exists too_many program.sums then (
     Diagnostic.error ~code:"E0413" ~at:(Probes.name_of written)
       "`%s` draws more than %d different texts" written.name.name most_labels
     |> Diagnostic.emit sink;
-    None
-  end
+    None)
   else Some ()
 
 let program r sink ~written ~specialized (plain : Flow.Ir.program) =

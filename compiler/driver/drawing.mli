@@ -1,5 +1,5 @@
-(** What a program draws: counted in each program that draws, and put into its output for who
-    asks for the probe [draw]. The program that drives a robot has nothing of it. *)
+(** What a program draws: counted in each program that draws, and put into its output for who asks
+    for the probe [draw]. The program that drives a robot has nothing of it. *)
 
 open Basis
 
@@ -22,5 +22,5 @@ val program :
   specialized:(int option -> Flow.Ir.program option) ->
   Flow.Ir.program ->
   Flow.Ir.program option
-(** [specialized]: with room for so many marks. The program is the one without, and has been
-    found right; it comes back with the number of its marks. *)
+(** [specialized]: with room for so many marks. The program is the one without, and has been found
+    right; it comes back with the number of its marks. *)

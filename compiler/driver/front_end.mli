@@ -19,8 +19,8 @@ type tree =
   | Typed of Typing.Ir.program
 
 val check : ?seen:(tree -> unit) -> Diagnostic.sink -> Source.t -> Request.t -> unit
-(** The same for the module's [main] or, where there is none, for each signal function that could
-    be an entry. Each tree is [seen] as soon as it is there. *)
+(** The same for the module's [main] or, where there is none, for each signal function that could be
+    an entry. Each tree is [seen] as soon as it is there. *)
 
 val partial : Source.t -> Request.t -> (Resolve.Ir.program * Typing.Ir.program Lazy.t) option
 (** What can be understood of a program with mistakes, for editors. *)

@@ -1,7 +1,6 @@
 open Basis
 
 type format = Text | Json
-
 type asserts = Off | Count | Stop | Margin
 
 type t = {
@@ -47,21 +46,46 @@ let report_exception = function
   | Stack_overflow -> report_bug "frobc" "the stack overflowed"
   | Sys_error reason -> wrong_use reason
   | Unix.Unix_error (reason, _, what) ->
-    let what = if what = "" then "frobc" else what in
-    wrong_use (Printf.sprintf "%s: %s" what (Unix.error_message reason))
+      let what = if what = "" then "frobc" else what in
+      wrong_use (Printf.sprintf "%s: %s" what (Unix.error_message reason))
   | exn -> report_bug "frobc" (Printexc.to_string exn)
 
 (* {1 Asking the compiler} *)
 
 let request general ?robot ?(entry = "main") ?(batch = false) ~library file : Request.t =
-  let { dump; stop_after; lint; specialization_limit; real; probes; asserts; format = _;
-    robot = _; params = _ } =
+  let {
+    dump;
+    stop_after;
+    lint;
+    specialization_limit;
+    real;
+    probes;
+    asserts;
+    format = _;
+    robot = _;
+    params = _;
+  } =
     general
   in
   let margins = asserts = Margin and asserts = asserts <> Off in
   let probes = if margins then Probes.claims :: Probes.margins :: probes else probes in
-  { file; entry; library; files = Program_file.files; robot; real; probes; asserts; margins;
-    params = []; batch; specialization_limit; lint; dump; stop_after }
+  {
+    file;
+    entry;
+    library;
+    files = Program_file.files;
+    robot;
+    real;
+    probes;
+    asserts;
+    margins;
+    params = [];
+    batch;
+    specialization_limit;
+    lint;
+    dump;
+    stop_after;
+  }
 
 let ( let* ) result continue =
   match result with Ok value -> continue value | Error text -> wrong_use text
@@ -92,8 +116,13 @@ let with_params general (resources : Resources.t) ~entry file continue =
     let* () = Program_file.check file in
     let sink = Diagnostic.sink () and sources = Source.create () in
     (* The robot does not matter: parameters are the same for all. *)
-    let plain = { (request general ~entry ~library:resources.library file) with dump = None;
-      stop_after = None } in
+    let plain =
+      {
+        (request general ~entry ~library:resources.library file) with
+        dump = None;
+        stop_after = None;
+      }
+    in
     match Pipeline.params sink sources { plain with params = given } with
     | Some set -> continue set
     | None ->
@@ -101,6 +130,4 @@ let with_params general (resources : Resources.t) ~entry file continue =
         Exit_status.wrong_use
 
 let assert_options general = if general.asserts = Stop then [ "--stop-when-violated" ] else []
-
-let param_options set =
-  List.concat_map (fun (p : Params.set) -> [ "--param"; p.setting ]) set
+let param_options set = List.concat_map (fun (p : Params.set) -> [ "--param"; p.setting ]) set

@@ -1,5 +1,5 @@
-(** The options that commands share, what they ask of the compiler, and what all commands tell
-    on standard error. *)
+(** The options that commands share, what they ask of the compiler, and what all commands tell on
+    standard error. *)
 
 type format = Text | Json
 
@@ -23,8 +23,7 @@ type t = {
   params : string list;  (** values of the program's parameters, [NAME=VALUE] each *)
 }
 
-val with_params :
-  t -> Resources.t -> entry:string -> string -> (Params.set list -> int) -> int
+val with_params : t -> Resources.t -> entry:string -> string -> (Params.set list -> int) -> int
 (** Goes on with what the program's parameters are set to; a wrong setting is told. *)
 
 val param_options : Params.set list -> string list
@@ -34,13 +33,7 @@ val assert_options : t -> string list
 (** For a host. *)
 
 val request :
-  t ->
-  ?robot:Robots.t ->
-  ?entry:string ->
-  ?batch:bool ->
-  library:string ->
-  string ->
-  Request.t
+  t -> ?robot:Robots.t -> ?entry:string -> ?batch:bool -> library:string -> string -> Request.t
 (** What these options ask of the compiler for a file. *)
 
 val status : Basis.Diagnostic.sink -> int
@@ -62,5 +55,5 @@ val report_bug : string -> string -> int
 (** [report_bug stage message] says that it is a fault of the compiler's own. *)
 
 val report_exception : exn -> int
-(** Says what ended the command: what the system refused, which is {!Exit_status.wrong_use},
-    or a fault of the compiler's own, {!Exit_status.bug}. *)
+(** Says what ended the command: what the system refused, which is {!Exit_status.wrong_use}, or a
+    fault of the compiler's own, {!Exit_status.bug}. *)

@@ -32,9 +32,9 @@ let value sink core (p : Core.Ir.param) name : Interp.Value.t option =
         (Printf.sprintf "it depends on the parameter `%s`, which a run may set" other.label)
         ~hint:
           (if name = p.param then
-           Printf.sprintf
-             "what follows from a parameter is a definition: `%s = …`, without `param`" p.label
-          else "what is to follow from a parameter is a definition")
+             Printf.sprintf
+               "what follows from a parameter is a definition: `%s = …`, without `param`" p.label
+           else "what is to follow from a parameter is a definition")
       |> refuse
   | Error (Foreign f) ->
       unknown p ~at (Printf.sprintf "it depends on `%s`, which is in C" f) |> refuse
@@ -68,8 +68,7 @@ let given sink (core : Core.Ir.program) =
     Option.map
       (fun given ->
         Option.map
-          (fun value ->
-            { param = p.param; setting = p.label ^ "=" ^ text core.real value; value })
+          (fun value -> { param = p.param; setting = p.label ^ "=" ^ text core.real value; value })
           (value sink core p given))
       p.given
   in

@@ -2,7 +2,6 @@ open Basis
 
 let ( let* ) = Option.bind
 let stage = Request.stage
-
 let check sink sources r = Front_end.check sink sources r
 let params = Front_end.params
 let units_of_params = Front_end.units_of_params
@@ -36,9 +35,7 @@ let all_probes show sink sources r =
   Option.map (show p) (Probes.all sink p.written (fst p.closed) p.flow)
 
 let probes sink =
-  all_probes
-    (fun (p : Front_end.t) all -> Drawing.row p.flow ^ Probes.list p.typed p.flow all)
-    sink
+  all_probes (fun (p : Front_end.t) all -> Drawing.row p.flow ^ Probes.list p.typed p.flow all) sink
 
 let columns sink =
   all_probes (fun (p : Front_end.t) -> Columns.of_program p.typed p.written p.flow) sink
@@ -92,6 +89,7 @@ let watched sink sources (r : Request.t) =
     let* claimed = observed r sink plain ~asserts:true [] in
     let* watched = lowered r sink claimed.flow in
     Some (step, Some watched)
+
 let compile sink sources r = Option.bind (step sink sources r) (c r sink)
 
 let for_both_engines sink sources r =

@@ -1,7 +1,7 @@
 (** The compiler from end to end: which stage follows which, and why.
 
-    What is wrong with a program goes to the sink, the text of its modules to the sources.
-    A result is [None] if the program was rejected, or if [stop_after] came first. *)
+    What is wrong with a program goes to the sink, the text of its modules to the sources. A result
+    is [None] if the program was rejected, or if [stop_after] came first. *)
 
 open Basis
 
@@ -49,5 +49,4 @@ val origins : (Columns.t list * Probe.Origin.t list) option t
 (** That, and where their values come from. *)
 
 val for_both_engines : (Core.Ir.program * Core.Ir.Global.t * Cgen.Emit.t) option t
-(** What {!interpretable} and {!compile} give, with one run of the stages that
-    they share. *)
+(** What {!interpretable} and {!compile} give, with one run of the stages that they share. *)

@@ -28,8 +28,7 @@ let named sink entry core flow ~asserts names =
       | Ok shown ->
           let with_whether_shown p =
             let is_shown = List.memq p shown in
-            if is_shown || (asserts && Probe.Selection.is_claim p) then Some (p, is_shown)
-            else None
+            if is_shown || (asserts && Probe.Selection.is_claim p) then Some (p, is_shown) else None
           in
           Some (List.filter_map with_whether_shown all)
       | Error (name, nearest) ->
@@ -103,7 +102,6 @@ let list typed (flow : Flow.Ir.program) probes =
   let longest_name = min 50 (width name) and longest_type = min 30 (width snd) in
   let line ((p : Probe.Catalogue.probe), type_) =
     Printf.sprintf "%-*s :: %-*s  %s:%d\n" longest_name p.name longest_type type_
-      (Filename.basename p.span.file)
-      (Span.line p.span.start)
+      (Filename.basename p.span.file) (Span.line p.span.start)
   in
   String.concat "" (List.map line rows)

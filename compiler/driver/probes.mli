@@ -25,8 +25,8 @@ val all :
   Core.Ir.program ->
   Flow.Ir.program ->
   Probe.Catalogue.probe list option
-(** Of the same program, before and after specialization; [None] after a diagnostic, which is at
-    the name of the entry. *)
+(** Of the same program, before and after specialization; [None] after a diagnostic, which is at the
+    name of the entry. *)
 
 val named :
   Diagnostic.sink ->
@@ -36,17 +36,17 @@ val named :
   asserts:bool ->
   string list ->
   (Probe.Catalogue.probe * bool) list option
-(** Of these, those that {!Probe.Selection} takes the names for; and with [asserts] the verdicts
-    on assertions too, with whether they are meant by a name. *)
+(** Of these, those that {!Probe.Selection} takes the names for; and with [asserts] the verdicts on
+    assertions too, with whether they are meant by a name. *)
 
 val causal :
   Typing.Ir.definition ->
   Flow.Ir.program ->
   Probe.Catalogue.probe list ->
   Probe.Catalogue.probe list * Probe.Catalogue.probe list
-(** As many as can be shown together, and the others. All outputs of a switch need what any of
-    its signal functions reads, so one that is shown an input that was not read before may
-    come to need its own output of the same instant. *)
+(** As many as can be shown together, and the others. All outputs of a switch need what any of its
+    signal functions reads, so one that is shown an input that was not read before may come to need
+    its own output of the same instant. *)
 
 val warn_of_claims :
   Diagnostic.sink -> Typing.Ir.definition -> Core.Ir.program -> Flow.Ir.program -> unit
@@ -58,5 +58,5 @@ val refuse_hidden :
   names:string list ->
   Probe.Catalogue.probe list ->
   unit option
-(** [None] after a diagnostic, if one that was asked for by its name cannot be shown. Emits
-    W0311 for an assertion. *)
+(** [None] after a diagnostic, if one that was asked for by its name cannot be shown. Emits W0311
+    for an assertion. *)

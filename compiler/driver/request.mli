@@ -35,10 +35,8 @@ val stage :
   print:(Format.formatter -> 'a -> unit) ->
   'a ->
   'a option
-(** What happens after a stage: its promises are checked (they hold for programs without
-    errors) and its result shown, if asked for; [None] with errors, or if it is the last one
-    wanted. *)
+(** What happens after a stage: its promises are checked (they hold for programs without errors) and
+    its result shown, if asked for; [None] with errors, or if it is the last one wanted. *)
 
-val each_pass :
-  t -> (Format.formatter -> 'program -> unit) -> 'program Pass.t -> 'program -> unit
+val each_pass : t -> (Format.formatter -> 'program -> unit) -> 'program Pass.t -> 'program -> unit
 (** If asked for: shows the program after each of a language's passes that changes it. *)

@@ -1,16 +1,7 @@
-(** The stages of the compiler, in order: the one table from which the options
-    [--dump] and [--stop-after], their help and the pipeline take the names. *)
+(** The stages of the compiler, in order: the one table from which the options [--dump] and
+    [--stop-after], their help and the pipeline take the names. *)
 
-type t =
-  | Parse
-  | Resolve
-  | Types
-  | Core
-  | Specialize
-  | Passes
-  | Flow
-  | Step
-  | C
+type t = Parse | Resolve | Types | Core | Specialize | Passes | Flow | Step | C
 
 val all : t list
 val name : t -> string

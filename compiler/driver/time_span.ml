@@ -5,8 +5,7 @@ let read ~least text =
     Error (Printf.sprintf "`%s` is not a length of time; write it as 60s, 500ms or 2min" text)
   in
   let suffix (unit_, _) =
-    String.length text > String.length unit_
-    && Filename.check_suffix text unit_
+    String.length text > String.length unit_ && Filename.check_suffix text unit_
   in
   match List.find_opt suffix units with
   | None -> wrong

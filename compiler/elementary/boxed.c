@@ -4,27 +4,33 @@
 #include <caml/mlvalues.h>
 #include <frob/elementary.h>
 
-#define ONE(name)                                                        \
-  value frob_boxed_##name(value x) {                                     \
-    return caml_copy_double(frob_##name(Double_val(x)));                 \
-  }                                                                      \
-  double frob_single_##name(double x) {                                  \
-    return (double)frob_##name##f((float)x);                             \
-  }                                                                      \
-  value frob_boxed_single_##name(value x) {                              \
-    return caml_copy_double(frob_single_##name(Double_val(x)));          \
-  }
+#define ONE(name)                                                   \
+    value frob_boxed_##name(value x)                                \
+    {                                                               \
+        return caml_copy_double(frob_##name(Double_val(x)));        \
+    }                                                               \
+    double frob_single_##name(double x)                             \
+    {                                                               \
+        return (double)frob_##name##f((float)x);                    \
+    }                                                               \
+    value frob_boxed_single_##name(value x)                         \
+    {                                                               \
+        return caml_copy_double(frob_single_##name(Double_val(x))); \
+    }
 
-#define TWO(name)                                                        \
-  value frob_boxed_##name(value x, value y) {                            \
-    return caml_copy_double(frob_##name(Double_val(x), Double_val(y)));  \
-  }                                                                      \
-  double frob_single_##name(double x, double y) {                        \
-    return (double)frob_##name##f((float)x, (float)y);                   \
-  }                                                                      \
-  value frob_boxed_single_##name(value x, value y) {                     \
-    return caml_copy_double(frob_single_##name(Double_val(x), Double_val(y))); \
-  }
+#define TWO(name)                                                                  \
+    value frob_boxed_##name(value x, value y)                                      \
+    {                                                                              \
+        return caml_copy_double(frob_##name(Double_val(x), Double_val(y)));        \
+    }                                                                              \
+    double frob_single_##name(double x, double y)                                  \
+    {                                                                              \
+        return (double)frob_##name##f((float)x, (float)y);                         \
+    }                                                                              \
+    value frob_boxed_single_##name(value x, value y)                               \
+    {                                                                              \
+        return caml_copy_double(frob_single_##name(Double_val(x), Double_val(y))); \
+    }
 
 ONE(exp)
 ONE(log)

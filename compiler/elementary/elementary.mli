@@ -1,6 +1,6 @@
-(** The runtime's elementary functions ([frob/elementary.h]), so that a number
-    has the same bits whether a machine's C computes it or the interpreter.
-    Errors, special cases and sources are stated there; angles are in radians. *)
+(** The runtime's elementary functions ([frob/elementary.h]), so that a number has the same bits
+    whether a machine's C computes it or the interpreter. Errors, special cases and sources are
+    stated there; angles are in radians. *)
 
 module type S = sig
   val exp : float -> float

@@ -4,7 +4,7 @@ let bug format = Diagnostic.bug ~stage:"Flow.Lint" format
 
 type scope = {
   program : Ir.program;
-  index : int;  (* of the node *)
+  index : int; (* of the node *)
   node : Ir.node;
   defined : (int, Ir.signal) Hashtbl.t;
 }
@@ -99,8 +99,8 @@ let equation scope (eq : Ir.equation) =
         | Array (n, element) when List.length atoms = n ->
             List.iter (fun a -> expect scope "an element" element (type_of scope a)) atoms;
             ty
-        | _ ->
-            bug "%d elements of a %s in `%s`" (List.length atoms) (show scope ty) scope.node.name)
+        | _ -> bug "%d elements of a %s in `%s`" (List.length atoms) (show scope ty) scope.node.name
+        )
     | Fill a -> (
         match ty with
         | Array (n, _) -> Array (n, type_of scope a)
@@ -153,7 +153,6 @@ let equation scope (eq : Ir.equation) =
   expect scope (Printf.sprintf "the equation of `%s`" eq.defines.name) ty found
 
 let signal_types = List.map (fun (s : Ir.signal) -> s.ty)
-
 let output_type (_, atom) = Operands.ty atom
 
 (* The types that a loop takes and gives, from those of its node. *)
@@ -222,8 +221,7 @@ let machine scope modes_of (m : Ir.machine) =
       (fun mode ->
         if mode < 0 || mode >= scope.index then
           bug "a mode of `%s` does not come before it" scope.node.name;
-        if Hashtbl.mem modes_of mode then
-          bug "`%s` is a mode twice" scope.program.nodes.(mode).name;
+        if Hashtbl.mem modes_of mode then bug "`%s` is a mode twice" scope.program.nodes.(mode).name;
         scope.program.nodes.(mode))
       m.modes
   in
@@ -233,7 +231,8 @@ let machine scope modes_of (m : Ir.machine) =
   List.iter
     (fun (mode : Ir.node) ->
       check_all scope "an input of a mode" (signal_types mode.inputs) m.inputs;
-      check_all scope "an output of a mode" (List.map output_type mode.outputs)
+      check_all scope "an output of a mode"
+        (List.map output_type mode.outputs)
         (List.map (fun s -> Ir.Signal s) m.outputs))
     modes;
   Option.iter (fun a -> expect scope "when a machine runs" Bool (type_of scope a)) m.active;
@@ -245,9 +244,7 @@ let machine scope modes_of (m : Ir.machine) =
 
 (* A node with a machine has no other state. *)
 let only_machine scope =
-  let stateful_instance (i : Ir.instance) =
-    scope.program.nodes.(i.node).kind = Signal_function
-  in
+  let stateful_instance (i : Ir.instance) = scope.program.nodes.(i.node).kind = Signal_function in
   if
     List.exists (fun (eq : Ir.equation) -> Rhs.is_stateful eq.rhs) scope.node.equations
     || List.exists stateful_instance scope.node.instances
@@ -262,7 +259,8 @@ let foreign scope (f : Ir.foreign) =
   then bug "`%s` is foreign and has a body" node.name;
   if f.import.kind <> node.kind || not (List.mem f.import scope.program.imports) then
     bug "`%s` is not as it is imported" node.name;
-  check_all scope "an argument" (List.concat_map Shape.leaves f.import.arguments)
+  check_all scope "an argument"
+    (List.concat_map Shape.leaves f.import.arguments)
     (List.map (fun s -> Ir.Signal s) node.inputs);
   let results = List.map (fun s -> Ir.Signal s) f.results in
   check_all scope "a result" (Shape.leaves f.import.result) results
@@ -272,8 +270,7 @@ let node program owners names modes_of index (node : Ir.node) =
   Hashtbl.add names node.name ();
   let scope = { program; index; node; defined = Hashtbl.create 16 } in
   Signals.iter (define owners scope) node;
-  if node.kind = Function && node.statics <> [] then
-    bug "the function `%s` has statics" node.name;
+  if node.kind = Function && node.statics <> [] then bug "the function `%s` has statics" node.name;
   List.iter (equation scope) node.equations;
   let instance_names = Hashtbl.create 8 in
   List.iter (instance scope instance_names) node.instances;

@@ -29,7 +29,8 @@ let signal names ppf (s : Ir.signal) =
 let float x =
   let short = sprintf "%.12g" x in
   let text = if Float.equal (float_of_string short) x then short else sprintf "%.17g" x in
-  if String.for_all (function '0' .. '9' | '-' -> true | _ -> false) text then text ^ ".0" else text
+  if String.for_all (function '0' .. '9' | '-' -> true | _ -> false) text then text ^ ".0"
+  else text
 
 let atom names ppf : Ir.atom -> unit = function
   | Signal s -> signal names ppf s
@@ -71,7 +72,8 @@ let operator : Ir.operator -> string = function
 
 let is_infix : Ir.operator -> bool = function
   | Add | Subtract | Multiply | Equal | Less | Less_equal | Divide | Pow | And | Or
-  | Bitwise (Bit_and | Bit_or) -> true
+  | Bitwise (Bit_and | Bit_or) ->
+      true
   | _ -> false
 
 let sum_name (sums : Ir.sum array) index =
@@ -125,8 +127,7 @@ let rhs sums names ppf ~(defines : Ir.signal) : Ir.rhs -> unit = function
   | Integral a -> fprintf ppf "integral %a" (atom names) a
   | Derivative a -> fprintf ppf "derivative %a" (atom names) a
 
-let typed sums names ppf (s : Ir.signal) =
-  fprintf ppf "%a : %s" (signal names) s (ty sums s.ty)
+let typed sums names ppf (s : Ir.signal) = fprintf ppf "%a : %s" (signal names) s (ty sums s.ty)
 
 let equation sums names ppf (eq : Ir.equation) =
   fprintf ppf "  %a = %t@\n" (typed sums names) eq.defines (fun ppf ->
@@ -144,8 +145,7 @@ let transition program modes names keyword ppf (t : Ir.transition) =
     | Some mode -> node_name program mode
     | None -> sprintf "<mode %d>" t.target
   in
-  fprintf ppf "%s %a -> %s%a%s@\n" keyword (atom names) t.occurs target (statics names)
-    t.arguments
+  fprintf ppf "%s %a -> %s%a%s@\n" keyword (atom names) t.occurs target (statics names) t.arguments
     (if t.delayed then ", delayed" else "")
 
 let machine (program : Ir.program) names ppf (m : Ir.machine) =
@@ -180,10 +180,7 @@ let instance (program : Ir.program) names ppf (i : Ir.instance) =
   fprintf ppf "  (%a) = %s%s as %s%a(%a)@\n"
     (list (typed program.sums names))
     i.outputs times callee i.name statics i.statics inputs ();
-  let given ppf = function
-    | Some a -> atom names ppf a
-    | None -> pp_print_string ppf "_"
-  in
+  let given ppf = function Some a -> atom names ppf a | None -> pp_print_string ppf "_" in
   List.iter
     (fun (t : Ir.trial) ->
       fprintf ppf "    (%a) from (%a)@\n" (list (signal names)) t.gives (list given) t.given)
@@ -199,9 +196,7 @@ let node (program : Ir.program) ppf ~modes (n : Ir.node) =
     | [] -> ()
     | some -> fprintf ppf " [%a]" (list (typed sums names)) some
   in
-  fprintf ppf "%s %s%a (%a)@\n" kind n.name statics n.statics
-    (list (typed sums names))
-    n.inputs;
+  fprintf ppf "%s %s%a (%a)@\n" kind n.name statics n.statics (list (typed sums names)) n.inputs;
   Option.iter
     (fun (f : Ir.foreign) ->
       fprintf ppf "  (%a) = foreign %s@\n" (list (typed sums names)) f.results f.import.symbol)

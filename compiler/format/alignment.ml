@@ -33,7 +33,7 @@ let line_from (words : Word.t array) first =
     | (LPAREN | LBRACKET | LBRACE) when w.commas_first -> (Element, first + 1)
     | _ -> (Item, first)
   in
-  if inner >= n || words.(inner).starts && inner > first then None
+  if inner >= n || (words.(inner).starts && inner > first) then None
   else
     let frame = words.(inner).frame and of_cases = words.(inner).of_cases in
     let rec go i wanted =
@@ -45,8 +45,16 @@ let line_from (words : Word.t array) first =
           let before = words.(i - 1) in
           let padded = v.column > before.column + before.width + 1 in
           Some
-            { frame; role; sign = v.token.token; at = i; wanted; written = v.column; padded;
-              line = v.line }
+            {
+              frame;
+              role;
+              sign = v.token.token;
+              at = i;
+              wanted;
+              written = v.column;
+              padded;
+              line = v.line;
+            }
         else go (i + 1) (wanted + v.width)
     in
     match (role, w.item) with Item, false -> None | _ -> go first 0
@@ -55,9 +63,7 @@ let line_from (words : Word.t array) first =
 let shared group =
   let columns = Hashtbl.create 16 in
   let count line =
-    let lines, padded =
-      Option.value (Hashtbl.find_opt columns line.written) ~default:(0, false)
-    in
+    let lines, padded = Option.value (Hashtbl.find_opt columns line.written) ~default:(0, false) in
     Hashtbl.replace columns line.written (lines + 1, padded || line.padded)
   in
   List.iter count group;
@@ -75,14 +81,13 @@ let align (words : Word.t array) group =
     if line.wanted <= most + most_joining then (max most line.wanted, line :: aligned)
     else (most, aligned)
   in
-  if aligned <> [] then begin
+  if aligned <> [] then
     let most, aligned = List.fold_left join (most, aligned) others in
     List.iter
       (fun line ->
         let sign = words.(line.at) in
         sign.gap <- sign.gap + most - line.wanted)
       aligned
-  end
 
 let set (words : Word.t array) =
   (* the group of each frame that goes on, last line first *)
@@ -106,8 +111,6 @@ let set (words : Word.t array) =
       let is_blank (c : Word.comment) = c.blank_before in
       if w.blank_before || List.exists is_blank w.comments then blank := w.line;
       if w.starts then
-        match line_from words i with
-        | Some line -> add line
-        | None -> if w.item then finish w.frame)
+        match line_from words i with Some line -> add line | None -> if w.item then finish w.frame)
     words;
   List.iter finish (List.of_seq (Hashtbl.to_seq_keys groups))

@@ -48,14 +48,12 @@ let starts_operand (token : Syntax.Grammar.token) =
 
 (* Less than this is hardly worth a line. *)
 let least_rest = 12
-
 let is_opener = function LPAREN | LBRACKET | LBRACE -> true | _ -> false
 let is_closer = function RPAREN | RBRACKET | RBRACE -> true | _ -> false
 
 (* A function as the last argument: the line is broken in it and not before it. *)
 let hugs (words : Word.t array) ~last k =
-  words.(k).token.token = LPAREN
-  && k < last
+  words.(k).token.token = LPAREN && k < last
   && words.(k - 1).token.token <> RPAREN
   && (match words.(k + 1).token.token with
      | PROC | BACKSLASH | LAMBDA_CASE | DO | CASE -> true
@@ -63,15 +61,15 @@ let hugs (words : Word.t array) ~last k =
   &&
   let rec only_ends i =
     i > last
-    || (match words.(i).token.token with RPAREN | WHERE -> true | _ -> false) && only_ends (i + 1)
+    || (match words.(i).token.token with RPAREN | WHERE -> true | _ -> false)
+       && only_ends (i + 1)
   in
   words.(k).partner > last || only_ends words.(k).partner
 
 (* A list or tuple, behind which hardly anything comes. *)
 let spans (words : Word.t array) ~last k =
   let w = words.(k) in
-  is_opener w.token.token
-  && w.partner > k && w.partner <= last
+  is_opener w.token.token && w.partner > k && w.partner <= last
   && (let inside = words.(k + 1).frame in
       let rec some i =
         i < w.partner
@@ -80,8 +78,7 @@ let spans (words : Word.t array) ~last k =
       some (k + 1))
   &&
   let rec little k width =
-    width <= least_rest
-    && (k > last || little (k + 1) (width + words.(k).gap + words.(k).width))
+    width <= least_rest && (k > last || little (k + 1) (width + words.(k).gap + words.(k).width))
   in
   little (w.partner + 1) 0
 
@@ -99,12 +96,16 @@ let parts (words : Word.t array) ~first ~until ~last =
   let here () = match !stack with (_, part) :: _ -> part | [] -> whole in
   let rec to_bracket () =
     match !stack with
-    | ((`Open | `Let), _) :: rest -> stack := rest; to_bracket ()
+    | ((`Open | `Let), _) :: rest ->
+        stack := rest;
+        to_bracket ()
     | _ -> ()
   in
   let rec to_let () =
     match !stack with
-    | (`Open, _) :: rest -> stack := rest; to_let ()
+    | (`Open, _) :: rest ->
+        stack := rest;
+        to_let ()
     | (`Let, _) :: rest -> stack := rest
     | _ -> ()
   in
@@ -113,10 +114,9 @@ let parts (words : Word.t array) ~first ~until ~last =
   in
   for k = first to until do
     let token = words.(k).token.token in
-    if is_closer token then begin
+    if is_closer token then (
       to_bracket ();
-      match !stack with (`Bracket, _) :: rest -> stack := rest | _ -> ()
-    end;
+      match !stack with (`Bracket, _) :: rest -> stack := rest | _ -> ());
     if token = COMMA then to_bracket ();
     if token = IN then to_let ();
     let part = here () in
@@ -192,14 +192,14 @@ let best words ~first ~until ~last ~outer ~inner ~stop (columns : int array) =
     else
       match cost words ~first ~last part k with
       | None -> best
-      | Some cost ->
+      | Some cost -> (
           let cost =
             cost
             + (if left > most then 10_000 + left else 0)
             + (if rest < least_rest then of_a_short_rest else 0)
             + if at + rest > most then of_a_long_rest else 0
           in
-          (match best with Some (least, _) when least < cost -> best | _ -> Some (cost, k))
+          match best with Some (least, _) when least < cost -> best | _ -> Some (cost, k))
   in
   let rec go k found = if k > until then found else go (k + 1) (better k found) in
   go (first + 1) None
@@ -221,15 +221,13 @@ let list (words : Word.t array) ~first ~column =
     else element (k + 1) (width + words.(k).gap + words.(k).width)
   in
   let rec fill k at =
-    if k < close then begin
+    if k < close then
       (* a comma *)
       let next, width = element (k + 1) 1 in
-      if at + width > most then begin
+      if at + width > most then (
         words.(k).starts <- true;
-        fill next (column + width)
-      end
+        fill next (column + width))
       else fill next (at + width)
-    end
   in
   let next, width = element (first + 1) 1 in
   fill next (column + width)
@@ -242,10 +240,9 @@ let rec within (words : Word.t array) ~first ~last ~column ~outer ~inner window 
   let last = ref last in
   (try
      for k = first + 1 to until do
-       if words.(k).starts then begin
+       if words.(k).starts then (
          last := k - 1;
-         raise Exit
-       end;
+         raise Exit);
        columns.(k - first) <- columns.(k - 1 - first) + words.(k - 1).width + words.(k).gap
      done
    with Exit -> ());
@@ -257,8 +254,7 @@ let rec within (words : Word.t array) ~first ~last ~column ~outer ~inner window 
     else
       match best words ~first ~until ~last ~outer ~inner ~stop columns with
       | Some (cost, k) when until = last || cost < 10_000 -> words.(k).starts <- true
-      | _ when until < last ->
-          within words ~first ~last ~column ~outer ~inner (8 * window)
+      | _ when until < last -> within words ~first ~last ~column ~outer ~inner (8 * window)
       | Some (_, k) -> words.(k).starts <- true
       | None -> ()
 

@@ -46,7 +46,9 @@ let push state kind ~base = state.stack <- { kind; base; bar = None } :: state.s
 
 let rec pop_until state found =
   match state.stack with
-  | frame :: _ :: _ when not (found frame.kind) -> pop state; pop_until state found
+  | frame :: _ :: _ when not (found frame.kind) ->
+      pop state;
+      pop_until state found
   | _ -> ()
 
 let is_block = function Block _ -> true | Bracket _ | If _ | Else -> false
@@ -77,9 +79,9 @@ let close state (w : Word.t) =
   | THEN -> pop_until state (function If _ | Block _ | Bracket _ -> true | Else -> false)
   | ELSE -> pop_until state (function If _ | Block _ | Bracket _ -> true | Else -> false)
   | COMMA | WHERE -> pop_until state (fun kind -> not (is_closed_by_comma kind))
-  | RPAREN | RBRACKET | RBRACE ->
+  | RPAREN | RBRACKET | RBRACE -> (
       pop_until state (fun kind -> not (is_closed_by_comma kind));
-      (match (inside state).kind with Bracket _ -> take () | Block _ | If _ | Else -> ())
+      match (inside state).kind with Bracket _ -> take () | Block _ | If _ | Else -> ())
   | _ -> ());
   (match (around state.stack).kind with
   | Block { column = Some column; written; _ } -> blocks := (written, column) :: !blocks
@@ -127,9 +129,7 @@ let of_line state (words : Word.t array) i closed =
     | WHERE, _, _ -> base_of_where frame + half_step
     | (IN | OF), _, _ -> frame.base + half_step
     | (RPAREN | RBRACKET | RBRACE), _, Some { kind = Bracket b; base; _ } ->
-        if b.first || b.commas_first then b.column
-        else if b.content = None then base
-        else b.column
+        if b.first || b.commas_first then b.column else if b.content = None then base else b.column
     | COMMA, Bracket b, _ -> b.column
     | BAR, _, _ -> (
         match frame.bar with
@@ -174,20 +174,18 @@ let lines ~break (words : Word.t array) =
     ended.(i) <- blocks;
     if w.opens then
       push state (Block { column = None; written = w.column; in_ = state.let_ }) ~base:0;
-    if i = 0 || w.starts then begin
+    if i = 0 || w.starts then (
       let column = of_line state words i closed in
       columns.(i) <- column;
       at := column;
-      starts_line words state i column
-    end
+      starts_line words state i column)
     else at := !at + w.gap;
     let column = !at in
     (match (inside state).kind with
     | Block block when w.item ->
-        if block.column = None then begin
+        if block.column = None then (
           block.column <- Some column;
-          block.written <- w.column
-        end;
+          block.written <- w.column);
         let column = Option.value block.column ~default:column in
         (inside state).base <- column;
         (inside state).bar <- None;
@@ -197,18 +195,23 @@ let lines ~break (words : Word.t array) =
         | LPAREN | LBRACKET | LBRACE | UNIT_BRACKET -> b.content <- Some column
         | _ -> ())
     | _ -> ());
-    if break && (i = 0 || w.starts) then begin
-      let outer = (inside state).base + step and inner = state.base + step in
-      Breaking.line words ~first:i ~last:ends.(i) ~column ~outer ~inner
-    end;
+    (if break && (i = 0 || w.starts) then
+       let outer = (inside state).base + step and inner = state.base + step in
+       Breaking.line words ~first:i ~last:ends.(i) ~column ~outer ~inner);
     let frame = inside state in
     (match w.token.token with
     | LPAREN | LBRACKET | UNIT_BRACKET | LBRACE ->
         let first = i = 0 || w.starts in
         push state ~base:state.base
           (Bracket
-             { column; first; content = None; element = None;
-               is_record = w.token.token = LBRACE; commas_first = w.commas_first })
+             {
+               column;
+               first;
+               content = None;
+               element = None;
+               is_record = w.token.token = LBRACE;
+               commas_first = w.commas_first;
+             })
     | IF ->
         let then_, blocks, else_ =
           if i = 0 || w.starts then (column + half_step, column, column + half_step)
@@ -226,8 +229,12 @@ let lines ~break (words : Word.t array) =
     | LET -> state.let_ <- (if i = 0 || w.starts then Some column else None)
     | _ -> ());
     (match w.token.token with
-    | WHERE -> state.opened_by <- 1; state.let_ <- None
-    | DO | OF | LAMBDA_CASE | REC -> state.opened_by <- 0; state.let_ <- None
+    | WHERE ->
+        state.opened_by <- 1;
+        state.let_ <- None
+    | DO | OF | LAMBDA_CASE | REC ->
+        state.opened_by <- 0;
+        state.let_ <- None
     | LET -> state.opened_by <- 0
     | _ -> ());
     at := !at + w.width

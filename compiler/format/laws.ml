@@ -2,8 +2,7 @@ type t = Tree | Comments | Rest
 
 (* A comment without the blanks that end its lines, which a definition's documentation is. *)
 let documentation text =
-  String.split_on_char '\n' text |> List.map Reading.without_trailing_blanks
-  |> String.concat "\n"
+  String.split_on_char '\n' text |> List.map Reading.without_trailing_blanks |> String.concat "\n"
 
 let same_token (a, made) (b, made') =
   made = made'

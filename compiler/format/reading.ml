@@ -21,7 +21,9 @@ let is_blank c = c = ' ' || c = '\t' || c = '\r'
 
 let without_trailing_blanks line =
   let n = ref (String.length line) in
-  while !n > 0 && is_blank line.[!n - 1] do decr n done;
+  while !n > 0 && is_blank line.[!n - 1] do
+    decr n
+  done;
   String.sub line 0 !n
 
 let trimmed comment =
@@ -71,7 +73,9 @@ let comments place text start stop =
   let found = ref [] and at = ref start in
   while !at < stop do
     match text.[!at] with
-    | '\n' -> newline place !at; incr at
+    | '\n' ->
+        newline place !at;
+        incr at
     | '-' | '{' ->
         let next = comment_stop text !at in
         let comment = trimmed (String.sub text !at (next - !at)) in
@@ -179,7 +183,7 @@ let text text =
     let made = { closes = 0; opens = false; item = index = 0 } in
     let rec take () =
       let token : Layout.token = laid_out.(!next) in
-      if token.made || token.start.pos_cnum < at then begin
+      if token.made || token.start.pos_cnum < at then (
         incr next;
         (match token.token with
         | OPEN -> made.opens <- true
@@ -187,30 +191,28 @@ let text text =
         | CLOSE -> made.closes <- made.closes + 1
         | SEMICOLON | END -> made.item <- true
         | _ -> ());
-        take ()
-      end
+        take ())
       else if token.start.pos_cnum = at then incr next
     in
     (match token.token with SEMICOLON -> () | _ -> take ());
     let before = if index = 0 then END else tokens.(index - 1).token in
-    for _ = 1 to made.closes do pop state done;
+    for _ = 1 to made.closes do
+      pop state
+    done;
     if made.opens then
       push state
         ~cases:(match before with OF | LAMBDA_CASE -> true | _ -> false)
         ~units:false ~opener:(-1);
-    if made.item || made.opens then begin
+    if made.item || made.opens then (
       state.unit_declaration <- false;
       state.operand <- false;
-      (inside state).types <- false
-    end;
-    if is_closer token.token then begin
+      (inside state).types <- false);
+    if is_closer token.token then (
       let opener = (inside state).opener in
-      if opener >= 0 then begin
+      if opener >= 0 then (
         partner.(opener) <- index;
-        partner.(index) <- opener
-      end;
-      pop state
-    end;
+        partner.(index) <- opener);
+      pop state);
     let ({ number; cases; units; opener; types } as frame) = inside state in
     if token.token = COMMA && first && opener >= 0 then commas_first.(opener) <- true;
     let quoted = state.quoted in
@@ -254,10 +256,9 @@ let text text =
   Array.iteri
     (fun i (w : Word.t) ->
       let other = partner.(i) in
-      if other >= 0 then begin
+      if other >= 0 then (
         w.partner <- other;
-        w.commas_first <- commas_first.(min i other)
-      end)
+        w.commas_first <- commas_first.(min i other)))
     words;
   let last = comments place text !from (String.length text) in
   let layout = without_empty_items laid_out in

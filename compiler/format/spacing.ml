@@ -2,9 +2,7 @@ open Syntax.Grammar
 
 (* Lists whose lines begin with commas have a blank for each comma: [( a], [, b]. *)
 let within (w : Word.t) =
-  match w.token.token with
-  | LBRACE | RBRACE -> 1
-  | _ -> if w.commas_first then 1 else 0
+  match w.token.token with LBRACE | RBRACE -> 1 | _ -> if w.commas_first then 1 else 0
 
 let is_sign = function SLASH | STAR | CARET | MINUS -> true | _ -> false
 

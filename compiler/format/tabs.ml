@@ -7,20 +7,18 @@ let with_stops width text =
   in
   String.iter
     (fun c ->
-      if c = '\t' then begin
+      if c = '\t' then (
         blank ();
-        while !column mod width <> 0 do blank () done
-      end
-      else begin
+        while !column mod width <> 0 do
+          blank ()
+        done)
+      else (
         Buffer.add_char result c;
-        if c = '\n' then column := 0
-        else if not (Basis.Utf8.is_continuation c) then incr column
-      end)
+        if c = '\n' then column := 0 else if not (Basis.Utf8.is_continuation c) then incr column))
     text;
   Buffer.contents result
 
-let parses text =
-  Syntax.Parse.program (Basis.Diagnostic.sink ()) ~file:"" text <> None
+let parses text = Syntax.Parse.program (Basis.Diagnostic.sink ()) ~file:"" text <> None
 
 (* Is a tab part of what somebody has written between quotes? *)
 let in_quotes text =
@@ -39,7 +37,8 @@ let in_quotes text =
 let expanded text =
   let four = with_stops 4 text and eight = with_stops 8 text in
   if
-    (not (in_quotes text)) && parses four && parses eight
+    (not (in_quotes text))
+    && parses four && parses eight
     && Laws.broken (Reading.text four) (Reading.text eight) <> Some Laws.Tree
   then Some four
   else None

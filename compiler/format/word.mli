@@ -1,8 +1,8 @@
-(** What a program is to the formatter: its words as they were written, in order, with the
-    comments between them and what layout made of their places.
+(** What a program is to the formatter: its words as they were written, in order, with the comments
+    between them and what layout made of their places.
 
-    Always true: [comments] stand between the word before and this one; [partner] of a bracket
-    is the bracket that goes with it. Lines count from 1, columns from 0 and in characters. *)
+    Always true: [comments] stand between the word before and this one; [partner] of a bracket is
+    the bracket that goes with it. Lines count from 1, columns from 0 and in characters. *)
 
 type comment = {
   text : string;  (** without trailing blanks; of several lines if it is [{- … -}] *)
@@ -25,8 +25,8 @@ type t = {
   opens : bool;  (** it is the first of a block *)
   item : bool;  (** it is the first of an item of a block, or of the file *)
   frame : int;
-      (** what it stands in, a block or brackets: a number, 0 for the file. A bracket stands
-          outside of what it encloses. *)
+      (** what it stands in, a block or brackets: a number, 0 for the file. A bracket stands outside
+          of what it encloses. *)
   mutable partner : int;  (** of a bracket: the index of the other one; else -1 *)
   of_cases : bool;  (** it stands directly in a block of branches *)
   in_unit : bool;  (** within the brackets of units, or on the right side of [unit u = …] *)

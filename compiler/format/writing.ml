@@ -43,7 +43,9 @@ let start state line =
   state.now <- Some line
 
 let add state ~gap ~width text =
-  for _ = 1 to gap do Buffer.add_char state.buffer ' ' done;
+  for _ = 1 to gap do
+    Buffer.add_char state.buffer ' '
+  done;
   Buffer.add_string state.buffer text;
   state.so_far <- state.so_far + gap + width
 
@@ -75,16 +77,14 @@ let goes_on state (c : Word.comment) =
   | _ -> false
 
 let comment state ~starts ~below ~ended (c : Word.comment) =
-  if c.own_line then begin
+  if c.own_line then (
     let behind = goes_on state c in
     let line = { empty with blank_before = c.blank_before } in
-    if behind then begin
+    if behind then
       let b = { comment = c.text; written = c.column; distance = 1; line = c.last_line } in
       start state { line with behind = Some b }
-    end
     else start state { line with column = column_of c ~below ~ended };
-    if not behind then add state ~gap:0 ~width:(characters c.text) c.text
-  end
+    if not behind then add state ~gap:0 ~width:(characters c.text) c.text)
   else
     match state.now with
     | Some ({ behind = None; _ } as line) when starts ->
@@ -101,20 +101,16 @@ let comment state ~starts ~below ~ended (c : Word.comment) =
     | _ -> add state ~gap:1 ~width:(characters c.text) c.text
 
 let lines (read : Reading.t) (placed : Indentation.t) =
-  let state =
-    { done_ = []; now = None; buffer = Buffer.create 128; so_far = 0; last = None }
-  in
+  let state = { done_ = []; now = None; buffer = Buffer.create 128; so_far = 0; last = None } in
   Array.iteri
     (fun i (w : Word.t) ->
       let starts = i = 0 || w.starts in
       let below = Some (w.column, placed.columns.(i)) in
       List.iter (comment state ~starts ~below ~ended:placed.ended.(i)) w.comments;
-      if starts then begin
+      if starts then (
         let column = placed.columns.(i) in
-        start state
-          { empty with blank_before = w.blank_before; column; shift = column - w.column };
-        add state ~gap:0 ~width:w.width w.text
-      end
+        start state { empty with blank_before = w.blank_before; column; shift = column - w.column };
+        add state ~gap:0 ~width:w.width w.text)
       else add state ~gap:w.gap ~width:w.width w.text;
       state.last <- Some w)
     read.words;
@@ -175,41 +171,53 @@ let columns lines =
   let size g = List.length (Hashtbl.find members g) in
   let column = Array.make n 0 and several = Array.make n false in
   for i = 0 to n - 1 do
-    if group.(i) = i then begin
+    if group.(i) = i then
       let members = Hashtbl.find members i in
       let at = column_of_group lines members in
       let is_several = size i > 1 in
-      List.iter (fun k -> column.(k) <- at; several.(k) <- is_several) members
-    end
+      List.iter
+        (fun k ->
+          column.(k) <- at;
+          several.(k) <- is_several)
+        members
   done;
   let join i beside =
     if
-      beside >= 0 && beside < n && group.(i) >= 0 && group.(beside) >= 0
-      && (not several.(i)) && several.(beside)
+      beside >= 0 && beside < n
+      && group.(i) >= 0
+      && group.(beside) >= 0
+      && (not several.(i))
+      && several.(beside)
       && stop lines.(i) < column.(beside)
       && abs (column.(i) - column.(beside)) <= most_joining
       && not lines.(max i beside).blank_before
-    then begin
+    then (
       column.(i) <- column.(beside);
-      several.(i) <- true
-    end
+      several.(i) <- true)
   in
-  for i = 0 to n - 1 do join i (i - 1) done;
-  for i = n - 1 downto 0 do join i (i + 1) done;
+  for i = 0 to n - 1 do
+    join i (i - 1)
+  done;
+  for i = n - 1 downto 0 do
+    join i (i + 1)
+  done;
   column
 
 let text read placed =
   let lines = lines read placed in
   let columns = columns lines in
   let result = Buffer.create 4096 in
-  let blanks n = for _ = 1 to n do Buffer.add_char result ' ' done in
+  let blanks n =
+    for _ = 1 to n do
+      Buffer.add_char result ' '
+    done
+  in
   Array.iteri
     (fun i (line : line) ->
       if line.blank_before && i > 0 then Buffer.add_char result '\n';
-      if line.words <> "" then begin
+      if line.words <> "" then (
         blanks line.column;
-        Buffer.add_string result line.words
-      end;
+        Buffer.add_string result line.words);
       Option.iter
         (fun b ->
           blanks (columns.(i) - if line.words = "" then 0 else stop line);

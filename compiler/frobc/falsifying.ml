@@ -7,8 +7,8 @@ let several name ~docv ~doc = Arg.(value & opt_all string [] & info [ name ] ~do
 let params =
   several "param" ~docv:"NAME=\"LOW to HIGH\""
     ~doc:
-      "Search over this parameter of the program, as in $(b,--param 'kTurn=2[1/m] to 8[1/m]'). \
-       May be given several times."
+      "Search over this parameter of the program, as in $(b,--param 'kTurn=2[1/m] to 8[1/m]'). May \
+       be given several times."
 
 let inputs =
   several "input" ~docv:"NAME=\"LOW to HIGH\""
@@ -33,8 +33,7 @@ let world =
   Arg.(value & opt (some string) None & info [ "world" ] ~docv:"WORLD.toml" ~doc)
 
 let duration =
-  Arg.(
-    value & opt time_span 60. & info [ "for" ] ~docv:"TIME" ~doc:"How long a run is.")
+  Arg.(value & opt time_span 60. & info [ "for" ] ~docv:"TIME" ~doc:"How long a run is.")
 
 let rate = Arg.(value & opt float 50. & info [ "rate" ] ~docv:"HZ" ~doc:"Instants a second.")
 
@@ -53,8 +52,7 @@ let linear =
   let doc = "Between these values inputs change evenly, instead of all at once." in
   Arg.(value & flag & info [ "linear" ] ~doc)
 
-let only =
-  several "only" ~docv:"LABEL" ~doc:"Only this assertion; may be given several times."
+let only = several "only" ~docv:"LABEL" ~doc:"Only this assertion; may be given several times."
 
 let runs =
   Arg.(value & opt int 1000 & info [ "runs" ] ~docv:"N" ~doc:"At most so many for an assertion.")
@@ -79,8 +77,23 @@ let falsify =
   let run general entry sources params inputs disturbances seeds world duration rate check_rate
       points linear only runs seed method_ keep file =
     Falsification.run general ~entry ~sources
-      { params; inputs; disturbances; seeds; world; duration; rate; check_rate; points; linear;
-        only; runs; seed; method_; keep }
+      {
+        params;
+        inputs;
+        disturbances;
+        seeds;
+        world;
+        duration;
+        rate;
+        check_rate;
+        points;
+        linear;
+        only;
+        runs;
+        seed;
+        method_;
+        keep;
+      }
       file
   in
   let man =
@@ -95,10 +108,9 @@ let falsify =
          parameters, disturbances and seeds, and it is an assertion too that the robot touches \
          nothing.";
       `P
-        "A line for each assertion, and for each that was violated the command that shows the \
-         run. The exit status is 1 if there is one. That none was found proves nothing.";
-      `P
-        "Needs Python with the package frob and numpy, and for $(b,--method cma) the package cma.";
+        "A line for each assertion, and for each that was violated the command that shows the run. \
+         The exit status is 1 if there is one. That none was found proves nothing.";
+      `P "Needs Python with the package frob and numpy, and for $(b,--method cma) the package cma.";
     ]
   in
   command "falsify" ~man ~doc:"look for a run in which an assertion is violated"

@@ -15,8 +15,8 @@ let check =
 let format =
   let check =
     let doc =
-      "Write nothing; print the files that would change, each with its first line that would, \
-       and exit with 1 if there are any."
+      "Write nothing; print the files that would change, each with its first line that would, and \
+       exit with 1 if there are any."
     in
     Arg.(value & flag & info [ "check" ] ~doc)
   in
@@ -29,9 +29,9 @@ let format =
       `S Manpage.s_description;
       `P
         "Blanks, indentation and empty lines come to be as in the library and the examples. Lines \
-         stay where they are broken, and are broken where they have more than 100 characters; \
-         what is aligned by blanks stays so. Nothing else changes: each result is checked to be \
-         the same program with the same comments. A file that is no program stays as it is.";
+         stay where they are broken, and are broken where they have more than 100 characters; what \
+         is aligned by blanks stays so. Nothing else changes: each result is checked to be the \
+         same program with the same comments. A file that is no program stays as it is.";
     ]
   in
   command "format" ~man ~doc:"write programs as the library is written, in place"
@@ -54,8 +54,8 @@ let fix =
       `S Manpage.s_description;
       `P
         "Many messages of the compiler say what to write instead. Where nothing else can have been \
-         meant, $(tname) writes it, looks at the program again, and so on, and prints each \
-         fix that it made. What is left to do by hand is printed as $(b,frobc check) does.";
+         meant, $(tname) writes it, looks at the program again, and so on, and prints each fix \
+         that it made. What is left to do by hand is printed as $(b,frobc check) does.";
       `P "An editor offers all fixes where they belong: see $(b,frobc lsp).";
     ]
   in
@@ -107,8 +107,9 @@ let build =
       Printf.sprintf "$(b,%s) (%s)" name meaning
     in
     let doc =
-      "The machine to build for: " ^ String.concat "; " (List.map describe Driver.Target.names)
-        ^ "."
+      "The machine to build for: "
+      ^ String.concat "; " (List.map describe Driver.Target.names)
+      ^ "."
     in
     Arg.(value & opt string "host" & info [ "target" ] ~docv:"TARGET" ~doc)
   in
@@ -150,8 +151,8 @@ let header =
     Arg.(
       required
       & pos 0 (some string) None
-      & info [] ~docv:"ROBOT" ~doc:("The robot: " ^ robot_names
-        ^ ", or the file of the module of one of your own."))
+      & info [] ~docv:"ROBOT"
+          ~doc:("The robot: " ^ robot_names ^ ", or the file of the module of one of your own."))
   in
   command "header" ~doc:"the C header with a robot's input and output types"
     Term.(const Commands.header $ robot)
@@ -168,8 +169,7 @@ let selftest =
     some [ "cflags" ] ~docv:"FLAGS"
       ~doc:
         (Printf.sprintf
-           "Its options, separated by spaces, for compiling and for linking. Without them: \
-            $(b,%s)."
+           "Its options, separated by spaces, for compiling and for linking. Without them: $(b,%s)."
            (String.concat " " Driver.Toolchain.flags))
   in
   let runner =
@@ -216,8 +216,8 @@ let new_project =
       `S Manpage.s_description;
       `P
         "Makes a project to begin with: a program that drives about and touches nothing, with \
-         trials that say so; a world; a README with the commands that there are; and what \
-         editors are to know. A folder that is there already stays as it is.";
+         trials that say so; a world; a README with the commands that there are; and what editors \
+         are to know. A folder that is there already stays as it is.";
     ]
   in
   command "new" ~man ~doc:"a folder with a program, its world and its trials, to begin with"
@@ -268,9 +268,26 @@ let help names =
 let commands =
   let all =
     [
-      new_project; check; fix; format; compile; Running.trace; Running.run; Trying.test;
-      Trying.sweep; Falsifying.falsify; Running.view; Converting.convert; Running.serve; build;
-      export; report; selftest; header; explain; lsp;
+      new_project;
+      check;
+      fix;
+      format;
+      compile;
+      Running.trace;
+      Running.run;
+      Trying.test;
+      Trying.sweep;
+      Falsifying.falsify;
+      Running.view;
+      Converting.convert;
+      Running.serve;
+      build;
+      export;
+      report;
+      selftest;
+      header;
+      explain;
+      lsp;
     ]
   in
   all @ [ help ("help" :: List.map Cmd.name all) ]
@@ -287,8 +304,9 @@ let main =
         "$(b,frobc new rover) makes a project to begin with. $(b,frobc help COMMAND) tells more of \
          a command, and $(b,frobc explain CODE) of a message.";
       `S Manpage.s_see_also;
-      `P "The documentation: a tutorial, pages for single jobs, the language, in \
-          share/doc/frobc of an installation.";
+      `P
+        "The documentation: a tutorial, pages for single jobs, the language, in share/doc/frobc of \
+         an installation.";
     ]
   in
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits) commands

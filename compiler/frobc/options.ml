@@ -19,8 +19,7 @@ let command name ~doc ?man term = Cmd.v (Cmd.info name ~doc ?man ~exits) term
 let file =
   Arg.(required & pos 0 (some string) None & info [] ~docv:"FILE" ~doc:"The $(b,.frob) program.")
 
-let files =
-  Arg.(non_empty & pos_all string [] & info [] ~docv:"FILE" ~doc:"A $(b,.frob) module.")
+let files = Arg.(non_empty & pos_all string [] & info [] ~docv:"FILE" ~doc:"A $(b,.frob) module.")
 
 let entry =
   let doc = "The value to compile: a program or a closed signal function." in
@@ -47,13 +46,12 @@ let stages_doc =
   String.concat "; "
     (List.map (fun s -> Printf.sprintf "$(b,%s) (%s)" (Stage.name s) (Stage.meaning s)) Stage.all)
 
-let robot_names =
-  String.concat ", " (List.map (Printf.sprintf "$(b,%s)") Driver.Robots.names)
+let robot_names = String.concat ", " (List.map (Printf.sprintf "$(b,%s)") Driver.Robots.names)
 
 let real =
   let doc =
-    "What the program computes $(b,Float) with: $(b,double), or $(b,float), single precision, \
-     for microcontrollers that have no other arithmetic."
+    "What the program computes $(b,Float) with: $(b,double), or $(b,float), single precision, for \
+     microcontrollers that have no other arithmetic."
   in
   let precisions = [ ("double", Basis.Real.Double); ("float", Single) ] in
   Arg.(value & opt (enum precisions) Basis.Real.Double & info [ "real" ] ~docv:"TYPE" ~doc)
@@ -94,8 +92,18 @@ let general =
     Arg.(value & opt (some string) None & info [ "robot" ] ~docv:"ROBOT" ~doc)
   in
   let make format dump stop_after lint specialization_limit robot real =
-    { General.format; dump; stop_after; lint; specialization_limit; robot; real; probes = [];
-      asserts = Off; params = [] }
+    {
+      General.format;
+      dump;
+      stop_after;
+      lint;
+      specialization_limit;
+      robot;
+      real;
+      probes = [];
+      asserts = Off;
+      params = [];
+    }
   in
   Term.(const make $ format $ dump $ stop_after $ lint $ limit $ robot $ real)
 
@@ -113,7 +121,9 @@ let probed =
 let with_asserts ~default ~doc general =
   let all =
     [
-      ("off", General.Off); ("count", General.Count); ("stop", General.Stop);
+      ("off", General.Off);
+      ("count", General.Count);
+      ("stop", General.Stop);
       ("margin", General.Margin);
     ]
   in

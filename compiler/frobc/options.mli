@@ -20,6 +20,7 @@ val sources : string list Term.t
 (** [--with]: the user's own C *)
 
 val real : Basis.Real.t Term.t
+
 val robot_names : string
 (** Of the library, for a manual page. *)
 

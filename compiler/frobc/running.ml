@@ -50,16 +50,17 @@ let trace =
          $(b,in.1) and $(b,in.2) for a pair, $(b,in.heading) for the field of a record. With \
          another header the right one is shown.";
       `P
-        "Numbers are in units of scale 1 (m, s, rad); truth is $(b,true) or $(b,false); other \
-         data is written as in a program, as $(b,At 0.5). The cell of an event is empty where it \
-         does not occur. The output has the columns $(b,time) and $(b,out); an input may have \
-         them too, as a recording of $(b,frobc run) does, and they are not read.";
+        "Numbers are in units of scale 1 (m, s, rad); truth is $(b,true) or $(b,false); other data \
+         is written as in a program, as $(b,At 0.5). The cell of an event is empty where it does \
+         not occur. The output has the columns $(b,time) and $(b,out); an input may have them too, \
+         as a recording of $(b,frobc run) does, and they are not read.";
     ]
   in
   command "trace" ~man ~doc:"run a signal function on recorded input"
     Term.(
-      const run $ judging (with_params probed) $ entry $ sources $ modes $ input $ output $ picture
-      $ engine $ file)
+      const run
+      $ judging (with_params probed)
+      $ entry $ sources $ modes $ input $ output $ picture $ engine $ file)
 
 let run =
   let some_string names ~docv ~doc = Arg.(value & opt (some string) None & info names ~docv ~doc) in
@@ -71,8 +72,8 @@ let run =
   in
   let duration =
     let doc =
-      "How long to run, as $(b,60s), $(b,500ms), $(b,2min). Without it: a minute in the \
-       simulator, and until it is ended on a robot."
+      "How long to run, as $(b,60s), $(b,500ms), $(b,2min). Without it: a minute in the simulator, \
+       and until it is ended on a robot."
     in
     Arg.(value & opt (some time_span) None & info [ "for" ] ~docv:"TIME" ~doc)
   in
@@ -134,8 +135,8 @@ let run =
   let device =
     some_string [ "device" ] ~docv:"DEV"
       ~doc:
-        "Run on the robot behind this serial line (a path, best one below \
-         $(b,/dev/serial/by-id)) or this address ($(b,tcp:HOST:PORT)) instead of in the simulator."
+        "Run on the robot behind this serial line (a path, best one below $(b,/dev/serial/by-id)) \
+         or this address ($(b,tcp:HOST:PORT)) instead of in the simulator."
   in
   let span name ~doc = Arg.(value & opt (some time_span) None & info [ name ] ~docv:"TIME" ~doc) in
   let patience =
@@ -172,33 +173,46 @@ let run =
     let doc = "With $(b,--device): keep the program's memory from being swapped out." in
     Arg.(value & flag & info [ "lock-memory" ] ~doc)
   in
-  let on_robot device duration rate record patience reconnect settings cameras priority
-      lock_memory exit_when_done console look =
+  let on_robot device duration rate record patience reconnect settings cameras priority lock_memory
+      exit_when_done console look =
     match device with
     | Some device ->
         Ok
           {
-            Driver.Real_robot.device; duration; rate; record; patience; reconnect; settings;
-            cameras; priority; lock_memory; exit_when_done; console; look;
+            Driver.Real_robot.device;
+            duration;
+            rate;
+            record;
+            patience;
+            reconnect;
+            settings;
+            cameras;
+            priority;
+            lock_memory;
+            exit_when_done;
+            console;
+            look;
           }
     | None ->
         let given name option = if option then Some name else None in
         Error
           (List.filter_map Fun.id
              [
-               given "--patience" (patience <> None); given "--reconnect" (reconnect <> None);
-               given "--set" (settings <> []); given "--camera" (cameras <> []);
+               given "--patience" (patience <> None);
+               given "--reconnect" (reconnect <> None);
+               given "--set" (settings <> []);
+               given "--camera" (cameras <> []);
                given "--priority" (priority <> None);
                given "--lock-memory" lock_memory;
              ])
   in
   let on_robot =
     Term.(
-      const on_robot $ device $ duration $ rate $ record $ patience $ reconnect $ settings
-      $ cameras $ priority $ lock_memory $ exit_when_done $ console $ look)
+      const on_robot $ device $ duration $ rate $ record $ patience $ reconnect $ settings $ cameras
+      $ priority $ lock_memory $ exit_when_done $ console $ look)
   in
   let make general entry sources on_robot world duration rate seed realtime record picture strict
-    exit_when_done console look file =
+      exit_when_done console look file =
     match on_robot with
     | Error (option :: _) ->
         let other =
@@ -212,7 +226,9 @@ let run =
         let simulated =
           List.filter_map Fun.id
             [
-              given "--world" world; given "--picture" picture; given "--seed" seed;
+              given "--world" world;
+              given "--picture" picture;
+              given "--seed" seed;
               (if strict then Some "--strict" else None);
             ]
         in
@@ -220,14 +236,27 @@ let run =
     | Error [] ->
         let seed = Option.value seed ~default:1 in
         Simulating.run general ~entry ~sources
-          { Simulating.world; duration; rate; seed; realtime; record; picture; strict;
-            exit_when_done; console; look }
+          {
+            Simulating.world;
+            duration;
+            rate;
+            seed;
+            realtime;
+            record;
+            picture;
+            strict;
+            exit_when_done;
+            console;
+            look;
+          }
           file
   in
   command "run" ~doc:"run a robot program in the simulator, or on a robot"
     Term.(
-      const make $ judging (with_params probed) $ entry $ sources $ on_robot $ world $ duration
-      $ rate $ seed $ realtime $ record $ picture $ strict $ exit_when_done $ console $ look $ file)
+      const make
+      $ judging (with_params probed)
+      $ entry $ sources $ on_robot $ world $ duration $ rate $ seed $ realtime $ record $ picture
+      $ strict $ exit_when_done $ console $ look $ file)
 
 let view =
   let recording =
@@ -288,23 +317,20 @@ let view =
   in
   command "view" ~man ~doc:"look at a recorded run on a page, at any instant"
     Term.(
-      const run $ with_params general $ entry $ sources $ print $ port $ world $ seed
-        $ at $ only_build $ recording $ file)
+      const run $ with_params general $ entry $ sources $ print $ port $ world $ seed $ at
+      $ only_build $ recording $ file)
 
 let serve =
   let some kind names ~docv ~doc = Arg.(value & opt (some kind) None & info names ~docv ~doc) in
   let robot =
     some Arg.string [ "robot" ] ~docv:"ROBOT"
-      ~doc:
-        "The robot; without it, a $(b,pioneer). Or the file of the module of one of your own."
+      ~doc:"The robot; without it, a $(b,pioneer). Or the file of the module of one of your own."
   in
   let world =
     some Arg.string [ "world" ] ~docv:"WORLD.toml"
       ~doc:"The world it is in. Without it: the room that comes with frobc."
   in
-  let seed =
-    Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc:"Seed of all noise.")
-  in
+  let seed = Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc:"Seed of all noise.") in
   let tcp =
     some Arg.int [ "tcp" ] ~docv:"PORT"
       ~doc:"Listen on this port of 127.0.0.1 instead of a pseudo-terminal; 0 takes a free one."

@@ -60,10 +60,10 @@ let test =
       `S Manpage.s_description;
       `P
         "Runs what programs say of themselves: $(b,test \"label\" = during 2[s] observer), \
-         $(b,test \"label\" = trace \"in.csv\" \"out.csv\"), and \
-         $(b,trial \"label\" = Trial { … }), which drives the program in the simulator with many \
-         seeds and judges what really happens. A line for each; of a trial that fails the seed, \
-         when, what was there, a picture, and the command that shows the run.";
+         $(b,test \"label\" = trace \"in.csv\" \"out.csv\"), and $(b,trial \"label\" = Trial { … \
+         }), which drives the program in the simulator with many seeds and judges what really \
+         happens. A line for each; of a trial that fails the seed, when, what was there, a \
+         picture, and the command that shows the run.";
       `P "The exit status is 1 if a test fails.";
     ]
   in

@@ -1,6 +1,4 @@
-type problem =
-  | Param of Core.Ir.param
-  | Foreign of string
+type problem = Param of Core.Ir.param | Foreign of string
 
 exception Depends_on of Core.Ir.param
 

@@ -68,8 +68,7 @@ let number env ty value : Value.t =
   | Int -> ( match Exact.to_int32 value with Some n -> Int n | None -> wrong ())
   | Float -> Float (rounded env.program value)
   | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
-  | Size _
-    ->
+  | Size _ ->
       wrong ()
 
 (* {1 Expressions} *)
@@ -85,8 +84,7 @@ let local env (x : Local.t) =
 let is_true : Value.t -> bool = function
   | Bool b -> b
   | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
-  | Signal_function _ | Task _
-  | Ending _ ->
+  | Signal_function _ | Task _ | Ending _ ->
       bug "a condition that is no Bool"
 
 let rec expr env (e : expr) : Value.t =
@@ -129,9 +127,7 @@ let rec expr env (e : expr) : Value.t =
   | Proc proc -> Signal_function (fun () -> start env proc)
 
 and on_demand env (e : expr) =
-  match e.desc with
-  | Local x -> local env x
-  | _ -> Thunk.delay (fun () -> expr env e)
+  match e.desc with Local x -> local env x | _ -> Thunk.delay (fun () -> expr env e)
 
 and parts_on_demand env parts = Array.map (on_demand env) (Array.of_list parts)
 
@@ -146,9 +142,9 @@ and apply (f : Value.t) arguments =
   match (f, arguments) with
   | _, [] -> f
   | Function f, first :: others -> apply (f first) others
-  | (Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
-  | Signal_function _ | Task _
-    | Ending _), _ ->
+  | ( ( Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
+      | Signal_function _ | Task _ | Ending _ ),
+      _ ) ->
       bug "what is applied is no function"
 
 (* A primitive on the arguments that are there: with some missing it is a
@@ -172,8 +168,7 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
       Signal_function (fun () -> Switching.recurring env.program.nesting ~delayed first)
   | Initially, [ choose ] ->
       Signal_function (fun () -> Switching.initially env.program.nesting choose)
-  | On_event, [ body ] ->
-      Signal_function (fun () -> Switching.on_event env.program.nesting body)
+  | On_event, [ body ] -> Signal_function (fun () -> Switching.on_event env.program.nesting body)
   | Make_task, [ signal_function ] -> Tasks.make signal_function
   | Until_right, [ signal_function ] -> Tasks.until_right signal_function
   | Return, [ result ] -> Task (Returns result)
@@ -188,7 +183,7 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
       match List.map (closed env.types) types with
       | [ _; _; result ] -> Ending { signal_function; result }
       | _ -> bug "`ending` has three types")
-  | _, _ ->
+  | _, _ -> (
       let arity = Core.Primitive.arity p in
       if List.length arguments < arity then
         Function (fun argument -> primitive env p types (arguments @ [ argument ]))
@@ -201,13 +196,10 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
         | None, Console kind -> Operator.apply env.program.console kind arguments
         | None, Foreign f when Kernels.is_known f.symbol ->
             Foreign.apply env.program.core f arguments
-        | None, _ -> Primitive.apply env.program.real p arguments
+        | None, _ -> Primitive.apply env.program.real p arguments)
 
 (* Of the array that a primitive makes: its last type argument. *)
-and size env types =
-  match List.rev_map (closed env.types) types with
-  | Size n :: _ -> n
-  | _ -> 0
+and size env types = match List.rev_map (closed env.types) types with Size n :: _ -> n | _ -> 0
 
 and global program name types =
   match Hashtbl.find_opt program.values (name, types) with
@@ -218,9 +210,7 @@ and global program name types =
       | Some d ->
           let types_of_parameters = with_types d.parameters types Variables.empty in
           let env = { program; types = types_of_parameters; locals = Variables.empty } in
-          let value =
-            Thunk.equation program.nesting ~name:name.name (fun () -> expr env d.body)
-          in
+          let value = Thunk.equation program.nesting ~name:name.name (fun () -> expr env d.body) in
           Hashtbl.replace program.values (name, types) value;
           value)
 
@@ -230,11 +220,7 @@ and global program name types =
    the order of their equations. *)
 and inside env proc ~input outputs =
   let rec scope =
-    lazy
-      (fst
-         (List.fold_left equation
-            (bind proc.input input env, outputs)
-            proc.equations))
+    lazy (fst (List.fold_left equation (bind proc.input input env, outputs) proc.equations))
   and equation (scope_so_far, outputs) { binder; rhs; span = _ } =
     match (rhs, outputs) with
     | Pure value, _ ->
@@ -256,14 +242,10 @@ and start env proc : Value.instance =
       proc.equations
   in
   (* What is run is static: it may use equations, but not signals. *)
-  let signal =
-    Thunk.delay (fun () -> bug "a signal is needed before the first instant")
-  in
+  let signal = Thunk.delay (fun () -> bug "a signal is needed before the first instant") in
   let static = inside env proc ~input:signal (List.rev_map (fun _ -> signal) runs) in
   let instances =
-    Long_list.map
-      (fun (signal_function, input) -> (started static signal_function, input))
-      runs
+    Long_list.map (fun (signal_function, input) -> (started static signal_function, input)) runs
   in
   let equation name evaluate = Thunk.equation env.program.nesting ~name evaluate in
   let output instant input =
@@ -272,8 +254,7 @@ and start env proc : Value.instance =
       lazy
         (Long_list.map
            (fun ((instance : Value.instance), input) ->
-             instance.output instant
-               (equation proc.name (fun () -> expr (Lazy.force scope) input)))
+             instance.output instant (equation proc.name (fun () -> expr (Lazy.force scope) input)))
            instances)
     in
     let scope = Lazy.force scope in
@@ -290,8 +271,7 @@ and started env signal_function =
   match Thunk.demand value with
   | Signal_function start -> start ()
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
-  | Function _ | Task _
-  | Ending _ ->
+  | Function _ | Task _ | Ending _ ->
       bug "what is run is no signal function"
 
 let definition program name = global program name []

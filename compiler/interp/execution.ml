@@ -1,10 +1,6 @@
 open Core.Ir
 
-type t = {
-  instance : Value.instance;
-  ended : ty option;
-  mutable is_first : bool;
-}
+type t = { instance : Value.instance; ended : ty option; mutable is_first : bool }
 
 let bug format = Basis.Diagnostic.bug ~stage:"Interp" format
 

@@ -16,8 +16,8 @@ let matches (head : ty) (ty : ty) =
   | Function _, Function (a, b) | Signal_function _, Signal_function (a, b) -> Some [ a; b ]
   | Bool, Bool | Int, Int | Float, Float | String, String -> Some []
   | Array _, Array (size, element) -> Some [ size; element ]
-  | ( ( Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _
-      | Data _ | Array _ | Size _ ),
+  | ( ( Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Data _
+      | Array _ | Size _ ),
       _ ) ->
       None
 

@@ -10,5 +10,4 @@ val method_ :
   name:string ->
   Core.Ir.ty ->
   (Core.Ir.Global.t * Core.Ir.ty list) option
-(** The definition for a type without variables, and the types for the first of
-    its parameters. *)
+(** The definition for a type without variables, and the types for the first of its parameters. *)

@@ -4,16 +4,14 @@ let started nesting (value : Value.t) =
   match value with
   | Signal_function start -> Thunk.afresh nesting start
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
-  | Function _ | Task _
-  | Ending _ ->
+  | Function _ | Task _ | Ending _ ->
       bug "what is switched to is no signal function"
 
 let component index (value : Value.t) =
   match value with
   | Tuple parts -> parts.(index)
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Array _ | Data _ | Function _
-  | Signal_function _ | Task _
-  | Ending _ ->
+  | Signal_function _ | Task _ | Ending _ ->
       bug "what is no tuple"
 
 let part nesting thunk index =
@@ -26,16 +24,14 @@ let occurrence event =
   | Value.Data { constructor = 0; _ } -> None
   | Data { arguments = [| value |]; _ } -> Some value
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
-  | Function _ | Signal_function _
-  | Task _ | Ending _ ->
+  | Function _ | Signal_function _ | Task _ | Ending _ ->
       bug "what is no event"
 
 let apply f argument =
   match Thunk.force f with
   | Value.Function f -> f argument
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
-  | Signal_function _ | Task _
-  | Ending _ ->
+  | Signal_function _ | Task _ | Ending _ ->
       bug "a continuation that is no function"
 
 (* What runs from this instant on, with its output here. *)
@@ -84,14 +80,14 @@ let switch nesting ~delayed before continuation : Value.instance =
   let output instant input =
     let now = running.active.output instant input in
     if running.switched then now
-    else (
+    else
       let event = part nesting now 1 in
       running.next <-
         Thunk.equation nesting ~name:"a switch" (fun () ->
             Option.map
               (fun value -> enter nesting (apply continuation value) input)
               (occurrence event));
-      output nesting running ~visible:(not delayed) (part nesting now 0))
+      output nesting running ~visible:(not delayed) (part nesting now 0)
   in
   let successor () = if running.switched then Some running.active else None in
   { output; commit = (fun () -> commit running); successor }
@@ -158,8 +154,4 @@ let initially nesting choose : Value.instance =
     | Some first -> (Thunk.demand first).instance
     | None -> bug "a state of what has not started"
   in
-  {
-    output;
-    commit = (fun () -> (running ()).commit ());
-    successor = (fun () -> Some (running ()));
-  }
+  { output; commit = (fun () -> (running ()).commit ()); successor = (fun () -> Some (running ())) }

@@ -36,10 +36,7 @@ type running = {
   rest : Value.thunk list;
 }
 
-type state =
-  | Starting
-  | Running of running
-  | Ended of Value.thunk
+type state = Starting | Running of running | Ended of Value.thunk
 
 (* The state after an instant, and what is seen there. *)
 type step = { state : state; shown : Value.thunk }
@@ -95,9 +92,7 @@ let run nesting task : Value.instance =
     match (Thunk.demand !step).state with
     | Running running ->
         running.instance.commit ();
-        let instance =
-          Option.value (running.instance.successor ()) ~default:running.instance
-        in
+        let instance = Option.value (running.instance.successor ()) ~default:running.instance in
         state := Running { running with instance }
     | (Starting | Ended _) as other -> state := other
   in

@@ -1,5 +1,4 @@
-(** Tasks: activities that end, one after the other (language reference,
-    section 7). *)
+(** Tasks: activities that end, one after the other (language reference, section 7). *)
 
 val make : Value.thunk -> Value.t
 (** [mkTask]: ends at its signal function's event. *)

@@ -1,10 +1,5 @@
 type nesting = { mutable depth : int }
-
-type 'a state =
-  | Known of 'a
-  | Suspended of (unit -> 'a)
-  | Running
-
+type 'a state = Known of 'a | Suspended of (unit -> 'a) | Running
 type 'a t = { mutable state : 'a state; name : string; nesting : nesting option }
 
 exception Postponed of (unit -> unit)
@@ -14,9 +9,7 @@ let deepest = 400
 let nesting () = { depth = 0 }
 let known value = { state = Known value; name = ""; nesting = None }
 let delay evaluate = { state = Suspended evaluate; name = ""; nesting = None }
-
-let equation nesting ~name evaluate =
-  { state = Suspended evaluate; name; nesting = Some nesting }
+let equation nesting ~name evaluate = { state = Suspended evaluate; name; nesting = Some nesting }
 
 let evaluated t evaluate =
   t.state <- Running;

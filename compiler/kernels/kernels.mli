@@ -1,8 +1,8 @@
 (** The runtime's kernels of vision ([runtime/vision]), called by their names.
 
-    They are C, for both engines the same: what the interpreter judges of a program with images
-    is all that the compiler made, not the kernels themselves. Programs may call them without a
-    file of their own. *)
+    They are C, for both engines the same: what the interpreter judges of a program with images is
+    all that the compiler made, not the kernels themselves. Programs may call them without a file of
+    their own. *)
 
 val is_known : string -> bool
 (** Is there a kernel of this name? *)
@@ -10,9 +10,7 @@ val is_known : string -> bool
 type image
 (** What a camera saw, in memory to the end of the process. *)
 
-type argument =
-  | Image of image
-  | Struct of Bytes.t  (** as C has it *)
+type argument = Image of image | Struct of Bytes.t  (** as C has it *)
 
 val call : string -> argument list -> size:int -> Bytes.t
 (** Of a known one. [size]: of its result. *)

@@ -55,8 +55,7 @@ value frob_kernel_frame(value frames, value number, value size, value hash)
     const struct frob_frame_name name = { (uint32_t)Long_val(number), (uint64_t)Int64_val(size),
                                           (uint64_t)Int64_val(hash) };
     const char *expected = "";
-    const struct frob_image *found =
-        reader->finder.find(reader->finder.context, &name, &expected);
+    const struct frob_image *found = reader->finder.find(reader->finder.context, &name, &expected);
     image = caml_copy_nativeint((intnat)found);
     text = caml_copy_string(found == NULL ? expected : "");
     result = caml_alloc_tuple(2);

@@ -16,19 +16,18 @@ let all ~encoding : Json.t =
       ("renameProvider", Object [ ("prepareProvider", Bool true) ]);
       ( "codeActionProvider",
         Object
-          [ ( "codeActionKinds",
-              List
-                [ String "quickfix"; String "refactor.rewrite"; String "refactor.extract" ] ) ] );
+          [
+            ( "codeActionKinds",
+              List [ String "quickfix"; String "refactor.rewrite"; String "refactor.extract" ] );
+          ] );
       ( "completionProvider",
         Object
           [ ("triggerCharacters", List [ String "."; String "[" ]); ("resolveProvider", Bool true) ]
       );
-      ( "signatureHelpProvider",
-        Object [ ("triggerCharacters", List [ String " "; String "(" ]) ] );
+      ("signatureHelpProvider", Object [ ("triggerCharacters", List [ String " "; String "(" ]) ]);
       ("codeLensProvider", Object [ ("resolveProvider", Bool false) ]);
       ("inlayHintProvider", Bool true);
-      ( "semanticTokensProvider",
-        Object [ ("legend", Semantic_tokens.legend); ("full", Bool true) ] );
+      ("semanticTokensProvider", Object [ ("legend", Semantic_tokens.legend); ("full", Bool true) ]);
       ("foldingRangeProvider", Bool true);
       ("selectionRangeProvider", Bool true);
       ( "workspace",

@@ -134,13 +134,13 @@ let initialize t params =
       ~default:("utf-16", Text.Utf16)
   in
   t.ws.encoding <- encoding;
-  (t.ws.roots <-
-     (match (folders_of (member "workspaceFolders" params), string (member "rootUri" params)) with
-     | [], Some root -> [ Uri.to_path root ]
-     | folders, _ -> folders));
-  (t.ws.snippets <-
-     at [ "capabilities"; "textDocument"; "completion"; "completionItem"; "snippetSupport" ] params
-     = Bool true);
+  t.ws.roots <-
+    (match (folders_of (member "workspaceFolders" params), string (member "rootUri" params)) with
+    | [], Some root -> [ Uri.to_path root ]
+    | folders, _ -> folders);
+  t.ws.snippets <-
+    at [ "capabilities"; "textDocument"; "completion"; "completionItem"; "snippetSupport" ] params
+    = Bool true;
   settings t (member "initializationOptions" params);
   Ok
     (Json.Object
@@ -156,10 +156,9 @@ let on_document t params f =
   | None -> Ok Json.Null
   | Some doc ->
       (* A request may come right behind the change that it is about. *)
-      if doc.changed then begin
+      if doc.changed then (
         Workspace.look t.ws doc;
-        publish t doc
-      end;
+        publish t doc);
       f doc
 
 let failed = Result.map_error (fun message -> (request_failed, message))
@@ -234,7 +233,7 @@ let handle t message =
           log (Printf.sprintf "%s: %s" method_ fault);
           answer id (Error (internal_error, fault)))
   | None, Null -> answer Null (Error (invalid_request, "no method"))
-  | None, _ -> ()  (* an answer *)
+  | None, _ -> () (* an answer *)
 
 (* What cancels is looked at when it arrives, before what it is to cancel. *)
 let rec receive t body =
@@ -261,17 +260,23 @@ let rec serve t =
       serve t
   | None, End -> if t.shut_down then 0 else 1
   | None, Nothing ->
-      if not (look_at_one t) then begin
-        match Wire.next t.wire ~timeout:(-1.) with
-        | Message body -> receive t body
-        | Nothing | End -> ()
-      end;
+      (if not (look_at_one t) then
+         match Wire.next t.wire ~timeout:(-1.) with
+         | Message body -> receive t body
+         | Nothing | End -> ());
       serve t
 
 (* A server runs for days, so what is free is used again, unlike in a compilation. *)
 let collect () =
-  Gc.set { (Gc.get ()) with space_overhead = 200; max_overhead = 500; allocation_policy = 2;
-    custom_major_ratio = 44; minor_heap_size = 4 * 1024 * 1024 }
+  Gc.set
+    {
+      (Gc.get ()) with
+      space_overhead = 200;
+      max_overhead = 500;
+      allocation_policy = 2;
+      custom_major_ratio = 44;
+      minor_heap_size = 4 * 1024 * 1024;
+    }
 
 let run ?disk () =
   match Driver.Resources.find () with
@@ -282,6 +287,10 @@ let run ?disk () =
       let ws = Workspace.create ?disk ~library:resources.library () in
       serve
         {
-          ws; wire = Wire.create Unix.stdin; waiting = Queue.create (); cancelled = [];
-          shut_down = false; exit = None;
+          ws;
+          wire = Wire.create Unix.stdin;
+          waiting = Queue.create ();
+          cancelled = [];
+          shut_down = false;
+          exit = None;
         }

@@ -85,7 +85,6 @@ let inside program (node : Ir.node) =
 (* {1 The signals of a node} *)
 
 let rec size (ty : Ir.ty) = match ty with Array (n, element) -> n * size element | _ -> 1
-
 let rec scalar (ty : Ir.ty) = match ty with Array (_, element) -> scalar element | ty -> ty
 
 let can_be_seen (program : Ir.program) (s : Ir.signal) =
@@ -231,8 +230,11 @@ let of_program equations (program : Ir.program) =
     let root = Array.length program.nodes - 1 in
     let node = program.nodes.(root) in
     let given = List.map (fun _ -> true) node.inputs in
-    Some (named (found equations (passed_on program) program root ~path:[]
-      ~whole:[ plain node.origin ] ~given []))
+    Some
+      (named
+         (found equations (passed_on program) program root ~path:[]
+            ~whole:[ plain node.origin ]
+            ~given []))
 
 let modes_of (program : Ir.program) p =
   let rec follow (node : Ir.node) = function

@@ -1,14 +1,12 @@
 (** All inner signals of a program that can be seen, by name.
 
-    Those are, in each instance of a signal function, its parameters, the signals of its
-    input and of its equations, and of each switch or sequence of tasks which of its modes
-    runs.
+    Those are, in each instance of a signal function, its parameters, the signals of its input and
+    of its equations, and of each switch or sequence of tasks which of its modes runs.
 
-    An instance is called as its definition; several in one signal function, or several
-    modes of one name, are numbered in the order of the text. A mode that is called as what it
-    is a mode of has no name of its own in the way, and the only one has the name for both. A name
-    is the shortest end of
-    the way that leads from the root to the signal that no other has: [wallFollow.v], or
+    An instance is called as its definition; several in one signal function, or several modes of one
+    name, are numbered in the order of the text. A mode that is called as what it is a mode of has
+    no name of its own in the way, and the only one has the name for both. A name is the shortest
+    end of the way that leads from the root to the signal that no other has: [wallFollow.v], or
     [left.hold.y] where there is [right.hold.y] too. *)
 
 open Basis
@@ -18,9 +16,7 @@ type step =
   | Instance of int  (** the number in the node's [instances] *)
   | Mode of int  (** in the [modes] of its machine *)
 
-type own =
-  | Signal of Flow.Ir.signal
-  | Running_mode  (** which of the node's machine *)
+type own = Signal of Flow.Ir.signal | Running_mode  (** which of the node's machine *)
 
 type probe = {
   name : string;
@@ -34,9 +30,9 @@ type probe = {
 }
 
 val of_program : Equations.t -> Flow.Ir.program -> probe list option
-(** In the order of the text, inner instances after what is around them. [None] if there are
-    more than {!most} instances. Arrays of more than {!longest} leaves and values of foreign types
-    are left out. *)
+(** In the order of the text, inner instances after what is around them. [None] if there are more
+    than {!most} instances. Arrays of more than {!longest} leaves and values of foreign types are
+    left out. *)
 
 val most : int
 val longest : int

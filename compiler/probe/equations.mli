@@ -1,7 +1,7 @@
 (** Which signals of Flow the programmer wrote as equations of a [proc].
 
-    Flow has names for more: what a branch of a [case] binds has one too, and a value
-    only where that branch is taken. *)
+    Flow has names for more: what a branch of a [case] binds has one too, and a value only where
+    that branch is taken. *)
 
 open Basis
 

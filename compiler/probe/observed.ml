@@ -7,9 +7,7 @@ let bug format = Diagnostic.bug ~stage:"Probe.Observed" format
 type wanted = { path : Catalogue.step list; own : own; label : string }
 and own = Signal of int  (** its id *) | Running_mode
 
-let own : Catalogue.own -> own = function
-  | Signal s -> Signal s.id
-  | Running_mode -> Running_mode
+let own : Catalogue.own -> own = function Signal s -> Signal s.id | Running_mode -> Running_mode
 
 (* The same text for the same way and end. *)
 let key (w : wanted) =
@@ -112,8 +110,7 @@ let present t equations ~span (g : given) =
 let inner_wanted (node : Ir.node) (w : wanted) =
   match (w.path, node.machine) with
   | [], _ -> None
-  | Instance k :: path, _ ->
-      Some ((List.nth node.instances k).node, { w with path })
+  | Instance k :: path, _ -> Some ((List.nth node.instances k).node, { w with path })
   | Mode k :: path, Some machine -> Some (List.nth machine.modes k, { w with path })
   | Mode _ :: _, None -> bug "a mode of no machine"
 
@@ -126,14 +123,12 @@ let ask t index w =
 let ask_all t probes =
   let root = Array.length t.nodes - 1 in
   List.iter
-    (fun (p : Catalogue.probe) ->
-      ask t root { path = p.path; own = own p.own; label = p.signal })
+    (fun (p : Catalogue.probe) -> ask t root { path = p.path; own = own p.own; label = p.signal })
     probes;
   for index = root downto 0 do
     t.wanted.(index) <- List.rev t.wanted.(index);
     List.iter
-      (fun w ->
-        Option.iter (fun (inner, w) -> ask t inner w) (inner_wanted t.nodes.(index) w))
+      (fun w -> Option.iter (fun (inner, w) -> ask t inner w) (inner_wanted t.nodes.(index) w))
       t.wanted.(index)
   done
 
@@ -159,11 +154,7 @@ let instance t (i : Ir.instance) =
   ({ i with outputs = i.outputs @ List.map signal given }, given)
 
 let with_outputs (node : Ir.node) ~equations others =
-  {
-    node with
-    equations = node.equations @ List.rev equations;
-    outputs = node.outputs @ others;
-  }
+  { node with equations = node.equations @ List.rev equations; outputs = node.outputs @ others }
 
 let find (found : given String_table.t) (w : wanted) =
   match String_table.find_opt found (key w) with
@@ -173,17 +164,15 @@ let find (found : given String_table.t) (w : wanted) =
 (* All modes of a machine give the same: each its own, and nothing of the others'. *)
 let machine t index (node : Ir.node) (machine : Ir.machine) equations =
   let span = machine.span in
-  let number = lazy (
-    let constructor name : Ir.sum_constructor = { constructor = name; fields = [] } in
-    let names = Catalogue.mode_names t.before machine in
-    add_sum t
-      { name = "Mode " ^ node.origin; module_ = ""; constructors = List.map constructor names })
+  let number =
+    lazy
+      (let constructor name : Ir.sum_constructor = { constructor = name; fields = [] } in
+       let names = Catalogue.mode_names t.before machine in
+       add_sum t
+         { name = "Mode " ^ node.origin; module_ = ""; constructors = List.map constructor names })
   in
   let is_asked w =
-    match w.path with
-    | Instance _ :: _ -> false
-    | [] -> w.own = Running_mode
-    | Mode _ :: _ -> true
+    match w.path with Instance _ :: _ -> false | [] -> w.own = Running_mode | Mode _ :: _ -> true
   in
   let asked = List.filter is_asked t.wanted.(index) in
   let always = List.compare_length_with machine.modes 1 = 0 && Option.is_none machine.active in
@@ -206,8 +195,7 @@ let machine t index (node : Ir.node) (machine : Ir.machine) equations =
       let output w ty =
         let atom =
           match in_mode w with
-          | Some (n, g) when n = k ->
-              if always then g.atom else present t own_equations ~span g
+          | Some (n, g) when n = k -> if always then g.atom else present t own_equations ~span g
           | Some _ -> absent t own_equations ~span ty
           | None ->
               let atom =
@@ -229,8 +217,7 @@ let machine t index (node : Ir.node) (machine : Ir.machine) equations =
       | None -> Ir.Signal s
       | Some condition ->
           let else_ = absent t equations ~span s.ty in
-          define t equations ~name:w.label ~span s.ty
-            (If { condition; then_ = Signal s; else_ })
+          define t equations ~name:w.label ~span s.ty (If { condition; then_ = Signal s; else_ })
     in
     { wanted = w; atom; ty = s.ty }
   in
@@ -241,9 +228,7 @@ let extend t ~is_mode index =
   let equations = ref [] in
   let extended = List.map (instance t) node.instances in
   let inside = Array.of_list (List.map (fun (_, given) -> by_key given) extended) in
-  let machine =
-    Option.map (fun m -> machine t index node m equations) node.machine
-  in
+  let machine = Option.map (fun m -> machine t index node m equations) node.machine in
   let of_machine = Option.map (fun (_, given) -> by_key given) machine in
   let given (w : wanted) =
     match (w.path, w.own) with
@@ -254,16 +239,12 @@ let extend t ~is_mode index =
         let inner = find inside.(k) { w with path } in
         { inner with wanted = w }
     | [], Running_mode | Mode _ :: _, _ -> (
-        match of_machine with
-        | Some given -> find given w
-        | None -> bug "a mode of no machine")
+        match of_machine with Some given -> find given w | None -> bug "a mode of no machine")
   in
   let given = List.map given t.wanted.(index) in
   t.given.(index) <- given;
   t.found.(index) <- by_key given;
-  let node =
-    { node with instances = List.map fst extended; machine = Option.map fst machine }
-  in
+  let node = { node with instances = List.map fst extended; machine = Option.map fst machine } in
   let others =
     if is_mode then [] else List.map (fun (g : given) -> (g.wanted.label, g.atom)) given
   in
@@ -312,8 +293,14 @@ let claims ~shown ~margin probes =
   in
   let claim (p : Catalogue.probe) : Ir.claim =
     let label = Option.value (Resolve.Labels.label p.signal) ~default:p.signal in
-    { column = p.name; is_assumption = Resolve.Labels.is_assumption p.signal; label;
-      shown = shown p; claimed_at = p.span; margin = margin_of p }
+    {
+      column = p.name;
+      is_assumption = Resolve.Labels.is_assumption p.signal;
+      label;
+      shown = shown p;
+      claimed_at = p.span;
+      margin = margin_of p;
+    }
   in
   List.map claim (List.filter Selection.is_claim probes)
 
@@ -324,6 +311,7 @@ let has_claims (program : Ir.program) =
   in
   Array.exists
     (fun (node : Ir.node) ->
-      List.exists defines node.equations || List.exists gives node.instances
+      List.exists defines node.equations
+      || List.exists gives node.instances
       || List.exists (fun (s : Ir.signal) -> Resolve.Labels.is_name s.name) node.statics)
     program.nodes

@@ -20,7 +20,6 @@ let bug format = Diagnostic.bug ~stage:"Probe.Origin" format
 
 (* Further ones are no more told apart: a loop of delays would have no end. *)
 let farthest = 2
-
 let any = -1
 let before = -2
 
@@ -115,8 +114,7 @@ let earlier at =
   | Instants n -> { at with back = Instants (min farthest (n + 1)) }
   | First | Entry -> at
 
-let at_first at =
-  match at.back with Instants _ -> { at with back = First } | First | Entry -> at
+let at_first at = match at.back with Instants _ -> { at with back = First } | First | Entry -> at
 
 (* Up to where a column's name tells it. *)
 let rec element = function
@@ -137,18 +135,15 @@ let transitions t frame =
   @ List.concat (List.mapi of_mode machine.modes)
 
 let rec atom walk frame ~at ~part (atom : Ir.atom) =
-  match atom with
-  | Signal s -> signal walk frame ~at ~part s
-  | Bool _ | Int _ | Float _ -> ()
+  match atom with Signal s -> signal walk frame ~at ~part s | Bool _ | Int _ | Float _ -> ()
 
 and signal walk frame ~at ~part (s : Ir.signal) =
   let key = (frame.number, s.id, at, part) in
-  if not (Hashtbl.mem walk.met key) then begin
+  if not (Hashtbl.mem walk.met key) then (
     Hashtbl.replace walk.met key ();
     match Hashtbl.find_opt walk.t.columns (frame.number, Catalogue.Signal s) with
     | Some column -> add walk (column ^ element part) at
-    | None -> definition walk frame ~at ~part s
-  end
+    | None -> definition walk frame ~at ~part s)
 
 and definition walk frame ~at ~part (s : Ir.signal) =
   match Hashtbl.find_opt (definitions walk.t frame.node) s.id with
@@ -160,10 +155,7 @@ and definition walk frame ~at ~part (s : Ir.signal) =
   | None -> (
       (* The results of foreign code need all its inputs. *)
       match (node walk.t frame).foreign with
-      | Some _ ->
-          List.iteri
-            (fun k _ -> input walk frame ~at ~part:[] k)
-            (node walk.t frame).inputs
+      | Some _ -> List.iteri (fun k _ -> input walk frame ~at ~part:[] k) (node walk.t frame).inputs
       | None -> bug "a signal of another node")
 
 and right_side walk frame ~at ~part (rhs : Ir.rhs) =
@@ -330,19 +322,12 @@ let place t equations frame (p : Catalogue.probe) =
   | None, Running_mode -> p.span
 
 let of_probe t equations frame column (p : Catalogue.probe) =
-  let from_definition (s : Ir.signal) =
-    walk t (fun w -> definition w frame ~at:now ~part:[] s)
-  in
+  let from_definition (s : Ir.signal) = walk t (fun w -> definition w frame ~at:now ~part:[] s) in
   match p.own with
   | Running_mode ->
       { column; place = p.span; sources = []; transitions = machine_transitions t frame }
   | Signal s ->
-      {
-        column;
-        place = place t equations frame p;
-        sources = from_definition s;
-        transitions = [];
-      }
+      { column; place = place t equations frame p; sources = from_definition s; transitions = [] }
 
 let of_program equations (program : Ir.program) probes =
   let shown = List.filter (fun (p : Catalogue.probe) -> not p.handed_down) probes in
@@ -359,8 +344,7 @@ let of_program equations (program : Ir.program) probes =
   let root = root t in
   let placed =
     List.map
-      (fun (p : Catalogue.probe) ->
-        (List.fold_left (inside t) root p.path, "probe." ^ p.name, p))
+      (fun (p : Catalogue.probe) -> (List.fold_left (inside t) root p.path, "probe." ^ p.name, p))
       shown
   in
   List.iter

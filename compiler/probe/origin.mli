@@ -1,8 +1,8 @@
 (** Where the value of a column comes from: one step back along the equations.
 
-    From the signal's equation back through all that has no column of its own (what a
-    function computes, what has no name), to the nearest columns: parameters, other
-    equations, signals inside of what runs there, the program's input. *)
+    From the signal's equation back through all that has no column of its own (what a function
+    computes, what has no name), to the nearest columns: parameters, other equations, signals inside
+    of what runs there, the program's input. *)
 
 open Basis
 
@@ -22,7 +22,6 @@ type source = {
 val any : int
 val before : int
 
-(** Between the modes of a machine. *)
 type transition = {
   from : int;  (** a mode's number, or {!any}, as what is around it says, or {!before} *)
   target : int;
@@ -32,6 +31,7 @@ type transition = {
   sources : source list;  (** of the event *)
   place : Span.t;
 }
+(** Between the modes of a machine. *)
 
 type t = {
   column : string;  (** [probe.follow.v], [out.turn] *)
@@ -41,5 +41,5 @@ type t = {
 }
 
 val of_program : Equations.t -> Flow.Ir.program -> Catalogue.probe list -> t list
-(** Of the leaves of the output, and of these probes. Columns are called as in a trace; where
-    it is not known which element of an array is meant, as the whole array. *)
+(** Of the leaves of the output, and of these probes. Columns are called as in a trace; where it is
+    not known which element of an array is meant, as the whole array. *)

@@ -30,7 +30,6 @@ let claims = "assert"
 let margins = "margin"
 let is_margin (p : Catalogue.probe) = Core.Margin.is_column p.signal
 let is_claim (p : Catalogue.probe) = Resolve.Labels.is_name p.signal
-
 let prefix = "probe."
 
 let find probes names =
@@ -43,8 +42,7 @@ let find probes names =
     | [] ->
         let is_wanted p = List.exists (fun meant -> meant p) wanted in
         Ok (List.filter is_wanted probes)
-    | "all" :: rest ->
-        all ((fun (p : Catalogue.probe) -> not p.handed_down) :: wanted) rest
+    | "all" :: rest -> all ((fun (p : Catalogue.probe) -> not p.handed_down) :: wanted) rest
     | name :: rest when name = claims -> all (is_claim :: wanted) rest
     | name :: rest when name = margins -> all (is_margin :: wanted) rest
     | name :: rest ->

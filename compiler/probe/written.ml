@@ -45,8 +45,7 @@ let product factors : Ir.unit_ =
     (key, Typing.Rational.add before power) :: List.remove_assoc key sum
   in
   let all select =
-    List.concat_map select factors
-    |> List.fold_left add []
+    List.concat_map select factors |> List.fold_left add []
     |> List.filter (fun (_, power) -> not (Typing.Rational.is_zero power))
     |> List.sort compare
   in
@@ -74,8 +73,7 @@ let rec instantiated ~units ~types (ty : Ir.ty) : Ir.ty =
   | Function (a, b) -> Function (go a, go b)
   | Signal_function (a, b) -> Signal_function (go a, go b)
   | Data d ->
-      Data
-        { d with units = List.map (in_unit units) d.units; arguments = List.map go d.arguments }
+      Data { d with units = List.map (in_unit units) d.units; arguments = List.map go d.arguments }
 
 let fields t (ty : Ir.ty) =
   match ty with
@@ -119,12 +117,9 @@ let type_of t (p : Catalogue.probe) =
           (* What a tuple that is a parameter consists of is known by the whole's place. *)
           let is_there ((span : Span.t), _) =
             String.equal span.file s.span.file
-            && span.start >= s.span.start
-            && span.stop <= s.span.stop
+            && span.start >= s.span.start && span.stop <= s.span.stop
           in
-          Hashtbl.find_all t.variables name
-          |> List.find_opt is_there
-          |> Option.map snd
+          Hashtbl.find_all t.variables name |> List.find_opt is_there |> Option.map snd
           |> Fun.flip Option.bind (fun ty -> part t ty path))
 
 (* The library's units for products that nobody writes out. No Hz: an angular velocity is 1/s. *)
@@ -148,9 +143,7 @@ let short (u : Ir.unit_) =
   let is_it (_, factors) =
     List.compare_lengths factors u.base = 0 && List.for_all is_factor factors
   in
-  match List.find_opt is_it derived with
-  | Some (name, _) -> name
-  | None -> Typing.Show.unit_ u
+  match List.find_opt is_it derived with Some (name, _) -> name | None -> Typing.Show.unit_ u
 
 let rec unit_ (ty : Ir.ty) =
   match ty with

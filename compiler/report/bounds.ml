@@ -32,5 +32,4 @@ let operations : (string * Cost.kind) list =
     ("stores of state", Stores);
   ]
 
-let library t =
-  List.map fst (Cost.calls (Cost.larger t.operations.reset t.operations.step))
+let library t = List.map fst (Cost.calls (Cost.larger t.operations.reset t.operations.step))

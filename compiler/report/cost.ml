@@ -35,5 +35,6 @@ let calls t =
       match kind with
       | Calls name -> Some (name, n)
       | Pixels _ | Images _ | Additions | Multiplications | Divisions | Choices | Conversions
-      | Loads | Stores -> None)
+      | Loads | Stores ->
+          None)
     (Kinds.bindings t)

@@ -59,8 +59,7 @@ let machine ppf (program : Ir.program) ~file number (node : Ir.node) (m : Ir.mac
     Format.fprintf ppf "    %s -> %s;@." (start number) (state number t.target)
   in
   List.iter first m.start;
-  if m.controls <> [] then
-    Format.fprintf ppf "    %s [label=any, shape=plaintext];@." (any number);
+  if m.controls <> [] then Format.fprintf ppf "    %s [label=any, shape=plaintext];@." (any number);
   List.iter
     (fun (t : Ir.transition) ->
       Format.fprintf ppf "    %s -> %s%s;@." (any number) (state number t.target)
@@ -68,9 +67,7 @@ let machine ppf (program : Ir.program) ~file number (node : Ir.node) (m : Ir.mac
     m.controls;
   List.iteri
     (fun k index ->
-      List.iter
-        (edge ppf number ~from:(state number k))
-        program.nodes.(index).transitions)
+      List.iter (edge ppf number ~from:(state number k)) program.nodes.(index).transitions)
     m.modes;
   Format.fprintf ppf "  }@."
 
@@ -93,8 +90,7 @@ let print ppf (program : Ir.program) =
   let numbers = Hashtbl.create 16 in
   Array.iteri
     (fun index (node : Ir.node) ->
-      if Option.is_some node.machine then
-        Hashtbl.replace numbers index (Hashtbl.length numbers))
+      if Option.is_some node.machine then Hashtbl.replace numbers index (Hashtbl.length numbers))
     program.nodes;
   let file =
     match Array.length program.nodes with 0 -> "" | n -> program.nodes.(n - 1).span.file
@@ -103,9 +99,7 @@ let print ppf (program : Ir.program) =
   let each f =
     Array.iteri
       (fun index (node : Ir.node) ->
-        match node.machine with
-        | Some m -> f (Hashtbl.find numbers index) node m
-        | None -> ())
+        match node.machine with Some m -> f (Hashtbl.find numbers index) node m | None -> ())
       program.nodes
   in
   each (machine ppf program ~file);

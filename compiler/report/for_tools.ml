@@ -138,8 +138,8 @@ let to_string ?judged (t : Bounds.t) =
        [
          ("program", string t.program.name);
          ( "entry",
-           Object
-             [ ("name", string root.name); ("file", file root.file); ("line", line root.span) ] );
+           Object [ ("name", string root.name); ("file", file root.file); ("line", line root.span) ]
+         );
          ("state_bytes", Int root.bytes);
          ("foreign_structs", list string (State.foreign t.program));
          ("structs", list (fun k -> definition index (State.definition t.state k)) structs);

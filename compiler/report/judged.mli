@@ -1,5 +1,5 @@
-(** What it costs to judge a program's assertions: the program with them beside the program
-    without, as it is when it drives unwatched. *)
+(** What it costs to judge a program's assertions: the program with them beside the program without,
+    as it is when it drives unwatched. *)
 
 type t = {
   count : int;  (** of assertions *)

@@ -23,10 +23,7 @@ let all =
     ("frob_find_edges", { looks = Line { length = 4; width = 5 }; stack = kilobytes 30 });
     ("frob_get_patch", { looks = Samples 1024; stack = kilobytes 30 });
     ( "frob_match_patch",
-      {
-        looks = Iterated { samples = 1024; level = 6; iterations = 7 };
-        stack = kilobytes 100;
-      } );
+      { looks = Iterated { samples = 1024; level = 6; iterations = 7 }; stack = kilobytes 100 } );
   ]
 
 let find name = List.assoc_opt name all
@@ -53,14 +50,9 @@ let pixels looks arguments =
   match looks with
   | Samples n -> Some n
   | Iterated { samples; level; iterations } ->
-      Some
-        (samples
-        * (1 + whole (levels - 1) level)
-        * (1 + whole most_iterations iterations))
+      Some (samples * (1 + whole (levels - 1) level) * (1 + whole most_iterations iterations))
   | Region { width; height } -> (
-      match (size side width, size side height) with
-      | Some w, Some h -> Some (w * h)
-      | _, _ -> None)
+      match (size side width, size side height) with Some w, Some h -> Some (w * h) | _, _ -> None)
   | Line { length; width } ->
       let at_most most k = Option.value (size most k) ~default:most in
       Some (at_most longest length * at_most widest width)

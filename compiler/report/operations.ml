@@ -67,8 +67,7 @@ let looks c node arguments =
 
 let rec expression c (e : M.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Dt | Dt_nanoseconds ->
-      Cost.none
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Dt | Dt_nanoseconds -> Cost.none
   | Field { content = Value ty; _ } -> Cost.several (scalars c ty) Loads
   | Field _ | Param _ -> Cost.one Loads
   | Operation { operator; ty; arguments } ->
@@ -109,9 +108,7 @@ and expressions c es = List.fold_left (fun cost e -> Cost.add cost (expression c
 
 let entry c (e : M.entry) =
   let mode = List.nth c.node.modes e.mode in
-  let number =
-    match c.node.modes with [] | [ _ ] -> Cost.none | _ :: _ :: _ -> Cost.one Stores
-  in
+  let number = match c.node.modes with [] | [ _ ] -> Cost.none | _ :: _ :: _ -> Cost.one Stores in
   let parameters = List.map (fun (_, field) -> stored c field) mode.parameters in
   let first =
     match mode.state with
@@ -147,17 +144,14 @@ let run c (r : M.run) =
   let kept = if r.drops then Cost.one Choices else Cost.none in
   let again =
     (* May another mode be stepped; one more step. *)
-    if r.steps > 1 then Cost.add (Cost.one Choices) (Cost.one Additions)
-    else Cost.none
+    if r.steps > 1 then Cost.add (Cost.one Choices) (Cost.one Additions) else Cost.none
   in
   let late = if r.late then Cost.several 2 Choices else Cost.none in
   let own_step k = c.done_.(modes.(k).node).step in
   (* The step of a mode, all its transitions tested. *)
   let round k (case : M.case) =
     let tests = List.map (fun (n : M.next) -> test n.condition) case.transitions in
-    Cost.sum
-      ([ chosen; expressions c case.arguments; own_step k ]
-      @ tests @ [ kept; again; late ])
+    Cost.sum ([ chosen; expressions c case.arguments; own_step k ] @ tests @ [ kept; again; late ])
   in
   let rounds = Array.mapi round cases in
   (* From a mode on: its step, and all that its transitions lead to. *)
@@ -177,9 +171,7 @@ let run c (r : M.run) =
     let after = entered (r.steps - 1) in
     fun (e : M.entry) -> after.(e.mode)
   in
-  let running =
-    largest (List.init (Array.length rounds) (from after (fun (_ : M.next) -> true)))
-  in
+  let running = largest (List.init (Array.length rounds) (from after (fun (_ : M.next) -> true))) in
   let tests = List.map (fun (condition, _) -> test condition) r.controls in
   let controlled = entries c after (List.map snd r.controls) in
   let steps =
@@ -189,9 +181,7 @@ let run c (r : M.run) =
       Cost.larger running entered
   in
   let active =
-    match r.active with
-    | None -> Cost.none
-    | Some e -> Cost.add (Cost.one Choices) (expression c e)
+    match r.active with None -> Cost.none | Some e -> Cost.add (Cost.one Choices) (expression c e)
   in
   let own_time = Option.fold r.clock ~none:Cost.none ~some:(clock c) in
   Cost.sum ((own_time :: active :: tests) @ [ steps ])
@@ -206,8 +196,7 @@ let rec statement c (s : M.statement) =
       Cost.sum [ Cost.one Choices; expression c condition; branches ]
   | Step { node; arguments; on_trial; _ } ->
       let copy = if on_trial then Cost.several c.scalars.(node) Loads else Cost.none in
-      Cost.sum
-        [ copy; expressions c arguments; c.done_.(node).step; looks c node arguments ]
+      Cost.sum [ copy; expressions c arguments; c.done_.(node).step; looks c node arguments ]
   | Loop l ->
       let argument : M.argument -> Cost.t = function
         | Accumulated _ -> Cost.none
@@ -278,8 +267,7 @@ let of_program (program : M.program) =
           let step = Cost.add (crossing program node) (call "_step") in
           done_.(k) <- { reset = call "_reset"; step }
       | None ->
-          done_.(k) <-
-            { reset = statements c node.reset.body; step = statements c node.step.body })
+          done_.(k) <- { reset = statements c node.reset.body; step = statements c node.step.body })
     program.nodes;
   let last = count - 1 in
   let root = done_.(last) in

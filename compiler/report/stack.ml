@@ -48,8 +48,8 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
   match operator with
   | Add | Subtract | Multiply | Negate -> if ty = Int then Helper else Operators
   | Absolute -> if ty = Int then Helper else Library
-  | Signum | Minimum | Maximum | Div | Mod | Round | Floor | Ceiling | Truncate
-  | Bitwise _ | Elementary Nanoseconds ->
+  | Signum | Minimum | Maximum | Div | Mod | Round | Floor | Ceiling | Truncate | Bitwise _
+  | Elementary Nanoseconds ->
       Helper
   | Pow | Elementary _ -> Library
   | Divide | Equal | Less | Less_equal | To_float | Not | And | Or -> Operators
@@ -57,10 +57,12 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
 (* Calls within an expression make it keep intermediate values in memory. *)
 let rec calls (e : M.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _
-  | Field _ | Param _ -> false
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _
+  | Param _ ->
+      false
   | Construct _ | Call _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ | Fill _ | At _
-  | Replace _ -> true
+  | Replace _ ->
+      true
   | Elements { elements; _ } -> List.exists calls elements
   | Index { array; _ } -> calls array
   | Payload { value; _ } | Is_constructor { value; _ } | Seconds value -> calls value
@@ -81,8 +83,9 @@ let rec within c frame ~calling (e : M.expr) =
   let all = List.iter (within c frame ~calling) in
   let intermediate () = if calling then need frame word in
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _
-  | Field _ | Param _ -> ()
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _
+  | Param _ ->
+      ()
   | Operation { operator = And | Or; arguments; _ } ->
       need frame word;
       all arguments
@@ -156,9 +159,9 @@ and choice c (e : M.expr) =
   | Call { node; _ } ->
       let add sum (_, ty) = Amount.add sum (room c ty) in
       List.fold_left add 0 c.program.nodes.(node).outputs
-  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Field _
-  | Param _ | Operation _
-  | Is_constructor _ | Seconds _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ ->
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Field _ | Param _
+  | Operation _ | Is_constructor _ | Seconds _ | In_nanoseconds _ | Later _ | Soon _ | Reached _
+  | Rest _ ->
       word
   | Elements { element; elements } -> room c (Array (List.length elements, element))
   | Fill { count; element; _ } | Replace { count; element; _ } -> room c (Array (count, element))
@@ -177,11 +180,7 @@ and arguments c frame ~calling es =
     es
 
 and call c frame callee es =
-  let bounds =
-    match callee with
-    | Step k -> c.done_.(k).step
-    | Reset k -> c.done_.(k).reset
-  in
+  let bounds = match callee with Step k -> c.done_.(k).step | Reset k -> c.done_.(k).reset in
   frame.callees <- bounds :: frame.callees;
   if c.program.params <> [] then need frame word;
   arguments c frame ~calling:(List.exists calls es) es
@@ -271,7 +270,9 @@ let function_ c k ~results (code : M.code) =
   given c.node.nanoseconds;
   let in_place = in_place c.program k in
   let is_array (v : M.variable) =
-    match v.ty with Array _ -> true | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> false
+    match v.ty with
+    | Array _ -> true
+    | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> false
   in
   List.iter (fun v -> if is_array v || not in_place then variable c frame v) code.parameters;
   need frame (Amount.times word results);
@@ -285,8 +286,7 @@ let function_ c k ~results (code : M.code) =
 let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
   let own = Option.fold (Kernels.find import.symbol) ~none:0 ~some:(fun k -> k.Kernels.stack) in
   let leaves =
-    List.concat_map Flow.Shape.leaves (import.result :: import.arguments)
-    |> List.map Step.Layout.ty
+    List.concat_map Flow.Shape.leaves (import.result :: import.arguments) |> List.map Step.Layout.ty
   in
   let rooms = List.fold_left (fun sum ty -> Amount.add sum (room_as Double c ty)) 0 leaves in
   let calls = Amount.times word (2 + List.length leaves) in
@@ -317,9 +317,6 @@ let of_program (program : M.program) state =
               step = { bytes = foreign_step c foreign; chain = [ k ] };
             }
         | None ->
-            {
-              reset = function_ c k ~results:0 node.reset;
-              step = function_ c k ~results node.step;
-            }))
+            { reset = function_ c k ~results:0 node.reset; step = function_ c k ~results node.step }))
     program.nodes;
   root program program.nodes.(count - 1) done_.(count - 1)

@@ -1,13 +1,7 @@
 open Basis
 module M = Step.Ir
 
-type member = {
-  name : string;
-  offset : int;
-  bytes : int;
-  holds : holds;
-  span : Span.t;
-}
+type member = { name : string; offset : int; bytes : int; holds : holds; span : Span.t }
 
 and holds =
   | Value of string
@@ -16,12 +10,7 @@ and holds =
   | Running_mode
   | Largest of alternative list
 
-and alternative = {
-  mode : string;
-  node : int;
-  bytes : int;
-  members : member list;
-}
+and alternative = { mode : string; node : int; bytes : int; members : member list }
 
 type definition = {
   name : string;
@@ -64,9 +53,7 @@ and members c k fields =
     match (fields, offsets, blocks) with
     | field :: fields, offset :: offsets, (room : Step.Block.t) :: blocks ->
         let holds = content c k field in
-        let member =
-          { name = field.name; offset; bytes = room.bytes; holds; span = field.span }
-        in
+        let member = { name = field.name; offset; bytes = room.bytes; holds; span = field.span } in
         placed fields offsets blocks (member :: found)
     | _, _, _ -> List.rev found
   in
@@ -102,10 +89,9 @@ let in_use t =
   let seen = Array.make (Array.length t) false in
   let rec visit found k =
     if seen.(k) then found
-    else begin
+    else (
       seen.(k) <- true;
-      List.fold_left inside (k :: found) t.(k).members
-    end
+      List.fold_left inside (k :: found) t.(k).members)
   and inside found (member : member) =
     match member.holds with
     | Value _ | Running_mode -> found

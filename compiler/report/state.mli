@@ -1,5 +1,4 @@
-(** Where the bytes of the state are: the struct of each definition, member by
-    member. *)
+(** Where the bytes of the state are: the struct of each definition, member by member. *)
 
 open Basis
 
@@ -18,15 +17,9 @@ and holds =
   | Running_mode
   | Largest of alternative list  (** modes, which share this room *)
 
+and alternative = { mode : string; node : int; bytes : int; members : member list }
 (** The struct that a mode's members make. *)
-and alternative = {
-  mode : string;
-  node : int;
-  bytes : int;
-  members : member list;
-}
 
-(** The state struct of a node. *)
 type definition = {
   name : string;  (** the definition as the programmer knows it *)
   file : string;
@@ -34,6 +27,7 @@ type definition = {
   bytes : int;
   members : member list;
 }
+(** The state struct of a node. *)
 
 type t
 
@@ -44,8 +38,8 @@ val definition : t -> int -> definition
 (** Of a node with state, or the root. *)
 
 val in_use : t -> int list
-(** The definitions that the root's holds, itself first, each before those it holds
-    and each once. *)
+(** The definitions that the root's holds, itself first, each before those it holds and each once.
+*)
 
 val padding : bytes:int -> member list -> int
 (** What of a struct no member has. *)

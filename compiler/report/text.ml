@@ -1,15 +1,8 @@
-type row = {
-  depth : int;
-  label : string;
-  amount : string;
-  note : string;
-  place : string;
-}
+type row = { depth : int; label : string; amount : string; note : string; place : string }
 
 (* Deeper structs are indented no more, so that the text stays small. *)
 let deepest = 24
 let indentation row = 2 * min row.depth deepest
-
 let width column rows = List.fold_left (fun most row -> max most (column row)) 0 rows
 
 (* A long name moves only its own line. *)
@@ -17,7 +10,10 @@ let widest_label = 48
 
 let table rows =
   let left row = indentation row + String.length row.label in
-  let fitting row = let n = left row in if n > widest_label then 0 else n in
+  let fitting row =
+    let n = left row in
+    if n > widest_label then 0 else n
+  in
   let labels = width fitting rows in
   let amounts = width (fun row -> String.length row.amount) rows in
   let notes = width (fun row -> String.length row.note) rows in
@@ -137,8 +133,7 @@ let machine_line (m : Hops.machine) =
     (Bounds.place ~file:m.file m.span)
     count
     (if count = 1 then "mode" else "modes")
-    (String.concat ", " m.modes)
-    m.steps
+    (String.concat ", " m.modes) m.steps
 
 (* Why a switch takes time, or that it may take none. *)
 let first_instant (t : Hops.transition) =
@@ -181,9 +176,7 @@ let param_row (p : Flow.Ir.param) =
     | Signal _ -> ""
   in
   let unit_ = if List.mem p.unit_ [ ""; "1" ] then "" else "[" ^ p.unit_ ^ "]" in
-  let doc =
-    match p.doc with None -> "" | Some doc -> List.hd (String.split_on_char '\n' doc)
-  in
+  let doc = match p.doc with None -> "" | Some doc -> List.hd (String.split_on_char '\n' doc) in
   {
     depth = 1;
     label = p.label;
@@ -197,7 +190,8 @@ let assertions = function
   | Some (j : Judged.t) ->
       [
         Printf.sprintf
-          "\nassertions: %d; where they are judged, operations of a step: %d more (%.2f), bytes of \
+          "\n\
+           assertions: %d; where they are judged, operations of a step: %d more (%.2f), bytes of \
            state: %d more; otherwise none of them in the C\n"
           j.count j.operations j.share j.bytes;
       ]
@@ -213,9 +207,7 @@ let to_string ?judged (t : Bounds.t) =
         ]
   in
   let machines =
-    match t.machines with
-    | [] -> []
-    | machines -> "\nmodes\n" :: List.map machine_line machines
+    match t.machines with [] -> [] | machines -> "\nmodes\n" :: List.map machine_line machines
   in
   let events =
     match List.concat_map (fun (m : Hops.machine) -> m.transitions) t.machines with
@@ -242,9 +234,7 @@ let to_string ?judged (t : Bounds.t) =
     | structs -> Printf.sprintf ", without %s of the user's C" (String.concat ", " structs)
   in
   let library =
-    match Bounds.library t with
-    | [] -> ""
-    | _ :: _ -> ", without that of the elementary functions"
+    match Bounds.library t with [] -> "" | _ :: _ -> ", without that of the elementary functions"
   in
   String.concat ""
     ([

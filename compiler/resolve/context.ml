@@ -23,7 +23,6 @@ let create sink =
     unknown = [];
   }
 
-
 (* A name that is not known is so at each place where it stands. *)
 let is_of_unknown (d : Diagnostic.t) =
   List.mem d.code [ "E0205"; "E0206"; "E0207"; "E0208"; "E0215" ]
@@ -42,32 +41,28 @@ let fresh t name span : Ir.Local.t =
 let deepest = 10_000
 
 let nested t span ~otherwise f =
-  if t.depth >= deepest then begin
-    if not t.too_deep then begin
+  if t.depth >= deepest then (
+    if not t.too_deep then (
       t.too_deep <- true;
       Diagnostic.error ~code:"E0106" ~at:span "this is nested more than %d levels deep" deepest
       |> Diagnostic.hint "give the inner parts names of their own"
-      |> emit t
-    end;
-    otherwise
-  end
-  else begin
+      |> emit t);
+    otherwise)
+  else (
     t.depth <- t.depth + 1;
     let result = f () in
     t.depth <- t.depth - 1;
-    result
-  end
+    result)
 
 let suggest t name candidates diagnostic =
   if t.suggestions = 0 then diagnostic
-  else begin
+  else (
     t.suggestions <- t.suggestions - 1;
     match Suggest.closest name (Lazy.force candidates) with
     | Some near ->
         Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
         |> Diagnostic.write diagnostic.Diagnostic.at near
-    | None -> diagnostic
-  end
+    | None -> diagnostic)
 
 let not_imported t absent = t.absent <- absent :: t.absent
 
@@ -78,8 +73,7 @@ let add_import (program : Syntax.Ir.program) declaration =
   match (List.rev program.imports, program.header) with
   | last :: _, _ -> Diagnostic.fix title [ (below last.span, "\n" ^ declaration) ]
   | [], Some header -> Diagnostic.fix title [ (below header.span, "\n\n" ^ declaration) ]
-  | [], None ->
-      Diagnostic.fix title [ (Span.start_of_file program.file, declaration ^ "\n\n") ]
+  | [], None -> Diagnostic.fix title [ (Span.start_of_file program.file, declaration ^ "\n\n") ]
 
 (* One import is missing, however many names it would bring. *)
 let tell_imports t program =

@@ -1,12 +1,10 @@
-(** Resolved: a whole program, all of its modules, with names that are
-    declarations instead of text.
+(** Resolved: a whole program, all of its modules, with names that are declarations instead of text.
 
-    Always true (see {!Lint}): every [Local] is bound exactly once and used
-    within its scope; every [Global], type, constructor and unit exists;
-    sections, [if] guards and operators have become applications and
-    functions; top-level groups come in dependency order, and within a list of
-    local groups too. [proc], do-notation, patterns and fields keep their
-    shape, because later messages speak the programmer's syntax. *)
+    Always true (see {!Lint}): every [Local] is bound exactly once and used within its scope; every
+    [Global], type, constructor and unit exists; sections, [if] guards and operators have become
+    applications and functions; top-level groups come in dependency order, and within a list of
+    local groups too. [proc], do-notation, patterns and fields keep their shape, because later
+    messages speak the programmer's syntax. *)
 
 open Basis
 
@@ -35,8 +33,8 @@ type program = {
 and param = {
   param : Global.t;  (** its definition is the value that it has by default *)
   given : Global.t option;
-      (** the definition of the value that it is given from outside; its name is one that no
-          source can mention *)
+      (** the definition of the value that it is given from outside; its name is one that no source
+          can mention *)
   span : Span.t;  (** of the name *)
 }
 (** [param x :: t = e]: fixed when a run starts. *)
@@ -49,13 +47,13 @@ and module_ = {
   idle_imports : idle list;
 }
 
-(** An import of which the module uses nothing, or a name in its list. *)
 and idle = {
   of_module : string;
   listed : string option;
   at : Span.t;
   whole : Span.t;  (** what to take out: the line, or the name with a comma *)
 }
+(** An import of which the module uses nothing, or a name in its list. *)
 
 (** {1 Types and units} *)
 
@@ -73,8 +71,7 @@ and parameter = { name : string; span : Span.t }
 and type_definition =
   | Alias of ty
   | Data of constructor list  (** at least one *)
-  | Builtin
-      (** Float, Int, Bool, String, Array, SF, Task, Program: no declaration in source *)
+  | Builtin  (** Float, Int, Bool, String, Array, SF, Task, Program: no declaration in source *)
   | Foreign of { c_type : string; copyable : bool }
 
 and constructor = {
@@ -87,7 +84,6 @@ and constructor = {
 }
 
 and field = { field_name : string;  (** [""] if positional *) ty : ty; span : Span.t }
-
 and ty = { desc : ty_desc; span : Span.t }
 
 and ty_desc =
@@ -102,26 +98,15 @@ and ty_desc =
 and unit_ = { factors : (unit_factor * Syntax.Ir.rational) list; span : Span.t }
 (** A product of powers, as written but flat. *)
 
-and unit_factor =
-  | Declared of Global.t
-  | Unit_variable of string
-
-and unit_declaration = {
-  unit_name : Global.t;
-  definition : unit_definition;
-  span : Span.t;
-}
-
-and unit_definition =
-  | Base
-  | Scaled of Syntax.Ir.scale * unit_
+and unit_factor = Declared of Global.t | Unit_variable of string
+and unit_declaration = { unit_name : Global.t; definition : unit_definition; span : Span.t }
+and unit_definition = Base | Scaled of Syntax.Ir.scale * unit_
 
 and scheme = { context : constraint_ list; ty : ty; span : Span.t }
 (** Variables are quantified unless an enclosing signature has them. *)
 
 and constraint_ = { class_ : Global.t; argument : ty; span : Span.t }
-(** The class is one of {!program.classes}, or [Prelude]'s [Eq] or [Ord],
-    which are built in. *)
+(** The class is one of {!program.classes}, or [Prelude]'s [Eq] or [Ord], which are built in. *)
 
 and primitive = {
   name : Global.t;
@@ -157,17 +142,17 @@ and instance = {
   context : constraint_ list;
   head : ty;
   definitions : (Global.t * binding) list;
-      (** the methods given, each once; the binder is a name of its own that
-          no source can mention *)
+      (** the methods given, each once; the binder is a name of its own that no source can mention
+      *)
   span : Span.t;  (** of class and head *)
 }
 
 (** {1 Bindings} *)
 
 and binding_group = { bindings : binding list; recursive : bool }
-(** Mutually dependent bindings: a strongly connected component, where a
-    reference to a binding with a signature makes no dependency. For what may
-    call itself see the specializer: equations may, functions may not. *)
+(** Mutually dependent bindings: a strongly connected component, where a reference to a binding with
+    a signature makes no dependency. For what may call itself see the specializer: equations may,
+    functions may not. *)
 
 and binding = {
   name : binder;
@@ -182,8 +167,8 @@ and binder =
   | Top of Global.t * Span.t
   | Inner of Local.t
   | Destructure of pattern
-      (** [(x, y) = e], no parameters, no signature of its own; variables of
-          the pattern may have entries in [signatures] of their declarations *)
+      (** [(x, y) = e], no parameters, no signature of its own; variables of the pattern may have
+          entries in [signatures] of their declarations *)
 
 and right = { guards : guarded list; where : declarations }
 (** One [guarded] with [condition = None] for a plain right side. *)
@@ -216,8 +201,7 @@ and expr_desc =
   | Let of { declarations : declarations; body : expr }
   | Lambda of { parameters : pattern list; body : expr }
   | Proc of { input : pattern; body : proc_body }
-  | Sequence of { statements : statement list; result : expr }
-      (** tasks, one after the other *)
+  | Sequence of { statements : statement list; result : expr }  (** tasks, one after the other *)
   | Record of { constructor : Global.t; fields : (Syntax.Ir.name * expr) list }
       (** fields exist and are complete; order as written *)
   | Update of { record : expr; fields : (Syntax.Ir.name * expr) list; candidates : Global.t list }
@@ -230,12 +214,7 @@ and apply_style =
   | Operator of string  (** [a + b]; for messages *)
   | Command  (** [sf -< e]: the head must be a signal function *)
 
-and number = {
-  digits : string;
-  decimal : bool;
-  unit_ : unit_ option;
-}
-
+and number = { digits : string; decimal : bool; unit_ : unit_ option }
 and branch = { pattern : pattern; right : right; span : Span.t }
 
 and statement =
@@ -243,12 +222,11 @@ and statement =
       (** what it ends with is bound in all that follows, or dropped *)
   | Values of declarations
 
-(** All notations of a proc become this: the equations and the output. *)
 and proc_body = {
-  equations : declarations;
-      (** a statement [p <- sf -< e] is the equation [p = run sf e] below *)
+  equations : declarations;  (** a statement [p <- sf -< e] is the equation [p = run sf e] below *)
   output : expr;
 }
+(** All notations of a proc become this: the equations and the output. *)
 
 (** {1 Patterns} *)
 

@@ -42,7 +42,7 @@ let rec ty known (t : Ir.ty) =
   | Named { tycon; units; arguments } ->
       let unit_arity, type_arity, optional = find known.tycons "type" tycon in
       let n = List.length units in
-      if not (n = unit_arity || (optional && n = 0)) || List.length arguments <> type_arity then
+      if (not (n = unit_arity || (optional && n = 0))) || List.length arguments <> type_arity then
         broken "type %s has the wrong number of arguments" tycon.name;
       List.iter (unit_ known) units;
       List.iter (ty known) arguments
@@ -130,8 +130,7 @@ let rec expr known scope (e : Ir.expr) =
       let branch (b : Ir.branch) = right known (pattern known scope b.pattern) b.right in
       List.iter branch branches
   | Let { declarations = ds; body } -> expr known (declarations known scope ds) body
-  | Lambda { parameters; body } ->
-      expr known (List.fold_left (pattern known) scope parameters) body
+  | Lambda { parameters; body } -> expr known (List.fold_left (pattern known) scope parameters) body
   | Proc { input; body } ->
       let scope = declarations known (pattern known scope input) body.equations in
       expr known scope body.output

@@ -26,9 +26,7 @@ let rational ppf (r : Syntax.Ir.rational) =
   else fprintf ppf "(%d/%d)" r.numerator r.denominator
 
 let unit_factor ppf ((factor : Ir.unit_factor), (power : Syntax.Ir.rational)) =
-  (match factor with
-  | Declared g -> global ppf g
-  | Unit_variable name -> fprintf ppf "'%s" name);
+  (match factor with Declared g -> global ppf g | Unit_variable name -> fprintf ppf "'%s" name);
   if power <> { numerator = 1; denominator = 1 } then fprintf ppf "^%a" rational power
 
 let unit_ ppf (u : Ir.unit_) =
@@ -58,12 +56,11 @@ and applied ppf (t : Ir.ty) =
 and argument ppf (t : Ir.ty) =
   match t.desc with
   | Named { arguments = _ :: _; _ } -> fprintf ppf "(%a)" applied t
-  | Named { arguments = []; _ } | Type_variable _ | Representation _ | Tuple_type _ | Size _
-  | Function _ ->
+  | Named { arguments = []; _ }
+  | Type_variable _ | Representation _ | Tuple_type _ | Size _ | Function _ ->
       applied ppf t
 
-let constraint_ ppf (c : Ir.constraint_) =
-  fprintf ppf "%a %a" global c.class_ argument c.argument
+let constraint_ ppf (c : Ir.constraint_) = fprintf ppf "%a %a" global c.class_ argument c.argument
 
 let scheme ppf (s : Ir.scheme) =
   match s.context with
@@ -101,7 +98,8 @@ let type_declaration ppf (d : Ir.type_declaration) =
         (if copyable then " copyable" else "")
   | Data constructors ->
       let bar ppf () = fprintf ppf "@ | " in
-      fprintf ppf "@[<2>data %a =@ %a@]" head () (pp_print_list ~pp_sep:bar constructor)
+      fprintf ppf "@[<2>data %a =@ %a@]" head ()
+        (pp_print_list ~pp_sep:bar constructor)
         constructors
 
 let unit_declaration ppf (d : Ir.unit_declaration) =
@@ -142,8 +140,7 @@ let rec expr ppf (e : Ir.expr) =
   | Let { declarations = ds; body } ->
       fprintf ppf "@[<v>@[<v 2>let%a@]@,in %a@]" declarations ds expr body
   | Lambda { parameters; body } ->
-      fprintf ppf "@[<2>\\%a ->@ %a@]" (pp_print_list ~pp_sep:space pattern) parameters
-        expr body
+      fprintf ppf "@[<2>\\%a ->@ %a@]" (pp_print_list ~pp_sep:space pattern) parameters expr body
   | Proc { input; body } ->
       fprintf ppf "@[<v 2>proc %a -> %a%a@]" pattern input expr body.output where body.equations
   | Sequence { statements; result } ->
@@ -161,8 +158,7 @@ let rec expr ppf (e : Ir.expr) =
   | Negate e -> fprintf ppf "-%a" atom e
   | Power { base; exponent } -> fprintf ppf "%a ^ %d" atom base exponent
   | Local _ | Global _ | Constructor _ | Number _ | String _ | Tuple _ | Array _ | Record _
-  | Update _
-  | Field _ | Annotated _ ->
+  | Update _ | Field _ | Annotated _ ->
       atom ppf e
 
 and application ppf (e : Ir.expr) =
@@ -216,9 +212,7 @@ and where ppf (ds : Ir.declarations) =
   match ds.groups with [] -> () | _ -> fprintf ppf "@,@[<v 2>where%a@]" declarations ds
 
 and declarations ppf (ds : Ir.declarations) =
-  List.iter
-    (fun (l, s) -> fprintf ppf "@,%a :: %a" local l scheme s)
-    ds.signatures;
+  List.iter (fun (l, s) -> fprintf ppf "@,%a :: %a" local l scheme s) ds.signatures;
   List.iter (fun g -> fprintf ppf "@,%a" group g) ds.groups
 
 and group ppf (g : Ir.binding_group) =
@@ -299,9 +293,7 @@ let program ppf (p : Ir.program) =
     (List.filter (fun (d : Ir.type_declaration) -> shown d.tycon) p.types);
   List.iter (line class_) (List.filter (fun (c : Ir.class_) -> shown c.class_) p.classes);
   List.iter (line group) (List.filter of_shown_group p.groups);
-  List.iter
-    (fun (param : Ir.param) -> if shown param.param then line parameter param)
-    p.params;
+  List.iter (fun (param : Ir.param) -> if shown param.param then line parameter param) p.params;
   List.iter (line instance)
     (List.filter (fun (i : Ir.instance) -> shown_instance shown i) p.instances);
   fprintf ppf "@]"

@@ -77,6 +77,4 @@ let own (program : Ir.program) =
   let defaults (c : Ir.class_) = List.filter_map (fun (m : Ir.method_) -> m.default) c.methods in
   let methods (i : Ir.instance) = List.map snd i.definitions in
   List.filter is_here
-    (bindings
-    @ List.concat_map defaults program.classes
-    @ List.concat_map methods program.instances)
+    (bindings @ List.concat_map defaults program.classes @ List.concat_map methods program.instances)

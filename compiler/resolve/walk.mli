@@ -7,8 +7,8 @@ type visitor = {
 }
 
 val expr : visitor -> Ir.expr -> unit
-(** Visits what stands directly in an expression, as it is evaluated and bound: it is the
-    visitor's to go on from there. *)
+(** Visits what stands directly in an expression, as it is evaluated and bound: it is the visitor's
+    to go on from there. *)
 
 val binding : visitor -> Ir.binding -> unit
 (** Visits what stands in a binding: its parameters, its [where] and its right side. *)

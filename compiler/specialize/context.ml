@@ -11,15 +11,8 @@ let start = { depth = 0; calls = [] }
 
 type definition = { core : Core.Ir.definition; code : int }
 
-type specialization = {
-  callee : callee;
-  result : Value.t;
-  outputs : Flow.Ir.atom list;
-}
-
-and callee =
-  | Node of int
-  | Nothing of Flow.Ir.signal list
+type specialization = { callee : callee; result : Value.t; outputs : Flow.Ir.atom list }
+and callee = Node of int | Nothing of Flow.Ir.signal list
 
 type console =
   | Sought of { mutable found : Core.Ir.control list }
@@ -107,8 +100,7 @@ let in_prelude (c : t) (at : Span.t) =
 
 let in_library (c : t) (at : Span.t) =
   match Global_table.find_opt c.definitions identity with
-  | Some { core; _ } ->
-      String.equal (Filename.dirname core.span.file) (Filename.dirname at.file)
+  | Some { core; _ } -> String.equal (Filename.dirname core.span.file) (Filename.dirname at.file)
   | None -> false
 
 exception Stopped
@@ -164,9 +156,8 @@ let report_outside t trail ~span ~index ~size =
   Diagnostic.error ~code:"E0418" ~at:span "index %d is outside of an array of %d" index size
   |> Diagnostic.note
        (if size = 1 then "its only element has the number 0"
-       else Printf.sprintf "the elements are numbered from 0 to %d" (size - 1))
-  |> with_trail trail
-  |> Diagnostic.emit t.sink
+        else Printf.sprintf "the elements are numbered from 0 to %d" (size - 1))
+  |> with_trail trail |> Diagnostic.emit t.sink
 
 (* The innermost call in the folder of the outermost: the program's own. *)
 let own_call trail ~span =
@@ -184,10 +175,9 @@ let own_place t trail ~span =
   Option.fold (List.find_opt is_own (("", span) :: trail.calls)) ~none:span ~some:snd
 
 let report_once t ~code ~at diagnostic =
-  if not (List.mem (code, at) t.reported) then begin
+  if not (List.mem (code, at) t.reported) then (
     t.reported <- (code, at) :: t.reported;
-    Diagnostic.emit t.sink diagnostic
-  end
+    Diagnostic.emit t.sink diagnostic)
 
 let report_stored t trail ~span ty =
   (match own_call trail ~span with
@@ -196,8 +186,8 @@ let report_stored t trail ~span ty =
       |> Diagnostic.label ~at:span "it would be stored here, in a `delay`"
       |> with_trail { trail with calls }
   | _ ->
-      Diagnostic.error ~code:"E0412" ~at:span
-        "a value of type `%s` cannot be stored in a `delay`" ty
+      Diagnostic.error ~code:"E0412" ~at:span "a value of type `%s` cannot be stored in a `delay`"
+        ty
       |> with_trail trail)
   |> Diagnostic.note "functions, signal functions and labels exist only while compiling"
   |> Diagnostic.emit t.sink
@@ -212,10 +202,9 @@ let check_lasting t trail ~span tys =
       Diagnostic.error ~code:"E0430" ~at:span "an image would be kept here"
       |> Diagnostic.note "a camera's memory is used again for its next frames"
       |> Diagnostic.hint
-           "keep the numbers that you need, not the picture: look for them at the instant at \
-            which the frame comes, and `hold` what was found"
-      |> with_trail trail
-      |> Diagnostic.emit t.sink
+           "keep the numbers that you need, not the picture: look for them at the instant at which \
+            the frame comes, and `hold` what was found"
+      |> with_trail trail |> Diagnostic.emit t.sink
   | Some { foreign_name = name; _ } ->
       t.kept <- span :: t.kept;
       Diagnostic.error ~code:"E0430" ~at:span "a value of the foreign type `%s` would be kept here"
@@ -227,8 +216,7 @@ let check_lasting t trail ~span tys =
            (Printf.sprintf
               "keep what you need of it; or declare the type `copyable`, if a copy of the struct \
                is as good as the struct")
-      |> with_trail trail
-      |> Diagnostic.emit t.sink
+      |> with_trail trail |> Diagnostic.emit t.sink
 
 let count t trail ~name ~span =
   let before = Option.value (String_table.find_opt t.counts name) ~default:0 in

@@ -22,8 +22,7 @@ val from_here : trail -> trail
 (** The same calls, with nothing nested yet. *)
 
 val since : trail -> trail -> (string * Span.t) list
-(** The calls of the second after those of the first, with their places; the
-    last one first. *)
+(** The calls of the second after those of the first, with their places; the last one first. *)
 
 (** {1 The context} *)
 
@@ -37,8 +36,7 @@ type specialization = {
 
 and callee =
   | Node of int
-  | Nothing of Flow.Ir.signal list
-      (** a node without equations; its statics and inputs *)
+  | Nothing of Flow.Ir.signal list  (** a node without equations; its statics and inputs *)
 
 (** What the program asks of its operator: it is found out, or was found out before. *)
 type console =
@@ -76,10 +74,9 @@ type t = {
 val create : Diagnostic.sink -> options -> ?seeks:bool -> Core.Ir.program -> t
 (** [seeks]: what stands on the console is to be found out. *)
 
-
 val known_by_name : Core.Ir.Global.t list
-(** Definitions of the library that are looked for, whether or not the program mentions
-    them: by one of them the file of the prelude is known. *)
+(** Definitions of the library that are looked for, whether or not the program mentions them: by one
+    of them the file of the prelude is known. *)
 
 val in_prelude : t -> Span.t -> bool
 (** Not in the program's own modules, nor in the rest of the library. *)
@@ -90,8 +87,8 @@ exception Stopped
 (** An error was reported that leaves nothing to go on with. *)
 
 exception Postponed of (unit -> unit)
-(** The stack has become deep: what stands there is to be evaluated first, on
-    a stack of its own; then its caller again, which will find it done. *)
+(** The stack has become deep: what stands there is to be evaluated first, on a stack of its own;
+    then its caller again, which will find it done. *)
 
 val settle : (unit -> unit) -> unit
 (** Evaluates, with all that is postponed. *)
@@ -99,12 +96,11 @@ val settle : (unit -> unit) -> unit
 val nests_deeply : t -> trail -> bool
 
 val enter : t -> trail -> name:string -> span:Span.t -> trail
-(** One call further in. Reports calls that nest too deeply, or are too many;
-    then raises {!Stopped}. *)
+(** One call further in. Reports calls that nest too deeply, or are too many; then raises
+    {!Stopped}. *)
 
 val count : t -> trail -> name:string -> span:Span.t -> unit
-(** One more specialization of the definition, which may be one too many. May
-    raise {!Stopped}. *)
+(** One more specialization of the definition, which may be one too many. May raise {!Stopped}. *)
 
 val report_outside : t -> trail -> span:Span.t -> index:int -> size:int -> unit
 (** Of an array whose size depends on the call. *)
@@ -116,11 +112,11 @@ val report_once : t -> code:string -> at:Span.t -> Diagnostic.t -> unit
 (** Of a place that may be evaluated many times. *)
 
 val report_stored : t -> trail -> span:Span.t -> string -> unit
-(** A [delay] of a value of this type, which has a function in it. The place is
-    the call in the program's own folder that leads there. *)
+(** A [delay] of a value of this type, which has a function in it. The place is the call in the
+    program's own folder that leads there. *)
 
 val check_lasting : t -> trail -> span:Span.t -> Flow.Ir.ty list -> unit
-(** E0430 if what is to be in the program's state lives for the instant only,
-    and that was not said of one of the calls that led here. *)
+(** E0430 if what is to be in the program's state lives for the instant only, and that was not said
+    of one of the calls that led here. *)
 
 val add_node : t -> Flow.Ir.node -> int

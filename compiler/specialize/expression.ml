@@ -5,7 +5,7 @@ type scope = {
   locals : Value.environment;
   types : Value.substitution;
   node : Node.t;
-  owner : string;  (* names functions that have no name of their own *)
+  owner : string; (* names functions that have no name of their own *)
   trail : Context.trail;
 }
 
@@ -136,8 +136,7 @@ and exprs (c : Context.t) s target (e : Ir.expr) parts =
   | Unnamed -> List.map (expr c s Unnamed) parts
   | Named _ | Defines _ -> (
       match (Types.layout c.types (Types.close s.types e.ty)).kind with
-      | Product layout ->
-          List.map2 (expr c s) (Node.parts target c.types layout) parts
+      | Product layout -> List.map2 (expr c s) (Node.parts target c.types layout) parts
       | Scalar | Sum _ | Array _ | Opaque -> bug "a product of type %s" (Types.to_string e.ty))
 
 and spine (c : Context.t) s target (whole : Ir.expr) (f : Ir.expr) arguments =
@@ -221,8 +220,7 @@ and definition (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types
           inputs = [];
           names = Destructuring.none;
           key;
-        }
-        (fun trail node _ -> expr c (inside trail node) Unnamed core.body)
+        } (fun trail node _ -> expr c (inside trail node) Unnamed core.body)
   else
     match (Variables.Table.find_opt c.globals key, Node.global s.node key) with
     | Some value, _ | None, Some value -> value
@@ -263,8 +261,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
           Primitive { primitive; types; arguments = all; owner = s.owner; at = span }
       | (At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl), _ ->
           on_arrays c s target ~span ~result primitive types (List.rev all)
-      | Foreign f, _ ->
-          Foreign_code.apply (position c s span) target f ~result (List.rev all)
+      | Foreign f, _ -> Foreign_code.apply (position c s span) target f ~result (List.rev all)
       | Console kind, _ -> Operator.apply (position c s span) kind ~result (List.rev all)
       | _, _ -> Operation.apply (position c s span) target primitive ~result (List.rev all))
   | Choice { condition; then_; else_ }, _ ->
@@ -282,8 +279,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
 and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (body : Ir.expr)
     (first : Value.argument) others =
   let locals =
-    if Free.uses_binder c.free binder.local.id then
-      bind binder first.ty first.value locals
+    if Free.uses_binder c.free binder.local.id then bind binder first.ty first.value locals
     else locals
   in
   match (body.desc, others) with
@@ -312,15 +308,11 @@ and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (b
 
 (* Not one that comes after others, which its closure does not have. *)
 and is_first (closure : Value.closure) (binder : Ir.binder) =
-  match closure.code with
-  | Lambda (first, _) -> first.local.id = binder.local.id
-  | _ -> false
+  match closure.code with Lambda (first, _) -> first.local.id = binder.local.id | _ -> false
 
 (* Only an index that is outside will want to know where the call is. *)
 and trail_of_trivial (c : Context.t) s ~span (closure : Value.closure) (body : Ir.expr) =
-  match body.desc with
-  | Index _ -> Context.enter c s.trail ~name:closure.name ~span
-  | _ -> s.trail
+  match body.desc with Index _ -> Context.enter c s.trail ~name:closure.name ~span | _ -> s.trail
 
 (* A function of [()] says always the same: it is evaluated in place, once. *)
 and join s (closure : Value.closure) evaluate =
@@ -356,8 +348,8 @@ and call_function (c : Context.t) s target ~span ~result (applied : Value.closur
       expr c { locals; types = applied.types; node; owner = applied.name; trail } Unnamed body)
 
 (* An instance of a signal function. *)
-and run (c : Context.t) s target ~span ~result (signal_function : Value.t)
-    (input : Value.argument) : Value.t =
+and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (input : Value.argument)
+    : Value.t =
   match signal_function with
   | Signal_function ({ code = Proc proc; _ } as closure) ->
       run_proc c s target ~span ~result closure proc input
@@ -430,8 +422,8 @@ and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =
       let own_result, own, others = split arity ty [] arguments in
       let target = if others = [] then target else Node.Unnamed in
       let value =
-        Arrays.apply (position c s span) (evaluator_of_rounds s) target primitive
-          ~result:own_result own
+        Arrays.apply (position c s span) (evaluator_of_rounds s) target primitive ~result:own_result
+          own
       in
       apply c s target ~span ~result value others
 
@@ -525,8 +517,7 @@ and run_proc (c : Context.t) s target ~span ~result closure proc input =
       let copy = Skeleton.copy c.keys numbers atoms in
       let locals = Skeleton.captured copy closure in
       let locals =
-        if is_used then
-          bind proc.input input.ty (Skeleton.value copy input.ty input.value) locals
+        if is_used then bind proc.input input.ty (Skeleton.value copy input.ty input.value) locals
         else locals
       in
       proc_body c { locals; types = closure.types; node; owner = closure.name; trail } proc)
@@ -562,13 +553,12 @@ and proc_body (c : Context.t) s (proc : Ir.proc) : Value.t =
 
 and equation (c : Context.t) s target ty (eq : Ir.equation) =
   match eq.rhs with
-  | Pure e ->
-      expr c s target e |> Task.named c ~name:(Some eq.binder.local.name) ~at:e.span
-  | Run { signal_function; input } ->
+  | Pure e -> expr c s target e |> Task.named c ~name:(Some eq.binder.local.name) ~at:e.span
+  | Run { signal_function; input } -> (
       let signal_function = expr c s Unnamed signal_function in
       match signal_function with
       | Primitive { primitive = Delay; _ } when not (Types.layout c.types ty).first_order ->
           (* before its input, which may need its output *)
           Context.report_stored c s.trail ~span:eq.span (Types.to_string ty);
           Unspecified
-      | _ -> run c s target ~span:eq.span ~result:ty signal_function (argument c s input)
+      | _ -> run c s target ~span:eq.span ~result:ty signal_function (argument c s input))

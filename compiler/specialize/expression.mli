@@ -1,7 +1,7 @@
 (** The evaluator: expressions, applications, runs and the equations of procs.
 
-    Core is evaluated as far as it is static; the rest becomes equations and
-    instances of the node under construction. *)
+    Core is evaluated as far as it is static; the rest becomes equations and instances of the node
+    under construction. *)
 
 open Basis
 
@@ -13,8 +13,7 @@ type scope = {
   trail : Context.trail;
 }
 
-val bind :
-  Core.Ir.binder -> Core.Ir.ty -> Value.t -> Value.environment -> Value.environment
+val bind : Core.Ir.binder -> Core.Ir.ty -> Value.t -> Value.environment -> Value.environment
 (** A variable, its closed type and its value. *)
 
 val expr : Context.t -> scope -> Node.target -> Core.Ir.expr -> Value.t
@@ -28,9 +27,7 @@ val run :
   Value.t ->
   Value.argument ->
   Value.t
-(** An instance of a signal function on its input, and the closed type of its
-    output. *)
+(** An instance of a signal function on its input, and the closed type of its output. *)
 
 val proc_body : Context.t -> scope -> Core.Ir.proc -> Value.t
-(** The output of a proc whose input is bound, with its equations in the
-    scope's own node. *)
+(** The output of a proc whose input is bound, with its equations in the scope's own node. *)

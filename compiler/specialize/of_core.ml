@@ -22,8 +22,9 @@ let refuse_interface (c : Context.t) (core : Ir.definition) what ty =
       (Types.to_string ty)
     |> note "functions, signal functions and labels exist only while compiling"
     |> (if has_a_label (Types.to_string ty) then
-        hint "a `data` type's constructors are shown by their names: `data State = Ready | Stopped`"
-       else Fun.id)
+          hint
+            "a `data` type's constructors are shown by their names: `data State = Ready | Stopped`"
+        else Fun.id)
     |> emit c.sink)
 
 let refuse_ends (c : Context.t) (core : Ir.definition) =
@@ -57,8 +58,7 @@ let with_result (output : Flow.Ir.shape) result : Flow.Ir.shape =
       Product { record with parts = record.parts @ [ (result_field, result) ] }
   | Product _ | Leaf _ | Repeated _ ->
       let parts = [ ("", output); ("", result) ] in
-      Product
-        { product_name = ""; product_module = ""; constructor = ""; record = false; parts }
+      Product { product_name = ""; product_module = ""; constructor = ""; record = false; parts }
 
 exception Unlike_ends
 
@@ -87,9 +87,7 @@ let output_names (c : Context.t) ~output ~ended =
 (* What is drawn is no part of the output: its marks come after all that is, by name. *)
 let apart outputs =
   let is_part suffix (name, _) = String.ends_with ~suffix name in
-  let is_drawn output =
-    List.exists (fun suffix -> is_part suffix output) Types.paths_of_drawing
-  in
+  let is_drawn output = List.exists (fun suffix -> is_part suffix output) Types.paths_of_drawing in
   let drawn, others = List.partition is_drawn outputs in
   (others, List.filter (is_part Types.marks_path) drawn)
 
@@ -109,13 +107,9 @@ let root c ~unique (core : Ir.definition) ~input ~output =
       trail = Context.start;
     }
   in
-  let signal_function, ended =
-    in_program (Expression.expr c s (Named core.name.name) core.body)
-  in
+  let signal_function, ended = in_program (Expression.expr c s (Named core.name.name) core.body) in
   let whole_output : Ir.ty =
-    match ended with
-    | None -> output
-    | Some ended -> Tuple [ output; Core.Signature.event ended ]
+    match ended with None -> output | Some ended -> Tuple [ output; Core.Signature.event ended ]
   in
   let names, local, name, span =
     match signal_function with
@@ -144,19 +138,17 @@ let root c ~unique (core : Ir.definition) ~input ~output =
         Expression.run c s Unnamed ~span ~result:whole_output signal_function input
   in
   let is_first_order = (Types.layout c.types whole_output).first_order in
-  if is_first_order then begin
+  if is_first_order then (
     let atoms = Leaves.atoms c.types node ~span whole_output result in
     let outputs, drawn = apart (List.combine (output_names c ~output ~ended) atoms) in
     let outputs = outputs @ drawings (List.map snd drawn) in
     ignore
       (Specialization.finish c node ~name:node_name ~origin:name ~span ~kind:Signal_function
          ~statics:[] ~inputs ~outputs ~transitions:[]);
-    (ended, List.map fst (drawings drawn))
-  end
-  else begin
+    (ended, List.map fst (drawings drawn)))
+  else (
     refuse_interface c core "result" (Option.get ended);
-    (ended, [])
-  end
+    (ended, []))
 
 let param ~default (p : Ir.param) : Flow.Ir.param =
   {
@@ -231,7 +223,7 @@ let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input 
 let no_default (p : Ir.param) =
   Diagnostic.bug ~stage:"Specialize.Of_core" "the parameter `%s` has no value" p.label
 
-let closed (c : Context.t) ~name ~default ~entry:(entry : Ir.Global.t) =
+let closed (c : Context.t) ~name ~default ~(entry : Ir.Global.t) =
   match Resolve.Global_table.find_opt c.definitions entry with
   | None ->
       Diagnostic.bug ~stage:"Specialize.Of_core" "there is no `%s.%s`" entry.module_ entry.name
@@ -239,8 +231,7 @@ let closed (c : Context.t) ~name ~default ~entry:(entry : Ir.Global.t) =
       match ends core with
       | Some (input, output) -> closed_program c ~name ~default core ~input ~output
       | None ->
-          Diagnostic.bug ~stage:"Specialize.Of_core" "`%s` is no closed signal function"
-            entry.name)
+          Diagnostic.bug ~stage:"Specialize.Of_core" "`%s` is no closed signal function" entry.name)
 
 let controls options sink ~name ~entry (program : Ir.program) =
   let own = Diagnostic.sink () in
@@ -251,10 +242,9 @@ let controls options sink ~name ~entry (program : Ir.program) =
     let c = Context.create own options ~seeks:true program in
     let default _ = Flow.Ir.Bool false in
     ignore (closed c ~name ~default ~entry);
-    if Diagnostic.has_errors own then begin
+    if Diagnostic.has_errors own then (
       List.iter (Diagnostic.emit sink) (Diagnostic.all own);
-      None
-    end
+      None)
     else match c.console with Sought { found } -> Some (List.rev found) | Declared _ -> None
 
 let program ?(options = Context.default) ?(default = no_default) sink ~name ~entry

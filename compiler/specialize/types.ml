@@ -3,14 +3,7 @@ module Ir = Core.Ir
 module Global_table = Resolve.Global_table
 
 type layout = { id : int; kind : kind; first_order : bool; leaves : leaf list }
-
-and kind =
-  | Scalar
-  | Product of part list
-  | Sum of part list array
-  | Array of int * Ir.ty
-  | Opaque
-
+and kind = Scalar | Product of part list | Sum of part list array | Array of int * Ir.ty | Opaque
 and part = { part : string; ty : Ir.ty }
 and leaf = { path : string; leaf : Flow.Ir.ty }
 
@@ -29,9 +22,7 @@ module Types = Hashtbl.Make (struct
     | Function (a, b), Function (c, d) | Signal_function (a, b), Signal_function (c, d) ->
         equal a c && equal b d
     | Data (a, arguments), Data (b, others) ->
-        String.equal a.name b.name
-        && String.equal a.module_ b.module_
-        && equal_all arguments others
+        String.equal a.name b.name && String.equal a.module_ b.module_ && equal_all arguments others
     | Array (size, element), Array (other_size, other) ->
         equal size other_size && equal element other
     | Size m, Size n -> Int.equal m n
@@ -66,7 +57,7 @@ type table = {
   layouts : layout Types.t;
   marks : int option;
   texts : Texts.t;
-  mutable sums : Flow.Ir.sum list;  (* the last one first *)
+  mutable sums : Flow.Ir.sum list; (* the last one first *)
   mutable sum_count : int;
 }
 
@@ -82,8 +73,7 @@ let table ~marks (program : Ir.program) =
     (fun (t : Ir.foreign_type) ->
       let { Ir.foreign_type = tycon; c_type; copyable } = t in
       let name = if shared tycon.name then tycon.module_ ^ "." ^ tycon.name else tycon.name in
-      Global_table.replace foreign tycon
-        { Flow.Ir.foreign_name = name; c_type; copyable })
+      Global_table.replace foreign tycon { Flow.Ir.foreign_name = name; c_type; copyable })
     program.foreign.types;
   {
     foreign;
@@ -104,8 +94,7 @@ let rec close substitution (ty : Ir.ty) : Ir.ty =
     | Bool | Int | Float | String | Size _ | Tuple [] | Data (_, []) -> ty
     | Tuple parts -> Tuple (List.map (close substitution) parts)
     | Function (a, b) -> Function (close substitution a, close substitution b)
-    | Signal_function (a, b) ->
-        Signal_function (close substitution a, close substitution b)
+    | Signal_function (a, b) -> Signal_function (close substitution a, close substitution b)
     | Data (tycon, arguments) -> Data (tycon, List.map (close substitution) arguments)
     | Array (size, element) -> Array (close substitution size, close substitution element)
 
@@ -136,7 +125,6 @@ let parts_of_fields fields =
     fields
 
 let scalar leaf = (Scalar, true, [ { path = ""; leaf } ])
-
 let is_drawing (ty : Ir.ty) = ty = Core.Signature.drawing
 let is_text (ty : Ir.ty) = ty = Core.Signature.text
 
@@ -144,7 +132,6 @@ let is_text (ty : Ir.ty) = ty = Core.Signature.text
 let count_path = "count#"
 let marks_path = "marks#"
 let paths_of_drawing = [ count_path; marks_path ]
-
 let slot = Core.Signature.(event mark)
 
 let parts_of_drawing most =
@@ -190,13 +177,10 @@ and analyse table (ty : Ir.ty) =
       | [] -> (Opaque, false, [])
       | [ only ] -> product table (parts_of_fields only.fields)
       | several ->
-          let fields =
-            List.map (fun (c : Ir.constructor) -> parts_of_fields c.fields) several
-          in
+          let fields = List.map (fun (c : Ir.constructor) -> parts_of_fields c.fields) several in
           let first_order = List.for_all (List.for_all (is_first_order table)) fields in
           let leaves =
-            if first_order then [ { path = ""; leaf = intern_sum table ty tycon several } ]
-            else []
+            if first_order then [ { path = ""; leaf = intern_sum table ty tycon several } ] else []
           in
           (Sum (Array.of_list fields), first_order, leaves))
 
@@ -312,8 +296,7 @@ let shape_of_output table ty =
         in
         let seen = List.filter (fun part -> not (is_drawing part)) product.parts in
         Product
-          { product with
-            parts = List.map (fun (name, part) -> (name, without_drawings part)) seen }
+          { product with parts = List.map (fun (name, part) -> (name, without_drawings part)) seen }
     | Repeated (n, element) -> Repeated (n, without_drawings element)
     | Leaf _ -> shape
   in
@@ -331,9 +314,7 @@ let sums table =
   Array.of_list (List.rev_map with_texts table.sums)
 
 let of_the_instant table ty =
-  if Global_table.length table.foreign = 0 then None
-  else
-    Flow.Shape.of_the_instant (sums table) ty
+  if Global_table.length table.foreign = 0 then None else Flow.Shape.of_the_instant (sums table) ty
 
 let marks table = table.marks
 let text table says = Texts.number table.texts says

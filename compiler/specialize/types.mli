@@ -1,14 +1,13 @@
 (** Closed types of Core, and what is left of them in Flow.
 
-    A type variable in scope stands for a closed type, by a substitution. Of a
-    closed type the table knows once and for all whether Flow can hold its
-    values, and as which leaves. *)
+    A type variable in scope stands for a closed type, by a substitution. Of a closed type the table
+    knows once and for all whether Flow can hold its values, and as which leaves. *)
 
 type table
 
 val table : marks:int option -> Core.Ir.program -> table
-(** With its data and foreign types. [marks]: for so many a drawing has room; without, drawings
-    and texts of labels have no leaves, and all that is drawn comes to nothing. *)
+(** With its data and foreign types. [marks]: for so many a drawing has room; without, drawings and
+    texts of labels have no leaves, and all that is drawn comes to nothing. *)
 
 val close : Value.substitution -> Core.Ir.ty -> Core.Ir.ty
 
@@ -29,7 +28,6 @@ and kind =
   | Opaque  (** functions, signal functions, labels, programs; a size too *)
 
 and part = { part : string;  (** the field, or the position from 1 *) ty : Core.Ir.ty }
-
 and leaf = { path : string;  (** such as [position.x]; [""] for a scalar *) leaf : Flow.Ir.ty }
 
 val layout : table -> Core.Ir.ty -> layout

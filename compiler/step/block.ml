@@ -17,7 +17,6 @@ let of_alternatives blocks =
   { bytes = Basis.Amount.round_up bytes ~alignment; alignment }
 
 let scalar bytes = { bytes; alignment = bytes }
-
 let foreign = { bytes = 0; alignment = 8 }
 
 (* Members one after another, all alike. *)
@@ -36,13 +35,13 @@ let rec of_value real sums (ty : Ir.ty) =
       let slots = Layout.sum sums k in
       let runs =
         [
-          (1, scalar 1); (slots.floats, scalar (Basis.Real.bytes real)); (slots.ints, scalar 4);
+          (1, scalar 1);
+          (slots.floats, scalar (Basis.Real.bytes real));
+          (slots.ints, scalar 4);
           (slots.bools, scalar 1);
           (slots.tags, scalar 1);
         ]
-        @ List.map
-            (fun (ty, count) -> (count, of_value real sums (Layout.ty ty)))
-            slots.arrays
+        @ List.map (fun (ty, count) -> (count, of_value real sums (Layout.ty ty))) slots.arrays
       in
       let present = List.filter (fun (count, _) -> count > 0) runs in
       snd (of_members (List.map (fun (count, member) -> run count member) present))
@@ -54,9 +53,7 @@ let rec count sums ~of_slots ~of_scalar (ty : Ir.ty) =
   | Array (n, element) -> Basis.Amount.times n (count sums ~of_slots ~of_scalar element)
   | Sum k ->
       let slots = Layout.sum sums k in
-      let array (ty, n) =
-        Basis.Amount.times n (count sums ~of_slots ~of_scalar (Layout.ty ty))
-      in
+      let array (ty, n) = Basis.Amount.times n (count sums ~of_slots ~of_scalar (Layout.ty ty)) in
       List.fold_left Basis.Amount.add (of_slots slots) (List.map array slots.arrays)
 
 let scalars sums =

@@ -1,7 +1,6 @@
-(** The room of values and structs on a 64-bit machine, where a C compiler lays
-    out the members of a struct in order, each at the next multiple of its
-    alignment, and pads the whole to a multiple of its own. Structs of the
-    user's C have a size that we do not know: they count as none. *)
+(** The room of values and structs on a 64-bit machine, where a C compiler lays out the members of a
+    struct in order, each at the next multiple of its alignment, and pads the whole to a multiple of
+    its own. Structs of the user's C have a size that we do not know: they count as none. *)
 
 type t = { bytes : int; alignment : int }
 

@@ -1,16 +1,14 @@
-(** Step: each node as a struct of state, a reset and a step function, made
-    of statements with expression trees.
+(** Step: each node as a struct of state, a reset and a step function, made of statements with
+    expression trees.
 
-    No longer there: the freedom of order. Equations have become statements in
-    an order in which everything is written before it is read; an unnamed value
-    used once stands inside its user's expression; what only one branch needs
-    is computed in that branch; a delay is a field that is written at the end
-    of the step.
+    No longer there: the freedom of order. Equations have become statements in an order in which
+    everything is written before it is read; an unnamed value used once stands inside its user's
+    expression; what only one branch needs is computed in that branch; a delay is a field that is
+    written at the end of the step.
 
-    Always true (see {!Lint}): a variable is declared once in its function,
-    before its uses and in a block around them; both branches assign what an
-    [If] leaves uninitialized before it; nodes call only nodes before them;
-    nesting of statements and expressions is bounded ({!Placement.nesting},
+    Always true (see {!Lint}): a variable is declared once in its function, before its uses and in a
+    block around them; both branches assign what an [If] leaves uninitialized before it; nodes call
+    only nodes before them; nesting of statements and expressions is bounded ({!Placement.nesting},
     {!Usage.expression_size}), whatever the program. *)
 
 open Basis
@@ -30,7 +28,6 @@ type variable = {
   ty : ty;
 }
 
-(** A member of a node's state. *)
 type field = {
   id : int;  (** unique in the node *)
   name : string;  (** from the source; not always unique *)
@@ -38,6 +35,7 @@ type field = {
   purpose : string;  (** for the reader: [delay], [integral], a callee's name *)
   span : Span.t;
 }
+(** A member of a node's state. *)
 
 and content =
   | Value of ty
@@ -47,14 +45,13 @@ and content =
   | Modes of mode list  (** room for what any one of them keeps *)
   | Component of string  (** the state of the user's C of that name *)
 
-(** What a machine keeps while this mode runs. *)
 and mode = {
   node : int;
   name : string;  (** unique in the program *)
-  parameters : (variable * field) list;
-      (** those of the mode's parameters that its step reads *)
+  parameters : (variable * field) list;  (** those of the mode's parameters that its step reads *)
   state : field option;  (** if the mode's node has state *)
 }
+(** What a machine keeps while this mode runs. *)
 
 type expr =
   | Bool of bool
@@ -88,25 +85,20 @@ type expr =
   | Reached of { time : expr; period : expr }
       (** are these [Nanoseconds] at least so many? A Float, whose fraction is dropped *)
   | Rest of { time : expr; period : expr }
-      (** what is left of [Nanoseconds] that have [Reached] it after as many whole
-          periods as there are; 0 if it is less than 1 *)
+      (** what is left of [Nanoseconds] that have [Reached] it after as many whole periods as there
+          are; 0 if it is less than 1 *)
 
-type place =
-  | Local of variable
-  | Own of field
-  | Result of int  (** an output of the function *)
+type place = Local of variable | Own of field | Result of int  (** an output of the function *)
 
 type statement =
-  | Declare of { variable : variable; value : expr; span : Span.t }
-      (** a constant *)
+  | Declare of { variable : variable; value : expr; span : Span.t }  (** a constant *)
   | Assign of { place : place; value : expr; span : Span.t }
   | If of {
       uninitialized : variable list;  (** declared here for both branches *)
       condition : expr;
       then_ : statement list;
       else_ : statement list;
-      predicted : bool;
-          (** worth a branch of the machine, not a select: see {!Feedback} *)
+      predicted : bool;  (** worth a branch of the machine, not a select: see {!Feedback} *)
       span : Span.t;
     }
   | Step of {
@@ -124,7 +116,6 @@ type statement =
   | Run of run
   | Return of { value : expr; span : Span.t }  (** last; one output only *)
 
-(** The step of a node, round after round. *)
 and loop = {
   node : int;
   state : field option;
@@ -134,6 +125,7 @@ and loop = {
   results : variable list;  (** declared here: accumulators, then arrays *)
   span : Span.t;
 }
+(** The step of a node, round after round. *)
 
 and argument =
   | Accumulated of int  (** the accumulator of that number *)
@@ -141,39 +133,37 @@ and argument =
   | Same of expr
   | Counted of expr  (** that, and one more in each round *)
 
-(** A mode begins: its parameters, then its state. *)
 and entry = {
   mode : int;  (** of the node's [modes] *)
   parameters : expr list;  (** for the mode's [parameters] *)
   arguments : expr list;  (** of its node's [reset] *)
 }
+(** A mode begins: its parameters, then its state. *)
 
-(** One instant of the node's machine (see {!Flow.Ir.machine}). In what comes
-    after an entry, dt is 0. *)
 and run = {
   active : expr option;  (** if it does not hold, nothing runs, and the results are any *)
   clock : clock option;  (** with [active], if a mode looks at dt *)
   steps : int;  (** at most so many modes are stepped *)
   controls : (expr * entry) list;  (** the first that holds *)
   late : bool;  (** they come after the mode that runs, not before *)
-  drops : bool;
-      (** after a late control or a delayed transition the modes' results are dropped *)
+  drops : bool;  (** after a late control or a delayed transition the modes' results are dropped *)
   cases : case list;  (** one for each mode *)
   results : variable list;  (** declared here *)
   span : Span.t;
 }
+(** One instant of the node's machine (see {!Flow.Ir.machine}). In what comes after an entry, dt is
+    0. *)
 
-(** The time since a machine's own last instant, 0 up to its first. *)
 and clock = {
   since : field;
   running : field;  (** a Bool: past the first *)
   elapsed : expr;  (** [since] and this instant's *)
 }
+(** The time since a machine's own last instant, 0 up to its first. *)
 
 and case = {
   arguments : expr list;  (** of the step of the mode's node *)
-  others : variable list;
-      (** what the step gives after the machine's results, declared here *)
+  others : variable list;  (** what the step gives after the machine's results, declared here *)
   transitions : next list;  (** the first that holds *)
 }
 
@@ -199,24 +189,24 @@ type node = {
   state : field list;  (** after all passes in the order of the struct: {!Field_order} *)
   modes : mode list;  (** of its machine, if there is one *)
   foreign : Flow.Ir.foreign option;
-      (** its step and reset are the user's C; [reset] and [step] have no body,
-          and its state, if any, is one [Component] *)
+      (** its step and reset are the user's C; [reset] and [step] have no body, and its state, if
+          any, is one [Component] *)
   reset : code;  (** empty if there is no state, or nothing calls it *)
   step : code;
   outputs : (string * ty) list;  (** then what only transitions read *)
   ends_early : int option;
-      (** a mode whose step, where one of its transitions occurs, gives only the outputs
-          from this number on: see {!Early_end} *)
+      (** a mode whose step, where one of its transitions occurs, gives only the outputs from this
+          number on: see {!Early_end} *)
   seconds : bool;  (** the step, or a callee's, reads [Dt] *)
   nanoseconds : bool;  (** likewise [Dt_nanoseconds] *)
   operations : int;  (** a rough count of the step's own, without callees *)
 }
 
-(** A Bool of the root, false up to the first step. *)
 type mark = {
   field : field;
   own : bool;  (** the step sets it at once; else it does so last, as any delay *)
 }
+(** A Bool of the root, false up to the first step. *)
 
 type program = {
   name : string;  (** of the C files *)

@@ -3,7 +3,7 @@ type slots = {
   ints : int;
   bools : int;
   tags : int;
-  arrays : (Flow.Ir.ty * int) list;  (* sorted *)
+  arrays : (Flow.Ir.ty * int) list; (* sorted *)
 }
 
 let none = { floats = 0; ints = 0; bools = 0; tags = 0; arrays = [] }
@@ -27,7 +27,6 @@ let combine f a b =
   }
 
 let add = combine ( + )
-
 let arrays_before slots ty = Option.value (List.assoc_opt ty slots.arrays) ~default:0
 
 let rec ty : Flow.Ir.ty -> Ir.ty = function

@@ -1,11 +1,10 @@
 (** How values lie in memory, as far as the language fixes it.
 
-    A sum is a struct of a tag and slots that all its constructors share: as
-    many Floats, 32-bit integers, bools and inner tags as the constructor
-    that needs most of each. A payload that is itself a sum is laid flat into
-    the slots: its tag takes an inner-tag slot, its slots follow. An array is a
-    slot of its own, shared with arrays of the same type; so is a value of a
-    foreign type. *)
+    A sum is a struct of a tag and slots that all its constructors share: as many Floats, 32-bit
+    integers, bools and inner tags as the constructor that needs most of each. A payload that is
+    itself a sum is laid flat into the slots: its tag takes an inner-tag slot, its slots follow. An
+    array is a slot of its own, shared with arrays of the same type; so is a value of a foreign
+    type. *)
 
 type slots = {
   floats : int;

@@ -249,13 +249,14 @@ let run c known (run : Ir.run) =
   List.iter2 case c.node.modes run.cases;
   declare_all c known run.results
 
-let both a b = Known.merge (fun _ x y -> match (x, y) with Some x, Some _ -> Some x | _ -> None) a b
+let both a b =
+  Known.merge (fun _ x y -> match (x, y) with Some x, Some _ -> Some x | _ -> None) a b
 
 let loop c known (l : Ir.loop) =
   let callee : Ir.node = callee c l.node in
   (match (l.state, callee.state) with
-  | Some { content = States_of { node; count }; _ }, _ :: _
-    when node = l.node && count = l.count -> ()
+  | Some { content = States_of { node; count }; _ }, _ :: _ when node = l.node && count = l.count ->
+      ()
   | None, [] -> ()
   | _, _ -> bug "a loop over `%s` has a wrong state" callee.name);
   let accumulators = List.length l.initial in
@@ -372,22 +373,20 @@ let program (program : Ir.program) =
     (fun index (node : Ir.node) ->
       if Option.is_some node.foreign then without_body node
       else
-      let state = Hashtbl.create 16 in
-      let know (f : Ir.field) = Hashtbl.replace state f.id f in
-      List.iter know node.state;
-      List.iter
-        (fun (mode : Ir.mode) -> List.iter know (State.fields_of_mode mode))
-        node.modes;
-      let outputs = Array.of_list node.outputs in
-      let context () = { program; index; node; state; outputs; declared = Hashtbl.create 16 } in
-      List.iter (lasting (context ())) node.state;
-      let after_step = code (context ()) node.step in
-      let given = Option.value node.ends_early ~default:0 in
-      List.iteri
-        (fun k _ ->
-          if k >= given && not (Known.mem k after_step.results) then
-            bug "`%s` does not write its result %d" node.name k)
-        node.outputs;
-      if node.reset.body <> [] || index = Array.length program.nodes - 1 then
-        wrote_all (context ()) "reset" (code (context ()) node.reset))
+        let state = Hashtbl.create 16 in
+        let know (f : Ir.field) = Hashtbl.replace state f.id f in
+        List.iter know node.state;
+        List.iter (fun (mode : Ir.mode) -> List.iter know (State.fields_of_mode mode)) node.modes;
+        let outputs = Array.of_list node.outputs in
+        let context () = { program; index; node; state; outputs; declared = Hashtbl.create 16 } in
+        List.iter (lasting (context ())) node.state;
+        let after_step = code (context ()) node.step in
+        let given = Option.value node.ends_early ~default:0 in
+        List.iteri
+          (fun k _ ->
+            if k >= given && not (Known.mem k after_step.results) then
+              bug "`%s` does not write its result %d" node.name k)
+          node.outputs;
+        if node.reset.body <> [] || index = Array.length program.nodes - 1 then
+          wrote_all (context ()) "reset" (code (context ()) node.reset))
     program.nodes

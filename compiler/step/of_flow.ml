@@ -9,7 +9,6 @@ type context = {
 }
 
 let variable = Modes.variable
-
 let parameters reads signals = Reads.parameters reads (Long_list.map variable signals)
 
 (* The nodes that this one steps, by its own code or as these modes. *)
@@ -61,8 +60,7 @@ let own_node context k ~is_root : Ir.node =
   let limited = context.is_limited k in
   let step, resolve = Body.step calls state node ~limited ~is_root statics in
   let step =
-    if context.may_end_early.(k) then Early_end.find ~fresh:calls.fresh ~resolve node step
-    else step
+    if context.may_end_early.(k) then Early_end.find ~fresh:calls.fresh ~resolve node step else step
   in
   let ends_early = Option.map (fun (e : Fragment.ending) -> e.told) step.ending in
   let step = Placement.statements (Feedback.of_node node) step in

@@ -3,6 +3,7 @@
 type t
 
 val of_program : Ir.program -> t
+
 val in_step : t -> int -> bool
 (** The node's step. *)
 

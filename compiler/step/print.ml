@@ -18,7 +18,6 @@ let variable names (v : Ir.variable) =
 
 let operator = Flow.Print.operator
 let is_symbol text = match text.[0] with 'a' .. 'z' -> false | _ -> true
-
 let field (f : Ir.field) = sprintf "self.%s#%d" f.name f.id
 
 type context = { program : Ir.program; names : names }
@@ -64,10 +63,8 @@ let rec expr c ppf (e : Ir.expr) =
 and operand c ppf (e : Ir.expr) =
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Field _ | Param _ | Dt
-  | Dt_nanoseconds | Call _
-  | Construct _ | Elements _ | Fill _ | Index _ | At _ | Replace _ | Payload _ | Seconds _
-  | In_nanoseconds _
-  | Later _ | Soon _ | Reached _ | Rest _ ->
+  | Dt_nanoseconds | Call _ | Construct _ | Elements _ | Fill _ | Index _ | At _ | Replace _
+  | Payload _ | Seconds _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ ->
       expr c ppf e
   | Operation { operator = o; _ } when not (is_symbol (operator o)) -> expr c ppf e
   | Operation _ | Select _ | Is_constructor _ -> fprintf ppf "(%a)" (expr c) e
@@ -164,13 +161,11 @@ let node (program : Ir.program) ppf (n : Ir.node) =
         match f.content with
         | Value t -> ty program t
         | State_of k -> sprintf "state of %s" program.nodes.(k).name
-        | States_of { node; count } ->
-            sprintf "%d states of %s" count program.nodes.(node).name
+        | States_of { node; count } -> sprintf "%d states of %s" count program.nodes.(node).name
         | Running_mode -> "number of a mode"
         | Component symbol -> sprintf "state of C's %s" symbol
         | Modes modes ->
-            sprintf "one of %s"
-              (String.concat ", " (List.map (fun (m : Ir.mode) -> m.name) modes))
+            sprintf "one of %s" (String.concat ", " (List.map (fun (m : Ir.mode) -> m.name) modes))
       in
       fprintf ppf "  %s : %s  -- %s@\n" (field f) content f.purpose)
     n.state;

@@ -9,16 +9,11 @@ type t = {
 
 let of_body body =
   let reads =
-    {
-      variables = Int_table.create 16;
-      seconds = false;
-      nanoseconds = false;
-      operations = 0;
-    }
+    { variables = Int_table.create 16; seconds = false; nanoseconds = false; operations = 0 }
   in
   Walk.expressions
     (fun (e : Ir.expr) ->
-      reads.operations <- reads.operations + (match Walk.children e with [] -> 0 | _ :: _ -> 1);
+      reads.operations <- (reads.operations + match Walk.children e with [] -> 0 | _ :: _ -> 1);
       match e with
       | Variable v -> Int_table.replace reads.variables v.id ()
       | Dt -> reads.seconds <- true

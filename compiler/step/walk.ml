@@ -2,7 +2,8 @@ open Ir
 
 let children = function
   | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Field _ | Param _ | Dt
-  | Dt_nanoseconds -> []
+  | Dt_nanoseconds ->
+      []
   | Operation { arguments; _ } | Call { arguments; _ } -> arguments
   | Select { condition; then_; else_ } -> [ condition; then_; else_ ]
   | Construct { payload; _ } -> payload

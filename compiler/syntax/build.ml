@@ -16,11 +16,8 @@ let variable ((start, _) as location : location) (x : Ir.name) =
   else { (unqualified x) with span = span location }
 
 (* The first [n] bytes of a span within one line, and what follows a byte. *)
-let take n (span : Span.t) =
-  { span with stop = Span.forward n span.start }
-
-let drop n (span : Span.t) =
-  { span with start = Span.forward n span.start }
+let take n (span : Span.t) = { span with stop = Span.forward n span.start }
+let drop n (span : Span.t) = { span with start = Span.forward n span.start }
 
 let qualified location (qualifier, text) : Ir.qualified =
   let span = span location in
@@ -70,8 +67,8 @@ let class_ context (head : Ir.ty) members : Ir.declaration_desc =
     | Type_variable x when String.equal x.text variable.text -> class_
     | Type_variable _ | Type _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
         Reject.at ~code:"E0110" t.span
-          ~hint:(Printf.sprintf "as in `class Eq %s => %s %s`" variable.text name.text
-            variable.text)
+          ~hint:
+            (Printf.sprintf "as in `class Eq %s => %s %s`" variable.text name.text variable.text)
           "a superclass speaks of the class's own variable `%s`" variable.text
   in
   Class { superclasses = List.map superclass context; name; variable; members }
@@ -140,9 +137,8 @@ let product factors =
     | Amount { digits; _ } ->
         Reject.at ~code:"E0119" f.span
           ~hint:
-            (Printf.sprintf
-               "a power is written `m^2`; an array of %s has the type `Array %s Float`" digits
-               digits)
+            (Printf.sprintf "a power is written `m^2`; an array of %s has the type `Array %s Float`"
+               digits digits)
           "the number `%s` cannot be part of a unit, only `1` can" digits
   in
   let multiply left (f : Surface.factor) = Some (times left (measure f) ~over:f.over) in
@@ -169,8 +165,7 @@ let exponent location ~negative numerator ~over : Ir.rational =
 
 let scaled_unit ~(name : Ir.name) factors : Ir.declaration_desc =
   let reject span =
-    Reject.at ~code:"E0119" span
-      ~hint:"as in `unit inch = 0.0254 m` or `unit deg = pi/180`"
+    Reject.at ~code:"E0119" span ~hint:"as in `unit inch = 0.0254 m` or `unit deg = pi/180`"
       "the scale of a unit is one number, perhaps with `pi`, over one number"
   in
   let add ((scale : Ir.scale), factor_seen, unit_) (f : Surface.factor) =
@@ -244,8 +239,8 @@ let do_body location statements : Ir.proc_body =
         reject_block term;
         Reject.at ~code:"E0116" span
           ~hint:
-            "nothing is done for its effect, such as printing or waiting: bind its value with \
-             `x <- …`, or run it with `sf -< x`; tasks are statements of a `do` without `proc`"
+            "nothing is done for its effect, such as printing or waiting: bind its value with `x \
+             <- …`, or run it with `sf -< x`; tasks are statements of a `do` without `proc`"
           "this expression is not a statement of a `proc`"
     | Rec _ -> Diagnostic.bug ~stage:"Syntax.Build" "a `rec` that was not flattened"
   in
@@ -270,7 +265,7 @@ let do_body location statements : Ir.proc_body =
 let task_body location statements : Ir.expr_desc =
   (* Where the whole starts. *)
   let keyword text =
-    let { Span.start; _ } as whole = span location in
+    let ({ Span.start; _ } as whole) = span location in
     { whole with stop = Span.forward (String.length text) start }
   in
   let last_is what span =

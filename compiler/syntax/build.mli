@@ -7,7 +7,6 @@ type location = Lexing.position * Lexing.position
 
 val span : location -> Span.t
 val name : location -> string -> Ir.name
-
 val unqualified : Ir.name -> Ir.qualified
 
 val variable : location -> Ir.name -> Ir.qualified
@@ -26,11 +25,9 @@ val context : Ir.ty -> (Ir.qualified * Ir.ty) list
 (** What stands before [=>], read as a type. *)
 
 val class_ : (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
-(** A class of the context and the head before its [where]; the head was read
-    as a type. *)
+(** A class of the context and the head before its [where]; the head was read as a type. *)
 
-val instance :
-  (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
+val instance : (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
 (** Likewise. *)
 
 (** {1 Foreign code}
@@ -68,4 +65,3 @@ val declarations : Ir.declaration list -> Ir.declaration list
 
 val where : location -> Ir.declaration list -> Ir.declaration list
 (** What follows the word, of a definition or a branch: not nothing. *)
-

@@ -1,9 +1,8 @@
 (** Syntax: a module as the programmer wrote it.
 
-    Always true (see {!Lint}): spans nest; binary operators are already
-    grouped by the fixed table of the language reference, section 11; layout
-    is gone. Names are still text. Patterns were parsed as expressions and
-    then turned into patterns. *)
+    Always true (see {!Lint}): spans nest; binary operators are already grouped by the fixed table
+    of the language reference, section 11; layout is gone. Names are still text. Patterns were
+    parsed as expressions and then turned into patterns. *)
 
 open Basis
 
@@ -47,14 +46,12 @@ and declaration_desc =
       members : declaration list;  (** [Signature] and [Binding]: methods and their defaults *)
     }  (** [class (Eq a) => Shape a where …] *)
   | Instance of instance
-  | Primitive of signature
-      (** [primitive sin :: Float -> Float], only in the standard library *)
+  | Primitive of signature  (** [primitive sin :: Float -> Float], only in the standard library *)
   | Foreign of foreign
   | Parameter of { name : name; ty : qualified_type; value : expr }
       (** [param kTurn :: Float[1/m] = 4[1/m]], with the value that it has by default *)
   | Claim of { kind : claim; label : name; condition : expr }
       (** [assert "keeps off" (d > 0.1[m])], among definitions *)
-
   | Check of { kind : check; label : name; value : expr }
       (** [test "limits" = during 2[s] observer], only at the top level *)
 
@@ -69,9 +66,7 @@ and foreign =
       (** [foreign type Frame = "struct frame" copyable] *)
   | Foreign_include of name  (** [foreign include "blob.h"] *)
 
-and foreign_kind =
-  | Foreign_function
-  | Foreign_signal_function
+and foreign_kind = Foreign_function | Foreign_signal_function
 
 and scale = {
   factor : string;  (** decimal text; ["1"] where none is written *)
@@ -93,12 +88,8 @@ and qualified_type = { context : (qualified * ty) list; ty : ty }
 (** [(Eq a, Ord b) => ty] *)
 
 and type_parameters = { units : name list; types : name list }
-
 and constructor = { name : name; fields : fields; span : Span.t; doc : string option }
-
-and fields =
-  | Positional of ty list
-  | Named of (name * ty) list
+and fields = Positional of ty list | Named of (name * ty) list
 
 (** {1 Bindings} *)
 
@@ -112,9 +103,7 @@ and left =
 and right = { body : body; where : declaration list }
 (** [where] holds only [Signature], [Binding] and [Claim]. *)
 
-and body =
-  | Plain of expr
-  | Guarded of (expr * expr) list  (** [| guard = expr], at least one *)
+and body = Plain of expr | Guarded of (expr * expr) list  (** [| guard = expr], at least one *)
 
 (** {1 Expressions} *)
 
@@ -129,8 +118,7 @@ and expr_desc =
   | Tuple_section of expr option list  (** [(, x)]; some are there or none, not all *)
   | Array of expr list  (** [[a, b]]; that it is not empty is for typing to say *)
   | Apply of expr * expr  (** juxtaposition; also what [f $ x] means *)
-  | Binary of { operator : qualified; left : expr; right : expr }
-      (** also [a `f` b] *)
+  | Binary of { operator : qualified; left : expr; right : expr }  (** also [a `f` b] *)
   | Negate of expr
   | Left_section of { left : expr; operator : qualified }  (** [(x +)] *)
   | Right_section of { operator : qualified; right : expr }  (** [(+ x)] *)
@@ -156,10 +144,7 @@ and number = {
 }
 
 and branch = { pattern : pattern; body : branch_body; where : declaration list; span : Span.t }
-
-and branch_body =
-  | Always of expr
-  | If_guards of (expr * expr) list  (** [| guard -> expr] *)
+and branch_body = Always of expr | If_guards of (expr * expr) list  (** [| guard -> expr] *)
 
 and proc_body =
   | Output of { output : expr; equations : declaration list }  (** [proc p -> e where …] *)
@@ -174,8 +159,7 @@ and statement =
   | Let_equations of declaration list
 
 and task_statement =
-  | Task of { pattern : pattern option; task : expr; span : Span.t }
-      (** [p <- e], or [e] *)
+  | Task of { pattern : pattern option; task : expr; span : Span.t }  (** [p <- e], or [e] *)
   | Let_values of declaration list
 
 (** {1 Patterns} *)
@@ -214,4 +198,5 @@ and unit_desc =
   | Over of unit_ * unit_
   | To of unit_ * rational
 
-and rational = { numerator : int; denominator : int }  (** denominator > 0, lowest terms *)
+and rational = { numerator : int; denominator : int }
+(** denominator > 0, lowest terms *)

@@ -47,8 +47,16 @@ let deepest = 10_000
 
 let create lexer =
   {
-    lexer; stack = []; opening = None; header = false; data = false; item_start = true; doc = None;
-    outer = []; before = Lexing.dummy_pos; ready = Queue.create ();
+    lexer;
+    stack = [];
+    opening = None;
+    header = false;
+    data = false;
+    item_start = true;
+    doc = None;
+    outer = [];
+    before = Lexing.dummy_pos;
+    ready = Queue.create ();
   }
 
 let copy t = { t with lexer = Lexer.copy t.lexer; ready = Queue.copy t.ready }
@@ -80,8 +88,16 @@ let reach t = match t.stack with [] -> nothing | entry :: _ -> entry.reach
 
 let emit t token =
   Queue.add
-    { token; start = t.before; stop = t.before; made = true; column = 0; first = false;
-      around = t.outer; last = false }
+    {
+      token;
+      start = t.before;
+      stop = t.before;
+      made = true;
+      column = 0;
+      first = false;
+      around = t.outer;
+      last = false;
+    }
     t.ready
 
 (* Pops one entry; a block is closed by it. *)
@@ -96,16 +112,13 @@ let pop t =
 
 let rec pop_until t found =
   match t.stack with
-  | entry :: _ when not (found entry.opener) -> pop t; pop_until t found
+  | entry :: _ when not (found entry.opener) ->
+      pop t;
+      pop_until t found
   | _ -> ()
 
-let is_block = function
-  | Block _ -> true
-  | Paren | Bracket | Brace | If | Then | Case -> false
-
-let is_bracket = function
-  | Paren | Bracket | Brace -> true
-  | Block _ | If | Then | Case -> false
+let is_block = function Block _ -> true | Paren | Bracket | Brace | If | Then | Case -> false
+let is_bracket = function Paren | Bracket | Brace -> true | Block _ | If | Then | Case -> false
 
 (* A new item of the innermost block; what is still open in the old one (and
    is no block) stays without its partner. *)
@@ -131,13 +144,12 @@ let rec at_top = function
 
 (* The rule for the first token of a line. *)
 let rec line_starts t column =
-  if at_top t.stack then begin if column <= block_column t then separate t end
+  if at_top t.stack then (if column <= block_column t then separate t)
   else if column = block_column t then separate t
-  else if column < block_column t then begin
+  else if column < block_column t then (
     pop_until t is_block;
     pop t;
-    line_starts t column
-  end
+    line_starts t column)
 
 (* Does this token close something, and what? *)
 let partner t (token : Grammar.token) : (opener -> bool) option =
@@ -158,7 +170,9 @@ let partner t (token : Grammar.token) : (opener -> bool) option =
    statements of a [do] have none, so it closes that too. *)
 let rec where_closes t (token : Lexer.token) =
   match t.stack with
-  | { opener = Block (Do | Rec); _ } :: _ -> pop t; where_closes t token
+  | { opener = Block (Do | Rec); _ } :: _ ->
+      pop t;
+      where_closes t token
   | _ when token.first && (not (at_top t.stack)) && token.column <= block_column t ->
       pop_until t is_block;
       pop t;
@@ -166,8 +180,16 @@ let rec where_closes t (token : Lexer.token) =
   | _ -> ()
 
 let of_text t (token : Lexer.token) ~last =
-  { token = token.token; start = token.start; stop = token.stop; made = false;
-    column = token.column; first = token.first; around = t.outer; last }
+  {
+    token = token.token;
+    start = token.start;
+    stop = token.stop;
+    made = false;
+    column = token.column;
+    first = token.first;
+    around = t.outer;
+    last;
+  }
 
 let emit_doc t (token : Lexer.token) =
   let of_item =
@@ -183,8 +205,16 @@ let emit_doc t (token : Lexer.token) =
   | Some _, (BAR | EQUAL) when t.data -> t.doc <- doc
   | Some text, _ when of_item || of_constructor ->
       Queue.add
-        { token = DOC text; start = token.start; stop = token.start; made = true;
-          column = 0; first = false; around = t.outer; last = false }
+        {
+          token = DOC text;
+          start = token.start;
+          stop = token.start;
+          made = true;
+          column = 0;
+          first = false;
+          around = t.outer;
+          last = false;
+        }
         t.ready
   | _ -> ()
 
@@ -226,18 +256,16 @@ let contextual t (token : Lexer.token) : Grammar.token =
     | LOWER "trial", Some Top -> CHECK Trial
     | other, _ -> other
   in
-  match word with
-  | (CLAIM _ | CHECK _) when Lexer.text_follows t.lexer -> word
-  | _ -> token.token
+  match word with (CLAIM _ | CHECK _) when Lexer.text_follows t.lexer -> word | _ -> token.token
 
 (* The token to pass on, after those that were made. *)
 let ordinary t (token : Lexer.token) =
   let if_ = ref token in
   (match partner t token.token with
-  | Some found ->
+  | Some found -> (
       pop_until t found;
       (match t.stack with { opener = If; by; _ } :: _ -> if_ := by | _ -> ());
-      (match token.token with COMMA -> () | _ -> pop t)
+      match token.token with COMMA -> () | _ -> pop t)
   | None -> (
       match token.token with
       | WHERE when t.header -> ()
@@ -263,13 +291,19 @@ let finish t (token : Lexer.token) =
   let rec close () =
     match t.stack with
     | [] | [ { opener = Block Top; _ } ] -> ()
-    | { opener = Block _; _ } :: _ -> pop t; close ()
+    | { opener = Block _; _ } :: _ ->
+        pop t;
+        close ()
     | _ when at_top t.stack -> ()
-    | _ -> pop t; close ()
+    | _ ->
+        pop t;
+        close ()
   in
   (match t.opening with
   | Some (Top, _) -> emit t END
-  | Some _ -> emit t OPEN; emit t CLOSE
+  | Some _ ->
+      emit t OPEN;
+      emit t CLOSE
   | None -> ());
   t.opening <- None;
   close ();
@@ -288,15 +322,13 @@ let opened t block by (token : Lexer.token) =
       ordinary t { token with first = false }
   | Let | Where | Do | Of | Rec ->
       emit t OPEN;
-      if token.column > block_column t then begin
+      if token.column > block_column t then (
         push t (Block block) by ~column:token.column;
         t.item_start <- true;
-        ordinary t { token with first = false }
-      end
-      else begin
+        ordinary t { token with first = false })
+      else (
         emit t CLOSE;
-        ordinary t token
-      end
+        ordinary t token)
 
 let advance t =
   let token = Lexer.next t.lexer in
@@ -323,5 +355,7 @@ let rec next t =
   | None -> (
       match advance t with
       | Some token when Queue.is_empty t.ready -> token
-      | Some token -> Queue.add token t.ready; next t
+      | Some token ->
+          Queue.add token t.ready;
+          next t
       | None -> next t)

@@ -1,10 +1,9 @@
 (** Layout: indentation made explicit (language reference, section 11).
 
-    A function from tokens to tokens with a stack of openers; the grammar has
-    no say in it. Blocks get [OPEN] and [CLOSE], their items [SEMICOLON];
-    items at the top of the file end with [END]. A token that closes something
-    ([in then else of , )] and the like) closes the blocks opened since its
-    partner, whatever its column. Constant time per token, amortized. *)
+    A function from tokens to tokens with a stack of openers; the grammar has no say in it. Blocks
+    get [OPEN] and [CLOSE], their items [SEMICOLON]; items at the top of the file end with [END]. A
+    token that closes something ([in then else of , )] and the like) closes the blocks opened since
+    its partner, whatever its column. Constant time per token, amortized. *)
 
 type block = Top | Let | Where | Do | Of | Rec
 
@@ -47,7 +46,6 @@ exception Too_deep of Lexer.token
 (** More than {!deepest} openers in each other. *)
 
 val deepest : int
-
 val create : Lexer.t -> t
 val next : t -> token
 

@@ -30,13 +30,22 @@ let copy t = { t with at = t.at }
 let byte_order_mark = "\xef\xbb\xbf"
 
 let create sink ~file text =
-  let marked =
-    String.length text >= 3 && String.equal (String.sub text 0 3) byte_order_mark
-  in
+  let marked = String.length text >= 3 && String.equal (String.sub text 0 3) byte_order_mark in
   let at = if marked then 3 else 0 in
   {
-    sink; file; text; at; line = 1; line_start = 0; extra = (if marked then 3 else 0);
-    fresh = true; doc = []; doc_line = 0; bad_line = 0; colons = []; cut_off = false;
+    sink;
+    file;
+    text;
+    at;
+    line = 1;
+    line_start = 0;
+    extra = (if marked then 3 else 0);
+    fresh = true;
+    doc = [];
+    doc_line = 0;
+    bad_line = 0;
+    colons = [];
+    cut_off = false;
   }
 
 (* Past the end there are NULs, which no rule below takes for anything. *)
@@ -97,14 +106,12 @@ let line_comment t =
   in
   let text = without_blank text in
   if fresh then
-    if text <> "" && text.[0] = '|' then begin
+    if text <> "" && text.[0] = '|' then (
       t.doc <- [ without_blank (String.sub text 1 (String.length text - 1)) ];
-      t.doc_line <- t.line
-    end
-    else if t.doc <> [] && t.doc_line = t.line - 1 then begin
+      t.doc_line <- t.line)
+    else if t.doc <> [] && t.doc_line = t.line - 1 then (
       t.doc <- text :: t.doc;
-      t.doc_line <- t.line
-    end
+      t.doc_line <- t.line)
 
 let nested_comment t =
   let start = position t in
@@ -112,29 +119,47 @@ let nested_comment t =
   let opener_stop = position t in
   let rec go depth =
     if depth > 0 then
-      if at_end t then begin
+      if at_end t then (
         t.cut_off <- true;
         Diagnostic.emit t.sink
-          (Diagnostic.error ~code:"E0104" ~at:(Build.span (start, opener_stop))
+          (Diagnostic.error ~code:"E0104"
+             ~at:(Build.span (start, opener_stop))
              "this comment is never closed"
-          |> Diagnostic.hint "comments nest: each `{-` needs its own `-}`")
-      end
+          |> Diagnostic.hint "comments nest: each `{-` needs its own `-}`"))
       else
         match (peek t 0, peek t 1) with
-        | '{', '-' -> t.at <- t.at + 2; go (depth + 1)
-        | '-', '}' -> t.at <- t.at + 2; go (depth - 1)
-        | '\n', _ -> newline t; go depth
-        | _ -> step t; go depth
+        | '{', '-' ->
+            t.at <- t.at + 2;
+            go (depth + 1)
+        | '-', '}' ->
+            t.at <- t.at + 2;
+            go (depth - 1)
+        | '\n', _ ->
+            newline t;
+            go depth
+        | _ ->
+            step t;
+            go depth
   in
   go 1
 
 let rec skip_blanks t =
   match (peek t 0, peek t 1) with
-  | (' ' | '\t'), _ -> t.at <- t.at + 1; skip_blanks t
-  | '\n', _ -> newline t; skip_blanks t
-  | '\r', '\n' -> t.at <- t.at + 1; skip_blanks t
-  | '-', '-' -> line_comment t; skip_blanks t
-  | '{', '-' -> nested_comment t; skip_blanks t
+  | (' ' | '\t'), _ ->
+      t.at <- t.at + 1;
+      skip_blanks t
+  | '\n', _ ->
+      newline t;
+      skip_blanks t
+  | '\r', '\n' ->
+      t.at <- t.at + 1;
+      skip_blanks t
+  | '-', '-' ->
+      line_comment t;
+      skip_blanks t
+  | '{', '-' ->
+      nested_comment t;
+      skip_blanks t
   | _ -> ()
 
 (* {1 Names and numbers} *)
@@ -170,9 +195,7 @@ let words =
   ]
 
 let keywords =
-  List.filter_map
-    (function _, (RESERVED _ | UNDERSCORE) -> None | word, _ -> Some word)
-    words
+  List.filter_map (function _, (RESERVED _ | UNDERSCORE) -> None | word, _ -> Some word) words
 
 let reserved =
   let table = String_table.create 64 in
@@ -181,16 +204,16 @@ let reserved =
 
 let take_name t =
   let start = t.at in
-  while is_name (peek t 0) do t.at <- t.at + 1 done;
+  while is_name (peek t 0) do
+    t.at <- t.at + 1
+  done;
   String.sub t.text start (t.at - start)
 
 (* Is this `.` tight on both sides and before a lower-case name? *)
 let selects t =
   is_lower (peek t 1)
   && t.at > 0
-  && (match t.text.[t.at - 1] with
-     | ')' | ']' | '}' | '"' -> true
-     | c -> is_name c)
+  && (match t.text.[t.at - 1] with ')' | ']' | '}' | '"' -> true | c -> is_name c)
   &&
   let word_start = t.at + 1 in
   let rec stop i = if i < String.length t.text && is_name t.text.[i] then stop (i + 1) else i in
@@ -205,27 +228,22 @@ let lower t =
 let upper t =
   let word = take_name t in
   if peek t 0 <> '.' then UPPER word
-  else if is_upper (peek t 1) then begin
+  else if is_upper (peek t 1) then (
     t.at <- t.at + 1;
-    QUALIFIED_UPPER (word, take_name t)
-  end
-  else if selects t then begin
+    QUALIFIED_UPPER (word, take_name t))
+  else if selects t then (
     t.at <- t.at + 1;
-    QUALIFIED_LOWER (word, take_name t)
-  end
+    QUALIFIED_LOWER (word, take_name t))
   else UPPER word
 
 (* Digits in a base, with [_] between them as wanted. *)
 let rec digits ?(base = 10) t =
-  let is_digit c =
-    match Exact.value_of_digit c with Some value -> value < base | None -> false
-  in
+  let is_digit c = match Exact.value_of_digit c with Some value -> value < base | None -> false in
   let rec after_blanks i = if peek t i = '_' then after_blanks (i + 1) else i in
   let next = if t.at > 0 && is_digit t.text.[t.at - 1] then after_blanks 0 else 0 in
-  if is_digit (peek t next) then begin
+  if is_digit (peek t next) then (
     t.at <- t.at + next + 1;
-    digits ~base t
-  end
+    digits ~base t)
 
 (* Reading a number exactly takes time that grows with the square of its digits. *)
 let most_digits = 1_000
@@ -243,11 +261,10 @@ let rec take_rest_of_unit t =
     let rec stop i = if accepts (peek t i) then stop (i + 1) else i in
     let length = stop 1 in
     if length = 1 then ""
-    else begin
+    else
       let text = String.sub t.text t.at length in
       t.at <- t.at + length;
       text ^ take_rest_of_unit t
-    end
   in
   match peek t 0 with
   | '/' | '*' -> part (function 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false)
@@ -261,16 +278,20 @@ let number t =
   if base <> 10 then t.at <- t.at + 2;
   digits ~base t;
   let point = base = 10 && peek t 0 = '.' && is_digit (peek t 1) in
-  if point then begin t.at <- t.at + 1; digits t end;
+  if point then (
+    t.at <- t.at + 1;
+    digits t);
   let exponent =
     match (peek t 0, peek t 1) with
     | ('e' | 'E'), ('+' | '-') when base = 10 -> if is_digit (peek t 2) then 2 else 0
     | ('e' | 'E'), c when base = 10 -> if is_digit c then 1 else 0
     | _ -> 0
   in
-  if exponent > 0 then begin t.at <- t.at + exponent; digits t end;
+  if exponent > 0 then (
+    t.at <- t.at + exponent;
+    digits t);
   let text = String.sub t.text first (t.at - first) in
-  if is_name (peek t 0) || (base <> 10 && t.at = first + 2) then begin
+  if is_name (peek t 0) || (base <> 10 && t.at = first + 2) then (
     let rest = take_name t in
     let has_unit = base = 10 && is_unit rest in
     let rest = if has_unit then rest ^ take_rest_of_unit t else rest in
@@ -297,20 +318,17 @@ let number t =
       | _ -> None
     in
     report t ~code:"E0105" ~start ~hint ?write (Printf.sprintf "the number `%s` %s" text problem);
-    BAD
-  end
-  else if String.length text > most_digits then begin
+    BAD)
+  else if String.length text > most_digits then (
     report t ~code:"E0105" ~start
       (Printf.sprintf "a number has up to %d characters, this one has %d" most_digits
          (String.length text));
-    BAD
-  end
+    BAD)
   else NUMBER (text, point || exponent > 0)
 
 (* Does the dot here touch what stands before it, as in `x.1` and `1..2`? *)
 let follows_a_value t =
-  t.at > 0
-  && match t.text.[t.at - 1] with ')' | ']' | '.' -> true | c -> is_name c
+  t.at > 0 && match t.text.[t.at - 1] with ')' | ']' | '.' -> true | c -> is_name c
 
 (* `.5` *)
 let fraction t =
@@ -331,16 +349,22 @@ let string t =
   t.at <- t.at + 1;
   let rec go token =
     match peek t 0 with
-    | '"' -> t.at <- t.at + 1; token
+    | '"' ->
+        t.at <- t.at + 1;
+        token
     | _ when at_end t || peek t 0 = '\n' ->
         report t ~code:"E0104" ~start ~hint:"a text ends with another `\"`, in its line"
           "this text is not closed on its line";
         BAD
-    | '\\' ->
+    | '\\' -> (
         let from = position t in
         t.at <- t.at + 1;
-        let escape c = t.at <- t.at + 1; Buffer.add_char text c; go token in
-        (match peek t 0 with
+        let escape c =
+          t.at <- t.at + 1;
+          Buffer.add_char text c;
+          go token
+        in
+        match peek t 0 with
         | '"' -> escape '"'
         | '\\' -> escape '\\'
         | 'n' -> escape '\n'
@@ -350,7 +374,10 @@ let string t =
             report t ~code:"E0105" ~start:from ~hint:"there are `\\\"`, `\\\\`, `\\n` and `\\t`"
               "unknown escape in a text";
             go BAD)
-    | c -> step t; Buffer.add_char text c; go token
+    | c ->
+        step t;
+        Buffer.add_char text c;
+        go token
   in
   match go (STRING "") with STRING _ -> STRING (Buffer.contents text) | token -> token
 
@@ -367,7 +394,9 @@ let unexpected t =
   let { Character_hint.hint; instead } =
     Character_hint.of_character ~text:t.text ~at:t.at character
   in
-  for _ = 1 to length do step t done;
+  for _ = 1 to length do
+    step t
+  done;
   (* one a line: the rest of the line is likely to be of the same kind *)
   if t.bad_line <> t.line && not (character = ":" && List.mem hint t.colons) then
     report t ~code:"E0103" ~start ?hint ?write:instead
@@ -452,11 +481,10 @@ let next t =
   in
   t.fresh <- false;
   let token =
-    if t.cut_off then begin
+    if t.cut_off then (
       (* What is missing here may stand in the comment. *)
       t.cut_off <- false;
-      BAD
-    end
+      BAD)
     else if at_end t then END
     else
       match peek t 0 with

@@ -1,7 +1,7 @@
 (** Text to tokens (language reference, section 11), without layout.
 
-    Never fails: what cannot be a token is reported, and a [BAD] token takes
-    its place. Linear in the text; keeps no more than one token. *)
+    Never fails: what cannot be a token is reported, and a [BAD] token takes its place. Linear in
+    the text; keeps no more than one token. *)
 
 open Basis
 
@@ -9,8 +9,7 @@ type token = {
   token : Grammar.token;
   start : Lexing.position;
   stop : Lexing.position;
-  column : int;
-      (** where the token starts as a reader counts: characters from 1, not bytes *)
+  column : int;  (** where the token starts as a reader counts: characters from 1, not bytes *)
   first : bool;  (** first on its line *)
   doc : string option;  (** the [-- |] comment before it *)
 }

@@ -66,20 +66,19 @@ let expression span (desc : Ir.expr_desc) =
       if Exact.of_literal digits = None && String.length digits < 100 then
         broken span "`%s` is no number" digits
   | Variable _ | Constructor _ | String _ | Array _ | Apply _ | Negate _ | Left_section _
-  | Right_section _
-  | Power _ | If _ | Case _ | Lambda_case _ | Tuple_section _ | Field _ | Annotated _
-  | Parenthesized _ ->
+  | Right_section _ | Power _ | If _ | Case _ | Lambda_case _ | Tuple_section _ | Field _
+  | Annotated _ | Parenthesized _ ->
       ()
 
 let node (node : Node.t) =
   let span = Node.span node in
   match node with
-  | Binding b ->
+  | Binding b -> (
       List.iter local b.right.where;
       (match b.left with
       | Function_name { parameters; _ } -> at_least 1 "parameters" span parameters
       | Name _ | Pattern _ -> ());
-      (match b.right.body with Guarded list -> at_least 1 "guards" span list | Plain _ -> ())
+      match b.right.body with Guarded list -> at_least 1 "guards" span list | Plain _ -> ())
   | Branch b -> (
       List.iter local b.where;
       match b.body with If_guards list -> at_least 1 "guards" span list | Always _ -> ())

@@ -39,7 +39,6 @@ let constraints context rest =
   List.fold_left (fun rest (c, t) -> Qualified c :: Type t :: rest) rest context
 
 let qualified_type (q : Ir.qualified_type) rest = constraints q.context (Type q.ty :: rest)
-
 let signature (s : Ir.signature) rest = names s.names (qualified_type s.ty rest)
 let parameters (p : Ir.type_parameters) rest = names p.units (names p.types rest)
 
@@ -62,8 +61,8 @@ let declaration (desc : Ir.declaration_desc) =
   | Data { name; parameters = p; constructors } ->
       Name name :: parameters p (all (fun c -> Constructor c) constructors [])
   | Class { superclasses; name; variable; members } ->
-      Name name :: Name variable :: all (fun q -> Qualified q) superclasses
-        (declarations members [])
+      Name name :: Name variable
+      :: all (fun q -> Qualified q) superclasses (declarations members [])
   | Instance { context; class_; head; members } ->
       Qualified class_ :: Type head :: constraints context (declarations members [])
   | Base_unit name -> [ Name name ]
@@ -189,7 +188,6 @@ let depth_exceeds limit node =
     | (depth, node) :: work ->
         if depth > limit then Some (span node)
         else
-          walk
-            (List.fold_left (fun work child -> (depth + 1, child) :: work) work (children node))
+          walk (List.fold_left (fun work child -> (depth + 1, child) :: work) work (children node))
   in
   walk [ (1, node) ]

@@ -21,7 +21,8 @@ let table =
 let symbols = List.concat_map (fun (_, _, symbols) -> symbols) table
 
 let precedences =
-  List.concat_map (fun (level, side, symbols) -> List.map (fun s -> (s, (level, side))) symbols)
+  List.concat_map
+    (fun (level, side, symbols) -> List.map (fun s -> (s, (level, side))) symbols)
     table
   |> List.to_seq |> String_table.of_seq
 
@@ -58,8 +59,8 @@ let literal_exponent (operator : Ir.qualified) (right : term) =
         match Build.whole digits with
         | Some n -> if negative then -n else n
         | None -> reject right.span)
-    | Number _ | Negated _ | Expression _ | Wildcard | As _ | Variable _ | Constructor _
-    | Tuple _ | Array _ | Application _ | Braces _ ->
+    | Number _ | Negated _ | Expression _ | Wildcard | As _ | Variable _ | Constructor _ | Tuple _
+    | Array _ | Application _ | Braces _ ->
         reject right.span
   in
   read false right
@@ -88,9 +89,7 @@ let written_in_words (operand : term) =
     | Variable { qualifier = None; name = { text = "or"; _ }; _ } -> Some ("or", "||", t.span)
     | _ -> None
   in
-  match operand.desc with
-  | Application { arguments; _ } -> List.find_map word arguments
-  | _ -> None
+  match operand.desc with Application { arguments; _ } -> List.find_map word arguments | _ -> None
 
 let reject_two (first : Ir.qualified) operand (second : Ir.qualified) =
   Reject.diagnostic
@@ -99,9 +98,10 @@ let reject_two (first : Ir.qualified) operand (second : Ir.qualified) =
     |> Diagnostic.label ~at:first.span "after this one"
     |>
     match written_in_words operand with
-    | Some (word, symbol, at) -> fun d ->
-        Diagnostic.hint (Printf.sprintf "`%s` is written `%s`" word symbol) d
-        |> Diagnostic.write at symbol
+    | Some (word, symbol, at) ->
+        fun d ->
+          Diagnostic.hint (Printf.sprintf "`%s` is written `%s`" word symbol) d
+          |> Diagnostic.write at symbol
     | None when fst (precedence second) = comparison_level ->
         Diagnostic.hint "compare two at a time: `a < b && b < c`"
     | None -> Diagnostic.hint "put parentheses around the part that comes first")
@@ -115,8 +115,7 @@ let reject_minus (operator : Ir.qualified) at (operand : term) =
   Reject.diagnostic
     (Diagnostic.error ~code:"E0113" ~at "a minus sign directly after `%s` needs parentheses"
        (shown operator)
-    |> Diagnostic.hint "write `(-x)`"
-    |> in_parentheses at operand.span)
+    |> Diagnostic.hint "write `(-x)`" |> in_parentheses at operand.span)
 
 (* Operator precedence parsing with an explicit stack. [reduce] applies what
    binds its left neighbour tighter than an operator of [level] would. *)
@@ -179,8 +178,7 @@ let loosest stack =
 
 let reject_section (operator : Ir.qualified) inner =
   let inside = match inner with Some inner -> shown inner | None -> "-" in
-  Reject.at ~code:"E0113" operator.span
-    ~hint:"put parentheses around the operand of the section"
+  Reject.at ~code:"E0113" operator.span ~hint:"put parentheses around the operand of the section"
     "in this section `%s` would take only a part of what `%s` makes" (shown operator) inside
 
 let check_section (operator : Ir.qualified) wanted stack =

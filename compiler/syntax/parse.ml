@@ -9,8 +9,8 @@ type reader = {
   sink : Diagnostic.sink;
   text : string;
   mutable cut : bool;
-      (** The item before broke off: one that now ends before it defines anything is
-          likely the rest of it. *)
+      (** The item before broke off: one that now ends before it defines anything is likely the rest
+          of it. *)
   mutable failed : bool;  (** the item before *)
   mutable split : bool;
       (** An item broke off at a `;`: the closing bracket may come in what follows it. *)
@@ -29,9 +29,7 @@ let rec skip reader (token : Layout.token) =
 (* Likewise; was there an unexpected character on this token's line? The lexer has told it. *)
 let rec skip_line reader ~bad (at : Layout.token) (token : Layout.token) =
   let bad = bad || (token.token = BAD && token.start.pos_lnum = at.start.pos_lnum) in
-  match token.token with
-  | END -> (bad, token.last)
-  | _ -> skip_line reader ~bad at (next reader)
+  match token.token with END -> (bad, token.last) | _ -> skip_line reader ~bad at (next reader)
 
 type outcome = Item of Surface.item | Failed
 
@@ -90,9 +88,7 @@ let explained reader =
     match checkpoint with
     | Automaton.InputNeeded _ ->
         let shifted = !token in
-        (match shifted.token with
-        | EQUAL | DOUBLE_COLON | BAR -> reader.defines <- true
-        | _ -> ());
+        (match shifted.token with EQUAL | DOUBLE_COLON | BAR -> reader.defines <- true | _ -> ());
         token := next reader;
         run (Some shifted) checkpoint
     | Automaton.Shifting _ | Automaton.AboutToReduce _ | Automaton.HandlingError _
@@ -206,7 +202,10 @@ let read sink ~file text =
 let span_at ~file text offset length =
   let line = ref 1 and line_start = ref 0 in
   String.iteri
-    (fun i c -> if i < offset && c = '\n' then begin incr line; line_start := i + 1 end)
+    (fun i c ->
+      if i < offset && c = '\n' then (
+        incr line;
+        line_start := i + 1))
     text;
   let column = offset - !line_start + 1 in
   Span.make ~file
@@ -230,7 +229,8 @@ let program sink ~file text =
   | Some offset ->
       Diagnostic.emit sink
         (Diagnostic.error ~code:"E0101" ~at:(span_at ~file text offset 1)
-           "this file is not valid UTF-8: byte %d cannot stand here" (Char.code text.[offset])
+           "this file is not valid UTF-8: byte %d cannot stand here"
+           (Char.code text.[offset])
         |> Diagnostic.hint "is this a text file? save it as UTF-8");
       None
   | None -> (

@@ -29,7 +29,10 @@ let name b (x : name) =
 let qualified b (x : qualified) =
   match x.qualifier with
   | None -> name b x.name
-  | Some q -> text b q.text; text b "."; text b x.name.text
+  | Some q ->
+      text b q.text;
+      text b ".";
+      text b x.name.text
 
 let infix b (x : qualified) =
   if is_operator x.name.text then text b x.name.text
@@ -46,9 +49,18 @@ let rec unit_to b (u : unit_) =
   match u.desc with
   | One -> text b "1"
   | Unit_name x -> text b x.text
-  | Times (l, r) -> unit_to b l; text b " "; factor b r
-  | Over (l, r) -> unit_to b l; text b "/"; factor b r
-  | To (u, exponent) -> base b u; text b "^"; text b (rational exponent)
+  | Times (l, r) ->
+      unit_to b l;
+      text b " ";
+      factor b r
+  | Over (l, r) ->
+      unit_to b l;
+      text b "/";
+      factor b r
+  | To (u, exponent) ->
+      base b u;
+      text b "^";
+      text b (rational exponent)
 
 and factor b u =
   match u.desc with
@@ -64,11 +76,18 @@ let in_brackets b units = between b "[" "]" (fun () -> separated b ", " (unit_to
 
 let rec type_to b (t : ty) =
   match t.desc with
-  | Function (a, r) -> argument_of_arrow b a; text b " -> "; type_to b r
+  | Function (a, r) ->
+      argument_of_arrow b a;
+      text b " -> ";
+      type_to b r
   | Type { name; units; arguments } ->
       qualified b name;
       Option.iter (in_brackets b) units;
-      List.iter (fun t -> text b " "; simple_type b t) arguments
+      List.iter
+        (fun t ->
+          text b " ";
+          simple_type b t)
+        arguments
   | Type_variable _ | Representation _ | Tuple_type _ | Size _ -> simple_type b t
 
 and argument_of_arrow b t =
@@ -79,17 +98,25 @@ and argument_of_arrow b t =
 and simple_type b t =
   match t.desc with
   | Type_variable x -> text b x.text
-  | Representation { name = x; unit_ } -> text b x.text; in_brackets b [ unit_ ]
+  | Representation { name = x; unit_ } ->
+      text b x.text;
+      in_brackets b [ unit_ ]
   | Tuple_type ts -> between b "(" ")" (fun () -> separated b ", " (type_to b) ts)
   | Type { arguments = []; _ } -> type_to b t
   | Size n -> text b (string_of_int n)
   | Type _ | Function _ -> between b "(" ")" (fun () -> type_to b t)
 
 let context b constraints =
-  let constraint_ (c, t) = qualified b c; text b " "; simple_type b t in
+  let constraint_ (c, t) =
+    qualified b c;
+    text b " ";
+    simple_type b t
+  in
   match constraints with
   | [] -> ()
-  | [ one ] -> constraint_ one; text b " => "
+  | [ one ] ->
+      constraint_ one;
+      text b " => "
   | several ->
       between b "(" ")" (fun () -> separated b ", " constraint_ several);
       text b " => "
@@ -113,15 +140,24 @@ let rec pattern b (p : pattern) =
   match p.desc with
   | Constructed (c, ps) ->
       qualified b c;
-      List.iter (fun p -> text b " "; argument_pattern b p) ps
-  | Literal { negative = true; number = n } -> text b "-"; number b n
-  | Any | Bound _ | As _ | Tuple_of _ | Array_of _ | Record_of _
-  | Literal { negative = false; _ } ->
+      List.iter
+        (fun p ->
+          text b " ";
+          argument_pattern b p)
+        ps
+  | Literal { negative = true; number = n } ->
+      text b "-";
+      number b n
+  | Any | Bound _ | As _ | Tuple_of _ | Array_of _ | Record_of _ | Literal { negative = false; _ }
+    ->
       argument_pattern b p
 
 and argument_pattern b p =
   match p.desc with
-  | As (x, p) -> text b x.text; text b "@"; primary_pattern b p
+  | As (x, p) ->
+      text b x.text;
+      text b "@";
+      primary_pattern b p
   | Any | Bound _ | Tuple_of _ | Array_of _ | Record_of _ | Constructed _ | Literal _ ->
       primary_pattern b p
 
@@ -134,7 +170,11 @@ and primary_pattern b p =
   | Constructed (c, []) -> qualified b c
   | Record_of (c, fields) ->
       qualified b c;
-      let field ((x : name), p) = text b x.text; text b " = "; pattern b p in
+      let field ((x : name), p) =
+        text b x.text;
+        text b " = ";
+        pattern b p
+      in
       between b " { " " }" (fun () -> separated b ", " field fields)
   | Literal { negative = false; number = n } -> number b n
   | Constructed _ | Literal { negative = true; _ } | As _ ->
@@ -158,11 +198,11 @@ let string_literal s =
 let is_argument (e : expr) =
   match e.desc with
   | Variable _ | Constructor _ | Number _ | String _ | Tuple _ | Tuple_section _ | Array _
-  | Left_section _ | Right_section _ | Record _ | Update _ | Field _ | Annotated _
-  | Parenthesized _ ->
+  | Left_section _ | Right_section _ | Record _ | Update _ | Field _ | Annotated _ | Parenthesized _
+    ->
       true
-  | Apply _ | Binary _ | Negate _ | Power _ | If _ | Case _ | Let _ | Lambda _
-  | Lambda_case _ | Proc _ | Sequence _ ->
+  | Apply _ | Binary _ | Negate _ | Power _ | If _ | Case _ | Let _ | Lambda _ | Lambda_case _
+  | Proc _ | Sequence _ ->
       false
 
 let rec is_application (e : expr) =
@@ -176,83 +216,158 @@ let rec expr b column (e : expr) =
   | Number n -> number b n
   | String s -> text b (string_literal s)
   | Tuple es -> between b "(" ")" (fun () -> separated b ", " expr es)
-  | Tuple_section places ->
-      between b "(" ")" (fun () -> separated b ", " (Option.iter expr) places)
+  | Tuple_section places -> between b "(" ")" (fun () -> separated b ", " (Option.iter expr) places)
   | Array es -> between b "[" "]" (fun () -> separated b ", " expr es)
   | Apply (f, x) ->
       expr f;
       text b (if is_argument x && is_application f then " " else " $ ");
       expr x
   | Binary { operator; left; right } ->
-      expr left; text b " "; infix b operator; text b " "; expr right
-  | Negate e -> text b "-"; expr e
+      expr left;
+      text b " ";
+      infix b operator;
+      text b " ";
+      expr right
+  | Negate e ->
+      text b "-";
+      expr e
   | Left_section { left; operator } ->
-      between b "(" ")" (fun () -> expr left; text b " "; infix b operator)
+      between b "(" ")" (fun () ->
+          expr left;
+          text b " ";
+          infix b operator)
   | Right_section { operator; right } ->
-      between b "(" ")" (fun () -> infix b operator; text b " "; expr right)
+      between b "(" ")" (fun () ->
+          infix b operator;
+          text b " ";
+          expr right)
   | Power { base; exponent } ->
       expr base;
-      text b (if exponent < 0 then Printf.sprintf " ^ (%d)" exponent
-         else Printf.sprintf " ^ %d" exponent)
+      text b
+        (if exponent < 0 then Printf.sprintf " ^ (%d)" exponent else Printf.sprintf " ^ %d" exponent)
   | If { condition; then_; else_ } ->
-      text b "if "; expr condition; text b " then "; expr then_; text b " else "; expr else_
+      text b "if ";
+      expr condition;
+      text b " then ";
+      expr then_;
+      text b " else ";
+      expr else_
   | Case { scrutinee; branches } ->
-      text b "case "; expr scrutinee; text b " of"; block_of b column branches
-  | Lambda_case branches -> text b "\\case"; block_of b column branches
+      text b "case ";
+      expr scrutinee;
+      text b " of";
+      block_of b column branches
+  | Lambda_case branches ->
+      text b "\\case";
+      block_of b column branches
   | Let { bindings; body } ->
-      text b "let"; block b column bindings; line b (column + 1); text b "in "; expr body
+      text b "let";
+      block b column bindings;
+      line b (column + 1);
+      text b "in ";
+      expr body
   | Lambda { parameters; body } ->
       text b "\\";
       separated b " " (argument_pattern b) parameters;
-      text b " -> "; expr body
+      text b " -> ";
+      expr body
   | Proc { input; body } ->
-      text b "proc "; argument_pattern b input; text b " -> "; proc_body b column body
+      text b "proc ";
+      argument_pattern b input;
+      text b " -> ";
+      proc_body b column body
   | Sequence { statements; result } ->
       text b "do";
-      List.iter (fun s -> line b (column + 2); task_statement b (column + 2) s) statements;
+      List.iter
+        (fun s ->
+          line b (column + 2);
+          task_statement b (column + 2) s)
+        statements;
       line b (column + 2);
       print_expr b (column + 2) result
-  | Record { constructor; fields = fs } -> qualified b constructor; fields b column fs
-  | Update { record; fields = fs } -> expr record; fields b column fs
-  | Field { record; field } -> expr record; text b "."; text b field.text
+  | Record { constructor; fields = fs } ->
+      qualified b constructor;
+      fields b column fs
+  | Update { record; fields = fs } ->
+      expr record;
+      fields b column fs
+  | Field { record; field } ->
+      expr record;
+      text b ".";
+      text b field.text
   | Annotated { expr = e; ty } ->
-      between b "(" ")" (fun () -> expr e; text b " :: "; qualified_type b ty)
+      between b "(" ")" (fun () ->
+          expr e;
+          text b " :: ";
+          qualified_type b ty)
   | Parenthesized e -> between b "(" ")" (fun () -> expr e)
 
 and fields b column list =
-  let field ((x : name), e) = text b x.text; text b " = "; expr b column e in
+  let field ((x : name), e) =
+    text b x.text;
+    text b " = ";
+    expr b column e
+  in
   between b " { " " }" (fun () -> separated b ", " field list)
 
 and proc_body b column = function
-  | Output { output; equations } -> expr b column output; where b column equations
+  | Output { output; equations } ->
+      expr b column output;
+      where b column equations
   | Command c -> command b column c
   | Do { statements; result } ->
       text b "do";
-      List.iter (fun s -> line b (column + 2); statement b (column + 2) s) statements;
+      List.iter
+        (fun s ->
+          line b (column + 2);
+          statement b (column + 2) s)
+        statements;
       line b (column + 2);
       command b (column + 2) result
 
 and command b column c =
-  expr b column c.signal_function; text b " -< "; expr b column c.argument
+  expr b column c.signal_function;
+  text b " -< ";
+  expr b column c.argument
 
 and statement b column = function
-  | Bind { pattern = p; command = c } -> pattern b p; text b " <- "; command b column c
-  | Bind_expr { pattern = p; expr = e; _ } -> pattern b p; text b " <- "; expr b column e
-  | Let_equations bindings -> text b "let"; block b column bindings
+  | Bind { pattern = p; command = c } ->
+      pattern b p;
+      text b " <- ";
+      command b column c
+  | Bind_expr { pattern = p; expr = e; _ } ->
+      pattern b p;
+      text b " <- ";
+      expr b column e
+  | Let_equations bindings ->
+      text b "let";
+      block b column bindings
 
 and task_statement b column = function
   | Task { pattern = p; task; span = _ } ->
-      Option.iter (fun p -> pattern b p; text b " <- ") p;
+      Option.iter
+        (fun p ->
+          pattern b p;
+          text b " <- ")
+        p;
       expr b column task
-  | Let_values bindings -> text b "let"; block b column bindings
+  | Let_values bindings ->
+      text b "let";
+      block b column bindings
 
 and block_of b column branches =
-  List.iter (fun x -> line b (column + 2); branch b (column + 2) x) branches
+  List.iter
+    (fun x ->
+      line b (column + 2);
+      branch b (column + 2) x)
+    branches
 
 and branch b column (x : branch) =
   pattern b x.pattern;
   (match x.body with
-  | Always e -> text b " -> "; expr b column e
+  | Always e ->
+      text b " -> ";
+      expr b column e
   | If_guards list -> guards b column " -> " list);
   where b column x.where
 
@@ -268,10 +383,17 @@ and guards b column arrow list =
 
 and where b column = function
   | [] -> ()
-  | declarations -> line b (column + 1); text b "where"; block b column declarations
+  | declarations ->
+      line b (column + 1);
+      text b "where";
+      block b column declarations
 
 and block b column declarations =
-  List.iter (fun d -> line b (column + 2); declaration b (column + 2) d) declarations
+  List.iter
+    (fun d ->
+      line b (column + 2);
+      declaration b (column + 2) d)
+    declarations
 
 (* {1 Declarations} *)
 
@@ -280,11 +402,17 @@ and binding b column (x : binding) =
   | Name x -> name b x
   | Function_name { name = x; parameters } ->
       name b x;
-      List.iter (fun p -> text b " "; argument_pattern b p) parameters
+      List.iter
+        (fun p ->
+          text b " ";
+          argument_pattern b p)
+        parameters
   | Pattern ({ desc = Bound _; _ } as p) -> between b "(" ")" (fun () -> pattern b p)
   | Pattern p -> pattern b p);
   (match x.right.body with
-  | Plain e -> text b " = "; expr b column e
+  | Plain e ->
+      text b " = ";
+      expr b column e
   | Guarded list -> guards b column " = " list);
   where b column x.right.where
 
@@ -294,25 +422,43 @@ and declaration b column (d : declaration) =
   | Signature s -> signature b s
   | Binding x -> binding b column x
   | Type_alias { name = x; parameters; body } ->
-      text b "type "; head b x parameters; text b " = "; type_to b body
+      text b "type ";
+      head b x parameters;
+      text b " = ";
+      type_to b body
   | Data { name = x; parameters; constructors } ->
-      text b "data "; head b x parameters; data b column constructors
+      text b "data ";
+      head b x parameters;
+      data b column constructors
   | Class { superclasses; name; variable; members } ->
       let of_variable c = (c, ({ desc = Type_variable variable; span = variable.span } : ty)) in
       text b "class ";
       context b (List.map of_variable superclasses);
-      text b name.text; text b " "; text b variable.text;
+      text b name.text;
+      text b " ";
+      text b variable.text;
       where b column members
   | Instance { context = constraints; class_; head; members } ->
       text b "instance ";
       context b constraints;
-      qualified b class_; text b " "; simple_type b head;
+      qualified b class_;
+      text b " ";
+      simple_type b head;
       where b column members
-  | Base_unit x -> text b "unit "; text b x.text
+  | Base_unit x ->
+      text b "unit ";
+      text b x.text
   | Scaled_unit { name = x; scale; unit_ } ->
-      text b "unit "; text b x.text; text b " = "; scaled b scale unit_
-  | Primitive s -> text b "primitive "; signature b s
-  | Foreign f -> text b "foreign "; foreign b f
+      text b "unit ";
+      text b x.text;
+      text b " = ";
+      scaled b scale unit_
+  | Primitive s ->
+      text b "primitive ";
+      signature b s
+  | Foreign f ->
+      text b "foreign ";
+      foreign b f
   | Parameter { name; ty; value } ->
       text b "param ";
       signature b { names = [ name ]; ty };
@@ -336,10 +482,14 @@ and foreign b = function
       text b " = ";
       text b (string_literal symbol.text)
   | Foreign_type { name; c_type; copyable } ->
-      text b "type "; text b name.text; text b " = ";
+      text b "type ";
+      text b name.text;
+      text b " = ";
       text b (string_literal c_type.text);
       if copyable then text b " copyable"
-  | Foreign_include header -> text b "include "; text b (string_literal header.text)
+  | Foreign_include header ->
+      text b "include ";
+      text b (string_literal header.text)
 
 and doc b column = function
   | None -> ()
@@ -355,7 +505,11 @@ and head b x parameters =
   text b x.text;
   if parameters.units <> [] then
     between b "[" "]" (fun () -> separated b ", " (name b) parameters.units);
-  List.iter (fun x -> text b " "; name b x) parameters.types
+  List.iter
+    (fun x ->
+      text b " ";
+      name b x)
+    parameters.types
 
 and data b column constructors =
   List.iteri
@@ -365,17 +519,25 @@ and data b column constructors =
       text b (if i = 0 then "= " else "| ");
       text b c.name.text;
       match c.fields with
-      | Positional ts -> List.iter (fun t -> text b " "; simple_type b t) ts
+      | Positional ts ->
+          List.iter
+            (fun t ->
+              text b " ";
+              simple_type b t)
+            ts
       | Named fields ->
-          let field ((x : name), t) = text b x.text; text b " :: "; type_to b t in
+          let field ((x : name), t) =
+            text b x.text;
+            text b " :: ";
+            type_to b t
+          in
           between b " { " " }" (fun () -> separated b ", " field fields))
     constructors
 
 (* The scale comes first, so a unit that starts with [1] goes on from it. *)
 and scaled b scale u =
   let written = scale.factor <> "1" || scale.times_pi || scale.divided_by <> "1" in
-  if scale.factor <> "1" || not scale.times_pi then
-    if written then text b scale.factor;
+  if scale.factor <> "1" || not scale.times_pi then if written then text b scale.factor;
   if scale.times_pi then text b (if scale.factor = "1" then "pi" else " pi");
   if scale.divided_by <> "1" then text b ("/" ^ scale.divided_by);
   if not written then unit_to b u
@@ -383,9 +545,17 @@ and scaled b scale u =
     let rec continued (u : unit_) =
       match u.desc with
       | One -> ()
-      | Times (l, r) -> continued l; text b " "; factor b r
-      | Over (l, r) -> continued l; text b "/"; factor b r
-      | Unit_name _ | To _ -> text b " "; unit_to b u
+      | Times (l, r) ->
+          continued l;
+          text b " ";
+          factor b r
+      | Over (l, r) ->
+          continued l;
+          text b "/";
+          factor b r
+      | Unit_name _ | To _ ->
+          text b " ";
+          unit_to b u
     in
     continued u
 
@@ -394,7 +564,8 @@ and scaled b scale u =
 let names b list = between b " (" ")" (fun () -> separated b ", " (name b) list)
 
 let header b (h : header) =
-  text b "module "; text b h.module_name.text;
+  text b "module ";
+  text b h.module_name.text;
   Option.iter (names b) h.exports;
   text b " where\n"
 

@@ -1,6 +1,5 @@
-(** How the grammar's actions give up: a piece that reads well but means
-    nothing. {!Parse} reports the diagnostic and goes on with the next
-    top-level item. *)
+(** How the grammar's actions give up: a piece that reads well but means nothing. {!Parse} reports
+    the diagnostic and goes on with the next top-level item. *)
 
 open Basis
 

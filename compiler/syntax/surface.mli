@@ -1,8 +1,8 @@
 (** Surface: what the grammar builds on the way to {!Ir}.
 
-    A pattern and an expression can start alike, and only a later [=], [<-] or
-    [->] tells them apart. So the grammar reads both as a {!term}, and
-    {!Term} turns it into the one or the other. *)
+    A pattern and an expression can start alike, and only a later [=], [<-] or [->] tells them
+    apart. So the grammar reads both as a {!term}, and {!Term} turns it into the one or the other.
+*)
 
 open Basis
 
@@ -24,9 +24,7 @@ and term_desc =
       (** a record made or matched ([before] is a constructor), or updated *)
 
 (** One step of [a + - b * c] before its last operand. *)
-type step =
-  | Operand of { operand : term; operator : Ir.qualified }
-  | Minus of Span.t
+type step = Operand of { operand : term; operator : Ir.qualified } | Minus of Span.t
 
 (** A statement of a [do] as written. *)
 type statement =
@@ -37,16 +35,10 @@ type statement =
   | Let of Ir.declaration list
   | Rec of statement list
 
-(** A factor of a unit, or of the right side of a [unit] declaration. *)
 type factor = { factor : factor_desc; over : bool;  (** after [/] *) span : Span.t }
+(** A factor of a unit, or of the right side of a [unit] declaration. *)
 
-and factor_desc =
-  | Amount of { digits : string; decimal : bool }
-  | Measure of Ir.unit_
+and factor_desc = Amount of { digits : string; decimal : bool } | Measure of Ir.unit_
 
 (** What stands between two separators at the top of a file. *)
-type item =
-  | Header of Ir.header
-  | Import of Ir.import
-  | Declaration of Ir.declaration
-  | Nothing
+type item = Header of Ir.header | Import of Ir.import | Declaration of Ir.declaration | Nothing

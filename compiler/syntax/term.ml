@@ -30,16 +30,15 @@ let rec to_expr (t : term) : Ir.expr =
       let fields = Long_list.map (fun (name, t) -> (name, to_expr t)) fields in
       match before.desc with
       | Constructor constructor -> make (Record { constructor; fields })
-      | Expression _ | Wildcard | As _ | Variable _ | Number _ | Negated _ | Tuple _
-      | Array _ | Parenthesized _ | Application _ | Braces _ ->
+      | Expression _ | Wildcard | As _ | Variable _ | Number _ | Negated _ | Tuple _ | Array _
+      | Parenthesized _ | Application _ | Braces _ ->
           make (Update { record = to_expr before; fields }))
   | Wildcard ->
       Reject.at ~code:"E0114" t.span "`_` is a pattern that matches anything; it has no value"
   | As (x, _) ->
       Reject.at ~code:"E0114" t.span "`%s@…` is a pattern and cannot stand in an expression" x.text
 
-let no_pattern span what =
-  Reject.at ~code:"E0114" span "%s cannot be part of a pattern" what
+let no_pattern span what = Reject.at ~code:"E0114" span "%s cannot be part of a pattern" what
 
 let unqualified (x : Ir.qualified) =
   match x.qualifier with
@@ -91,9 +90,9 @@ let rec to_pattern (t : term) : Ir.pattern =
 and no_expression span (desc : Ir.expr_desc) =
   match desc with
   | Binary { operator; _ } ->
-      Reject.at ~code:"E0114" operator.span ?hint:(of_comparison operator.name.text)
-        "the operator `%s` cannot be part of a pattern"
-        operator.name.text
+      Reject.at ~code:"E0114" operator.span
+        ?hint:(of_comparison operator.name.text)
+        "the operator `%s` cannot be part of a pattern" operator.name.text
   | Power _ -> no_pattern span "a power"
   | String _ -> no_pattern span "a text"
   | If _ -> no_pattern span "an `if`"
@@ -110,13 +109,11 @@ and no_expression span (desc : Ir.expr_desc) =
            own"
         "the selection of a field cannot be part of a pattern"
   | Annotated _ ->
-      Reject.at ~code:"E0114" span
-        ~hint:"give the definition a signature of its own"
+      Reject.at ~code:"E0114" span ~hint:"give the definition a signature of its own"
         "a type cannot be part of a pattern"
   | Left_section _ | Right_section _ -> no_pattern span "an operator"
   | Apply _ | Update _ | Variable _ | Constructor _ | Number _ | Tuple _ | Array _ | Negate _
-  | Record _
-  | Parenthesized _ ->
+  | Record _ | Parenthesized _ ->
       no_pattern span "this expression"
 
 let rec to_left (t : term) : Ir.left =
@@ -133,8 +130,8 @@ let rec to_left (t : term) : Ir.left =
   | Application { head = { desc = Parenthesized _; _ } as head; _ } ->
       Reject.at ~code:"E0114" head.span ~hint:"leave out the parentheses: `f x y = …`"
         "the left side of a definition starts with the name it defines"
-  | Application _ | Expression _ | Wildcard | As _ | Constructor _ | Number _ | Negated _
-  | Tuple _ | Array _ | Braces _ ->
+  | Application _ | Expression _ | Wildcard | As _ | Constructor _ | Number _ | Negated _ | Tuple _
+  | Array _ | Braces _ ->
       Pattern (to_pattern t)
 
 and to_left_inside (t : term) : Ir.left =

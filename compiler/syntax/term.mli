@@ -1,7 +1,7 @@
 (** Terms become expressions, patterns, or the left side of a definition.
 
-    All raise {!Reject.Rejected} where a term cannot be that. They call
-    themselves only as deep as brackets are nested, which {!Layout} limits. *)
+    All raise {!Reject.Rejected} where a term cannot be that. They call themselves only as deep as
+    brackets are nested, which {!Layout} limits. *)
 
 val to_expr : Surface.term -> Ir.expr
 val to_pattern : Surface.term -> Ir.pattern

@@ -1,14 +1,12 @@
-(** Typed: the resolved program with the type of everything, and with what
-    only types can decide decided: whether a juxtaposition applies a function
-    or runs a signal function, which record a field belongs to, how a literal
-    is represented, at which types a polymorphic name is used.
+(** Typed: the resolved program with the type of everything, and with what only types can decide
+    decided: whether a juxtaposition applies a function or runs a signal function, which record a
+    field belongs to, how a literal is represented, at which types a polymorphic name is used.
 
-    Always true (see {!Lint}): types are closed over the type parameters of
-    the enclosing definition; what nothing decided has its default; levels
-    are as the language reference, section 2, demands: what is run is static,
-    instances stand only where they run at every instant; cases are
-    exhaustive; units agree (and stay in the types only for messages, dumps
-    and documentation). *)
+    Always true (see {!Lint}): types are closed over the type parameters of the enclosing
+    definition; what nothing decided has its default; levels are as the language reference, section
+    2, demands: what is run is static, instances stand only where they run at every instant; cases
+    are exhaustive; units agree (and stay in the types only for messages, dumps and documentation).
+*)
 
 open Basis
 module Local = Resolve.Ir.Local
@@ -31,10 +29,7 @@ type ty =
 and variable = { id : int; name : string }
 (** A quantified variable of a type, size, representation or unit. *)
 
-and representation =
-  | Int
-  | Float
-  | Representation_variable of variable
+and representation = Int | Float | Representation_variable of variable
 
 and unit_ = {
   base : (Global.t * Syntax.Ir.rational) list;  (** base units; sorted, no zero powers *)
@@ -49,10 +44,7 @@ and scheme = {
   ty : ty;
 }
 
-and class_ =
-  | Eq
-  | Ord
-  | Declared of Global.t
+and class_ = Eq | Ord | Declared of Global.t
 
 (** {1 Programs} *)
 
@@ -64,8 +56,7 @@ type program = {
   foreign : foreign;
   classes : class_declaration list;  (** superclasses before their subclasses *)
   instances : instance list;  (** at most one for each class and type constructor *)
-  definitions : definition list;
-      (** top level, dependency order; after them those of methods *)
+  definitions : definition list;  (** top level, dependency order; after them those of methods *)
   params : param list;
 }
 
@@ -78,12 +69,12 @@ and param = {
 }
 (** Static, and fixed when a run starts: no value of it is known to the compiler. *)
 
-(** What is C code of the user's. *)
 and foreign = {
   headers : header list;
   foreign_types : foreign_type list;  (** also data without constructors *)
   values : foreign_value list;
 }
+(** What is C code of the user's. *)
 
 and header = { header : string; of_file : string  (** its path is from that file's folder *) }
 and foreign_type = { tycon : Global.t; c_type : string; copyable : bool }
@@ -93,8 +84,8 @@ and foreign_value = {
   kind : Syntax.Ir.foreign_kind;
   symbol : string;  (** in C *)
   ty : ty;
-      (** [Function]s of at least one argument, or a [Signal_function], of
-          first-order types without variables, but for units *)
+      (** [Function]s of at least one argument, or a [Signal_function], of first-order types without
+          variables, but for units *)
   span : Span.t;
 }
 
@@ -114,11 +105,9 @@ and instance = {
 
 and implementation =
   | Given of Global.t
-      (** a definition whose type parameters are those of the instance, then
-          the method's own *)
+      (** a definition whose type parameters are those of the instance, then the method's own *)
   | Default of Global.t
-      (** the class's definition, which has the method's name and type
-          parameters *)
+      (** the class's definition, which has the method's name and type parameters *)
 
 and data = {
   tycon : Global.t;
@@ -145,8 +134,8 @@ and definition = {
 }
 
 and need = { place : Span.t; by : string }
-(** What in the program, outside of the library, asks for a class, as near to
-    the class's method as can be; [by] says it, in backticks. *)
+(** What in the program, outside of the library, asks for a class, as near to the class's method as
+    can be; [by] says it, in backticks. *)
 
 (** {1 Expressions} *)
 
@@ -160,9 +149,8 @@ and expr_desc =
       (** the first type is the one whose instance is used *)
   | Constructor of constructor * Global.t  (** as a function of its fields; its type *)
   | Number of Exact.t
-      (** the exact value in base units; rounded once, to the representation
-          that the type says (an integer in range if that is [Int] or a
-          variable) *)
+      (** the exact value in base units; rounded once, to the representation that the type says (an
+          integer in range if that is [Int] or a variable) *)
   | String of string
   | Tuple of expr list
   | Array of expr list  (** at least one *)
@@ -174,20 +162,19 @@ and expr_desc =
   | If of expr * expr * expr
   | Case of expr * branch list
   | Let of binding list * expr
-      (** dependency order; in a circle signal functions and tasks, and functions that
-          give such, may be used before they are defined *)
+      (** dependency order; in a circle signal functions and tasks, and functions that give such,
+          may be used before they are defined *)
   | Lambda of pattern list * expr
   | Guards of (expr * expr) list * expr option
-      (** first guard that holds; [None]: falls through to the next branch of
-          the enclosing [Case] (only there) *)
+      (** first guard that holds; [None]: falls through to the next branch of the enclosing [Case]
+          (only there) *)
   | Proc of { input : pattern; equations : binding list; output : expr }
   | Record of constructor * (int * expr) list  (** complete, order as written *)
   | Update of expr * constructor * (int * expr) list
   | Field of expr * constructor * int
 
 and instantiation = { types : ty list; representations : representation list }
-(** For the quantified variables of the scheme, in their order; units are
-    erased. *)
+(** For the quantified variables of the scheme, in their order; units are erased. *)
 
 and branch = { pattern : pattern; value : expr }
 
@@ -201,10 +188,7 @@ and binding = {
 }
 (** In a proc: an equation, a static value or a local function. *)
 
-and level =
-  | Constant
-  | Static  (** known when the signal function around it starts *)
-  | Signal
+and level = Constant | Static  (** known when the signal function around it starts *) | Signal
 
 (** {1 Patterns} *)
 

@@ -41,25 +41,23 @@ let rec same units (a : ty) (b : ty) =
   match (a, b) with
   | Variable v, Variable w -> v.id = w.id
   | Number (r, u), Number (s, v) ->
-    same_representation r s && (units = But_for_units || same_unit u v)
+      same_representation r s && (units = But_for_units || same_unit u v)
   | Bool, Bool | String, String -> true
   | Size m, Size n -> m = n
   | Tuple ts, Tuple us -> all_same units ts us
   | Function (a, b), Function (c, d) | Signal_function (a, b), Signal_function (c, d) ->
-    same units a c && same units b d
+      same units a c && same units b d
   | Data a, Data b ->
-    a.tycon = b.tycon
-    && all_same units a.arguments b.arguments
-    && (units = But_for_units
-       || List.compare_lengths a.units b.units = 0
-          && List.for_all2 same_unit a.units b.units)
-  | ( ( Variable _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _
-      | Data _ | Size _ ),
+      a.tycon = b.tycon
+      && all_same units a.arguments b.arguments
+      && (units = But_for_units
+         || (List.compare_lengths a.units b.units = 0 && List.for_all2 same_unit a.units b.units))
+  | ( ( Variable _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _
+      | Size _ ),
       _ ) ->
-    false
+      false
 
-and all_same units ts us =
-  List.compare_lengths ts us = 0 && List.for_all2 (same units) ts us
+and all_same units ts us = List.compare_lengths ts us = 0 && List.for_all2 (same units) ts us
 
 let agree ?(units = Exactly) span what ~expected ~found =
   if not (same units expected found) then fail span "%s does not have the type expected" what
@@ -77,30 +75,25 @@ let closed_representation s span = function
 let rec closed s span : ty -> unit = function
   | Variable v -> in_scope s span v
   | Number (r, u) ->
-    closed_representation s span r;
-    closed_unit s span u
+      closed_representation s span r;
+      closed_unit s span u
   | Bool | String | Size _ -> ()
   | Tuple ts -> List.iter (closed s span) ts
   | Function (a, b) | Signal_function (a, b) ->
-    closed s span a;
-    closed s span b
+      closed s span a;
+      closed s span b
   | Data { units; arguments; tycon = _ } ->
-    List.iter (closed_unit s span) units;
-    List.iter (closed s span) arguments
+      List.iter (closed_unit s span) units;
+      List.iter (closed s span) arguments
 
 (* {1 Instances of types} *)
 
-type substitution = {
-  types : (int * ty) list;
-  representations : (int * representation) list;
-}
+type substitution = { types : (int * ty) list; representations : (int * representation) list }
 
 let rec substitute by : ty -> ty = function
   | Variable v as t -> Option.value (List.assoc_opt v.id by.types) ~default:t
   | Number (Representation_variable v, u) as t -> (
-    match List.assoc_opt v.id by.representations with
-    | Some r -> Number (r, u)
-    | None -> t)
+      match List.assoc_opt v.id by.representations with Some r -> Number (r, u) | None -> t)
   | (Number ((Int | Float), _) | Bool | String | Size _) as t -> t
   | Tuple ts -> Tuple (substitutes by ts)
   | Function (a, b) -> Function (substitute by a, substitute by b)
@@ -120,20 +113,21 @@ let is_instance s (e : expr) (scheme : scheme) (i : instantiation) =
   let types = pair e.span scheme.types i.types in
   let representations = pair e.span scheme.representations i.representations in
   let units = if scheme.units = [] then Exactly else But_for_units in
-  agree e.span "a use" ~units ~expected:(substitute { types; representations } scheme.ty)
+  agree e.span "a use" ~units
+    ~expected:(substitute { types; representations } scheme.ty)
     ~found:e.ty
 
 let field_types s span (ty : ty) (c : constructor) =
   match ty with
   | Bool -> []
   | Data { tycon; arguments; _ } -> (
-    match Hashtbl.find_opt s.data tycon with
-    | Some d ->
-      let types = pair span d.type_parameters arguments in
-      List.map (fun (_, t) -> substitute { types; representations = [] } t) c.fields
-    | None -> fail span "no data type `%s`" tycon.name)
+      match Hashtbl.find_opt s.data tycon with
+      | Some d ->
+          let types = pair span d.type_parameters arguments in
+          List.map (fun (_, t) -> substitute { types; representations = [] } t) c.fields
+      | None -> fail span "no data type `%s`" tycon.name)
   | Variable _ | Number _ | String | Tuple _ | Function _ | Signal_function _ | Size _ ->
-    fail span "the constructor `%s` makes no such type" c.constructor.name
+      fail span "the constructor `%s` makes no such type" c.constructor.name
 
 (* {1 Scopes} *)
 
@@ -143,8 +137,7 @@ let with_parameters s (scheme : scheme) f =
   f ();
   List.iter (fun (v : variable) -> Hashtbl.remove s.parameters v.id) all
 
-let monomorphic ty =
-  { types = []; representations = []; units = []; context = []; ty }
+let monomorphic ty = { types = []; representations = []; units = []; context = []; ty }
 
 let bind s (x : Local.t) scheme entered =
   if Hashtbl.mem s.bound x.id then fail x.span "`%s` is bound twice" x.name;
@@ -166,30 +159,30 @@ let rec pattern s entered (p : pattern) =
   | Any -> entered
   | Bound x -> bind s x (monomorphic p.ty) entered
   | As (x, inner) ->
-    agree p.span "a pattern" ~expected:p.ty ~found:inner.ty;
-    pattern s (bind s x (monomorphic p.ty) entered) inner
+      agree p.span "a pattern" ~expected:p.ty ~found:inner.ty;
+      pattern s (bind s x (monomorphic p.ty) entered) inner
   | Literal _ -> (
-    match p.ty with
-    | Number _ -> entered
-    | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _ ->
-      fail p.span "a number of no numeric type")
+      match p.ty with
+      | Number _ -> entered
+      | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _ ->
+          fail p.span "a number of no numeric type")
   | Tuple_of ps ->
-    let types = List.map (fun (p : pattern) -> p.ty) ps in
-    agree p.span "a pattern" ~expected:p.ty ~found:(Tuple types);
-    List.fold_left (pattern s) entered ps
+      let types = List.map (fun (p : pattern) -> p.ty) ps in
+      agree p.span "a pattern" ~expected:p.ty ~found:(Tuple types);
+      List.fold_left (pattern s) entered ps
   | Array_of ps ->
-    let expected = element p.span p.ty ps in
-    List.iter (fun (p : pattern) -> agree p.span "a pattern" ~expected ~found:p.ty) ps;
-    List.fold_left (pattern s) entered ps
+      let expected = element p.span p.ty ps in
+      List.iter (fun (p : pattern) -> agree p.span "a pattern" ~expected ~found:p.ty) ps;
+      List.fold_left (pattern s) entered ps
   | Constructed (c, ps) ->
-    let fields = field_types s p.span p.ty c in
-    if List.compare_lengths fields ps <> 0 then
-      fail p.span "`%s` has another number of fields" c.constructor.name;
-    List.iter2
-      (fun expected (p : pattern) ->
-        agree p.span "a pattern" ~units:But_for_units ~expected ~found:p.ty)
-      fields ps;
-    List.fold_left (pattern s) entered ps
+      let fields = field_types s p.span p.ty c in
+      if List.compare_lengths fields ps <> 0 then
+        fail p.span "`%s` has another number of fields" c.constructor.name;
+      List.iter2
+        (fun expected (p : pattern) ->
+          agree p.span "a pattern" ~units:But_for_units ~expected ~found:p.ty)
+        fields ps;
+      List.fold_left (pattern s) entered ps
 
 (* {1 Expressions} *)
 
@@ -203,123 +196,123 @@ let rec expr s (e : expr) =
   in
   match e.desc with
   | Local (x, i) -> (
-    match Hashtbl.find_opt s.locals x.id with
-    | Some scheme -> is_instance s e scheme i
-    | None -> fail e.span "`%s` is not in scope" x.name)
+      match Hashtbl.find_opt s.locals x.id with
+      | Some scheme -> is_instance s e scheme i
+      | None -> fail e.span "`%s` is not in scope" x.name)
   | Global (g, i) | Primitive (g, i) -> global g i
   | Method { method_; instantiation; class_ = _ } -> (
-    match Hashtbl.find_opt s.methods method_ with
-    | Some scheme -> is_instance s e scheme instantiation
-    | None -> fail e.span "`%s` is no method" method_.name)
+      match Hashtbl.find_opt s.methods method_ with
+      | Some scheme -> is_instance s e scheme instantiation
+      | None -> fail e.span "`%s` is no method" method_.name)
   | Constructor (c, _) ->
-    let rec result fields (ty : ty) =
-      match (fields, ty) with
-      | [], _ -> ty
-      | _ :: fields, Function (_, ty) -> result fields ty
-      | _ :: _, _ -> fail e.span "`%s` lacks fields" c.constructor.name
-    in
-    let made = result c.fields e.ty in
-    let fields = field_types s e.span made c in
-    agree e.span "a constructor" ~units:But_for_units ~found:e.ty
-      ~expected:(List.fold_right (fun a b : ty -> Function (a, b)) fields made)
+      let rec result fields (ty : ty) =
+        match (fields, ty) with
+        | [], _ -> ty
+        | _ :: fields, Function (_, ty) -> result fields ty
+        | _ :: _, _ -> fail e.span "`%s` lacks fields" c.constructor.name
+      in
+      let made = result c.fields e.ty in
+      let fields = field_types s e.span made c in
+      agree e.span "a constructor" ~units:But_for_units ~found:e.ty
+        ~expected:(List.fold_right (fun a b : ty -> Function (a, b)) fields made)
   | Number _ -> (
-    match e.ty with
-    | Number _ -> ()
-    | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _ ->
-      fail e.span "a number of no numeric type")
+      match e.ty with
+      | Number _ -> ()
+      | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _ ->
+          fail e.span "a number of no numeric type")
   | String _ -> is "a string" String
   | Tuple es ->
-    List.iter (expr s) es;
-    is "a tuple" (Tuple (Long_list.map (fun (e : expr) -> e.ty) es))
+      List.iter (expr s) es;
+      is "a tuple" (Tuple (Long_list.map (fun (e : expr) -> e.ty) es))
   | Array es ->
-    List.iter (expr s) es;
-    let expected = element e.span e.ty es in
-    List.iter (fun (a : expr) -> agree a.span "an element" ~expected ~found:a.ty) es
+      List.iter (expr s) es;
+      let expected = element e.span e.ty es in
+      List.iter (fun (a : expr) -> agree a.span "an element" ~expected ~found:a.ty) es
   | Index (a, k) -> (
-    expr s a;
-    match a.ty with
-    | Data { arguments = [ Size n; _ ]; _ } when k < 0 || k >= n ->
-      fail e.span "element %d of an array of %d" k n
-    | Data { arguments = [ _; element ]; _ } -> is "an element" element
-    | _ -> fail e.span "an element of what is no array")
+      expr s a;
+      match a.ty with
+      | Data { arguments = [ Size n; _ ]; _ } when k < 0 || k >= n ->
+          fail e.span "element %d of an array of %d" k n
+      | Data { arguments = [ _; element ]; _ } -> is "an element" element
+      | _ -> fail e.span "an element of what is no array")
   | Apply (f, a) ->
-    expr s f;
-    expr s a;
-    agree e.span "what is applied" ~expected:(Function (a.ty, e.ty)) ~found:f.ty
+      expr s f;
+      expr s a;
+      agree e.span "what is applied" ~expected:(Function (a.ty, e.ty)) ~found:f.ty
   | Run (h, input) ->
-    expr s h;
-    expr s input;
-    agree e.span "what is run" ~expected:(Signal_function (input.ty, e.ty)) ~found:h.ty
+      expr s h;
+      expr s input;
+      agree e.span "what is run" ~expected:(Signal_function (input.ty, e.ty)) ~found:h.ty
   | Negate a ->
-    expr s a;
-    is "a negation" a.ty
+      expr s a;
+      is "a negation" a.ty
   | Power (a, _) ->
-    expr s a;
-    agree e.span "a power" ~units:But_for_units ~expected:e.ty ~found:a.ty
+      expr s a;
+      agree e.span "a power" ~units:But_for_units ~expected:e.ty ~found:a.ty
   | If (condition, a, b) ->
-    expr s condition;
-    agree condition.span "a condition" ~expected:Bool ~found:condition.ty;
-    expr s a;
-    expr s b;
-    is "a branch" a.ty;
-    is "a branch" b.ty
+      expr s condition;
+      agree condition.span "a condition" ~expected:Bool ~found:condition.ty;
+      expr s a;
+      expr s b;
+      is "a branch" a.ty;
+      is "a branch" b.ty
   | Case (scrutinee, branches) ->
-    expr s scrutinee;
-    List.iter
-      (fun (b : branch) ->
-        let entered = pattern s [] b.pattern in
-        agree b.pattern.span "a pattern" ~expected:scrutinee.ty ~found:b.pattern.ty;
-        expr s b.value;
-        is "a branch" b.value.ty;
-        leave s entered)
-      branches
+      expr s scrutinee;
+      List.iter
+        (fun (b : branch) ->
+          let entered = pattern s [] b.pattern in
+          agree b.pattern.span "a pattern" ~expected:scrutinee.ty ~found:b.pattern.ty;
+          expr s b.value;
+          is "a branch" b.value.ty;
+          leave s entered)
+        branches
   | Let (bindings, body) ->
-    let enter recursive entered b =
-      if b.recursive = recursive then binder s entered b else entered
-    in
-    let entered = List.fold_left (enter true) [] bindings in
-    let define entered b =
-      value s b;
-      enter false entered b
-    in
-    let entered = List.fold_left define entered bindings in
-    expr s body;
-    is "a body" body.ty;
-    leave s entered
+      let enter recursive entered b =
+        if b.recursive = recursive then binder s entered b else entered
+      in
+      let entered = List.fold_left (enter true) [] bindings in
+      let define entered b =
+        value s b;
+        enter false entered b
+      in
+      let entered = List.fold_left define entered bindings in
+      expr s body;
+      is "a body" body.ty;
+      leave s entered
   | Lambda (patterns, body) ->
-    let entered = List.fold_left (pattern s) [] patterns in
-    expr s body;
-    is "a function"
-      (List.fold_right (fun (p : pattern) b : ty -> Function (p.ty, b)) patterns body.ty);
-    leave s entered
+      let entered = List.fold_left (pattern s) [] patterns in
+      expr s body;
+      is "a function"
+        (List.fold_right (fun (p : pattern) b : ty -> Function (p.ty, b)) patterns body.ty);
+      leave s entered
   | Guards (guarded, last) ->
-    List.iter
-      (fun ((guard : expr), (value : expr)) ->
-        expr s guard;
-        agree guard.span "a guard" ~expected:Bool ~found:guard.ty;
-        expr s value;
-        is "a guarded value" value.ty)
-      guarded;
-    Option.iter
-      (fun (last : expr) ->
-        expr s last;
-        is "a guarded value" last.ty)
-      last
+      List.iter
+        (fun ((guard : expr), (value : expr)) ->
+          expr s guard;
+          agree guard.span "a guard" ~expected:Bool ~found:guard.ty;
+          expr s value;
+          is "a guarded value" value.ty)
+        guarded;
+      Option.iter
+        (fun (last : expr) ->
+          expr s last;
+          is "a guarded value" last.ty)
+        last
   | Proc { input; equations; output } ->
-    let entered = List.fold_left (binder s) (pattern s [] input) equations in
-    List.iter (value s) equations;
-    expr s output;
-    is "a proc" (Signal_function (input.ty, output.ty));
-    leave s entered
+      let entered = List.fold_left (binder s) (pattern s [] input) equations in
+      List.iter (value s) equations;
+      expr s output;
+      is "a proc" (Signal_function (input.ty, output.ty));
+      leave s entered
   | Record (c, fields) -> record s e e.ty c fields
   | Update (r, c, fields) ->
-    expr s r;
-    agree e.span "an update" ~units:But_for_units ~expected:e.ty ~found:r.ty;
-    record s e e.ty c fields
+      expr s r;
+      agree e.span "an update" ~units:But_for_units ~expected:e.ty ~found:r.ty;
+      record s e e.ty c fields
   | Field (r, c, index) ->
-    expr s r;
-    agree e.span "a field" ~units:But_for_units ~found:e.ty
-      ~expected:(field s e.span r.ty c index)
+      expr s r;
+      agree e.span "a field" ~units:But_for_units ~found:e.ty
+        ~expected:(field s e.span r.ty c index)
 
 and field s span ty c index =
   match List.nth_opt (field_types s span ty c) index with
@@ -333,8 +326,7 @@ and record s e ty c fields =
       expr s value;
       if index < 0 || index >= Array.length types then
         fail e.span "`%s` has no field %d" c.constructor.name index;
-      agree value.span "a field" ~units:But_for_units ~expected:types.(index)
-        ~found:value.ty)
+      agree value.span "a field" ~units:But_for_units ~expected:types.(index) ~found:value.ty)
     fields
 
 and binder s entered (b : binding) =
@@ -366,10 +358,11 @@ let instance s (i : instance) =
       match Hashtbl.find_opt s.globals definition with
       | None -> fail i.span "`%s` is not defined" definition.name
       | Some scheme ->
-        let first = List.filteri (fun k _ -> k < List.length parameters) scheme.types in
-        if List.map (fun (v : variable) -> v.id) first
-           <> List.map (fun (v : variable) -> v.id) parameters
-        then fail i.span "`%s` does not begin with its instance's parameters" definition.name)
+          let first = List.filteri (fun k _ -> k < List.length parameters) scheme.types in
+          if
+            List.map (fun (v : variable) -> v.id) first
+            <> List.map (fun (v : variable) -> v.id) parameters
+          then fail i.span "`%s` does not begin with its instance's parameters" definition.name)
     i.methods
 
 (* {1 Programs} *)

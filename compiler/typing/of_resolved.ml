@@ -5,7 +5,9 @@ let sound sink typed = if Diagnostic.has_errors sink then None else Some typed
 (* Levels and patterns read types: after an error there they would only repeat it in other
    words. *)
 let program ?sources sink ~real resolved =
-  Option.bind (sound sink (Infer.program ?sources sink ~real resolved)) (fun typed ->
+  Option.bind
+    (sound sink (Infer.program ?sources sink ~real resolved))
+    (fun typed ->
       let typed = Levels.program ?sources sink typed in
       Patterns.check ?sources sink typed;
       sound sink typed)
@@ -13,6 +15,4 @@ let program ?sources sink ~real resolved =
 let partial ~real resolved =
   let sink = Diagnostic.sink () in
   let typed = Infer.program sink ~real resolved in
-  match Levels.program sink typed with
-  | leveled -> leveled
-  | exception Diagnostic.Bug _ -> typed
+  match Levels.program sink typed with leveled -> leveled | exception Diagnostic.Bug _ -> typed

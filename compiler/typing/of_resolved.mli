@@ -4,8 +4,7 @@ open Basis
 
 val program :
   ?sources:Source.t -> Diagnostic.sink -> real:Real.t -> Resolve.Ir.program -> Ir.program option
-(** [sources]: what messages quote from. [real]: the precision of [Float]. [None] after
-    errors. *)
+(** [sources]: what messages quote from. [real]: the precision of [Float]. [None] after errors. *)
 
 val partial : real:Real.t -> Resolve.Ir.program -> Ir.program
 (** Of a program with errors the definitions that have types all the same, for editors. May raise

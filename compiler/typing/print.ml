@@ -47,11 +47,11 @@ let local c (x : Local.t) =
   match Hashtbl.find_opt c.names x.id with
   | Some name -> name
   | None ->
-    let count = 1 + Option.value ~default:0 (Hashtbl.find_opt c.uses x.name) in
-    Hashtbl.replace c.uses x.name count;
-    let name = if count = 1 then x.name else x.name ^ "_" ^ string_of_int count in
-    Hashtbl.replace c.names x.id name;
-    name
+      let count = 1 + Option.value ~default:0 (Hashtbl.find_opt c.uses x.name) in
+      Hashtbl.replace c.uses x.name count;
+      let name = if count = 1 then x.name else x.name ^ "_" ^ string_of_int count in
+      Hashtbl.replace c.names x.id name;
+      name
 
 let number n =
   let exact = Exact.to_string n in
@@ -74,7 +74,9 @@ let instantiation c (i : instantiation) =
   List.iter (fun r -> put c (" @" ^ representation r)) i.representations
 
 let name c nested text (i : instantiation) =
-  parenthesized c (nested && (i.types <> [] || i.representations <> [])) (fun () ->
+  parenthesized c
+    (nested && (i.types <> [] || i.representations <> []))
+    (fun () ->
       put c text;
       instantiation c i)
 
@@ -85,18 +87,20 @@ let rec pattern c nested (p : pattern) =
   | Any -> put c "_"
   | Bound x -> put c (local c x)
   | As (x, p) ->
-    put c (local c x ^ "@");
-    pattern c true p
+      put c (local c x ^ "@");
+      pattern c true p
   | Tuple_of ps -> tuple c (pattern c false) ps
   | Array_of ps -> array c (pattern c false) ps
   | Constructed (k, ps) ->
-    parenthesized c (nested && ps <> []) (fun () ->
-        put c k.constructor.name;
-        List.iter
-          (fun p ->
-            put c " ";
-            pattern c true p)
-          ps)
+      parenthesized c
+        (nested && ps <> [])
+        (fun () ->
+          put c k.constructor.name;
+          List.iter
+            (fun p ->
+              put c " ";
+              pattern c true p)
+            ps)
   | Literal n -> put c (number n)
 
 (* {1 Expressions} *)
@@ -108,99 +112,99 @@ let rec expr c depth (e : expr) =
   | Global (g, i) -> name c (depth > 1) (global c g) i
   | Primitive (g, i) -> name c (depth > 1) (operator g.name) i
   | Method { method_; instantiation; class_ = _ } ->
-    name c (depth > 1) (global c method_) instantiation
+      name c (depth > 1) (global c method_) instantiation
   | Constructor (k, _) -> put c k.constructor.name
   | Number n ->
-    let text = number n in
-    parenthesized c (depth > 0 && text.[0] = '-') (fun () -> put c text)
+      let text = number n in
+      parenthesized c (depth > 0 && text.[0] = '-') (fun () -> put c text)
   | String text -> put c (Printf.sprintf "%S" text)
   | Tuple es -> tuple c (expr c 0) es
   | Array es -> array c (expr c 0) es
   | Index (a, k) ->
-    parenthesized c (depth > 0) (fun () ->
-        expr c 1 a;
-        put c (" ! " ^ string_of_int k))
+      parenthesized c (depth > 0) (fun () ->
+          expr c 1 a;
+          put c (" ! " ^ string_of_int k))
   | Apply ({ desc = Apply ({ desc = Primitive (g, _); _ }, a); _ }, b)
     when operator g.name <> g.name ->
-    parenthesized c (depth > 0) (fun () ->
-        Format.pp_open_hovbox c.out 0;
-        expr c 1 a;
-        put c (" " ^ g.name);
-        space c;
-        expr c 1 b;
-        close c)
+      parenthesized c (depth > 0) (fun () ->
+          Format.pp_open_hovbox c.out 0;
+          expr c 1 a;
+          put c (" " ^ g.name);
+          space c;
+          expr c 1 b;
+          close c)
   | Apply _ -> words c depth (fun () -> application c e [])
   | Run (h, input) ->
-    words c depth (fun () ->
-        put c "run";
-        argument c h;
-        argument c input)
+      words c depth (fun () ->
+          put c "run";
+          argument c h;
+          argument c input)
   | Negate a ->
-    parenthesized c (depth > 0) (fun () ->
-        put c "-";
-        expr c 2 a)
+      parenthesized c (depth > 0) (fun () ->
+          put c "-";
+          expr c 2 a)
   | Power (a, k) ->
-    parenthesized c (depth > 0) (fun () ->
-        expr c 2 a;
-        put c (" ^ " ^ string_of_int k))
+      parenthesized c (depth > 0) (fun () ->
+          expr c 2 a;
+          put c (" ^ " ^ string_of_int k))
   | If (condition, a, b) ->
-    parenthesized c (depth > 0) (fun () ->
-        Format.pp_open_hvbox c.out 0;
-        put c "if ";
-        expr c 0 condition;
-        space c;
-        put c "then ";
-        expr c 0 a;
-        space c;
-        put c "else ";
-        expr c 0 b;
-        close c)
+      parenthesized c (depth > 0) (fun () ->
+          Format.pp_open_hvbox c.out 0;
+          put c "if ";
+          expr c 0 condition;
+          space c;
+          put c "then ";
+          expr c 0 a;
+          space c;
+          put c "else ";
+          expr c 0 b;
+          close c)
   | Case (scrutinee, branches) ->
-    block c depth (fun () ->
-        put c "case ";
-        expr c 0 scrutinee;
-        put c " of";
-        List.iter (branch c) branches)
+      block c depth (fun () ->
+          put c "case ";
+          expr c 0 scrutinee;
+          put c " of";
+          List.iter (branch c) branches)
   | Let (bindings, body) ->
-    block c depth (fun () ->
-        put c "let";
-        List.iter (binding c) bindings;
-        cut c;
-        put c "in ";
-        expr c 0 body)
+      block c depth (fun () ->
+          put c "let";
+          List.iter (binding c) bindings;
+          cut c;
+          put c "in ";
+          expr c 0 body)
   | Lambda (patterns, body) ->
-    parenthesized c (depth > 0) (fun () ->
-        Format.pp_open_hovbox c.out 2;
-        put c "\\";
-        List.iter
-          (fun p ->
-            pattern c true p;
-            put c " ")
-          patterns;
-        put c "->";
-        space c;
-        expr c 0 body;
-        close c)
+      parenthesized c (depth > 0) (fun () ->
+          Format.pp_open_hovbox c.out 2;
+          put c "\\";
+          List.iter
+            (fun p ->
+              pattern c true p;
+              put c " ")
+            patterns;
+          put c "->";
+          space c;
+          expr c 0 body;
+          close c)
   | Guards (guarded, last) -> guards c depth guarded last
   | Proc { input; equations; output } ->
-    block c depth (fun () ->
-        put c "proc ";
-        pattern c true input;
-        put c " -> ";
-        expr c 0 output;
-        if equations <> [] then put c " where";
-        List.iter (binding c) equations)
+      block c depth (fun () ->
+          put c "proc ";
+          pattern c true input;
+          put c " -> ";
+          expr c 0 output;
+          if equations <> [] then put c " where";
+          List.iter (binding c) equations)
   | Record (k, fields) ->
-    parenthesized c (depth > 1) (fun () ->
-        put c k.constructor.name;
-        record c k fields)
+      parenthesized c (depth > 1) (fun () ->
+          put c k.constructor.name;
+          record c k fields)
   | Update (r, k, fields) ->
-    parenthesized c (depth > 1) (fun () ->
-        expr c 2 r;
-        record c k fields)
+      parenthesized c (depth > 1) (fun () ->
+          expr c 2 r;
+          record c k fields)
   | Field (r, k, index) ->
-    expr c 2 r;
-    put c ("." ^ field k index)
+      expr c 2 r;
+      put c ("." ^ field k index)
 
 and words c depth f =
   parenthesized c (depth > 1) (fun () ->
@@ -222,8 +226,8 @@ and application c (e : expr) arguments =
   match e.desc with
   | Apply (f, a) -> application c f (a :: arguments)
   | _ ->
-    expr c 1 e;
-    List.iter (argument c) arguments
+      expr c 1 e;
+      List.iter (argument c) arguments
 
 and branch c (b : branch) =
   cut c;
@@ -303,8 +307,7 @@ let program out (p : program) =
   put c ("module " ^ p.main_module);
   cut c;
   List.iter
-    (fun (d : definition) ->
-      if String.equal d.name.module_ p.main_module then definition c d)
+    (fun (d : definition) -> if String.equal d.name.module_ p.main_module then definition c d)
     p.definitions;
   close c;
   Format.pp_print_flush out ()

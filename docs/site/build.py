@@ -14,8 +14,17 @@ from pathlib import Path
 import reference
 
 ROOTS = ["README.md", "docs", "examples", "sim/README.md", "compiler/README.md", "tests/README.md"]
-LANGUAGES = {".frob": "haskell", ".c": "c", ".h": "c", ".cc": "cpp", ".cpp": "cpp",
-             ".toml": "toml", ".hs": "haskell", ".csv": "text", ".sh": "sh"}
+LANGUAGES = {
+    ".frob": "haskell",
+    ".c": "c",
+    ".h": "c",
+    ".cc": "cpp",
+    ".cpp": "cpp",
+    ".toml": "toml",
+    ".hs": "haskell",
+    ".csv": "text",
+    ".sh": "sh",
+}
 PICTURES = {".png", ".svg"}
 LINK = re.compile(r"(!?\[[^\]]*\]\()([^)\s#]+)([^)]*\))")
 FENCE = re.compile(r"^(\s*)```frob(-error)?\b.*?( title=\"[^\"]*\")?$")

@@ -45,8 +45,21 @@ class Run:
     def __init__(self, driver, folder, example, seconds):
         program = os.path.join(root, f"examples/{example}/{example}.frob")
         recording = os.path.join(folder, f"{example}.csv")
-        subprocess.run([frobc, "run", "--robot", "pioneer", "--for", f"{seconds}s", "--record",
-                        recording, program], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(
+            [
+                frobc,
+                "run",
+                "--robot",
+                "pioneer",
+                "--for",
+                f"{seconds}s",
+                "--record",
+                recording,
+                program,
+            ],
+            check=True,
+            stdout=subprocess.DEVNULL,
+        )
         self.page = Page(driver, viewer.Viewer(frobc, recording, program).address)
         self.page.at(0)
 
@@ -59,7 +72,8 @@ class Run:
             self.page.at(k)
         for k in range(instant // 50 * 50 + 10, instant + 1, 10):
             ActionChains(self.page.driver).key_down(Keys.SHIFT).send_keys(Keys.ARROW_RIGHT).key_up(
-                Keys.SHIFT).perform()
+                Keys.SHIFT
+            ).perform()
             self.page.at(k)
         time.sleep(0.5)  # until the frame is there, too
 
@@ -70,15 +84,29 @@ class Run:
 
 
 def smaller(inputs, output, *how):
-    subprocess.run(["convert", *inputs, *how, "-dither", "None", "-colors", "128", "-strip",
-                    f"PNG8:{os.path.join(root, 'docs', output)}"], check=True)
+    subprocess.run(
+        [
+            "convert",
+            *inputs,
+            *how,
+            "-dither",
+            "None",
+            "-colors",
+            "128",
+            "-strip",
+            f"PNG8:{os.path.join(root, 'docs', output)}",
+        ],
+        check=True,
+    )
     print(f"docs/{output}")
 
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
+
         def path(name):
             return os.path.join(folder, f"{name}.png")
+
         driver = start(1280, 1100)
         try:
             poster = Run(driver, folder, "track_poster", 6)

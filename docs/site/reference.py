@@ -1,8 +1,8 @@
 """The reference that is made of what it is about: reference.py REPOSITORY FROBC OUT.
 
-  library.md       each name of the library, of its comment and its signature in stdlib/
-  messages.md      each message, of its page in compiler/explain/
-  commands.md      each command and option, of frobc's own help
+library.md       each name of the library, of its comment and its signature in stdlib/
+messages.md      each message, of its page in compiler/explain/
+commands.md      each command and option, of frobc's own help
 """
 
 import re
@@ -30,9 +30,17 @@ def entries(text):
         first = lines[k] if k < len(lines) else ""
         declaration = [first]
         k += 1
-        while k < len(lines) and lines[k][:1] in (" ", "}", ")") or (
-                k < len(lines) and not lines[k] and first.startswith("class ")
-                and k + 1 < len(lines) and lines[k + 1].startswith(" ")):
+        while (
+            k < len(lines)
+            and lines[k][:1] in (" ", "}", ")")
+            or (
+                k < len(lines)
+                and not lines[k]
+                and first.startswith("class ")
+                and k + 1 < len(lines)
+                and lines[k + 1].startswith(" ")
+            )
+        ):
             declaration.append(lines[k])
             k += 1
         yield " ".join(comment), declaration
@@ -40,7 +48,9 @@ def entries(text):
 
 def names_of(declaration):
     """What a declaration declares: one name or, of a signature, several."""
-    keyword = re.match(r"(?:(primitive|foreign type|foreign|type|unit|data|class) )?", declaration[0]).group(1)
+    keyword = re.match(
+        r"(?:(primitive|foreign type|foreign|type|unit|data|class) )?", declaration[0]
+    ).group(1)
     first = declaration[0].removeprefix(f"{keyword} ")
     if keyword == "class":
         first = re.sub(r"^.*=> ", "", first)
@@ -59,8 +69,16 @@ def entry(module, comment, declaration, depth):
     body = []
     if code[0].startswith("class "):
         body, code = code[1:], code[:1]
-    out = ["#" * depth + f" {heading} {{ #{module}-{names[0]} }}", "",
-           "```haskell", "\n".join(code).rstrip(), "```", "", comment, ""]
+    out = [
+        "#" * depth + f" {heading} {{ #{module}-{names[0]} }}",
+        "",
+        "```haskell",
+        "\n".join(code).rstrip(),
+        "```",
+        "",
+        comment,
+        "",
+    ]
     methods = "\n".join(line[4:] for line in body)
     # a method without a comment of its own is told of by that of its class
     methods = re.sub(r"(?<!\S\n)^(?=\w+ :: )", f"-- | {comment}\n", methods, flags=re.M)
@@ -71,10 +89,14 @@ def entry(module, comment, declaration, depth):
 
 def library(repository):
     """An entry a name, module by module."""
-    out = ["# The library, name by name", "",
-           "What the source of the library says of each name. The prelude is there without an "
-           "import; the other modules need one. By what they do, names are listed in the "
-           "appendices of the [language reference](../language.md).", ""]
+    out = [
+        "# The library, name by name",
+        "",
+        "What the source of the library says of each name. The prelude is there without an "
+        "import; the other modules need one. By what they do, names are listed in the "
+        "appendices of the [language reference](../language.md).",
+        "",
+    ]
     paths = (repository / "stdlib").glob("*.frob")
     for path in sorted(paths, key=lambda p: (p.stem != "Prelude", p.stem)):
         out += [f"## {path.stem}", ""]
@@ -95,25 +117,39 @@ def messages(repository):
 
 
 def help_of(frobc, *command):
-    return subprocess.run([frobc, *command, "--help=plain"], check=True, text=True,
-                          capture_output=True).stdout
+    return subprocess.run(
+        [frobc, *command, "--help=plain"], check=True, text=True, capture_output=True
+    ).stdout
 
 
 def commands(frobc):
     """frobc's help, of the whole and of each command."""
     whole = help_of(frobc)
-    listed = whole[whole.index("\nCOMMANDS"):whole.index("\nCOMMON")]
+    listed = whole[whole.index("\nCOMMANDS") : whole.index("\nCOMMON")]
     names = re.findall(r"^       ([a-z]+) ", listed, flags=re.M)
-    out = ["# The command line", "", "What `frobc --help` and `frobc COMMAND --help` print.", "",
-           "## frobc", "", "```text", whole.strip("\n"), "```", ""]
+    out = [
+        "# The command line",
+        "",
+        "What `frobc --help` and `frobc COMMAND --help` print.",
+        "",
+        "## frobc",
+        "",
+        "```text",
+        whole.strip("\n"),
+        "```",
+        "",
+    ]
     for name in names:
         out += [f"## frobc {name}", "", "```text", help_of(frobc, name).strip("\n"), "```", ""]
     return "\n".join(out)
 
 
 def pages(repository, frobc):
-    return {"library.md": library(repository), "messages.md": messages(repository),
-            "commands.md": commands(frobc)}
+    return {
+        "library.md": library(repository),
+        "messages.md": messages(repository),
+        "commands.md": commands(frobc),
+    }
 
 
 if __name__ == "__main__":

@@ -8,7 +8,10 @@ static const int32_t bright = 128;
 /* How far around the blob the tracker looks for it in the next picture. */
 static const int32_t margin = 2;
 
-static int32_t limited(int32_t n, int32_t most) { return n < 0 ? 0 : n > most ? most : n; }
+static int32_t limited(int32_t n, int32_t most)
+{
+    return n < 0 ? 0 : n > most ? most : n;
+}
 
 /* {1 The parts} */
 
@@ -22,7 +25,7 @@ void blob_brighter(int32_t threshold, const int32_t *picture, bool *result)
 /* The centre and the size of what is set in a window; nothing if nothing is. */
 void blob_measure(const struct frob_window *w, const bool *mask, struct frob_maybe_blob *result)
 {
-    const struct frob_maybe_blob nothing = {.tag = FROB_MAYBE_BLOB_NOTHING};
+    const struct frob_maybe_blob nothing = { .tag = FROB_MAYBE_BLOB_NOTHING };
     int32_t count = 0, columns = 0, rows = 0;
     for (int32_t row = w->top; row <= w->bottom; row++)
         for (int32_t column = w->left; column <= w->right; column++)
@@ -59,7 +62,10 @@ static void look_everywhere(struct blob_state *self)
     self->bottom = BLOB_HEIGHT - 1;
 }
 
-void blob_reset(struct blob_state *self) { look_everywhere(self); }
+void blob_reset(struct blob_state *self)
+{
+    look_everywhere(self);
+}
 
 /* One picture; dt, the seconds since the last, does not matter here. */
 void blob_step(struct blob_state *self, double dt, const struct blob_input *in,
@@ -67,7 +73,7 @@ void blob_step(struct blob_state *self, double dt, const struct blob_input *in,
 {
     bool mask[BLOB_PIXELS];
     struct frob_maybe_blob found;
-    const struct frob_window window = {self->left, self->top, self->right, self->bottom};
+    const struct frob_window window = { self->left, self->top, self->right, self->bottom };
     (void)dt;
     blob_brighter(bright, in->value, mask);
     blob_measure(&window, mask, &found);
@@ -77,7 +83,7 @@ void blob_step(struct blob_state *self, double dt, const struct blob_input *in,
     out->value.f1 = found.f1;
     out->value.i0 = found.i0;
     if (found.tag == FROB_MAYBE_BLOB_JUST) {
-        const struct frob_blob blob = {found.f0, found.f1, found.i0};
+        const struct frob_blob blob = { found.f0, found.f1, found.i0 };
         struct frob_window next;
         blob_around(&blob, &next);
         out->value.tag = FROB_EVENT_BLOB_EVENT;

@@ -17,16 +17,16 @@ static double speed_after(double dt, double speed, double volts)
 
 int main(void)
 {
-    const double wanted[WHEELS] = {0.5, 0.8};
+    const double wanted[WHEELS] = { 0.5, 0.8 };
     struct wheel_state controllers[WHEELS];
-    double speed[WHEELS] = {0.0, 0.0};
+    double speed[WHEELS] = { 0.0, 0.0 };
     const double dt = 0.02;
 
     for (int i = 0; i < WHEELS; i++)
         wheel_reset(&controllers[i]);
     for (int step = 0; step <= STEPS; step++)
         for (int i = 0; i < WHEELS; i++) {
-            const struct wheel_input in = {wanted[i], speed[i]};
+            const struct wheel_input in = { wanted[i], speed[i] };
             struct wheel_output out;
             wheel_step(&controllers[i], dt, &in, &out);
             if (step % 50 == 0)

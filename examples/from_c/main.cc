@@ -5,12 +5,14 @@
 #include <array>
 #include <cstdio>
 
-class Wheel {
+class Wheel
+{
   public:
     explicit Wheel(double wanted) : wanted_(wanted) { wheel_reset(&controller_); }
 
-    wheel_output step(double dt) {
-        const wheel_input in{wanted_, speed_};
+    wheel_output step(double dt)
+    {
+        const wheel_input in{ wanted_, speed_ };
         wheel_output out;
         wheel_step(&controller_, dt, &in, &out);
         return out;
@@ -27,16 +29,17 @@ class Wheel {
     double speed_ = 0.0;
 };
 
-int main() {
-    std::array<Wheel, 2> wheels{Wheel(0.5), Wheel(0.8)};
+int main()
+{
+    std::array<Wheel, 2> wheels{ Wheel(0.5), Wheel(0.8) };
     const double dt = 0.02;
     for (int step = 0; step <= 150; step++) {
         int number = 0;
         for (Wheel &wheel : wheels) {
             const wheel_output out = wheel.step(dt);
             if (step % 50 == 0)
-                std::printf("%.1f s, wheel %d: %.3f m/s, %.2f V%s\n", step * dt, number, wheel.speed(),
-                            out.voltage, out.settled ? ", settled" : "");
+                std::printf("%.1f s, wheel %d: %.3f m/s, %.2f V%s\n", step * dt, number,
+                            wheel.speed(), out.voltage, out.settled ? ", settled" : "");
             wheel.turn(dt, out.voltage);
             number++;
         }

@@ -9,31 +9,38 @@
 
 #include "opencv_foreign.h"
 
-namespace {
+namespace
+{
 
 constexpr double pi = 3.14159265358979323846;
 
 // Of OpenCV: hues of 0 to 180 for the circle.
-double half_degrees(double radians) { return radians * 90.0 / pi; }
+double half_degrees(double radians)
+{
+    return radians * 90.0 / pi;
+}
 
 // The part of the region that is in the image.
-cv::Rect window_in(const frob_image *image, const frob_region *region) {
+cv::Rect window_in(const frob_image *image, const frob_region *region)
+{
     const auto within = [](double x, int most) {
         return x > 0.0 ? (x < most ? static_cast<int>(x) : most) : 0; // 0 of NaN, too
     };
     const int left = within(region->x, image->width), top = within(region->y, image->height);
     const int right = within(region->x + region->width, image->width);
     const int bottom = within(region->y + region->height, image->height);
-    return {left, top, std::max(right - left, 0), std::max(bottom - top, 0)};
+    return { left, top, std::max(right - left, 0), std::max(bottom - top, 0) };
 }
 
 } // namespace
 
 extern "C" void camshift(const struct frob_image *image, const struct frob_hues *hues,
-                         const struct frob_region *region, struct frob_ellipse *result) {
+                         const struct frob_region *region, struct frob_ellipse *result)
+{
     cv::Rect window = window_in(image, region);
     *result = frob_ellipse{};
-    if (window.area() == 0 || image->format != FROB_RGB8) return;
+    if (window.area() == 0 || image->format != FROB_RGB8)
+        return;
     // A header around the pixels that are there: nothing is copied, and OpenCV does not write.
     const cv::Mat pixels(image->height, image->width, CV_8UC3, const_cast<void *>(image->pixels),
                          static_cast<std::size_t>(image->stride));
@@ -43,7 +50,8 @@ extern "C" void camshift(const struct frob_image *image, const struct frob_hues 
                 cv::Scalar(half_degrees(hues->high), 255, 255), likely);
     const cv::RotatedRect found = cv::CamShift(
         likely, window, cv::TermCriteria(cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 10, 1.0));
-    if (window.area() == 0) return;
+    if (window.area() == 0)
+        return;
     // It is found with its whole width, and an angle in degrees.
     result->cx = found.center.x;
     result->cy = found.center.y;

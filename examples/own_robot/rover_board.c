@@ -26,18 +26,18 @@ enum { RANGERS = 5, LONGEST = 30, WAITING = 128 };
 struct board {
     bool on;
     int64_t now_ns;
-    double left_m, right_m;         /* the ways of the wheels */
-    double heading_rad;             /* of the body's odometry, when it was looked at last, */
-    double x_m, y_m;                /* and its place */
+    double left_m, right_m; /* the ways of the wheels */
+    double heading_rad;     /* of the body's odometry, when it was looked at last, */
+    double x_m, y_m;        /* and its place */
     double battery_v;
     double echo_m[RANGERS];
     int64_t echo_ns[RANGERS];
-    int32_t left, right;            /* speeds, counts in a loop */
-    int64_t moved_ns, watchdog_ns;  /* when they were commanded; how long they hold */
+    int32_t left, right;           /* speeds, counts in a loop */
+    int64_t moved_ns, watchdog_ns; /* when they were commanded; how long they hold */
     bool pings;
     int pinged;
-    int64_t ping_ns;                /* when it answers */
-    char waiting[WAITING];          /* bytes that are not looked at yet */
+    int64_t ping_ns;       /* when it answers */
+    char waiting[WAITING]; /* bytes that are not looked at yet */
     size_t waiting_count;
     char line[LONGEST + 1];
     size_t length;
@@ -62,7 +62,8 @@ static void sense(void *memory, const void *from, int64_t now_ns)
     } else {
         double turn = remainder(pose->heading - b->heading_rad, 2.0 * 3.14159265358979323846);
         double halfway = b->heading_rad + 0.5 * turn;
-        double way = (pose->position.x - b->x_m) * cos(halfway) + (pose->position.y - b->y_m) * sin(halfway);
+        double way =
+            (pose->position.x - b->x_m) * cos(halfway) + (pose->position.y - b->y_m) * sin(halfway);
         b->left_m += way - 0.5 * turn * SEPARATION_M;
         b->right_m += way + 0.5 * turn * SEPARATION_M;
     }
@@ -86,8 +87,7 @@ static void do_command(struct board *b, struct frob_answer *answer)
     char end = '\0';
     const char *line = b->line;
     switch (line[0]) {
-    case '\0':
-        return;
+    case '\0': return;
     case 'b':
         if (line[1] != '\0')
             break;
@@ -127,8 +127,7 @@ static void do_command(struct board *b, struct frob_answer *answer)
         b->watchdog_ns = first * INT64_C(1000000);
         say(answer, "OK\r\n");
         return;
-    default:
-        break;
+    default: break;
     }
     say(answer, "Invalid Command\r\n");
 }
@@ -188,7 +187,8 @@ static void drive(const void *memory, void *into)
 {
     const struct board *b = (const struct board *)memory;
     struct frob_rover_output *output = (struct frob_rover_output *)into;
-    double left = b->left * LOOPS_PER_S / COUNTS_PER_M, right = b->right * LOOPS_PER_S / COUNTS_PER_M;
+    double left = b->left * LOOPS_PER_S / COUNTS_PER_M,
+           right = b->right * LOOPS_PER_S / COUNTS_PER_M;
     output->forward = 0.5 * (left + right);
     output->turn = (right - left) / SEPARATION_M;
 }
@@ -196,5 +196,5 @@ static void drive(const void *memory, void *into)
 /* C++ would not let the table be seen from outside without this. */
 extern const struct frob_board frob_rover_board;
 
-const struct frob_board frob_rover_board = { "rover", 57600,   sizeof(struct board), sense,
-                                             receive, advance, drive };
+const struct frob_board frob_rover_board = { "rover", 57600, sizeof(struct board), sense, receive,
+                                             advance, drive };

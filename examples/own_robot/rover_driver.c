@@ -90,12 +90,9 @@ static bool take(struct rover *d, const struct rover_answer *answer, int64_t now
 {
     bool number = answer->kind == ROVER_NUMBER;
     switch (d->awaited) {
-    case ROVER_NOTHING:
-        return false;
-    case ROVER_SYNC:
-        return number && answer->first == ROVER_RATE;
-    case ROVER_SPEED:
-        return answer->kind == ROVER_OK;
+    case ROVER_NOTHING: return false;
+    case ROVER_SYNC: return number && answer->first == ROVER_RATE;
+    case ROVER_SPEED: return answer->kind == ROVER_OK;
     case ROVER_WATCHDOG: /* a board without one has a fixed time of its own */
         d->guarded = answer->kind == ROVER_OK || answer->kind == ROVER_INVALID;
         return d->guarded;
@@ -103,7 +100,8 @@ static bool take(struct rover *d, const struct rover_answer *answer, int64_t now
         if (answer->kind != ROVER_PAIR)
             return false;
         if (rover_odometry_add(&d->odometry, answer->first, answer->second,
-                               d->settings[ROVER_COUNTS_PER_M], d->settings[ROVER_SEPARATION_M], now_ns))
+                               d->settings[ROVER_COUNTS_PER_M], d->settings[ROVER_SEPARATION_M],
+                               now_ns))
             d->sensed_ns = now_ns;
         return true;
     case ROVER_ECHO:
@@ -191,7 +189,8 @@ static enum frob_status poll(void *device)
 static int64_t due_ns(const void *device)
 {
     const struct rover *d = (const struct rover *)device;
-    return d->awaited == ROVER_NOTHING ? d->sent_ns : d->sent_ns + ns(d->settings[ROVER_PATIENCE_S]);
+    return d->awaited == ROVER_NOTHING ? d->sent_ns
+                                       : d->sent_ns + ns(d->settings[ROVER_PATIENCE_S]);
 }
 
 static int64_t sensed_ns(const void *device)
@@ -224,8 +223,8 @@ static enum frob_status command(void *device, const void *from)
 {
     struct rover *d = (struct rover *)device;
     const struct frob_rover_output *output = (const struct frob_rover_output *)from;
-    struct frob_wheels wheels = frob_wheels_of(output->forward, output->turn,
-                                               d->settings[ROVER_SEPARATION_M], MOST_M_S);
+    struct frob_wheels wheels =
+        frob_wheels_of(output->forward, output->turn, d->settings[ROVER_SEPARATION_M], MOST_M_S);
     double counts = d->settings[ROVER_COUNTS_PER_M] / (double)ROVER_LOOPS; /* of 1 m/s */
     if (!d->guarded)
         return FROB_BUSY_CONNECTING;
@@ -277,25 +276,23 @@ static const struct frob_setting settings_table[ROVER_SETTING_COUNT] = {
 static const size_t drives[] = { offsetof(struct frob_rover_output, forward),
                                  offsetof(struct frob_rover_output, turn) };
 
-const struct frob_driver frob_rover_driver = {
-    "rover",
-    ROVER_RATE,
-    sizeof(struct rover),
-    sizeof(struct frob_rover_input),
-    sizeof(struct frob_rover_output),
-    settings_table,
-    ROVER_SETTING_COUNT,
-    drives,
-    sizeof drives / sizeof drives[0],
-    most,
-    start,
-    poll,
-    due_ns,
-    sensed_ns,
-    sense,
-    command,
-    stop,
-    close,
-    describe,
-    stands
-};
+const struct frob_driver frob_rover_driver = { "rover",
+                                               ROVER_RATE,
+                                               sizeof(struct rover),
+                                               sizeof(struct frob_rover_input),
+                                               sizeof(struct frob_rover_output),
+                                               settings_table,
+                                               ROVER_SETTING_COUNT,
+                                               drives,
+                                               sizeof drives / sizeof drives[0],
+                                               most,
+                                               start,
+                                               poll,
+                                               due_ns,
+                                               sensed_ns,
+                                               sense,
+                                               command,
+                                               stop,
+                                               close,
+                                               describe,
+                                               stands };

@@ -48,14 +48,14 @@ struct rover {
     struct frob_serial serial;
     struct frob_clock clock;
     enum rover_awaited awaited;
-    bool guarded;        /* the watchdog has been set, or the board has none */
-    int64_t sent_ns;     /* the command that went out last */
-    int64_t heard_ns;    /* the answer that came last, or the start */
-    int64_t sensed_ns;   /* the counts that came last */
-    bool speed_waits;    /* a speed is to be sent: */
-    int32_t left, right; /* which, counts in a loop */
-    unsigned turn;       /* whose turn it is to be asked */
-    unsigned asked;      /* the ranger that is */
+    bool guarded;             /* the watchdog has been set, or the board has none */
+    int64_t sent_ns;          /* the command that went out last */
+    int64_t heard_ns;         /* the answer that came last, or the start */
+    int64_t sensed_ns;        /* the counts that came last */
+    bool speed_waits;         /* a speed is to be sent: */
+    int32_t left, right;      /* which, counts in a loop */
+    unsigned turn;            /* whose turn it is to be asked */
+    unsigned asked;           /* the ranger that is */
     bool fresh[ROVER_SONARS]; /* echoes that no input has shown yet */
     double echo_m[ROVER_SONARS];
     double battery_v;

@@ -10,7 +10,8 @@ static const char *read_number(const char *text, int32_t *number)
     int64_t value = 0;
     if (negative)
         text++;
-    if (*text < '0' || *text > '9' || (*text == '0' && (negative || (text[1] >= '0' && text[1] <= '9'))))
+    if (*text < '0' || *text > '9' ||
+        (*text == '0' && (negative || (text[1] >= '0' && text[1] <= '9'))))
         return NULL;
     for (; *text >= '0' && *text <= '9'; text++) {
         value = 10 * value + (*text - '0');
@@ -37,7 +38,8 @@ static struct rover_answer read_line(const char *text)
         return answer;
     else if (*rest == '\0')
         answer.kind = ROVER_NUMBER;
-    else if (*rest == ' ' && (rest = read_number(rest + 1, &answer.second)) != NULL && *rest == '\0')
+    else if (*rest == ' ' && (rest = read_number(rest + 1, &answer.second)) != NULL &&
+             *rest == '\0')
         answer.kind = ROVER_PAIR;
     return answer;
 }

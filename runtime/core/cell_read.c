@@ -10,7 +10,7 @@
 struct reader {
     const char *start;
     const char *at;
-    const char *expected; /* set by the first failure */
+    const char *expected;            /* set by the first failure */
     const struct frob_value *choice; /* likewise */
     void *base;
     const struct frob_frames *frames;
@@ -39,8 +39,8 @@ static bool accept(struct reader *r, char c)
 
 static bool is_name_char(char c)
 {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           c == '_' || c == '\'';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '\'';
 }
 
 /* The whole word, or nothing is read. */
@@ -232,22 +232,12 @@ static void clear(struct reader *r, const struct frob_value *value)
 {
     char *at = bytes(r, value->offset);
     switch (value->kind) {
-    case FROB_BOOL:
-        *(bool *)(void *)at = false;
-        break;
-    case FROB_INT:
-        *(int32_t *)(void *)at = 0;
-        break;
+    case FROB_BOOL: *(bool *)(void *)at = false; break;
+    case FROB_INT: *(int32_t *)(void *)at = 0; break;
     case FROB_FLOAT:
-    case FROB_ROUNDED:
-        *(double *)(void *)at = 0.0;
-        break;
-    case FROB_SINGLE:
-        *(float *)(void *)at = 0.0f;
-        break;
-    case FROB_IMAGE:
-        *(const struct frob_image **)(void *)at = NULL;
-        break;
+    case FROB_ROUNDED: *(double *)(void *)at = 0.0; break;
+    case FROB_SINGLE: *(float *)(void *)at = 0.0f; break;
+    case FROB_IMAGE: *(const struct frob_image **)(void *)at = NULL; break;
     case FROB_SUM:
         *(uint8_t *)at = 0;
         /* fall through */
@@ -283,19 +273,11 @@ static bool read_value(struct reader *r, const struct frob_value *value)
         while (accept(r, '('))
             parentheses++;
     switch (value->kind) {
-    case FROB_BOOL:
-        ok = read_bool(r, (bool *)(void *)bytes(r, value->offset));
-        break;
-    case FROB_INT:
-        ok = read_int(r, (int32_t *)(void *)bytes(r, value->offset));
-        break;
+    case FROB_BOOL: ok = read_bool(r, (bool *)(void *)bytes(r, value->offset)); break;
+    case FROB_INT: ok = read_int(r, (int32_t *)(void *)bytes(r, value->offset)); break;
     case FROB_FLOAT:
-    case FROB_ROUNDED:
-        ok = read_float(r, (double *)(void *)bytes(r, value->offset));
-        break;
-    case FROB_SINGLE:
-        ok = read_single(r, (float *)(void *)bytes(r, value->offset));
-        break;
+    case FROB_ROUNDED: ok = read_float(r, (double *)(void *)bytes(r, value->offset)); break;
+    case FROB_SINGLE: ok = read_single(r, (float *)(void *)bytes(r, value->offset)); break;
     case FROB_PRODUCT:
         ok = tuple ? read_tuple(r, &value->constructors[0]) : read_constructor(r, value);
         break;
@@ -303,9 +285,7 @@ static bool read_value(struct reader *r, const struct frob_value *value)
         clear(r, value);
         ok = read_constructor(r, value);
         break;
-    case FROB_ARRAY:
-        ok = read_array(r, &value->constructors[0]);
-        break;
+    case FROB_ARRAY: ok = read_array(r, &value->constructors[0]); break;
     case FROB_IMAGE:
         ok = read_image(r, (const struct frob_image **)(void *)bytes(r, value->offset));
         break;

@@ -54,8 +54,8 @@ static bool add_float(struct frob_text *text, double x, bool is_single)
     return digits[0] == '-';
 }
 
-static void add_value(struct frob_text *text, const struct frob_value *value,
-                      const void *base, enum place place);
+static void add_value(struct frob_text *text, const struct frob_value *value, const void *base,
+                      enum place place);
 
 static void add_parts(struct frob_text *text, const struct frob_constructor *parts,
                       const void *base)
@@ -90,8 +90,7 @@ static void add_record(struct frob_text *text, const struct frob_constructor *re
     frob_text_add_char(text, '}');
 }
 
-static void add_constructor(struct frob_text *text,
-                            const struct frob_constructor *constructor,
+static void add_constructor(struct frob_text *text, const struct frob_constructor *constructor,
                             const void *base, enum place place)
 {
     if (constructor->name == NULL) {
@@ -142,14 +141,12 @@ static void add_image(struct frob_text *text, const struct frob_image *image, en
     frob_text_add(text, name);
 }
 
-static void add_value(struct frob_text *text, const struct frob_value *value,
-                      const void *base, enum place place)
+static void add_value(struct frob_text *text, const struct frob_value *value, const void *base,
+                      enum place place)
 {
     const char *at = bytes(base, value->offset);
     switch (value->kind) {
-    case FROB_BOOL:
-        frob_text_add(text, *(const bool *)(const void *)at ? "true" : "false");
-        break;
+    case FROB_BOOL: frob_text_add(text, *(const bool *)(const void *)at ? "true" : "false"); break;
     case FROB_INT: {
         int32_t n = *(const int32_t *)(const void *)at;
         char digits[16];
@@ -158,18 +155,14 @@ static void add_value(struct frob_text *text, const struct frob_value *value,
         frob_text_add(text, digits);
         break;
     }
-    case FROB_FLOAT:
-        add_number(text, *(const double *)(const void *)at, false, place);
-        break;
+    case FROB_FLOAT: add_number(text, *(const double *)(const void *)at, false, place); break;
     case FROB_SINGLE:
         add_number(text, (double)*(const float *)(const void *)at, true, place);
         break;
     case FROB_ROUNDED:
         add_number(text, (double)(float)*(const double *)(const void *)at, true, place);
         break;
-    case FROB_PRODUCT:
-        add_constructor(text, &value->constructors[0], base, place);
-        break;
+    case FROB_PRODUCT: add_constructor(text, &value->constructors[0], base, place); break;
     case FROB_SUM: {
         uint8_t tag = *(const uint8_t *)at;
         if (tag < value->count)
@@ -189,8 +182,7 @@ static void add_value(struct frob_text *text, const struct frob_value *value,
     }
 }
 
-void frob_cell_write(struct frob_text *text, const struct frob_value *value,
-                     const void *base)
+void frob_cell_write(struct frob_text *text, const struct frob_value *value, const void *base)
 {
     if (value->kind == FROB_SUM && value->is_event) {
         if (*(const uint8_t *)bytes(base, value->offset) == 1)

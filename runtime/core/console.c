@@ -85,8 +85,8 @@ size_t frob_console_find(const struct frob_program *program, const char *label)
     return i;
 }
 
-bool frob_console_touch(const struct frob_program *program, void *input, size_t control,
-                        double x, double y)
+bool frob_console_touch(const struct frob_program *program, void *input, size_t control, double x,
+                        double y)
 {
     const struct frob_control *touched;
     const struct frob_field *place;
@@ -94,16 +94,10 @@ bool frob_console_touch(const struct frob_program *program, void *input, size_t 
         return false;
     touched = &program->console[control];
     switch (touched->kind) {
-    case FROB_BUTTON:
-        set_event(input, touched->value, true);
-        break;
+    case FROB_BUTTON: set_event(input, touched->value, true); break;
     case FROB_HOLD:
-    case FROB_TOGGLE:
-        set_flag(input, touched->value, x < 0.0 || x > 0.0);
-        break;
-    case FROB_KNOB:
-        set_number(input, touched->value, within(touched, x));
-        break;
+    case FROB_TOGGLE: set_flag(input, touched->value, x < 0.0 || x > 0.0); break;
+    case FROB_KNOB: set_number(input, touched->value, within(touched, x)); break;
     case FROB_MAP:
         set_event(input, touched->value, true);
         /* Event (x, y) */
@@ -112,8 +106,7 @@ bool frob_console_touch(const struct frob_program *program, void *input, size_t 
         set_number(input, place[1].value, y);
         break;
     case FROB_CAMERA:
-    case FROB_TAGS:
-        return false;
+    case FROB_TAGS: return false;
     }
     return true;
 }

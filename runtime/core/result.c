@@ -4,8 +4,7 @@
 bool frob_has_ended(const struct frob_program *program, const void *output)
 {
     /* The event's tag: 0 is NoEvent. */
-    return program->result != NULL &&
-           ((const uint8_t *)output)[program->result->offset] != 0;
+    return program->result != NULL && ((const uint8_t *)output)[program->result->offset] != 0;
 }
 
 void frob_result_write(struct frob_text *text, const struct frob_program *program,

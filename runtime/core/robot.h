@@ -54,7 +54,7 @@ struct frob_robot {
     int64_t stop_due_ns;     /* while at rest */
     int64_t halted_ns;       /* the last frob_robot_halt */
     uint32_t connections;
-    uint32_t stale;          /* how often readings became too old */
+    uint32_t stale; /* how often readings became too old */
     union {
         double aligned;
         unsigned char bytes[FROB_OUTPUT_MOST];

@@ -71,8 +71,7 @@ static void add_name(void *context, const char *name, const struct frob_value *v
         frob_text_add_char(text, '"');
 }
 
-void frob_trace_header(struct frob_text *text, const struct frob_program *program,
-                       unsigned parts)
+void frob_trace_header(struct frob_text *text, const struct frob_program *program, unsigned parts)
 {
     frob_text_add(text, "time");
     if ((parts & FROB_TRACE_IN) != 0)
@@ -144,15 +143,14 @@ int32_t frob_trace_mode(const struct frob_program *program, size_t i, const void
     return number;
 }
 
-static void add_columns(struct frob_text *text, const struct frob_program *program,
-                        unsigned parts, int64_t time_ns, const void *in, const void *out)
+static void add_columns(struct frob_text *text, const struct frob_program *program, unsigned parts,
+                        int64_t time_ns, const void *in, const void *out)
 {
     char stamp[40];
     uint64_t ns = time_ns < 0 ? 0u - (uint64_t)time_ns : (uint64_t)time_ns;
     struct row row = { text, in };
     snprintf(stamp, sizeof stamp, "%s%llu.%09llu", time_ns < 0 ? "-" : "",
-             (unsigned long long)(ns / 1000000000u),
-             (unsigned long long)(ns % 1000000000u));
+             (unsigned long long)(ns / 1000000000u), (unsigned long long)(ns % 1000000000u));
     frob_text_add(text, stamp);
     if ((parts & FROB_TRACE_IN) != 0)
         frob_trace_columns(program->input, "in", add_cell, &row);
@@ -163,16 +161,16 @@ static void add_columns(struct frob_text *text, const struct frob_program *progr
         frob_trace_columns(program->probes, "probe", add_cell, &row);
 }
 
-void frob_trace_row(struct frob_text *text, const struct frob_program *program,
-                    unsigned parts, int64_t time_ns, const void *in, const void *out)
+void frob_trace_row(struct frob_text *text, const struct frob_program *program, unsigned parts,
+                    int64_t time_ns, const void *in, const void *out)
 {
     add_columns(text, program, parts, time_ns, in, out);
     frob_text_add_char(text, '\n');
 }
 
 void frob_trace_row_with_modes(struct frob_text *text, const struct frob_program *program,
-                               unsigned parts, int64_t time_ns, const void *in,
-                               const void *out, const void *state)
+                               unsigned parts, int64_t time_ns, const void *in, const void *out,
+                               const void *state)
 {
     add_columns(text, program, parts, time_ns, in, out);
     for (size_t i = 0; i < program->machine_count; i++) {

@@ -11,76 +11,83 @@
 #include <string.h>
 
 struct pair {
-  double high;
-  double low;
+    double high;
+    double low;
 };
 
 /* a + b exactly; |a| >= |b| or a = 0. */
-static inline struct pair sum_ordered(double a, double b) {
-  struct pair s;
-  s.high = a + b;
-  s.low = b - (s.high - a);
-  return s;
+static inline struct pair sum_ordered(double a, double b)
+{
+    struct pair s;
+    s.high = a + b;
+    s.low = b - (s.high - a);
+    return s;
 }
 
 /* a + b exactly. */
-static inline struct pair sum(double a, double b) {
-  struct pair s;
-  s.high = a + b;
-  double const of_b = s.high - a;
-  s.low = (a - (s.high - of_b)) + (b - of_b);
-  return s;
+static inline struct pair sum(double a, double b)
+{
+    struct pair s;
+    s.high = a + b;
+    double const of_b = s.high - a;
+    s.low = (a - (s.high - of_b)) + (b - of_b);
+    return s;
 }
 
 /* a as two halves of 26 bits at most; |a| < 2^996. */
-static inline struct pair halves(double a) {
-  double const scaled = 134217729.0 * a; /* 2^27 + 1 */
-  struct pair s;
-  s.high = scaled - (scaled - a);
-  s.low = a - s.high;
-  return s;
+static inline struct pair halves(double a)
+{
+    double const scaled = 134217729.0 * a; /* 2^27 + 1 */
+    struct pair s;
+    s.high = scaled - (scaled - a);
+    s.low = a - s.high;
+    return s;
 }
 
 /* a * b exactly, unless it comes near the ends of the exponent's range. */
-static inline struct pair product(double a, double b) {
-  struct pair const x = halves(a);
-  struct pair const y = halves(b);
-  struct pair p;
-  p.high = a * b;
-  p.low = ((x.high * y.high - p.high) + x.high * y.low + x.low * y.high) +
-          x.low * y.low;
-  return p;
+static inline struct pair product(double a, double b)
+{
+    struct pair const x = halves(a);
+    struct pair const y = halves(b);
+    struct pair p;
+    p.high = a * b;
+    p.low = ((x.high * y.high - p.high) + x.high * y.low + x.low * y.high) + x.low * y.low;
+    return p;
 }
 
 /* The quotient of two positive pairs, to about 100 bits. */
-static inline struct pair quotient(struct pair a, struct pair b) {
-  double const q = a.high / b.high;
-  struct pair const back = product(q, b.high);
-  double const rest =
-      (((a.high - back.high) - back.low) + a.low) - q * b.low;
-  return sum_ordered(q, rest / b.high);
+static inline struct pair quotient(struct pair a, struct pair b)
+{
+    double const q = a.high / b.high;
+    struct pair const back = product(q, b.high);
+    double const rest = (((a.high - back.high) - back.low) + a.low) - q * b.low;
+    return sum_ordered(q, rest / b.high);
 }
 
-static inline uint64_t bits_of(double x) {
-  uint64_t bits;
-  memcpy(&bits, &x, sizeof bits);
-  return bits;
+static inline uint64_t bits_of(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
 }
 
-static inline double of_bits(uint64_t bits) {
-  double x;
-  memcpy(&x, &bits, sizeof x);
-  return x;
+static inline double of_bits(uint64_t bits)
+{
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
 }
 
 /* 2^k, a normal number: -1022 <= k <= 1023. */
-static inline double power_of_two(int k) {
-  return of_bits((uint64_t)(k + 1023) << 52);
+static inline double power_of_two(int k)
+{
+    return of_bits((uint64_t)(k + 1023) << 52);
 }
 
 /* The exponent field less its bias: floor(log2 |x|) of a normal x. */
-static inline int exponent_of(double x) {
-  return (int)((bits_of(x) >> 52) & 0x7ff) - 1023;
+static inline int exponent_of(double x)
+{
+    return (int)((bits_of(x) >> 52) & 0x7ff) - 1023;
 }
 
 #endif

@@ -3,9 +3,13 @@
 
 #include "log_kernel.h"
 
-double frob_log(double x) {
-  if (isnan(x) || x < 0.0) return NAN;
-  if (x == 0.0) return -INFINITY;
-  if (isinf(x)) return INFINITY;
-  return log_pair(x).high;
+double frob_log(double x)
+{
+    if (isnan(x) || x < 0.0)
+        return NAN;
+    if (x == 0.0)
+        return -INFINITY;
+    if (isinf(x))
+        return INFINITY;
+    return log_pair(x).high;
 }

@@ -33,7 +33,7 @@ static void pure_colour(double hue, int32_t colour[3])
     const double side = within(0, 6, within_turn(hue) / turn * 6);
     const int32_t number = (int32_t)side;
     const int32_t part = (int32_t)((side - number) * (double)STEPS + 0.5);
-    const int32_t around[6] = {STEPS, STEPS - part, 0, 0, part, STEPS};
+    const int32_t around[6] = { STEPS, STEPS - part, 0, 0, part, STEPS };
 
     for (int32_t i = 0; i < 3; i++)
         colour[i] = around[(number + 6 - 2 * i) % 6];
@@ -105,10 +105,10 @@ static void match_colours(const uint8_t *FROB_APART pixels, int32_t count,
         const int16_t parts = (int16_t)(chroma * 128);
         const int past = (int16_t)(fr * r + fg * g + fb * b) >= 0;
         const int before = (int16_t)(tr * r + tg * g + tb * b) >= 0;
-        mask[i] = (uint8_t)(((past & before) | (wide & (past | before))) &
-                            (parts >= (int16_t)(pale * value)) &
-                            (parts <= (int16_t)(strong * value)) & (value >= dark) &
-                            (value <= bright));
+        mask[i] =
+            (uint8_t)(((past & before) | (wide & (past | before))) &
+                      (parts >= (int16_t)(pale * value)) & (parts <= (int16_t)(strong * value)) &
+                      (value >= dark) & (value <= bright));
     }
 }
 
@@ -139,7 +139,7 @@ void frob_match_row(const struct frob_image *image, int32_t y, int32_t left, int
 
 bool frob_next_run(const uint8_t *mask, int32_t count, int32_t *start, int32_t *end)
 {
-    static const uint8_t none[8] = {0};
+    static const uint8_t none[8] = { 0 };
     int32_t i = *end;
 
     while (i + 8 <= count && memcmp(mask + i, none, 8) == 0)

@@ -10,10 +10,10 @@
  * which side of it (r, g, b) is tells the sign of the triple product with the axis and the
  * pure colour of that hue, which is from * (r, g, b). */
 struct frob_colours {
-    int16_t from[3], to[3];  /* a pixel is at or past the first hue, at or before the last, … */
-    int16_t wide;            /* … both, or, if the range is more than half a turn, one of it */
-    int16_t pale, strong;    /* saturation, of 128 */
-    int16_t dark, bright;    /* value, of 255; no pixel if dark is 256 */
+    int16_t from[3], to[3]; /* a pixel is at or past the first hue, at or before the last, … */
+    int16_t wide;           /* … both, or, if the range is more than half a turn, one of it */
+    int16_t pale, strong;   /* saturation, of 128 */
+    int16_t dark, bright;   /* value, of 255; no pixel if dark is 256 */
 };
 
 struct frob_colours frob_colours_of(const struct frob_colour_range *range);

@@ -126,7 +126,7 @@ static void find(const struct frob_image *image, const struct frob_view *view,
             frob_match_row(image, y, view->left, view->right, colours, mask);
         while (y < view->bottom && frob_next_run(mask, view->right - view->left, &start, &end)) {
             const int32_t component = component_of(all, above, &first, start, end);
-            const struct run run = {start, end, component};
+            const struct run run = { start, end, component };
             frob_add_run(&all->moments[component], y, view->left + start, view->left + end);
             row->runs[row->count++] = run;
         }

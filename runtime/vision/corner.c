@@ -67,8 +67,7 @@ static void scores_of(const struct sums *sums, int32_t left, int32_t right, doub
 /* Foerstner and Guelch: the place that all lines through pixels, along their edges, come
  * nearest to, by least squares of their distances times the gradients. Of the pixels
  * around (x, y), all of whose neighbours are in the image; false if it is not there. */
-static bool refine(const struct frob_image *image, int32_t x, int32_t y,
-                   struct frob_corner *corner)
+static bool refine(const struct frob_image *image, int32_t x, int32_t y, struct frob_corner *corner)
 {
     double xx = 0, xy = 0, yy = 0, toward_x = 0, toward_y = 0, toward, determinant;
     struct greys greys;
@@ -132,8 +131,8 @@ void frob_find_corner(const struct frob_image *image, const struct frob_region *
     /* With the corner in the middle there is more of it to see. */
     for (int32_t i = 0; i < 3 && result->score > 0; i++) {
         const int32_t x = (int32_t)(result->x + 0.5), y = (int32_t)(result->y + 0.5);
-        if (x < margin || y < margin || x >= image->width - margin ||
-            y >= image->height - margin || !refine(image, x, y, result))
+        if (x < margin || y < margin || x >= image->width - margin || y >= image->height - margin ||
+            !refine(image, x, y, result))
             return;
     }
 }

@@ -12,7 +12,7 @@
 enum { REACH = 3, HALF = 64, PLACES = 2 * (HALF + REACH + 1) + 1 };
 
 /* j exp(-j^2 / 2) of j = 1, 2, 3, so that a slope of 1 gives 1. */
-static const double weights[REACH] = {0.24302970, 0.10845335, 0.01335376};
+static const double weights[REACH] = { 0.24302970, 0.10845335, 0.01335376 };
 
 /* The mean across the segment `along` from its middle; false if part of it is outside. */
 static bool seen(const struct frob_image *image, const struct frob_segment *s, double cosine,

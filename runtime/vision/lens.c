@@ -34,9 +34,9 @@ static uint64_t stirred(uint64_t hash, uint64_t word)
 int32_t frob_image_key(const struct frob_image *image)
 {
     const struct frob_camera *c = &image->camera;
-    const double seat[] = { c->focal_x, c->focal_y, c->centre_x,  c->centre_y, c->k1,
-                            c->k2,      c->k3,      c->p1,        c->p2,       c->x_m,
-                            c->y_m,     c->z_m,     c->yaw_rad, c->pitch_rad, c->roll_rad };
+    const double seat[] = { c->focal_x, c->focal_y, c->centre_x, c->centre_y,  c->k1,
+                            c->k2,      c->k3,      c->p1,       c->p2,        c->x_m,
+                            c->y_m,     c->z_m,     c->yaw_rad,  c->pitch_rad, c->roll_rad };
     uint64_t hash = stirred(UINT64_C(0xcbf29ce484222325), (uint64_t)image->captured_ns);
     uint32_t low;
     int32_t key;

@@ -7,12 +7,15 @@
 
 struct frob_moments frob_no_moments(void)
 {
-    const struct frob_moments none = {0, 0, 0, 0, 0, 0, INT32_MAX, INT32_MAX, -1, -1};
+    const struct frob_moments none = { 0, 0, 0, 0, 0, 0, INT32_MAX, INT32_MAX, -1, -1 };
     return none;
 }
 
 /* 0^2 + 1^2 + … + (n - 1)^2 */
-static int64_t squares_below(int64_t n) { return n * (n - 1) * (2 * n - 1) / 6; }
+static int64_t squares_below(int64_t n)
+{
+    return n * (n - 1) * (2 * n - 1) / 6;
+}
 
 void frob_add_run(struct frob_moments *moments, int32_t y, int32_t start, int32_t end)
 {

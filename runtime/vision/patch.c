@@ -83,10 +83,7 @@ int32_t frob_cut_patch(const struct frob_greys *greys, const struct frob_placeme
     const double cosine = place->scale * frob_cos(place->angle);
     const double sine = place->scale * frob_sin(place->angle);
     /* Each sample is the mean of so many by so many. */
-    const int32_t parts = place->scale > 3   ? 4
-                          : place->scale > 2 ? 3
-                          : place->scale > 1.25 ? 2
-                                             : 1;
+    const int32_t parts = place->scale > 3 ? 4 : place->scale > 2 ? 3 : place->scale > 1.25 ? 2 : 1;
     const double right = greys->image->width - 0.5, bottom = greys->image->height - 0.5;
     int32_t inside = 0;
 

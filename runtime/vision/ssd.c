@@ -16,10 +16,10 @@ enum { SIDE = FROB_PATCH_SIDE, FREEDOMS = 4 };
 
 /* A patch as it is seen at a level, and what is made of it once. */
 struct model {
-    int32_t side, cell;              /* samples a side; each the mean of cell by cell */
+    int32_t side, cell; /* samples a side; each the mean of cell by cell */
     int32_t freedom;
-    double values[FROB_PATCH_SIZE];  /* less their mean */
-    double power;                    /* the sum of their squares */
+    double values[FROB_PATCH_SIZE]; /* less their mean */
+    double power;                   /* the sum of their squares */
     /* How the values change with x, y, angle and the logarithm of scale; Cholesky's lower
      * factor of the matrix of the equations. */
     double steps[FREEDOMS][FROB_PATCH_SIZE];
@@ -127,8 +127,7 @@ static bool prepare(struct model *t, const double patch[FROB_PATCH_SIZE], int32_
 }
 
 /* The step that makes the template most like the values, whose contrast is `gain` times its. */
-static void solve(const struct model *t, const double *values, double gain,
-                  double step[FREEDOMS])
+static void solve(const struct model *t, const double *values, double gain, double step[FREEDOMS])
 {
     for (int32_t k = 0; k < FREEDOMS; k++) {
         step[k] = 0;
@@ -146,7 +145,10 @@ static void solve(const struct model *t, const double *values, double gain,
     }
 }
 
-static double limited(double most, double x) { return !(x > -most) ? -most : x > most ? most : x; }
+static double limited(double most, double x)
+{
+    return !(x > -most) ? -most : x > most ? most : x;
+}
 
 /* Moves the place against a step; gives how far, in samples. */
 static double move(const struct model *t, const double step[FREEDOMS],
@@ -162,7 +164,7 @@ static double move(const struct model *t, const double step[FREEDOMS],
     place->x -= x * cosine - y * sine;
     place->y -= x * sine + y * cosine;
     place->angle = angle;
-    place->scale = scale < from->scale / 2 ? from->scale / 2
+    place->scale = scale < from->scale / 2   ? from->scale / 2
                    : scale > from->scale * 2 ? from->scale * 2
                                              : scale;
     /* At the rim of the patch an angle and a growth are as much as so many samples. */
@@ -178,8 +180,8 @@ static double unlikeness(double power, double other, double both)
 }
 
 /* What fits best of all places that were looked at, at one level. */
-static void search_level(const struct frob_greys *greys, const struct model *t,
-                         int32_t iterations, struct frob_match *best)
+static void search_level(const struct frob_greys *greys, const struct model *t, int32_t iterations,
+                         struct frob_match *best)
 {
     const struct frob_placement from = best->place;
     struct frob_placement place = from;
@@ -209,8 +211,9 @@ void frob_match_patch(const struct frob_image *image, const double patch[FROB_PA
 {
     const int32_t level = search->level < 0 ? 0 : search->level > 2 ? 2 : search->level;
     const int32_t freedom = search->freedom < 2 ? 2 : search->freedom > 4 ? 4 : search->freedom;
-    const int32_t iterations =
-        search->iterations < 0 ? 0 : search->iterations > 30 ? 30 : search->iterations;
+    const int32_t iterations = search->iterations < 0    ? 0
+                               : search->iterations > 30 ? 30
+                                                         : search->iterations;
     struct frob_greys greys;
     struct model t;
 

@@ -72,7 +72,10 @@ static double depth_of(uint32_t bits)
     return (double)depth;
 }
 
-static bool is_known(uint32_t bits) { return bits > 0 && bits < UINT32_C(0x7f800000); }
+static bool is_known(uint32_t bits)
+{
+    return bits > 0 && bits < UINT32_C(0x7f800000);
+}
 
 /* The depth with k before it in order: eight bits more with each look at the pixels. */
 static double depth_with(const struct frob_image *image, const struct frob_view *view, int64_t k)

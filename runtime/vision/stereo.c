@@ -16,7 +16,10 @@ static int32_t disparities_of(const struct frob_stereo *how)
     return (limited(16, how->disparities, 256) + 8) / 16 * 16;
 }
 
-static int32_t around_of(const struct frob_stereo *how) { return limited(5, how->window, 21) / 2; }
+static int32_t around_of(const struct frob_stereo *how)
+{
+    return limited(5, how->window, 21) / 2;
+}
 
 size_t frob_stereo_room(int32_t width, const struct frob_stereo *how)
 {

@@ -13,15 +13,15 @@
 struct frob_stereo_rows {
     const struct frob_image *left, *right;
     struct frob_view view;
-    int32_t width, disparities, around; /* the square's side is 2 around + 1 */
-    int32_t wide;                       /* columns that squares reach, width + 2 around */
-    uint16_t *columns;                  /* disparities x wide: sums down a square's height */
-    uint16_t *squares;                  /* disparities x wide: sums of squares, of `width` */
+    int32_t width, disparities, around;    /* the square's side is 2 around + 1 */
+    int32_t wide;                          /* columns that squares reach, width + 2 around */
+    uint16_t *columns;                     /* disparities x wide: sums down a square's height */
+    uint16_t *squares;                     /* disparities x wide: sums of squares, of `width` */
     int32_t texture[FROB_IMAGE_SIDE + 32]; /* how much the left image changes down there */
 };
 
 /* Numbers of 16 bits in the room for so many columns. */
-#define FROB_STEREO_ROOM(width, disparities, window)                                               \
+#define FROB_STEREO_ROOM(width, disparities, window) \
     (((size_t)(width) + (window)) * 2 * (size_t)(disparities))
 
 /* Where in the room what is, and the rows above the first one. False if there is nothing to

@@ -32,12 +32,14 @@ static struct vector plus(struct vector a, double k, struct vector b)
     return sum;
 }
 
-static double dot(struct vector a, struct vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static double dot(struct vector a, struct vector b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 static struct vector cross(struct vector a, struct vector b)
 {
-    const struct vector c = { a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
-                              a.x * b.y - a.y * b.x };
+    const struct vector c = { a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
     return c;
 }
 
@@ -139,8 +141,7 @@ static double misfit(const struct pose *p, const double x[4], const double y[4],
             a[i][j] = 0;
     }
     for (int32_t i = 0; i < 4; i++) {
-        const struct vector arm =
-            plus(scaled(corner_x[i], p->right), corner_y[i], p->down);
+        const struct vector arm = plus(scaled(corner_x[i], p->right), corner_y[i], p->down);
         const struct vector at = plus(p->middle, 1, arm);
         const double off_x = x[i] - at.x / at.z, off_y = y[i] - at.y / at.z;
         if (!(at.z > 0))
@@ -151,10 +152,10 @@ static double misfit(const struct pose *p, const double x[4], const double y[4],
             const double along_x[3] = { 1 / at.z, 0, -at.x / (at.z * at.z) };
             const double along_y[3] = { 0, 1 / at.z, -at.y / (at.z * at.z) };
             const double rows[2][FREEDOM] = {
-                { along_x[2] * arm.y, along_x[0] * arm.z - along_x[2] * arm.x,
-                  -along_x[0] * arm.y, along_x[0], 0, along_x[2] },
-                { along_y[2] * arm.y - along_y[1] * arm.z, -along_y[2] * arm.x,
-                  along_y[1] * arm.x, 0, along_y[1], along_y[2] }
+                { along_x[2] * arm.y, along_x[0] * arm.z - along_x[2] * arm.x, -along_x[0] * arm.y,
+                  along_x[0], 0, along_x[2] },
+                { along_y[2] * arm.y - along_y[1] * arm.z, -along_y[2] * arm.x, along_y[1] * arm.x,
+                  0, along_y[1], along_y[2] }
             };
             for (int32_t j = 0; j < FREEDOM; j++) {
                 b[j] += rows[0][j] * off_x + rows[1][j] * off_y;

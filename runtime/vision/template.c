@@ -41,8 +41,7 @@ static void reduce(const struct frob_image *image, const struct frob_view *view,
         const int32_t top = (int32_t)(j * size), bottom = (int32_t)((j + 1) * size);
         memset(sums, 0, sizeof sums);
         for (int32_t y = top; y < bottom; y++) {
-            const uint8_t *row =
-                frob_grey_row(image, view->top + y, view->left, view->right, room);
+            const uint8_t *row = frob_grey_row(image, view->top + y, view->left, view->right, room);
             for (int32_t i = 0; i < cells->columns; i++)
                 for (int32_t x = (int32_t)(i * size); x < (int32_t)((i + 1) * size); x++)
                     sums[i] += row[x];
@@ -70,8 +69,8 @@ static bool mean_of(const double *patch, double u, double v, double size, double
         for (int32_t i = 0; i < parts; i++) {
             const int32_t column = (int32_t)(left + (i + 0.5) * size / parts + 0.5);
             const int32_t row = (int32_t)(top + (j + 0.5) * size / parts + 0.5);
-            sum += patch[(row < SIDE ? row : SIDE - 1) * SIDE +
-                         (column < SIDE ? column : SIDE - 1)];
+            sum +=
+                patch[(row < SIDE ? row : SIDE - 1) * SIDE + (column < SIDE ? column : SIDE - 1)];
         }
     *mean = sum / (parts * parts);
     return true;
@@ -114,7 +113,8 @@ struct row_sums {
 };
 
 static void add_part(const uint8_t *FROB_APART means, int32_t value, int32_t count,
-                     int32_t *FROB_APART sum, int32_t *FROB_APART squares, int32_t *FROB_APART products)
+                     int32_t *FROB_APART sum, int32_t *FROB_APART squares,
+                     int32_t *FROB_APART products)
 {
     for (int32_t i = 0; i < count; i++) {
         const int32_t mean = means[i];
@@ -124,7 +124,10 @@ static void add_part(const uint8_t *FROB_APART means, int32_t value, int32_t cou
     }
 }
 
-static double larger(double a, double b) { return a > b ? a : b; }
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
 
 void frob_find_template(const struct frob_image *image, const struct frob_region *roi,
                         const double patch[FROB_PATCH_SIZE], const struct frob_placement *like,
@@ -160,8 +163,7 @@ void frob_find_template(const struct frob_image *image, const struct frob_region
             add_part(&cells.means[j + parts[k].row][reach + parts[k].column], parts[k].value,
                      across, sums.sum, sums.squares, sums.products);
         for (int32_t i = 0; i < across; i++) {
-            const double other =
-                sums.squares[i] - sums.sum[i] * (double)sums.sum[i] / count;
+            const double other = sums.squares[i] - sums.sum[i] * (double)sums.sum[i] / count;
             const double both = sums.products[i];
             /* The correlation's square; a contrast of one step of brightness is none. */
             if (both > 0 && other > count && both * both > best * power * other) {

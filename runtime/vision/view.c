@@ -17,7 +17,7 @@ static int32_t first_from(double x, int32_t most)
 
 struct frob_view frob_view_of(const struct frob_image *image, const struct frob_region *roi)
 {
-    const struct frob_view nothing = {0, 0, 0, 0};
+    const struct frob_view nothing = { 0, 0, 0, 0 };
     const double right = roi->x + roi->width, bottom = roi->y + roi->height;
     struct frob_view view;
 
@@ -53,7 +53,10 @@ const uint8_t *frob_grey_row(const struct frob_image *image, int32_t y, int32_t 
     return room;
 }
 
-static double limited(double x, double most) { return !(x > 0) ? 0 : x > most ? most : x; }
+static double limited(double x, double most)
+{
+    return !(x > 0) ? 0 : x > most ? most : x;
+}
 
 double frob_grey_at(const struct frob_image *image, double x, double y)
 {

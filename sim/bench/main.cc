@@ -33,7 +33,8 @@ extern "C" {
 
 using namespace frob::sim;
 
-namespace {
+namespace
+{
 
 constexpr std::uint64_t seed = 1;
 
@@ -42,7 +43,8 @@ struct Motion {
     float turn;
 };
 
-double seconds_since(std::clock_t start) {
+double seconds_since(std::clock_t start)
+{
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
@@ -50,17 +52,20 @@ double seconds_since(std::clock_t start) {
 // physics. Returns how many seconds it took.
 template <typename EachStep>
 double run_program(const frob_program &program, const Scene &scene, double duration_s,
-                   double rate_hz, EachStep each_step) {
+                   double rate_hz, EachStep each_step)
+{
     Simulation simulation(scene, seed, false);
     const std::size_t robots = simulation.robots();
     const std::size_t room = program.state_size / sizeof(std::max_align_t) + 1;
     std::vector<std::max_align_t> states(room * robots);
     const std::clock_t start = std::clock();
-    for (std::size_t k = 0; k < robots; ++k) program.reset(&states[room * k], program.default_params);
+    for (std::size_t k = 0; k < robots; ++k)
+        program.reset(&states[room * k], program.default_params);
     std::int64_t before_ns = 0;
     for (std::int64_t instant = 0;; ++instant) {
         const std::int64_t now_ns = std::llround(static_cast<double>(instant) * 1e9 / rate_hz);
-        if (static_cast<double>(now_ns) > duration_s * 1e9) break;
+        if (static_cast<double>(now_ns) > duration_s * 1e9)
+            break;
         while (simulation.time_ns() + step_ns <= now_ns) {
             simulation.advance(simulation.time_ns() + step_ns);
             each_step(simulation.world().robots());
@@ -69,8 +74,8 @@ double run_program(const frob_program &program, const Scene &scene, double durat
             frob_pioneer_input input;
             simulation.read(&input, k);
             frob_pioneer_output output{};
-            program.step(&states[room * k], program.default_params, static_cast<double>(now_ns - before_ns) / 1e9, &input,
-                         &output);
+            program.step(&states[room * k], program.default_params,
+                         static_cast<double>(now_ns - before_ns) / 1e9, &input, &output);
             simulation.command(now_ns, &output, k);
         }
         before_ns = now_ns;
@@ -79,7 +84,8 @@ double run_program(const frob_program &program, const Scene &scene, double durat
 }
 
 // The nearest thing in a cone, by Box2D's rays alone.
-double nearest_by_box2d(const Body &body, const Pose &from, int rays) {
+double nearest_by_box2d(const Body &body, const Pose &from, int rays)
+{
     double nearest = p3dx::sonar_farthest;
     for (int i = 0; i < rays; ++i) {
         const double off = p3dx::sonar_half_angle * (rays == 1 ? 0.0 : 2.0 * i / (rays - 1) - 1.0);
@@ -88,7 +94,8 @@ double nearest_by_box2d(const Body &body, const Pose &from, int rays) {
     return nearest;
 }
 
-double nearest_by_simulator(const Body &body, const Pose &from, int rays) {
+double nearest_by_simulator(const Body &body, const Pose &from, int rays)
+{
     return nearest_in_cone(body, from, p3dx::sonar_half_angle, p3dx::sonar_farthest, rays)
         .value_or(p3dx::sonar_farthest);
 }
@@ -97,8 +104,10 @@ double nearest_by_simulator(const Body &body, const Pose &from, int rays) {
 // added so that no ray can be left out.
 template <typename Nearest>
 double run_physics(const Scene &scene, const std::vector<Motion> &motions, Nearest nearest,
-                   double &sum) {
-    const std::size_t steps_between_pings = static_cast<std::size_t>(p3dx::ring().ping_ns / step_ns);
+                   double &sum)
+{
+    const std::size_t steps_between_pings =
+        static_cast<std::size_t>(p3dx::ring().ping_ns / step_ns);
     World world(scene, p3dx::chassis());
     std::vector<Body> &robots = world.robots();
     const auto ping = [&](std::size_t array, std::size_t turn) {
@@ -116,18 +125,22 @@ double run_physics(const Scene &scene, const std::vector<Motion> &motions, Neare
         }
         world.step();
         const std::size_t step = i + 1, turn = step / steps_between_pings;
-        if (step % steps_between_pings == 0) ping(0, turn);
-        if (step % steps_between_pings == steps_between_pings / 2) ping(1, turn);
+        if (step % steps_between_pings == 0)
+            ping(0, turn);
+        if (step % steps_between_pings == steps_between_pings / 2)
+            ping(1, turn);
     }
     return seconds_since(start);
 }
 
 int bench(const frob_program &program, const Scene &scene, double duration_s, double rate_hz,
-          int rounds) {
+          int rounds)
+{
     std::vector<Motion> motions;
     run_program(program, scene, duration_s, rate_hz, [&](const std::vector<Body> &robots) {
         for (const Body &robot : robots)
-            motions.push_back({robot.rigid().GetLinearVelocity(), robot.rigid().GetAngularVelocity()});
+            motions.push_back(
+                { robot.rigid().GetLinearVelocity(), robot.rigid().GetAngularVelocity() });
     });
     double with_program = 1e30, bare = 1e30, by_cone = 1e30, sum = 0.0;
     for (int i = 0; i < rounds; ++i) {
@@ -136,8 +149,7 @@ int bench(const frob_program &program, const Scene &scene, double duration_s, do
         with_program = std::min(with_program, run_program(program, scene, duration_s, rate_hz,
                                                           [](const std::vector<Body> &) {}));
     }
-    const double simulated =
-        static_cast<double>(motions.size() / scene.starts.size()) * step_s;
+    const double simulated = static_cast<double>(motions.size() / scene.starts.size()) * step_s;
     std::printf("robots: %zu\n", scene.starts.size());
     std::printf("bare Box2D: %.4g simulated seconds per second\n", simulated / bare);
     std::printf("bare, a look-up a cone: %.4g simulated seconds per second\n", simulated / by_cone);
@@ -149,13 +161,16 @@ int bench(const frob_program &program, const Scene &scene, double duration_s, do
 
 } // namespace
 
-int main(int argc, char **argv) {
+int main(int argc, char **argv)
+{
     if (argc < 3 || argc > 6) {
-        std::fputs("usage: frob-sim-bench PROGRAM.so WORLD.toml [SECONDS [RATE [ROUNDS]]]\n", stderr);
+        std::fputs("usage: frob-sim-bench PROGRAM.so WORLD.toml [SECONDS [RATE [ROUNDS]]]\n",
+                   stderr);
         return 2;
     }
     const frob_program *program = frob_load(argv[1]);
-    if (program == nullptr) return 2;
+    if (program == nullptr)
+        return 2;
     const double duration_s = argc > 3 ? std::atof(argv[3]) : 60.0;
     const double rate_hz = argc > 4 ? std::atof(argv[4]) : 50.0;
     const int rounds = argc > 5 ? std::atoi(argv[5]) : 41;

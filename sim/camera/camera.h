@@ -14,9 +14,11 @@
 #include "scenery.h"
 #include "truth.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class Camera {
+class Camera
+{
   public:
     // Of robot number `robot`; the scenery, which cameras share, must stay. Cameras with the same
     // `trigger`, a seed, take their frames at the same times.
@@ -44,7 +46,7 @@ class Camera {
     struct Exposure {
         std::uint32_t number;
         std::int64_t taken_ns, rolled_ns, arrives_ns; // first row, last row, frame
-        std::vector<std::int64_t> times_ns; // of moments, from the first row to the last
+        std::vector<std::int64_t> times_ns;           // of moments, from the first row to the last
         std::vector<std::shared_ptr<const Moment>> moments;
 
         bool is_whole() const { return times_ns.back() >= rolled_ns; }
@@ -69,10 +71,10 @@ class Camera {
     std::deque<Exposure> waiting_;
 
     std::optional<Raster> raster_;
-    int margin_x_ = 0, margin_y_ = 0;      // of the raster around the picture, with distortion
-    std::vector<Vec> lens_map_;            // for each pixel where it is in the raster, likewise
-    std::vector<float> straight_;          // the light of all of the raster, likewise
-    std::vector<float> light_;             // of a row: red, green, blue of each pixel
+    int margin_x_ = 0, margin_y_ = 0; // of the raster around the picture, with distortion
+    std::vector<Vec> lens_map_;       // for each pixel where it is in the raster, likewise
+    std::vector<float> straight_;     // the light of all of the raster, likewise
+    std::vector<float> light_;        // of a row: red, green, blue of each pixel
     Film film_;
     frob_image image_{};
     std::optional<Exposure> exposure_; // of that one

@@ -7,9 +7,11 @@
 
 #include "scene.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class Film {
+class Film
+{
   public:
     Film(const CameraSettings &settings, std::uint64_t seed);
 
@@ -26,19 +28,19 @@ class Film {
   private:
     void develop(int y);
 
-    const int height_, radius_; // of the square over which light is spread, without its middle
+    const int height_, radius_;     // of the square over which light is spread, without its middle
     const std::size_t row_, parts_; // numbers of a row of light, and of one of pixels
     const float noise_;
     const std::uint64_t seed_;
     std::uint32_t number_ = 0;
     int exposed_ = 0;
 
-    std::vector<float> gains_;   // of each of a row's parts, by how many pixels share its light
-    std::vector<float> padded_;  // a row of light, with darkness at both ends
+    std::vector<float> gains_;  // of each of a row's parts, by how many pixels share its light
+    std::vector<float> padded_; // a row of light, with darkness at both ends
     std::vector<float> dark_;
-    std::vector<float> spread_;  // the last rows, each spread along itself, one behind the other
-    std::vector<float> sums_;    // of these
-    std::vector<float> grey_;    // of these, one a pixel
+    std::vector<float> spread_; // the last rows, each spread along itself, one behind the other
+    std::vector<float> sums_;   // of these
+    std::vector<float> grey_;   // of these, one a pixel
     std::vector<std::uint8_t> pixels_;
 };
 

@@ -12,7 +12,8 @@
 #include "texture.h"
 #include "truth.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // A pinhole camera in the world. A pixel's ray is ahead + (x - cx)/f right + (y - cy)/f down,
 // so a place that is t rays away has the depth t along the axis.
@@ -23,7 +24,8 @@ struct Pinhole {
     double cx = 0.0, cy = 0.0;
     int width = 0, height = 0;
 
-    Point ray(double x, double y) const {
+    Point ray(double x, double y) const
+    {
         return ahead + ((x - cx) / focal) * right + ((y - cy) / focal) * down;
     }
 };
@@ -51,7 +53,8 @@ struct Shine {
     double light;
 };
 
-class Raster {
+class Raster
+{
   public:
     // For pictures with rows of so many pixels at most.
     explicit Raster(int longest_row);
@@ -90,7 +93,8 @@ class Raster {
     Thing thing(int x) const;
 
     // How far away that is along the axis, in metres; infinity for the sky.
-    double depth(int x) const {
+    double depth(int x) const
+    {
         return 1.0 / static_cast<double>(inverses_[static_cast<std::size_t>(x)]);
     }
 
@@ -112,8 +116,8 @@ class Raster {
         // come; likewise on the right. None: it is as wide as a row.
         std::size_t left, left_end, right, right_end;
         bool lies_below;
-        Planar inverse, u, v;          // of the depth; of the places over the depth,
-        double u_start, v_start;       // from these on
+        Planar inverse, u, v;    // of the depth; of the places over the depth,
+        double u_start, v_start; // from these on
         Finish finish;
         Point normal; // of length 1, towards the camera
         Thing thing;
@@ -144,8 +148,9 @@ class Raster {
     // Which pixels a ball may be seen in; false if none.
     bool find_bounds(Ball &ball) const;
 
-    Planar planar(Point direction) const {
-        return {dot(corner_, direction), dot(right_, direction), dot(down_, direction)};
+    Planar planar(Point direction) const
+    {
+        return { dot(corner_, direction), dot(right_, direction), dot(down_, direction) };
     }
 
     Pinhole eye_;
@@ -158,7 +163,8 @@ class Raster {
     std::vector<Ball> balls_;
     std::vector<Edge> edges_;
     std::vector<Vec> outline_;
-    std::vector<std::size_t> order_, active_; // by their first rows; those of this row, in their order
+    std::vector<std::size_t> order_,
+        active_; // by their first rows; those of this row, in their order
     std::size_t begun_ = 0;
     bool is_sorted_ = false;
 

@@ -10,7 +10,8 @@
 #include "raster.h"
 #include "scene.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // Where things that move are, at the time of a frame.
 struct Moment {
@@ -22,7 +23,8 @@ struct Moment {
 // Between two of them, at a share of the way from a to b.
 Moment between(const Moment &a, const Moment &b, double share);
 
-class Scenery {
+class Scenery
+{
   public:
     // Both must stay.
     Scenery(const Scene &scene, const Chassis &chassis);

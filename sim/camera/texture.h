@@ -8,7 +8,8 @@
 
 #include "look.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // Where the pixels of a run along a row are on a surface: u along it and v across, in metres, and
 // how many pixels see a metre of it.
@@ -19,7 +20,8 @@ struct Run {
 
 // How bright a surface is at a place on it, about 1. What is finer than a pixel sees is seen as
 // its mean. All is IEEE arithmetic in single precision, in the same order on every machine.
-class Patterns {
+class Patterns
+{
   public:
     // Of runs of so many pixels at most.
     explicit Patterns(int longest);

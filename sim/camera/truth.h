@@ -4,27 +4,48 @@
 #include <cstddef>
 #include <vector>
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // Something that a camera sees: which one, from 0, of those of its kind in the world's file.
 // Posters and tags are numbered together, posters first. Robots are in the order of their starts.
 struct Thing {
     enum class Kind {
-        sky, floor, wall, polygon, circle, box, ball, cone, poster, robot, hole, tape, patch
+        sky,
+        floor,
+        wall,
+        polygon,
+        circle,
+        box,
+        ball,
+        cone,
+        poster,
+        robot,
+        hole,
+        tape,
+        patch
     };
 
     Kind kind = Kind::sky;
     std::size_t number = 0;
 };
 
-constexpr bool operator==(Thing a, Thing b) { return a.kind == b.kind && a.number == b.number; }
-constexpr bool operator!=(Thing a, Thing b) { return !(a == b); }
+constexpr bool operator==(Thing a, Thing b)
+{
+    return a.kind == b.kind && a.number == b.number;
+}
+constexpr bool operator!=(Thing a, Thing b)
+{
+    return !(a == b);
+}
 
-class Truth {
+class Truth
+{
   public:
     Truth(int width, int height)
-        : width_(static_cast<std::size_t>(width)),
-          seen_(width_ * static_cast<std::size_t>(height)) {}
+        : width_(static_cast<std::size_t>(width)), seen_(width_ * static_cast<std::size_t>(height))
+    {
+    }
 
     // Along the axis of the camera, in metres; infinity where there is only the sky.
     double depth_at(int x, int y) const { return seen_[index(x, y)].depth; }
@@ -32,7 +53,7 @@ class Truth {
     // Whose surface it is.
     Thing thing_at(int x, int y) const { return seen_[index(x, y)].thing; }
 
-    void set(int x, int y, double depth, Thing thing) { seen_[index(x, y)] = {depth, thing}; }
+    void set(int x, int y, double depth, Thing thing) { seen_[index(x, y)] = { depth, thing }; }
 
   private:
     struct Seen {
@@ -40,7 +61,8 @@ class Truth {
         Thing thing;
     };
 
-    std::size_t index(int x, int y) const {
+    std::size_t index(int x, int y) const
+    {
         return static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x);
     }
 

@@ -6,7 +6,8 @@
 
 #include "geometry.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 struct Colour {
     int red, green, blue;
@@ -15,27 +16,32 @@ struct Colour {
 
 // How a shape looks: filled, stroked, or both.
 struct Paint {
-    Colour fill{0, 0, 0, 0.0};
-    Colour stroke{0, 0, 0, 0.0};
+    Colour fill{ 0, 0, 0, 0.0 };
+    Colour stroke{ 0, 0, 0, 0.0 };
     double width = 1.0;
     std::vector<double> dash; // lengths of strokes and gaps
 };
 
-inline Paint filled(Colour colour) { return {colour, {0, 0, 0, 0.0}, 1.0, {}}; }
-inline Paint stroked(Colour colour, double width, std::vector<double> dash = {}) {
-    return {{0, 0, 0, 0.0}, colour, width, std::move(dash)};
+inline Paint filled(Colour colour)
+{
+    return { colour, { 0, 0, 0, 0.0 }, 1.0, {} };
+}
+inline Paint stroked(Colour colour, double width, std::vector<double> dash = {})
+{
+    return { { 0, 0, 0, 0.0 }, colour, width, std::move(dash) };
 }
 
 enum class Anchor { start, middle, end };
 
 struct TextStyle {
     double size = 12.0;
-    Colour colour{40, 44, 52};
+    Colour colour{ 40, 44, 52 };
     Anchor anchor = Anchor::start;
     bool bold = false;
 };
 
-class Canvas {
+class Canvas
+{
   public:
     virtual ~Canvas() = default;
 

@@ -5,7 +5,8 @@
 
 #include "simulation.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // The file's name ends in .svg or .png. Throws std::runtime_error when it does
 // not, or when it cannot be written.

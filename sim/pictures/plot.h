@@ -6,7 +6,8 @@
 
 #include "canvas.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 struct Series {
     enum class Style { line, thin_line, dashes, dots };

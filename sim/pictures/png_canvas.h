@@ -6,9 +6,11 @@
 typedef struct _cairo cairo_t;
 typedef struct _cairo_surface cairo_surface_t;
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class PngCanvas : public Canvas {
+class PngCanvas : public Canvas
+{
   public:
     PngCanvas(double width, double height);
     ~PngCanvas() override;

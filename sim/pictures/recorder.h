@@ -8,19 +8,22 @@
 
 #include "geometry.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 struct Sample {
     std::int64_t time_ns;
-    Pose pose;               // the truth
-    Pose believed;           // by odometry, placed at the true start
-    double forward, turn;    // m/s and rad/s, of the body
+    Pose pose;            // the truth
+    Pose believed;        // by odometry, placed at the true start
+    double forward, turn; // m/s and rad/s, of the body
     double commanded_forward, commanded_turn;
-    double measured_distance; // m, from the wall or the tape; NaN where the world file measures nothing
-    int collisions;       // so far
+    double
+        measured_distance; // m, from the wall or the tape; NaN where the world file measures nothing
+    int collisions;        // so far
 };
 
-class Recorder {
+class Recorder
+{
   public:
     explicit Recorder(bool keeps_samples) : keeps_samples_(keeps_samples) {}
 

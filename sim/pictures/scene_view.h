@@ -4,7 +4,8 @@
 #include "canvas.h"
 #include "simulation.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // What part of the world is shown: all of it, and the path.
 struct Extent {

@@ -4,7 +4,8 @@
 
 #include <string>
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // What the plan says, a line for each thing, with tabs between its cells; where something may be
 // wrong that only the compiler can tell, its place is the second cell:

@@ -8,14 +8,16 @@
 
 #include "geometry.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // The fixed step of the physics. Fast enough that a robot at full speed moves
 // 6 mm; a multiple of it is the time between two pings of a sonar.
 constexpr std::int64_t step_ns = 5'000'000;
 constexpr double step_s = 0.005;
 
-class Body {
+class Body
+{
   public:
     // The body, which the physics owns, must outlive this.
     explicit Body(b2Body &rigid) : rigid_(&rigid) {}
@@ -38,7 +40,13 @@ class Body {
 };
 
 // What marks a robot's body among the others: Box2D's user data.
-inline void mark_as_robot(b2BodyDef &definition) { definition.userData.pointer = 1; }
-inline bool is_robot(b2Body &body) { return body.GetUserData().pointer != 0; }
+inline void mark_as_robot(b2BodyDef &definition)
+{
+    definition.userData.pointer = 1;
+}
+inline bool is_robot(b2Body &body)
+{
+    return body.GetUserData().pointer != 0;
+}
 
 } // namespace frob::sim

@@ -9,7 +9,8 @@
 
 #include "geometry.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // What the firmware limits commands to, where the world file does not say.
 struct DriveLimits {
@@ -29,23 +30,23 @@ struct RangeFinders {
 };
 
 struct Chassis {
-    std::string title;           // "Pioneer P3-DX"
-    double mass;                 // kg
-    double inertia;              // kg m^2, about the origin
-    Vec center;                  // of the body
-    double radius;               // of a round body; 0: it has an outline
-    std::vector<Vec> outline;    // convex, counter-clockwise, of at most 8 corners
-    double wheel_radius;         // m
-    double wheel_separation;     // m
-    double wheel_force;          // N that a motor can bring to the floor
-    double count;                // m that an encoder's count is; 0: as if continuous
-    double battery;              // V at the start, where the world file does not say
+    std::string title;        // "Pioneer P3-DX"
+    double mass;              // kg
+    double inertia;           // kg m^2, about the origin
+    Vec center;               // of the body
+    double radius;            // of a round body; 0: it has an outline
+    std::vector<Vec> outline; // convex, counter-clockwise, of at most 8 corners
+    double wheel_radius;      // m
+    double wheel_separation;  // m
+    double wheel_force;       // N that a motor can bring to the floor
+    double count;             // m that an encoder's count is; 0: as if continuous
+    double battery;           // V at the start, where the world file does not say
     DriveLimits limits;
-    Vec left, right;             // where the distances to the sides are measured from
+    Vec left, right; // where the distances to the sides are measured from
     RangeFinders range_finders;
-    double height = 0.24;         // m, of the body, for cameras
-    Vec camera = {0.12, 0.0};     // where a camera sits,
-    double camera_height = 0.27;  // and how high, where the world file does not say
+    double height = 0.24;        // m, of the body, for cameras
+    Vec camera = { 0.12, 0.0 };  // where a camera sits,
+    double camera_height = 0.27; // and how high, where the world file does not say
 };
 
 // The outline of a body, also of a round one, in the robot's frame.

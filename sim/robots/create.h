@@ -7,9 +7,11 @@
 #include "light_bumpers.h"
 #include "robot.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class Create : public Robot {
+class Create : public Robot
+{
   public:
     Create(const Scene &scene, std::uint64_t seed);
 

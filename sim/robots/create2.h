@@ -6,7 +6,8 @@
 
 #include "chassis.h"
 
-namespace frob::sim::create2 {
+namespace frob::sim::create2
+{
 
 constexpr double radius = 0.17425; // m
 
@@ -18,7 +19,9 @@ constexpr int faintest_light = 10;     // of a wall that sets a light bumper's b
 
 // Where the cliff sensors look down, from the left to the right, m: as in
 // create_robot's model.
-constexpr std::array<Vec, 4> cliff_places = {{{0.07, 0.14}, {0.15, 0.04}, {0.15, -0.04}, {0.07, -0.14}}};
+constexpr std::array<Vec, 4> cliff_places = {
+    { { 0.07, 0.14 }, { 0.15, 0.04 }, { 0.15, -0.04 }, { 0.07, -0.14 } }
+};
 constexpr double cliff_spot = 0.02;     // m, the width of what each sees; an estimate
 constexpr double white_signal = 1500.0; // of a white floor
 

@@ -5,15 +5,18 @@
 
 #include "body.h"
 
-namespace frob::sim {
-namespace {
+namespace frob::sim
+{
+namespace
+{
 
-constexpr double tyre_grip = 60.0;      // N across the wheels before they skid
-constexpr double slip_lasts_s = 0.1;    // then a wheel's slip is drawn anew
+constexpr double tyre_grip = 60.0;   // N across the wheels before they skid
+constexpr double slip_lasts_s = 0.1; // then a wheel's slip is drawn anew
 constexpr double stall_after_s = 0.2;
-constexpr double standing = 0.02;       // m/s; a slower wheel stands
+constexpr double standing = 0.02; // m/s; a slower wheel stands
 
-double approach(double from, double to, double most) {
+double approach(double from, double to, double most)
+{
     return from + std::clamp(to - from, -most, most);
 }
 
@@ -21,14 +24,17 @@ double approach(double from, double to, double most) {
 
 DifferentialDrive::DifferentialDrive(const Chassis &chassis, const DriveSettings &settings,
                                      Noise noise)
-    : chassis_(chassis), limits_{settings.max_speed.value_or(chassis.limits.speed),
-                                 settings.max_turn.value_or(chassis.limits.turn),
-                                 settings.acceleration.value_or(chassis.limits.acceleration),
-                                 settings.turn_acceleration.value_or(
-                                     chassis.limits.turn_acceleration)},
-      slip_(settings.slip), noise_(noise) {}
+    : chassis_(chassis),
+      limits_{ settings.max_speed.value_or(chassis.limits.speed),
+               settings.max_turn.value_or(chassis.limits.turn),
+               settings.acceleration.value_or(chassis.limits.acceleration),
+               settings.turn_acceleration.value_or(chassis.limits.turn_acceleration) },
+      slip_(settings.slip), noise_(noise)
+{
+}
 
-void DifferentialDrive::command(double forward, double turn) {
+void DifferentialDrive::command(double forward, double turn)
+{
     const bool rest = std::isnan(forward) || std::isnan(turn);
     forward_ = rest ? 0.0 : std::clamp(forward, -limits_.speed, limits_.speed);
     turn_ = rest ? 0.0 : std::clamp(turn, -limits_.turn, limits_.turn);
@@ -36,20 +42,23 @@ void DifferentialDrive::command(double forward, double turn) {
 
 // The firmware limits the accelerations of v and omega, and splits them:
 //   v_left = v - omega b / 2,   v_right = v + omega b / 2.
-void DifferentialDrive::ramp() {
+void DifferentialDrive::ramp()
+{
     const double b = chassis_.wheel_separation;
-    const double v = approach((left_.setpoint + right_.setpoint) / 2, forward_,
-                              limits_.acceleration * step_s);
-    const double omega = approach((right_.setpoint - left_.setpoint) / b, turn_,
-                                  limits_.turn_acceleration * step_s);
+    const double v =
+        approach((left_.setpoint + right_.setpoint) / 2, forward_, limits_.acceleration * step_s);
+    const double omega =
+        approach((right_.setpoint - left_.setpoint) / b, turn_, limits_.turn_acceleration * step_s);
     left_.setpoint = v - omega * b / 2;
     right_.setpoint = v + omega * b / 2;
 }
 
 // Each wheel loses a share of its travel, uniform between 0 and twice the mean.
-void DifferentialDrive::draw_slip() {
+void DifferentialDrive::draw_slip()
+{
     slip_age_s_ += step_s;
-    if (slip_drawn_ && slip_age_s_ < slip_lasts_s) return;
+    if (slip_drawn_ && slip_age_s_ < slip_lasts_s)
+        return;
     slip_drawn_ = true;
     slip_age_s_ = 0.0;
     left_.lost = 2 * slip_ * noise_.uniform();
@@ -59,11 +68,13 @@ void DifferentialDrive::draw_slip() {
 // A wheel brings at most `wheel_force` to the floor. When that is not enough
 // the motor stalls: the wheel turns only as the floor lets it, and the setpoint
 // does not run away from it.
-double DifferentialDrive::push(Wheel &wheel, double contact_speed, double wanted_force) const {
+double DifferentialDrive::push(Wheel &wheel, double contact_speed, double wanted_force) const
+{
     const double force = std::clamp(wanted_force, -chassis_.wheel_force, chassis_.wheel_force);
     const bool held = force != wanted_force;
     wheel.measured = held ? contact_speed / (1 - wheel.lost) : wheel.setpoint;
-    if (held) wheel.setpoint = (contact_speed + force * step_s / (chassis_.mass / 2)) / (1 - wheel.lost);
+    if (held)
+        wheel.setpoint = (contact_speed + force * step_s / (chassis_.mass / 2)) / (1 - wheel.lost);
     wheel.strained_s = held && std::abs(contact_speed) < standing ? wheel.strained_s + step_s : 0.0;
     return force;
 }
@@ -74,7 +85,8 @@ double DifferentialDrive::push(Wheel &wheel, double contact_speed, double wanted
 //   F_right - F_left = 2 I (omega* - omega) / (b h),
 // and across the body, where the wheels do not roll, -m v_across / h.
 // Directions are those at the middle of the step, so that a turn is an arc.
-void DifferentialDrive::advance(b2Body &body) {
+void DifferentialDrive::advance(b2Body &body)
+{
     const double b = chassis_.wheel_separation;
     ramp();
     draw_slip();
@@ -85,11 +97,11 @@ void DifferentialDrive::advance(b2Body &body) {
 
     const double omega = static_cast<double>(body.GetAngularVelocity());
     const b2Rot ahead = body.GetTransform().q;
-    const Vec along = turned_a_little({static_cast<double>(ahead.c), static_cast<double>(ahead.s)},
-                                      omega_wanted * step_s / 2);
-    const Vec across = {-along.y, along.x};
-    const Vec velocity = {static_cast<double>(body.GetLinearVelocity().x),
-                          static_cast<double>(body.GetLinearVelocity().y)};
+    const Vec along = turned_a_little(
+        { static_cast<double>(ahead.c), static_cast<double>(ahead.s) }, omega_wanted * step_s / 2);
+    const Vec across = { -along.y, along.x };
+    const Vec velocity = { static_cast<double>(body.GetLinearVelocity().x),
+                           static_cast<double>(body.GetLinearVelocity().y) };
     const double v = dot(velocity, along);
 
     const double m = static_cast<double>(body.GetMass());
@@ -98,16 +110,21 @@ void DifferentialDrive::advance(b2Body &body) {
     const double difference = 2 * inertia * (omega_wanted - omega) / (b * step_s);
     const double right = push(right_, v + omega * b / 2, (sum + difference) / 2);
     const double left = push(left_, v - omega * b / 2, (sum - difference) / 2);
-    const double sideways =
-        std::clamp(-m * dot(velocity, across) / step_s, -tyre_grip, tyre_grip);
+    const double sideways = std::clamp(-m * dot(velocity, across) / step_s, -tyre_grip, tyre_grip);
 
     const Vec impulse = step_s * ((right + left) * along + sideways * across);
     body.ApplyLinearImpulseToCenter(
-        {static_cast<float>(impulse.x), static_cast<float>(impulse.y)}, true);
+        { static_cast<float>(impulse.x), static_cast<float>(impulse.y) }, true);
     body.ApplyAngularImpulse(static_cast<float>((right - left) * b / 2 * step_s), true);
 }
 
-bool DifferentialDrive::left_stalled() const { return left_.strained_s >= stall_after_s; }
-bool DifferentialDrive::right_stalled() const { return right_.strained_s >= stall_after_s; }
+bool DifferentialDrive::left_stalled() const
+{
+    return left_.strained_s >= stall_after_s;
+}
+bool DifferentialDrive::right_stalled() const
+{
+    return right_.strained_s >= stall_after_s;
+}
 
 } // namespace frob::sim

@@ -7,9 +7,11 @@
 #include "noise.h"
 #include "scene.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class DifferentialDrive {
+class DifferentialDrive
+{
   public:
     // The robot's description must outlive the drive.
     DifferentialDrive(const Chassis &chassis, const DriveSettings &settings, Noise noise);
@@ -35,9 +37,9 @@ class DifferentialDrive {
 
   private:
     struct Wheel {
-        double setpoint = 0.0; // m/s that the firmware asks for at the moment
-        double measured = 0.0; // m/s
-        double lost = 0.0;     // share of its travel
+        double setpoint = 0.0;   // m/s that the firmware asks for at the moment
+        double measured = 0.0;   // m/s
+        double lost = 0.0;       // share of its travel
         double strained_s = 0.0; // time at full force without moving
     };
 

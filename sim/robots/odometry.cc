@@ -4,11 +4,14 @@
 
 #include "body.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // A wheel's speed in a step, as its encoder counts.
-double Odometry::counted(double &way, double speed) const {
-    if (chassis_.count == 0.0) return speed;
+double Odometry::counted(double &way, double speed) const
+{
+    if (chassis_.count == 0.0)
+        return speed;
     way += step_s * speed;
     const double whole = chassis_.count * std::trunc(way / chassis_.count);
     way -= whole;
@@ -20,7 +23,8 @@ double Odometry::counted(double &way, double speed) const {
 // each off by its relative error, and a by a part that grows with d:
 //   a += veer d + noise sqrt(|d|).
 // The position moves along the heading at the middle of the step.
-void Odometry::advance(double left_speed, double right_speed) {
+void Odometry::advance(double left_speed, double right_speed)
+{
     const double left = counted(left_way_, left_speed), right = counted(right_way_, right_speed);
     const double travelled = step_s * (right + left) / 2;
     const double turned = step_s * (right - left) / chassis_.wheel_separation;

@@ -5,13 +5,17 @@
 #include "noise.h"
 #include "scene.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class Odometry {
+class Odometry
+{
   public:
     // The robot's description must outlive the odometry.
     Odometry(const Chassis &chassis, const OdometrySettings &settings, Noise noise)
-        : chassis_(chassis), settings_(settings), noise_(noise) {}
+        : chassis_(chassis), settings_(settings), noise_(noise)
+    {
+    }
 
     // Counts one physics step at these wheel speeds, in m/s.
     void advance(double left_speed, double right_speed);
@@ -27,7 +31,7 @@ class Odometry {
     OdometrySettings settings_;
     Noise noise_;
     Pose pose_;
-    Vec ahead_{1.0, 0.0}; // the direction of its heading
+    Vec ahead_{ 1.0, 0.0 };                   // the direction of its heading
     double left_way_ = 0.0, right_way_ = 0.0; // since the last count of each wheel
 };
 

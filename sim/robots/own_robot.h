@@ -8,7 +8,8 @@
 #include "robot.h"
 #include "sonar.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // What the simulator knows robots by, made of such a table.
 struct OwnBody {
@@ -19,7 +20,8 @@ struct OwnBody {
     SonarRing ring;
 };
 
-class OwnRobot : public Robot {
+class OwnRobot : public Robot
+{
   public:
     // The body must outlive the robot.
     OwnRobot(const OwnBody &body, const Scene &scene, std::uint64_t seed);

@@ -7,7 +7,8 @@
 #include "chassis.h"
 #include "sonar_ring.h"
 
-namespace frob::sim::p3dx {
+namespace frob::sim::p3dx
+{
 
 constexpr double mass = 9.0;                   // kg
 constexpr double body_length = 0.511;          // m, bumpers included
@@ -22,26 +23,35 @@ constexpr double wheel_force = 20.0;           // N that a motor can bring to th
 constexpr std::array<Vec, 8> outline = [] {
     constexpr double front = body_center + body_length / 2, back = body_center - body_length / 2;
     constexpr double side = body_width / 2, c = corner_cut;
-    return std::array<Vec, 8>{Vec{front, c - side}, Vec{front, side - c}, Vec{front - c, side},
-                              Vec{back + c, side},  Vec{back, side - c},  Vec{back, c - side},
-                              Vec{back + c, -side}, Vec{front - c, -side}};
+    return std::array<Vec, 8>{ Vec{ front, c - side }, Vec{ front, side - c },
+                               Vec{ front - c, side }, Vec{ back + c, side },
+                               Vec{ back, side - c },  Vec{ back, c - side },
+                               Vec{ back + c, -side }, Vec{ front - c, -side } };
 }();
 
 // Where the transducers sit and look: 0-7 the front array, from the left
 // around to the right, 8-15 the rear array, from the right around to the left.
-constexpr std::array<Pose, 16> sonars = {{
-    {{0.069, 0.136}, radians(90)},     {{0.114, 0.119}, radians(50)},
-    {{0.148, 0.078}, radians(30)},     {{0.166, 0.027}, radians(10)},
-    {{0.166, -0.027}, radians(-10)},   {{0.148, -0.078}, radians(-30)},
-    {{0.114, -0.119}, radians(-50)},   {{0.069, -0.136}, radians(-90)},
-    {{-0.157, -0.136}, radians(-90)},  {{-0.203, -0.119}, radians(-130)},
-    {{-0.237, -0.078}, radians(-150)}, {{-0.255, -0.027}, radians(-170)},
-    {{-0.255, 0.027}, radians(170)},   {{-0.237, 0.078}, radians(150)},
-    {{-0.203, 0.119}, radians(130)},   {{-0.157, 0.136}, radians(90)},
-}};
+constexpr std::array<Pose, 16> sonars = { {
+    { { 0.069, 0.136 }, radians(90) },
+    { { 0.114, 0.119 }, radians(50) },
+    { { 0.148, 0.078 }, radians(30) },
+    { { 0.166, 0.027 }, radians(10) },
+    { { 0.166, -0.027 }, radians(-10) },
+    { { 0.148, -0.078 }, radians(-30) },
+    { { 0.114, -0.119 }, radians(-50) },
+    { { 0.069, -0.136 }, radians(-90) },
+    { { -0.157, -0.136 }, radians(-90) },
+    { { -0.203, -0.119 }, radians(-130) },
+    { { -0.237, -0.078 }, radians(-150) },
+    { { -0.255, -0.027 }, radians(-170) },
+    { { -0.255, 0.027 }, radians(170) },
+    { { -0.237, 0.078 }, radians(150) },
+    { { -0.203, 0.119 }, radians(130) },
+    { { -0.157, 0.136 }, radians(90) },
+} };
 
 constexpr std::size_t left_sonar = 0, right_sonar = 7; // square to the body, in the front array
-constexpr std::array<std::size_t, 2> front_sonars = {3, 4};
+constexpr std::array<std::size_t, 2> front_sonars = { 3, 4 };
 
 constexpr double sonar_half_angle = radians(12.0); // of the cone
 constexpr double sonar_nearest = 0.1;              // m; what is nearer reads so

@@ -2,15 +2,19 @@
 
 #include "p3dx.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 Pioneer::Pioneer(const Scene &scene, std::uint64_t seed)
     : Robot(p3dx::chassis(), scene, seed),
-      sonar_(p3dx::chassis().range_finders, p3dx::ring(), scene.sonar, Noise(seed, sonar_stream)) {}
+      sonar_(p3dx::chassis().range_finders, p3dx::ring(), scene.sonar, Noise(seed, sonar_stream))
+{
+}
 
 // A contact before the middle of the body presses the front bumper, one behind
 // it the rear bumper.
-void Pioneer::read(std::int64_t time_ns, void *into) {
+void Pioneer::read(std::int64_t time_ns, void *into)
+{
     frob_pioneer_input input{};
     read_motion(input);
     sonar_.take_all(input.sonar);
@@ -23,7 +27,8 @@ void Pioneer::read(std::int64_t time_ns, void *into) {
     *static_cast<frob_pioneer_input *>(into) = input;
 }
 
-void Pioneer::command(const void *output) {
+void Pioneer::command(const void *output)
+{
     const auto &wanted = *static_cast<const frob_pioneer_output *>(output);
     drive_.command(wanted.forward, wanted.turn);
 }

@@ -6,9 +6,11 @@
 #include "robot.h"
 #include "sonar.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class Pioneer : public Robot {
+class Pioneer : public Robot
+{
   public:
     Pioneer(const Scene &scene, std::uint64_t seed);
 

@@ -14,9 +14,11 @@
 #include "echo.h"
 #include "odometry.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class Robot {
+class Robot
+{
   public:
     virtual ~Robot() = default;
     Robot(const Robot &) = delete;
@@ -67,7 +69,9 @@ class Robot {
     double battery_voltage(std::int64_t time_ns) const;
 
     // What all inputs call so.
-    template <typename Input> void read_motion(Input &input) const {
+    template <typename Input>
+    void read_motion(Input &input) const
+    {
         const Pose &believed = odometry_.pose();
         input.odometry.position.x = believed.position.x;
         input.odometry.position.y = believed.position.y;
@@ -85,7 +89,7 @@ class Robot {
 
 // A kind of robot that can be simulated.
 struct RobotKind {
-    const char *name; // "pioneer", as hosts and world files call it
+    const char *name;                    // "pioneer", as hosts and world files call it
     std::size_t input_size, output_size; // of its structs
     std::function<const Chassis &()> chassis;
     std::function<std::unique_ptr<Robot>(const Scene &scene, std::uint64_t seed)> make;

@@ -6,9 +6,11 @@
 #include "robot.h"
 #include "sonar.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class Scout : public Robot {
+class Scout : public Robot
+{
   public:
     Scout(const Scene &scene, std::uint64_t seed);
 

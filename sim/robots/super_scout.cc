@@ -1,17 +1,20 @@
 #include "super_scout.h"
 
-namespace frob::sim::super_scout {
-namespace {
+namespace frob::sim::super_scout
+{
+namespace
+{
 
-constexpr double radius = 0.2;          // m, an estimate
-constexpr double mass = 25.0;           // kg, an estimate
-constexpr double inch = 0.0254;         // m
+constexpr double radius = 0.2;  // m, an estimate
+constexpr double mass = 25.0;   // kg, an estimate
+constexpr double inch = 0.0254; // m
 
-std::vector<Pose> seats() {
+std::vector<Pose> seats()
+{
     std::vector<Pose> seats;
     for (std::size_t i = 0; i < sonar_count; ++i) {
         const double angle = wrap_angle(radians(22.5) * static_cast<double>(i));
-        seats.push_back({radius * direction(angle), angle});
+        seats.push_back({ radius * direction(angle), angle });
     }
     return seats;
 }
@@ -20,12 +23,13 @@ std::vector<Pose> seats() {
 
 // A disc of even weight: I = m r^2 / 2. The largest turn is what the wheels
 // make of 1 m/s; accelerations and forces are estimates.
-const Chassis &chassis() {
+const Chassis &chassis()
+{
     static const Chassis chassis = {
         "Super Scout",
         mass,
         mass * radius * radius / 2.0,
-        {0.0, 0.0},
+        { 0.0, 0.0 },
         radius,
         {},
         0.08,
@@ -33,22 +37,21 @@ const Chassis &chassis() {
         50.0,
         0.0,
         12.0,
-        {1.0, radians(300.0), 0.76, radians(200.0)},
-        {0.0, radius},
-        {0.0, -radius},
-        {seats(), radians(10.0), 4, 12, {0, 1, 15}, "sonar"},
+        { 1.0, radians(300.0), 0.76, radians(200.0) },
+        { 0.0, radius },
+        { 0.0, -radius },
+        { seats(), radians(10.0), 4, 12, { 0, 1, 15 }, "sonar" },
     };
     return chassis;
 }
 
 // One after the other round the robot, from the front to both sides.
-const SonarRing &ring() {
+const SonarRing &ring()
+{
     static const SonarRing ring = {
-        40'000'000,
-        {{{0, 2, 15, 1, 14, 3, 13, 4, 12, 5, 11, 6, 10, 7, 9, 8}, 0}},
+        40'000'000, { { { 0, 2, 15, 1, 14, 3, 13, 4, 12, 5, 11, 6, 10, 7, 9, 8 }, 0 } },
         6 * inch, // an estimate
-        255 * inch,
-        inch,
+        255 * inch, inch,
     };
     return ring;
 }

@@ -5,7 +5,8 @@
 #include "chassis.h"
 #include "sonar_ring.h"
 
-namespace frob::sim::super_scout {
+namespace frob::sim::super_scout
+{
 
 constexpr std::size_t sonar_count = 16, bumper_count = 6;
 

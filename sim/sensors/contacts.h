@@ -6,9 +6,11 @@
 
 #include "body.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class Contacts {
+class Contacts
+{
   public:
     // Looks at the contacts; called after each physics step.
     void advance(const Body &body);

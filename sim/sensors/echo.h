@@ -7,7 +7,8 @@
 
 #include "body.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 struct Echo {
     std::int64_t time_ns;   // at which it arrived
@@ -18,7 +19,7 @@ struct Echo {
 
 // The distance to the nearest thing anywhere in a transducer's cone: what is
 // heard first. `rays` are cast.
-std::optional<double> nearest_in_cone(const Body &body, const Pose &transducer,
-                                      double half_angle, double reach, int rays);
+std::optional<double> nearest_in_cone(const Body &body, const Pose &transducer, double half_angle,
+                                      double reach, int rays);
 
 } // namespace frob::sim

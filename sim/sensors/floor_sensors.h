@@ -9,16 +9,20 @@
 #include "floor.h"
 #include "noise.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class FloorSensors {
+class FloorSensors
+{
   public:
     // Each looks at a spot of this width below its place in the robot's frame, and
     // has something new every `refresh_ns`, a multiple of the physics' step.
     FloorSensors(std::vector<Vec> places, double spot, std::int64_t refresh_ns,
                  const FloorSettings &settings, Noise noise)
         : places_(std::move(places)), spot_(spot), refresh_ns_(refresh_ns), settings_(settings),
-          noise_(noise), seen_(places_.size()) {}
+          noise_(noise), seen_(places_.size())
+    {
+    }
 
     // Looks; called after each physics step, with the time since the start.
     void advance(std::int64_t time_ns, const Body &body, const Floor &floor);

@@ -5,10 +5,13 @@
 
 #include "create2.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-void LightBumpers::advance(std::int64_t time_ns, const Body &body) {
-    if (time_ns % refresh_ns != 0) return;
+void LightBumpers::advance(std::int64_t time_ns, const Body &body)
+{
+    if (time_ns % refresh_ns != 0)
+        return;
     const RangeFinders &bumpers = create2::chassis().range_finders;
     for (std::size_t i = 0; i < signals_.size(); ++i) {
         const Pose from = from_frame(body.pose(), bumpers.seats[i]);
@@ -19,10 +22,10 @@ void LightBumpers::advance(std::int64_t time_ns, const Body &body) {
         const double signal =
             distance ? gain * create2::light_constant / std::max(*distance * *distance, 1e-6) : 0.0;
         signals_[i] = static_cast<std::int32_t>(
-            std::lround(std::clamp(signal, 0.0, double{create2::largest_signal})));
+            std::lround(std::clamp(signal, 0.0, double{ create2::largest_signal })));
         // A signal fainter than that, a program takes for none.
         if (signals_[i] >= create2::faintest_light && time_ns % keep_ns == 0)
-            echoes_.push_back({time_ns, i, *distance, from});
+            echoes_.push_back({ time_ns, i, *distance, from });
     }
 }
 

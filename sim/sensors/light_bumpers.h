@@ -9,9 +9,11 @@
 #include "noise.h"
 #include "scene.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class LightBumpers {
+class LightBumpers
+{
   public:
     LightBumpers(const LightSettings &settings, Noise noise) : settings_(settings), noise_(noise) {}
 

@@ -4,11 +4,13 @@
 
 #include <cstdint>
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // One stream of noise. Each sensor has a stream of its own, so that a setting
 // of one does not change what another sees.
-class Noise {
+class Noise
+{
   public:
     Noise(std::uint64_t seed, std::uint64_t stream);
 
@@ -29,7 +31,8 @@ class Noise {
   private:
     // splitmix64: a counter, and a mixing of its bits.
     // Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014.
-    std::uint64_t next() {
+    std::uint64_t next()
+    {
         state_ += 0x9e3779b97f4a7c15u;
         std::uint64_t z = state_;
         z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;

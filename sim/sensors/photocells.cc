@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace frob::sim {
-namespace {
+namespace frob::sim
+{
+namespace
+{
 
 constexpr double right_above = 0.01; // m: nothing stands between
 
@@ -14,26 +16,32 @@ constexpr double right_above = 0.01; // m: nothing stands between
 // cell, and a the angle between where the cell looks and where the lamp is, so
 // cos(a) = (u . r) / d with the way r over the floor and d^2 = r^2 + h^2. What
 // stands between, be it a wall, a box or a robot, is as high as the lamp.
-double Photocells::from_lamp(const Lamp &lamp, const Pose &cell, const Body &body) const {
+double Photocells::from_lamp(const Lamp &lamp, const Pose &cell, const Body &body) const
+{
     const Vec way = lamp.position - cell.position;
     const double facing = dot(direction(cell.heading), way);
-    if (facing <= 0.0) return 0.0;
+    if (facing <= 0.0)
+        return 0.0;
     const double flat = length(way);
     // Box2D takes no ray without a length.
-    if (flat > right_above && body.ray(cell.position, std::atan2(way.y, way.x), flat)) return 0.0;
+    if (flat > right_above && body.ray(cell.position, std::atan2(way.y, way.x), flat))
+        return 0.0;
     const double squared = dot(way, way) + lamp.height * lamp.height;
     return lamp.intensity * facing / (squared * std::sqrt(squared));
 }
 
 // The noise is relative: seen = E * (1 + noise * n), n normal.
-void Photocells::advance(std::int64_t time_ns, const Body &body) {
-    if (time_ns % refresh_ns_ != 0) return;
+void Photocells::advance(std::int64_t time_ns, const Body &body)
+{
+    if (time_ns % refresh_ns_ != 0)
+        return;
     const Pose pose = body.pose();
     for (std::size_t i = 0; i < seats_.size(); ++i) {
         const Pose cell = from_frame(pose, seats_[i]);
         const double gain = 1.0 + ambient_.noise * noise_.normal();
         double light = ambient_.light;
-        for (const Lamp &lamp : lamps_) light += from_lamp(lamp, cell, body);
+        for (const Lamp &lamp : lamps_)
+            light += from_lamp(lamp, cell, body);
         seen_[i] = std::max(0.0, gain * light);
     }
 }

@@ -7,9 +7,11 @@
 
 #include "body.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class RayFan {
+class RayFan
+{
   public:
     // For rays of a body's sensor, from `origin`, at most `half_angle` (less
     // than a right angle) off `heading`, and not longer than `reach`. Good until

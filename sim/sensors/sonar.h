@@ -13,9 +13,11 @@
 #include "scene.h"
 #include "sonar_ring.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class Sonar {
+class Sonar
+{
   public:
     // The robot's description must outlive the sonars.
     Sonar(const RangeFinders &seats, const SonarRing &ring, const SonarSettings &settings,
@@ -30,7 +32,9 @@ class Sonar {
     std::optional<double> take(std::size_t transducer);
 
     // All of them, into the events of a robot's input.
-    template <typename Event, std::size_t count> void take_all(Event (&events)[count]) {
+    template <typename Event, std::size_t count>
+    void take_all(Event (&events)[count])
+    {
         constexpr std::uint8_t occurs = 1; // data Event a = NoEvent | Event a
         for (std::size_t i = 0; i < count; ++i)
             if (const std::optional<double> distance = take(i)) {

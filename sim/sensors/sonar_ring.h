@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // Transducers that fire one after the other.
 struct SonarArray {

@@ -9,9 +9,11 @@
 
 #include <sim.h>
 
-namespace frob::serve {
+namespace frob::serve
+{
 
-class CameraPort {
+class CameraPort
+{
   public:
     // Looks through all cameras of the world, before its physics runs. Port 0: any that is free.
     // Throws WrongUse if the world has none, or JPEG cannot be made here; std::system_error.

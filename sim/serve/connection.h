@@ -6,9 +6,11 @@
 
 #include "firmware.h"
 
-namespace frob::serve {
+namespace frob::serve
+{
 
-class Connection {
+class Connection
+{
   public:
     virtual ~Connection() = default;
 

@@ -9,11 +9,13 @@
 #include <utility>
 #include <vector>
 
-namespace frob::serve {
+namespace frob::serve
+{
 
 using Bytes = std::vector<std::uint8_t>;
 
-class Firmware {
+class Firmware
+{
   public:
     virtual ~Firmware() = default;
 
@@ -42,8 +44,10 @@ class Firmware {
 
   protected:
     void send(const Bytes &bytes) { output_.insert(output_.end(), bytes.begin(), bytes.end()); }
-    void log(std::int64_t time_ns, const std::string &text) const {
-        if (log_) log_(time_ns, text);
+    void log(std::int64_t time_ns, const std::string &text) const
+    {
+        if (log_)
+            log_(time_ns, text);
     }
     std::size_t waiting_output() const { return output_.size(); }
 

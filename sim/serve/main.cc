@@ -29,25 +29,33 @@
 
 using namespace frob::serve;
 
-namespace {
+namespace
+{
 
 volatile std::sig_atomic_t ended = 0, pulled = 0, plugged = 0;
 
-void on_signal(int number) {
-    if (number == SIGUSR1) pulled = 1;
-    else if (number == SIGUSR2) plugged = 1;
-    else ended = 1;
+void on_signal(int number)
+{
+    if (number == SIGUSR1)
+        pulled = 1;
+    else if (number == SIGUSR2)
+        plugged = 1;
+    else
+        ended = 1;
 }
 
-void catch_signals() {
-    struct sigaction action {};
+void catch_signals()
+{
+    struct sigaction action{};
     action.sa_handler = on_signal;
-    for (const int number : {SIGINT, SIGTERM, SIGUSR1, SIGUSR2}) sigaction(number, &action, nullptr);
+    for (const int number : { SIGINT, SIGTERM, SIGUSR1, SIGUSR2 })
+        sigaction(number, &action, nullptr);
     action.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &action, nullptr);
 }
 
-std::int64_t clock_ns() {
+std::int64_t clock_ns()
+{
     timespec now{};
     clock_gettime(CLOCK_MONOTONIC, &now);
     return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
@@ -59,7 +67,8 @@ struct SimulationCloser {
 using Simulation = std::unique_ptr<frob_sim, SimulationCloser>;
 
 // Null after errors, which have been told.
-Simulation open_simulation(const Options &options, const OwnRobot &own) {
+Simulation open_simulation(const Options &options, const OwnRobot &own)
+{
     char message[8192];
     frob_sim_settings settings{};
     settings.robot = options.robot.c_str();
@@ -75,22 +84,27 @@ Simulation open_simulation(const Options &options, const OwnRobot &own) {
 
 using Log = std::function<void(const std::string &)>;
 
-std::unique_ptr<Connection> make_connection(const Options &options, const Log &tell) {
-    if (options.tcp_port >= 0) return std::make_unique<TcpPort>(options.tcp_port, tell);
+std::unique_ptr<Connection> make_connection(const Options &options, const Log &tell)
+{
+    if (options.tcp_port >= 0)
+        return std::make_unique<TcpPort>(options.tcp_port, tell);
     return std::make_unique<Terminal>();
 }
 
 // Takes the link away, if it still leads where it was made to: somebody else may have put
 // another one in its place.
-void unlink_own(const Options &options, const Server &server) {
-    if (options.link.empty() || server.connection() == nullptr) return;
+void unlink_own(const Options &options, const Server &server)
+{
+    if (options.link.empty() || server.connection() == nullptr)
+        return;
     std::error_code error;
     if (std::filesystem::read_symlink(options.link, error) == server.connection()->device())
         unlink(options.link.c_str());
 }
 
 // Plugs a new line in, and tells its name. False if that could not be written.
-bool plug(Server &server, const Options &options, const Log &tell) {
+bool plug(Server &server, const Options &options, const Log &tell)
+{
     server.plug(make_connection(options, tell));
     const std::string device = server.connection()->device();
     if (!options.link.empty()) {
@@ -106,7 +120,8 @@ bool plug(Server &server, const Options &options, const Log &tell) {
 }
 
 void run(Server &server, CameraPort *cameras, const Options &options, std::int64_t started_ns,
-         const Log &tell) {
+         const Log &tell)
+{
     const auto end_ns = static_cast<std::int64_t>(options.duration_s * 1e9);
     // Without it nobody would know the device.
     if (!plug(server, options, tell) && options.link.empty())
@@ -117,7 +132,8 @@ void run(Server &server, CameraPort *cameras, const Options &options, std::int64
     std::fflush(stdout);
     while (!ended) {
         const std::int64_t time_ns = clock_ns() - started_ns;
-        if (end_ns > 0 && time_ns >= end_ns) break;
+        if (end_ns > 0 && time_ns >= end_ns)
+            break;
         if (pulled) {
             pulled = 0;
             unlink_own(options, server);
@@ -128,23 +144,27 @@ void run(Server &server, CameraPort *cameras, const Options &options, std::int64
             plug(server, options, tell);
         }
         server.advance(time_ns);
-        if (cameras != nullptr) cameras->advance(time_ns);
+        if (cameras != nullptr)
+            cameras->advance(time_ns);
         server.wait(time_ns);
     }
     unlink_own(options, server);
     server.plug(nullptr);
 }
 
-int serve(const Options &options) {
-    const OwnRobot own = options.own.empty() ? OwnRobot{} : load_own_robot(options.own, options.robot);
+int serve(const Options &options)
+{
+    const OwnRobot own =
+        options.own.empty() ? OwnRobot{} : load_own_robot(options.own, options.robot);
     const Simulation sim = open_simulation(options, own);
-    if (!sim) return 2;
+    if (!sim)
+        return 2;
     const std::unique_ptr<CameraPort> cameras =
         options.camera_port < 0 ? nullptr
                                 : std::make_unique<CameraPort>(sim.get(), options.camera_port);
     const std::unique_ptr<Firmware> firmware =
-        own.board ? std::make_unique<OwnFirmware>(*own.board, sim.get(),
-                                                  options.rate != 0 ? options.rate : own.board->rate)
+        own.board ? std::make_unique<OwnFirmware>(
+                        *own.board, sim.get(), options.rate != 0 ? options.rate : own.board->rate)
                   : make_firmware(options.robot, options.model, options.rate, sim.get());
     if (!firmware)
         throw WrongUse("there is no model `" + options.model + "`; there are: p3dx-sh, p3dx, p2dx");
@@ -157,14 +177,16 @@ int serve(const Options &options) {
     };
     if (!options.log.empty()) {
         log.open(options.log, std::ios::app);
-        if (!log) throw WrongUse("cannot write " + options.log);
+        if (!log)
+            throw WrongUse("cannot write " + options.log);
         firmware->set_log(write_log);
     }
     Server server(*firmware, options.paced);
     catch_signals();
     run(server, cameras.get(), options, started_ns, [&](const std::string &text) {
         std::fprintf(stderr, "%s\n", text.c_str());
-        if (log.is_open()) write_log(clock_ns() - started_ns, text);
+        if (log.is_open())
+            write_log(clock_ns() - started_ns, text);
     });
     print_summary(sim.get());
     return 0;
@@ -172,7 +194,8 @@ int serve(const Options &options) {
 
 } // namespace
 
-int main(int argc, char **argv) {
+int main(int argc, char **argv)
+{
     if (argc == 2 && std::string(argv[1]) == "--help") {
         std::fputs(usage, stdout);
         return 0;

@@ -5,7 +5,8 @@
 
 #include "robots.h"
 
-namespace frob::serve {
+namespace frob::serve
+{
 
 const char usage[] =
     "usage: frob-serve --world WORLD.toml [OPTION]...\n"
@@ -29,9 +30,11 @@ const char usage[] =
     "\n"
     "SIGUSR1 pulls the cable, SIGUSR2 plugs it in again, on another device.\n";
 
-namespace {
+namespace
+{
 
-double number(const std::string &option, const std::string &text, double low, double high) {
+double number(const std::string &option, const std::string &text, double low, double high)
+{
     char *end = nullptr;
     const double x = std::strtod(text.c_str(), &end);
     if (text.empty() || *end != '\0' || !(x >= low && x <= high))
@@ -40,35 +43,50 @@ double number(const std::string &option, const std::string &text, double low, do
     return x;
 }
 
-std::uint64_t whole(const std::string &option, const std::string &text, std::uint64_t most) {
+std::uint64_t whole(const std::string &option, const std::string &text, std::uint64_t most)
+{
     char *end = nullptr;
     const std::uint64_t n = std::strtoull(text.c_str(), &end, 10);
     if (text.empty() || text[0] < '0' || text[0] > '9' || *end != '\0' || n > most)
-        throw WrongUse(option + " takes a whole number up to " + std::to_string(most) +
-                       ", not `" + text + "`");
+        throw WrongUse(option + " takes a whole number up to " + std::to_string(most) + ", not `" +
+                       text + "`");
     return n;
 }
 
-void set(Options &o, const std::string &option, const std::string &value) {
-    if (option == "--robot") o.robot = value;
-    else if (option == "--model") o.model = value;
-    else if (option == "--world") o.world = value;
-    else if (option == "--seed") o.seed = whole(option, value, UINT64_MAX);
-    else if (option == "--tcp") o.tcp_port = static_cast<int>(whole(option, value, 65535));
-    else if (option == "--camera") o.camera_port = static_cast<int>(whole(option, value, 65535));
-    else if (option == "--for") o.duration_s = number(option, value, 0.0, 1e6);
+void set(Options &o, const std::string &option, const std::string &value)
+{
+    if (option == "--robot")
+        o.robot = value;
+    else if (option == "--model")
+        o.model = value;
+    else if (option == "--world")
+        o.world = value;
+    else if (option == "--seed")
+        o.seed = whole(option, value, UINT64_MAX);
+    else if (option == "--tcp")
+        o.tcp_port = static_cast<int>(whole(option, value, 65535));
+    else if (option == "--camera")
+        o.camera_port = static_cast<int>(whole(option, value, 65535));
+    else if (option == "--for")
+        o.duration_s = number(option, value, 0.0, 1e6);
     else if (option == "--rate")
         o.rate = static_cast<std::uint32_t>(whole(option, value, 4000000));
-    else if (option == "--log") o.log = value;
-    else if (option == "--link") o.link = value;
-    else if (option == "--own") o.own = value;
-    else if (option == "--target") o.wall_distance_m = number(option, value, 0.001, 100.0);
-    else throw WrongUse("unknown option `" + option + "`; `frob-serve --help` lists them");
+    else if (option == "--log")
+        o.log = value;
+    else if (option == "--link")
+        o.link = value;
+    else if (option == "--own")
+        o.own = value;
+    else if (option == "--target")
+        o.wall_distance_m = number(option, value, 0.001, 100.0);
+    else
+        throw WrongUse("unknown option `" + option + "`; `frob-serve --help` lists them");
 }
 
 } // namespace
 
-Options read_options(int argc, char **argv) {
+Options read_options(int argc, char **argv)
+{
     Options o;
     for (int i = 1; i < argc; ++i) {
         const std::string option = argv[i];
@@ -80,14 +98,17 @@ Options read_options(int argc, char **argv) {
             set(o, option, argv[++i]);
         }
     }
-    if (o.world.empty()) throw WrongUse("--world is missing; `frob-serve --help` says how to use it");
+    if (o.world.empty())
+        throw WrongUse("--world is missing; `frob-serve --help` says how to use it");
     // The board of a robot of the user's own says its rate itself.
-    if (!o.own.empty()) return o;
+    if (!o.own.empty())
+        return o;
     const std::uint32_t usual = usual_rate(o.robot);
     if (usual == 0)
         throw WrongUse("there is no simulated `" + o.robot +
                        "` on a line; there are: pioneer, scout, create");
-    if (o.rate == 0) o.rate = usual;
+    if (o.rate == 0)
+        o.rate = usual;
     return o;
 }
 

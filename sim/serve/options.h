@@ -5,7 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-namespace frob::serve {
+namespace frob::serve
+{
 
 struct Options {
     std::string robot = "pioneer";
@@ -15,12 +16,12 @@ struct Options {
     int tcp_port = -1;       // a pseudo-terminal instead if negative
     int camera_port = -1;    // for the world's cameras; none if negative
     double duration_s = 0.0; // 0: until it is ended
-    std::uint32_t rate = 0;        // of the line at first; 0: what is usual for the robot
+    std::uint32_t rate = 0;  // of the line at first; 0: what is usual for the robot
     bool paced = true;       // bytes take their time
     std::string log;         // of commands; empty: none
     std::string link;        // a symbolic link kept to the device; empty: none
     double wall_distance_m = 0.0;
-    std::string own;         // the shared object of a robot of the user's own; empty: none
+    std::string own; // the shared object of a robot of the user's own; empty: none
 };
 
 struct WrongUse : std::runtime_error {

@@ -13,7 +13,8 @@
 #include "firmware.h"
 #include "sim.h"
 
-namespace frob::serve {
+namespace frob::serve
+{
 
 struct OwnRobot {
     const frob_body *body = nullptr;
@@ -24,7 +25,8 @@ struct OwnRobot {
 // WrongUse if a part is missing. They stay loaded.
 OwnRobot load_own_robot(const std::string &object, const std::string &robot);
 
-class OwnFirmware : public Firmware {
+class OwnFirmware : public Firmware
+{
   public:
     // The simulation is the caller's, and nobody else's while this is used.
     OwnFirmware(const frob_board &board, frob_sim *sim, std::uint32_t rate);

@@ -8,15 +8,17 @@
 
 #include "firmware.h"
 
-namespace frob::serve {
+namespace frob::serve
+{
 
 // FA FB, count, body, checksum with its high byte first.
 Bytes p2os_packet(const Bytes &body);
 
 // Builds a body: numbers low byte first, texts with a NUL.
-class P2osBody {
+class P2osBody
+{
   public:
-    explicit P2osBody(std::uint8_t type) : bytes_{type} {}
+    explicit P2osBody(std::uint8_t type) : bytes_{ type } {}
     P2osBody &u8(int value);
     P2osBody &u16(int value); // two's complement where negative
     P2osBody &text(const std::string &text);
@@ -36,7 +38,8 @@ struct P2osCommand {
 
 // Finds commands in a stream of bytes; what is not a good packet is dropped,
 // as the firmware does.
-class P2osReader {
+class P2osReader
+{
   public:
     std::optional<P2osCommand> take(std::uint8_t byte);
 

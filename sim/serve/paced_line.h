@@ -6,9 +6,11 @@
 
 #include "firmware.h"
 
-namespace frob::serve {
+namespace frob::serve
+{
 
-class PacedLine {
+class PacedLine
+{
   public:
     // A line that is not paced hands on what it gets at once.
     explicit PacedLine(bool paced) : paced_(paced) {}

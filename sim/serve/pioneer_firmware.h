@@ -15,7 +15,8 @@
 #include "pioneer_motion.h"
 #include "sim.h"
 
-namespace frob::serve {
+namespace frob::serve
+{
 
 // What a model's counters count, as its parameter file has it.
 struct PioneerModel {
@@ -24,7 +25,8 @@ struct PioneerModel {
     double range_mm;    // one unit of a sonar's range
 };
 
-class PioneerFirmware : public Firmware {
+class PioneerFirmware : public Firmware
+{
   public:
     // The simulation is the caller's, and nobody else's while this is used.
     PioneerFirmware(frob_sim *sim, const PioneerModel &model, std::uint32_t rate);
@@ -82,7 +84,7 @@ class PioneerFirmware : public Firmware {
     double origin_x_ = 0.0, origin_y_ = 0.0, origin_heading_ = 0.0;
 
     struct Echo {
-        bool fresh = false;     // to be in the next SIP
+        bool fresh = false; // to be in the next SIP
         double range_m = 5.0;
         std::int64_t at_ns = 0; // when the transducer last had a result
     };

@@ -5,7 +5,8 @@
 
 #include <optional>
 
-namespace frob::serve {
+namespace frob::serve
+{
 
 // Where the robot is by its odometry, and how fast.
 struct PioneerState {
@@ -13,7 +14,8 @@ struct PioneerState {
     double speed, turn; // measured, m/s and rad/s
 };
 
-class PioneerMotion {
+class PioneerMotion
+{
   public:
     // The limits that hold until a client sets its own.
     PioneerMotion(double top_speed, double top_turn);
@@ -44,8 +46,8 @@ class PioneerMotion {
 
   private:
     struct Axis {
-        double top;            // the robot's
-        double most;           // the client's
+        double top;              // the robot's
+        double most;             // the client's
         double up = 0, down = 0; // accelerations; 0: none
         double wanted = 0, told = 0;
         void want(double value);

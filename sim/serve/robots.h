@@ -8,7 +8,8 @@
 #include "firmware.h"
 #include "sim.h"
 
-namespace frob::serve {
+namespace frob::serve
+{
 
 // What is usual for the robot, in bits per second; 0 if there is no such robot.
 std::uint32_t usual_rate(const std::string &robot);

@@ -8,12 +8,16 @@
 #include "firmware.h"
 #include "paced_line.h"
 
-namespace frob::serve {
+namespace frob::serve
+{
 
-class Server {
+class Server
+{
   public:
     Server(Firmware &firmware, bool paced)
-        : firmware_(firmware), to_robot_(paced), to_client_(paced) {}
+        : firmware_(firmware), to_robot_(paced), to_client_(paced)
+    {
+    }
 
     // Plugs the line in; with nothing, pulls it out.
     void plug(std::unique_ptr<Connection> connection);

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <cstdio>
 
-namespace frob::serve {
+namespace frob::serve
+{
 
-void print_summary(const frob_sim *sim) {
+void print_summary(const frob_sim *sim)
+{
     const frob_sim_summary s = frob_sim_summarize(sim);
     const frob_sim_place place = frob_sim_place_robot(sim, 0);
     std::printf("time simulated: %.3f s\n", s.time_s);

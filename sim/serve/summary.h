@@ -3,7 +3,8 @@
 
 #include "sim.h"
 
-namespace frob::serve {
+namespace frob::serve
+{
 
 // On standard output, one `name: value unit` a line, as frob-sim has it.
 void print_summary(const frob_sim *sim);

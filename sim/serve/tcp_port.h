@@ -6,9 +6,11 @@
 
 #include "connection.h"
 
-namespace frob::serve {
+namespace frob::serve
+{
 
-class TcpPort : public Connection {
+class TcpPort : public Connection
+{
   public:
     // 0: any free port; throws std::system_error. `refused` is told of each client
     // that is turned away.

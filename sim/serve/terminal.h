@@ -3,9 +3,11 @@
 
 #include "connection.h"
 
-namespace frob::serve {
+namespace frob::serve
+{
 
-class Terminal : public Connection {
+class Terminal : public Connection
+{
   public:
     Terminal(); // throws std::system_error
     ~Terminal() override;

@@ -6,7 +6,8 @@
 // As in <sys/ioctl.h>, which would include the other termios.
 extern "C" int ioctl(int descriptor, unsigned long request, ...) noexcept;
 
-std::uint32_t frob::serve::terminal_rate(int descriptor) {
+std::uint32_t frob::serve::terminal_rate(int descriptor)
+{
     termios2 settings{};
     return ioctl(descriptor, TCGETS2, &settings) == 0 ? settings.c_ospeed : 0;
 }

@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-namespace frob::serve {
+namespace frob::serve
+{
 
 // 0 if it cannot be told. Linux; apart because its header cannot be included
 // beside <termios.h>.

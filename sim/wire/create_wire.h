@@ -16,9 +16,11 @@
 
 #include <frob/create.h>
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class CreateWire {
+class CreateWire
+{
   public:
     enum class Mode : std::uint8_t { off, passive, safe, full };
 
@@ -63,7 +65,7 @@ class CreateWire {
     Mode mode_ = Mode::off;
     frob_create_input senses_{};
     std::int64_t now_ns_ = 0, frame_ns_ = 0;
-    double left_way_mm_ = 0, right_way_mm_ = 0; // all the way of the wheels
+    double left_way_mm_ = 0, right_way_mm_ = 0;   // all the way of the wheels
     double asked_way_mm_ = 0, asked_turn_mm_ = 0; // when packets 19 and 20 were asked for
     int left_mm_s_ = 0, right_mm_s_ = 0, speed_mm_s_ = 0, radius_mm_ = 0;
     std::vector<std::uint8_t> command_; // bytes of it so far

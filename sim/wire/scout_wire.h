@@ -16,9 +16,11 @@
 
 #include <frob/scout.h>
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class ScoutWire {
+class ScoutWire
+{
   public:
     // Bytes from the client.
     void receive(const std::uint8_t *bytes, std::size_t count);
@@ -66,19 +68,19 @@ class ScoutWire {
     std::int64_t now_ns_ = 0, commanded_ns_ = 0;
     unsigned watchdog_s_ = 0;
     int left_ = 0, right_ = 0;
-    int speed_left_ = 100, speed_right_ = 100;  // of PR, as SP set them
-    bool moving_ = false;                       // by PR, until the ways below are made
-    double left_way_ = 0, right_way_ = 0;       // all the way of the wheels, 0.1 inch
+    int speed_left_ = 100, speed_right_ = 100; // of PR, as SP set them
+    bool moving_ = false;                      // by PR, until the ways below are made
+    double left_way_ = 0, right_way_ = 0;      // all the way of the wheels, 0.1 inch
     double left_goal_ = 0, right_goal_ = 0;
     // Where the body's odometry was when the place was defined, and as what.
     frob_pose origin_{};
-    Place defined_{0, 0, 0};
+    Place defined_{ 0, 0, 0 };
     bool waits_ = false; // WS is not answered yet
     std::int64_t waits_until_ns_ = 0;
-    std::array<bool, 16> on_{};                 // sonars in the order of CONF_SN
+    std::array<bool, 16> on_{}; // sonars in the order of CONF_SN
     std::array<std::uint8_t, 16> sonar_in_{};
     std::array<std::int64_t, 16> echo_ns_{};
-    std::int64_t round_ns_ = 0;                 // of the transducers that are on
+    std::int64_t round_ns_ = 0; // of the transducers that are on
     std::vector<std::uint8_t> pending_;
 };
 

@@ -6,9 +6,11 @@
 
 #include "scene.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class BallDistance {
+class BallDistance
+{
   public:
     explicit BallDistance(const MeasureSettings &settings) : settings_(settings) {}
 

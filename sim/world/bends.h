@@ -6,7 +6,8 @@
 
 #include "geometry.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // The first corner where a bend of this radius has no room: two bends would need
 // more than the segment between them, or one would begin before a free end or end

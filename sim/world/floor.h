@@ -5,9 +5,11 @@
 
 #include "scene.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class Floor {
+class Floor
+{
   public:
     explicit Floor(const Scene &scene);
 
@@ -26,9 +28,9 @@ class Floor {
     // edge, and the rectangle round it.
     struct Layer {
         std::vector<Vec> points;
-        bool outlined;  // an area with this outline; otherwise a stripe along the points
-        bool closed;    // of a stripe
-        double width;   // of a stripe
+        bool outlined; // an area with this outline; otherwise a stripe along the points
+        bool closed;   // of a stripe
+        double width;  // of a stripe
         double reflectance;
         Vec low, high;
     };

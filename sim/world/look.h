@@ -4,7 +4,8 @@
 #include <optional>
 #include <string>
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // Shares of red, green and blue, 0 to 1.
 struct Tint {
@@ -13,7 +14,10 @@ struct Tint {
     double blue = 0.0;
 };
 
-constexpr Tint operator*(double k, Tint t) { return {k * t.red, k * t.green, k * t.blue}; }
+constexpr Tint operator*(double k, Tint t)
+{
+    return { k * t.red, k * t.green, k * t.blue };
+}
 
 enum class Texture { plain, plaster, bricks, stripes, checks };
 

@@ -9,9 +9,11 @@
 
 #include "look.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class Print {
+class Print
+{
   public:
     Print() = default;
     // Of rows from the top, three bytes a pixel.

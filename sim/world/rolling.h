@@ -4,9 +4,11 @@
 
 #include "scene.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
-class Rolling {
+class Rolling
+{
   public:
     explicit Rolling(const Ball &ball);
 

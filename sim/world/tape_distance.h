@@ -6,20 +6,22 @@
 
 #include "scene.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // Where tape is nearest to a point.
 struct OnTape {
-    std::size_t tape;  // in the scene's order
-    double distance;   // from its middle line
-    double along;      // from its first point on
+    std::size_t tape; // in the scene's order
+    double distance;  // from its middle line
+    double along;     // from its first point on
 };
 
 // The scene has tape.
 OnTape nearest_on_tape(const Scene &scene, Vec point);
 
 // What a run came to.
-class TapeDistance {
+class TapeDistance
+{
   public:
     // The scene must outlive it, and has tape.
     TapeDistance(const Scene &scene, const MeasureSettings &settings);

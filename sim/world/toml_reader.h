@@ -10,10 +10,12 @@
 
 #include "geometry.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // The mistakes found in a file so far.
-class Mistakes {
+class Mistakes
+{
   public:
     explicit Mistakes(std::string path) : path_(std::move(path)) {}
 
@@ -46,7 +48,8 @@ enum class Range { any, not_negative, positive, size, share, part, error, turn }
 // Asks a table for its keys; `finish` then reports the keys nobody asked for, and
 // those that are needed and missing, unless one of the former was meant for it.
 // A mistake is reported and a default returned, so that reading goes on.
-class TomlReader {
+class TomlReader
+{
   public:
     TomlReader(Mistakes &mistakes, const toml::table &table) : mistakes_(mistakes), table_(table) {}
 

@@ -4,7 +4,8 @@
 #include <string>
 #include <string_view>
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // A sentence for the mistake at a line and column (from 1, as TOML's parser counts
 // them): what stands there and what to write instead, where it is one that people

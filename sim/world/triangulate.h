@@ -6,7 +6,8 @@
 
 #include "geometry.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 using Triangle = std::array<Vec, 3>;
 

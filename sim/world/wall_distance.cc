@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
-namespace frob::sim {
-double clearance(const Scene &scene, Vec point) {
+namespace frob::sim
+{
+double clearance(const Scene &scene, Vec point)
+{
     double nearest = std::numeric_limits<double>::infinity();
     for (const Wall &wall : scene.walls)
         nearest = std::min(nearest, distance_to_polyline(wall.points, wall.closed, point) -
@@ -19,7 +21,8 @@ double clearance(const Scene &scene, Vec point) {
     return std::max(nearest, 0.0);
 }
 
-double WallDistance::observe(std::int64_t time_ns, const Pose &robot) {
+double WallDistance::observe(std::int64_t time_ns, const Pose &robot)
+{
     const bool left = settings_.side == MeasureSettings::Side::left;
     const double distance =
         clearance(scene_, from_frame(robot, left ? chassis_.left : chassis_.right));
@@ -32,12 +35,14 @@ double WallDistance::observe(std::int64_t time_ns, const Pose &robot) {
     return distance;
 }
 
-double WallDistance::mean_error() const {
+double WallDistance::mean_error() const
+{
     return count_ == 0 ? std::numeric_limits<double>::quiet_NaN()
                        : sum_ / static_cast<double>(count_);
 }
 
-double WallDistance::largest_error() const {
+double WallDistance::largest_error() const
+{
     return count_ == 0 ? std::numeric_limits<double>::quiet_NaN() : largest_;
 }
 

@@ -7,18 +7,22 @@
 #include "chassis.h"
 #include "scene.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // Distance from a point to the nearest wall, polygon or circle: 0 inside one,
 // infinite where there is none. Boxes, which can be pushed away, do not count.
 double clearance(const Scene &scene, Vec point);
 
 // The errors of a run.
-class WallDistance {
+class WallDistance
+{
   public:
     // Scene and robot's description must outlive it.
     WallDistance(const Scene &scene, const Chassis &chassis, const MeasureSettings &settings)
-        : scene_(scene), chassis_(chassis), settings_(settings) {}
+        : scene_(scene), chassis_(chassis), settings_(settings)
+    {
+    }
 
     // Takes the robot's pose at a controller's instant. Returns the distance
     // from the robot's measured side.

@@ -10,10 +10,12 @@
 #include "rolling.h"
 #include "scene.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // The scene's solids and boxes, and a robot at each of its starts.
-class World {
+class World
+{
   public:
     World(const Scene &scene, const Chassis &chassis);
 

@@ -6,11 +6,13 @@
 
 #include "scene.h"
 
-namespace frob::sim {
+namespace frob::sim
+{
 
 // A world that cannot be used. `what()` is one line for each mistake, each
 // `FILE:LINE:COLUMN: message`, in the file's order.
-class WorldFileError : public std::runtime_error {
+class WorldFileError : public std::runtime_error
+{
   public:
     using std::runtime_error::runtime_error;
 };

@@ -52,5 +52,4 @@ let all sink =
 
 exception Bug of { stage : string; message : string }
 
-let bug ~stage format =
-  Format.kasprintf (fun message -> raise (Bug { stage; message })) format
+let bug ~stage format = Format.kasprintf (fun message -> raise (Bug { stage; message })) format

@@ -1,9 +1,8 @@
 (** What the compiler has to say to the programmer, as values.
 
-    A pass builds diagnostics and emits them into a sink, and goes on where it
-    can; {!Render_text} and {!Render_json} print them. The code of each is explained by a page of
-    [compiler/explain/]. Texts are lower case, without a full stop, with names
-    of the program in backticks. *)
+    A pass builds diagnostics and emits them into a sink, and goes on where it can; {!Render_text}
+    and {!Render_json} print them. The code of each is explained by a page of [compiler/explain/].
+    Texts are lower case, without a full stop, with names of the program in backticks. *)
 
 type severity = Error | Warning
 
@@ -37,8 +36,8 @@ type t = {
 val error : code:string -> at:Span.t -> ('a, Format.formatter, unit, t) format4 -> 'a
 val warning : code:string -> at:Span.t -> ('a, Format.formatter, unit, t) format4 -> 'a
 
-(** The rest adds to a diagnostic: [error … "…" |> label ~at "…" |> emit sink].
-    The texts are plain strings; use [Printf.sprintf] where they vary. *)
+(** The rest adds to a diagnostic: [error … "…" |> label ~at "…" |> emit sink]. The texts are plain
+    strings; use [Printf.sprintf] where they vary. *)
 
 val here : string -> t -> t
 val label : at:Span.t -> string -> t -> t
@@ -56,7 +55,6 @@ type sink
 
 val sink : unit -> sink
 val emit : sink -> t -> unit
-
 val last : sink -> t option
 
 val revise_last : sink -> (t -> t) -> unit

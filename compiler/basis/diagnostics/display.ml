@@ -6,7 +6,6 @@ type t = {
 }
 
 let replacement = "\xef\xbf\xbd"
-
 let within code ranges = List.exists (fun (first, last) -> code >= first && code <= last) ranges
 
 (* Marks that sit on the character before them, and invisible ones. *)
@@ -15,8 +14,16 @@ let zero_width = [ (0x300, 0x36f); (0x200b, 0x200d); (0x20d0, 0x20ff); (0xfe00, 
 (* East Asian wide characters and most emoji. *)
 let double_width =
   [
-    (0x1100, 0x115f); (0x2e80, 0xa4cf); (0xac00, 0xd7a3); (0xf900, 0xfaff); (0xfe30, 0xfe6f);
-    (0xff00, 0xff60); (0xffe0, 0xffe6); (0x1f300, 0x1f64f); (0x1f900, 0x1f9ff); (0x20000, 0x3fffd);
+    (0x1100, 0x115f);
+    (0x2e80, 0xa4cf);
+    (0xac00, 0xd7a3);
+    (0xf900, 0xfaff);
+    (0xfe30, 0xfe6f);
+    (0xff00, 0xff60);
+    (0xffe0, 0xffe6);
+    (0x1f300, 0x1f64f);
+    (0x1f900, 0x1f9ff);
+    (0x20000, 0x3fffd);
   ]
 
 (* Directions of writing could make a line look like another one. *)
@@ -43,15 +50,13 @@ let of_line text =
   let n = String.length text in
   let column_at = Array.make (n + 1) 0 in
   let rec go i column glyphs =
-    if i >= n then begin
+    if i >= n then (
       column_at.(n) <- column;
-      Array.of_list (List.rev glyphs)
-    end
-    else begin
+      Array.of_list (List.rev glyphs))
+    else
       let length, glyph = glyph text i in
       Array.fill column_at i length column;
       go (i + length) (column + glyph.columns) (glyph :: glyphs)
-    end
   in
   let glyphs = go 0 0 [] in
   { glyphs; column_at }
@@ -63,7 +68,6 @@ let column t offset =
   if offset <= last then t.column_at.(max 0 offset) else t.column_at.(last) + offset - last
 
 let byte_order_mark = "\xef\xbb\xbf"
-
 let is_marked text = String.length text >= 3 && String.equal (String.sub text 0 3) byte_order_mark
 
 let characters_before text offset =

@@ -1,5 +1,5 @@
-(** What each diagnostic code means: the pages of [compiler/explain/],
-    embedded when the compiler is built. *)
+(** What each diagnostic code means: the pages of [compiler/explain/], embedded when the compiler is
+    built. *)
 
 val find : string -> string option
 (** The page of a code such as ["E0401"], in Markdown. *)

@@ -3,7 +3,7 @@ open Json
 let character source (p : Span.position) file =
   match Source.line source file (Span.line p) with
   | Some line -> 1 + Display.characters_before line (Span.column p - 1)
-  | None -> (Span.column p)
+  | None -> Span.column p
 
 let place source (at : Span.t) =
   [
@@ -67,9 +67,7 @@ let child level message =
     ]
 
 let diagnostic source (d : Diagnostic.t) =
-  let explanation =
-    match Explain.find d.code with Some page -> String page | None -> Null
-  in
+  let explanation = match Explain.find d.code with Some page -> String page | None -> Null in
   let level = match d.severity with Error -> "error" | Warning -> "warning" in
   Json.to_string
     (Object
@@ -83,11 +81,9 @@ let diagnostic source (d : Diagnostic.t) =
              :: List.map
                   (fun (l : Diagnostic.label) -> span source ~primary:false ~label:l.text l.at)
                   d.labels) );
-         ( "children",
-           List (List.map (child "note") d.notes @ List.map (child "help") d.hints) );
+         ("children", List (List.map (child "note") d.notes @ List.map (child "help") d.hints));
          ("fixes", List (List.map (fix source) d.fixes));
          ("rendered", String (Render_text.diagnostic ~colour:false source d));
        ])
 
-let diagnostics source list =
-  String.concat "" (List.map (fun d -> diagnostic source d ^ "\n") list)
+let diagnostics source list = String.concat "" (List.map (fun d -> diagnostic source d ^ "\n") list)

@@ -39,12 +39,16 @@ let lines_of source ~main ((at : Span.t), text) =
       else (Span.line at.stop, Span.column at.stop)
     in
     if last <= Span.line at.start then
-      [ mark (Span.line at.start) (Span.column at.start)
-        (String.length (line (Span.line at.start)) + 1) text ]
+      [
+        mark (Span.line at.start) (Span.column at.start)
+          (String.length (line (Span.line at.start)) + 1)
+          text;
+      ]
     else
       [
         mark (Span.line at.start) (Span.column at.start)
-          (String.length (line (Span.line at.start)) + 1) "";
+          (String.length (line (Span.line at.start)) + 1)
+          "";
         mark last (first_letter last) stop text;
       ]
 
@@ -52,22 +56,22 @@ let lines_of source ~main ((at : Span.t), text) =
 
 (* Writes [text] at [column] of a row of cells; a cell is a character as
    shown, with the mark it belongs to. *)
-let put row column main text =
-  String.iteri (fun i c -> row.(column + i) <- (c, main)) text
+let put row column main text = String.iteri (fun i c -> row.(column + i) <- (c, main)) text
 
 let row_text paint row =
   let last = ref (Array.length row) in
-  while !last > 0 && fst row.(!last - 1) = ' ' do decr last done;
+  while !last > 0 && fst row.(!last - 1) = ' ' do
+    decr last
+  done;
   let text = Buffer.create 80 in
   let rec go i =
-    if i < !last then begin
+    if i < !last then (
       let c, main = row.(i) in
       let rec same k = if k < !last && row.(k) = (c, main) then same (k + 1) else k in
       let stop = same i in
       let piece = String.make (stop - i) c in
       Buffer.add_string text (if c = ' ' then piece else mark_colour paint main piece);
-      go stop
-    end
+      go stop)
   in
   go 0;
   Buffer.contents text

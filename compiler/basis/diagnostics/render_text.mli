@@ -12,15 +12,14 @@ error[E0401]: signal `speed` needs its own value in the same instant
    = hint: read the previous value instead, with `delay`
     v}
 
-    Columns are shown in characters. A place in a file whose text is not in
-    the table is shown without an excerpt. *)
+    Columns are shown in characters. A place in a file whose text is not in the table is shown
+    without an excerpt. *)
 
 val diagnostic : colour:bool -> Source.t -> Diagnostic.t -> string
 (** Ends with a line end; colour is by ANSI sequences. *)
 
 val diagnostics : colour:bool -> Source.t -> Diagnostic.t list -> string
-(** All of them, an empty line after each, and then {!summary} if there are
-    any. *)
+(** All of them, an empty line after each, and then {!summary} if there are any. *)
 
 val summary : Diagnostic.t list -> string
 (** Such as [2 errors, 1 warning], with a line end; [""] for none. *)

@@ -34,10 +34,10 @@ let offset t file (p : Span.position) =
 let quote t (span : Span.t) =
   match line t span.file (Span.line span.start) with
   | Some text when Span.line span.start = Span.line span.stop ->
-    let first = Span.column span.start - 1 and after = Span.column span.stop - 1 in
-    if 0 <= first && first <= after && after <= String.length text then
-      Some (String.sub text first (after - first))
-    else None
+      let first = Span.column span.start - 1 and after = Span.column span.stop - 1 in
+      if 0 <= first && first <= after && after <= String.length text then
+        Some (String.sub text first (after - first))
+      else None
   | _ -> None
 
 (* Does the bracket at the start close at the end? *)

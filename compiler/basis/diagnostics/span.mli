@@ -1,13 +1,13 @@
 (** Places in source text.
 
-    Columns count bytes from 1; the renderers turn them into what a reader
-    sees. The end is exclusive. A span lies in one file. *)
+    Columns count bytes from 1; the renderers turn them into what a reader sees. The end is
+    exclusive. A span lies in one file. *)
 
 type position = private int
 (** Of two positions in a file the later is the greater number. *)
 
 val position : line:int -> column:int -> position
-(** Neither may be negative. Columns from 2{^28} on are not told apart. *)
+(** Neither may be negative. Columns from 2{^ 28} on are not told apart. *)
 
 val line : position -> int
 val column : position -> int
@@ -24,8 +24,7 @@ type t = {
 val make : file:string -> start:position -> stop:position -> t
 
 val merge : t -> t -> t
-(** The smallest span that covers both; they must lie in one file, else the
-    first is returned. *)
+(** The smallest span that covers both; they must lie in one file, else the first is returned. *)
 
 val compare : t -> t -> int
 (** By file, then start, then stop. *)

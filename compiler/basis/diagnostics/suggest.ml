@@ -6,7 +6,7 @@ let distance ~limit a b =
   else
     let rec rows i before previous =
       if i > n then Some previous.(m)
-      else begin
+      else
         let row = Array.make (m + 1) i in
         for j = 1 to m do
           let replaced = if Char.equal a.[i - 1] b.[j - 1] then 0 else 1 in
@@ -16,10 +16,9 @@ let distance ~limit a b =
           in
           row.(j) <- (if swapped then min best (before.(j - 2) + 1) else best)
         done;
-        if Array.exists (fun d -> d <= limit) row || Array.exists (fun d -> d < limit) previous
-        then rows (i + 1) previous row
+        if Array.exists (fun d -> d <= limit) row || Array.exists (fun d -> d < limit) previous then
+          rows (i + 1) previous row
         else None
-      end
     in
     match rows 1 [||] (Array.init (m + 1) Fun.id) with
     | Some d when d <= limit -> Some d

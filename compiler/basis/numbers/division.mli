@@ -1,5 +1,5 @@
-(** Division of Ints as the language has it (language reference, section 4), for stages
-    that compute with constants. The interpreter, which judges them, has its own. *)
+(** Division of Ints as the language has it (language reference, section 4), for stages that compute
+    with constants. The interpreter, which judges them, has its own. *)
 
 val div : int32 -> int32 -> int32
 (** Rounds to minus infinity; by 0 it is 0. *)

@@ -5,7 +5,9 @@ module Natural = struct
 
   let normalize digits =
     let n = ref (Array.length digits) in
-    while !n > 0 && digits.(!n - 1) = 0 do decr n done;
+    while !n > 0 && digits.(!n - 1) = 0 do
+      decr n
+    done;
     if !n = Array.length digits then digits else Array.sub digits 0 !n
 
   let zero : int array = [||]
@@ -43,12 +45,17 @@ module Natural = struct
       (Array.mapi
          (fun i d ->
            let d = d - !borrow - if i < Array.length b then b.(i) else 0 in
-           if d < 0 then (borrow := 1; d + base) else (borrow := 0; d))
+           if d < 0 then (
+             borrow := 1;
+             d + base)
+           else (
+             borrow := 0;
+             d))
          a)
 
   let multiply a b =
     if is_zero a || is_zero b then zero
-    else begin
+    else
       let product = Array.make (Array.length a + Array.length b) 0 in
       Array.iteri
         (fun i x ->
@@ -68,7 +75,6 @@ module Natural = struct
           done)
         a;
       normalize product
-    end
 
   let rec power a n =
     if n = 0 then of_int 1
@@ -87,23 +93,22 @@ module Natural = struct
      from leading digits and then corrected by at most a step or two. *)
   let divide a b =
     if compare a b < 0 then (zero, a)
-    else if Array.length b = 1 then begin
+    else if Array.length b = 1 then (
       let rest = ref 0 and quotient = Array.make (Array.length a) 0 in
       for i = Array.length a - 1 downto 0 do
         let part = (!rest * base) + a.(i) in
         quotient.(i) <- part / b.(0);
         rest := part mod b.(0)
       done;
-      (normalize quotient, of_int !rest)
-    end
-    else begin
+      (normalize quotient, of_int !rest))
+    else
       let length = Array.length b in
       let positions = Array.length a - length + 1 in
       let quotient = Array.make positions 0 in
       let rest = ref (normalize (Array.sub a positions (length - 1))) in
       for i = positions - 1 downto 0 do
         rest := normalize (Array.append [| a.(i) |] !rest);
-        if compare !rest b >= 0 then begin
+        if compare !rest b >= 0 then (
           (* both taken from the same position, so that their ratio counts *)
           let top = Array.length !rest in
           let estimate = leading !rest top /. leading b top in
@@ -119,12 +124,9 @@ module Natural = struct
             left := subtract !left b
           done;
           quotient.(i) <- !digit;
-          rest := !left
-        end
+          rest := !left)
       done;
       (normalize quotient, !rest)
-    end
-
 
   let to_int_opt a =
     let n = Array.length a in
@@ -165,8 +167,7 @@ end
 type t = { negative : bool; numerator : int array; denominator : int array }
 
 let reduce negative numerator denominator =
-  if Natural.is_zero numerator then
-    { negative = false; numerator; denominator = Natural.one }
+  if Natural.is_zero numerator then { negative = false; numerator; denominator = Natural.one }
   else
     let g = Natural.gcd numerator denominator in
     {
@@ -180,7 +181,6 @@ let zero = of_int 0
 let one = of_int 1
 let ten_to n = Natural.power (Natural.of_int 10) n
 let limit_of_exponent = 400
-
 let is_digits text = String.for_all (function '0' .. '9' -> true | _ -> false) text
 
 (* Nearly all literals are a few digits, perhaps with a point: an int holds them. *)
@@ -228,13 +228,13 @@ let any_decimal text =
   in
   match exponent with
   | Some exponent
-    when whole <> "" && is_digits whole && is_digits fraction
-         && abs exponent <= limit_of_exponent ->
+    when whole <> "" && is_digits whole && is_digits fraction && abs exponent <= limit_of_exponent
+    ->
       let digits = Natural.of_digits (whole ^ fraction) in
       let scale = exponent - String.length fraction in
       Some
         (if scale >= 0 then reduce false (Natural.multiply digits (ten_to scale)) Natural.one
-        else reduce false digits (ten_to (-scale)))
+         else reduce false digits (ten_to (-scale)))
   | _ -> None
 
 (* Of one digit, in any base up to 16. *)
@@ -263,10 +263,7 @@ let of_literal text =
   let length = String.length text in
   match if length < 3 then None else base_of_prefix (text.[0], text.[1]) with
   | Some base -> in_base base (String.sub text 2 (length - 2))
-  | None -> (
-      match short_decimal text with
-      | Some _ as value -> value
-      | None -> any_decimal text)
+  | None -> ( match short_decimal text with Some _ as value -> value | None -> any_decimal text)
 
 (* OEIS A000796, the first hundred decimals; in lowest terms, for the last of them
    is neither even nor 5. *)
@@ -275,8 +272,7 @@ let pi =
     negative = false;
     numerator =
       Natural.of_digits
-        "31415926535897932384626433832795028841971693993751\
-         058209749445923078164062862089986280348253421170679";
+        "31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679";
     denominator = Natural.power (Natural.of_int 10) 100;
   }
 
@@ -289,8 +285,7 @@ let multiply a b =
   else
     let cancel n d =
       let g = Natural.gcd n d in
-      if Natural.is_one g then (n, d)
-      else (fst (Natural.divide n g), fst (Natural.divide d g))
+      if Natural.is_one g then (n, d) else (fst (Natural.divide n g), fst (Natural.divide d g))
     in
     let n, d' = cancel a.numerator b.denominator in
     let n', d = cancel b.numerator a.denominator in
@@ -360,7 +355,7 @@ let binary32 = { bits = 24; smallest = -149; largest = 127 }
    rounding (to fewer bits below the normal range) be done once, on an integer. *)
 let rounded_by_bits format t =
   if Natural.is_zero t.numerator then 0.
-  else begin
+  else
     let two_to n = Natural.power (Natural.of_int 2) n in
     let quotient shift =
       if shift >= 0 then Natural.divide (Natural.multiply t.numerator (two_to shift)) t.denominator
@@ -373,11 +368,12 @@ let rounded_by_bits format t =
       else Natural.compare (Natural.multiply t.numerator (two_to (-e))) t.denominator >= 0
     in
     let guess =
-      int_of_float
-        (13.28771 *. float_of_int (Array.length t.numerator - Array.length t.denominator))
+      int_of_float (13.28771 *. float_of_int (Array.length t.numerator - Array.length t.denominator))
     in
     let e = ref (guess - 15) in
-    while at_least (!e + 1) do incr e done;
+    while at_least (!e + 1) do
+      incr e
+    done;
     let exponent = !e in
     let lowest = max (exponent - format.bits + 1) format.smallest in
     let q, rest = quotient (1 - lowest) in
@@ -392,7 +388,6 @@ let rounded_by_bits format t =
         if magnitude >= ldexp 2. format.largest then infinity else magnitude
     in
     if t.negative then -.magnitude else magnitude
-  end
 
 let to_float t =
   let exact n = n <= 1 lsl 53 in

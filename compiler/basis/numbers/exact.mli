@@ -1,8 +1,8 @@
 (** Exact rational numbers, and their one rounding to a machine number.
 
-    A literal's value is its exact decimal times its unit's exact scale,
-    rounded once (language reference, section 4). Pi is taken to 100 decimal
-    places, far beyond what any rounding of a literal can see. *)
+    A literal's value is its exact decimal times its unit's exact scale, rounded once (language
+    reference, section 4). Pi is taken to 100 decimal places, far beyond what any rounding of a
+    literal can see. *)
 
 type t
 
@@ -11,9 +11,8 @@ val one : t
 val of_int : int -> t
 
 val of_literal : string -> t option
-(** [digits[.digits][(e|E)[+-]digits]], or [0x], [0o], [0b] and digits of that base, all
-    perhaps with [_] among the digits; [None] if it is not of that form or its exponent is
-    beyond ±400. *)
+(** [digits[.digits][(e|E)[+-]digits]], or [0x], [0o], [0b] and digits of that base, all perhaps
+    with [_] among the digits; [None] if it is not of that form or its exponent is beyond ±400. *)
 
 val base_of_prefix : char * char -> int option
 (** Of a literal's first two characters. *)

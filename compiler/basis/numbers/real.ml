@@ -1,6 +1,4 @@
-type t =
-  | Double
-  | Single
+type t = Double | Single
 
 let to_single x = Int32.float_of_bits (Int32.bits_of_float x)
 let round = function Double -> Fun.id | Single -> to_single
@@ -27,9 +25,7 @@ let reads_back t x text =
   match t with
   | Double -> Float.equal read x
   | Single ->
-      List.for_all
-        (fun y -> Float.equal (to_single y) x)
-        [ read; Float.pred read; Float.succ read ]
+      List.for_all (fun y -> Float.equal (to_single y) x) [ read; Float.pred read; Float.succ read ]
 
 let shortest t x =
   let most = match t with Double -> 17 | Single -> 9 in

@@ -51,10 +51,9 @@ let components graph =
         | [] -> ())
   in
   for v = 0 to n - 1 do
-    if number.(v) = unvisited then begin
+    if number.(v) = unvisited then (
       enter v;
-      search v graph.(v) []
-    end
+      search v graph.(v) [])
   done;
   List.rev !found
 
@@ -90,14 +89,12 @@ let shortest_cycle graph component =
       | w :: rest ->
           incr looked_at;
           if w = root then Some (path_to v [])
-          else begin
-            if inside.(w) && seen_from.(w) <> root && depth < bound - 1 then begin
+          else (
+            if inside.(w) && seen_from.(w) <> root && depth < bound - 1 then (
               seen_from.(w) <- root;
               parent.(w) <- v;
-              Queue.add (w, depth + 1) queue
-            end;
-            visit v depth rest
-          end
+              Queue.add (w, depth + 1) queue);
+            visit v depth rest)
     and next () =
       match Queue.take_opt queue with
       | None -> None

@@ -55,7 +55,7 @@ let take_out t i =
   t.length <- t.length - 1
 
 let remove t key =
-  if mem t key then begin
+  if mem t key then (
     let next i = (i + 1) land (Array.length t.keys - 1) in
     (* Those after it may stand where they do because it was there. *)
     let rec put_again i =
@@ -68,8 +68,7 @@ let remove t key =
     in
     let i = place t key (own_place t key) in
     take_out t i;
-    put_again (next i)
-  end
+    put_again (next i))
 
 let reset t =
   t.keys <- [||];

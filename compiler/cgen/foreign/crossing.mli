@@ -1,12 +1,10 @@
 (** Values on their way to the user's C and back.
 
-    C has doubles whatever a program computes with. In double precision a value
-    goes over as it is. In single precision its numbers are converted one by one,
-    each with a cast: any float is a double, and a double is rounded. *)
+    C has doubles whatever a program computes with. In double precision a value goes over as it is.
+    In single precision its numbers are converted one by one, each with a cast: any float is a
+    double, and a double is rounded. *)
 
-type direction =
-  | To_c
-  | From_c
+type direction = To_c | From_c
 
 val is_converted : Expression.names -> Step.Ir.ty -> bool
 
@@ -25,5 +23,5 @@ val elements :
   c:(Ir.expr list -> Ir.expr) ->
   own:Ir.expr ->
   Ir.statement list
-(** A value that may be an array: on C's side the steps lead to it, and [c] gives
-    the place at the indices of the arrays on the way; [own] is the program's. *)
+(** A value that may be an array: on C's side the steps lead to it, and [c] gives the place at the
+    indices of the arrays on the way; [own] is the program's. *)

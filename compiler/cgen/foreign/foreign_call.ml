@@ -14,8 +14,8 @@ let fill names (i : Interface.t) name values =
     Crossing.elements names To_c ty steps ~c:(Access.path (address name) steps) ~own:value
   in
   let clear steps = Access.clear names steps (address name) in
-  (plain (Ir.Variables { ty = Struct i.struct_name; names = [ name ] })
-  :: List.concat (List.map2 leaf i.leaves values))
+  plain (Ir.Variables { ty = Struct i.struct_name; names = [ name ] })
+  :: List.concat (List.map2 leaf i.leaves values)
   @ List.concat_map clear i.unused
 
 let size : M.ty -> int = function
@@ -61,9 +61,7 @@ type output = { ty : M.ty; leaf : int; pointer : string  (** [""] if it is retur
 
 (* What C's result is to the program, an expression or what copies it. *)
 let result names results { ty; leaf; _ } =
-  let copy steps c =
-    `Copy (fun target -> Crossing.elements names From_c ty steps ~c ~own:target)
-  in
+  let copy steps c = `Copy (fun target -> Crossing.elements names From_c ty steps ~c ~own:target) in
   let in_one_piece (e : Ir.expr) =
     match ty with
     | Sum _ when Crossing.is_converted names ty -> copy [] (fun _ -> e)
@@ -100,7 +98,7 @@ let outputs names (node : M.node) foreign =
 let give output value =
   plain
     (if String.equal output.pointer "" then Ir.Return value
-    else Assign (Unary (Dereference, Name output.pointer), value))
+     else Assign (Unary (Dereference, Name output.pointer), value))
 
 (* With a variable for each output between C and what is given. *)
 let through_variables v names ~initial outputs results call =
@@ -125,9 +123,7 @@ let through_variables v names ~initial outputs results call =
 
 let body v names outputs results ~call ~present =
   let direct output =
-    match result names results output with
-    | `Value e -> Some (give output e)
-    | `Copy _ -> None
+    match result names results output with `Value e -> Some (give output e) | `Copy _ -> None
   in
   let given = List.filter_map direct outputs in
   if present = [] && List.compare_lengths given outputs = 0 then call @ given
@@ -217,7 +213,6 @@ let step (v : V.t) k (interface : Foreign_interface.t) : Ir.function_ =
     result = (match outputs with [ { ty; pointer = ""; _ } ] -> V.ty v ty | _ -> Void);
     name = v.nodes.(k).step;
     parameters = own @ given @ pointers;
-    body =
-      body v names outputs results ~call ~present:(present names node.step.parameters);
+    body = body v names outputs results ~call ~present:(present names node.step.parameters);
     comment = Printf.sprintf "%s: `%s` in the user's C" node.origin interface.symbol;
   }

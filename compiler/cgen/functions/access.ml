@@ -32,8 +32,7 @@ let for_each names steps body =
   around steps []
 
 let clear names steps from =
-  for_each names steps (fun indices ->
-      [ plain (Ir.Assign (path from steps indices, Integer 0l)) ])
+  for_each names steps (fun indices -> [ plain (Ir.Assign (path from steps indices, Integer 0l)) ])
 
 (* Between a place in an array of the input or output and a variable. *)
 let copy names steps ~from_interface from own =

@@ -1,8 +1,8 @@
 (** Places in the structs of an {!Interface}. *)
 
 val path : Ir.expr -> Interface.step list -> Ir.expr list -> Ir.expr
-(** The place that the steps lead to from a pointer to the struct, at these
-    indices of the arrays around it. *)
+(** The place that the steps lead to from a pointer to the struct, at these indices of the arrays
+    around it. *)
 
 val for_each :
   Expression.names ->

@@ -19,11 +19,11 @@ let of_program (v : V.t) =
   let parameters =
     (Printf.sprintf "struct %s *self" root.state :: params)
     @ [
-      "int32_t count";
-      Printf.sprintf "const %s *%s" dt_type dt;
-      Printf.sprintf "const struct %s *in" v.input.struct_name;
-      Printf.sprintf "struct %s *out" v.output.struct_name;
-    ]
+        "int32_t count";
+        Printf.sprintf "const %s *%s" dt_type dt;
+        Printf.sprintf "const struct %s *in" v.input.struct_name;
+        Printf.sprintf "struct %s *out" v.output.struct_name;
+      ]
   in
   let signature = head ^ String.concat (",\n" ^ indent) parameters ^ ")" in
   {

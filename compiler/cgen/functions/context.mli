@@ -21,8 +21,7 @@ val comment : t -> Span.t -> string
 val expression : t -> M.expr -> Ir.expr
 
 val declared : t -> (M.variable * string) list -> Ir.statement list
-(** Declarations without values, one for each run of equal types, of variables by these
-    names. *)
+(** Declarations without values, one for each run of equal types, of variables by these names. *)
 
 val uninitialized : t -> M.variable list -> Ir.statement list
 (** Likewise, last first. *)
@@ -30,8 +29,7 @@ val uninitialized : t -> M.variable list -> Ir.statement list
 val in_seconds : t -> Ir.expr -> Ir.expr
 (** Of nanoseconds, 64 bits. *)
 
-val step_call :
-  t -> node:int -> own:Ir.expr list -> Ir.expr list -> Ir.expr list -> Ir.expr
+val step_call : t -> node:int -> own:Ir.expr list -> Ir.expr list -> Ir.expr list -> Ir.expr
 (** With the address of the state, if there is one, arguments and results. *)
 
 val own_state : t -> M.field option -> Ir.expr list

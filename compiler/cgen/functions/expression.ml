@@ -8,7 +8,7 @@ type names = {
   scope : Name.scope;
   variables : Ir.expr Int_table.t;
   in_place : (Ir.expr list -> Ir.expr) Int_table.t;
-  indices : string Int_table.t;  (* of loops, by how deep they are in others *)
+  indices : string Int_table.t; (* of loops, by how deep they are in others *)
   mutable reaches_state : bool;
 }
 
@@ -28,6 +28,7 @@ let names (v : V.t) ~node =
 
 let scope n = n.scope
 let vocabulary n = n.v
+
 let index n depth =
   match Int_table.find_opt n.indices depth with
   | Some name -> name
@@ -37,7 +38,6 @@ let index n depth =
       name
 
 let read_elements_as n (variable : M.variable) e = Int_table.replace n.in_place variable.id e
-
 let read_as n (variable : M.variable) e = Int_table.replace n.variables variable.id e
 
 let variable n (variable : M.variable) =
@@ -162,8 +162,7 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
   | Maximum, Float -> limited n "frob_max" "frob_at_least" a b x y
   | Minimum, Int -> whole "frob_int_min"
   | Maximum, Int -> whole "frob_int_max"
-  | And, Bool ->
-      if is_decided ~by:( && ) x y then whole "frob_both" else Binary (And, x, y)
+  | And, Bool -> if is_decided ~by:( && ) x y then whole "frob_both" else Binary (And, x, y)
   | Or, Bool when is_decided ~by:( || ) x y -> whole "frob_either"
   | Or, Bool -> Binary (Or, x, y)
   | _, _ -> bad ()
@@ -188,9 +187,7 @@ let rec of_step n (e : M.expr) : Ir.expr =
   | Zero_time -> Integer 0l
   | Absent ty -> V.absent n.v ty
   | Variable v -> (
-      match Int_table.find_opt n.variables v.id with
-      | Some e -> e
-      | None -> Name (variable n v))
+      match Int_table.find_opt n.variables v.id with Some e -> e | None -> Name (variable n v))
   | Field f -> field n f
   | Param k -> param n k
   | Dt -> Name "dt"
@@ -222,13 +219,10 @@ let rec of_step n (e : M.expr) : Ir.expr =
       Binary (And, of_step n condition, of_step n then_)
   | Select { condition; then_; else_ } ->
       Conditional (of_step n condition, of_step n then_, of_step n else_)
-  | Construct { sum; constructor; payload } ->
-      Call (V.maker n.v ~sum ~constructor, list payload)
+  | Construct { sum; constructor; payload } -> Call (V.maker n.v ~sum ~constructor, list payload)
   | Is_constructor { sum; value; constructor } ->
-      Binary
-        (Equal, Member (of_step n value, "tag"), Name n.v.sums.(sum).tags.(constructor))
-  | Payload { sum; value; constructor; leaf } ->
-      payload n ~sum ~constructor ~leaf (of_step n value)
+      Binary (Equal, Member (of_step n value, "tag"), Name n.v.sums.(sum).tags.(constructor))
+  | Payload { sum; value; constructor; leaf } -> payload n ~sum ~constructor ~leaf (of_step n value)
   | Elements { elements; _ } -> Aggregate [ Aggregate (list elements) ]
   | Fill { count; element; value } ->
       Call (V.array_function n.v Fill (Array (count, element)), [ of_step n value ])

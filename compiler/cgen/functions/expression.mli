@@ -14,8 +14,8 @@ val read_as : names -> Step.Ir.variable -> Ir.expr -> unit
 (** How the variable is read from now on. *)
 
 val read_elements_as : names -> Step.Ir.variable -> (Ir.expr list -> Ir.expr) -> unit
-(** How an element of the array is read, given an index for each dimension; it
-    is not read otherwise. *)
+(** How an element of the array is read, given an index for each dimension; it is not read
+    otherwise. *)
 
 val element : names -> Step.Ir.expr -> Ir.expr -> Ir.expr
 (** Of an array, by its index. *)

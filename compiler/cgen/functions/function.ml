@@ -41,8 +41,7 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let condition = expression c condition in
       let condition =
         (* an update without an alternative stays a branch in any case *)
-        if predicted && else_ <> [] then Ir.Call ("FROB_BRANCH", [ condition ])
-        else condition
+        if predicted && else_ <> [] then Ir.Call ("FROB_BRANCH", [ condition ]) else condition
       in
       let comment = comment c span in
       let then_ = statements c then_ in
@@ -57,9 +56,7 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       step c rest ~node ~own:(own_state c state) arguments results span
   | Reset { node; state; arguments; span } ->
       let place = Expression.field c.names state and arguments = for_reset c node arguments in
-      let call place =
-        Ir.Do (Call (c.v.nodes.(node).reset, Unary (Address, place) :: arguments))
-      in
+      let call place = Ir.Do (Call (c.v.nodes.(node).reset, Unary (Address, place) :: arguments)) in
       let desc =
         match state.content with
         | States_of { count; _ } ->
@@ -140,6 +137,7 @@ let variables_read (v : V.t) (node : M.node) body =
   read
 
 let self v k = (Ir.Pointer (Struct v.V.nodes.(k).state), "self")
+
 (* The pointer to the program's parameters, where there are any and they are read. *)
 let params (v : V.t) is_read =
   match v.params with
@@ -150,8 +148,7 @@ let params (v : V.t) is_read =
 let ignored name = plain (Ir.Do (Cast (Void, Name name)))
 
 (* The pointer to a state that a body, already made, does not use. *)
-let unread names =
-  if Expression.reaches_state names then [] else [ ignored "self" ]
+let unread names = if Expression.reaches_state names then [] else [ ignored "self" ]
 
 let place_of (node : M.node) =
   Printf.sprintf "%s, %s:%d" node.origin
@@ -319,8 +316,7 @@ let inputs c (node : M.node) =
   let take (variable : M.variable) members =
     if Interface.is_in_array members then
       if not (Int_table.mem c.read variable.id) then []
-      else if
-        only_elements_read node.step.body variable ~dimensions:(Access.dimensions members)
+      else if only_elements_read node.step.body variable ~dimensions:(Access.dimensions members)
       then (
         Expression.read_elements_as c.names variable (Access.path (Name "in") members);
         [])
@@ -330,8 +326,7 @@ let inputs c (node : M.node) =
           plain (Ir.Variables { ty = V.ty c.v variable.ty; names = [ name ] });
           Access.copy c.names members ~from_interface:true (Name "in") (Name name);
         ]
-    else
-      read_member c.v c.names c.read variable members
+    else read_member c.v c.names c.read variable members
   in
   List.concat (List.rev (List.rev_map2 take node.step.parameters c.v.input.leaves))
 
@@ -404,6 +399,4 @@ let steps (v : V.t) k =
   if not (V.is_root v k) then [ own_step v k ]
   else
     let step = root_step v k in
-    match v.program.real with
-    | Double -> [ step ]
-    | Single -> [ step; step_in_seconds v step ]
+    match v.program.real with Double -> [ step ] | Single -> [ step; step_in_seconds v step ]

@@ -2,6 +2,7 @@ module M = Step.Ir
 module V = Vocabulary
 
 let plain desc : Ir.statement = { desc; comment = "" }
+
 let is_array (ty : M.ty) =
   match ty with Array _ -> true | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> false
 
@@ -18,8 +19,7 @@ let statements names (l : M.loop) ~call =
   let accumulators = List.length l.initial in
   let result_names = List.map (Expression.variable names) l.results in
   let start name (variable : M.variable) initial =
-    plain
-      (Ir.Variable { ty = V.ty v variable.ty; name; value = Expression.of_step names initial })
+    plain (Ir.Variable { ty = V.ty v variable.ty; name; value = Expression.of_step names initial })
   in
   let declare k (variable : M.variable) =
     let name = List.nth result_names k in
@@ -70,7 +70,8 @@ let statements names (l : M.loop) ~call =
           else (target, [], [])
         in
         let places =
-          List.mapi (fun k (variable, target) -> next k variable target)
+          List.mapi
+            (fun k (variable, target) -> next k variable target)
             (List.combine l.results targets)
         in
         let given = List.map (fun (place, _, _) -> Expression.address place) places in

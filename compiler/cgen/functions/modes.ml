@@ -16,9 +16,7 @@ let enter c (entry : M.entry) span =
     | Some place -> [ Ir.Assign (place, Name c.v.nodes.(c.index).modes.(entry.mode).constant) ]
     | None -> []
   in
-  let parameter (_, field) value =
-    Ir.Assign (Expression.field c.names field, expression c value)
-  in
+  let parameter (_, field) value = Ir.Assign (Expression.field c.names field, expression c value) in
   let parameters = List.map2 parameter mode.parameters entry.parameters in
   let reset =
     match mode.state with
@@ -47,7 +45,6 @@ let first_of alternatives =
     alternatives []
 
 let ends_early c (mode : M.mode) = Option.is_some c.v.program.nodes.(mode.node).ends_early
-
 let place c (v : M.variable) = expression c (M.Variable v)
 let named (_, name) = Ir.Name name
 
@@ -61,8 +58,7 @@ let results_of_run c (run : M.run) =
   let ends = List.exists (ends_early c) c.node.modes in
   if (not run.drops) && Option.is_none run.active && not ends then
     List.rev (uninitialized c run.results)
-  else
-    List.map (zero c) run.results
+  else List.map (zero c) run.results
 
 (* A mode's step, with the places of its results. *)
 let step c (mode : M.mode) (case : M.case) results =
@@ -95,9 +91,7 @@ let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
     match own with
     | [] -> []
     | own ->
-        let then_ =
-          List.map (fun (_, name, result) -> plain (Ir.Assign (result, Name name))) own
-        in
+        let then_ = List.map (fun (_, name, result) -> plain (Ir.Assign (result, Name name))) own in
         [ plain (Ir.If { condition = Unary (Not, Name dropped); then_; else_ = [] }) ]
   in
   let next (n : M.next) =

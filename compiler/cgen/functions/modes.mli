@@ -1,5 +1,5 @@
-(** Machines in C: the running mode is stepped in a [switch] by its number; where that
-    enters another, the loop around the [switch] goes round once more. *)
+(** Machines in C: the running mode is stepped in a [switch] by its number; where that enters
+    another, the loop around the [switch] goes round once more. *)
 
 open Basis
 

@@ -9,10 +9,7 @@ type node = {
   mutable given : bool;
 }
 
-type t = {
-  leaves : Interface.step list array;
-  nodes : node array;
-}
+type t = { leaves : Interface.step list array; nodes : node array }
 
 let few = 3
 
@@ -41,10 +38,7 @@ let decide t k (node : M.node) =
   let different = Hashtbl.create 8 in
   let note (v : M.variable) = Hashtbl.replace different (Hashtbl.find own.passed v.id) () in
   List.iter note leaves;
-  own.given <-
-    (not own.refused)
-    && Option.is_none node.foreign
-    && Hashtbl.length different >= few
+  own.given <- (not own.refused) && Option.is_none node.foreign && Hashtbl.length different >= few
 
 let note_call t ~from ~node parameters arguments =
   let callee = t.nodes.(node) in
@@ -98,9 +92,7 @@ let note_calls t (program : M.program) k =
       | M.Step { node; on_trial = true; _ } | Loop { node; _ } -> refuse node
       | Step _ | Run _ | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Return _ -> ())
     node.step.body;
-  Step.Walk.expressions
-    (function M.Call { node; _ } -> refuse node | _ -> ())
-    node.step.body
+  Step.Walk.expressions (function M.Call { node; _ } -> refuse node | _ -> ()) node.step.body
 
 let of_program (program : M.program) (input : Interface.t) =
   let members = List.filter (fun steps -> not (Interface.is_in_array steps)) input.leaves in
@@ -113,7 +105,8 @@ let of_program (program : M.program) (input : Interface.t) =
       let passed = if Interface.is_in_array steps then Different else Leaf leaf in
       Hashtbl.replace t.nodes.(root).passed v.id passed
     in
-    List.iter2 own (List.mapi (fun leaf steps -> (leaf, steps)) input.leaves)
+    List.iter2 own
+      (List.mapi (fun leaf steps -> (leaf, steps)) input.leaves)
       program.nodes.(root).step.parameters;
     t.nodes.(root).given <- true;
     note_calls t program root;

@@ -15,7 +15,6 @@ let robot_struct (shape : F.shape) =
   | Leaf _ | Repeated _ -> bug "a robot's type that is no record"
 
 let same own = { own; host = own; robot = None }
-
 let host_input = "host_input"
 let host_output = "host_output"
 let own_part = Interface.Member "own"
@@ -24,13 +23,11 @@ let own_part = Interface.Member "own"
 let input ?own_robot (program : Step.Ir.program) (own : Interface.t) =
   match (robot_of ?own:own_robot program program.input, Robot.apart program.input) with
   | None, _ -> same own
-  | robot, (_, None) ->
-      { own; host = { own with struct_name = robot_struct program.input }; robot }
+  | robot, (_, None) -> { own; host = { own with struct_name = robot_struct program.input }; robot }
   | robot, (_, Some { part = _, console; at }) ->
       let count = List.length (Flow.Shape.leaves console) in
       let leaf k path =
-        if k >= at && k < at + count then own_part :: path
-        else Interface.Member "robot" :: path
+        if k >= at && k < at + count then own_part :: path else Interface.Member "robot" :: path
       in
       let leaves = List.mapi leaf own.leaves in
       { own; host = { own with struct_name = host_input; leaves }; robot }
@@ -61,8 +58,7 @@ let includes sides =
   let header side = Option.map (fun r -> sprintf "#include %s\n" (Robot.included r)) side.robot in
   String.concat "" (List.sort_uniq compare (List.filter_map header sides))
 
-let has_own side =
-  side.robot <> None && List.mem side.host.struct_name [ host_input; host_output ]
+let has_own side = side.robot <> None && List.mem side.host.struct_name [ host_input; host_output ]
 
 let definitions (program : Step.Ir.program) side =
   let definition ~first shape =
@@ -70,8 +66,7 @@ let definitions (program : Step.Ir.program) side =
       (robot_struct shape) first side.own.struct_name
   in
   if not (has_own side) then ""
-  else if String.equal side.host.struct_name host_input then
-    definition ~first:"robot" program.input
+  else if String.equal side.host.struct_name host_input then definition ~first:"robot" program.input
   else
     definition ~first:"command"
       (if program.ends then fst (Interface.apart program.output) else program.output)
@@ -121,9 +116,7 @@ let copy out steps assignments =
       bprintf out "%sfor (int %c = 0; %c < %d; %c++) {\n" (indent k) i i size i)
     sizes;
   let depth = List.length sizes in
-  List.iter
-    (fun line -> bprintf out "%s%s\n" (indent depth) line)
-    assignments;
+  List.iter (fun line -> bprintf out "%s%s\n" (indent depth) line) assignments;
   List.iteri (fun k _ -> bprintf out "%s}\n" (indent (depth - 1 - k))) sizes
 
 let is_own side (steps : Interface.step list) =
@@ -157,8 +150,7 @@ let convert out program sums shape side ~own ~host ~inward =
    is passed. *)
 let passed = function
   | None -> ("    (void)params;\n", "")
-  | Some params ->
-      ("", sprintf ", (const struct %s *)params" (Param_struct.struct_name params))
+  | Some params -> ("", sprintf ", (const struct %s *)params" (Param_struct.struct_name params))
 
 let arithmetic =
   {|
@@ -174,8 +166,10 @@ let step ~params (program : Step.Ir.program) sums ~name ~input ~output =
   let own_type side = "struct " ^ side.own.struct_name in
   let host_type side = "struct " ^ side.host.struct_name in
   bprintf out
-    "\nstatic void step(void *state, const void *params, double dt, const void *in, void *out)\n\
-     {\n%s"
+    "\n\
+     static void step(void *state, const void *params, double dt, const void *in, void *out)\n\
+     {\n\
+     %s"
     unread;
   let given side ~constant name =
     match side.robot with
@@ -183,11 +177,10 @@ let step ~params (program : Step.Ir.program) sums ~name ~input ~output =
     | Some _ -> sprintf "&own_%s" name
   in
   let declare side ~constant name =
-    if side.robot <> None then begin
+    if side.robot <> None then (
       bprintf out "    %s%s *host_%s = (%s%s *)%s;\n" constant (host_type side) name constant
         (host_type side) name;
-      bprintf out "    %s own_%s;\n" (own_type side) name
-    end
+      bprintf out "    %s own_%s;\n" (own_type side) name)
   in
   declare input ~constant:"const " "in";
   declare output ~constant:"" "out";
@@ -197,7 +190,8 @@ let step ~params (program : Step.Ir.program) sums ~name ~input ~output =
     match program.real with Double -> ("", "dt") | Single -> ("_ns", "frob_whole_ns(dt)")
   in
   bprintf out "    %s_step%s((struct %s_state *)state%s, %s, %s, %s);\n" name suffix name passed dt
-    (given input ~constant:"const " "in") (given output ~constant:"" "out");
+    (given input ~constant:"const " "in")
+    (given output ~constant:"" "out");
   if output.robot <> None then
     convert out program sums program.output output ~own:"own_out." ~host:"host_out->" ~inward:false;
   bprintf out "}\n";

@@ -12,12 +12,7 @@ type t = {
 (* Nobody reads more columns of modes than that. *)
 let longest_array = 64
 
-type search = {
-  v : V.t;
-  names : Basis.Names.t;
-  mutable found : t list;
-  mutable count : int;
-}
+type search = { v : V.t; names : Basis.Names.t; mutable found : t list; mutable count : int }
 
 let join path name = if String.equal path "" then name else path ^ "." ^ name
 
@@ -57,9 +52,7 @@ let rec node s k ~path ~element ~within =
     | Modes modes ->
         List.iteri
           (fun number mode ->
-            let within =
-              match machine with Some m -> Some (m, number) | None -> within
-            in
+            let within = match machine with Some m -> Some (m, number) | None -> within in
             List.iter (field ~within) (Step.State.fields_of_mode mode))
           modes
   in

@@ -1,6 +1,6 @@
-(** The robots: for each a module that declares its input and output types, which
-    are C structs in a header of its own. Those of the standard library come with
-    [frobc]; another is a user's own module. *)
+(** The robots: for each a module that declares its input and output types, which are C structs in a
+    header of its own. Those of the standard library come with [frobc]; another is a user's own
+    module. *)
 
 type t = {
   module_ : string;  (** [Pioneer]: it declares [PioneerInput], [PioneerOutput] *)
@@ -39,12 +39,12 @@ val output : t -> string
 val of_shape : ?own:t -> Flow.Ir.shape -> t option
 (** The robot that a program's whole input or output belongs to. *)
 
-(** The operator's console in a robot's input is the program's, not the robot's: hosts have it
-    behind the robot's struct. *)
 type console = {
   part : string * Flow.Ir.shape;
   at : int;  (** so many leaves of the robot's are before it *)
 }
+(** The operator's console in a robot's input is the program's, not the robot's: hosts have it
+    behind the robot's struct. *)
 
 val apart : Flow.Ir.shape -> Flow.Ir.shape * console option
 (** A robot's input as the robot has it. *)

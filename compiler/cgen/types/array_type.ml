@@ -45,9 +45,7 @@ let function_ operation name ~struct_name ~count ~element:ty =
   let array = Struct struct_name in
   let size = Integer (Int32.of_int count) in
   let index = Name "index" in
-  let inside =
-    Binary (And, Binary (Less_equal, Integer 0l, index), Binary (Less, index, size))
-  in
+  let inside = Binary (And, Binary (Less_equal, Integer 0l, index), Binary (Less, index, size)) in
   let given = Unary (Dereference, Name "array") in
   let own = element (Name "result") in
   let result, parameters, body =

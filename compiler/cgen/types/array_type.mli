@@ -1,5 +1,5 @@
-(** Arrays in C: a struct around an array, so that it can be assigned and
-    returned like any other value; and functions on it. *)
+(** Arrays in C: a struct around an array, so that it can be assigned and returned like any other
+    value; and functions on it. *)
 
 val name : Flow.Ir.sum array -> Step.Ir.ty -> string
 (** What tells the type from others: [float_16], [maybe_float_3_4]. *)
@@ -10,10 +10,7 @@ val element : Ir.expr -> Ir.expr -> Ir.expr
 val definition : string -> count:int -> element:Ir.ty -> Ir.declaration
 (** The struct of that name. *)
 
-type operation =
-  | At  (** the element of an index, or a default outside *)
-  | Replace
-  | Fill
+type operation = At  (** the element of an index, or a default outside *) | Replace | Fill
 
 val operations : operation list
 val suffix : operation -> string

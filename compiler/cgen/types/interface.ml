@@ -12,18 +12,14 @@ type types = {
   mutable definitions : Ir.declaration list;  (** last first *)
 }
 
-type t = {
-  struct_name : string;
-  leaves : step list list;
-  unused : step list list;
-}
-
+type t = { struct_name : string; leaves : step list list; unused : step list list }
 and step = Member of string | Element of int
 
 let is_in_array = List.exists (function Element _ -> true | Member _ -> false)
 
 let types scope ~real ~prefix ~sum ~foreign =
   { real; scope; prefix; sum; foreign; known = Hashtbl.create 8; definitions = [] }
+
 let key (product : F.product) =
   (product.product_module, product.product_name, List.map snd product.parts)
 
@@ -129,13 +125,7 @@ let apart (shape : F.shape) =
 
 let with_others types ~name ~first:first_name command (others : (string * F.shape) list) =
   let product : F.product =
-    {
-      product_name = "";
-      product_module = "";
-      constructor = "";
-      record = false;
-      parts = others;
-    }
+    { product_name = ""; product_module = ""; constructor = ""; record = false; parts = others }
   in
   let first : Ir.member = { name = first_name; ty = Struct command.struct_name; comment = "" } in
   let others = members types product in

@@ -54,7 +54,8 @@ let definition t (program : Step.Ir.program) =
   in
   sprintf
     "/* Parameters: the same from a reset to the last step after it. */\n\
-     struct %s {\n%s};\n\n\
+     struct %s {\n\
+     %s};\n\n\
      extern const struct %s %s;\n"
     t.struct_name
     (String.concat "" (List.mapi member program.params))

@@ -22,9 +22,7 @@ let name scope ~prefix ~real (sum : F.sum) ~slots ~arrays =
     arrays;
   }
 
-type slot =
-  | Scalar of string
-  | Inner of { sum : int; tag : string; first : Step.Layout.slots }
+type slot = Scalar of string | Inner of { sum : int; tag : string; first : Step.Layout.slots }
 
 let float_slot k = "f" ^ string_of_int k
 let int_slot k = "i" ^ string_of_int k
@@ -32,8 +30,7 @@ let bool_slot k = "b" ^ string_of_int k
 let tag_slot k = "t" ^ string_of_int k
 
 (* The same in every program, as robots' headers are. *)
-let array_slot sums ty k =
-  Printf.sprintf "%s_%d" (Array_type.name sums (Step.Layout.ty ty)) k
+let array_slot sums ty k = Printf.sprintf "%s_%d" (Array_type.name sums (Step.Layout.ty ty)) k
 
 let payload sums ?(first = Step.Layout.none) (constructor : F.sum_constructor) =
   let place ((used : Step.Layout.slots), slots) (ty : F.ty) =
@@ -154,9 +151,7 @@ let maker sums ~absent types sum constructor =
   let value (member, _) zero =
     match Hashtbl.find_opt given member with Some e -> e | None -> zero ()
   in
-  function_
-    ~result:(Struct t.struct_name)
-    t.makers.(constructor) parameters
+  function_ ~result:(Struct t.struct_name) t.makers.(constructor) parameters
     (Name t.tags.(constructor)
     :: List.map2 value (members sums t) (zeros t.real sums ~absent t.slots))
 
@@ -167,8 +162,7 @@ let projection sums types sum ~constructor ~leaf =
   | Inner { sum; tag; first } ->
       let inner = types.(sum) in
       let from member = Ir.Member (Name "outer", member) in
-      function_
-        ~result:(Struct inner.struct_name)
+      function_ ~result:(Struct inner.struct_name)
         (Printf.sprintf "%s_part%d" t.makers.(constructor) (leaf + 1))
         [ (Struct t.struct_name, "outer") ]
         (from tag :: List.map (fun (member, _) -> from member) (members sums ~first inner))

@@ -1,6 +1,5 @@
-(** Sums in C: a struct of a tag and shared slots, constants for the tags, and
-    functions that construct values and take inner sums out again. *)
-
+(** Sums in C: a struct of a tag and shared slots, constants for the tags, and functions that
+    construct values and take inner sums out again. *)
 
 type t = {
   struct_name : string;
@@ -27,12 +26,15 @@ type slot =
   | Inner of { sum : int; tag : string; first : Step.Layout.slots }
       (** its tag's member; its slots start after [first] *)
 
-val payload :
-  Flow.Ir.sum array -> ?first:Step.Layout.slots -> Flow.Ir.sum_constructor -> slot list
+val payload : Flow.Ir.sum array -> ?first:Step.Layout.slots -> Flow.Ir.sum_constructor -> slot list
 (** The slots of all leaves; [first] slots belong to others. *)
 
-val zero : Basis.Real.t ->
-  Flow.Ir.sum array -> absent:(Flow.Ir.foreign_type -> Ir.expr) -> Step.Ir.ty -> Ir.expr
+val zero :
+  Basis.Real.t ->
+  Flow.Ir.sum array ->
+  absent:(Flow.Ir.foreign_type -> Ir.expr) ->
+  Step.Ir.ty ->
+  Ir.expr
 (** Some value of the type, as an initial value. *)
 
 (** What a member holds. *)
@@ -47,8 +49,7 @@ val kinds :
   Flow.Ir.sum array -> ?first:Step.Layout.slots -> Step.Layout.slots -> (string * kind) list
 (** The members that a struct has for these slots; [first] slots belong to others. *)
 
-val members :
-  Flow.Ir.sum array -> ?first:Step.Layout.slots -> t -> (string * Ir.ty) list
+val members : Flow.Ir.sum array -> ?first:Step.Layout.slots -> t -> (string * Ir.ty) list
 (** The same, with their types. *)
 
 val definition : Flow.Ir.sum array -> Flow.Ir.sum -> t -> Ir.declaration list

@@ -60,9 +60,7 @@ let differ t ty = t.real = Single && Step.Block.numbers t.known.program ty > 0
 
 (* Is this table the one that has the type? *)
 let is_here t ty =
-  match t.beside with
-  | None -> true
-  | Some own -> marked t ty <> Program && differ own ty
+  match t.beside with None -> true | Some own -> marked t ty <> Program && differ own ty
 
 (* Others know doubles only: a type of floats is the program's alone. *)
 let owner t ty = if differ t ty then Program else marked t ty
@@ -138,9 +136,7 @@ let once struct_name declarations =
   @ [ Ir.Text "#endif\n" ]
 
 let shared_once owner struct_name declarations =
-  match owner with
-  | Program | Robot -> declarations
-  | Foreign_code -> once struct_name declarations
+  match owner with Program | Robot -> declarations | Foreign_code -> once struct_name declarations
 
 (* Each type after those that it is made of. *)
 let definitions t ~of_:wanted =

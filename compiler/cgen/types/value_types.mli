@@ -1,8 +1,7 @@
 (** The structs of a program's sums and arrays, in one precision.
 
-    A program of single precision has two such tables: its own, of floats, and that
-    of the user's C, of doubles. What holds no number is in the first only, and the
-    same for both. *)
+    A program of single precision has two such tables: its own, of floats, and that of the user's C,
+    of doubles. What holds no number is in the first only, and the same for both. *)
 
 (** Whose header defines a type. *)
 type owner =
@@ -16,6 +15,7 @@ type known
 (** What others than the program know of its types. *)
 
 val known : Flow.Ir.sum array -> known
+
 val mark : known -> owner -> Flow.Ir.shape -> unit
 (** That one knows what is in this; who comes first owns it. *)
 
@@ -23,8 +23,8 @@ val own : Name.scope -> name:string -> real:Basis.Real.t -> known -> t
 (** The program's; [name] is the prefix of what it owns. *)
 
 val of_foreign_code : t -> t
-(** As the user's C has the types of the program's own table: that table itself in
-    double precision. *)
+(** As the user's C has the types of the program's own table: that table itself in double precision.
+*)
 
 val sums : t -> Sum_type.t array
 

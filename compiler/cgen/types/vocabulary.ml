@@ -42,6 +42,7 @@ type t = {
 }
 
 let is_root t k = k = Array.length t.program.nodes - 1
+
 let has_modes t =
   Array.exists
     (fun (node : M.node) -> match node.modes with [] | [ _ ] -> false | _ :: _ :: _ -> true)
@@ -77,11 +78,7 @@ let name_modes (nodes : M.node array) table scope ~prefix (node : M.node) =
   let name (mode : M.mode) =
     let member = Name.fresh modes nodes.(mode.node).origin in
     name_members table (member :: room) (Step.State.fields_of_mode mode);
-    let constant =
-      match node.modes with
-      | [] | [ _ ] -> ""
-      | _ :: _ :: _ -> constant member
-    in
+    let constant = match node.modes with [] | [ _ ] -> "" | _ :: _ :: _ -> constant member in
     { constant; member }
   in
   Array.of_list (List.map name node.modes)
@@ -220,16 +217,12 @@ let of_program ?own (program : M.program) =
     List.map (Foreign_interface.of_import shared ~fresh:(Name.fresh scope)) program.imports
   in
   let interface_of (f : F.foreign) =
-    List.find
-      (fun (i : Foreign_interface.t) -> String.equal i.symbol f.import.symbol)
-      imports
+    List.find (fun (i : Foreign_interface.t) -> String.equal i.symbol f.import.symbol) imports
   in
   let foreign_of (node : M.node) = Option.map interface_of node.foreign in
   let foreign = Array.map foreign_of program.nodes in
   let is_robots d = List.memq d robot_records in
-  let foreign_records =
-    List.filter (fun d -> not (is_robots d)) (Interface.definitions shared)
-  in
+  let foreign_records = List.filter (fun d -> not (is_robots d)) (Interface.definitions shared) in
   let nodes = name_nodes scope ~name ~root ~foreign program.nodes in
   {
     program;
@@ -249,8 +242,7 @@ let of_program ?own (program : M.program) =
     robot_records;
     foreign_records;
     imports;
-    robots =
-      List.sort_uniq compare (List.filter_map Fun.id [ input_robot; output_robot ]);
+    robots = List.sort_uniq compare (List.filter_map Fun.id [ input_robot; output_robot ]);
     helpers = Hashtbl.create 16;
     pending = [];
     absent = Hashtbl.create 4;
@@ -258,7 +250,6 @@ let of_program ?own (program : M.program) =
 
 let real t = Ir.Real t.program.real
 let float t x = Ir.Float (t.program.real, x)
-
 let ty t = Value_types.ty t.types
 
 let absent t (ty : F.foreign_type) : Ir.expr =
@@ -272,7 +263,6 @@ let absent t (ty : F.foreign_type) : Ir.expr =
         Name name
 
 let zero t ty = Sum_type.zero t.program.real t.program.sums ~absent:(absent t) ty
-
 let call t name arguments = Ir.Call (name ^ Print.real_suffix t.program.real, arguments)
 
 let elementary (f : Core.Primitive.elementary) =
@@ -295,17 +285,21 @@ let helper t key make =
       function_.name
 
 let maker t ~sum ~constructor =
-  helper t (Maker { sum; constructor }) (fun () ->
-      Sum_type.maker t.program.sums ~absent:(absent t) t.sums sum constructor)
+  helper t
+    (Maker { sum; constructor })
+    (fun () -> Sum_type.maker t.program.sums ~absent:(absent t) t.sums sum constructor)
 
 let projection t ~sum ~constructor ~leaf =
-  helper t (Projection { sum; constructor; leaf }) (fun () ->
-      Sum_type.projection t.program.sums t.sums sum ~constructor ~leaf)
+  helper t
+    (Projection { sum; constructor; leaf })
+    (fun () -> Sum_type.projection t.program.sums t.sums sum ~constructor ~leaf)
 
 let array_function t operation (array : M.ty) =
   match array with
   | Array (count, element) ->
-      helper t (On_arrays (operation, array)) (fun () ->
+      helper t
+        (On_arrays (operation, array))
+        (fun () ->
           let struct_name = Value_types.array_name t.types array in
           let suffix = "_" ^ Array_type.suffix operation in
           let name = Name.fresh t.file_scope (struct_name ^ suffix) in

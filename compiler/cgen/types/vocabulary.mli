@@ -1,10 +1,7 @@
-(** The file-level names of one program, all chosen at once, and what of the
-    program's types and helpers the code turns out to need. *)
+(** The file-level names of one program, all chosen at once, and what of the program's types and
+    helpers the code turns out to need. *)
 
-type mode = {
-  constant : string;  (** its number *)
-  member : string;  (** of the union of all *)
-}
+type mode = { constant : string;  (** its number *) member : string  (** of the union of all *) }
 
 type node = {
   state : string;  (** struct *)
@@ -51,6 +48,7 @@ val of_program : ?own:Robot.t -> Step.Ir.program -> t
 
 val ty : t -> Step.Ir.ty -> Ir.ty
 val absent : t -> Flow.Ir.foreign_type -> Ir.expr
+
 val zero : t -> Step.Ir.ty -> Ir.expr
 (** Some value, as an initial value. *)
 
@@ -67,6 +65,7 @@ val elementary : Core.Primitive.elementary -> string
 
 val maker : t -> sum:int -> constructor:int -> string
 val projection : t -> sum:int -> constructor:int -> leaf:int -> string
+
 val array_function : t -> Array_type.operation -> Step.Ir.ty -> string
 (** Of an array type. *)
 
@@ -78,4 +77,3 @@ val has_state : t -> int -> bool
 
 val has_modes : t -> bool
 (** Whether there is a machine of more than one mode. *)
-

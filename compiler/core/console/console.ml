@@ -2,12 +2,9 @@ open Basis
 open Ir
 
 let rec asks_itself (e : expr) =
-  match e.desc with
-  | Primitive (Console _, _) -> true
-  | _ -> List.exists asks_itself (Term.parts e)
+  match e.desc with Primitive (Console _, _) -> true | _ -> List.exists asks_itself (Term.parts e)
 
 let asks program = List.exists (fun (d : definition) -> asks_itself d.body) program.definitions
-
 let has_name ~module_ name = String.equal name "Console" && String.equal module_ "Capability"
 let is_console (tycon : Global.t) = has_name ~module_:tycon.module_ tycon.name
 

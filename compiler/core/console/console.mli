@@ -1,9 +1,8 @@
 (** What a program asks of its operator: buttons, knobs and their like, by their labels.
 
-    In the library the type [Console] has one constructor and nothing in it. What a program
-    asks for is known when all that is static has been run ({!Specialize.Operator}); then it
-    becomes the fields of that type, by {!declare}, and from there on a console is a record as
-    any other. *)
+    In the library the type [Console] has one constructor and nothing in it. What a program asks for
+    is known when all that is static has been run ({!Specialize.Operator}); then it becomes the
+    fields of that type, by {!declare}, and from there on a console is a record as any other. *)
 
 val asks : Ir.program -> bool
 (** Whether some definition may ask for something. *)

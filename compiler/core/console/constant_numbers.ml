@@ -66,7 +66,7 @@ let of_program (program : program) =
     | _ -> ()
   in
   if not (Console.asks program) then none
-  else begin
+  else (
     List.iter
       (fun (d : definition) ->
         Table.replace values.globals d.name d.body;
@@ -78,5 +78,4 @@ let of_program (program : program) =
       if !changed then repeat ()
     in
     repeat ();
-    wanted
-  end
+    wanted)

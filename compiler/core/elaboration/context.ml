@@ -30,7 +30,7 @@ let primitive t (g : Ir.Global.t) : Primitive.t =
   | Some foreign, _ -> Foreign foreign
   | None, Some p -> p
   | None, None ->
-    Diagnostic.bug ~stage:"Core.Context" "the library declares an unknown primitive `%s`" g.name
+      Diagnostic.bug ~stage:"Core.Context" "the library declares an unknown primitive `%s`" g.name
 
 let fresh t name span : Ir.Local.t =
   t.last <- t.last - 1;
@@ -43,19 +43,18 @@ let instances t = t.instances
 let data t (tycon : Ir.Global.t) =
   match Global_table.find_opt t.data tycon with
   | Some d -> d
-  | None ->
-    Diagnostic.bug ~stage:"Core.Context" "`%s.%s` is no data type" tycon.module_ tycon.name
+  | None -> Diagnostic.bug ~stage:"Core.Context" "`%s.%s` is no data type" tycon.module_ tycon.name
 
 let constructors t tycon = (data t tycon).count
 
 let field_types t (ty : Ir.ty) ~constructor =
   match ty with
   | Data (tycon, arguments) ->
-    let d = (data t tycon).declaration in
-    let by = List.combine d.parameters arguments in
-    List.map
-      (fun (_, field) -> Erasure.substitute by field)
-      (List.nth d.constructors constructor).fields
+      let d = (data t tycon).declaration in
+      let by = List.combine d.parameters arguments in
+      List.map
+        (fun (_, field) -> Erasure.substitute by field)
+        (List.nth d.constructors constructor).fields
   | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Array _
   | Size _ ->
-    Diagnostic.bug ~stage:"Core.Context" "the fields of what is no data type"
+      Diagnostic.bug ~stage:"Core.Context" "the fields of what is no data type"

@@ -8,14 +8,14 @@ val create : Ir.data list -> Ir.instance list -> Ir.foreign -> t
 (** For a program with these data types, instances and foreign code. *)
 
 val primitive : t -> Ir.Global.t -> Primitive.t
-
 val instances : t -> Instance.table
 
 val fresh : t -> string -> Span.t -> Ir.Local.t
-(** A variable of that name, [""] for what has none in the program. Its [id]
-    is negative: none that the resolver gave. *)
+(** A variable of that name, [""] for what has none in the program. Its [id] is negative: none that
+    the resolver gave. *)
 
 val define : t -> Ir.definition -> unit
+
 val definitions : t -> Ir.definition list
 (** As defined. *)
 

@@ -1,14 +1,11 @@
-(** The equations of one proc as they come up: those of the program, and those
-    that elaboration adds for instances inside expressions and for the parts
-    of patterns. *)
+(** The equations of one proc as they come up: those of the program, and those that elaboration adds
+    for instances inside expressions and for the parts of patterns. *)
 
 type t
 
 val create : unit -> t
 val pure : t -> Ir.binder -> Ir.expr -> Basis.Span.t -> unit
-
-val run :
-  t -> Ir.binder -> signal_function:Ir.expr -> input:Ir.expr -> Basis.Span.t -> unit
+val run : t -> Ir.binder -> signal_function:Ir.expr -> input:Ir.expr -> Basis.Span.t -> unit
 
 val parts : t -> Typing.Ir.pattern -> root:Ir.expr -> Basis.Span.t -> unit
 (** One for each variable of the pattern. *)

@@ -17,7 +17,7 @@ let rec ty : Typing.Ir.ty -> Ir.ty = function
   | Signal_function (a, b) -> Signal_function (ty a, ty b)
   | Size n -> Size n
   | Data { tycon; units = _; arguments = [ size; element ] } when tycon = array ->
-    Array (ty size, ty element)
+      Array (ty size, ty element)
   | Data { tycon; units = _; arguments } -> Data (tycon, tys arguments)
 
 and tys ts = Basis.Long_list.map ty ts
@@ -31,9 +31,9 @@ let parameters (s : Typing.Ir.scheme) = List.map variable (s.types @ s.represent
 
 let rec substitute by : Ir.ty -> Ir.ty = function
   | Variable v as t -> (
-    match List.find_opt (fun ((w : Ir.variable), _) -> w.id = v.id) by with
-    | Some (_, t) -> t
-    | None -> t)
+      match List.find_opt (fun ((w : Ir.variable), _) -> w.id = v.id) by with
+      | Some (_, t) -> t
+      | None -> t)
   | (Bool | Int | Float | String | Size _) as t -> t
   | Tuple ts -> Tuple (substitutes by ts)
   | Function (a, b) -> Function (substitute by a, substitute by b)

@@ -1,7 +1,7 @@
 (** Types without their units: what is left of a Typed type in Core.
 
-    A representation variable becomes a type variable like any other; where
-    both stand in one list, types come before representations. *)
+    A representation variable becomes a type variable like any other; where both stand in one list,
+    types come before representations. *)
 
 val ty : Typing.Ir.ty -> Ir.ty
 val variable : Typing.Ir.variable -> Ir.variable
@@ -10,6 +10,7 @@ val instantiation : Typing.Ir.instantiation -> Ir.ty list
 (** For {!parameters} of the scheme, in order. *)
 
 val parameters : Typing.Ir.scheme -> Ir.variable list
+
 val boolean : Ir.Global.t
 (** The data type [Bool], whose constructors are constants in Core. *)
 

@@ -1,9 +1,7 @@
 open Basis
 module T = Typing.Ir
 
-type place =
-  | Every_instant
-  | Elsewhere
+type place = Every_instant | Elsewhere
 
 (* [equations] are those of the proc around: an instance is one of them wherever in it it
    stands. [name] is that of the nearest definition around; [fall] is what to do where
@@ -29,9 +27,7 @@ let named (p : T.pattern) env =
 
 let unary primitive (argument : Ir.expr) span =
   let ty = argument.ty in
-  let f =
-    Term.make (Ir.Function (ty, ty)) span (Ir.Primitive (primitive, [ ty ]))
-  in
+  let f = Term.make (Ir.Function (ty, ty)) span (Ir.Primitive (primitive, [ ty ])) in
   Term.apply f argument ty span
 
 let method_of ctx ~class_ ~name ty types : Ir.expr_desc =
@@ -59,9 +55,9 @@ let rec expr env (e : T.expr) : Ir.expr =
   | Primitive ({ module_ = "Display"; name = "number" }, _) -> number e
   | Primitive (g, i) -> make (Primitive (Context.primitive env.ctx g, Erasure.instantiation i))
   | Method { class_; method_; instantiation } -> (
-    match Erasure.instantiation instantiation with
-    | ty :: types -> make (method_of env.ctx ~class_ ~name:method_.name ty types)
-    | [] -> bug "the method `%s` has no class" method_.name)
+      match Erasure.instantiation instantiation with
+      | ty :: types -> make (method_of env.ctx ~class_ ~name:method_.name ty types)
+      | [] -> bug "the method `%s` has no class" method_.name)
   | Number value -> make (Number value)
   | String text -> make (String text)
   | Tuple es -> make (Tuple (exprs (inside env) es))
@@ -69,36 +65,35 @@ let rec expr env (e : T.expr) : Ir.expr =
   | Index (array, k) -> make (Index (expr (inside env) array, k))
   | Constructor _ | Apply _ -> application (inside env) e []
   | Negate operand -> unary Primitive.Negate (expr (inside env) operand) e.span
-  | Power (operand, k) ->
-    unary (Primitive.Power_literal k) (expr (inside env) operand) e.span
+  | Power (operand, k) -> unary (Primitive.Power_literal k) (expr (inside env) operand) e.span
   | If (condition, a, b) ->
-    let condition = expr (inside env) condition in
-    let env = elsewhere env in
-    let a = expr env a in
-    Term.if_ condition a (expr env b) e.span
+      let condition = expr (inside env) condition in
+      let env = elsewhere env in
+      let a = expr env a in
+      Term.if_ condition a (expr env b) e.span
   | Case (scrutinee, branches) -> case env e scrutinee branches
   | Let (bindings, body) -> let_ env bindings body
   | Guards (guarded, last) -> guards env guarded last e.span
   | Lambda (patterns, body) -> lambda (elsewhere env) patterns body
   | Proc { input; equations; output } -> proc env e input equations output
   | Run (h, input) -> (
-    match env.equations with
-    | None -> bug "an instance at %a, outside of all procs" Span.pp e.span
-    | Some equations ->
-      let binder : Ir.binder =
-        { local = Context.fresh env.ctx "" e.span; ty = Erasure.ty e.ty }
-      in
-      run { env with place = Every_instant } equations binder h input e.span;
-      Term.variable binder e.span)
+      match env.equations with
+      | None -> bug "an instance at %a, outside of all procs" Span.pp e.span
+      | Some equations ->
+          let binder : Ir.binder =
+            { local = Context.fresh env.ctx "" e.span; ty = Erasure.ty e.ty }
+          in
+          run { env with place = Every_instant } equations binder h input e.span;
+          Term.variable binder e.span)
   | Record (c, fields) ->
-    let env = inside env in
-    let values = Long_list.map (fun (i, value) -> (i, expr env value)) fields in
-    let in_order = List.sort (fun (i, _) (j, _) -> Int.compare i j) values in
-    make (construct e.ty c (List.map snd in_order))
+      let env = inside env in
+      let values = Long_list.map (fun (i, value) -> (i, expr env value)) fields in
+      let in_order = List.sort (fun (i, _) (j, _) -> Int.compare i j) values in
+      make (construct e.ty c (List.map snd in_order))
   | Update (record, c, fields) -> update (inside env) e record c fields
   | Field (record, c, field) ->
-    let value = expr (inside env) record in
-    make (Payload { value; constructor = c.index; field })
+      let value = expr (inside env) record in
+      make (Payload { value; constructor = c.index; field })
 
 and exprs env es = Long_list.map (expr env) es
 
@@ -107,7 +102,7 @@ and construct (ty : T.ty) (c : T.constructor) arguments : Ir.expr_desc =
   | Bool -> Boolean (c.index = 1)
   | Data { tycon; _ } -> Construct { data = tycon; constructor = c.index; arguments }
   | Variable _ | Number _ | String | Tuple _ | Function _ | Signal_function _ | Size _ ->
-    bug "`%s` constructs what is no data" c.constructor.name
+      bug "`%s` constructs what is no data" c.constructor.name
 
 (* {2 Application} *)
 
@@ -118,12 +113,12 @@ and application env (e : T.expr) arguments =
   | Apply (f, argument) -> application env f ((argument, e) :: arguments)
   | Constructor (c, _) -> saturate env e c arguments
   | _ ->
-    List.fold_left
-      (fun (f : Ir.expr) (argument, (whole : T.expr)) ->
-        (* which stands in the type of [f] already *)
-        let ty = match f.ty with Function (_, ty) -> ty | _ -> Erasure.ty whole.ty in
-        Term.apply f (expr env argument) ty whole.span)
-      (expr env e) arguments
+      List.fold_left
+        (fun (f : Ir.expr) (argument, (whole : T.expr)) ->
+          (* which stands in the type of [f] already *)
+          let ty = match f.ty with Function (_, ty) -> ty | _ -> Erasure.ty whole.ty in
+          Term.apply f (expr env argument) ty whole.span)
+        (expr env e) arguments
 
 (* A constructor as a function becomes one, of the fields still missing. *)
 and saturate env (e : T.expr) (c : T.constructor) arguments =
@@ -137,8 +132,8 @@ and saturate env (e : T.expr) (c : T.constructor) arguments =
   let rec parameters n (ty : T.ty) newest =
     match ty with
     | Function (a, b) when n > 0 ->
-      let binder : Ir.binder = { local = Context.fresh env.ctx "" span; ty = Erasure.ty a } in
-      parameters (n - 1) b (binder :: newest)
+        let binder : Ir.binder = { local = Context.fresh env.ctx "" span; ty = Erasure.ty a } in
+        parameters (n - 1) b (binder :: newest)
     | _ when n = 0 -> (ty, newest)
     | _ -> bug "`%s` has too many arguments" c.constructor.name
   in
@@ -160,8 +155,7 @@ and update env (e : T.expr) record c fields =
       let argument field ty =
         match List.assoc_opt field changed with
         | Some value -> value
-        | None ->
-          Term.make ty e.span (Ir.Payload { value = root; constructor = c.index; field })
+        | None -> Term.make ty e.span (Ir.Payload { value = root; constructor = c.index; field })
       in
       Term.make value.ty e.span (construct e.ty c (List.mapi argument types)))
 
@@ -170,10 +164,8 @@ and once env (value : Ir.expr) use =
   match value.desc with
   | Local _ -> use value
   | _ ->
-    let binder : Ir.binder =
-      { local = Context.fresh env.ctx "" value.span; ty = value.ty }
-    in
-    Term.let_ binder value (use (Term.variable binder value.span))
+      let binder : Ir.binder = { local = Context.fresh env.ctx "" value.span; ty = value.ty } in
+      Term.let_ binder value (use (Term.variable binder value.span))
 
 (* {2 Choice} *)
 
@@ -191,10 +183,7 @@ and case env (e : T.expr) scrutinee branches =
   once env value (fun root -> Matching.case env.ctx ~root e.span branches)
 
 and falls (e : T.expr) =
-  match e.desc with
-  | Guards (_, None) -> true
-  | Let (_, body) -> falls body
-  | _ -> false
+  match e.desc with Guards (_, None) -> true | Let (_, body) -> falls body | _ -> false
 
 and guards env guarded last span =
   let fall = env.fall in
@@ -212,16 +201,12 @@ and guards env guarded last span =
     | None, Some fall -> fall
     | None, None -> bug "guards at %a that may all fail" Span.pp span
   in
-  List.fold_left
-    (fun rest (guard, value) -> Term.if_ guard value rest span)
-    last alternatives
+  List.fold_left (fun rest (guard, value) -> Term.if_ guard value rest span) last alternatives
 
 (* {2 Binding} *)
 
 and lambda env patterns body =
-  let parameters =
-    List.rev_map (fun (p : T.pattern) -> (p, Matching.binder env.ctx p)) patterns
-  in
+  let parameters = List.rev_map (fun (p : T.pattern) -> (p, Matching.binder env.ctx p)) patterns in
   List.fold_left
     (fun (body : Ir.expr) ((p : T.pattern), (b : Ir.binder)) ->
       let body =
@@ -239,14 +224,11 @@ and local_bindings env bindings =
   let at_every_instant = env.place = Every_instant in
   let rec flat (b : T.binding) =
     match b.value.desc with
-    | Let (inner, body) ->
-      List.concat_map flat inner @ [ { b with value = body } ]
+    | Let (inner, body) -> List.concat_map flat inner @ [ { b with value = body } ]
     | _ -> [ b ]
   in
   let bindings = if at_every_instant then List.concat_map flat bindings else bindings in
-  let lifted, others =
-    Lifting.choose env.lifted env.ctx env.scope ~at_every_instant bindings
-  in
+  let lifted, others = Lifting.choose env.lifted env.ctx env.scope ~at_every_instant bindings in
   let define (l : Lifting.lifted) =
     let env = { (elsewhere env) with equations = None; scope = l.inside } in
     let env = named l.binding.pattern env in
@@ -259,22 +241,20 @@ and let_ env bindings body =
   let bindings = local_bindings env bindings in
   match (env.place, env.equations) with
   | Every_instant, Some equations ->
-    List.iter (equation env equations) bindings;
-    expr env body
+      List.iter (equation env equations) bindings;
+      expr env body
   | _ ->
-    let bound newest (b : T.binding) =
-      let binder = Matching.binder env.ctx b.pattern in
-      let root = Term.variable binder b.pattern.span in
-      let parts = Matching.variables b.pattern ~root in
-      let value = expr (named b.pattern env) b.value in
-      List.rev_append
-        (List.rev parts)
-        ((binder, value) :: newest)
-    in
-    let newest = List.fold_left bound [] bindings in
-    List.fold_left
-      (fun (body : Ir.expr) (binder, value) -> Term.let_ binder value body)
-      (expr env body) newest
+      let bound newest (b : T.binding) =
+        let binder = Matching.binder env.ctx b.pattern in
+        let root = Term.variable binder b.pattern.span in
+        let parts = Matching.variables b.pattern ~root in
+        let value = expr (named b.pattern env) b.value in
+        List.rev_append (List.rev parts) ((binder, value) :: newest)
+      in
+      let newest = List.fold_left bound [] bindings in
+      List.fold_left
+        (fun (body : Ir.expr) (binder, value) -> Term.let_ binder value body)
+        (expr env body) newest
 
 (* {2 Signal functions} *)
 
@@ -295,15 +275,13 @@ and equation env equations (b : T.binding) =
   (match b.value.desc with
   | Run (h, input) -> run inner equations binder h input b.span
   | _ -> Equations.pure equations binder (expr inner b.value) b.span);
-  Equations.parts equations b.pattern
-    ~root:(Term.variable binder b.pattern.span)
-    b.span
+  Equations.parts equations b.pattern ~root:(Term.variable binder b.pattern.span) b.span
 
 and run env equations binder h input span =
   let signal_function = expr (elsewhere env) h in
   let input = expr (inside env) input in
   Equations.run equations binder ~signal_function ~input span
 
-let closed ctx lifted ~name:(name : Ir.Global.t) types e =
+let closed ctx lifted ~(name : Ir.Global.t) types e =
   let scope = Lifting.scope name types in
   expr { ctx; lifted; scope; place = Elsewhere; equations = None; name = name.name; fall = None } e

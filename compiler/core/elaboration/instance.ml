@@ -42,9 +42,7 @@ let find table ~class_ ~name ty types =
   match split ty with
   | None -> None
   | Some (head, arguments) -> (
-      let missing () =
-        bug "no `%s` of `%s` for a type" name class_.Ir.Global.name
-      in
+      let missing () = bug "no `%s` of `%s` for a type" name class_.Ir.Global.name in
       match Hashtbl.find_opt table (class_, head) with
       | None -> missing ()
       | Some (i : Ir.instance) -> (

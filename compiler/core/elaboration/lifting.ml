@@ -20,9 +20,7 @@ type scope = { home : string; in_scope : Ir.variable list; renamed : Ir.Local.t 
 let names p = List.rev (Typing.Parts.variables p)
 let home (g : Ir.Global.t) = g.module_ ^ "." ^ g.name
 let scope name in_scope = { home = home name; in_scope; renamed = Renaming.empty }
-
-let renamed scope (x : Ir.Local.t) =
-  Option.value (Renaming.find_opt x.id scope.renamed) ~default:x
+let renamed scope (x : Ir.Local.t) = Option.value (Renaming.find_opt x.id scope.renamed) ~default:x
 
 let functions (parameters : Ir.binder list) result =
   List.fold_right (fun (b : Ir.binder) ty -> Ir.Function (b.ty, ty)) parameters result
@@ -32,16 +30,16 @@ let variable t scope (e : T.expr) (x : Ir.Local.t) types =
   match Int_table.find_opt t.uses x.id with
   | None -> Term.make ty span (Ir.Local (renamed scope x))
   | Some { definition; around; captured; pattern } ->
-    let give (f : Ir.expr) (b : Ir.binder) =
-      match f.ty with
-      | Function (_, result) ->
-        Term.apply f (Term.make b.ty span (Ir.Local (renamed scope b.local))) result span
-      | _ -> Diagnostic.bug ~stage:"Core.Lifting" "`%s` lacks a parameter" x.name
-    in
-    let whole = match pattern.desc with Bound _ -> ty | _ -> Erasure.ty pattern.ty in
-    let types = List.map (fun v -> Ir.Variable v) around @ types in
-    let global = Term.make (functions captured whole) span (Ir.Global (definition, types)) in
-    Matching.part pattern ~root:(List.fold_left give global captured) x
+      let give (f : Ir.expr) (b : Ir.binder) =
+        match f.ty with
+        | Function (_, result) ->
+            Term.apply f (Term.make b.ty span (Ir.Local (renamed scope b.local))) result span
+        | _ -> Diagnostic.bug ~stage:"Core.Lifting" "`%s` lacks a parameter" x.name
+      in
+      let whole = match pattern.desc with Bound _ -> ty | _ -> Erasure.ty pattern.ty in
+      let types = List.map (fun v -> Ir.Variable v) around @ types in
+      let global = Term.make (functions captured whole) span (Ir.Global (definition, types)) in
+      Matching.part pattern ~root:(List.fold_left give global captured) x
 
 type lifted = {
   binding : T.binding;
@@ -69,8 +67,7 @@ let captured t ~own mentions =
     | None -> if List.mem b.local.id own then [] else [ b ]
   in
   let add found (b : Ir.binder) =
-    if List.exists (fun (c : Ir.binder) -> c.local.id = b.local.id) found then found
-    else b :: found
+    if List.exists (fun (c : Ir.binder) -> c.local.id = b.local.id) found then found else b :: found
   in
   let variables = List.concat_map (fun (m : Mentions.t) -> m.variables) mentions in
   List.rev (List.fold_left add [] (List.concat_map expand variables))
@@ -81,12 +78,8 @@ let lift t ctx scope group =
   let captured = captured t ~own (List.map snd group) in
   let one ((binding : T.binding), _) =
     let names = names binding.pattern in
-    let name =
-      unique t scope (match names with x :: _ -> x.Ir.Local.name | [] -> "it")
-    in
-    let use =
-      { definition = name; around = scope.in_scope; captured; pattern = binding.pattern }
-    in
+    let name = unique t scope (match names with x :: _ -> x.Ir.Local.name | [] -> "it") in
+    let use = { definition = name; around = scope.in_scope; captured; pattern = binding.pattern } in
     List.iter (fun (x : Ir.Local.t) -> Int_table.replace t.uses x.id use) names;
     let parameter (b : Ir.binder) : Ir.binder =
       { b with local = Context.fresh ctx b.local.name b.local.span }
@@ -123,9 +116,7 @@ let choose t ctx scope ~at_every_instant bindings =
     let owner = Int_table.create 16 in
     Array.iteri
       (fun i ((b : T.binding), _) ->
-        List.iter
-          (fun (x : Ir.Local.t) -> Int_table.replace owner x.id i)
-          (names b.pattern))
+        List.iter (fun (x : Ir.Local.t) -> Int_table.replace owner x.id i) (names b.pattern))
       candidates;
     let edges (_, (m : Mentions.t)) =
       List.filter_map (fun (b : Ir.binder) -> Int_table.find_opt owner b.local.id) m.variables

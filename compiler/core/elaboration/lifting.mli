@@ -1,6 +1,6 @@
-(** Lambda lifting: local functions that are polymorphic, and local definitions
-    that use themselves, become definitions of the program. What they mention of
-    the definition around becomes parameters, and is given wherever they are used.
+(** Lambda lifting: local functions that are polymorphic, and local definitions that use themselves,
+    become definitions of the program. What they mention of the definition around becomes
+    parameters, and is given wherever they are used.
 
     So nothing after Core has to know that modes and tasks may loop in a [where]. *)
 
@@ -10,8 +10,8 @@ type table
 val table : unit -> table
 
 type scope
-(** Where an expression stands: the names and type variables around it, and by
-    what parameters the variables are known that a lifted definition captured. *)
+(** Where an expression stands: the names and type variables around it, and by what parameters the
+    variables are known that a lifted definition captured. *)
 
 val scope : Ir.Global.t -> Ir.variable list -> scope
 (** In a definition of the program, with these type parameters. *)
@@ -34,8 +34,8 @@ val choose :
   at_every_instant:bool ->
   Typing.Ir.binding list ->
   lifted list * Typing.Ir.binding list
-(** Of the bindings of one list those that are lifted, and those that stay, in
-    order. Of equations of a proc only those can be lifted that are no signals. *)
+(** Of the bindings of one list those that are lifted, and those that stay, in order. Of equations
+    of a proc only those can be lifted that are no signals. *)
 
 val definition : lifted -> Ir.expr -> Ir.definition
 (** Given its translated value. *)

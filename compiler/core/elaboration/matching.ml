@@ -5,17 +5,15 @@ let binder ctx (p : T.pattern) : Ir.binder =
   match p.desc with
   | Bound local -> { local; ty = Erasure.ty p.ty }
   | Any | As _ | Tuple_of _ | Array_of _ | Constructed _ | Literal _ ->
-    { local = Context.fresh ctx "" p.span; ty = Erasure.ty p.ty }
+      { local = Context.fresh ctx "" p.span; ty = Erasure.ty p.ty }
 
 let component root index (p : T.pattern) =
   Term.make (Erasure.ty p.ty) p.span (Ir.Component (root, index))
 
-let element root index (p : T.pattern) =
-  Term.make (Erasure.ty p.ty) p.span (Ir.Index (root, index))
+let element root index (p : T.pattern) = Term.make (Erasure.ty p.ty) p.span (Ir.Index (root, index))
 
 let payload root (c : T.constructor) field (p : T.pattern) =
-  Term.make (Erasure.ty p.ty) p.span
-    (Ir.Payload { value = root; constructor = c.index; field })
+  Term.make (Erasure.ty p.ty) p.span (Ir.Payload { value = root; constructor = c.index; field })
 
 (* Newest first. *)
 let rec collect (p : T.pattern) root found =
@@ -23,9 +21,9 @@ let rec collect (p : T.pattern) root found =
   | Any | Literal _ -> found
   | Bound local -> ({ Ir.local; ty = root.Ir.ty }, root) :: found
   | As (local, p) ->
-    (* Below the name, the name stands for the value. *)
-    let binder = { Ir.local; ty = root.Ir.ty } in
-    collect p (Term.variable binder p.span) ((binder, root) :: found)
+      (* Below the name, the name stands for the value. *)
+      let binder = { Ir.local; ty = root.Ir.ty } in
+      collect p (Term.variable binder p.span) ((binder, root) :: found)
   | Tuple_of ps -> collect_parts (component root) ps found
   | Array_of ps -> collect_parts (element root) ps found
   | Constructed (c, ps) -> collect_parts (payload root c) ps found
@@ -50,8 +48,7 @@ let rec part_of (p : T.pattern) root (x : Ir.Local.t) =
   | Array_of ps -> part_in (element root) ps x
   | Constructed (c, ps) -> part_in (payload root c) ps x
 
-and part_in part ps x =
-  List.find_map Fun.id (List.mapi (fun i p -> part_of p (part i p) x) ps)
+and part_in part ps x = List.find_map Fun.id (List.mapi (fun i p -> part_of p (part i p) x) ps)
 
 let part p ~root x = Option.get (part_of p root x)
 
@@ -64,23 +61,22 @@ let constructor_test ctx (c : T.constructor) root (p : T.pattern) =
   match root.Ir.ty with
   | Bool -> Some (if c.index = 1 then root else Term.not_ root)
   | Data (tycon, _) when Context.constructors ctx tycon = 1 -> None
-  | Data _ | Int | Float | String | Variable _ | Tuple _ | Function _ | Signal_function _
-  | Array _ | Size _ ->
-    Some (Term.make Bool p.span (Ir.Is_constructor (root, c.index)))
+  | Data _ | Int | Float | String | Variable _ | Tuple _ | Function _ | Signal_function _ | Array _
+  | Size _ ->
+      Some (Term.make Bool p.span (Ir.Is_constructor (root, c.index)))
 
 let rec tests ctx (p : T.pattern) root found =
   match p.desc with
   | Any | Bound _ -> found
   | As (_, p) -> tests ctx p root found
-  | Literal value ->
-    Term.equal root (Term.make root.ty p.span (Ir.Number value)) :: found
+  | Literal value -> Term.equal root (Term.make root.ty p.span (Ir.Number value)) :: found
   | Tuple_of ps -> part_tests ctx (component root) ps found
   | Array_of ps -> part_tests ctx (element root) ps found
   | Constructed (c, ps) ->
-    let found =
-      match constructor_test ctx c root p with Some test -> test :: found | None -> found
-    in
-    part_tests ctx (payload root c) ps found
+      let found =
+        match constructor_test ctx c root p with Some test -> test :: found | None -> found
+      in
+      part_tests ctx (payload root c) ps found
 
 and part_tests ctx part ps found =
   let visit (index, found) (p : T.pattern) =
@@ -98,16 +94,11 @@ let test ctx p ~root =
   match tests ctx p root [] with
   | [] -> None
   | last :: before ->
-    Some (List.fold_left (fun rest test -> Term.conjunction test rest) last before)
+      Some (List.fold_left (fun rest test -> Term.conjunction test rest) last before)
 
-type branch = {
-  pattern : T.pattern;
-  falls : bool;
-  value : fall:Ir.expr option -> Ir.expr;
-}
+type branch = { pattern : T.pattern; falls : bool; value : fall:Ir.expr option -> Ir.expr }
 
 let bind found body = List.fold_left (fun body (b, value) -> Term.let_ b value body) body found
-
 let with_variables (p : T.pattern) root body = bind (collect p root []) body
 
 (* Calls [use] with [rest] as an expression that may stand at two places. *)
@@ -129,18 +120,16 @@ let branch ctx root span rest { pattern; falls; value } =
   match rest with
   | None -> matched None
   | Some rest -> (
-    match (test ctx pattern ~root, falls) with
-    | None, false -> matched None
-    | None, true -> matched (Some rest)
-    | Some test, false -> Term.if_ test (matched None) rest span
-    | Some test, true ->
-      shared ctx span rest (fun rest -> Term.if_ test (matched (Some rest)) rest span))
+      match (test ctx pattern ~root, falls) with
+      | None, false -> matched None
+      | None, true -> matched (Some rest)
+      | Some test, false -> Term.if_ test (matched None) rest span
+      | Some test, true ->
+          shared ctx span rest (fun rest -> Term.if_ test (matched (Some rest)) rest span))
 
 let case ctx ~root span branches =
   let chain =
-    List.fold_left
-      (fun rest b -> Some (branch ctx root span rest b))
-      None (List.rev branches)
+    List.fold_left (fun rest b -> Some (branch ctx root span rest b)) None (List.rev branches)
   in
   match chain with
   | Some e -> e

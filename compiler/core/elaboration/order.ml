@@ -2,9 +2,7 @@ open Basis
 open Ir
 
 let rec globals found (e : expr) =
-  match e.desc with
-  | Global (g, _) -> g :: found
-  | _ -> List.fold_left globals found (Term.parts e)
+  match e.desc with Global (g, _) -> g :: found | _ -> List.fold_left globals found (Term.parts e)
 
 let definitions list =
   let all = Array.of_list list in
@@ -17,7 +15,6 @@ let definitions list =
   let add reversed component =
     List.fold_left
       (fun reversed i -> all.(i) :: reversed)
-      reversed
-      (List.sort Int.compare component)
+      reversed (List.sort Int.compare component)
   in
   List.rev (List.fold_left add [] components)

@@ -5,8 +5,8 @@
     logic: a comparison is a difference, [And] the least, [Or] the largest, [Not] the negation, and
     what asks for the past is the least or the largest over the instants that it asks for.
 
-    It is computed where all instants of a run are at hand, and not by the program: a window of
-    time would need as much memory as there are instants in it. *)
+    It is computed where all instants of a run are at hand, and not by the program: a window of time
+    would need as much memory as there are instants in it. *)
 
 type t =
   | Constant of bool
@@ -27,5 +27,5 @@ val choice : t -> t -> t -> t
 (** These leave out what makes no difference. *)
 
 val to_json : (int -> string) -> t -> string
-(** With the names of columns: [["and", "f.margin a 1", ["within", "f.margin a 2", …]]]; a
-    constant is [true] or [false]. *)
+(** With the names of columns: [["and", "f.margin a 1", ["within", "f.margin a 2", …]]]; a constant
+    is [true] or [false]. *)

@@ -26,7 +26,7 @@ type claim = {
   reading : Reading.t;
   name : string;
   mutable count : int;
-  mutable equations : equation list;  (* the last first *)
+  mutable equations : equation list; (* the last first *)
 }
 
 let head c env e = Reading.head c.reading ~stop:is_timed env e
@@ -46,14 +46,14 @@ let of_time_alone c env e =
   let rec is_other env (e : expr) =
     match head c env e with
     | { env; expr = { desc = Local x; _ } } -> (
-      match Reading.run c.reading env x with
-      | Some { env; expr } -> (
-        match (head c env expr).expr.desc with
-        | Primitive (Time, _) ->
-          is_time := true;
-          false
-        | _ -> true)
-      | None -> true)
+        match Reading.run c.reading env x with
+        | Some { env; expr } -> (
+            match (head c env expr).expr.desc with
+            | Primitive (Time, _) ->
+                is_time := true;
+                false
+            | _ -> true)
+        | None -> true)
     | { env; expr } -> List.exists (is_other env) (Term.parts expr)
   in
   (not (is_other env e)) && !is_time
@@ -85,24 +85,23 @@ let rec formula c env (e : expr) : Formula.t =
   match expr.desc with
   | Boolean b -> Constant b
   | If (condition, a, b) ->
-    let condition = formula c inside condition in
-    let a = formula c inside a in
-    Formula.choice condition a (formula c inside b)
+      let condition = formula c inside condition in
+      let a = formula c inside a in
+      Formula.choice condition a (formula c inside b)
   | Is_constructor (value, k) -> is c inside value k ~otherwise:(fun () -> itself c env e)
   | Apply ({ desc = Apply ({ desc = Primitive (p, [ ty ]); _ }, a); _ }, b) ->
-    comparison c inside e.span p (Reading.ty inside ty) a b
-      ~otherwise:(fun () -> itself c env e)
+      comparison c inside e.span p (Reading.ty inside ty) a b ~otherwise:(fun () -> itself c env e)
   | Apply ({ desc = Apply ({ desc = Primitive (And, []); _ }, a); _ }, b) ->
-    let a = formula c inside a in
-    Formula.and_ a (formula c inside b)
+      let a = formula c inside a in
+      Formula.and_ a (formula c inside b)
   | Apply ({ desc = Apply ({ desc = Primitive (Or, []); _ }, a); _ }, b) ->
-    let a = formula c inside a in
-    Formula.or_ a (formula c inside b)
+      let a = formula c inside a in
+      Formula.or_ a (formula c inside b)
   | Local x -> (
-    match instance c inside x with
-    | Some (`Timed formula) -> formula
-    | Some (`Entered (env, output)) -> formula c env output
-    | None -> itself c env e)
+      match instance c inside x with
+      | Some (`Timed formula) -> formula
+      | Some (`Entered (env, output)) -> formula c env output
+      | None -> itself c env e)
   | _ -> itself c env e
 
 and comparison c env span (p : Primitive.t) ty a b ~otherwise =
@@ -111,33 +110,33 @@ and comparison c env span (p : Primitive.t) ty a b ~otherwise =
   let at_most a b = difference c env span a b in
   match p with
   | (Less | Less_equal | Greater | Greater_equal) when is_number ->
-    if Lazy.force both_alone then otherwise ()
-    else if p = Less || p = Less_equal then at_most a b
-    else at_most b a
+      if Lazy.force both_alone then otherwise ()
+      else if p = Less || p = Less_equal then at_most a b
+      else at_most b a
   | (Equal | Not_equal) when is_number ->
-    if Lazy.force both_alone then otherwise ()
-    else
-      let d = at_most a b in
-      let equal = Formula.and_ d (Formula.not_ d) in
-      if p = Equal then equal else Formula.not_ equal
+      if Lazy.force both_alone then otherwise ()
+      else
+        let d = at_most a b in
+        let equal = Formula.and_ d (Formula.not_ d) in
+        if p = Equal then equal else Formula.not_ equal
   | (Equal | Not_equal) when ty = Bool ->
-    let a = formula c env a and b = formula c env b in
-    let same = Formula.choice a b (Formula.not_ b) in
-    if p = Equal then same else Formula.not_ same
-  | Equal | Not_equal -> (
-    let tagged (e : expr) =
-      match (head c env e).expr.desc with
-      | Construct { constructor; arguments = []; _ } -> Some constructor
-      | _ -> None
-    in
-    let is value k =
-      let same = is c env value k ~otherwise in
+      let a = formula c env a and b = formula c env b in
+      let same = Formula.choice a b (Formula.not_ b) in
       if p = Equal then same else Formula.not_ same
-    in
-    match (tagged a, tagged b) with
-    | _, Some k -> is a k
-    | Some k, None -> is b k
-    | None, None -> otherwise ())
+  | Equal | Not_equal -> (
+      let tagged (e : expr) =
+        match (head c env e).expr.desc with
+        | Construct { constructor; arguments = []; _ } -> Some constructor
+        | _ -> None
+      in
+      let is value k =
+        let same = is c env value k ~otherwise in
+        if p = Equal then same else Formula.not_ same
+      in
+      match (tagged a, tagged b) with
+      | _, Some k -> is a k
+      | Some k, None -> is b k
+      | None, None -> otherwise ())
   | _ -> otherwise ()
 
 (* Has the value that constructor? *)
@@ -147,48 +146,45 @@ and is c env value k ~otherwise =
   match expr.desc with
   | Construct { constructor; _ } -> Constant (constructor = k)
   | If (condition, a, b) ->
-    let condition = formula c env condition in
-    let part e = is c env e k ~otherwise:(fun () -> has c env e k) in
-    let a = part a in
-    Formula.choice condition a (part b)
+      let condition = formula c env condition in
+      let part e = is c env e k ~otherwise:(fun () -> has c env e k) in
+      let a = part a in
+      Formula.choice condition a (part b)
   | Apply ({ desc = Apply ({ desc = Primitive (Maximum, _); _ }, a); _ }, b) when is_last ->
-    let part e = is c env e k ~otherwise:(fun () -> has c env e k) in
-    let a = part a in
-    Formula.or_ a (part b)
+      let part e = is c env e k ~otherwise:(fun () -> has c env e k) in
+      let a = part a in
+      Formula.or_ a (part b)
   | Local x -> (
-    match instance c env x with
-    | Some (`Timed formula) when is_last -> Formula.not_ formula
-    | Some (`Entered (env, output)) -> is c env output k ~otherwise:(fun () -> has c env output k)
-    | Some (`Timed _) | None -> otherwise ())
+      match instance c env x with
+      | Some (`Timed formula) when is_last -> Formula.not_ formula
+      | Some (`Entered (env, output)) -> is c env output k ~otherwise:(fun () -> has c env output k)
+      | Some (`Timed _) | None -> otherwise ())
   | _ -> otherwise ()
 
-and has c env value k =
-  itself c env (Term.make Bool value.span (Is_constructor (value, k)))
+and has c env value k = itself c env (Term.make Bool value.span (Is_constructor (value, k)))
 
 (* What a variable says that is an instance of a signal function. *)
 and instance c env x =
   match (Reading.run c.reading env x, Reading.input c.reading env x) with
   | Some { env = of_function; expr }, Some input -> (
-    let found = head c of_function expr in
-    match (found.expr.desc, arguments found.expr []) with
-    | Proc p, _ -> Some (`Entered (Reading.enter found.env p ~input, p.output))
-    | _, ({ desc = Global (g, _); _ }, given) when is_timed g ->
-      Option.map (fun f -> `Timed f) (timed c g found.env given input)
-    | _ -> None)
+      let found = head c of_function expr in
+      match (found.expr.desc, arguments found.expr []) with
+      | Proc p, _ -> Some (`Entered (Reading.enter found.env p ~input, p.output))
+      | _, ({ desc = Global (g, _); _ }, given) when is_timed g ->
+          Option.map (fun f -> `Timed f) (timed c g found.env given input)
+      | _ -> None)
   | _ -> None
 
 and timed c (g : Global.t) env given { env = of_input; expr = input } =
   let time =
-    match given with
-    | [ q ] -> Some (shown c (Reading.copy c.reading env q))
-    | _ -> None
+    match given with [ q ] -> Some (shown c (Reading.copy c.reading env q)) | _ -> None
   in
   let timed conditions : Formula.t = Timed { operator = g.name; time; conditions } in
   if g.name = "since" || g.name = "respondsWithin" then
     match head c of_input input with
     | { env; expr = { desc = Tuple [ a; b ]; _ } } ->
-      let a = formula c env a in
-      Some (timed [ a; formula c env b ])
+        let a = formula c env a in
+        Some (timed [ a; formula c env b ])
     | _ -> None
   else Some (timed [ formula c of_input input ])
 
@@ -204,22 +200,22 @@ let program (program : program) =
   let claim env (eq : equation) =
     match eq.rhs with
     | Pure e when Resolve.Labels.is_name eq.binder.local.name -> (
-      let c = { reading; name = eq.binder.local.name; count = 0; equations = [] } in
-      match of_verdict c env e with
-      | formula ->
-        Hashtbl.replace found eq.binder.local.span formula;
-        Reading.added reading @ List.rev c.equations
-      | exception Reading.Too_large ->
-        ignore (Reading.added reading);
-        [])
+        let c = { reading; name = eq.binder.local.name; count = 0; equations = [] } in
+        match of_verdict c env e with
+        | formula ->
+            Hashtbl.replace found eq.binder.local.span formula;
+            Reading.added reading @ List.rev c.equations
+        | exception Reading.Too_large ->
+            ignore (Reading.added reading);
+            [])
     | Pure _ | Run _ -> []
   in
   let rec expr (e : expr) =
     let desc = Term.with_parts expr e in
     match desc with
     | Proc p ->
-      let added = List.concat_map (fun eq -> claim (Reading.of_proc reading p) eq) p.equations in
-      { e with desc = Proc { p with equations = p.equations @ added } }
+        let added = List.concat_map (fun eq -> claim (Reading.of_proc reading p) eq) p.equations in
+        { e with desc = Proc { p with equations = p.equations @ added } }
     | desc -> { e with desc }
   in
   let definition (d : definition) = { d with body = expr d.body } in

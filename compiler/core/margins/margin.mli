@@ -1,10 +1,10 @@
 (** How nearly each assertion held.
 
-    Of each assertion its condition is read, through variables and functions, down to
-    comparisons. For each of these the proc gets one more equation, the difference of what is
-    compared, under a name that no source can mention; of a condition that compares nothing it is
-    the condition itself. Nothing depends on them, as nothing depends on assertions: they are
-    there to be shown. And each assertion has a {!Formula} of these columns.
+    Of each assertion its condition is read, through variables and functions, down to comparisons.
+    For each of these the proc gets one more equation, the difference of what is compared, under a
+    name that no source can mention; of a condition that compares nothing it is the condition
+    itself. Nothing depends on them, as nothing depends on assertions: they are there to be shown.
+    And each assertion has a {!Formula} of these columns.
 
     A comparison of what depends on nothing but time counts as a condition: nothing that a search
     could change makes it come nearer. *)

@@ -13,19 +13,19 @@ type t = {
   instances : Instance.table;
   mutable last : int;
   mutable steps : int;
-  mutable added : equation list;  (* the last first *)
+  mutable added : equation list; (* the last first *)
 }
 
 type env = {
   types : (variable * ty) list;
-  values : value Int_map.t ref;  (* the equations of a proc mention each other *)
+  values : value Int_map.t ref; (* the equations of a proc mention each other *)
 }
 
 and value =
-  | Expression of expr * env  (* it stands for this *)
+  | Expression of expr * env (* it stands for this *)
   | Renamed of Local.t
-  | Equation of equation * env  (* of the proc that all is read for *)
-  | Instance of instance  (* in a proc that was entered *)
+  | Equation of equation * env (* of the proc that all is read for *)
+  | Instance of instance (* in a proc that was entered *)
 
 and instance = {
   binder : binder;
@@ -42,23 +42,21 @@ let rec least_id least (e : expr) =
     match e.desc with
     | Lambda (b, _) | Let { binder = b; _ } -> min least b.local.id
     | Proc p ->
-      List.fold_left
-        (fun least (eq : equation) -> min least eq.binder.local.id)
-        (min least p.input.local.id) p.equations
+        List.fold_left
+          (fun least (eq : equation) -> min least eq.binder.local.id)
+          (min least p.input.local.id) p.equations
     | _ -> least
   in
   List.fold_left least_id least (Term.parts e)
 
 let create (program : program) =
   let definitions = Global_table.create 256 and params = Global_table.create 16 in
-  List.iter (fun (d : definition) -> Global_table.replace definitions d.name d)
-    program.definitions;
+  List.iter (fun (d : definition) -> Global_table.replace definitions d.name d) program.definitions;
   List.iter (fun (p : param) -> Global_table.replace params p.param ()) program.params;
   let last =
     List.fold_left (fun least (d : definition) -> least_id least d.body) 0 program.definitions
   in
-  { definitions; params; instances = Instance.table program.instances; last; steps = 0;
-    added = [] }
+  { definitions; params; instances = Instance.table program.instances; last; steps = 0; added = [] }
 
 let fresh t name span : Local.t =
   t.last <- t.last - 1;
@@ -91,7 +89,7 @@ let enter env (p : proc) ~input =
     match eq.rhs with
     | Pure e -> Expression (e, inside)
     | Run { signal_function; input } ->
-      Instance { binder = eq.binder; signal_function; input; inside; copied = None }
+        Instance { binder = eq.binder; signal_function; input; inside; copied = None }
   in
   let add values (eq : equation) = Int_map.add eq.binder.local.id (value eq) values in
   let given = Int_map.add p.input.local.id (Expression (input.expr, input.env)) !(env.values) in
@@ -104,10 +102,10 @@ let ty env ty = if env.types = [] then ty else Erasure.substitute env.types ty
 let method_ t env (e : expr) =
   match e.desc with
   | Method { class_; name; ty = of_; types } -> (
-    let of_ = ty env of_ and types = List.map (ty env) types in
-    match Instance.find t.instances ~class_ ~name of_ types with
-    | Some (g, types) -> Global (g, types)
-    | None -> Method { class_; name; ty = of_; types })
+      let of_ = ty env of_ and types = List.map (ty env) types in
+      match Instance.find t.instances ~class_ ~name of_ types with
+      | Some (g, types) -> Global (g, types)
+      | None -> Method { class_; name; ty = of_; types })
   | desc -> desc
 
 let rec head t ~stop env (e : expr) =
@@ -115,37 +113,37 @@ let rec head t ~stop env (e : expr) =
   let itself = { env; expr = e } in
   match method_ t env e with
   | Local x -> (
-    match meaning env x with
-    | Some (Expression (e, env)) -> head t ~stop env e
-    | Some (Equation ({ rhs = Pure e; _ }, env)) -> head t ~stop env e
-    | Some (Equation _ | Instance _ | Renamed _) | None -> itself)
+      match meaning env x with
+      | Some (Expression (e, env)) -> head t ~stop env e
+      | Some (Equation ({ rhs = Pure e; _ }, env)) -> head t ~stop env e
+      | Some (Equation _ | Instance _ | Renamed _) | None -> itself)
   | Global (g, types) -> (
-    match Global_table.find_opt t.definitions g with
-    | Some d when not (stop g || Global_table.mem t.params g) ->
-      let types = List.combine d.parameters (List.map (ty env) types) in
-      head t ~stop { types; values = ref Int_map.empty } d.body
-    | Some _ | None -> itself)
+      match Global_table.find_opt t.definitions g with
+      | Some d when not (stop g || Global_table.mem t.params g) ->
+          let types = List.combine d.parameters (List.map (ty env) types) in
+          head t ~stop { types; values = ref Int_map.empty } d.body
+      | Some _ | None -> itself)
   | Apply (f, a) -> (
-    match head t ~stop env f with
-    | { env = inside; expr = { desc = Lambda (b, body); _ } } ->
-      head t ~stop (bind inside b (Expression (a, env))) body
-    | _ -> itself)
+      match head t ~stop env f with
+      | { env = inside; expr = { desc = Lambda (b, body); _ } } ->
+          head t ~stop (bind inside b (Expression (a, env))) body
+      | _ -> itself)
   | Let { binder; value; body } -> head t ~stop (bind env binder (Expression (value, env))) body
   | Component (value, k) -> (
-    match head t ~stop env value with
-    | { env; expr = { desc = Tuple parts; _ } } -> head t ~stop env (List.nth parts k)
-    | _ -> itself)
+      match head t ~stop env value with
+      | { env; expr = { desc = Tuple parts; _ } } -> head t ~stop env (List.nth parts k)
+      | _ -> itself)
   | Payload { value; constructor; field } -> (
-    match head t ~stop env value with
-    | { env; expr = { desc = Construct c; _ } } when c.constructor = constructor ->
-      head t ~stop env (List.nth c.arguments field)
-    | _ -> itself)
+      match head t ~stop env value with
+      | { env; expr = { desc = Construct c; _ } } when c.constructor = constructor ->
+          head t ~stop env (List.nth c.arguments field)
+      | _ -> itself)
   | _ -> itself
 
 let run _ env x =
   match meaning env x with
   | Some (Equation ({ rhs = Run { signal_function; _ }; _ }, env)) ->
-    Some { env; expr = signal_function }
+      Some { env; expr = signal_function }
   | Some (Instance i) -> Some { env = i.inside; expr = i.signal_function }
   | Some (Equation _ | Expression _ | Renamed _) | None -> None
 
@@ -160,41 +158,41 @@ let rec copy t env (e : expr) : expr =
   let made desc = { e with desc; ty = ty env e.ty } in
   match method_ t env e with
   | Local x -> (
-    match meaning env x with
-    | Some (Expression (e, env)) -> copy t env e
-    | Some (Renamed y) -> made (Local y)
-    | Some (Equation _) | None -> made (Local x)
-    | Some (Instance i) -> made (Local (copied t i)))
+      match meaning env x with
+      | Some (Expression (e, env)) -> copy t env e
+      | Some (Renamed y) -> made (Local y)
+      | Some (Equation _) | None -> made (Local x)
+      | Some (Instance i) -> made (Local (copied t i)))
   | Global (g, types) -> made (Global (g, List.map (ty env) types))
   | Primitive (p, types) -> made (Primitive (p, List.map (ty env) types))
   | Method _ as desc -> made desc
   | Lambda (b, body) ->
-    let b, env = rename t env b in
-    made (Lambda (b, copy t env body))
+      let b, env = rename t env b in
+      made (Lambda (b, copy t env body))
   | Let { binder; value; body } ->
-    let value = copy t env value in
-    let binder, env = rename t env binder in
-    made (Let { binder; value; body = copy t env body })
+      let value = copy t env value in
+      let binder, env = rename t env binder in
+      made (Let { binder; value; body = copy t env body })
   | Proc p ->
-    let input, env = rename t env p.input in
-    let env, binders =
-      List.fold_left_map
-        (fun env (eq : equation) ->
-          let binder, env = rename t env eq.binder in
-          (env, binder))
-        env p.equations
-    in
-    let equation (eq : equation) binder =
-      let rhs =
-        match eq.rhs with
-        | Pure e -> Pure (copy t env e)
-        | Run { signal_function; input } ->
-          Run { signal_function = copy t env signal_function; input = copy t env input }
+      let input, env = rename t env p.input in
+      let env, binders =
+        List.fold_left_map
+          (fun env (eq : equation) ->
+            let binder, env = rename t env eq.binder in
+            (env, binder))
+          env p.equations
       in
-      { eq with binder; rhs }
-    in
-    let equations = List.map2 equation p.equations binders in
-    made (Proc { p with input; equations; output = copy t env p.output })
+      let equation (eq : equation) binder =
+        let rhs =
+          match eq.rhs with
+          | Pure e -> Pure (copy t env e)
+          | Run { signal_function; input } ->
+              Run { signal_function = copy t env signal_function; input = copy t env input }
+        in
+        { eq with binder; rhs }
+      in
+      let equations = List.map2 equation p.equations binders in
+      made (Proc { p with input; equations; output = copy t env p.output })
   | _ -> made (Term.with_parts (copy t env) e)
 
 and rename t env (b : binder) =
@@ -205,14 +203,14 @@ and copied t (i : instance) =
   match i.copied with
   | Some local -> local
   | None ->
-    let { local; ty = given } = i.binder in
-    (* Without a name, so that it is none of the signals that are to be seen. *)
-    let local = fresh t "" local.span in
-    i.copied <- Some local;
-    let rhs =
-      let signal_function = copy t i.inside i.signal_function in
-      Run { signal_function; input = copy t i.inside i.input }
-    in
-    let binder = { local; ty = ty i.inside given } in
-    t.added <- { binder; rhs; span = local.span } :: t.added;
-    local
+      let { local; ty = given } = i.binder in
+      (* Without a name, so that it is none of the signals that are to be seen. *)
+      let local = fresh t "" local.span in
+      i.copied <- Some local;
+      let rhs =
+        let signal_function = copy t i.inside i.signal_function in
+        Run { signal_function; input = copy t i.inside i.input }
+      in
+      let binder = { local; ty = ty i.inside given } in
+      t.added <- { binder; rhs; span = local.span } :: t.added;
+      local

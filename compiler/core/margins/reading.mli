@@ -18,8 +18,8 @@ type head = { env : env; expr : Ir.expr }
 
 val head : t -> stop:(Ir.Global.t -> bool) -> env -> Ir.expr -> head
 (** What the expression comes to, as far as its outermost construct: no variable, no call of a
-    function, no binding and no part that is known. [stop]: definitions that are not looked into,
-    as parameters are not. *)
+    function, no binding and no part that is known. [stop]: definitions that are not looked into, as
+    parameters are not. *)
 
 val run : t -> env -> Ir.Local.t -> head option
 (** The signal function that the variable is an instance of, and where that is to be read. *)
@@ -39,5 +39,5 @@ val copy : t -> env -> Ir.expr -> Ir.expr
 val fresh : t -> string -> Basis.Span.t -> Ir.Local.t
 
 val added : t -> Ir.equation list
-(** The equations that copies have needed since this was asked last: instances of signal
-    functions that run in procs that were entered. *)
+(** The equations that copies have needed since this was asked last: instances of signal functions
+    that run in procs that were entered. *)

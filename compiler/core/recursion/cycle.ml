@@ -7,9 +7,7 @@ let rec gives_task : Ir.ty -> bool = function
   | Function (_, result) -> gives_task result
   | _ -> false
 
-let is_function : Ir.ty -> bool = function
-  | Function _ | Signal_function _ -> true
-  | _ -> false
+let is_function : Ir.ty -> bool = function Function _ | Signal_function _ -> true | _ -> false
 
 let vertex (d : Ir.definition) =
   { name = d.name.name; span = d.span; task = gives_task d.ty; function_ = is_function d.ty }

@@ -12,5 +12,5 @@ type vertex = {
 val vertex : Ir.definition -> vertex
 
 val diagnostic : vertex:(int -> vertex) -> use:(int -> int -> Span.t) -> int list -> Diagnostic.t
-(** E0410 for a cycle, not empty: each vertex uses the next, the last one the
-    first; [use]: where. Of a long one the beginning and the last step. *)
+(** E0410 for a cycle, not empty: each vertex uses the next, the last one the first; [use]: where.
+    Of a long one the beginning and the last step. *)

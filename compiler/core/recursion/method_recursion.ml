@@ -19,8 +19,7 @@ let that_use_methods { Uses.definitions; index; uses } =
     | [] -> ()
     | i :: rest when Global_table.mem found definitions.(i).name -> spread rest
     | i :: rest ->
-        Global_table.replace found definitions.(i).name
-          { core = definitions.(i); uses = uses.(i) };
+        Global_table.replace found definitions.(i).name { core = definitions.(i); uses = uses.(i) };
         spread (List.rev_append users.(i) rest)
   in
   let is_method (use : Uses.use) =
@@ -49,7 +48,7 @@ type graph = {
   instances : Instance.table;
   sink : Diagnostic.sink;
   numbers : int Instantiations.t;
-  mutable vertices : vertex list;  (* the last one first *)
+  mutable vertices : vertex list; (* the last one first *)
   mutable work : vertex list;
 }
 
@@ -125,8 +124,7 @@ let start g (program : Ir.program) =
   let method_ (i : Ir.instance) (_, (implementation : Ir.implementation)) =
     match implementation with
     | Given name -> enter name Fun.id
-    | Default name ->
-        enter name (function [] -> [] | _ :: others -> i.head :: others)
+    | Default name -> enter name (function [] -> [] | _ :: others -> i.head :: others)
   in
   List.iter (fun (i : Ir.instance) -> List.iter (method_ i) i.methods) program.instances
 
@@ -136,9 +134,7 @@ let start g (program : Ir.program) =
 let defaults (program : Ir.program) =
   let table = Hashtbl.create 16 in
   let method_ (i : Ir.instance) (_, (implementation : Ir.implementation)) =
-    match implementation with
-    | Default name -> Hashtbl.replace table name i.class_
-    | Given _ -> ()
+    match implementation with Default name -> Hashtbl.replace table name i.class_ | Given _ -> ()
   in
   List.iter (fun (i : Ir.instance) -> List.iter (method_ i) i.methods) program.instances;
   table

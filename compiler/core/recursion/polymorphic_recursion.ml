@@ -8,9 +8,7 @@ let rec is_open : Ir.ty -> bool = function
   | Function (a, b) | Signal_function (a, b) | Array (a, b) -> is_open a || is_open b
 
 (* With the variables of the definition in it, but larger than one. *)
-let grows : Ir.ty -> bool = function
-  | Variable _ -> false
-  | ty -> is_open ty
+let grows : Ir.ty -> bool = function Variable _ -> false | ty -> is_open ty
 
 type use = { index : int; by : Ir.Global.t; types : Ir.ty list; at : Span.t }
 
@@ -50,11 +48,11 @@ let report sink (definitions : Ir.definition array) uses i { index; by; types; a
   Diagnostic.error ~code:"E0417" ~at "`%s` starts itself again at a larger type" by.name
   |> Diagnostic.here (Printf.sprintf "here a type variable of it becomes `%s`" (Print.type_name ty))
   |> (fun diagnostic ->
-       match way uses index i with
-       | [] ->
-           let text = Printf.sprintf "`%s` is defined here" d.name.name in
-           Diagnostic.label ~at:d.span text diagnostic
-       | way -> List.fold_left label diagnostic way)
+  match way uses index i with
+  | [] ->
+      let text = Printf.sprintf "`%s` is defined here" d.name.name in
+      Diagnostic.label ~at:d.span text diagnostic
+  | way -> List.fold_left label diagnostic way)
   |> Diagnostic.hint "start it again at the same types"
   |> Diagnostic.emit sink
 

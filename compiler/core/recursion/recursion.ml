@@ -8,7 +8,7 @@ let report sink (definitions : Ir.definition array) use cycle =
     else
       Diagnostic.hint
         "a value that depends on its own past is an equation of a `proc`, with `delay`, as in `n = \
-           delay 0 n + 1`"
+         delay 0 n + 1`"
   in
   Cycle.diagnostic ~vertex ~use cycle |> cure |> Diagnostic.emit sink
 

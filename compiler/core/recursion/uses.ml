@@ -7,12 +7,7 @@ type target =
   | Method of { class_ : Global.t; name : string; ty : ty; types : ty list }
 
 type use = { target : target; span : Span.t; later : bool }
-
-type t = {
-  definitions : definition array;
-  index : int Global_table.t;
-  uses : use list array;
-}
+type t = { definitions : definition array; index : int Global_table.t; uses : use list array }
 
 let is_continuation = function
   | Function (_, (Signal_function _ | Data ({ module_ = "Prelude"; name = "Task" }, _))) -> true

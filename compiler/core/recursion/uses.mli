@@ -10,8 +10,8 @@ type use = {
   target : target;
   span : Span.t;
   later : bool;
-      (** in an argument that, as that of a switch, is a function that gives a signal
-          function or a task: it runs later, if at all *)
+      (** in an argument that, as that of a switch, is a function that gives a signal function or a
+          task: it runs later, if at all *)
 }
 
 type t = {

@@ -4,15 +4,14 @@ let encode buffer text =
   let length = String.length text in
   let byte i = if i < length then Char.code (String.unsafe_get text i) else 0 in
   let rec from i =
-    if i < length then begin
+    if i < length then (
       let word = (byte i lsl 16) lor (byte (i + 1) lsl 8) lor byte (i + 2) in
       let digit k = String.unsafe_get digits ((word lsr (18 - (6 * k))) land 63) in
       Buffer.add_char buffer (digit 0);
       Buffer.add_char buffer (digit 1);
       Buffer.add_char buffer (if i + 1 < length then digit 2 else '=');
       Buffer.add_char buffer (if i + 2 < length then digit 3 else '=');
-      from (i + 3)
-    end
+      from (i + 3))
   in
   from 0
 

@@ -21,9 +21,7 @@ let readable path =
   else Ok ()
 
 let tell_torn (t : Recorded.t) =
-  Option.iter
-    (Printf.eprintf "warning: %s: %s; what came before was converted\n" t.path)
-    t.torn
+  Option.iter (Printf.eprintf "warning: %s: %s; what came before was converted\n" t.path) t.torn
 
 let copy from into =
   let part = Bytes.create 65536 in
@@ -38,7 +36,10 @@ let copy from into =
 
 let copy_file from at =
   let input = open_in_bin from and output = open_out_bin at in
-  let finally () = close_in_noerr input; close_out_noerr output in
+  let finally () =
+    close_in_noerr input;
+    close_out_noerr output
+  in
   Fun.protect ~finally (fun () ->
       copy input output;
       flush output)

@@ -8,7 +8,7 @@ let table =
 let update crc text =
   let table = Lazy.force table and c = ref (crc lxor 0xffffffff) in
   for i = 0 to String.length text - 1 do
-    c := Array.unsafe_get table ((!c lxor Char.code (String.unsafe_get text i)) land 0xff)
-         lxor (!c lsr 8)
+    c :=
+      Array.unsafe_get table (!c lxor Char.code (String.unsafe_get text i) land 0xff) lxor (!c lsr 8)
   done;
   !c lxor 0xffffffff

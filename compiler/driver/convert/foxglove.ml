@@ -13,7 +13,7 @@ let number text =
       let is_plain = function '0' .. '9' | '.' | '-' | '+' | 'e' | 'E' -> true | _ -> false in
       let leading_zero = digit first && text.[first] = '0' && digit (first + 1) in
       match String.index_opt text '.' with
-      | _ when not (digit first && String.for_all is_plain text) || leading_zero ->
+      | _ when (not (digit first && String.for_all is_plain text)) || leading_zero ->
           Printf.sprintf "%.17g" x
       | Some point when not (digit (point + 1)) -> Printf.sprintf "%.17g" x
       | Some _ | None -> text)
@@ -38,10 +38,7 @@ let seconds title =
 
 let time = seconds "time"
 let vector = members [ ("x", a_number); ("y", a_number); ("z", a_number) ]
-
-let quaternion =
-  members [ ("x", a_number); ("y", a_number); ("z", a_number); ("w", a_number) ]
-
+let quaternion = members [ ("x", a_number); ("y", a_number); ("z", a_number); ("w", a_number) ]
 let a_pose = members [ ("position", vector); ("orientation", quaternion) ]
 let colour = members [ ("r", a_number); ("g", a_number); ("b", a_number); ("a", a_number) ]
 
@@ -58,8 +55,11 @@ let pose_in_frame =
 let frame_transform =
   schema "foxglove.FrameTransform"
     [
-      ("timestamp", time); ("parent_frame_id", a_string); ("child_frame_id", a_string);
-      ("translation", vector); ("rotation", quaternion);
+      ("timestamp", time);
+      ("parent_frame_id", a_string);
+      ("child_frame_id", a_string);
+      ("translation", vector);
+      ("rotation", quaternion);
     ]
 
 (* What an entity can be made of besides lines. *)
@@ -69,18 +69,27 @@ let scene_update =
   let line =
     members
       [
-        ("type", an_integer); ("pose", a_pose); ("thickness", a_number);
-        ("scale_invariant", typed "boolean" []); ("points", many vector); ("color", colour);
-        ("colors", many colour); ("indices", many an_integer);
+        ("type", an_integer);
+        ("pose", a_pose);
+        ("thickness", a_number);
+        ("scale_invariant", typed "boolean" []);
+        ("points", many vector);
+        ("color", colour);
+        ("colors", many colour);
+        ("indices", many an_integer);
       ]
   in
   let nothing name = (name, many (members [])) in
   let entity =
     members
       ([
-         ("timestamp", time); ("frame_id", a_string); ("id", a_string);
+         ("timestamp", time);
+         ("frame_id", a_string);
+         ("id", a_string);
          ("lifetime", seconds "duration");
-         ("frame_locked", typed "boolean" []); nothing "metadata"; ("lines", many line);
+         ("frame_locked", typed "boolean" []);
+         nothing "metadata";
+         ("lines", many line);
        ]
       @ List.map nothing other_shapes)
   in
@@ -89,8 +98,14 @@ let scene_update =
 let raw_image =
   schema "foxglove.RawImage"
     [
-      ("timestamp", time); ("frame_id", a_string); ("width", an_integer); ("height", an_integer);
-      ("encoding", a_string); ("step", an_integer); ("file", a_string); ("head", a_string);
+      ("timestamp", time);
+      ("frame_id", a_string);
+      ("width", an_integer);
+      ("height", an_integer);
+      ("encoding", a_string);
+      ("step", an_integer);
+      ("file", a_string);
+      ("head", a_string);
       ("data", typed "string" [ ("contentEncoding", Json.String "base64") ]);
     ]
 
@@ -111,7 +126,9 @@ let of_heading heading : Json.t =
   let half = heading /. 2. in
   Object
     [
-      ("x", Int 0); ("y", Int 0); ("z", Float (Elementary.sin half));
+      ("x", Int 0);
+      ("y", Int 0);
+      ("z", Float (Elementary.sin half));
       ("w", Float (Elementary.cos half));
     ]
 
@@ -126,8 +143,10 @@ let of_transform ~time ~parent ~child { x; y; heading } =
   Json.to_string
     (Object
        [
-         ("timestamp", of_time time); ("parent_frame_id", String parent);
-         ("child_frame_id", String child); ("translation", of_vector (x, y));
+         ("timestamp", of_time time);
+         ("parent_frame_id", String parent);
+         ("child_frame_id", String child);
+         ("translation", of_vector (x, y));
          ("rotation", of_heading heading);
        ])
 
@@ -144,18 +163,26 @@ let cone { seat; half_angle; range; _ } : Json.t =
   in
   Object
     [
-      ("type", Int line_loop); ("pose", placed seat); ("thickness", Float 0.01);
+      ("type", Int line_loop);
+      ("pose", placed seat);
+      ("thickness", Float 0.01);
       ("scale_invariant", Bool false);
-      ("points", List (of_vector (0., 0.) :: List.init arc_points along)); ("color", blue);
-      ("colors", List []); ("indices", List []);
+      ("points", List (of_vector (0., 0.) :: List.init arc_points along));
+      ("color", blue);
+      ("colors", List []);
+      ("indices", List []);
     ]
 
 let of_echoes ~time ~frame echoes =
   let entity echo : Json.t =
     Object
       ([
-         ("timestamp", of_time time); ("frame_id", Json.String frame); ("id", String echo.id);
-         ("lifetime", of_time echo.lasts); ("frame_locked", Bool true); ("metadata", List []);
+         ("timestamp", of_time time);
+         ("frame_id", Json.String frame);
+         ("id", String echo.id);
+         ("lifetime", of_time echo.lasts);
+         ("frame_locked", Bool true);
+         ("metadata", List []);
          ("lines", List [ cone echo ]);
        ]
       @ List.map (fun name -> (name, Json.List [])) other_shapes)
@@ -197,9 +224,13 @@ let of_image ~time ~frame { file; head; width; height; pixels } =
     Json.to_string
       (Object
          [
-           ("timestamp", of_time time); ("frame_id", String frame); ("width", Int width);
-           ("height", Int height); ("encoding", String (if is_grey then "mono8" else "rgb8"));
-           ("step", Int (if is_grey then width else 3 * width)); ("file", String file);
+           ("timestamp", of_time time);
+           ("frame_id", String frame);
+           ("width", Int width);
+           ("height", Int height);
+           ("encoding", String (if is_grey then "mono8" else "rgb8"));
+           ("step", Int (if is_grey then width else 3 * width));
+           ("file", String file);
            ("head", String head);
          ])
   in

@@ -2,9 +2,7 @@ type t = { file : string; age : int }
 
 let folder_of path =
   let stem = Packed.stem path in
-  let stem =
-    if Filename.check_suffix stem ".csv" then Filename.chop_suffix stem ".csv" else stem
-  in
+  let stem = if Filename.check_suffix stem ".csv" then Filename.chop_suffix stem ".csv" else stem in
   stem ^ ".frames"
 
 let hash_digits = 10

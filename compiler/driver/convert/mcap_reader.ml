@@ -75,11 +75,10 @@ let attachment channel ~length =
   let copy out =
     let rec from crc left =
       if left = 0 then crc
-      else begin
+      else
         let part = really_input_string channel (min left 65536) in
         output_string out part;
         from (Crc32.update crc part) (left - String.length part)
-      end
     in
     let crc = from (Crc32.update 0 fields) size in
     if crc <> u32 (really_input_string channel 4) 0 then damaged ()

@@ -36,7 +36,11 @@ let made fields =
 
 (* Maps and arrays: how many bytes, and the bytes. *)
 let sized b fields = text b (made fields)
-let head op length = made (fun b -> Buffer.add_uint8 b op; u64 b length)
+
+let head op length =
+  made (fun b ->
+      Buffer.add_uint8 b op;
+      u64 b length)
 
 let record op fields =
   let content = made fields in
@@ -49,11 +53,25 @@ let put t bytes =
 
 let start out =
   let t =
-    { out; position = 0; crc = 0; chunk = Buffer.create (full + (full / 4)); chunk_times = None;
-      times = None; schemas = []; channels = []; chunks = []; attachments = []; all_metadata = [] }
+    {
+      out;
+      position = 0;
+      crc = 0;
+      chunk = Buffer.create (full + (full / 4));
+      chunk_times = None;
+      times = None;
+      schemas = [];
+      channels = [];
+      chunks = [];
+      attachments = [];
+      all_metadata = [];
+    }
   in
   put t magic;
-  put t (record 0x01 (fun b -> text b ""; text b "frobc"));
+  put t
+    (record 0x01 (fun b ->
+         text b "";
+         text b "frobc"));
   t
 
 (* {1 Beside messages} *)
@@ -73,11 +91,10 @@ let attach t ~name ~media_type channel =
   put t fields;
   let rec copy crc left =
     if left = 0 then crc
-    else begin
+    else
       let part = really_input_string channel (min left 65536) in
       put t part;
       copy (Crc32.update crc part) (left - String.length part)
-    end
   in
   seek_in channel 0;
   let crc = copy (Crc32.update 0 fields) size in
@@ -95,12 +112,21 @@ let attach t ~name ~media_type channel =
 
 let metadata t ~name pairs =
   let at = t.position in
-  let add b (key, value) = text b key; text b value in
+  let add b (key, value) =
+    text b key;
+    text b value
+  in
   let written =
-    record 0x0c (fun b -> text b name; sized b (fun b -> List.iter (add b) pairs))
+    record 0x0c (fun b ->
+        text b name;
+        sized b (fun b -> List.iter (add b) pairs))
   in
   put t written;
-  let index b = u64 b at; u64 b (String.length written); text b name in
+  let index b =
+    u64 b at;
+    u64 b (String.length written);
+    text b name
+  in
   t.all_metadata <- record 0x0d index :: t.all_metadata
 
 (* {1 Messages} *)
@@ -115,7 +141,12 @@ let schema t (name, schema) =
   | Some id -> id
   | None ->
       let id = List.length t.schemas + 1 in
-      let fields b = u16 b id; text b name; text b "jsonschema"; text b schema in
+      let fields b =
+        u16 b id;
+        text b name;
+        text b "jsonschema";
+        text b schema
+      in
       let written = record 0x03 fields in
       Buffer.add_string t.chunk written;
       t.schemas <- (name, written) :: t.schemas;
@@ -150,9 +181,15 @@ let write_indexes t =
   let start = t.position in
   let one channel =
     let at = t.position in
-    let entry b (time, offset) = u64 b time; u64 b offset in
+    let entry b (time, offset) =
+      u64 b time;
+      u64 b offset
+    in
     let entries b = List.iter (entry b) (List.rev channel.index) in
-    put t (record 0x07 (fun b -> u16 b channel.id; sized b entries));
+    put t
+      (record 0x07 (fun b ->
+           u16 b channel.id;
+           sized b entries));
     channel.index <- [];
     (channel.id, at)
   in
@@ -160,7 +197,7 @@ let write_indexes t =
   (places, t.position - start)
 
 let end_chunk t =
-  if Buffer.length t.chunk > 0 then begin
+  if Buffer.length t.chunk > 0 then (
     let records = Buffer.contents t.chunk and at = t.position in
     let size = String.length records in
     let fields =
@@ -176,7 +213,10 @@ let end_chunk t =
     put t records;
     let length = t.position - at and times = t.chunk_times in
     let places, indexes = write_indexes t in
-    let place b (id, at) = u16 b id; u64 b at in
+    let place b (id, at) =
+      u16 b id;
+      u64 b at
+    in
     let index b =
       of_interval b times;
       u64 b at;
@@ -189,8 +229,7 @@ let end_chunk t =
     in
     t.chunks <- record 0x08 index :: t.chunks;
     t.chunk_times <- None;
-    Buffer.clear t.chunk
-  end
+    Buffer.clear t.chunk)
 
 let message t channel ~time data =
   channel.index <- (time, Buffer.length t.chunk) :: channel.index;
@@ -220,7 +259,12 @@ let statistics t b =
   u32 b (List.length t.all_metadata);
   u32 b (List.length t.chunks);
   of_interval b t.times;
-  sized b (fun b -> List.iter (fun c -> u16 b c.id; u64 b c.count) channels)
+  sized b (fun b ->
+      List.iter
+        (fun c ->
+          u16 b c.id;
+          u64 b c.count)
+        channels)
 
 let finish t =
   end_chunk t;
@@ -230,7 +274,10 @@ let finish t =
   let group (op, records) =
     let at = t.position in
     List.iter (put t) (List.rev records);
-    record 0x0e (fun b -> Buffer.add_uint8 b op; u64 b at; u64 b (t.position - at))
+    record 0x0e (fun b ->
+        Buffer.add_uint8 b op;
+        u64 b at;
+        u64 b (t.position - at))
   in
   let groups =
     [
@@ -246,6 +293,9 @@ let finish t =
   let at = t.position in
   List.iter (put t) offsets;
   put t (head 0x02 20);
-  put t (made (fun b -> u64 b summary; u64 b at));
+  put t
+    (made (fun b ->
+         u64 b summary;
+         u64 b at));
   put t (made (fun b -> u32 b t.crc));
   put t magic

@@ -1,10 +1,9 @@
-(** Writes MCAP, the container of recordings that Foxglove and others read: messages in chunks
-    that are not compressed, with indexes, a summary, and all CRCs
-    ({{:https://mcap.dev/spec} the specification}). What is written depends on what it is given
-    and on nothing else.
+(** Writes MCAP, the container of recordings that Foxglove and others read: messages in chunks that
+    are not compressed, with indexes, a summary, and all CRCs
+    ({{:https://mcap.dev/spec} the specification}). What is written depends on what it is given and
+    on nothing else.
 
-    Times are nanoseconds, from [0] on; messages come in their order. Writing raises
-    [Sys_error]. *)
+    Times are nanoseconds, from [0] on; messages come in their order. Writing raises [Sys_error]. *)
 
 type t
 
@@ -19,8 +18,8 @@ val metadata : t -> name:string -> (string * string) list -> unit
 type channel
 
 val channel : t -> topic:string -> schema:string * string -> channel
-(** Of JSON messages; the schema is a name, which stands for the same schema each time, and its
-    JSON Schema. *)
+(** Of JSON messages; the schema is a name, which stands for the same schema each time, and its JSON
+    Schema. *)
 
 val message : t -> channel -> time:int -> string -> unit
 val finish : t -> unit

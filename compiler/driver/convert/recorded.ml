@@ -22,14 +22,12 @@ let cells line =
     let at = ref 0 in
     let read () =
       if !at = String.length line then None
-      else begin
+      else (
         incr at;
-        Some line.[!at - 1]
-      end
+        Some line.[!at - 1])
     in
     match Interp.Csv.next (Interp.Csv.reader read) with
-    | Ok (Some row) ->
-        Ok (Array.of_list (List.map (fun (c : Interp.Csv.cell) -> c.text) row.cells))
+    | Ok (Some row) -> Ok (Array.of_list (List.map (fun (c : Interp.Csv.cell) -> c.text) row.cells))
     | Ok None -> Ok [| "" |]
     | Error _ -> Error "a quoted cell that does not end in its line, or begins behind a blank"
 
@@ -103,9 +101,7 @@ let is_number text =
   | _ -> false
 
 let kind_of text =
-  if is_number text then Number
-  else if text = "true" || text = "false" then Truth
-  else Words
+  if is_number text then Number else if text = "true" || text = "false" then Truth else Words
 
 let param line =
   let prefix = "# param " in

@@ -1,14 +1,7 @@
 (** A recording, or any trace, as a table of texts: of whichever program. *)
 
-type kind =
-  | Number
-  | Truth
-  | Words  (** what else the language writes *)
-
-type column = {
-  name : string;
-  kind : kind;  (** of all its cells that are not empty *)
-}
+type kind = Number | Truth | Words  (** what else the language writes *)
+type column = { name : string; kind : kind  (** of all its cells that are not empty *) }
 
 type t = {
   path : string;

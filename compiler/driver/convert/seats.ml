@@ -4,8 +4,8 @@ type seat = { column : string; x : float; y : float; heading : float; half_angle
 let robots = [ ("Pioneer", "in.rearBumper"); ("Scout", "in.bumpers[5]") ]
 
 let program module_ =
-  Printf.sprintf
-    "import Geometry\nimport %s\nmain = proc () -> (sonarPoses, sonarHalfAngle)\n" module_
+  Printf.sprintf "import Geometry\nimport %s\nmain = proc () -> (sonarPoses, sonarHalfAngle)\n"
+    module_
 
 (* What the library says is computed by the interpreter, for one instant. *)
 let asked (resources : Resources.t) module_ =
@@ -49,6 +49,4 @@ let of_columns resources columns =
   match List.find_opt (fun (_, column) -> List.mem column columns) robots with
   | None -> []
   | Some (module_, _) -> (
-      match asked resources module_ with
-      | Ok text -> seats columns (table text) 0
-      | Error _ -> [])
+      match asked resources module_ with Ok text -> seats columns (table text) 0 | Error _ -> [])

@@ -48,15 +48,11 @@ let groups (t : Recorded.t) =
     let path = match parts column.name with [ one ] -> [ one; itself ] | path -> path in
     ((if k = 0 then tree else Some (add path leaf tree)), k + 1)
   in
-  match Array.fold_left place (None, 0) t.columns with
-  | Some (Members list), _ -> list
-  | _ -> []
+  match Array.fold_left place (None, 0) t.columns with Some (Members list), _ -> list | _ -> []
 
 let rec schema_of : tree -> Basis.Json.t = function
   | Cell (_, kind) ->
-      let name =
-        match kind with Number -> "number" | Truth -> "boolean" | Words -> "string"
-      in
+      let name = match kind with Number -> "number" | Truth -> "boolean" | Words -> "string" in
       Object [ ("type", String name) ]
   | Members list ->
       let members = List.map (fun (name, tree) -> (name, schema_of tree)) list in
@@ -65,7 +61,8 @@ let rec schema_of : tree -> Basis.Json.t = function
 (* Empty where there is nothing. *)
 let json (kind : Recorded.kind) text =
   if text = "" then ""
-  else match kind with Number -> Foxglove.number text | Truth -> text | Words -> Foxglove.words text
+  else
+    match kind with Number -> Foxglove.number text | Truth -> text | Words -> Foxglove.words text
 
 let rec add_values b cells = function
   | Cell (k, kind) -> Buffer.add_string b (json kind cells.(k))
@@ -77,13 +74,12 @@ let rec add_values b cells = function
           let there =
             match tree with Cell (k, kind) -> json kind cells.(k) <> "" | Members _ -> true
           in
-          if there then begin
+          if there then (
             if !comma then Buffer.add_char b ',';
             comma := true;
             Buffer.add_string b (Foxglove.words name);
             Buffer.add_char b ':';
-            add_values b cells tree
-          end)
+            add_values b cells tree))
         list;
       Buffer.add_char b '}'
 
@@ -140,15 +136,20 @@ let of_poses poses ~time cells =
 let echo_lasts = 700_000_000
 
 let of_ranges find seats =
-  let known = List.filter_map (fun (s : Seats.seat) ->
-    Option.map (fun k -> (s, k)) (find s.column)) seats
+  let known =
+    List.filter_map (fun (s : Seats.seat) -> Option.map (fun k -> (s, k)) (find s.column)) seats
   in
   fun ~time cells ->
     let echo ((s : Seats.seat), k) =
       Option.map
         (fun range ->
-          { Foxglove.id = s.column; seat = { x = s.x; y = s.y; heading = s.heading };
-            half_angle = s.half_angle; range; lasts = echo_lasts })
+          {
+            Foxglove.id = s.column;
+            seat = { x = s.x; y = s.y; heading = s.heading };
+            half_angle = s.half_angle;
+            range;
+            lasts = echo_lasts;
+          })
         (value cells k)
     in
     match List.filter_map echo known with
@@ -165,9 +166,7 @@ let of_image frames ~time topic (frame : Frame_cell.t) =
     let path = Filename.concat frames.folder (frame.file ^ ending) in
     if Sys.file_exists path then Result.to_option (Packed.read path) else None
   in
-  let found ending =
-    Option.bind (read ending) (Foxglove.image ~file:(frame.file ^ ending))
-  in
+  let found ending = Option.bind (read ending) (Foxglove.image ~file:(frame.file ^ ending)) in
   match match found ".ppm" with Some image -> Some image | None -> found ".pgm" with
   | Some image ->
       let time = max 0 (time - frame.age) in
@@ -199,8 +198,7 @@ let attach writer path =
   Fun.protect
     ~finally:(fun () -> close_in_noerr channel)
     (fun () ->
-      Mcap_writer.attach writer ~name:(Filename.basename path) ~media_type:(media_type path)
-        channel)
+      Mcap_writer.attach writer ~name:(Filename.basename path) ~media_type:(media_type path) channel)
 
 let write resources (t : Recorded.t) out =
   let writer = Mcap_writer.start out in

@@ -49,7 +49,7 @@ let missing text =
 
 let run general ~entry ~sources search file =
   if not (Sys.file_exists file) then General.wrong_use ("there is no file " ^ file)
-  else begin
+  else (
     (* The package is to work with us and our hosts, whatever else is installed. *)
     if Sys.getenv_opt "FROBC" = None then Unix.putenv "FROBC" Sys.executable_name;
     if Sys.getenv_opt "FROB_HOME" = None then
@@ -64,5 +64,4 @@ let run general ~entry ~sources search file =
     | Ok _ -> (
         let arguments = arguments general ~entry ~sources search file in
         match Process.become python ("-m" :: package :: arguments) with
-        | Not_found _ | Failed _ -> missing "python3 cannot be started")
-  end
+        | Not_found _ | Failed _ -> missing "python3 cannot be started"))

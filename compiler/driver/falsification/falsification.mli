@@ -1,7 +1,7 @@
 (** [frobc falsify]: a run in which an assertion does not hold.
 
-    The search is Python's, where the libraries for such searches are, and where all instants of
-    a run are at hand: the Python package compiles the program by this very frobc, with
+    The search is Python's, where the libraries for such searches are, and where all instants of a
+    run are at hand: the Python package compiles the program by this very frobc, with
     [--asserts=margin], loads it, and runs it in memory. Here it is only found and started. *)
 
 type search = {

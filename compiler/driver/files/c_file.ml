@@ -2,16 +2,40 @@ let plain c = if c < ' ' || c = '\127' || c = '"' || c = '\\' then '_' else c
 let name file = String.map plain (Filename.remove_extension (Filename.basename file))
 
 (* What generated C and [<frob/step.h>] include, and what C libraries include for that. *)
-let needed =
-  [ "features"; "float"; "math"; "stdbool"; "stddef"; "stdint"; "string"; "strings" ]
+let needed = [ "features"; "float"; "math"; "stdbool"; "stddef"; "stdint"; "string"; "strings" ]
 
 (* What else the user's C may include, of C and POSIX. *)
 let standard =
   [
-    "assert"; "complex"; "ctype"; "dirent"; "errno"; "fcntl"; "fenv"; "inttypes"; "iso646";
-    "limits"; "locale"; "poll"; "pthread"; "sched"; "setjmp"; "signal"; "stdalign"; "stdarg";
-    "stdatomic"; "stdio"; "stdlib"; "stdnoreturn"; "tgmath"; "threads"; "time"; "uchar"; "unistd";
-    "wchar"; "wctype";
+    "assert";
+    "complex";
+    "ctype";
+    "dirent";
+    "errno";
+    "fcntl";
+    "fenv";
+    "inttypes";
+    "iso646";
+    "limits";
+    "locale";
+    "poll";
+    "pthread";
+    "sched";
+    "setjmp";
+    "signal";
+    "stdalign";
+    "stdarg";
+    "stdatomic";
+    "stdio";
+    "stdlib";
+    "stdnoreturn";
+    "tgmath";
+    "threads";
+    "time";
+    "uchar";
+    "unistd";
+    "wchar";
+    "wctype";
   ]
 
 (* With the longest of what follows it, [_driver.c], within the 255 of a file system. *)

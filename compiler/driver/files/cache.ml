@@ -3,10 +3,9 @@ let ( / ) = Filename.concat
 (* {1 The folder} *)
 
 let rec make_folder path =
-  if not (Sys.file_exists path) then begin
+  if not (Sys.file_exists path) then (
     make_folder (Filename.dirname path);
-    try Unix.mkdir path 0o700 with Unix.Unix_error (EEXIST, _, _) -> ()
-  end
+    try Unix.mkdir path 0o700 with Unix.Unix_error (EEXIST, _, _) -> ())
 
 let is_trusted path =
   match
@@ -70,9 +69,9 @@ let sweep folder =
   let one name =
     match String.split_on_char '.' name with
     | [ work; pid ] when String.starts_with ~prefix:"work-" work -> (
-      match int_of_string_opt pid with
-      | Some pid when is_over pid -> Temporary.remove (folder / name)
-      | Some _ | None -> ())
+        match int_of_string_opt pid with
+        | Some pid when is_over pid -> Temporary.remove (folder / name)
+        | Some _ | None -> ())
     | _ -> ()
   in
   Array.iter one (Sys.readdir folder)
@@ -94,8 +93,7 @@ let make_entry cache ~key path make =
           Sys.rename made path)
         (make ~folder:work made))
 
-let cure =
-  "make room there, or set TMPDIR and XDG_CACHE_HOME to folders that can be written"
+let cure = "make room there, or set TMPDIR and XDG_CACHE_HOME to folders that can be written"
 
 let cannot_write where reason =
   Error (Printf.sprintf "cannot keep what is built in %s: %s; %s" where reason cure)
@@ -106,11 +104,11 @@ let entry ~name ~key ~suffix ~reuse make =
   match folder () with
   | exception Unix.Unix_error (reason, _, where) -> cannot_write where (Unix.error_message reason)
   | cache -> (
-    let path = cache / Printf.sprintf "%s-%s%s" name key suffix in
-    if reuse && is_whole path then Ok path
-    else
-      match make_entry cache ~key path make with
-      | Ok () -> Ok path
-      | Error _ as error -> error
-      | exception Unix.Unix_error (reason, _, _) -> cannot_write cache (Unix.error_message reason)
-      | exception Sys_error reason -> cannot_write cache reason)
+      let path = cache / Printf.sprintf "%s-%s%s" name key suffix in
+      if reuse && is_whole path then Ok path
+      else
+        match make_entry cache ~key path make with
+        | Ok () -> Ok path
+        | Error _ as error -> error
+        | exception Unix.Unix_error (reason, _, _) -> cannot_write cache (Unix.error_message reason)
+        | exception Sys_error reason -> cannot_write cache reason)

@@ -17,6 +17,6 @@ let protect ~finally work =
   match Fun.protect ~finally work with
   | result -> result
   | exception Signal signal ->
-    Unix.kill (Unix.getpid ()) signal;
-    (* Where it is ignored, there is nothing to go on with either. *)
-    exit (128 + if signal = Sys.sigint then 2 else 15)
+      Unix.kill (Unix.getpid ()) signal;
+      (* Where it is ignored, there is nothing to go on with either. *)
+      exit (128 + if signal = Sys.sigint then 2 else 15)

@@ -2,14 +2,13 @@ type content = C | Table | Mcap | Picture | Rows | World | Program | Link | Log 
 type t = { path : string; content : content; asked : string }
 
 let asked content asked path = { path; content; asked }
-
 let ( let* ) = Result.bind
 
 let rec each f = function
   | [] -> Ok ()
   | x :: others ->
-    let* () = f x in
-    each f others
+      let* () = f x in
+      each f others
 
 (* {1 What may be written} *)
 
@@ -21,14 +20,12 @@ let identity path =
   match Unix.stat path with
   | s -> There (s.st_dev, s.st_ino)
   | exception Unix.Unix_error _ -> (
-    match Unix.stat (Filename.dirname path) with
-    | s -> To_be (s.st_dev, s.st_ino, Filename.basename path)
-    | exception Unix.Unix_error _ -> Nowhere path)
+      match Unix.stat (Filename.dirname path) with
+      | s -> To_be (s.st_dev, s.st_ino, Filename.basename path)
+      | exception Unix.Unix_error _ -> Nowhere path)
 
 let is_regular path =
-  match Unix.stat path with
-  | s -> s.st_kind = Unix.S_REG
-  | exception Unix.Unix_error _ -> false
+  match Unix.stat path with s -> s.st_kind = Unix.S_REG | exception Unix.Unix_error _ -> false
 
 let read_file path =
   let channel = open_in_bin path in
@@ -56,7 +53,7 @@ let is_ours content text =
   | Table -> List.exists starts [ "# param "; "time,"; "time\n"; "time\r" ]
   | Mcap -> starts "\x89MCAP0\r\n" && contains text "frobc"
   | Picture ->
-    starts "\137PNG\r\n\026\n" || starts "<svg xmlns=\"http://www.w3.org/2000/svg\" width="
+      starts "\137PNG\r\n\026\n" || starts "<svg xmlns=\"http://www.w3.org/2000/svg\" width="
   | Rows -> starts "run,world,robot,"
   | World -> contains first_line "written by frobc"
   | Program -> contains text "frob_program"
@@ -76,15 +73,13 @@ let kind = function
   | Source -> "a program"
 
 let is_link path =
-  match Unix.lstat path with
-  | s -> s.st_kind = Unix.S_LNK
-  | exception Unix.Unix_error _ -> false
+  match Unix.lstat path with s -> s.st_kind = Unix.S_LNK | exception Unix.Unix_error _ -> false
 
 let may_be_written path =
   match Unix.access path [ W_OK ] with
   | () -> Ok ()
   | exception Unix.Unix_error (reason, _, _) ->
-    Error (Printf.sprintf "cannot write %s: %s" path (Unix.error_message reason))
+      Error (Printf.sprintf "cannot write %s: %s" path (Unix.error_message reason))
 
 (* What is to tell whose it is: of what may be long, its first bytes. *)
 let beginning content path =
@@ -95,19 +90,20 @@ let beginning content path =
   in
   match content with
   | Table when (Unix.stat path).st_size > 0 ->
-    Packed.with_input path (fun channel -> Ok (first channel))
-    |> Result.map_error (String.concat "\n")
+      Packed.with_input path (fun channel -> Ok (first channel))
+      |> Result.map_error (String.concat "\n")
   | Mcap ->
-    let channel = open_in_bin path in
-    Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> Ok (first channel))
+      let channel = open_in_bin path in
+      Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> Ok (first channel))
   | _ -> Ok (read_file path)
 
 let is_mcap path = Filename.check_suffix path ".mcap"
 
 let may_be_replaced { path; content; asked } =
   let refuse reason =
-    Error (Printf.sprintf "%s would overwrite %s, which is %s: move it away, or name another file"
-             asked path reason)
+    Error
+      (Printf.sprintf "%s would overwrite %s, which is %s: move it away, or name another file" asked
+         path reason)
   in
   if Sys.file_exists path && Sys.is_directory path then
     Error (Printf.sprintf "cannot write %s: it is a directory" path)
@@ -125,28 +121,29 @@ let may_be_replaced { path; content; asked } =
     | Source -> may_be_written path
     | _ when not (is_regular path) -> Ok ()
     | _ -> (
-      match beginning content path with
-      | Ok text when is_ours content text -> Ok ()
-      | Ok _ -> refuse (Printf.sprintf "there already and not %s" (kind content))
-      | Error reason -> refuse ("there already; and " ^ reason)
-      | exception Sys_error reason -> Error (Printf.sprintf "cannot replace %s" reason))
+        match beginning content path with
+        | Ok text when is_ours content text -> Ok ()
+        | Ok _ -> refuse (Printf.sprintf "there already and not %s" (kind content))
+        | Error reason -> refuse ("there already; and " ^ reason)
+        | exception Sys_error reason -> Error (Printf.sprintf "cannot replace %s" reason))
 
 let check ~reads outputs =
   let one before output =
-    let* before in
+    let* before = before in
     let here = identity output.path in
     let same other = identity other = here && (is_regular other || not (Sys.file_exists other)) in
     match (List.find_opt same reads, List.find_opt (fun o -> same o.path) before) with
     | Some read, _ ->
-      Error
-        (Printf.sprintf "%s would overwrite %s, which is read: name another file" output.asked read)
+        Error
+          (Printf.sprintf "%s would overwrite %s, which is read: name another file" output.asked
+             read)
     | None, Some other ->
-      Error
-        (Printf.sprintf "%s and %s both write %s: name two files" other.asked output.asked
-          output.path)
+        Error
+          (Printf.sprintf "%s and %s both write %s: name two files" other.asked output.asked
+             output.path)
     | None, None ->
-      let* () = may_be_replaced output in
-      Ok (output :: before)
+        let* () = may_be_replaced output in
+        Ok (output :: before)
   in
   Result.map ignore (List.fold_left one (Ok []) outputs)
 
@@ -171,8 +168,8 @@ let write_one permissions path text =
   with
   | () -> Ok ()
   | exception Sys_error reason ->
-    close_out_noerr channel;
-    Error reason
+      close_out_noerr channel;
+      Error reason
 
 let as_error path reason =
   if contains reason path then "cannot write " ^ reason
@@ -186,9 +183,9 @@ let put ?(finish = ignore) ~permissions files =
     | Ok () -> Ok (finish at)
     | Error reason -> Error (as_error path reason)
     | exception Sys_error reason ->
-      (* The name of the one beside is nothing that a user knows. *)
-      let reason = List.hd (List.rev (String.split_on_char ':' reason)) in
-      Error (Printf.sprintf "cannot write %s:%s" path reason)
+        (* The name of the one beside is nothing that a user knows. *)
+        let reason = List.hd (List.rev (String.split_on_char ':' reason)) in
+        Error (Printf.sprintf "cannot write %s:%s" path reason)
   in
   let rename ((path, next), _) =
     match if Sys.file_exists next then Sys.rename next path with
@@ -213,7 +210,7 @@ let rewrite path text =
   match attempt () with
   | result -> result
   | exception Unix.Unix_error (reason, _, _) ->
-    Error (Printf.sprintf "cannot write %s: %s" path (Unix.error_message reason))
+      Error (Printf.sprintf "cannot write %s: %s" path (Unix.error_message reason))
 
 (* It is written beside too; what was written before something went wrong goes. *)
 let stream named work =
@@ -230,7 +227,7 @@ let stream named work =
       with
       | result -> result
       | exception Sys_error reason ->
-        Error (Printf.sprintf "cannot write %s: %s" named (String.trim (without_name reason))))
+          Error (Printf.sprintf "cannot write %s: %s" named (String.trim (without_name reason))))
 
 let write files = put ~permissions:0o666 files
 
@@ -240,13 +237,12 @@ let copy from path =
   | exception Sys_error reason -> Error ("cannot read " ^ reason)
 
 let rec make_folder path =
-  if not (Sys.file_exists path) then begin
+  if not (Sys.file_exists path) then (
     make_folder (Filename.dirname path);
-    try Unix.mkdir path 0o777 with Unix.Unix_error (EEXIST, _, _) -> ()
-  end
+    try Unix.mkdir path 0o777 with Unix.Unix_error (EEXIST, _, _) -> ())
 
 let folder path =
   match make_folder path with
   | () -> Ok ()
   | exception Unix.Unix_error (reason, _, _) ->
-    Error (Printf.sprintf "cannot make the folder %s: %s" path (Unix.error_message reason))
+      Error (Printf.sprintf "cannot make the folder %s: %s" path (Unix.error_message reason))

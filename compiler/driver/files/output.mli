@@ -1,6 +1,5 @@
-(** What may be written, decided in one place: never what is read, never the same
-    file twice, never a file that frobc did not make, but a program that it is to format.
-    Devices and pipes may be
+(** What may be written, decided in one place: never what is read, never the same file twice, never
+    a file that frobc did not make, but a program that it is to format. Devices and pipes may be
     written; so may an empty file. *)
 
 type content =
@@ -25,16 +24,15 @@ val asked : content -> string -> string -> t
 (** [asked content option path] *)
 
 val check : reads:string list -> t list -> (unit, string) result
-(** Whether all may be written by a command that reads these files; the error says
-    which one not, why, and what to do. *)
+(** Whether all may be written by a command that reads these files; the error says which one not,
+    why, and what to do. *)
 
 val write : (string * string) list -> (unit, string) result
-(** Paths and texts, all or none: they are written beside, and renamed when all are
-    whole. *)
+(** Paths and texts, all or none: they are written beside, and renamed when all are whole. *)
 
 val stream : string -> (string -> (unit, string) result) -> (unit, string) result
-(** [stream path work], for what is too long for the memory: [work] writes a file of the name
-    that it is given, and may raise [Sys_error]. *)
+(** [stream path work], for what is too long for the memory: [work] writes a file of the name that
+    it is given, and may raise [Sys_error]. *)
 
 val rewrite : string -> string -> (unit, string) result
 (** [rewrite path text], likewise, with the permissions that the file has. *)

@@ -33,7 +33,7 @@ let leaves_folder name = List.mem ".." (String.split_on_char '/' name)
 let rec follow found ~who ~within ~folders text =
   List.fold_left
     (fun found include_ ->
-      let* found in
+      let* found = found in
       match List.find_opt (fun folder -> Sys.file_exists (folder / include_)) folders with
       | None -> Ok found
       | Some _ when leaves_folder include_ || not (Filename.is_relative include_) ->
@@ -58,7 +58,7 @@ let of_text ~folders text =
 
 let of_sources files =
   let one found file =
-    let* found in
+    let* found = found in
     let* text = read file in
     follow found ~who:file ~within:Fun.id ~folders:[ Filename.dirname file ] text
   in

@@ -17,9 +17,7 @@ let is_named name format =
 let format_of name = List.find_opt (is_named name) formats
 
 let stem name =
-  match format_of name with
-  | Some format -> Filename.chop_suffix name format.ending
-  | None -> name
+  match format_of name with Some format -> Filename.chop_suffix name format.ending | None -> name
 
 let not_installed format =
   Printf.sprintf "the program %s, by which it goes, is not installed%s" format.tool
@@ -41,7 +39,8 @@ let rec status_of process =
 (* Whether the file begins as its name says. *)
 let named_rightly path channel =
   let magic = List.map (fun f -> (f, f.magic)) formats in
-  let begins : type a. a * string -> bool = fun (_, magic) ->
+  let begins : type a. a * string -> bool =
+   fun (_, magic) ->
     let n = String.length magic in
     seek_in channel 0;
     in_channel_length channel >= n && String.equal (really_input_string channel n) magic
@@ -105,9 +104,7 @@ let with_input ?damaged path run =
   | channel ->
       let finally () = close_in_noerr channel in
       Fun.protect ~finally (fun () ->
-          let is_file =
-            (Unix.fstat (Unix.descr_of_in_channel channel)).st_kind = Unix.S_REG
-          in
+          let is_file = (Unix.fstat (Unix.descr_of_in_channel channel)).st_kind = Unix.S_REG in
           match if is_file then named_rightly path channel else Ok () with
           | Error reason -> cannot_read path reason
           | Ok () -> (
@@ -170,8 +167,7 @@ let writer ?named path =
   | Some format -> (
       let opened =
         match Unix.openfile path [ O_WRONLY; O_CREAT; O_CLOEXEC ] 0o666 with
-        | file ->
-            Fun.protect ~finally:(fun () -> Unix.close file) (fun () -> packing format file)
+        | file -> Fun.protect ~finally:(fun () -> Unix.close file) (fun () -> packing format file)
         | exception Unix.Unix_error (reason, _, _) -> Error (Unix.error_message reason)
       in
       match opened with

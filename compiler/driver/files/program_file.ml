@@ -13,8 +13,9 @@ let modules ~library file =
 let of_another_kind file =
   match String.lowercase_ascii (Filename.extension (Packed.stem file)) with
   | ".toml" ->
-      Some ("a world", Printf.sprintf
-        "it goes beside a program: `frobc run PROGRAM.frob --world %s`" file)
+      Some
+        ( "a world",
+          Printf.sprintf "it goes beside a program: `frobc run PROGRAM.frob --world %s`" file )
   | ".csv" ->
       Some
         ( "a table of inputs, or a recording",

@@ -1,5 +1,5 @@
-(** Where the standard library, the runtime and the hosts lie: beside [frobc],
-    in an installation or in the build, or in [FROB_HOME]. *)
+(** Where the standard library, the runtime and the hosts lie: beside [frobc], in an installation or
+    in the build, or in [FROB_HOME]. *)
 
 type t = {
   prefix : string;  (** the folder of the installation, with [lib] and [share] *)

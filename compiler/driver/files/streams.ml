@@ -1,9 +1,7 @@
 let null mode = Unix.openfile "/dev/null" [ mode ] 0
 
 let is_open stream =
-  match Unix.fstat stream with
-  | _ -> true
-  | exception Unix.Unix_error (Unix.EBADF, _, _) -> false
+  match Unix.fstat stream with _ -> true | exception Unix.Unix_error (Unix.EBADF, _, _) -> false
 
 (* A file that is opened gets the lowest number that is free. It is opened for what
    nobody does with it. *)
@@ -11,9 +9,7 @@ let keep_numbers () =
   List.iter
     (fun (stream, mode) ->
       if not (is_open stream) then
-        match null mode with
-        | _ -> ()
-        | exception Unix.Unix_error _ -> ())
+        match null mode with _ -> () | exception Unix.Unix_error _ -> ())
     [ (Unix.stdin, Unix.O_WRONLY); (Unix.stdout, Unix.O_RDONLY); (Unix.stderr, Unix.O_RDONLY) ]
 
 let output_fault () =

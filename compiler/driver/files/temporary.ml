@@ -4,8 +4,8 @@ let rec remove path =
   try
     match (Unix.lstat path).st_kind with
     | S_DIR ->
-      Array.iter (fun name -> remove (path / name)) (Sys.readdir path);
-      Unix.rmdir path
+        Array.iter (fun name -> remove (path / name)) (Sys.readdir path);
+        Unix.rmdir path
     | _ -> Unix.unlink path
   with Unix.Unix_error _ | Sys_error _ -> ()
 
@@ -15,13 +15,13 @@ let remove_at_the_end path =
   let read, write = Unix.pipe () in
   match Unix.fork () with
   | 0 ->
-    ignore (Unix.setsid ());
-    Unix.close write;
-    let null = Unix.openfile "/dev/null" [ Unix.O_RDWR ] 0 in
-    List.iter (Unix.dup2 null) [ Unix.stdin; Unix.stdout; Unix.stderr ];
-    ignore (Unix.read read (Bytes.create 1) 0 1);
-    remove path;
-    Unix._exit 0
+      ignore (Unix.setsid ());
+      Unix.close write;
+      let null = Unix.openfile "/dev/null" [ Unix.O_RDWR ] 0 in
+      List.iter (Unix.dup2 null) [ Unix.stdin; Unix.stdout; Unix.stderr ];
+      ignore (Unix.read read (Bytes.create 1) 0 1);
+      remove path;
+      Unix._exit 0
   | _ -> Unix.close read
 
 let folder () =

@@ -97,8 +97,8 @@ let thinned points =
 (* {1 Drawing} *)
 
 let line out ?(colour = "#dddddd") x1 y1 x2 y2 =
-  Printf.bprintf out
-    "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\"/>\n" x1 y1 x2 y2 colour
+  Printf.bprintf out "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\"/>\n" x1 y1
+    x2 y2 colour
 
 let text out ?(anchor = "start") ?(colour = "#222222") x y words =
   Printf.bprintf out "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\">%s</text>\n" x y
@@ -147,8 +147,8 @@ let panel out ~top ~across times columns =
   | { unit_; _ } :: _ ->
       let y = top +. (panel_height /. 2.) in
       Printf.bprintf out
-        "<text x=\"16\" y=\"%.1f\" text-anchor=\"middle\" \
-         transform=\"rotate(-90 16 %.1f)\">%s</text>\n"
+        "<text x=\"16\" y=\"%.1f\" text-anchor=\"middle\" transform=\"rotate(-90 16 \
+         %.1f)\">%s</text>\n"
         y y (Xml.escaped unit_));
   List.iteri
     (fun k column ->
@@ -198,13 +198,13 @@ let band out ~top ~across times column =
   let run (start, stop, cell) =
     let x1 = place across start and x2 = place across stop in
     let colour, ink = fill known cell in
-    if cell <> "" then begin
+    if cell <> "" then (
       Printf.bprintf out
         "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\"/>\n" x1 top
-        (max 1.5 (x2 -. x1)) band_height colour;
-      if 7. *. float_of_int (String.length cell) +. 6. < x2 -. x1 then
-        text out ~colour:ink (x1 +. 4.) (top +. 14.) cell
-    end
+        (max 1.5 (x2 -. x1))
+        band_height colour;
+      if (7. *. float_of_int (String.length cell)) +. 6. < x2 -. x1 then
+        text out ~colour:ink (x1 +. 4.) (top +. 14.) cell)
   in
   List.iter run (runs times column.cells);
   top +. band_height +. 8.
@@ -236,5 +236,6 @@ let svg ~times columns =
   Printf.sprintf
     "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f \
      %.0f\" font-family=\"sans-serif\" font-size=\"12\">\n\
-     <rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n%s</svg>\n"
+     <rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n\
+     %s</svg>\n"
     width height width height (Buffer.contents out)

@@ -1,8 +1,8 @@
-(** A trace as a picture, in SVG: numbers as lines over the time, those of one unit in one
-    panel; truth, modes and other data as bands; events as dots.
+(** A trace as a picture, in SVG: numbers as lines over the time, those of one unit in one panel;
+    truth, modes and other data as bands; events as dots.
 
-    A line has a gap where its cells are empty. Colours are such that colour-blind people
-    tell them apart, and lines differ in their dashes too. *)
+    A line has a gap where its cells are empty. Colours are such that colour-blind people tell them
+    apart, and lines differ in their dashes too. *)
 
 type column = {
   name : string;

@@ -23,8 +23,7 @@ let check_name (resources : Resources.t) name =
          name (suggestion name))
   else if Sys.file_exists (resources.library / (name ^ ".frob")) then
     Error
-      (Printf.sprintf "%s is a module of the library, which programs import: give another name"
-         name)
+      (Printf.sprintf "%s is a module of the library, which programs import: give another name" name)
   else C_file.check (name ^ ".frob")
 
 let check_free path =

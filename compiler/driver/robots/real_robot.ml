@@ -1,5 +1,4 @@
 let ( let* ) = General.( let* )
-
 let option name value = match value with Some value -> [ name; value ] | None -> []
 let flag name value = if value then [ name ] else []
 let seconds = Printf.sprintf "%.9f"
@@ -31,37 +30,33 @@ let served (resources : Resources.t) ~robot ~sources =
       let* header = Compiled.robot_header resources own in
       let* object_ =
         Toolchain.build
-          ~machine:{ (Toolchain.this_machine ()) with options = [ "-I";
-            resources.runtime_sources ] }
+          ~machine:
+            { (Toolchain.this_machine ()) with options = [ "-I"; resources.runtime_sources ] }
           Shared_object ~headers:resources.headers ~inputs:[]
           ~foreign:(Some { Toolchain.sources; folders = [] })
           ~name:own.name [ header ]
       in
       Ok (Some own.name, Some object_)
-  | Some _ | None when sources <> [] -> Error "--with is for a robot of your own: --robot FILE.frob"
+  | (Some _ | None) when sources <> [] ->
+      Error "--with is for a robot of your own: --robot FILE.frob"
   | Some _ | None -> Ok (robot, None)
 
 let serve ~robot ~sources serve =
   let* resources = Resources.find () in
   let* robot, own = served resources ~robot ~sources in
-  let world =
-    Option.value serve.world ~default:(Filename.concat resources.worlds "room.toml")
-  in
+  let world = Option.value serve.world ~default:(Filename.concat resources.worlds "room.toml") in
   let outputs =
     List.map (Output.asked Link "--link") (Option.to_list serve.link)
     @ List.map (Output.asked Log "--log") (Option.to_list serve.log)
   in
-  let* () = Output.check ~reads:(world :: Option.to_list robot @ sources) outputs in
+  let* () = Output.check ~reads:((world :: Option.to_list robot) @ sources) outputs in
   become resources.server
     ([ "--world"; world; "--seed"; string_of_int serve.seed ]
-    @ option "--robot" robot
-    @ option "--own" own
+    @ option "--robot" robot @ option "--own" own
     @ option "--tcp" (Option.map string_of_int serve.tcp)
     @ option "--camera" (Option.map string_of_int serve.camera)
     @ option "--for" (Option.map seconds serve.duration)
-    @ option "--model" serve.model
-    @ option "--log" serve.log
-    @ option "--link" serve.link)
+    @ option "--model" serve.model @ option "--log" serve.log @ option "--link" serve.link)
 
 type run = {
   device : string;
@@ -82,8 +77,7 @@ type run = {
 let executable (general : General.t) target ~entry ~sources file continue =
   let own = Robots.own_of general.robot in
   Built.built general Executable ~entry ~sources
-    ~linked:(Target.linked ?own target ~real:general.real) file
-    (fun _ program -> continue program)
+    ~linked:(Target.linked ?own target ~real:general.real) file (fun _ program -> continue program)
 
 let this_machine = Option.get (Target.of_name "host")
 
@@ -108,15 +102,13 @@ let run general ~entry ~sources ~simulated run file =
         @ option "--record" run.record
         @ option "--patience" (Option.map seconds run.patience)
         @ option "--reconnect" (Option.map seconds run.reconnect)
-        @ General.param_options params
-        @ General.assert_options general
+        @ General.param_options params @ General.assert_options general
         @ List.concat_map (fun setting -> [ "--set"; setting ]) run.settings
         @ List.concat_map (fun source -> [ "--camera"; source ]) run.cameras
         @ option "--priority" (Option.map string_of_int run.priority)
         @ flag "--lock-memory" run.lock_memory
         @ flag "--exit-when-done" run.exit_when_done
-        @ flag "--console" run.console
-        @ flag "--control" control
+        @ flag "--console" run.console @ flag "--control" control
         @ if viewer = [] then [] else "--viewer" :: viewer))
 
 (* Calls within the object are direct: nobody puts another step in the place of its own. *)
@@ -124,8 +116,8 @@ let library general ~entry ~sources ~output file =
   let path = Option.value output ~default:(C_file.name file ^ ".so") in
   let asked = if output = None then "the library" else "-o" in
   let* () = Output.check ~reads:(file :: sources) [ Output.asked Program asked path ] in
-  Built.shared ~batch:true ~options:[ "-fno-semantic-interposition" ] general ~entry ~sources
-    file (fun _ library ->
+  Built.shared ~batch:true ~options:[ "-fno-semantic-interposition" ] general ~entry ~sources file
+    (fun _ library ->
       let* () = Output.copy library path in
       Exit_status.ok)
 
@@ -133,9 +125,10 @@ let build general ~entry ~sources ~target ~output file =
   match Target.of_name target with
   | None ->
       General.wrong_use
-        (Printf.sprintf "there is no target `%s`; the targets: %s; for Arduino there is \
-                         `frobc export --platformio`" target
-           (String.concat ", " Target.names))
+        (Printf.sprintf
+           "there is no target `%s`; the targets: %s; for Arduino there is `frobc export \
+            --platformio`"
+           target (String.concat ", " Target.names))
   | Some target ->
       let path = Option.value output ~default:(C_file.name file) in
       let asked = if output = None then "the program" else "-o" in

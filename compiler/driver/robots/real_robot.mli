@@ -1,5 +1,5 @@
-(** The commands about robots behind a serial line: simulated ones, and programs
-    that drive real ones. Each gives the exit status, as {!Commands} do. *)
+(** The commands about robots behind a serial line: simulated ones, and programs that drive real
+    ones. Each gives the exit status, as {!Commands} do. *)
 
 type serve = {
   world : string option;
@@ -32,15 +32,9 @@ type run = {
 }
 
 val run :
-  General.t ->
-  entry:string ->
-  sources:string list ->
-  simulated:string list ->
-  run ->
-  string ->
-  int
-(** Becomes the program that drives the robot. [simulated]: options that were
-    given but make sense in the simulator only. *)
+  General.t -> entry:string -> sources:string list -> simulated:string list -> run -> string -> int
+(** Becomes the program that drives the robot. [simulated]: options that were given but make sense
+    in the simulator only. *)
 
 val build :
   General.t ->
@@ -54,5 +48,5 @@ val build :
 
 val library :
   General.t -> entry:string -> sources:string list -> output:string option -> string -> int
-(** Writes the program, for a robot or not, as a shared object for hosts of this machine, which
-    find its table there ([frob/program.h]), and the function that takes many steps. *)
+(** Writes the program, for a robot or not, as a shared object for hosts of this machine, which find
+    its table there ([frob/program.h]), and the function that takes many steps. *)

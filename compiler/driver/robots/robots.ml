@@ -6,7 +6,6 @@ type t = Robot.t
 
 let unfit = "E0503"
 let names = List.map (fun (robot : t) -> robot.name) Robot.all
-
 let is_file name = Filename.check_suffix name ".frob"
 
 let own file =
@@ -25,8 +24,7 @@ let known = function
       | None ->
           Error
             (Printf.sprintf
-              "there is no robot `%s`; the robots: %s; your own: the file of its module"
-               name
+               "there is no robot `%s`; the robots: %s; your own: the file of its module" name
                (String.concat ", " names)))
 
 let own_of asked =
@@ -41,12 +39,8 @@ type program = {
 }
 
 let all p = Option.to_list p.own @ Robot.all
-
-let input (robot : t) : Core.Ir.Global.t =
-  { module_ = robot.module_; name = Robot.input robot }
-
-let output (robot : t) : Core.Ir.Global.t =
-  { module_ = robot.module_; name = Robot.output robot }
+let input (robot : t) : Core.Ir.Global.t = { module_ = robot.module_; name = Robot.input robot }
+let output (robot : t) : Core.Ir.Global.t = { module_ = robot.module_; name = Robot.output robot }
 
 (* A user's own robot has what programs, hosts and this module count on. *)
 let check_own sink (typed : Typing.Ir.program) (robot : t) =
@@ -68,7 +62,7 @@ let check_own sink (typed : Typing.Ir.program) (robot : t) =
           "module `%s` is no robot: it has no %s" robot.module_ what
         |> Diagnostic.hint
              (Printf.sprintf
-               "a robot's module has records `%s` and `%s`, and instances of what it can do"
+                "a robot's module has records `%s` and `%s`, and instances of what it can do"
                 (Robot.input robot) (Robot.output robot))
         |> Diagnostic.emit sink)
       format
@@ -101,14 +95,12 @@ let close p robot =
 (* {1 Texts} *)
 
 let quoted (robot : t) = Printf.sprintf "`%s`" robot.name
-
 let option (robot : t) = Printf.sprintf "`--robot %s`" robot.name
-
 let entry_span p = (typed_entry p).span
 
 let not_said p robots =
-  Diagnostic.error ~code:"E0502" ~at:(entry_span p)
-    "`%s` leaves open which robot it runs on" p.entry.name
+  Diagnostic.error ~code:"E0502" ~at:(entry_span p) "`%s` leaves open which robot it runs on"
+    p.entry.name
   |> Diagnostic.hint
        (Printf.sprintf "%s %s all that it asks for: compile it with %s"
           (Enumeration.all (List.map quoted robots))
@@ -139,8 +131,7 @@ let having p class_ diagnostic =
   |> cure
 
 let lacking p (robot : t) (lack : Fit.lack) =
-  Diagnostic.error ~code:unfit ~at:lack.need.place "%s has no `%s`" (quoted robot)
-    lack.class_.name
+  Diagnostic.error ~code:unfit ~at:lack.need.place "%s has no `%s`" (quoted robot) lack.class_.name
   |> Diagnostic.here (Printf.sprintf "%s needs it" lack.need.by)
   |> having p lack.class_
   |> Diagnostic.note
@@ -158,8 +149,7 @@ let on_no_robot p candidates =
       Printf.sprintf "%s has no `%s`, which %s needs" (quoted robot) lack.class_.name lack.need.by
     in
     match lacks p robot with
-    | Some (lack :: _) ->
-        Diagnostic.label ~at:lack.need.place (first lack) error
+    | Some (lack :: _) -> Diagnostic.label ~at:lack.need.place (first lack) error
     | Some [] | None -> error
   in
   List.fold_left add error candidates
@@ -175,8 +165,7 @@ let another p (robot : t) others =
 
 let mixed p (input : t) (output : t) =
   Diagnostic.error ~code:unfit ~at:(entry_span p)
-    "`%s` senses as %s and acts as %s: that is no robot" p.entry.name (quoted input)
-    (quoted output)
+    "`%s` senses as %s and acts as %s: that is no robot" p.entry.name (quoted input) (quoted output)
 
 (* {1 Deciding} *)
 
@@ -185,8 +174,7 @@ let robots_of (p : program) =
   let named found (t : Typing.Ir.ty) =
     match t with
     | Data { tycon; _ } ->
-        Option.to_list
-          (List.find_opt (fun r -> input r = tycon || output r = tycon) (all p))
+        Option.to_list (List.find_opt (fun r -> input r = tycon || output r = tycon) (all p))
         @ found
     | _ -> found
   in

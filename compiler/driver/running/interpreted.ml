@@ -60,7 +60,6 @@ let refusal ~at (flow : Flow.Ir.program) =
   in
   match List.find_opt calls (Array.to_list flow.nodes) with
   | Some node -> refuse node.span (Printf.sprintf "`%s` is in C" node.origin)
-  | None
-    when not (List.for_all (Flow.Shape.for_hosts flow.sums) [ flow.input; flow.output ]) ->
+  | None when not (List.for_all (Flow.Shape.for_hosts flow.sums) [ flow.input; flow.output ]) ->
       refuse at "it takes or gives a value of a foreign type"
   | None -> None

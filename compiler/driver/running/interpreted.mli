@@ -9,13 +9,12 @@ val trace :
   output:string option ->
   (unit, string list) result
 (** [params]: those that are set. [input]: a path, [-] for standard input; [output]: a path,
-    otherwise
-    standard output. See {!Interp.Trace.run}; files that cannot be opened or
-    written are errors too. *)
+    otherwise standard output. See {!Interp.Trace.run}; files that cannot be opened or written are
+    errors too. *)
 
 val no_interpreter : string
 (** The code of the diagnostic for a program that the interpreter cannot run. *)
 
 val refusal : at:Basis.Span.t -> Flow.Ir.program -> Basis.Diagnostic.t option
-(** The interpreter runs Frob only: that a program has code in C, or gives or takes what is
-    C's. [at]: its entry. *)
+(** The interpreter runs Frob only: that a program has code in C, or gives or takes what is C's.
+    [at]: its entry. *)

@@ -2,8 +2,7 @@
 
 type run = {
   world : string option;
-  duration : float option;
-      (** s; a minute if [None], and without end if the run is shown *)
+  duration : float option;  (** s; a minute if [None], and without end if the run is shown *)
   rate : float;  (** Hz *)
   seed : int;
   realtime : bool;

@@ -8,8 +8,7 @@ let compiled_trace general ~params ~entry ~sources ~modes ~input ~output file =
     ~host:(fun resources -> resources.Resources.trace_host)
     ~arguments:(fun _ program ->
       (if modes then [ "--modes" ] else [])
-      @ assert_options general
-      @ param_options params
+      @ assert_options general @ param_options params
       @ (program :: input :: Option.to_list output))
 
 (* Speaks as the host of compiled programs does. *)
@@ -31,8 +30,7 @@ let units_of_columns general (resources : Resources.t) ~entry file =
     | Error _ -> None
     | Ok robot ->
         let request = request general ?robot ~entry ~library:resources.library file in
-        Pipeline.columns (Diagnostic.sink ()) (Source.create ())
-          { request with probes = [] }
+        Pipeline.columns (Diagnostic.sink ()) (Source.create ()) { request with probes = [] }
   in
   let table = Hashtbl.create 64 in
   List.iter
@@ -54,8 +52,7 @@ let trace general engine ~entry ~sources ~modes ~input ~output ~picture file =
     match engine with
     | C -> compiled_trace general ~params ~entry ~sources ~modes ~input ~output file
     | Interpreter when modes ->
-        prerr_endline
-          "error: modes are those of the compiled program: `--modes` needs `--engine c`";
+        prerr_endline "error: modes are those of the compiled program: `--modes` needs `--engine c`";
         Exit_status.wrong_use
     | Interpreter when general.asserts = Stop ->
         wrong_use

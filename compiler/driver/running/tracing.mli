@@ -1,8 +1,6 @@
 (** [frobc trace]: a program on recorded input. *)
 
-type engine =
-  | C  (** the compiled program *)
-  | Interpreter
+type engine = C  (** the compiled program *) | Interpreter
 
 (** [sources]: the user's C files for a program that calls them. *)
 

@@ -26,9 +26,8 @@ let with_all_probes general (resources : Resources.t) ~entry file =
       | None -> (general, [])
       | Some (columns, origins) ->
           ( { general with probes = [ "all" ]; asserts = Count },
-            [
-              ("frob_columns.c", Columns.text columns); ("frob_origins.c", Origins.text origins);
-            ] ))
+            [ ("frob_columns.c", Columns.text columns); ("frob_origins.c", Origins.text origins) ]
+          ))
 
 (* The commands by which a page has an edited program compiled, and run in the simulator; what
    the viewer adds are further options and the program's file. *)
@@ -42,8 +41,8 @@ let again general ~entry ~sources ~world ~seed ~recording =
   ((Sys.executable_name :: "view" :: "--only-build" :: same)
   @ [ Option.value recording ~default:live ])
   @ Option.fold ~none:[] world ~some:(fun world ->
-      ("--" :: Sys.executable_name :: "run" :: same)
-      @ [ "--world"; world; "--seed"; string_of_int seed ])
+        ("--" :: Sys.executable_name :: "run" :: same)
+        @ [ "--world"; world; "--seed"; string_of_int seed ])
 
 (* What the viewer is started with: [recording] is [None] of a run that is recorded nowhere. *)
 let viewer general (resources : Resources.t) ~entry ~sources ~options ~world ~seed ~recording
@@ -52,8 +51,7 @@ let viewer general (resources : Resources.t) ~entry ~sources ~options ~world ~se
   let each option files = List.concat_map (fun file -> [ option; file ]) files in
   (resources.viewer :: options)
   @ each "--world" (Option.to_list world)
-  @ each "--source" own
-  @ each "--library" library
+  @ each "--source" own @ each "--library" library
   @ [ program; Option.value recording ~default:live ]
   @ again general ~entry ~sources ~world ~seed ~recording
 
@@ -68,7 +66,8 @@ let shown ?(params = []) general ~entry ~sources look ~record ~world file contin
       let general, generated = with_all_probes general resources ~entry file in
       Built.shared general ~generated ~options:(effort None) ~entry ~sources file (fun _ program ->
           viewer general resources ~entry ~sources ~world ~seed:1
-            ~options:(param_options params @ print_only browser) ~recording:record ~program file
+            ~options:(param_options params @ print_only browser)
+            ~recording:record ~program file
           |> continue)
 
 type view = {
@@ -99,10 +98,9 @@ let view general ~entry ~sources view file =
   let general, generated = with_all_probes general resources ~entry file in
   let options = effort view.recording in
   Built.shared general ~generated ~options ~entry ~sources file (fun _ program ->
-      if view.only_build then begin
+      if view.only_build then (
         print_endline program;
-        Exit_status.ok
-      end
+        Exit_status.ok)
       else
         let options =
           param_options params @ print_only view.browser

@@ -1,10 +1,10 @@
 (** [frobc view], and what is shown of a run that goes on. *)
 
-(** How a run is shown while it goes on. *)
 type look = {
   browser : bool;  (** is opened, if there is a desktop *)
   control : bool;  (** pages may do more to a real robot than stop it *)
 }
+(** How a run is shown while it goes on. *)
 
 val shown :
   ?params:Params.set list ->
@@ -17,9 +17,8 @@ val shown :
   string ->
   (string list -> int) ->
   int
-(** Goes on with the command that shows the run of a program while it goes on, of which the ring
-    is still to be named; nothing if that is not wanted. [world]: where it drives, if that is
-    known. *)
+(** Goes on with the command that shows the run of a program while it goes on, of which the ring is
+    still to be named; nothing if that is not wanted. [world]: where it drives, if that is known. *)
 
 type view = {
   recording : string option;  (** [None]: of a run that is not over, only to be built for *)

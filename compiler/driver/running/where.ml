@@ -15,9 +15,9 @@ let robot_of_world (resources : Resources.t) world =
   | Error (Not_found host) ->
       Error (Printf.sprintf "the host %s is missing: install frobc again" host)
   | Error (Failed { errors; _ }) ->
-    let text = String.trim errors and prefix = "error: " in
-    let n = if String.starts_with ~prefix text then String.length prefix else 0 in
-    Error (String.sub text n (String.length text - n))
+      let text = String.trim errors and prefix = "error: " in
+      let n = if String.starts_with ~prefix text then String.length prefix else 0 in
+      Error (String.sub text n (String.length text - n))
 
 let for_world general resources world =
   match general.robot with

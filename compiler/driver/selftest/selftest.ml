@@ -1,7 +1,11 @@
 open Basis
 
-type compiler = { cc : string option; cflags : string option; runner : string option;
-  real : Real.t }
+type compiler = {
+  cc : string option;
+  cflags : string option;
+  runner : string option;
+  real : Real.t;
+}
 
 let ( / ) = Filename.concat
 let ( let* ) = Result.bind
@@ -33,9 +37,7 @@ type t = {
 }
 
 (* Why it goes no further: the compiler cannot be tried, or is not fit. *)
-type failure =
-  | Untried of string
-  | Unfit of string
+type failure = Untried of string | Unfit of string
 
 let words text = List.filter (( <> ) "") (String.split_on_char ' ' text)
 let command t = String.concat " " t.compile
@@ -57,14 +59,14 @@ let compiled t arguments =
   | Error (Not_found program) ->
       Error (Untried (Printf.sprintf "there is no C compiler `%s` here" program))
   | Error (Failed { status; errors }) ->
-      Error (Unfit (Printf.sprintf "`%s` fails with status %d:\n%s" (command t) status
-        (beginning errors)))
+      Error
+        (Unfit
+           (Printf.sprintf "`%s` fails with status %d:\n%s" (command t) status (beginning errors)))
 
 let warn t said =
-  if not (String.equal said "") then begin
+  if not (String.equal said "") then (
     t.warned <- true;
-    prerr_endline ("warning: the compiler warns:\n" ^ beginning said)
-  end
+    prerr_endline ("warning: the compiler warns:\n" ^ beginning said))
 
 (* A program is right if it says so at its end: not every runner hands on a
    status. The error is all that was said instead. *)
@@ -75,7 +77,7 @@ let ran t program =
     | [] -> ""
   in
   match call (t.run @ [ program ]) with
-  | Ok said | Error (Failed { status = _; errors = said }) when last said = "right" -> Ok ()
+  | (Ok said | Error (Failed { status = _; errors = said })) when last said = "right" -> Ok ()
   | Ok said -> Error said
   | Error (Failed { status; errors }) ->
       Error (if errors = "" then Printf.sprintf "it ends with status %d" status else errors)
@@ -95,11 +97,12 @@ let write path text =
 let not_linked t text =
   Printf.sprintf
     "`%s` compiles a program of one line, and does not link it. If it is for a board, give it a \
-     library that prints \
-     through an emulator, and name that: for newlib --cflags \"%s --specs=rdimon.specs\" --runner \
-     qemu-arm\n\
+     library that prints through an emulator, and name that: for newlib --cflags \"%s \
+     --specs=rdimon.specs\" --runner qemu-arm\n\
      %s"
-    (command t) (String.concat " " Toolchain.flags) text
+    (command t)
+    (String.concat " " Toolchain.flags)
+    text
 
 let works t =
   let source = t.folder / "hello.c" and program = t.folder / "hello" in
@@ -113,8 +116,7 @@ let works t =
         | Unfit text -> (
             match compiled t [ "-c"; "-o"; program ^ ".o"; source ] with
             | Ok _ -> Untried (not_linked t text)
-            | Error _ ->
-                Untried ("the C compiler does not compile a program of one line: " ^ text)))
+            | Error _ -> Untried ("the C compiler does not compile a program of one line: " ^ text)))
       (compiled t [ "-o"; program; source ])
   in
   warn t said;
@@ -123,7 +125,7 @@ let works t =
       Untried
         (Printf.sprintf "what `%s` compiles does not run here%s: %s" (command t)
            (if t.run = [] then "; name a command that runs it with --runner"
-           else Printf.sprintf " with `%s`" (String.concat " " t.run))
+            else Printf.sprintf " with `%s`" (String.concat " " t.run))
            (beginning said)))
     (ran t program)
 
@@ -134,8 +136,8 @@ let arithmetic t =
   in
   warn t said;
   Result.map_error
-    (fun said -> Unfit (Printf.sprintf "arithmetic compiled by `%s` %s" (command t)
-      (beginning said)))
+    (fun said ->
+      Unfit (Printf.sprintf "arithmetic compiled by `%s` %s" (command t) (beginning said)))
     (ran t program)
 
 (* {1 What all programs are linked with} *)
@@ -143,7 +145,8 @@ let arithmetic t =
 let common t =
   let core = List.map (fun file -> t.resources.runtime_sources / "core" / file) in
   let elementary =
-    List.filter (fun file -> Filename.check_suffix file ".c")
+    List.filter
+      (fun file -> Filename.check_suffix file ".c")
       (List.sort compare (Array.to_list (Sys.readdir t.resources.elementary)))
   in
   (t.resources.selftest / "runner.c")
@@ -209,7 +212,9 @@ let recording output =
   in
   let inputs = Sample_input.rows () in
   Printf.sprintf
-    "#include \"recording.h\"\n\n%sconst struct recorded_row recorded_rows[] = {\n%s};\n\
+    "#include \"recording.h\"\n\n\
+     %sconst struct recorded_row recorded_rows[] = {\n\
+     %s};\n\
      const int recorded_row_count = %d;\n"
     (String.concat "" (List.mapi cells inputs))
     (String.concat "" (List.mapi row (List.combine inputs lines)))
@@ -226,13 +231,12 @@ let tried t objects group =
     List.map path [ ".c"; "_host.c"; "_recording.c" ]
     @ List.map (fun file -> t.resources.selftest / file) group.sources
   in
-  let* said =
-    compiled t (include_flags t @ [ "-o"; path "" ] @ sources @ objects @ [ "-lm" ])
-  in
+  let* said = compiled t (include_flags t @ [ "-o"; path "" ] @ sources @ objects @ [ "-lm" ]) in
   warn t said;
   Result.map_error
-    (fun said -> Unfit (Printf.sprintf "%s.frob, compiled by `%s`:\n%s" group.name (command t)
-      (beginning said)))
+    (fun said ->
+      Unfit
+        (Printf.sprintf "%s.frob, compiled by `%s`:\n%s" group.name (command t) (beginning said)))
     (ran t (path ""))
 
 (* {1 The verdict} *)
@@ -278,10 +282,10 @@ let run compiler =
   match Resources.find () with
   | Error text -> General.wrong_use text
   | Ok resources ->
-    let folder = Temporary.folder () in
-    let cc = Option.value compiler.cc ~default:(Toolchain.this_machine ()).compiler in
-    let flags = Option.fold compiler.cflags ~none:Toolchain.flags ~some:words in
-    let run = Option.fold compiler.runner ~none:[] ~some:words in
-    let compile = words cc @ flags in
-    let t = { compile; run; resources; folder; real = compiler.real; warned = false } in
-    verdict t (judged t)
+      let folder = Temporary.folder () in
+      let cc = Option.value compiler.cc ~default:(Toolchain.this_machine ()).compiler in
+      let flags = Option.fold compiler.cflags ~none:Toolchain.flags ~some:words in
+      let run = Option.fold compiler.runner ~none:[] ~some:words in
+      let compile = words cc @ flags in
+      let t = { compile; run; resources; folder; real = compiler.real; warned = false } in
+      verdict t (judged t)

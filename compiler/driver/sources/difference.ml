@@ -16,7 +16,7 @@ let rows a b =
     let at k = Option.value (Hashtbl.find_opt before k) ~default:0 in
     let rec each k =
       if k > d then None
-      else begin
+      else
         let down = k = -d || (k <> d && at (k - 1) < at (k + 1)) in
         let x = if d = 0 then 0 else if down then at (k + 1) else at (k - 1) + 1 in
         let rec slide x =
@@ -26,7 +26,6 @@ let rows a b =
         let x = slide x in
         Hashtbl.replace reach k x;
         if x >= n && x - k >= m then Some () else each (k + 2)
-      end
     in
     match each (-d) with
     | Some () -> (reach :: rows, d)
@@ -80,12 +79,12 @@ let hunks changes =
   in
   let text = Buffer.create 256 in
   let rec go i before after =
-    if i < n then
+    if i < n then (
       if not shown.(i) then go (i + 1) (before + 1) (after + 1)
-      else begin
+      else
         let body = Buffer.create 256 in
         let rec hunk i removed added =
-          if i < n && shown.(i) then begin
+          if i < n && shown.(i) then (
             let sign, line, r, a =
               match all.(i) with
               | Kept line -> (' ', line, 1, 1)
@@ -95,20 +94,17 @@ let hunks changes =
             Buffer.add_char body sign;
             Buffer.add_string body line;
             Buffer.add_char body '\n';
-            hunk (i + 1) (removed + r) (added + a)
-          end
+            hunk (i + 1) (removed + r) (added + a))
           else (i, removed, added)
         in
         let next, removed, added = hunk i 0 0 in
         Buffer.add_string text (header before after removed added);
         Buffer.add_buffer text body;
-        go next (before + removed) (after + added)
-      end
+        go next (before + removed) (after + added))
   in
   go 0 1 1;
   Buffer.contents text
 
 let unified ~name before after =
   if String.equal before after then ""
-  else
-    Printf.sprintf "--- %s\n+++ %s\n%s" name name (hunks (changes (lines before) (lines after)))
+  else Printf.sprintf "--- %s\n+++ %s\n%s" name name (hunks (changes (lines before) (lines after)))

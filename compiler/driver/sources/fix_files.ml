@@ -15,8 +15,7 @@ let applied sources ~file fixes =
     let own = List.map (fun e -> (offsets e, e.Diagnostic.text)) fix.edits in
     let is_here (e : Diagnostic.edit) = String.equal e.span.file file in
     let is_free (at, _) = not (List.exists (fun (other, _) -> overlap at other) edits) in
-    if List.for_all is_here fix.edits && List.for_all is_free own then
-      (own @ edits, fix :: taken)
+    if List.for_all is_here fix.edits && List.for_all is_free own then (own @ edits, fix :: taken)
     else (edits, taken)
   in
   let edits, taken = List.fold_left take ([], []) fixes in
@@ -85,13 +84,11 @@ let one general ~diff choice ~library ~robot file =
       let check = check general ~library ~robot in
       let after, lines, sink, sources = mended check choice file ~done_:[] most_rounds before in
       let* () =
-        if diff then
-          Ok (print_string (Difference.unified ~name:(Printable.name file) before after))
+        if diff then Ok (print_string (Difference.unified ~name:(Printable.name file) before after))
         else if lines = [] then Ok ()
-        else begin
+        else (
           List.iter (fun line -> print_endline (Printable.name line)) lines;
-          write file ~before after
-        end
+          write file ~before after)
       in
       let offers = List.filter (fun (d : Diagnostic.t) -> d.fixes <> []) (Diagnostic.all sink) in
       if choice = Safe && offers <> [] && not diff then
@@ -105,8 +102,6 @@ let one general ~diff choice ~library ~robot file =
 let run general ~diff choice files =
   let* resources = Resources.find () in
   let* robot = Robots.known general.General.robot in
-  let statuses =
-    List.map (one general ~diff choice ~library:resources.library ~robot) files
-  in
+  let statuses = List.map (one general ~diff choice ~library:resources.library ~robot) files in
   if List.mem Exit_status.rejected statuses then Exit_status.rejected
   else List.fold_left max Exit_status.ok statuses

@@ -45,11 +45,10 @@ let show_difference name before after =
   show "+" would_be
 
 let write file text =
-  if file = stdin_name then begin
+  if file = stdin_name then (
     set_binary_mode_out stdout true;
     print_string text;
-    Ok ()
-  end
+    Ok ())
   else
     match Output.check ~reads:[] [ { path = file; content = Source; asked = "format" } ] with
     | Error _ as error -> error
@@ -71,10 +70,9 @@ let one ~check file =
         (Printf.sprintf "%s stays as it is: formatted, %s" name (Formatting.Laws.name law))
   | Formatted after when check ->
       if String.equal before after then Exit_status.ok
-      else begin
+      else (
         show_difference name before after;
-        Exit_status.rejected
-      end
+        Exit_status.rejected)
   | Formatted after ->
       if file <> stdin_name && String.equal before after then Exit_status.ok
       else

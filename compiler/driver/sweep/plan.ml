@@ -1,5 +1,4 @@
 type 'a placed = { place : string; value : 'a }
-
 type variation = Range of { low : string; high : string; steps : int } | Values of string list
 type sampling = Grid | Random | Latin
 
@@ -45,8 +44,12 @@ let with_line t line =
   | [ "world"; place; value ] -> { t with worlds = t.worlds @ [ { place; value } ] }
   | [ "robot"; place; value ] -> { t with robots = t.robots @ [ { place; value } ] }
   | [ "sampling"; how; points; seed ] ->
-      { t with sampling = sampling how; points = int_of_string points;
-        sampling_seed = int_of_string seed }
+      {
+        t with
+        sampling = sampling how;
+        points = int_of_string points;
+        sampling_seed = int_of_string seed;
+      }
   | [ "range"; place; name; low; high; steps ] ->
       let range = Range { low; high; steps = int_of_string steps } in
       { t with params = t.params @ [ { place; value = (name, range) } ] }

@@ -13,8 +13,8 @@ let next state =
 
 (* At least 0 and less than 1. *)
 let draw state = Int64.to_float (Int64.shift_right_logical (next state) 11) *. (2. ** -53.)
-
 let below state count = int_of_float (draw state *. float_of_int count)
+
 let text ~whole x =
   if whole then Printf.sprintf "%.0f" x else Basis.Real.shortest Basis.Real.Double x
 

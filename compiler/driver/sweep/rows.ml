@@ -5,9 +5,7 @@ let suffix = ".rows"
 
 (* FNV-1a of 64 bits. *)
 let checksum text =
-  let step hash c =
-    Int64.mul (Int64.logxor hash (Int64.of_int (Char.code c))) 1099511628211L
-  in
+  let step hash c = Int64.mul (Int64.logxor hash (Int64.of_int (Char.code c))) 1099511628211L in
   String.fold_left step (-3750763034362895579L) text
 
 let add t line =

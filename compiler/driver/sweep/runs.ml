@@ -6,9 +6,7 @@ let seeds (t : Setup.t) = t.last - t.first + 1
 let count (t : Setup.t) = Array.length t.places * Array.length t.points * seeds t
 
 let key (t : Setup.t) (place : Setup.place) point seed =
-  let settings =
-    List.mapi (fun k (axis : Points.axis) -> axis.name ^ "=" ^ point.(k)) t.axes
-  in
+  let settings = List.mapi (fun k (axis : Points.axis) -> axis.name ^ "=" ^ point.(k)) t.axes in
   Printf.sprintf "%s %.9g %.9g %d %s" (Digest.to_hex place.digest) t.lasts t.rate seed
     (String.concat " " settings)
   |> Digest.string |> Digest.to_hex
@@ -43,8 +41,7 @@ let parts (t : Setup.t) ~jobs numbers =
   let place number = number / (Array.length t.points * seeds t) in
   let add parts number =
     match parts with
-    | (first :: _ as part) :: others
-      when List.length part < size && place first = place number ->
+    | (first :: _ as part) :: others when List.length part < size && place first = place number ->
         (number :: part) :: others
     | _ -> [ number ] :: parts
   in
@@ -63,8 +60,20 @@ let start (t : Setup.t) (resources : Resources.t) ~folder numbers =
   let* () = Output.write [ (list, String.concat "" (List.map line numbers)) ] in
   let place = (run t (List.hd numbers)).place in
   let arguments =
-    [| resources.simulator; place.program; "--world"; place.path; "--judge"; place.judge; "--for";
-       Printf.sprintf "%.9f" t.lasts; "--rate"; Printf.sprintf "%.9g" t.rate; "--runs"; list |]
+    [|
+      resources.simulator;
+      place.program;
+      "--world";
+      place.path;
+      "--judge";
+      place.judge;
+      "--for";
+      Printf.sprintf "%.9f" t.lasts;
+      "--rate";
+      Printf.sprintf "%.9g" t.rate;
+      "--runs";
+      list;
+    |]
   in
   let rows_file = Rows.fresh folder in
   let opened path = Unix.openfile path [ O_WRONLY; O_CREAT; O_EXCL; O_CLOEXEC ] 0o644 in
@@ -122,24 +131,21 @@ let make t resources ~jobs ~folder rows numbers =
         if left <> [] then Queue.add left waiting
   in
   let rec go () =
-    while
-      !stopped = None && Hashtbl.length running < jobs && not (Queue.is_empty waiting)
-    do
+    while !stopped = None && Hashtbl.length running < jobs && not (Queue.is_empty waiting) do
       match start t resources ~folder (Queue.pop waiting) with
       | Ok (pid, process) -> Hashtbl.replace running pid process
       | Error reason -> stopped := Some reason
       | exception Unix.Unix_error (reason, _, what) ->
           stopped := Some (Printf.sprintf "%s: %s" what (Unix.error_message reason))
     done;
-    if Hashtbl.length running > 0 then begin
+    if Hashtbl.length running > 0 then (
       (match Unix.waitpid [ WNOHANG ] (-1) with
       | 0, _ ->
           look ();
           Unix.sleepf between_looks
       | pid, status -> ended pid status
       | exception Unix.Unix_error (EINTR, _, _) -> ());
-      go ()
-    end
+      go ())
   in
   go ();
   Progress.finish progress;

@@ -12,7 +12,8 @@ val count : Setup.t -> int
 val run : Setup.t -> int -> run
 (** By its number, from 0: worlds, then robots, then points, then seeds, which vary fastest. *)
 
-type shard = { number : int; of_ : int }  (** of so many, from 1 *)
+type shard = { number : int; of_ : int }
+(** of so many, from 1 *)
 
 val missing : Setup.t -> shard -> Rows.t -> int list
 (** Of the shard's runs those that there is no row of, in their order. *)

@@ -63,8 +63,7 @@ let trial_of (plan : Plan.t) file trials =
   match (plan.trial, trials) with
   | _, [] ->
       refuse_at plan.program
-        "%s has no trial, which says what is judged and measured; write `trial \"…\" = \
-         Trial { … }`"
+        "%s has no trial, which says what is judged and measured; write `trial \"…\" = Trial { … }`"
         file
   | None, [ only ] -> Ok only
   | None, _ -> refuse_at plan.program "which trial? `trial = \"…\"` is %s" (labels trials)
@@ -72,8 +71,8 @@ let trial_of (plan : Plan.t) file trials =
       let is_it ((check : Checks.t), _) = String.equal check.label wanted.value in
       match List.find_opt is_it trials with
       | Some trial -> Ok trial
-      | None ->
-          refuse_at wanted "%s has no trial `%s`; it has %s" file wanted.value (labels trials))
+      | None -> refuse_at wanted "%s has no trial `%s`; it has %s" file wanted.value (labels trials)
+      )
 
 (* {1 Parameters} *)
 
@@ -182,8 +181,10 @@ let place (context : Checking.t) subject (world, path) robot =
     Digest.string
       (String.concat ""
          [
-           digest_of context driving ~entry:"main" file; digest_of context judging ~entry file;
-           digest_of_world path; Digest.file context.resources.simulator;
+           digest_of context driving ~entry:"main" file;
+           digest_of context judging ~entry file;
+           digest_of_world path;
+           Digest.file context.resources.simulator;
          ])
   in
   Ok { world; path; robot = Option.value general.robot ~default:""; program; judge; digest }
@@ -225,8 +226,7 @@ let units_of context file names =
 let complete context (plan : Plan.t) path =
   let file = beside path plan.program.value in
   let* () =
-    if Sys.file_exists file then Ok ()
-    else refuse_at plan.program "there is no file %s" file
+    if Sys.file_exists file then Ok () else refuse_at plan.program "there is no file %s" file
   in
   let* trials = trials context file in
   let* check, trial = trial_of plan file trials in
@@ -236,7 +236,8 @@ let complete context (plan : Plan.t) path =
   let* robots = robots plan path context.general in
   let* worlds = worlds context plan file trial in
   let total =
-    List.length worlds * List.length robots * (last - first + 1)
+    List.length worlds * List.length robots
+    * (last - first + 1)
     * Points.count ~sampling:plan.sampling ~points:plan.points axes
   in
   let* () =
@@ -256,14 +257,22 @@ let complete context (plan : Plan.t) path =
       (Checking.measures context ~entry:(Resolve.Labels.judge check.name) file)
   in
   let subject = { file; check; measures } in
-  let* places =
-    each (fun world -> each (place context subject world) robots) worlds
-  in
+  let* places = each (fun world -> each (place context subject world) robots) worlds in
   let lasts = Option.value plan.lasts ~default:check.lasts in
   let rate = Option.value plan.rate ~default:50. in
   tried context
-    { plan; label = check.label; lasts; rate; first; last;
-      places = Array.of_list (List.concat places); axes; points; measures }
+    {
+      plan;
+      label = check.label;
+      lasts;
+      rate;
+      first;
+      last;
+      places = Array.of_list (List.concat places);
+      axes;
+      points;
+      measures;
+    }
 
 let of_plan general ~sources path =
   let* resources = Result.map_error General.wrong_use (Resources.find ()) in

@@ -1,6 +1,5 @@
 (** All that a sweep needs before its first run, and what can be wrong with it. *)
 
-(** A world with a robot in it, and the program and the judge for them. *)
 type place = {
   world : string;  (** as the plan says *)
   path : string;
@@ -9,6 +8,7 @@ type place = {
   judge : string;
   digest : string;  (** of all that a run here depends on, beside seed and parameters *)
 }
+(** A world with a robot in it, and the program and the judge for them. *)
 
 type t = {
   plan : Plan.t;
@@ -24,6 +24,5 @@ type t = {
 }
 
 val of_plan : General.t -> sources:string list -> string -> (t, int) result
-(** Of the file of a plan. The error is the exit status; what is wrong has been told, with the
-    place in the plan. Each place is tried for an instant, so that no run is made if one cannot
-    be. *)
+(** Of the file of a plan. The error is the exit status; what is wrong has been told, with the place
+    in the plan. Each place is tried for an instant, so that no run is made if one cannot be. *)

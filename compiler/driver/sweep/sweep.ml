@@ -76,9 +76,10 @@ let made (t : Setup.t) options resources rows ~folder =
           let left = List.length (Runs.missing t options.shard rows) in
           Error
             (General.wrong_use
-               (Printf.sprintf
-                  "%s\n%s done, %d left; the same command goes on where this one ended" reason
-                  (plural (count - left) "run") left))
+               (Printf.sprintf "%s\n%s done, %d left; the same command goes on where this one ended"
+                  reason
+                  (plural (count - left) "run")
+                  left))
   in
   let left = List.length (Runs.missing t whole rows) in
   if left = 0 then Ok `Complete
@@ -88,11 +89,10 @@ let made (t : Setup.t) options resources rows ~folder =
          (Printf.sprintf
             "%d of %s are missing: their shards are not done, or `--also` names their folder" left
             (plural total "run")))
-  else begin
+  else (
     Printf.printf "%s%s done; %d of all are left to other shards, and `--merge` makes the table\n"
       (plural count "run") (here options.shard) left;
-    Ok `Shard
-  end
+    Ok `Shard)
 
 (* The digest is the same where the same runs would be made: with this program, these worlds and
    this simulator. *)

@@ -12,5 +12,5 @@ type options = {
 }
 
 val run : General.t -> sources:string list -> options -> string -> int
-(** Of the file of a plan. Whatever ends it, the same command goes on where it ended. Exit status
-    0 if all its runs are done, whatever became of them. *)
+(** Of the file of a plan. Whatever ends it, the same command goes on where it ended. Exit status 0
+    if all its runs are done, whatever became of them. *)

@@ -10,7 +10,6 @@ let left = 90.
 let right = 110.
 let panel_height = 300.
 let gap = 90.
-
 let in_brackets unit_ = if unit_ = "" || unit_ = "1" then "" else Printf.sprintf " (%s)" unit_
 
 let panels (t : Setup.t) rows =
@@ -45,8 +44,11 @@ let axis_of k (axis : Points.axis) values =
     { label; place_of = float_of_string; name_of = [] }
   else
     let numbered = List.mapi (fun n text -> (text, float_of_int n)) texts in
-    { label; place_of = (fun text -> List.assoc text numbered);
-      name_of = List.map (fun (text, n) -> (n, text)) numbered }
+    {
+      label;
+      place_of = (fun text -> List.assoc text numbered);
+      name_of = List.map (fun (text, n) -> (n, text)) numbered;
+    }
 
 let ticks axis low high =
   if axis.name_of <> [] then axis.name_of
@@ -55,8 +57,7 @@ let ticks axis low high =
 let vertical_label out ~top words =
   let y = top +. (panel_height /. 2.) in
   Printf.bprintf out
-    "<text x=\"18\" y=\"%.1f\" text-anchor=\"middle\" transform=\"rotate(-90 18 \
-     %.1f)\">%s</text>\n"
+    "<text x=\"18\" y=\"%.1f\" text-anchor=\"middle\" transform=\"rotate(-90 18 %.1f)\">%s</text>\n"
     y y (Xml.escaped words)
 
 let frame out ~top ~across ~up ~bottom_label ~left_label ~columns ~rows =
@@ -112,7 +113,7 @@ let scale out ~top (low, high) =
     let share = float_of_int k /. float_of_int (steps - 1) in
     Printf.bprintf out "<rect x=\"%.1f\" y=\"%.1f\" width=\"16\" height=\"%.1f\" fill=\"%s\"/>\n" x
       (top +. ((1. -. share) *. (panel_height -. (panel_height /. float_of_int steps))))
-      (panel_height /. float_of_int steps +. 0.5)
+      ((panel_height /. float_of_int steps) +. 0.5)
       (colour share)
   done;
   Plot.text out (x +. 22.) (top +. 10.) (Plot.number high);
@@ -165,9 +166,7 @@ let along out ~top (axis : axis) k panel =
   let across =
     { Plot.low = least -. margin; high = most +. margin; from = left; upto = width -. right }
   in
-  let low, high =
-    Option.value panel.bounds ~default:(Plot.range (List.concat_map snd groups))
-  in
+  let low, high = Option.value panel.bounds ~default:(Plot.range (List.concat_map snd groups)) in
   let up = { Plot.low; high; from = top +. panel_height; upto = top } in
   frame out ~top ~across ~up ~bottom_label:axis.label ~left_label:""
     ~columns:(ticks axis least most)
@@ -220,9 +219,7 @@ let svg (t : Setup.t) rows =
   let varies k =
     Array.exists (fun (point : string array) -> point.(k) <> t.points.(0).(k)) t.points
   in
-  let varying =
-    List.filter (fun (k, _) -> varies k) (List.mapi (fun k axis -> (k, axis)) t.axes)
-  in
+  let varying = List.filter (fun (k, _) -> varies k) (List.mapi (fun k axis -> (k, axis)) t.axes) in
   (* How many held is one number, whose histogram is only drawn where there is nothing else. *)
   let panels = match varying with [ _ ] | [ _; _ ] -> share :: measures | _ -> measures in
   let panels = List.filter (fun panel -> panel.values <> []) panels in
@@ -230,8 +227,8 @@ let svg (t : Setup.t) rows =
   let height = (float_of_int (List.length panels) *. (panel_height +. gap)) +. 40. in
   let out = Buffer.create 65536 in
   Printf.bprintf out
-    "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" \
-     viewBox=\"0 0 %.0f %.0f\" font-family=\"sans-serif\" font-size=\"12\">\n\
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f \
+     %.0f\" font-family=\"sans-serif\" font-size=\"12\">\n\
      <rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n"
     width height width height;
   let panel n panel =

@@ -21,8 +21,7 @@ let cell_of cells (m : Measures.t) =
   in
   Option.value (List.find_map value cells) ~default:""
 
-let measured _ cells m =
-  Option.value (float_of_string_opt (cell_of cells m)) ~default:Float.nan
+let measured _ cells m = Option.value (float_of_string_opt (cell_of cells m)) ~default:Float.nan
 
 let header (t : Setup.t) =
   let names = List.map (fun (axis : Points.axis) -> axis.name) t.axes in

@@ -45,7 +45,8 @@ let about_driver general ~sources text =
     Printf.sprintf
       "%s is a robot of your own: name the C files of its driver, which define `%s`, with `--with \
        FILE.c`"
-      (Option.value general.robot ~default:"this") (own_driver general)
+      (Option.value general.robot ~default:"this")
+      (own_driver general)
   else text
 
 type linked = {
@@ -81,8 +82,7 @@ let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
         Toolchain.build ?machine:linked.machine kind ~headers:resources.headers
           ~inputs:linked.inputs ~includes:linked.includes ~foreign ~name
           ([
-             (name ^ ".h", files.header); (name ^ ".c", files.source);
-               (name ^ "_host.c", host_table);
+             (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", host_table);
            ]
           @ Option.to_list files.robot_header @ linked.generated)
         |> Result.map_error (about_driver general ~sources)
@@ -93,8 +93,7 @@ let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
 let with_runtime general (resources : Resources.t) ~name:_ =
   let machine =
     Option.map
-      (fun _ ->
-        { (Toolchain.this_machine ()) with options = [ "-I"; resources.runtime_sources ] })
+      (fun _ -> { (Toolchain.this_machine ()) with options = [ "-I"; resources.runtime_sources ] })
       (Robots.own_of general.robot)
   in
   { machine; inputs = [ resources.runtime ]; includes = []; generated = []; sees = true }

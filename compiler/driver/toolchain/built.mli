@@ -1,6 +1,5 @@
 (** Programs compiled to C, and by the C compiler with the runtime and the user's own files. *)
 
-(** What generated C is linked with, and for what; see {!Toolchain.build}. *)
 type linked = {
   machine : Toolchain.machine option;  (** this one if [None] *)
   inputs : string list;
@@ -8,6 +7,7 @@ type linked = {
   generated : (string * string) list;  (** more files, name and content *)
   sees : bool;  (** it has hosts for programs with cameras *)
 }
+(** What generated C is linked with, and for what; see {!Toolchain.build}. *)
 
 val host_table : entry:string -> Cgen.Emit.t -> (string, string) result
 (** The table by which hosts read and write the program's values. *)
@@ -27,9 +27,8 @@ val built :
   string ->
   (Resources.t -> string -> int) ->
   int
-(** Compiles a file, to C and by the C compiler with the user's own [sources],
-    and goes on with the path of the result; tells what is wrong with it
-    otherwise. [name] is that of the C files. *)
+(** Compiles a file, to C and by the C compiler with the user's own [sources], and goes on with the
+    path of the result; tells what is wrong with it otherwise. [name] is that of the C files. *)
 
 val shared :
   ?quiet:bool ->

@@ -39,9 +39,7 @@ let runtime_folders (resources : Resources.t) =
   let drivers = Sys.readdir (runtime / "drivers") in
   Array.sort compare drivers;
   let robots =
-    List.filter
-      (fun name -> Sys.is_directory (runtime / "drivers" / name))
-      (Array.to_list drivers)
+    List.filter (fun name -> Sys.is_directory (runtime / "drivers" / name)) (Array.to_list drivers)
   in
   [ (resources.headers / "frob", "frob"); (resources.elementary, "elementary") ]
   @ List.map
@@ -75,8 +73,7 @@ let write_library (resources : Resources.t) ~folder ~name ~sources ~foreign_fold
       Error
         (Printf.sprintf
            "%s is there already, and is no export of %s: move it away, or name another folder"
-             folder
-           name)
+           folder name)
   in
   let copy from target = Result.map (fun text -> (target, text)) (Own_headers.read from) in
   let* own = all (List.map (fun file -> copy file (source / Filename.basename file)) sources) in
@@ -99,8 +96,7 @@ let write_library (resources : Resources.t) ~folder ~name ~sources ~foreign_fold
   Output.write files
 
 let platformio (general : General.t) ~entry ~sources ~folder file =
-  let ( let* ) = General.( let* )
-  in
+  let ( let* ) = General.( let* ) in
   let* resources = Resources.find () in
   let* () = Program_file.all_exist sources in
   Compiled.to_c general resources ~entry file (fun (files : Cgen.Emit.t) ->
@@ -109,13 +105,16 @@ let platformio (general : General.t) ~entry ~sources ~folder file =
       let* table = Built.host_table ~entry files in
       let generated =
         [
-          (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", table);
+          (name ^ ".h", files.header);
+          (name ^ ".c", files.source);
+          (name ^ "_host.c", table);
           Target.state_of name;
           Target.own_driver ~name (Robots.own_of general.robot);
         ]
         @ Option.to_list files.robot_header
       in
-      let* () = write_library resources ~folder ~name ~sources
-          ~foreign_folders:files.foreign.folders generated
+      let* () =
+        write_library resources ~folder ~name ~sources ~foreign_folders:files.foreign.folders
+          generated
       in
       Exit_status.ok)

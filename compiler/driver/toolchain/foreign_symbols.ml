@@ -47,9 +47,9 @@ let check ~calls ~sources ~header ~folders =
   match List.filter (fun name -> not (is_known name)) calls with
   | [] -> Ok ()
   | unknown ->
-    Error
-      (Printf.sprintf
-         "the program calls %s in C, %s: name the C files with `--with FILE.c` (without a file \
-          there are only the functions of <math.h> that docs/foreign.md lists)"
-         (String.concat ", " (List.map (Printf.sprintf "`%s`") unknown))
-         (if files = [] then "and there is no C file" else "which no C file of it mentions"))
+      Error
+        (Printf.sprintf
+           "the program calls %s in C, %s: name the C files with `--with FILE.c` (without a file \
+            there are only the functions of <math.h> that docs/foreign.md lists)"
+           (String.concat ", " (List.map (Printf.sprintf "`%s`") unknown))
+           (if files = [] then "and there is no C file" else "which no C file of it mentions"))

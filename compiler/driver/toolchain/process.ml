@@ -1,6 +1,4 @@
-type failure =
-  | Not_found of string
-  | Failed of { status : int; errors : string }
+type failure = Not_found of string | Failed of { status : int; errors : string }
 
 let rec wait pid =
   match Unix.waitpid [] pid with
@@ -24,8 +22,8 @@ let read_all channel =
     match input channel chunk 0 1024 with
     | 0 -> Buffer.contents text
     | n ->
-      Buffer.add_subbytes text chunk 0 n;
-      go ()
+        Buffer.add_subbytes text chunk 0 n;
+        go ()
   in
   go ()
 
@@ -47,9 +45,8 @@ let run program arguments = Result.map ignore (output program arguments)
 
 let hand_over program arguments =
   flush_all ();
-  Result.bind
-    (start program arguments ~stdout:Unix.stdout ~stderr:Unix.stderr)
-    (fun pid -> checked program (wait pid))
+  Result.bind (start program arguments ~stdout:Unix.stdout ~stderr:Unix.stderr) (fun pid ->
+      checked program (wait pid))
 
 let become program arguments =
   flush_all ();

@@ -11,9 +11,9 @@ val output : string -> string list -> (string, failure) result
 (** Likewise; what it wrote is the result. *)
 
 val hand_over : string -> string list -> (int, failure) result
-(** Runs a program with our own standard input, output and error; the result is
-    its exit status (128 + n if signal n ended it). *)
+(** Runs a program with our own standard input, output and error; the result is its exit status (128
+    \+ n if signal n ended it). *)
 
 val become : string -> string list -> failure
-(** Goes on as another program, in our place: signals for us are signals for
-    it. Returns only if it cannot be started. *)
+(** Goes on as another program, in our place: signals for us are signals for it. Returns only if it
+    cannot be started. *)

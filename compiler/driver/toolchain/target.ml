@@ -80,8 +80,7 @@ let from_sources (resources : Resources.t) folders =
   let runtime = resources.runtime_sources in
   let drivers = runtime / "drivers" in
   let folders =
-    List.map (fun folder -> runtime / folder) folders
-    @ List.filter Sys.is_directory (files drivers)
+    List.map (fun folder -> runtime / folder) folders @ List.filter Sys.is_directory (files drivers)
   in
   let all = List.concat_map files folders @ files resources.elementary in
   (with_suffix ".c" all, with_suffix ".h" (all @ files drivers @ files (runtime / "hal")))
@@ -89,8 +88,9 @@ let from_sources (resources : Resources.t) folders =
 let state_of name =
   ( name ^ "_memory.c",
     Printf.sprintf
-      "#include \"%s.h\"\n\nstatic struct %s_state state;\nvoid *const frob_program_state = \
-       &state;\n"
+      "#include \"%s.h\"\n\n\
+       static struct %s_state state;\n\
+       void *const frob_program_state = &state;\n"
       name name )
 
 (* What [hosts/robot/drivers.c] and [hosts/board/loop.c] look up. *)
@@ -118,8 +118,7 @@ let linked ?own t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
   | Prebuilt ->
       {
         (* a driver of the user's own includes the runtime's headers *)
-        Built.machine =
-          (if own = None then None else Some (machine t include_));
+        Built.machine = (if own = None then None else Some (machine t include_));
         inputs = [ resources.robot_host; resources.runtime ];
         includes = [];
         generated = [ driver ];

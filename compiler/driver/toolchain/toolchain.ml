@@ -1,6 +1,7 @@
 let flags = [ "-std=c99"; "-O2"; "-ffp-contract=off" ]
 
 type foreign = { sources : string list; folders : string list }
+
 let ( / ) = Filename.concat
 
 type machine = { compiler : string; cure : string; options : string list }
@@ -43,15 +44,14 @@ let copy_of ~folder number file =
 let copy ~folder number file =
   let name = String.concat "\\\\" (String.split_on_char '\\' file) in
   Result.map
-    (fun text -> write (copy_of ~folder number file)
-      (Printf.sprintf "#line 1 \"%s\"\n%s" name text))
+    (fun text ->
+      write (copy_of ~folder number file) (Printf.sprintf "#line 1 \"%s\"\n%s" name text))
     (Own_headers.read file)
 
 let copies ~folder { sources; _ } =
   List.fold_left
     (fun result (number, file) ->
-      Result.bind result (fun () ->
-          if is_source file then copy ~folder number file else Ok ()))
+      Result.bind result (fun () -> if is_source file then copy ~folder number file else Ok ()))
     (Ok ())
     (List.mapi (fun number file -> (number, file)) sources)
 
@@ -71,9 +71,7 @@ let with_foreign ~folder = function
       @ (if List.exists is_cpp sources then [ "-lstdc++" ] else [])
       @ [ "-Wl,--no-undefined" ]
 
-type kind =
-  | Shared_object
-  | Executable
+type kind = Shared_object | Executable
 
 let suffix = function Shared_object -> ".so" | Executable -> ""
 
@@ -87,8 +85,8 @@ let key machine ~headers ~inputs ~includes ~foreign ~name kind files =
   Digest.to_hex
     (Digest.string
        (String.concat "\000"
-          ((name :: suffix kind :: machine.compiler :: headers_digest headers
-           :: List.map Digest.file (inputs @ includes))
+          (name :: suffix kind :: machine.compiler :: headers_digest headers
+           :: List.map Digest.file (inputs @ includes)
           @ flags @ machine.options
           @ Option.fold foreign ~none:[] ~some:(fun f -> f.sources @ ("" :: f.folders))
           @ List.concat_map (fun (file, content) -> [ file; content ]) files)))
@@ -113,9 +111,7 @@ let compile_cpp machine ~headers ~folder foreign =
   | Some ({ sources; _ } as foreign) ->
       List.fold_left
         (fun result (number, file) ->
-          match result with
-          | Ok () when is_cpp file -> one foreign number file
-          | result -> result)
+          match result with Ok () when is_cpp file -> one foreign number file | result -> result)
         (Ok ())
         (List.mapi (fun number file -> (number, file)) sources)
 
@@ -124,12 +120,9 @@ let compile machine ~headers ~inputs ~foreign ~folder ~result kind files =
   let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
   let link () =
     Process.run machine.compiler
-      (flags @ machine.options
-      @ kind_flags kind
-      @ [ "-I"; headers; "-o"; result ]
+      (flags @ machine.options @ kind_flags kind @ [ "-I"; headers; "-o"; result ]
       @ List.map (fun (file, _) -> folder / file) sources
-      @ with_foreign ~folder foreign
-      @ inputs @ [ "-lm" ])
+      @ with_foreign ~folder foreign @ inputs @ [ "-lm" ])
   in
   let ( let* ) = Result.bind in
   let* () = Option.fold foreign ~none:(Ok ()) ~some:(copies ~folder) in
@@ -138,12 +131,12 @@ let compile machine ~headers ~inputs ~foreign ~folder ~result kind files =
   if Sys.file_exists result then Ok ()
   else
     Error
-      (Printf.sprintf "the C compiler `%s` made no program, and gave no error; %s"
-         machine.compiler machine.cure)
+      (Printf.sprintf "the C compiler `%s` made no program, and gave no error; %s" machine.compiler
+         machine.cure)
 
 let build ?machine kind ~headers ~inputs ?(includes = []) ~foreign ~name files =
   let machine = match machine with Some machine -> machine | None -> this_machine () in
   (* What files of the user's include we do not know: they are compiled anew. *)
   Cache.entry ~name ~suffix:(suffix kind) ~reuse:(foreign = None)
-    ~key:(key machine ~headers ~inputs ~includes ~foreign ~name kind files)
-    (fun ~folder result -> compile machine ~headers ~inputs ~foreign ~folder ~result kind files)
+    ~key:(key machine ~headers ~inputs ~includes ~foreign ~name kind files) (fun ~folder result ->
+      compile machine ~headers ~inputs ~foreign ~folder ~result kind files)

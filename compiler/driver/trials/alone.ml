@@ -5,10 +5,9 @@ let instants context ~lasts path =
   output_string channel "time\n";
   let rec write k =
     let time = float_of_int k /. context.options.rate in
-    if time <= lasts +. 1e-9 then begin
+    if time <= lasts +. 1e-9 then (
       Printf.fprintf channel "%.9f\n" time;
-      write (k + 1)
-    end
+      write (k + 1))
   in
   write 0;
   close_out channel
@@ -16,8 +15,16 @@ let instants context ~lasts path =
 let run context file (check : Checks.t) : Outcome.t =
   let entry = Resolve.Labels.judge check.name in
   let outcome result evidence =
-    { Outcome.file; label = check.label; lasts = check.lasts; measures = []; chance = None;
-      note = ""; result; evidence }
+    {
+      Outcome.file;
+      label = check.label;
+      lasts = check.lasts;
+      measures = [];
+      chance = None;
+      note = "";
+      result;
+      evidence;
+    }
   in
   let general = { context.general with probes = [ Probes.claims ] } in
   match compiled context general ~entry file with
@@ -45,4 +52,3 @@ let run context file (check : Checks.t) : Outcome.t =
           outcome (Ok [ run ]) (if failed then evidence () else None)
       | [ result ] -> outcome (Error (complaint result)) None
       | _ -> outcome (Error "cannot be run") None)
-

@@ -27,7 +27,7 @@ let decide { share; confidence } runs =
 let at_most k n p =
   if p <= 0. then 1.
   else if p >= 1. then if k >= n then 1. else 0.
-  else begin
+  else
     (* Terms by their logarithms, each from the one before. *)
     let sum = ref 0. and term = ref (float_of_int n *. log1p (-.p)) in
     let odds = log p -. log1p (-.p) in
@@ -36,7 +36,6 @@ let at_most k n p =
       term := !term +. log (float_of_int (n - i) /. float_of_int (i + 1)) +. odds
     done;
     min 1. !sum
-  end
 
 (* Where a function that falls from 0 to 1 goes through a value. *)
 let crossing f value =

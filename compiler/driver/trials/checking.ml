@@ -9,7 +9,6 @@ type options = {
   keep : string;
 }
 
-
 type t = {
   general : General.t;
   sources : string list;
@@ -90,6 +89,5 @@ let robot_option (general : General.t) =
   match general.robot with Some robot -> " --robot " ^ quoted robot | None -> ""
 
 (* Where what can be looked at of a failed run is put. *)
-let kept context (check : Checks.t) ending = Filename.concat context.options.keep
-    (slug check.label ^ ending)
-
+let kept context (check : Checks.t) ending =
+  Filename.concat context.options.keep (slug check.label ^ ending)

@@ -1,7 +1,6 @@
 open Basis
 
 type trial = { world : string; first : int; last : int; chance : Chance.t option }
-
 type plan = Alone | Traced of { input : string; output : string } | Simulated of trial
 type t = { name : string; label : string; lasts : float; plan : plan }
 
@@ -14,14 +13,16 @@ let refuse sink at format =
 
 let check_time sink at lasts =
   if lasts > 0. && lasts <= 1e5 then Some lasts
-  else refuse sink at "a test lasts for more than 0 s, and for 100,000 s at most; this one for %g s"
+  else
+    refuse sink at "a test lasts for more than 0 s, and for 100,000 s at most; this one for %g s"
       lasts
 
 let check_seeds sink at first last =
   if first >= 1 && last >= first then Some ()
   else
-    refuse sink at "the seeds are from a number of at least 1 to one that is not less, not from %d \
-                    to %d" first last
+    refuse sink at
+      "the seeds are from a number of at least 1 to one that is not less, not from %d to %d" first
+      last
 
 let check_chance sink at ({ share; confidence } as chance : Chance.t) =
   let is_within low x = x > low && x < 1. in
@@ -82,8 +83,7 @@ let of_definition sink (core : Core.Ir.program) (d : Core.Ir.definition) =
   match Resolve.Labels.kind_of_check d.name.name with
   | Some (_, label) when String.equal d.name.module_ core.main_module -> (
       let read value =
-        Interp.Constant.known (fun () ->
-            of_value sink d.span ~name:d.name.name ~label value)
+        Interp.Constant.known (fun () -> of_value sink d.span ~name:d.name.name ~label value)
       in
       match Result.bind (Interp.Constant.value core d.name) read with
       | Ok check -> check

@@ -60,10 +60,7 @@ let names_files text =
 let of_world text = List.sort_uniq compare (List.filter_map snd (lines text))
 
 let without left_out text =
-  let line = function
-    | text, Some t when List.mem t left_out -> "# " ^ text
-    | text, _ -> text
-  in
+  let line = function text, Some t when List.mem t left_out -> "# " ^ text | text, _ -> text in
   String.concat "\n" (List.map line (lines text))
 
 let needed ~still_fails all =

@@ -1,6 +1,6 @@
 (** What disturbs a robot in a world file: noise, slip, drift, and what is lost; as keys of the
-    file's tables. What is written in other ways than [key = number] below [[table]] is not
-    found. *)
+    file's tables. What is written in other ways than [key = number] below [[table]] is not found.
+*)
 
 type t = { table : string; key : string }
 

@@ -4,16 +4,14 @@ let rows text =
   let at = ref 0 in
   let next () =
     if !at >= String.length text then None
-    else begin
+    else (
       incr at;
-      Some text.[!at - 1]
-    end
+      Some text.[!at - 1])
   in
   let reader = Interp.Csv.reader next in
   let rec all found =
     match Interp.Csv.next reader with
-    | Ok (Some row) ->
-        all (List.map (fun (c : Interp.Csv.cell) -> c.text) row.cells :: found)
+    | Ok (Some row) -> all (List.map (fun (c : Interp.Csv.cell) -> c.text) row.cells :: found)
     | Ok None | Error _ -> List.rev found
   in
   List.filter (fun row -> not (String.starts_with ~prefix:"#" (List.hd row))) (all [])
@@ -44,7 +42,7 @@ let column name =
 let of_trace text =
   match rows text with
   | [] -> { seed = None; fate = Unasked; at = 0.; by = ""; truth = []; measured = [] }
-  | header :: instants ->
+  | header :: instants -> (
       let columns = List.map column header in
       let ended fate at by = { seed = None; fate; at; by; truth = []; measured = [] } in
       let time row = float_of_string (List.hd row) in
@@ -64,14 +62,15 @@ let of_trace text =
         | None, None, None -> None
       in
       let asked row =
-        List.exists2 (fun column cell -> column <> Other && cell <> "" && cell <> "NotAsked")
+        List.exists2
+          (fun column cell -> column <> Other && cell <> "" && cell <> "NotAsked")
           columns row
       in
       let is_open row =
         List.exists2 (fun column cell -> column = Judge && cell = "Open") columns row
       in
       let last = List.nth instants (List.length instants - 1) in
-      (match List.find_map failed instants with
+      match List.find_map failed instants with
       | Some run -> run
       | None when is_open last -> ended Undecided (time last) "judge"
       | None ->
@@ -132,8 +131,7 @@ let around text =
         else Some (Printf.sprintf "%s: %s, then %s" name (short was) (short is))
       in
       let lines =
-        List.filter_map Fun.id
-          (List.map2 line header (List.combine before (List.hd last)))
+        List.filter_map Fun.id (List.map2 line header (List.combine before (List.hd last)))
       in
       List.filteri (fun k _ -> k < most_columns) lines
   | _ -> []

@@ -7,5 +7,5 @@ val of_trial : string -> Outcome.run list
 (** Of a trial: a line for each seed, as [frob-sim --judge] writes it. *)
 
 val around : string -> string list
-(** Of the text of a recording that ends where something failed: what the program gave at the
-    last two instants, a line for each column that has a value. *)
+(** Of the text of a recording that ends where something failed: what the program gave at the last
+    two instants, a line for each column that has a value. *)

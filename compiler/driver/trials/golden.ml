@@ -74,15 +74,21 @@ let compared context file ~input ~golden =
 
 let run context file (check : Checks.t) ~input ~output : Outcome.t =
   let outcome lasts result note =
-    { Outcome.file; label = check.label; lasts; measures = []; chance = None; note; result;
-      evidence = None }
+    {
+      Outcome.file;
+      label = check.label;
+      lasts;
+      measures = [];
+      chance = None;
+      note;
+      result;
+      evidence = None;
+    }
   in
   let golden = beside file output in
   match compared context file ~input:(beside file input) ~golden with
   | Error reason -> outcome 0. (Error reason) ""
   | Ok (text, note) ->
       let at = last_time text in
-      let run =
-        { Outcome.seed = None; fate = Held; at; by = ""; truth = []; measured = [] }
-      in
+      let run = { Outcome.seed = None; fate = Held; at; by = ""; truth = []; measured = [] } in
       outcome at (Ok [ run ]) note

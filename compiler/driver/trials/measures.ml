@@ -19,9 +19,7 @@ let places (core : Core.Ir.program) =
     List.iter add (Core.Term.parts e)
   in
   let is_own (d : Core.Ir.definition) = d.name.module_ = core.main_module in
-  List.iter
-    (fun (d : Core.Ir.definition) -> if is_own d then add d.body)
-    core.definitions;
+  List.iter (fun (d : Core.Ir.definition) -> if is_own d then add d.body) core.definitions;
   found
 
 let of_judge typed core probes =

@@ -21,17 +21,15 @@ let robots file =
   let is_robot path =
     let name = Filename.chop_suffix (Filename.basename path) ".frob" in
     let text = read_or_empty path in
-    List.for_all
-      (fun record -> Foreign_symbols.mentions text (name ^ record))
-      [ "Input"; "Output" ]
+    List.for_all (fun record -> Foreign_symbols.mentions text (name ^ record)) [ "Input"; "Output" ]
   in
   List.filter is_robot (beside file (fun name -> Filename.check_suffix name ".frob"))
 
 (* {1 What the program needs} *)
 
 type needed = {
-  own_robot : bool;  (* no robot of the library has all that it asks for *)
-  calls : string list;  (* in C *)
+  own_robot : bool; (* no robot of the library has all that it asks for *)
+  calls : string list; (* in C *)
 }
 
 let of_entry context file entry =

@@ -31,12 +31,9 @@ type t = {
 
 type skipped = { path : string; name : string; what : string; command : string }
 
-let is_failure r =
-  match r.fate with Violated | Undecided -> true | Held | Unasked | Void -> false
-
+let is_failure r = match r.fate with Violated | Undecided -> true | Held | Unasked | Void -> false
 let runs t = Result.value t.result ~default:[]
 let failures t = List.filter is_failure (runs t)
-
 let counted t = List.filter (fun r -> r.fate <> Void) (runs t)
 
 (* What can be said of chance, and after how many runs. *)
@@ -62,6 +59,7 @@ let has_failed t =
   match t.chance with
   | None -> failures t <> []
   | Some chance -> fst (decision t chance) <> Chance.Holds
+
 let count fate t = List.length (List.filter (fun r -> r.fate = fate) (runs t))
 let plural n word = Printf.sprintf "%d %s%s" n word (if n = 1 then "" else "s")
 
@@ -96,14 +94,15 @@ let told t =
 let verdict t =
   match (t.result, told t) with
   | Error reason, _ -> reason
-  | Ok _, failures when t.chance <> None ->
+  | Ok _, failures when t.chance <> None -> (
       let said = of_chance t (Option.get t.chance) in
-      (match failures with
+      match failures with
       | first :: _ when has_failed t -> Printf.sprintf "%s; %s%s" said (seed first) (why first)
       | _ -> said)
   | Ok [ { seed = None; _ } ], first :: _ -> why first
   | Ok runs, first :: _ ->
-      Printf.sprintf "%d of %s; %s%s" (List.length (failures t))
+      Printf.sprintf "%d of %s; %s%s"
+        (List.length (failures t))
         (plural (List.length runs) "seed")
         (seed first) (why first)
   | Ok runs, [] ->
@@ -180,9 +179,13 @@ let json t =
       match r.truth with
       | [ x; y; heading; clearance; touches; driven; lost ] ->
           [
-            ("x", Float x); ("y", Float y); ("heading", Float heading);
-            ("clearance", Float clearance); ("touches", Bool (touches <> 0.));
-            ("driven", Float driven); ("odometry_error", Float lost);
+            ("x", Float x);
+            ("y", Float y);
+            ("heading", Float heading);
+            ("clearance", Float clearance);
+            ("touches", Bool (touches <> 0.));
+            ("driven", Float driven);
+            ("odometry_error", Float lost);
           ]
       | _ -> []
     in
@@ -218,8 +221,11 @@ let json t =
         in
         let fields =
           [
-            ("share", Float chance.share); ("confidence", Float chance.confidence);
-            ("decision", String decision); ("least", Float least); ("most", Float most);
+            ("share", Float chance.share);
+            ("confidence", Float chance.confidence);
+            ("decision", String decision);
+            ("least", Float least);
+            ("most", Float most);
           ]
         in
         [ ("chance", Object fields) ]
@@ -232,7 +238,9 @@ let json t =
   to_string
     (Object
        ([
-          ("file", String t.file); ("label", String t.label); ("ok", Bool (not (has_failed t)));
+          ("file", String t.file);
+          ("label", String t.label);
+          ("ok", Bool (not (has_failed t)));
           ("lasts", Float t.lasts);
         ]
        @ chance @ result @ evidence))
@@ -242,7 +250,9 @@ let skipped_json { path; name; what; command } =
   to_string
     (Object
        [
-         ("file", String path); ("label", String name); ("skipped", String ("needs " ^ what));
+         ("file", String path);
+         ("label", String name);
+         ("skipped", String ("needs " ^ what));
          ("command", String command);
        ])
 

@@ -16,7 +16,6 @@ type run = {
   measured : (string * float) list;  (** by {!Measures.t.probe}, at its end *)
 }
 
-(** What can be looked at of a run that failed. *)
 type evidence = {
   run : run;  (** it *)
   truth : float list;  (** as in a run, of the one that can be looked at, which is shrunk *)
@@ -25,6 +24,7 @@ type evidence = {
   picture : string;
   view : string;  (** the command that shows it *)
 }
+(** What can be looked at of a run that failed. *)
 
 type t = {
   file : string;
@@ -37,26 +37,27 @@ type t = {
   evidence : evidence option;
 }
 
-(** A test that was not run, as it needs what is given on the command line alone. *)
 type skipped = {
   path : string;  (** of its program *)
   name : string;  (** its label *)
   what : string;  (** that it needs *)
   command : string;  (** that runs it *)
 }
+(** A test that was not run, as it needs what is given on the command line alone. *)
 
 val failures : t -> run list
 val has_failed : t -> bool
 
 val decided : t -> int option
-(** After how many of its runs it could be said whether it holds with the chance that is asked
-    for; nothing if it cannot be, or if none is. *)
+(** After how many of its runs it could be said whether it holds with the chance that is asked for;
+    nothing if it cannot be, or if none is. *)
 
 val print : t -> unit
 (** A line on standard output, and more below it if it has failed. *)
 
 val print_skipped : skipped -> unit
 val print_total : t list -> skipped:int -> unit
+
 val json : t -> string
 (** An object in a line. *)
 

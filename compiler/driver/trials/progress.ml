@@ -3,14 +3,12 @@ type t = {
   total : int;
   started : float;
   mutable completed : int;
-  mutable shown : float;  (* when *)
+  mutable shown : float; (* when *)
 }
 
 let is_seen = lazy (Unix.isatty Unix.stderr)
 let between_looks = 0.1
-
-let start label ~total =
-  { label; total; started = Unix.gettimeofday (); completed = 0; shown = 0. }
+let start label ~total = { label; total; started = Unix.gettimeofday (); completed = 0; shown = 0. }
 
 let span seconds =
   if seconds < 60. then Printf.sprintf "%.0f s" seconds
@@ -26,9 +24,8 @@ let left t now =
 let add t count =
   t.completed <- t.completed + count;
   let now = Unix.gettimeofday () in
-  if Lazy.force is_seen && now -. t.shown > between_looks then begin
+  if Lazy.force is_seen && now -. t.shown > between_looks then (
     t.shown <- now;
-    Printf.eprintf "\r\027[K%s: %d of %d runs%s%!" t.label t.completed t.total (left t now)
-  end
+    Printf.eprintf "\r\027[K%s: %d of %d runs%s%!" t.label t.completed t.total (left t now))
 
 let finish t = if t.shown > 0. then Printf.eprintf "\r\027[K%!"

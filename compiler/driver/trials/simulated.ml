@@ -25,7 +25,7 @@ type prepared = {
   context : Checking.t;
   file : string;
   check : Checks.t;
-  world : string;  (* the path *)
+  world : string; (* the path *)
   program : string;
   judge : string;
   measures : Measures.t list;
@@ -46,8 +46,18 @@ let command p ?(world = p.world) (first, last) more =
   let { Checking.resources; options; _ } = p.context in
   ( resources.simulator,
     [
-      p.program; "--world"; world; "--judge"; p.judge; "--for"; Printf.sprintf "%.9f" p.check.lasts;
-      "--rate"; Printf.sprintf "%.9g" options.rate; "--seed"; string_of_int first; "--last-seed";
+      p.program;
+      "--world";
+      world;
+      "--judge";
+      p.judge;
+      "--for";
+      Printf.sprintf "%.9f" p.check.lasts;
+      "--rate";
+      Printf.sprintf "%.9g" options.rate;
+      "--seed";
+      string_of_int first;
+      "--last-seed";
       string_of_int last;
     ]
     @ more )
@@ -165,8 +175,16 @@ let shortest = function
 
 let run context file (check : Checks.t) { Checks.world; first; last; chance } : Outcome.t =
   let outcome ?(measures = []) result evidence =
-    { Outcome.file; label = check.label; lasts = check.lasts; measures; chance; note = ""; result;
-      evidence }
+    {
+      Outcome.file;
+      label = check.label;
+      lasts = check.lasts;
+      measures;
+      chance;
+      note = "";
+      result;
+      evidence;
+    }
   in
   match prepared context file check world with
   | Error reason -> outcome (Error reason) None

@@ -6,10 +6,7 @@ let mentions_tests text =
   in
   List.exists is_test (String.split_on_char '\n' text)
 
-type file = {
-  path : string;
-  named : bool;  (* by the user; others were found in a folder *)
-}
+type file = { path : string; named : bool (* by the user; others were found in a folder *) }
 
 (* In a folder all files with tests, in the order of their names. *)
 let rec files ?(named = true) path =
@@ -77,12 +74,10 @@ let of_file (context : Checking.t) { path = file; named } =
   let wanted = List.filter is_wanted !found in
   match if named || wanted = [] then None else Needs.of_file context file wanted with
   | None -> { status; ran = List.map outcome wanted; skipped = [] }
-  | Some needs ->
-      { status; ran = []; skipped = List.map (skip context.options file needs) wanted }
+  | Some needs -> { status; ran = []; skipped = List.map (skip context.options file needs) wanted }
 
 let finish (options : Checking.options) all skipped =
-  if not (options.json || all = []) then
-    Outcome.print_total all ~skipped:(List.length skipped);
+  if not (options.json || all = []) then Outcome.print_total all ~skipped:(List.length skipped);
   match options.junit with
   | None -> Ok ()
   | Some path -> (
@@ -119,6 +114,6 @@ let run (general : General.t) ~sources (options : Checking.options) paths =
           match finish options all skipped with
           | Error reason -> General.wrong_use reason
           | Ok () when List.exists Outcome.has_failed all -> Exit_status.rejected
-          | Ok () when all = [] && rejected = None -> 
+          | Ok () when all = [] && rejected = None ->
               General.wrong_use "no test was run; what runs those skipped is above"
           | Ok () -> Option.value rejected ~default:Exit_status.ok))

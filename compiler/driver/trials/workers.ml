@@ -45,10 +45,14 @@ let run ?(ended = ignore) ~jobs commands =
   in
   Array.iteri
     (fun number command ->
-      while Hashtbl.length running >= max 1 jobs do take () done;
+      while Hashtbl.length running >= max 1 jobs do
+        take ()
+      done;
       Hashtbl.replace running (start folder number command) number)
     commands;
-  while Hashtbl.length running > 0 do take () done;
+  while Hashtbl.length running > 0 do
+    take ()
+  done;
   let result number status =
     let path extension = Filename.concat folder (string_of_int number ^ extension) in
     { status; output = read (path ".out"); errors = read (path ".err") }

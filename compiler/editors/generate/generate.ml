@@ -4,8 +4,20 @@ open Basis
 
 (* What begins declarations; all other words make expressions. *)
 let declaring =
-  [ "module"; "import"; "qualified"; "as"; "data"; "type"; "unit"; "primitive"; "class"; "instance";
-    "foreign"; "param" ]
+  [
+    "module";
+    "import";
+    "qualified";
+    "as";
+    "data";
+    "type";
+    "unit";
+    "primitive";
+    "class";
+    "instance";
+    "foreign";
+    "param";
+  ]
 
 let declarations, expressions = List.partition (fun w -> List.mem w declaring) Syntax.Lexer.keywords
 
@@ -68,14 +80,17 @@ let quoted symbol =
 
 let any words = "(?:" ^ String.concat "|" (List.map quoted words) ^ ")"
 let word words = "(?<![A-Za-z0-9_'.])" ^ any words ^ "(?![A-Za-z0-9_'])"
-
 let rule name pattern : Json.t = Object [ ("name", String name); ("match", String pattern) ]
 let include_ name : Json.t = Object [ ("include", String ("#" ^ name)) ]
 
 let region ?(patterns = []) name ~from ~upto : Json.t =
   Object
-    [ ("name", String name); ("begin", String from); ("end", String upto);
-      ("patterns", List patterns) ]
+    [
+      ("name", String name);
+      ("begin", String from);
+      ("end", String upto);
+      ("patterns", List patterns);
+    ]
 
 let textmate tree : Json.t =
   let repository =
@@ -98,7 +113,8 @@ let textmate tree : Json.t =
           Object
             [
               ("name", String "meta.unit.frob");
-              ("begin", String "(?<=[A-Za-z0-9_'])\\["); ("end", String "\\]|$");
+              ("begin", String "(?<=[A-Za-z0-9_'])\\[");
+              ("end", String "\\]|$");
               ( "patterns",
                 List
                   [
@@ -112,8 +128,7 @@ let textmate tree : Json.t =
       ( "numbers",
         [
           rule "constant.numeric.frob"
-            "(?<![A-Za-z0-9_'])(?:0[xX][0-9A-Fa-f_]+|0[oO][0-7_]+|0[bB][01_]+|\
-             [0-9][0-9_]*(?:\\.[0-9][0-9_]*)?(?:[eE][+-]?[0-9]+)?)";
+            "(?<![A-Za-z0-9_'])(?:0[xX][0-9A-Fa-f_]+|0[oO][0-7_]+|0[bB][01_]+|[0-9][0-9_]*(?:\\.[0-9][0-9_]*)?(?:[eE][+-]?[0-9]+)?)";
         ] );
       ( "keywords",
         [
@@ -138,9 +153,10 @@ let textmate tree : Json.t =
   in
   Object
     [
-      ("$schema",
-        String "https://raw.githubusercontent.com/martinring/tmlanguage/master/tmlanguage.json");
-      ("name", String "Frob"); ("scopeName", String "source.frob");
+      ( "$schema",
+        String "https://raw.githubusercontent.com/martinring/tmlanguage/master/tmlanguage.json" );
+      ("name", String "Frob");
+      ("scopeName", String "source.frob");
       ("fileTypes", List [ String "frob" ]);
       ( "patterns",
         List
@@ -169,8 +185,7 @@ let rec pretty indent (json : Json.t) =
            (fun (name, value) inner ->
              Printf.sprintf "%s: %s" (Json.to_string (String name)) (pretty inner value))
            members)
-  | List (_ :: _ as elements) ->
-      lines "[" "]" (List.map (fun e inner -> pretty inner e) elements)
+  | List (_ :: _ as elements) -> lines "[" "]" (List.map (fun e inner -> pretty inner e) elements)
   | other -> Json.to_string other
 
 (* {1 Vim} *)
@@ -187,12 +202,15 @@ let vim tree =
   String.concat "\n"
     [
       "\" Frob: generated from the compiler's tables (compiler/editors/generate).";
-      "if exists('b:current_syntax')"; "  finish"; "endif"; "";
+      "if exists('b:current_syntax')";
+      "  finish";
+      "endif";
+      "";
       "syntax match frobName /\\<[a-z_][A-Za-z0-9_']*/";
       "syntax match frobType /\\<[A-Z][A-Za-z0-9_']*/";
       "syntax match frobOperator /" ^ String.concat "\\|" (List.map symbol operators) ^ "/";
-      "syntax match frobNumber /\\<\\(0[xX][0-9A-Fa-f_]\\+\\|0[oO][0-7_]\\+\\|0[bB][01_]\\+\\|\
-       [0-9][0-9_]*\\(\\.[0-9][0-9_]*\\)\\?\\([eE][+-]\\?[0-9]\\+\\)\\?\\)/";
+      "syntax match frobNumber \
+       /\\<\\(0[xX][0-9A-Fa-f_]\\+\\|0[oO][0-7_]\\+\\|0[bB][01_]\\+\\|[0-9][0-9_]*\\(\\.[0-9][0-9_]*\\)\\?\\([eE][+-]\\?[0-9]\\+\\)\\?\\)/";
       "syntax region frobUnit matchgroup=frobOperator start=/[A-Za-z0-9_']\\@<=\\[/ end=/\\]/ \
        oneline";
       "syntax match frobFunction /^[a-z_][A-Za-z0-9_']*\\ze\\s*\\(,[^=]*\\)\\?::/";
@@ -202,14 +220,22 @@ let vim tree =
       "syntax keyword frobConstant " ^ line (constants tree);
       "syntax region frobString start=/\"/ skip=/\\\\./ end=/\"/ oneline";
       "syntax region frobComment start=/--/ end=/$/ oneline contains=@Spell";
-      "syntax region frobComment start=/{-/ end=/-}/ contains=frobComment,@Spell"; "";
-      "highlight default link frobType Type"; "highlight default link frobPreludeType Type";
-      "highlight default link frobOperator Operator"; "highlight default link frobNumber Number";
-      "highlight default link frobUnit Special"; "highlight default link frobFunction Function";
+      "syntax region frobComment start=/{-/ end=/-}/ contains=frobComment,@Spell";
+      "";
+      "highlight default link frobType Type";
+      "highlight default link frobPreludeType Type";
+      "highlight default link frobOperator Operator";
+      "highlight default link frobNumber Number";
+      "highlight default link frobUnit Special";
+      "highlight default link frobFunction Function";
       "highlight default link frobDeclaration Keyword";
       "highlight default link frobKeyword Keyword";
-      "highlight default link frobConstant Constant"; "highlight default link frobString String";
-      "highlight default link frobComment Comment"; ""; "let b:current_syntax = 'frob'"; "";
+      "highlight default link frobConstant Constant";
+      "highlight default link frobString String";
+      "highlight default link frobComment Comment";
+      "";
+      "let b:current_syntax = 'frob'";
+      "";
     ]
 
 (* {1 Emacs} *)
@@ -221,11 +247,17 @@ let emacs tree =
   in
   String.concat "\n"
     [
-      ";;; frob-words.el --- the words of Frob -*- lexical-binding: t -*-"; "";
-      ";; Generated from the compiler's tables (compiler/editors/generate)."; "";
-      list "frob-words-declarations" declarations; list "frob-words-keywords" expressions;
-      list "frob-words-types" (types tree); list "frob-words-constants" (constants tree);
-      "(provide 'frob-words)"; ";;; frob-words.el ends here"; "";
+      ";;; frob-words.el --- the words of Frob -*- lexical-binding: t -*-";
+      "";
+      ";; Generated from the compiler's tables (compiler/editors/generate).";
+      "";
+      list "frob-words-declarations" declarations;
+      list "frob-words-keywords" expressions;
+      list "frob-words-types" (types tree);
+      list "frob-words-constants" (constants tree);
+      "(provide 'frob-words)";
+      ";;; frob-words.el ends here";
+      "";
     ]
 
 let () =

@@ -32,7 +32,8 @@ async function start() {
     } catch (error) {
         vscode.window.showErrorMessage(
             `Frob: ${setting("compiler")} lsp cannot be started (${error.message}). ` +
-            "Install frobc, or say where it is in the setting frob.compiler.");
+                "Install frobc, or say where it is in the setting frob.compiler.",
+        );
     }
 }
 
@@ -44,7 +45,8 @@ exports.activate = async (context) => {
             if (!event.affectsConfiguration("frob.compiler")) return;
             await client?.stop();
             await start();
-        }));
+        }),
+    );
     await start();
 };
 

@@ -8,8 +8,7 @@ type t = {
   definitions : (int, Ir.rhs) Hashtbl.t;
   narrowed : (int, unit) Hashtbl.t;  (** signals of which more is known now *)
   followed : (int, unit) Hashtbl.t;
-      (** in this round, and not again while no more is known of them: signals
-          are shared *)
+      (** in this round, and not again while no more is known of them: signals are shared *)
   mutable changed : bool;
 }
 
@@ -80,7 +79,7 @@ and follow t (rhs : Ir.rhs) b =
       choice t condition
         ~then_:(can_be t then_ b, fun () -> assume t then_ b)
         ~else_:(can_be t else_ b, fun () -> assume t else_ b)
-  | Is_constructor (value, k) -> restrict t value (fun (other, _) -> (other = k) = b)
+  | Is_constructor (value, k) -> restrict t value (fun (other, _) -> other = k = b)
   | Op _ | Construct _ | Payload _ | Delay _ | Elements _ | Fill _ | Index _ | At _ | Replace _
   | Param _ | Absent | Time _ | Step_time | Ticks _ | Integral _ | Derivative _ ->
       ()
@@ -95,12 +94,12 @@ and comparison t (operator : Ir.operator) x y b =
 (* A number is in this range, which is within what is known of it. *)
 and number t (atom : Ir.atom) range =
   match atom with
-  | Signal s when range <> read t atom -> (
+  | Signal s when range <> read t atom ->
       narrow t s range;
       follow_once t s (function
         | Copy made -> number_within t made range
         | Payload _ -> back t atom (fun made -> number_within t made range)
-        | _ -> ()))
+        | _ -> ())
   | Signal _ | Bool _ | Int _ | Float _ -> ()
 
 and number_within t atom range =
@@ -174,8 +173,14 @@ let narrowed values ~read ~evaluate equations assumed =
   let definitions = Hashtbl.create 64 in
   List.iter (fun (e : Ir.equation) -> Hashtbl.replace definitions e.defines.id e.rhs) equations;
   let t =
-    { values = Hashtbl.copy values; read; definitions; narrowed = Hashtbl.create 16;
-      followed = Hashtbl.create 16; changed = false }
+    {
+      values = Hashtbl.copy values;
+      read;
+      definitions;
+      narrowed = Hashtbl.create 16;
+      followed = Hashtbl.create 16;
+      changed = false;
+    }
   in
   let rec again round =
     t.changed <- false;

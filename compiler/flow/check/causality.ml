@@ -29,11 +29,7 @@ let passage (program : Ir.program) passages (node : Dependency.node) (instance :
 (* How a definition of vertex [v] reads one of vertex [w]. *)
 let hop program passages (node : Dependency.node) (v, w) =
   let reading definition =
-    let read =
-      List.find_opt
-        (fun s -> node.vertex s = w)
-        (Dependency.reads passages definition)
-    in
+    let read = List.find_opt (fun s -> node.vertex s = w) (Dependency.reads passages definition) in
     match (definition, read) with
     | _, None | Dependency.Parameter, _ -> None
     | Equation e, Some read -> Some { reader = e.defines; read; at = e.span; via = [] }
@@ -151,7 +147,7 @@ let report_named entry hops =
   let at = first.reader.span in
   let label d hop =
     (if Span.compare hop.at at = 0 && d.Diagnostic.here = "" then Diagnostic.here (reads hop) d
-    else Diagnostic.label ~at:hop.at (Printf.sprintf "`%s` %s" hop.reader.name (reads hop)) d)
+     else Diagnostic.label ~at:hop.at (Printf.sprintf "`%s` %s" hop.reader.name (reads hop)) d)
     |> label_elsewhere hop
   in
   let d =
@@ -163,8 +159,7 @@ let report_named entry hops =
     let own (_, (at : Span.t)) = Own_code.is_own ~entry at in
     match (List.concat_map elsewhere hops, Own_code.is_own ~entry last.at) with
     | (_ :: _ as others), false -> hint_elsewhere (fst (List.hd others))
-    | others, true when List.exists own others ->
-        hint_elsewhere (fst (List.find own others))
+    | others, true when List.exists own others -> hint_elsewhere (fst (List.find own others))
     | _, true -> hint_here first last
     | [], false -> hint_within
   in
@@ -202,9 +197,7 @@ let report program entry passages uses index (node : Dependency.node) component 
   let edges = List.rev (List.rev_map2 (fun v w -> (v, w)) cycle next) in
   let hops = Long_list.map (hop program passages node) edges in
   let d =
-    match named_hops hops with
-    | Some hops -> report_named entry hops
-    | None -> report_unnamed hops
+    match named_hops hops with Some hops -> report_named entry hops | None -> report_unnamed hops
   in
   match Own_code.use uses ~entry index with
   | None -> d

@@ -1,11 +1,10 @@
 (** Causality: no signal may need its own value within one instant.
 
-    Reads a linted flow program and leaves it unchanged. [Delay] and
-    [Integral] break a dependency; an [Instance] passes on only the inputs
-    that its node reads in the same instant (see {!Dependency}). Method:
-    strongly connected components of the same-instant dependency graph of each
-    node; one diagnostic each, showing the shortest loop. *)
+    Reads a linted flow program and leaves it unchanged. [Delay] and [Integral] break a dependency;
+    an [Instance] passes on only the inputs that its node reads in the same instant (see
+    {!Dependency}). Method: strongly connected components of the same-instant dependency graph of
+    each node; one diagnostic each, showing the shortest loop. *)
 
 val check : Basis.Diagnostic.sink -> entry:Basis.Span.t -> Ir.program -> unit
-(** Emits [E0401] for each loop. The entry is where the program is defined: a loop
-    that the library closes is shown with what the program runs there. *)
+(** Emits [E0401] for each loop. The entry is where the program is defined: a loop that the library
+    closes is shown with what the program runs there. *)

@@ -93,8 +93,7 @@ let of_machine first index (m : Ir.machine) =
           let longest = List.fold_left (fun n (_, state) -> max n length.(state)) 0 in
           let steps =
             match List.map longest roots with
-            | [ start; late; strict; running ] ->
-                max (max start (1 + running) + late) strict
+            | [ start; late; strict; running ] -> max (max start (1 + running) + late) strict
             | _ -> Diagnostic.bug ~stage:"Flow.Chains" "other roots"
           in
           if steps > most + 1 then Goes_far else Ends { steps; possible = possible modes states })

@@ -103,7 +103,8 @@ let of_node passages (node : Ir.node) =
         (fun all v ->
           List.fold_left
             (fun all w -> if needs.(w) == all then all else Inputs.union all needs.(w))
-            (Inputs.union all needs.(v)) graph.(v))
+            (Inputs.union all needs.(v))
+            graph.(v))
         Inputs.empty component
     in
     List.iter (fun v -> needs.(v) <- all) component

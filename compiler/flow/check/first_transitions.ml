@@ -2,9 +2,7 @@ open Basis
 
 (* Which instant is looked at: of what was just started, or of what may have
    run for any time. *)
-type instant =
-  | First
-  | Any
+type instant = First | Any
 
 type t = {
   program : Ir.program;
@@ -46,9 +44,7 @@ let read a (values : values) (atom : Ir.atom) =
     | Signal s -> Hashtbl.find_opt values s.id
     | Bool _ | Int _ | Float _ -> Range.of_constant atom
   in
-  match known with
-  | Some range -> range
-  | None -> Range.anything a.program (Operands.ty atom)
+  match known with Some range -> range | None -> Range.anything a.program (Operands.ty atom)
 
 let bind (values : values) signals ranges =
   List.iter2 (fun (s : Ir.signal) range -> Hashtbl.replace values s.id range) signals ranges
@@ -65,9 +61,7 @@ let anything_of a signals = map (fun (s : Ir.signal) -> Range.anything a.program
 (* An operation on a number and itself. *)
 let on_itself (operator : Ir.operator) (x : Range.t) : Range.t option =
   let regular =
-    match x with
-    | Floats { nan; _ } -> not nan
-    | Ints _ | Bools _ | Constructors _ -> true
+    match x with Floats { nan; _ } -> not nan | Ints _ | Bools _ | Constructors _ -> true
   in
   match (operator, x) with
   | Subtract, Floats { least; most; nan } ->
@@ -78,9 +72,7 @@ let on_itself (operator : Ir.operator) (x : Range.t) : Range.t option =
   | _ -> None
 
 let are_same (same : same) (arguments : Ir.atom list) =
-  match arguments with
-  | [ Signal s; Signal t ] -> same_as same s = same_as same t
-  | _ -> false
+  match arguments with [ Signal s; Signal t ] -> same_as same s = same_as same t | _ -> false
 
 let note_same (same : same) (e : Ir.equation) =
   let is (s : Ir.signal) = Hashtbl.replace same e.defines.id (same_as same s) in
@@ -105,8 +97,7 @@ let equation a instant same values (e : Ir.equation) =
       | true, false -> read then_
       | false, _ -> read else_
       | true, true -> Range.join (read then_) (read else_))
-  | Construct { constructor; payload }, _ ->
-      Constructors [ (constructor, Some (map read payload)) ]
+  | Construct { constructor; payload }, _ -> Constructors [ (constructor, Some (map read payload)) ]
   | Is_constructor (value, constructor), _ -> Range.has_constructor (read value) constructor
   | Payload { value; constructor; leaf }, _ -> (
       match Range.payload (read value) constructor leaf with
@@ -134,9 +125,7 @@ let possible a instant node { values; same } (transitions : Ir.transition list) 
   let equations =
     lazy
       (List.filter_map
-         (function
-           | Schedule.Equation e -> Some e
-           | Instance _ | Trial _ | Machine _ -> None)
+         (function Schedule.Equation e -> Some e | Instance _ | Trial _ | Machine _ -> None)
          (schedule a node))
   in
   let at_once before (t : Ir.transition) =
@@ -223,10 +212,10 @@ and evaluate ?(pattern = []) a instant index ~statics ~inputs =
   let values : values = Hashtbl.create 32 and same : same = Hashtbl.create 16 in
   bind values node.statics statics;
   bind values node.inputs inputs;
-  if pattern <> [] then (
-    let formals = Array.of_list (node.statics @ node.inputs) in
-    let is_same i j = if i <> j then Hashtbl.replace same formals.(i).id formals.(j).id in
-    List.iteri is_same pattern);
+  (if pattern <> [] then
+     let formals = Array.of_list (node.statics @ node.inputs) in
+     let is_same i j = if i <> j then Hashtbl.replace same formals.(i).id formals.(j).id in
+     List.iteri is_same pattern);
   List.iter
     (fun (item : Schedule.item) ->
       match item with
@@ -346,17 +335,14 @@ let parameters_of_modes a values (m : Ir.machine) =
 (* On trial what does not matter may be any value. *)
 let with_trials a (i : Ir.instance) ranges =
   let on_trial ranges (trial : Ir.trial) =
-    List.map2
-      (fun range -> function Some _ -> range | None -> None)
-      ranges trial.given
+    List.map2 (fun range -> function Some _ -> range | None -> None) ranges trial.given
   in
   let known = List.fold_left on_trial (map Option.some ranges) i.trials in
   List.map2
     (fun range (s : Ir.signal) -> Option.value range ~default:(Range.anything a.program s.ty))
     known a.program.nodes.(i.node).inputs
 
-let pass_inputs a index ranges =
-  a.arguments.(index) <- Some (joined a.arguments.(index) ranges)
+let pass_inputs a index ranges = a.arguments.(index) <- Some (joined a.arguments.(index) ranges)
 
 (* The nodes with a machine in them, for which it matters what they are given. *)
 let with_machines (program : Ir.program) =
@@ -425,9 +411,7 @@ let entered a inputs ((t : Ir.transition), { values; same }) =
 
 let of_running a ?controls index inputs =
   let node = a.program.nodes.(index) in
-  let inside =
-    evaluate a Any index ~statics:(parameters a index) ~inputs:(arguments a index)
-  in
+  let inside = evaluate a Any index ~statics:(parameters a index) ~inputs:(arguments a index) in
   let transitions = Option.value controls ~default:node.transitions in
   map (entered a inputs) (possible a Any index inside transitions)
 
@@ -462,9 +446,7 @@ let of_program ?(patient = false) (program : Ir.program) =
       program;
       schedules = Array.make count None;
       parameters =
-        Array.map
-          (fun (node : Ir.node) -> Array.make (List.length node.statics) None)
-          program.nodes;
+        Array.map (fun (node : Ir.node) -> Array.make (List.length node.statics) None) program.nodes;
       arguments = Array.make count None;
       known = Hashtbl.create 256;
       steps = lazy (if patient then literals program else []);

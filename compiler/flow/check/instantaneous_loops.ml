@@ -93,8 +93,7 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
   let cycle = map (fun (h : Chains.hop) -> h.from) hops in
   let hops = map hop hops in
   let task origin (node : Ir.node) =
-    String.equal node.origin origin
-    && Option.is_some node.machine
+    String.equal node.origin origin && Option.is_some node.machine
     && Own_code.is_own ~entry node.span
   in
   let tasks = Array.to_list program.nodes in
@@ -162,22 +161,18 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
       | Some (origin, at) when origin = name v ->
           label ~at (Printf.sprintf "`%s` may end at its first instant" origin) d
       | Some (origin, at) ->
-          label ~at
-            (Printf.sprintf "`%s` may occur at the first instant of `%s`" origin (name v))
-            d
+          label ~at (Printf.sprintf "`%s` may occur at the first instant of `%s`" origin (name v)) d
       | None -> d
     in
     label ~at:t.span
       (if name v = name w then
-       Printf.sprintf "`%s` may go on to itself at its own first instant" (name v)
-      else Printf.sprintf "`%s` may start `%s` at its own first instant" (name v) (name w))
+         Printf.sprintf "`%s` may go on to itself at its own first instant" (name v)
+       else Printf.sprintf "`%s` may start `%s` at its own first instant" (name v) (name w))
       d
   in
   let sources = List.filter_map (fun (_, _, _, source) -> source) hops in
   let by = match hops with (_, _, t, _) :: _ -> t.Ir.by | [] -> Continuation "" in
-  let event ((_, _, _, source) as hop) =
-    if by_prelude hop then None else Option.map fst source
-  in
+  let event ((_, _, _, source) as hop) = if by_prelude hop then None else Option.map fst source in
   List.fold_left label (here d) hops
   |> Diagnostic.note (note (map (fun ((v, _, _, _) as hop) -> (name v, event hop)) hops))
   |> far
@@ -190,9 +185,7 @@ let bound (program : Ir.program) (m : Ir.machine) chain =
   let entering (t : Ir.transition) = chain.(t.target) in
   let longest = List.fold_left (fun n t -> max n (entering t)) 0 in
   let running =
-    List.fold_left
-      (fun n index -> max n (1 + longest program.nodes.(index).transitions))
-      1 m.modes
+    List.fold_left (fun n index -> max n (1 + longest program.nodes.(index).transitions)) 1 m.modes
   in
   let running = max running (longest m.start) in
   let late, strict = List.partition (fun (t : Ir.transition) -> t.delayed) m.controls in
@@ -207,7 +200,7 @@ let mark (program : Ir.program) (nodes : Ir.node array) (m : Ir.machine) steps =
         if List.memq t steps.(k) then t
         else { t with at_entry = Impossible (source program node t) }
       in
-      nodes.(index) <- { nodes.(index) with transitions = map transition node.transitions })
+      nodes.(index) <- { (nodes.(index)) with transitions = map transition node.transitions })
     m.modes
 
 (* The hops of a circle of modes. *)
@@ -234,12 +227,9 @@ let chains (program : Ir.program) (expanded, first) index m : Chains.outcome =
   match Chains.of_machine (Lazy.force first) index expanded_machine with
   | Goes_far -> Goes_far
   | Goes_round hops ->
-      Goes_round
-        (List.map (fun (h : Chains.hop) -> { h with by = by_number h.by h.from }) hops)
+      Goes_round (List.map (fun (h : Chains.hop) -> { h with by = by_number h.by h.from }) hops)
   | Ends { steps; possible } ->
-      let possible =
-        Array.mapi (fun mode -> List.map (fun t -> by_number t mode)) possible
-      in
+      let possible = Array.mapi (fun mode -> List.map (fun t -> by_number t mode)) possible in
       Ends { steps; possible }
 
 let check_machine sink ~entry uses program first expanded nodes index (m : Ir.machine) =
@@ -260,10 +250,11 @@ let check_machine sink ~entry uses program first expanded nodes index (m : Ir.ma
           report ~far:Fun.id hops;
           m
       | Goes_far ->
-          let far = Printf.sprintf
-            "no end was found within %d steps, the most that an instant may take" Chains.most in
-          report ~far:(Diagnostic.note far)
-            (hops_of steps (Graph.shortest_cycle graph component));
+          let far =
+            Printf.sprintf "no end was found within %d steps, the most that an instant may take"
+              Chains.most
+          in
+          report ~far:(Diagnostic.note far) (hops_of steps (Graph.shortest_cycle graph component));
           m)
 
 let program sink ~entry (program : Ir.program) =

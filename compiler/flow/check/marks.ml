@@ -7,8 +7,8 @@ type t = {
   program : Ir.program;
   carries : bool array;  (** of sums *)
   known : (int * int list, int list * int list list) Hashtbl.t;
-      (** by node and bounds of its statics and inputs: of its outputs, and of what its
-          transitions hand on *)
+      (** by node and bounds of its statics and inputs: of its outputs, and of what its transitions
+          hand on *)
 }
 
 (* The program may have a [Mark] of its own. *)
@@ -42,10 +42,9 @@ let carrying (program : Ir.program) =
     let grown = ref false in
     Array.iteri
       (fun k (sum : Ir.sum) ->
-        if (not carries.(k)) && List.exists constructor sum.constructors then begin
+        if (not carries.(k)) && List.exists constructor sum.constructors then (
           carries.(k) <- true;
-          grown := true
-        end)
+          grown := true))
       program.sums;
     if !grown then settle ()
   in
@@ -79,10 +78,9 @@ and settle t (n : Ir.node) bounds =
   let atoms = List.map atom in
   let set (s : Ir.signal) bound =
     let bound = min beyond bound in
-    if can_carry t s.ty && bound > atom (Signal s) then begin
+    if can_carry t s.ty && bound > atom (Signal s) then (
       Int_table.replace table s.id bound;
-      grown := true
-    end
+      grown := true)
   in
   let highest rhs = List.fold_left (fun most a -> max most (atom a)) 0 (Operands.all rhs) in
   let equation (e : Ir.equation) =
@@ -94,14 +92,10 @@ and settle t (n : Ir.node) bounds =
   let instance (i : Ir.instance) =
     let statics = atoms i.statics and inputs = atoms i.inputs in
     let run inputs = fst (node t i.node (statics @ inputs)) in
-    let outputs =
-      match i.loop with None -> run inputs | Some loop -> rounds ~run loop inputs
-    in
+    let outputs = match i.loop with None -> run inputs | Some loop -> rounds ~run loop inputs in
     List.iter2 set i.outputs outputs
   in
-  let machine (m : Ir.machine) =
-    List.iter2 set m.outputs (running t m ~atoms)
-  in
+  let machine (m : Ir.machine) = List.iter2 set m.outputs (running t m ~atoms) in
   List.iter2 set (n.statics @ n.inputs) bounds;
   while !grown do
     grown := false;
@@ -114,9 +108,7 @@ and settle t (n : Ir.node) bounds =
 
 (* What comes out of a loop: accumulators as they are at the end, others as they ever are. *)
 and rounds ~run (loop : Ir.loop) inputs =
-  let accumulators =
-    List.length (List.filter (fun a -> a = Ir.Accumulator) loop.arguments)
-  in
+  let accumulators = List.length (List.filter (fun a -> a = Ir.Accumulator) loop.arguments) in
   let rec go k inputs before =
     let outputs = run inputs in
     let next = List.mapi (fun i b -> if i < accumulators then List.nth outputs i else b) inputs in
@@ -133,10 +125,9 @@ and running t (m : Ir.machine) ~atoms =
   let grown = ref true in
   let hand target arguments =
     let joined = join given.(target) arguments in
-    if joined <> given.(target) then begin
+    if joined <> given.(target) then (
       given.(target) <- joined;
-      grown := true
-    end
+      grown := true)
   in
   List.iter
     (fun (transition : Ir.transition) -> hand transition.target (atoms transition.arguments))

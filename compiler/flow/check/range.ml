@@ -54,11 +54,7 @@ let rec join a b =
   | Ints a, Ints b -> Ints { least = min a.least b.least; most = max a.most b.most }
   | Floats a, Floats b ->
       Floats
-        {
-          least = Float.min a.least b.least;
-          most = Float.max a.most b.most;
-          nan = a.nan || b.nan;
-        }
+        { least = Float.min a.least b.least; most = Float.max a.most b.most; nan = a.nan || b.nan }
   | Constructors a, Constructors b -> Constructors (union join a b)
   | (Bools _ | Ints _ | Floats _ | Constructors _), _ -> bug "values of different types"
 
@@ -176,8 +172,7 @@ let constant : t -> Ir.atom option = function
   | Floats { least; most; nan = false } when least = most && least <> 0. -> Some (Float least)
   | Bools _ | Ints _ | Floats _ | Constructors _ -> None
 
-let ints least most =
-  if least < least_int || most > most_int then any_int else Ints { least; most }
+let ints least most = if least < least_int || most > most_int then any_int else Ints { least; most }
 
 (* A bound that came out as NaN bounds nothing. *)
 let floats real ~nan bounds =
@@ -204,8 +199,7 @@ let on_floats real (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t 
   let sum (bl, bh) =
     let opposed = (ah = infinity && bl = neg_infinity) || (al = neg_infinity && bh = infinity) in
     let bounds = [ al +. bl; ah +. bh ] in
-    if List.exists Float.is_nan bounds then any_float
-    else floats real ~nan:(nan || opposed) bounds
+    if List.exists Float.is_nan bounds then any_float else floats real ~nan:(nan || opposed) bounds
   in
   if no_numbers al ah || no_numbers bl bh then None
   else
@@ -282,9 +276,7 @@ let on_ranges real (operator : Ir.operator) arguments =
   | Negate, [ Floats a ] -> Some (Floats { a with least = -.a.most; most = -.a.least })
   | Absolute, [ Floats a ] when a.least <= a.most ->
       let most = Float.max (Float.abs a.least) (Float.abs a.most) in
-      let least =
-        if a.least > 0. then a.least else if a.most < 0. then -.a.most else 0.
-      in
+      let least = if a.least > 0. then a.least else if a.most < 0. then -.a.most else 0. in
       Some (Floats { a with least; most })
   | To_float, [ Ints a ] ->
       Some (floats real ~nan:false [ float_of_int a.least; float_of_int a.most ])

@@ -23,8 +23,8 @@ let all = function
 let same_instant = function
   | Delay _ | Integral _ -> []
   | ( Copy _ | Is_constructor _ | Payload _ | Derivative _ | Op _ | If _ | Construct _ | Elements _
-    | Fill _ | Index _ | At _ | Replace _ | Time _ | Step_time | Ticks _ | Param _
-    | Absent ) as rhs ->
+    | Fill _ | Index _ | At _ | Replace _ | Time _ | Step_time | Ticks _ | Param _ | Absent ) as rhs
+    ->
       all rhs
 
 (* Most lists are short; a constructor's payload may be long. *)

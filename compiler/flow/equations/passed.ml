@@ -41,9 +41,7 @@ let places (program : Ir.program) =
   let place k j (s : Ir.signal) = Int_table.replace places s.id (k, j) in
   Array.iteri (fun k node -> Array.iteri (place k) (parameters node)) program.nodes;
   fun (atom : Ir.atom) ->
-    match atom with
-    | Signal s -> Int_table.find_opt places s.id
-    | Bool _ | Int _ | Float _ -> None
+    match atom with Signal s -> Int_table.find_opt places s.id | Bool _ | Int _ | Float _ -> None
 
 let settle program visit =
   let calls = calls program in

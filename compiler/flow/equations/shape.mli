@@ -12,8 +12,8 @@ val foreign : Ir.sum array -> Ir.ty -> Ir.foreign_type list
 (** All foreign types in a type. *)
 
 val of_the_instant : Ir.sum array -> Ir.ty -> Ir.foreign_type option
-(** The foreign type that keeps values of a type from outliving the instant, if any: one
-    that is not copyable, of which C keeps the memory. *)
+(** The foreign type that keeps values of a type from outliving the instant, if any: one that is not
+    copyable, of which C keeps the memory. *)
 
 val is_image : Ir.foreign_type -> bool
 (** What a camera saw: the one foreign type that hosts know ([frob/image.h]). *)

@@ -10,9 +10,7 @@ let is_empty t = Int_table.length t.atoms = 0
 
 let rec last t = function
   | Ir.Signal s as atom -> (
-      match Int_table.find_opt t.atoms s.id with
-      | Some next -> last t next
-      | None -> atom)
+      match Int_table.find_opt t.atoms s.id with Some next -> last t next | None -> atom)
   | (Bool _ | Int _ | Float _) as atom -> atom
 
 (* Every signal on the way is pointed at the end, so chains stay short. *)

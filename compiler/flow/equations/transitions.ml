@@ -7,8 +7,7 @@ let map f transitions =
     transitions
 
 let read_in_step (machine : Ir.machine) =
-  List.rev_append (List.rev machine.inputs)
-    (Option.to_list machine.active @ atoms machine.controls)
+  List.rev_append (List.rev machine.inputs) (Option.to_list machine.active @ atoms machine.controls)
 
 let map_machine atom signal (machine : Ir.machine) =
   {

@@ -12,8 +12,7 @@ val map_machine : (Ir.atom -> Ir.atom) -> (Ir.signal -> Ir.signal) -> Ir.machine
 (** The atoms it reads and the signals it defines. *)
 
 val into : Ir.program -> Ir.machine -> (Ir.transition -> unit) -> unit
-(** All transitions of a machine: at the start, by controls, and those of its
-    modes. *)
+(** All transitions of a machine: at the start, by controls, and those of its modes. *)
 
 val owners : Ir.program -> int option array
 (** Of each node the node of the machine that it is a mode of. *)

@@ -6,8 +6,10 @@ let candidate (nodes : Ir.node array) uses (node : Ir.node) =
   then None
   else
     match List.filter stateful node.instances with
-    | [ i ] when Option.is_some nodes.(i.node).machine && uses.(i.node) = 1 && i.trials = []
-           && i.loop = None ->
+    | [ i ]
+      when Option.is_some nodes.(i.node).machine
+           && uses.(i.node) = 1
+           && i.trials = [] && i.loop = None ->
         Some i
     | [] | _ :: _ -> None
 
@@ -25,8 +27,7 @@ let take_over (nodes : Ir.node array) (node : Ir.node) (i : Ir.instance) =
   let named (f : Ir.instance) = { f with name = Basis.Names.unique names f.name } in
   let others = List.map named others in
   let inner = List.map named callee.instances in
-  nodes.(i.node) <-
-    { callee with outputs = []; equations = []; instances = []; machine = None };
+  nodes.(i.node) <- { callee with outputs = []; equations = []; instances = []; machine = None };
   Substitution.node substitution
     {
       node with

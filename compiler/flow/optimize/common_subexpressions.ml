@@ -44,8 +44,7 @@ let round (node : Ir.node) =
         false
   in
   let visit : Schedule.item -> unit = function
-    | Equation e ->
-        ignore (meet (key_of_equation e (Operands.map atom e.rhs)) [ e.defines ] : bool)
+    | Equation e -> ignore (meet (key_of_equation e (Operands.map atom e.rhs)) [ e.defines ] : bool)
     | Instance i ->
         let key a = Operands.key (atom a) in
         let operands = Basis.Long_list.map key (i.statics @ i.inputs) in

@@ -1,8 +1,5 @@
 (* What the calls seen so far pass for a parameter. *)
-type passed =
-  | Nothing
-  | Always of Ir.atom  (** the same literal *)
-  | Different
+type passed = Nothing | Always of Ir.atom  (** the same literal *) | Different
 
 let of_atom : Ir.atom -> passed = function
   | Signal _ -> Different
@@ -26,9 +23,7 @@ let parameters (program : Ir.program) =
   let given atom = match place atom with Some (k, j) -> passed.(k).(j) | None -> of_atom atom in
   let note { Passed.callee; arguments } =
     let before = passed.(callee) in
-    let joined j (how, atom) =
-      join before.(j) (if how = Ir.Same then given atom else Different)
-    in
+    let joined j (how, atom) = join before.(j) (if how = Ir.Same then given atom else Different) in
     passed.(callee) <- Array.mapi joined arguments;
     not (Array.for_all2 ( == ) before passed.(callee))
   in

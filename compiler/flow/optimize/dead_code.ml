@@ -38,9 +38,7 @@ let consequences found (program : Ir.program) =
     found.outputs.(k).(number) <- true;
     results.(k).(number)
     ::
-    (if number < accumulators.(k) then
-       [ Ir.Signal parameters.(k).(statics.(k) + number) ]
-     else [])
+    (if number < accumulators.(k) then [ Ir.Signal parameters.(k).(statics.(k) + number) ] else [])
   in
   let parameter k number () =
     let accumulator = number - statics.(k) in
@@ -138,7 +136,10 @@ let sweep found (program : Ir.program) =
   let is_needed = is_needed found in
   let flags = Long_list.map is_needed in
   let count = ref (-1) in
-  let number runs = if runs then incr count; !count in
+  let number runs =
+    if runs then incr count;
+    !count
+  in
   let numbers = Array.map number found.runs in
   let owners = Transitions.owners program in
   let either a b = List.rev (List.rev_map2 ( || ) a b) in
@@ -200,9 +201,9 @@ let sweep found (program : Ir.program) =
     let equations = filter (fun (e : Ir.equation) -> is_needed e.defines) node.equations in
     let instances = Long_list.map_sharing instance (filter is_used node.instances) in
     if
-      node.machine = None && node.transitions = []
-      && statics == node.statics && inputs == node.inputs && outputs == node.outputs
-      && equations == node.equations && instances == node.instances
+      node.machine = None && node.transitions = [] && statics == node.statics
+      && inputs == node.inputs && outputs == node.outputs && equations == node.equations
+      && instances == node.instances
     then node
     else
       let machine = Option.bind node.machine machine in

@@ -38,9 +38,7 @@ let twins (program : Ir.program) parameters =
   let tell_apart { Passed.callee; arguments } =
     let before = twins.(callee) in
     (* What an accumulator becomes is its own. *)
-    let passed j (how, atom) =
-      (before.(j), how, key atom, if how = Ir.Accumulator then j else 0)
-    in
+    let passed j (how, atom) = (before.(j), how, key atom, if how = Ir.Accumulator then j else 0) in
     twins.(callee) <- firsts (Array.mapi passed arguments);
     twins.(callee) <> before
   in

@@ -83,9 +83,7 @@ let expand context ~signals ~instances (instance : Ir.instance) =
   in
   let atom : Ir.atom -> Ir.atom = function
     | Signal s -> (
-        match Int_table.find_opt copies s.id with
-        | Some atom -> atom
-        | None -> Signal (copy s))
+        match Int_table.find_opt copies s.id with Some atom -> atom | None -> Signal (copy s))
     | (Bool _ | Int _ | Float _) as constant -> constant
   in
   let equations =
@@ -117,9 +115,7 @@ let without_copies (node : Ir.node) =
   let substitution = Substitution.create () in
   List.iter
     (fun (e : Ir.equation) ->
-      match e.rhs with
-      | Copy a -> Substitution.replace substitution e.defines a
-      | _ -> ())
+      match e.rhs with Copy a -> Substitution.replace substitution e.defines a | _ -> ())
     node.equations;
   Substitution.node substitution node
 
@@ -139,8 +135,7 @@ let expand_chosen context chosen (node : Ir.node) =
         | Instance i ->
             let inner_equations, inner_instances = expand context ~signals ~instances i in
             (List.rev_append inner_equations equations, List.rev_append inner_instances kept))
-      ([], [])
-      (Schedule.in_source_order node)
+      ([], []) (Schedule.in_source_order node)
   in
   without_copies { node with equations = List.rev equations; instances = List.rev kept }
 
@@ -150,8 +145,8 @@ let is_one_operation context (i : Ir.instance) =
   let inputs = List.length i.inputs in
   Option.is_some i.loop
   || Array.for_all
-    (fun passed -> Dependency.Inputs.cardinal passed = inputs)
-    (Lazy.force context.passages).(i.node).passed
+       (fun passed -> Dependency.Inputs.cardinal passed = inputs)
+       (Lazy.force context.passages).(i.node).passed
 
 (* A step on trial for each set of inputs that some outputs need, if it is not
    all of them. *)

@@ -3,23 +3,21 @@ open Basis
 (* Loops to be joined. *)
 type group = {
   count : int;
-  varies : bool;  (* what is known at the start stays so: delays may start from it *)
-  members : (Ir.instance * Ir.loop) list;  (* last first *)
-  arrays : Ir.signal list;  (* that members define *)
-  after : unit Int_table.t;  (* signals that come out of it *)
+  varies : bool; (* what is known at the start stays so: delays may start from it *)
+  members : (Ir.instance * Ir.loop) list; (* last first *)
+  arrays : Ir.signal list; (* that members define *)
+  after : unit Int_table.t; (* signals that come out of it *)
 }
 
 type work = {
   program : Ir.program;
-  varying : unit Int_table.t;  (* signals that are not known at the start *)
-  mutable groups : group list;  (* latest first: only that may grow *)
+  varying : unit Int_table.t; (* signals that are not known at the start *)
+  mutable groups : group list; (* latest first: only that may grow *)
 }
 
 let note table = List.iter (fun (s : Ir.signal) -> Int_table.replace table s.id ())
 let any table = List.exists (fun (s : Ir.signal) -> Int_table.mem table s.id)
-
-let accumulators (l : Ir.loop) =
-  List.length (List.filter (fun a -> a = Ir.Accumulator) l.arguments)
+let accumulators (l : Ir.loop) = List.length (List.filter (fun a -> a = Ir.Accumulator) l.arguments)
 
 (* Each round has what another member has just made of its element. *)
 let is_direct group (argument, (atom : Ir.atom)) =
@@ -38,9 +36,7 @@ let varies work (item : Schedule.item) =
 
 let may_join group ~varies (i : Ir.instance) (l : Ir.loop) =
   let direct, others = List.partition (is_direct group) (List.combine l.arguments i.inputs) in
-  group.count = l.count
-  && Bool.equal group.varies varies
-  && direct <> []
+  group.count = l.count && Bool.equal group.varies varies && direct <> []
   && not (any group.after (Operands.signals (i.statics @ List.map snd others)))
 
 let add_loop work ~varies (i : Ir.instance) (l : Ir.loop) =
@@ -74,9 +70,9 @@ let groups_of program (node : Ir.node) =
 (* {1 The node of a joined loop} *)
 
 type context = {
-  mutable nodes : Ir.node list;  (* done, last first *)
+  mutable nodes : Ir.node list; (* done, last first *)
   mutable done_ : int;
-  numbers : int array;  (* of the nodes of the program, where they are now *)
+  numbers : int array; (* of the nodes of the program, where they are now *)
   names : Names.t;
   mutable fresh : int;
 }
@@ -101,10 +97,11 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
   let pass argument (atom : Ir.atom) (like : Ir.signal) : Ir.atom =
     let same g =
       g.argument = argument
-      && match argument with
-         | Ir.Element | Same -> (
-             match (g.atom, atom) with Ir.Signal a, Ir.Signal b -> a.id = b.id | _, _ -> false)
-         | Accumulator | Counter -> false
+      &&
+      match argument with
+      | Ir.Element | Same -> (
+          match (g.atom, atom) with Ir.Signal a, Ir.Signal b -> a.id = b.id | _, _ -> false)
+      | Accumulator | Counter -> false
     in
     match List.find_opt same !given with
     | Some g -> Signal g.parameter
@@ -223,7 +220,7 @@ let program (program : Ir.program) =
   in
   let groups = Array.map groups program.nodes in
   if Array.for_all (fun groups -> groups = []) groups then program
-  else begin
+  else
     let context =
       {
         nodes = [];
@@ -237,4 +234,3 @@ let program (program : Ir.program) =
     Array.iter take program.nodes;
     Array.iteri (fun k node -> add context program k node groups.(k)) program.nodes;
     { program with nodes = Array.of_list (List.rev context.nodes); next_id = context.fresh }
-  end

@@ -14,8 +14,7 @@ let tidy =
     Pass.make "constant-delays" Constant_delays.program "it takes simple conditions to see them";
     Pass.make "common-subexpressions" Common_subexpressions.program
       "after simplifying, which makes equal what looked different";
-    Pass.make "equal-parameters" Equal_parameters.program
-      "what is handed on stands there once";
+    Pass.make "equal-parameters" Equal_parameters.program "what is handed on stands there once";
     Pass.make "unreachable-modes" Unreachable_modes.program
       "conditions that are constant are seen to be";
     Pass.make "sole-mode" Sole_mode.program "where others cannot be reached it may be the only one";
@@ -34,14 +33,22 @@ let absorb =
   Pass.make "absorb" Absorb.program
     "late, for a machine that so becomes a part of its user is inlined no more"
 
-type step =
-  | Pass of Ir.program Pass.t
-  | Tidy  (** if anything has changed since *)
+type step = Pass of Ir.program Pass.t | Tidy  (** if anything has changed since *)
 
 (* Twice, as inlining brings loops of several nodes together. *)
 let steps =
-  [ Tidy; Pass loop_fusion; Pass inline; Tidy; Pass loop_fusion; Pass inline; Tidy;
-    Pass absorb; Pass simplify; Pass dead_code ]
+  [
+    Tidy;
+    Pass loop_fusion;
+    Pass inline;
+    Tidy;
+    Pass loop_fusion;
+    Pass inline;
+    Tidy;
+    Pass absorb;
+    Pass simplify;
+    Pass dead_code;
+  ]
 
 (* Few programs need more than three; a chain of functions could have one for each. *)
 let most_rounds = 8
@@ -52,7 +59,8 @@ let unknown (program : Ir.program) =
   let modes (m : Ir.machine) = List.length m.modes in
   Array.fold_left
     (fun n (node : Ir.node) ->
-      n + Option.fold node.machine ~none:0 ~some:modes
+      n
+      + Option.fold node.machine ~none:0 ~some:modes
       + List.length (List.filter is_signal node.outputs))
     0 program.nodes
 

@@ -49,7 +49,11 @@ let is_left_by_all (program : Ir.program) index told =
   let users = ref 0 in
   let by_user (user : Ir.node) =
     List.for_all
-      (fun (i : Ir.instance) -> i.node <> index || (incr users; is_left_too told user i))
+      (fun (i : Ir.instance) ->
+        i.node <> index
+        ||
+        (incr users;
+         is_left_too told user i))
       user.instances
   in
   Array.for_all by_user program.nodes && !users > 0
@@ -102,12 +106,14 @@ let rewrite (nodes : Ir.node array) ~fresh index (m : Ir.machine) { mode; argume
       machine = None;
     };
   let given = List.map (fun a -> ("", a)) asked in
-  nodes.(mode) <-
-    { (nodes.(mode)) with outputs = nodes.(mode).outputs @ given; transitions = [] }
+  nodes.(mode) <- { (nodes.(mode)) with outputs = nodes.(mode).outputs @ given; transitions = [] }
 
 let program (program : Ir.program) =
   let nodes = Array.copy program.nodes and next = ref program.next_id in
-  let fresh () = incr next; !next - 1 in
+  let fresh () =
+    incr next;
+    !next - 1
+  in
   let machine index (m : Ir.machine) =
     match sole nodes m with
     | Some sole when sole.ends = [] || is_left_by_all program index (told nodes sole.ends) ->

@@ -33,8 +33,7 @@ let reached (node : Ir.node) =
   List.filter_map
     (fun (e : Ir.equation) ->
       match e.rhs with
-      | Op (Less_equal, [ Float limit; time ]) when limit <= most && is_time time ->
-          Some e.defines
+      | Op (Less_equal, [ Float limit; time ]) when limit <= most && is_time time -> Some e.defines
       | _ -> None)
     node.equations
 

@@ -1,9 +1,6 @@
 open Basis
 
-type t = {
-  definitions : Ir.rhs Int_table.t;
-  values : bool Int_table.t;  (** by signal *)
-}
+type t = { definitions : Ir.rhs Int_table.t; values : bool Int_table.t  (** by signal *) }
 
 (* Deeper than a person writes a condition, and not so deep that it takes long. *)
 let depth = 6

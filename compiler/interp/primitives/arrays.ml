@@ -3,15 +3,13 @@ let bug what = Basis.Diagnostic.bug ~stage:"Interp" "%s" what
 let elements : Value.t -> Value.thunk array = function
   | Array elements -> elements
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Data _ | Function _
-  | Signal_function _ | Task _
-  | Ending _ ->
+  | Signal_function _ | Task _ | Ending _ ->
       bug "an array is something else"
 
 let number : Value.t -> int = function
   | Int n -> Int32.to_int n
   | Bool _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
-  | Signal_function _
-  | Task _ | Ending _ ->
+  | Signal_function _ | Task _ | Ending _ ->
       bug "an index is something else"
 
 let element array k = Thunk.force (elements array).(k)
@@ -22,7 +20,8 @@ let rec whole thunk =
   match (Thunk.force thunk : Value.t) with
   | Tuple parts | Array parts | Data { arguments = parts; _ } -> Array.iter whole parts
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Function _ | Signal_function _
-  | Task _ | Ending _ -> ()
+  | Task _ | Ending _ ->
+      ()
 
 let apply apply (p : Core.Primitive.t) ~size arguments : Value.t option =
   let given f = fun arguments -> apply (Thunk.force f) arguments in
@@ -66,8 +65,7 @@ let start signal_function : Value.instance =
   match (Thunk.force signal_function : Value.t) with
   | Signal_function start -> start ()
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
-  | Function _ | Task _
-  | Ending _ ->
+  | Function _ | Task _ | Ending _ ->
       bug "what is run is no signal function"
 
 let side_by_side instances : Value.instance =

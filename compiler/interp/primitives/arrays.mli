@@ -6,8 +6,8 @@ val apply :
   size:int ->
   Value.thunk list ->
   Value.t option
-(** All its arguments, given how to apply a function; [size] is that of an
-    array that has it from its type. [None] for other primitives. *)
+(** All its arguments, given how to apply a function; [size] is that of an array that has it from
+    its type. [None] for other primitives. *)
 
 val map_sf : size:int -> Value.thunk -> Value.instance
 val parallel : Value.thunk -> Value.instance

@@ -10,13 +10,11 @@ let rec equal (a : Value.t) (b : Value.t) =
   | Int a, Int b -> Int32.equal a b
   | Float a, Float b -> a = b
   | Text _, Text _ | Drawing _, Drawing _ -> true
-  | (Tuple a, Tuple b | Array a, Array b) -> List.for_all equal_parts (pairs a b)
+  | Tuple a, Tuple b | Array a, Array b -> List.for_all equal_parts (pairs a b)
   | Data a, Data b ->
-      a.constructor = b.constructor
-      && List.for_all equal_parts (pairs a.arguments b.arguments)
+      a.constructor = b.constructor && List.for_all equal_parts (pairs a.arguments b.arguments)
   | ( ( Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
-  | Function _
-      | Signal_function _ | Task _ | Ending _ ),
+      | Function _ | Signal_function _ | Task _ | Ending _ ),
       _ ) ->
       refuse ()
 
@@ -29,14 +27,13 @@ let rec ordered ~numbers ~equals (a : Value.t) (b : Value.t) =
   | Int a, Int b -> if Int32.equal a b then equals else Int32.compare a b < 0
   | Float a, Float b -> numbers a b
   | Text _, Text _ | Drawing _, Drawing _ -> equals
-  | (Tuple a, Tuple b | Array a, Array b) -> ordered_parts ~numbers ~equals (pairs a b)
+  | Tuple a, Tuple b | Array a, Array b -> ordered_parts ~numbers ~equals (pairs a b)
   | Data a, Data b ->
       if a.constructor = b.constructor then
         ordered_parts ~numbers ~equals (pairs a.arguments b.arguments)
       else a.constructor < b.constructor
   | ( ( Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
-  | Function _
-      | Signal_function _ | Task _ | Ending _ ),
+      | Function _ | Signal_function _ | Task _ | Ending _ ),
       _ ) ->
       refuse ()
 

@@ -81,8 +81,7 @@ let rec read real bytes at layout : Value.t =
   | Parts { record; parts } ->
       let values = read_all real bytes at parts in
       if record then Data { constructor = 0; arguments = values } else Tuple values
-  | Elements (count, element) ->
-      Array (read_all real bytes at (List.init count (fun _ -> element)))
+  | Elements (count, element) -> Array (read_all real bytes at (List.init count (fun _ -> element)))
   | Picture -> bug "a kernel that gives an image"
 
 and read_all real bytes at parts =

@@ -24,6 +24,7 @@ module Int = struct
           if a mod b <> 0 && a < 0 <> (b < 0) then quotient - 1 else quotient)
 
   let modulo a b = if b = 0l then 0l else Int32.sub a (Int32.mul (div a b) b)
+
   let bitwise (operation : Core.Primitive.bitwise) =
     let shift a n = if n >= 0 then a lsl min n 32 else a asr min (-n) 32 in
     match operation with
@@ -45,7 +46,6 @@ module Float = struct
 
   let minimum = extreme (fun b a -> b < a)
   let maximum = extreme (fun b a -> b > a)
-
   let add real a b = Basis.Real.round real (a +. b)
   let subtract real a b = Basis.Real.round real (a -. b)
   let multiply real a b = Basis.Real.round real (a *. b)
@@ -85,8 +85,9 @@ module Float = struct
     | Acos, [ x ] -> Elementary.acos x
     | Atan, [ x ] -> Elementary.atan x
     | Atan2, [ y; x ] -> Elementary.atan2 y x
-    | (Sqrt | Floor_float | Ceiling_float | Nanoseconds | Hypot | Exp | Log | Sin | Cos | Tan
-      | Asin | Acos | Atan | Atan2), _ ->
+    | ( ( Sqrt | Floor_float | Ceiling_float | Nanoseconds | Hypot | Exp | Log | Sin | Cos | Tan
+        | Asin | Acos | Atan | Atan2 ),
+        _ ) ->
         Basis.Diagnostic.bug ~stage:"Interp" "an elementary function of %d arguments"
           (List.length arguments)
 end

@@ -19,8 +19,8 @@ end
 
 module Float : sig
   val nan : float
-  (** The one NaN: quiet, unlike OCaml's own before 5.1, with which the C
-      library's [pow nan 0] is not 1. *)
+  (** The one NaN: quiet, unlike OCaml's own before 5.1, with which the C library's [pow nan 0] is
+      not 1. *)
 
   val signum : float -> float
   (** Zeros and NaN are their own. *)

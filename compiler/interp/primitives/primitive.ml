@@ -7,8 +7,7 @@ let bug (p : Core.Primitive.t) =
 let float : Value.t -> float = function
   | Float x -> x
   | Bool _ | Int _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
-  | Signal_function _ | Task _
-  | Ending _ ->
+  | Signal_function _ | Task _ | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Float is something else"
 
 let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
@@ -48,19 +47,14 @@ let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
   | Minimum, [ a; b ] -> if Comparison.less b a then b else a
   | Maximum, [ Float a; Float b ] -> Float (Number.Float.maximum a b)
   | Maximum, [ a; b ] -> if Comparison.less a b then b else a
-  | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
-      | Power_literal _ | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling | Truncate
-      | Equal
-      | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum | Maximum | And
-      | Or | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch
-      | Delayed_switch | Recurring_switch
-      | Delayed_recurring_switch | Initially | On_event | Map_sf | Parallel | Make_task
-      | Until_right
-      | Return | Sequence | Run_task
-      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate
-      | Ending
-      | Console _
-      | Text_of | Blank | Drawn | Together ),
+  | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power | Power_literal _
+      | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling | Truncate | Equal | Not_equal
+      | Less | Less_equal | Greater | Greater_equal | Minimum | Maximum | And | Or | Delay | Time
+      | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch
+      | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Map_sf | Parallel
+      | Make_task | Until_right | Return | Sequence | Run_task | At | Length | Replace | Generate
+      | Map | Imap | Zip_with | Foldl | Scanl | Reactimate | Ending | Console _ | Text_of | Blank
+      | Drawn | Together ),
       _ ) ->
       bug p
   | Foreign f, _ -> raise_notrace (Foreign_code f.foreign_name)
@@ -68,8 +62,8 @@ let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
 let bool p : Value.t -> bool = function
   | Bool b -> b
   | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
-  | Signal_function _ | Task _
-  | Ending _ -> bug p
+  | Signal_function _ | Task _ | Ending _ ->
+      bug p
 
 let marks p : Value.t -> Value.thunk list = function
   | Drawing marks -> marks

@@ -3,12 +3,10 @@ open Number.Float
 let float : Value.t -> float = function
   | Float x -> x
   | Bool _ | Int _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
-  | Signal_function _ | Task _
-  | Ending _ ->
+  | Signal_function _ | Task _ | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Float is something else"
 
 let zero = Thunk.known (Value.Float 0.)
-
 let successor () = None
 
 let delay initial : Value.instance =
@@ -47,8 +45,7 @@ let step_time real : Value.instance =
 let bool : Value.t -> bool = function
   | Bool b -> b
   | Float _ | Int _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
-  | Signal_function _ | Task _
-  | Ending _ ->
+  | Signal_function _ | Task _ | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Bool is something else"
 
 let time_since real nesting : Value.instance =

@@ -10,10 +10,7 @@ let float (real : Basis.Real.t) x =
   if Float.is_nan x then "nan"
   else if x = Float.infinity then "inf"
   else if x = Float.neg_infinity then "-inf"
-  else
-    match real with
-    | Double -> Printf.sprintf "%.17g" x
-    | Single -> Basis.Real.shortest real x
+  else match real with Double -> Printf.sprintf "%.17g" x | Single -> Basis.Real.shortest real x
 
 let separated separator f = function
   | [] -> ()
@@ -33,9 +30,7 @@ let write shape value =
     f ();
     if yes then put ")"
   in
-  let number place text =
-    parenthesized (place = Argument && text.[0] = '-') (fun () -> put text)
-  in
+  let number place text = parenthesized (place = Argument && text.[0] = '-') (fun () -> put text) in
   let rec value_ place (shape : Shape.t) (value : Value.t) =
     match (shape, value) with
     | Bool, Bool b -> put (string_of_bool b)
@@ -92,8 +87,8 @@ let write shape value =
             fields)
   in
   (match ((shape : Shape.t), (value : Value.t)) with
-  | Data { is_event = true; constructors = [ _; { fields = [ (_, occurrence) ]; _ } ] },
-    Data { constructor; arguments } ->
+  | ( Data { is_event = true; constructors = [ _; { fields = [ (_, occurrence) ]; _ } ] },
+      Data { constructor; arguments } ) ->
       if constructor = 1 then value_ Alone occurrence (Thunk.demand arguments.(0))
   | _, _ -> value_ Alone shape value);
   Buffer.contents out
@@ -121,11 +116,7 @@ let accept r c =
   found
 
 let expect r c what = if not (accept r c) then fail what
-
-let is_name_char = function
-  | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true
-  | _ -> false
-
+let is_name_char = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false
 let is_digit = function '0' .. '9' -> true | _ -> false
 
 (* The whole word, or nothing is read. *)
@@ -160,7 +151,9 @@ let read_int r : Value.t =
         if peek r = '.' then fail what)
   in
   (* Of a number of any length only the value counts. *)
-  match Int32.of_string_opt (without_plus text) with Some n -> Int n | None -> fail what
+  match Int32.of_string_opt (without_plus text) with
+  | Some n -> Int n
+  | None -> fail what
 
 let digits r =
   let start = r.at in
@@ -169,11 +162,10 @@ let digits r =
 
 let exponent r =
   let start = r.at in
-  if peek r = 'e' || peek r = 'E' then begin
+  if peek r = 'e' || peek r = 'E' then (
     r.at <- r.at + 1;
     sign r;
-    if not (digits r) then r.at <- start
-  end
+    if not (digits r) then r.at <- start)
 
 let read_float real r : Value.t =
   let what = "a number" in
@@ -185,26 +177,23 @@ let read_float real r : Value.t =
   let is_name = match peek r with 'n' | 'i' -> true | _ -> false in
   if is_name then
     if accept_word r "nan" then Float Number.Float.nan
-    else if accept_word r "inf" then
-      Float (if negative then Float.neg_infinity else Float.infinity)
+    else if accept_word r "inf" then Float (if negative then Float.neg_infinity else Float.infinity)
     else fail what
-  else begin
+  else (
     r.at <- start;
     let text =
       token r what (fun () ->
           let whole = digits r in
           let fraction =
             peek r = '.'
-            && begin
-                 r.at <- r.at + 1;
-                 digits r
-               end
+            &&
+            (r.at <- r.at + 1;
+             digits r)
           in
           if not (whole || fraction) then fail what;
           exponent r)
     in
-    Float (Basis.Real.round real (float_of_string (without_plus text)))
-  end
+    Float (Basis.Real.round real (float_of_string (without_plus text))))
 
 (* In decimal or after 0x, in 64 bits without a sign. *)
 let read_natural r =
@@ -247,10 +236,9 @@ let rec read_value r (shape : Shape.t) : Value.t =
   | Bool | Int | Float _ | Text | Drawing | Image | Array _ | Data _ | Console _ ->
       let rec opened count = if accept r '(' then opened (count + 1) else count in
       let rec close count =
-        if count > 0 then begin
+        if count > 0 then (
           expect r ')' parenthesis;
-          close (count - 1)
-        end
+          close (count - 1))
       in
       let count = opened 0 in
       let value = read_bare r shape in
@@ -327,9 +315,7 @@ and read_record r fields =
   in
   let is_bare (_, shape) = shape = Shape.Console [] in
   let bare, seen = List.partition is_bare fields in
-  let nothing (name, _) =
-    (name, Thunk.known (Value.Data { constructor = 0; arguments = [||] }))
-  in
+  let nothing (name, _) = (name, Thunk.known (Value.Data { constructor = 0; arguments = [||] })) in
   let found = List.map nothing bare @ read [] seen in
   expect r '}' "`}`";
   Array.of_list (List.map (fun (name, _) -> List.assoc name found) fields)
@@ -339,8 +325,7 @@ let read_cell r (shape : Shape.t) : Value.t =
   match shape with
   | Data { is_event = true; constructors = [ _; { fields = [ (_, occurrence) ]; _ } ] } ->
       if r.at = String.length r.text then Data { constructor = 0; arguments = [||] }
-      else
-        Data { constructor = 1; arguments = [| Thunk.known (read_value r occurrence) |] }
+      else Data { constructor = 1; arguments = [| Thunk.known (read_value r occurrence) |] }
   | Bool | Int | Float _ | Text | Drawing | Image | Tuple _ | Array _ | Data _ | Console _ ->
       read_value r shape
 

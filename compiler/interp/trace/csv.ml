@@ -6,12 +6,7 @@ type t = {
 
 type cell = { column : int; text : string }
 type row = { line : int; cells : cell list }
-
-type problem =
-  | Unreadable of string
-  | Unclosed_quote
-  | Late_quote
-  | Zero_byte
+type problem = Unreadable of string | Unclosed_quote | Late_quote | Zero_byte
 
 exception Problem of problem
 
@@ -19,7 +14,9 @@ let peek t =
   match t.peeked with
   | Some c -> c
   | None ->
-      let c = try t.read () with Sys_error reason -> raise_notrace (Problem (Unreadable reason)) in
+      let c =
+        try t.read () with Sys_error reason -> raise_notrace (Problem (Unreadable reason))
+      in
       t.peeked <- Some c;
       c
 
@@ -31,10 +28,9 @@ let reader read = { read; peeked = None; next_line = 1 }
 let next_char t =
   let c = peek t in
   advance t;
-  if c = Some '\r' && peek t = Some '\n' then begin
+  if c = Some '\r' && peek t = Some '\n' then (
     advance t;
-    Some '\n'
-  end
+    Some '\n')
   else c
 
 let skip_byte_order_mark t =

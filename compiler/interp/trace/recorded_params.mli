@@ -9,5 +9,5 @@ val is_line : string -> bool
 val line : Core.Ir.program -> Core.Ir.param -> Value.t -> string
 
 val read : Core.Ir.program -> set:settings -> string -> (settings, string) result * string option
-(** What a line adds; a parameter that is [set] by option stays so. And a text for the user
-    about one that is, to something else, or that the program does not have. *)
+(** What a line adds; a parameter that is [set] by option stays so. And a text for the user about
+    one that is, to something else, or that the program does not have. *)

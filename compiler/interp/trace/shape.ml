@@ -91,8 +91,9 @@ let cells shape value =
         List.fold_left2
           (fun found (_, part) value -> add found part (Thunk.demand value))
           found parts (Array.to_list values)
-    | Some _, (Bool _ | Int _ | Float _ | Text _ | Image _ | Function _ | Signal_function _ | Task _
-      | Ending _) ->
+    | ( Some _,
+        ( Bool _ | Int _ | Float _ | Text _ | Image _ | Function _ | Signal_function _ | Task _
+        | Ending _ ) ) ->
         bug "a value that is not of its type"
   in
   List.rev (add [] shape value)

@@ -7,9 +7,7 @@ and place = Cell of int | At_rest of Value.t
 exception Rejected of string list
 
 let complaint name (row : Csv.row) cell format =
-  let column =
-    match List.nth_opt row.cells cell with Some { column; _ } -> column | None -> 1
-  in
+  let column = match List.nth_opt row.cells cell with Some { column; _ } -> column | None -> 1 in
   Printf.ksprintf (Printf.sprintf "%s:%d:%d: %s" name row.line column) format
 
 (* What to add to a message on a column's name or a time: blanks beside commas
@@ -31,8 +29,7 @@ let next_row name csv =
         | Unreadable reason -> (0, "cannot read the file: " ^ reason)
         | Unclosed_quote -> (0, "a quoted cell that starts in this row is never closed")
         | Late_quote ->
-            ( List.length row.cells - 1,
-              "a blank before a quote; leave no blanks beside the commas" )
+            (List.length row.cells - 1, "a blank before a quote; leave no blanks beside the commas")
         | Zero_byte -> (0, "a zero byte: this is not a CSV file")
       in
       reject [ complaint name row cell "%s" text ]
@@ -67,10 +64,9 @@ let header name columns (row : Csv.row) =
       if String.equal text "time" then None
       else complain i "the first column must be `time`, but it is `%s`%s" text (on_blanks text)
     else if Hashtbl.mem places text then complain i "column `%s` is there twice" text
-    else if Hashtbl.mem known text then begin
+    else if Hashtbl.mem known text then (
       Hashtbl.replace places text i;
-      None
-    end
+      None)
     else if is_output text then None
     else complain i "the program's input has no `%s`%s" text (on_blanks text)
   in
@@ -114,8 +110,7 @@ let nanoseconds text =
     let whole, decimals =
       match String.index_opt digits '.' with
       | None -> (digits, "")
-      | Some i ->
-          (String.sub digits 0 i, String.sub digits (i + 1) (String.length digits - i - 1))
+      | Some i -> (String.sub digits 0 i, String.sub digits (i + 1) (String.length digits - i - 1))
     in
     if not (is_number whole && is_number decimals && whole ^ decimals <> "") then None
     else
@@ -149,12 +144,11 @@ let read_row name ~frames header (row : Csv.row) =
   if List.length row.cells <> header.width then
     reject
       [
-        complaint name row header.width
-          "the header names %d columns, but cells in this row: %d%s" header.width
-          (List.length row.cells)
+        complaint name row header.width "the header names %d columns, but cells in this row: %d%s"
+          header.width (List.length row.cells)
           (if List.length row.cells > header.width then
-           "; a cell with a comma in it stands in double quotes"
-          else "");
+             "; a cell with a comma in it stands in double quotes"
+           else "");
       ];
   let cells = Array.of_list row.cells in
   let time =
@@ -175,8 +169,7 @@ let read_row name ~frames header (row : Csv.row) =
         in
         reject
           [
-            complaint name row place "column `%s`: expected %s, found %s" column.name expected
-              found;
+            complaint name row place "column `%s`: expected %s, found %s" column.name expected found;
           ]
   in
   let read (column, place) =

@@ -2,8 +2,11 @@ open Basis
 
 let action ?(more = []) ~title ~kind changes : Json.t =
   Object
-    ([ ("title", Json.String title); ("kind", String kind);
-       ("edit", Object [ ("changes", Object changes) ]) ]
+    ([
+       ("title", Json.String title);
+       ("kind", String kind);
+       ("edit", Object [ ("changes", Object changes) ]);
+     ]
     @ more)
 
 let edit range text : Json.t = Object [ ("range", range); ("newText", String text) ]
@@ -21,8 +24,7 @@ let of_fix ws (a : Analysis.t) (d : Diagnostic.t) (fix : Diagnostic.fix) =
   action ~title:fix.title ~kind:"quickfix"
     (List.map (fun (uri, edits) -> (uri, Json.List edits)) changes)
     ~more:
-      [ ("isPreferred", Bool fix.safe);
-        ("diagnostics", List [ Diagnostics.of_diagnostic ws a d ]) ]
+      [ ("isPreferred", Bool fix.safe); ("diagnostics", List [ Diagnostics.of_diagnostic ws a d ]) ]
 
 let fixes ws (a : Analysis.t) (start, stop) =
   let offset = Source.offset a.sources a.shown in
@@ -51,7 +53,8 @@ let signature ws (doc : Document.t) view facts (a : Analysis.t) (start, stop) =
     match d.desc with
     | Binding { left = Name name | Function_name { name; _ }; _ }
       when (not (List.mem name.text signed))
-           && offset d.span.start <= start && stop <= offset d.span.stop -> (
+           && offset d.span.start <= start
+           && stop <= offset d.span.stop -> (
         match Facts.global facts { module_; name = name.text } with
         | None -> None
         | Some scheme ->

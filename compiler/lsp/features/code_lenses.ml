@@ -17,8 +17,9 @@ let lens range title command path : Json.t =
       ("range", range);
       ( "command",
         Object
-          [ ("title", String title); ("command", String command);
-            ("arguments", List [ String path ]) ] );
+          [
+            ("title", String title); ("command", String command); ("arguments", List [ String path ]);
+          ] );
     ]
 
 let bounds ws (doc : Document.t) =

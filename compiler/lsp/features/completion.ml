@@ -55,9 +55,9 @@ let in_unit line =
     else None
   in
   match back (n - 1) with
-  | Some i when i > 0 && is_name line.[i - 1] ->
+  | Some i when i > 0 && is_name line.[i - 1] -> (
       let word = String.sub line (word_start line i) (i - word_start line i) in
-      (match word.[0] with '0' .. '9' | 'A' .. 'Z' -> true | _ -> String.length word = 1)
+      match word.[0] with '0' .. '9' | 'A' .. 'Z' -> true | _ -> String.length word = 1)
   | Some _ | None -> false
 
 (* Does the cursor stand in a type: behind `::`, or behind the `=` of `data` or `type`? *)
@@ -102,8 +102,11 @@ let context text tokens offset =
 
 let item ?(more = []) ?(detail = "") label kind ~rank : Json.t =
   Object
-    ([ ("label", Json.String label); ("kind", Int kind);
-       ("sortText", String (Printf.sprintf "%d%s" rank label)) ]
+    ([
+       ("label", Json.String label);
+       ("kind", Int kind);
+       ("sortText", String (Printf.sprintf "%d%s" rank label));
+     ]
     @ (if detail = "" then [] else [ ("detail", Json.String detail) ])
     @ more)
 
@@ -120,8 +123,12 @@ let data (doc : Document.t) (e : Catalogue.entry) : (string * Json.t) list =
   [
     ( "data",
       Object
-        [ ("uri", String doc.uri); ("module", String e.module_); ("name", String e.name);
-          ("value", Bool (e.space = Value)) ] );
+        [
+          ("uri", String doc.uri);
+          ("module", String e.module_);
+          ("name", String e.name);
+          ("value", Bool (e.space = Value));
+        ] );
   ]
 
 let of_entry doc ?(more = []) ?(rank = 2) (e : Catalogue.entry) =
@@ -137,8 +144,7 @@ let snippets =
     ("proc", "proc ${1:x} -> ${2:y} where\n    ${2:y} = $0", "a signal function by its equations");
     ("if", "if ${1:condition} then ${2:a} else ${3:b}", "a choice");
     ("case", "case ${1:x} of\n    ${2:pattern} -> $0", "a choice by pattern");
-    ( "switch", "switch (${1:sf} &&& ${2:event}) (\\\\${3:_} -> $0)",
-      "from one behaviour to another" );
+    ("switch", "switch (${1:sf} &&& ${2:event}) (\\\\${3:_} -> $0)", "from one behaviour to another");
     ( "main",
       "main = reactimateRobot (proc i -> roMake (setVelTR v omega) where\n\
       \    v     = ${1:0.3[m/s]}\n\
@@ -160,15 +166,11 @@ let locals (doc : Document.t) tokens text offset known =
   let start = word_start text offset in
   let in_unit = ref false in
   let add found (t : Tokens.token) =
-    (match t.token with
-    | UNIT_BRACKET -> in_unit := true
-    | RBRACKET -> in_unit := false
-    | _ -> ());
+    (match t.token with UNIT_BRACKET -> in_unit := true | RBRACKET -> in_unit := false | _ -> ());
     match t.token with
     | LOWER name
-      when (not !in_unit) && t.start >= from && t.stop <= upto
-           && t.start <> start
-           && not (List.mem name found)
+      when (not !in_unit) && t.start >= from && t.stop <= upto && t.start <> start
+           && (not (List.mem name found))
            && not (Hashtbl.mem known name) ->
         name :: found
     | _ -> found
@@ -185,8 +187,7 @@ let import_edit ws (doc : Document.t) text module_ : Json.t =
   let tokens = Tokens.of_text text in
   let last =
     Array.fold_left
-      (fun found (t : Tokens.token) ->
-        if t.token = IMPORT && t.first then Some t.start else found)
+      (fun found (t : Tokens.token) -> if t.token = IMPORT && t.first then Some t.start else found)
       None tokens
   in
   let at, line =
@@ -212,15 +213,16 @@ let importable ws doc text prefix in_scope =
           if
             String.starts_with ~prefix e.name && is_word e && e.space <> Unit && e.space <> Field
             && not (Hashtbl.mem known (e.name, e.module_))
-          then begin
+          then (
             Hashtbl.replace known (e.name, e.module_) ();
             let edit = import_edit ws doc text module_ in
             Some
               (of_entry doc e ~rank:5
                  ~more:
-                   [ ("additionalTextEdits", Json.List [ edit ]);
-                     ("detail", String ("import " ^ module_)) ])
-          end
+                   [
+                     ("additionalTextEdits", Json.List [ edit ]);
+                     ("detail", String ("import " ^ module_));
+                   ]))
           else None)
         entries
     in
@@ -247,7 +249,8 @@ let answer ws (doc : Document.t) params : Json.t =
   let start = word_start text offset in
   let prefix = String.sub text start (offset - start) in
   let of_spaces spaces =
-    List.filter (fun (e : Catalogue.entry) -> List.mem e.space spaces && is_word e)
+    List.filter
+      (fun (e : Catalogue.entry) -> List.mem e.space spaces && is_word e)
       (Lazy.force in_scope)
   in
   let items =
@@ -286,8 +289,7 @@ let answer ws (doc : Document.t) params : Json.t =
           is_word e && not (List.mem e.space [ Mentions.Field; Constructor ])
         in
         List.map (entry_item doc) (List.filter listed (Catalogue.exports ws ~directory module_))
-    | Types ->
-        List.map (entry_item doc) (of_spaces [ Type; Class ])
+    | Types -> List.map (entry_item doc) (of_spaces [ Type; Class ])
     | Expression ->
         let entries = of_spaces [ Value; Constructor ] in
         let known = Hashtbl.create 256 in
@@ -296,7 +298,7 @@ let answer ws (doc : Document.t) params : Json.t =
         @ List.map (entry_item doc) entries
         @ List.map (fun word -> item word keyword ~rank:3) keywords
         @ (if ws.snippets then List.map of_snippet snippets
-          else List.map (fun (label, _, _) -> item label keyword ~rank:3) snippets)
+           else List.map (fun (label, _, _) -> item label keyword ~rank:3) snippets)
         @ importable ws doc text prefix (Lazy.force in_scope)
   in
   Object [ ("isIncomplete", Bool (String.length prefix < 2)); ("items", List items) ]
@@ -315,8 +317,10 @@ let resolve ws (json : Json.t) : Json.t =
       | Some { view; _ } ->
           let doc =
             Option.fold (Description.doc view g) ~none:[] ~some:(fun text ->
-                [ ( "documentation",
-                    Json.Object [ ("kind", String "markdown"); ("value", String text) ] ) ])
+                [
+                  ( "documentation",
+                    Json.Object [ ("kind", String "markdown"); ("value", String text) ] );
+                ])
           in
           let detail =
             match Description.signature view g with

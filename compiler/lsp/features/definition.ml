@@ -4,7 +4,7 @@ let symbol_at ws (doc : Document.t) params =
   let ( let* ) = Option.bind in
   let offset = Workspace.offset ws doc.text (Json_reader.member "position" params) in
   let of_version seen =
-    let* seen in
+    let* seen = seen in
     let* position = View.position seen offset in
     let* occurrence = Index.at (View.index seen.view) position in
     let* _ = View.place_at seen offset occurrence.place in

@@ -54,8 +54,11 @@ let make ~range ~severity ~message ?code ~related () : Json.t =
   Object
     ([ ("range", range); ("severity", Json.Int severity) ]
     @ Option.fold code ~none:[] ~some:of_code
-    @ [ ("source", Json.String "frobc"); ("message", String message);
-        ("relatedInformation", List related) ])
+    @ [
+        ("source", Json.String "frobc");
+        ("message", String message);
+        ("relatedInformation", List related);
+      ])
 
 let severity (d : Diagnostic.t) = match d.severity with Error -> 1 | Warning -> 2
 
@@ -95,12 +98,12 @@ let parameters ws (doc : Document.t) : Json.t =
     let fault message =
       make ~range:(Workspace.range ws a.text (0, 0)) ~severity:1 ~message ~related:[] ()
     in
-    List.map (of_diagnostic ws a) a.diagnostics
-    @ Option.to_list (Option.map fault a.fault)
+    List.map (of_diagnostic ws a) a.diagnostics @ Option.to_list (Option.map fault a.fault)
   in
   Object
     [
-      ("uri", String doc.uri); ("version", doc.version);
+      ("uri", String doc.uri);
+      ("version", doc.version);
       ("diagnostics", List (Option.fold doc.latest ~none:[] ~some:of_analysis));
     ]
 

@@ -12,7 +12,10 @@ let edit ws (doc : Document.t) before after : Json.t =
   in
   (* Back to the beginning of a line, which is one in both. *)
   let rec whole i = if i > 0 && before.[n - i - 1] <> '\n' then whole (i - 1) else i in
-  let behind = let i = suffix 0 in if i = 0 then 0 else whole i in
+  let behind =
+    let i = suffix 0 in
+    if i = 0 then 0 else whole i
+  in
   let stop = n - behind in
   Object
     [

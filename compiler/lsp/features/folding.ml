@@ -30,19 +30,17 @@ let runs lines ~prefix ~kind =
   let n = Array.length lines in
   let rec go i found =
     if i >= n then found
-    else if String.starts_with ~prefix (String.trim lines.(i)) then begin
+    else if String.starts_with ~prefix (String.trim lines.(i)) then
       let rec stop j =
         if j < n && String.starts_with ~prefix (String.trim lines.(j)) then stop (j + 1) else j
       in
       let behind = stop i in
       go behind (if behind - i > 1 then (i, behind - 1, Some kind) :: found else found)
-    end
     else go (i + 1) found
   in
   go 0 []
 
 let lines_of text = Array.of_list (String.split_on_char '\n' text)
-
 let most_lines = 20_000
 
 let ranges (doc : Document.t) : Json.t =
@@ -99,8 +97,12 @@ let selections ws (doc : Document.t) params : Json.t =
   let of_position json : Json.t =
     let offset = Workspace.offset ws doc.text json in
     let whole =
-      [ word text offset; line text offset; without_last_blanks text (Tokens.item text offset);
-        (0, n) ]
+      [
+        word text offset;
+        line text offset;
+        without_last_blanks text (Tokens.item text offset);
+        (0, n);
+      ]
       @ expressions doc offset
     in
     let around (start, stop) = start <= offset && offset <= stop in
@@ -122,7 +124,6 @@ let selections ws (doc : Document.t) params : Json.t =
         (("range", Workspace.range ws doc.text range)
         :: Option.fold parent ~none:[] ~some:(fun parent -> [ ("parent", parent) ]))
     in
-    Option.get
-      (List.fold_left (fun parent range -> Some (json parent range)) None (List.rev chain))
+    Option.get (List.fold_left (fun parent range -> Some (json parent range)) None (List.rev chain))
   in
   List (List.map of_position (Json_reader.list (Json_reader.member "positions" params)))

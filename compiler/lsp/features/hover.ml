@@ -2,8 +2,7 @@ open Basis
 
 let content (d : Description.t) =
   let notes = List.map (fun note -> "*" ^ note ^ "*") d.notes in
-  String.concat "\n\n"
-    (Printf.sprintf "```frob\n%s\n```" d.code :: (Option.to_list d.doc @ notes))
+  String.concat "\n\n" (Printf.sprintf "```frob\n%s\n```" d.code :: (Option.to_list d.doc @ notes))
 
 let hover ws (doc : Document.t) range text : Json.t =
   Object
@@ -33,9 +32,7 @@ let of_expression ws (doc : Document.t) offset (seen : View.seen) =
 let answer ws (doc : Document.t) params =
   let offset = Workspace.offset ws doc.text (Json_reader.member "position" params) in
   let names = Document.names doc and types = Document.types doc in
-  let attempts =
-    [ (of_symbol, types); (of_symbol, names); (of_expression, types) ]
-  in
+  let attempts = [ (of_symbol, types); (of_symbol, names); (of_expression, types) ] in
   (* A symbol's type is in the typed version, where it may be gone. *)
   let attempt (f, seen) = Option.bind seen (f ws doc offset) in
   Option.value (List.find_map attempt attempts) ~default:Json.Null

@@ -3,8 +3,10 @@ open Basis
 let hint ws (doc : Document.t) offset text tooltip : Json.t =
   Object
     [
-      ("position", Workspace.position ws doc.text offset); ("label", String text);
-      ("kind", Int 1); ("tooltip", String tooltip);
+      ("position", Workspace.position ws doc.text offset);
+      ("label", String text);
+      ("kind", Int 1);
+      ("tooltip", String tooltip);
     ]
 
 let longest = 60

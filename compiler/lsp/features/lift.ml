@@ -10,8 +10,7 @@ let applied text edits =
   List.fold_left
     (fun text ((start, stop), piece) ->
       String.sub text 0 start ^ piece ^ String.sub text stop (String.length text - stop))
-    text
-    (List.sort latest_first edits)
+    text (List.sort latest_first edits)
 
 let rec end_of_line text i =
   if i < String.length text && text.[i] <> '\n' then end_of_line text (i + 1) else i
@@ -107,7 +106,7 @@ let is_free_standing text (start, stop) =
     let n = String.length word in
     at > n && String.equal (String.sub text (at - n - 1) (n + 1)) (" " ^ word)
   in
-  (at > 0 && String.contains "=(,[<>+-*/|&" text.[at - 1]
+  ((at > 0 && String.contains "=(,[<>+-*/|&" text.[at - 1])
   || List.exists ends [ "if"; "then"; "else"; "in"; "of" ])
   && not (stop < String.length text && text.[stop] = '.')
 
@@ -156,10 +155,7 @@ let captured view (d : declaration) =
 
 let is_free ws (doc : Document.t) tree name =
   let is_it (e : Catalogue.entry) = e.space = Mentions.Value && String.equal e.name name in
-  let declared = function
-    | Mentions.Declares (_, n, _) -> String.equal n.text name
-    | _ -> false
-  in
+  let declared = function Mentions.Declares (_, n, _) -> String.equal n.text name | _ -> false in
   let imports = Catalogue.imports (Tokens.of_text (Text.contents doc.text)) in
   not
     (List.exists is_it (Catalogue.in_scope ws doc imports)
@@ -210,8 +206,7 @@ let edits text offset view (top : declaration) found ~parameters ~signature =
     | Some s -> (
         let signed = fst (range s.span) in
         match (piece text ~alone:false (range s.span), piece text ~alone:false (start, stop)) with
-        | Some above, Some p ->
-            Some (comments_above above.from signed, p.last, [ above.cut; p.cut ])
+        | Some above, Some p -> Some (comments_above above.from signed, p.last, [ above.cut; p.cut ])
         | _ -> None)
   in
   let change (comments, last, cuts) =
@@ -234,8 +229,9 @@ let at ws (doc : Document.t) view place =
   let a = View.analysis view and tree = View.tree view in
   let text = Text.contents doc.text and offset = Source.offset a.sources a.shown in
   let* found = local offset tree place in
-  let* top = List.find_opt (fun (d : declaration) -> holds d.span found.declaration.span)
-      tree.declarations in
+  let* top =
+    List.find_opt (fun (d : declaration) -> holds d.span found.declaration.span) tree.declarations
+  in
   let name = found.name.text in
   let parameters = captured view found.declaration in
   let attempt signature =

@@ -80,8 +80,10 @@ let highlights ws (doc : Document.t) params : Json.t =
           Option.map
             (fun range ->
               Json.Object
-                [ ("range", Workspace.range ws doc.text range);
-                  ("kind", Int (if declares o then 3 else 2)) ])
+                [
+                  ("range", Workspace.range ws doc.text range);
+                  ("kind", Int (if declares o then 3 else 2));
+                ])
             (View.place seen o.place)
       in
       List (List.filter_map highlight (Index.all (View.index seen.view)))

@@ -36,7 +36,8 @@ let check_name (symbol : Index.symbol) name =
   | ((UPPER _ | LOWER _), END), Some capital ->
       Error
         (Printf.sprintf "the name of this begins with a %s letter, unlike `%s`"
-           (if capital then "capital" else "small") name)
+           (if capital then "capital" else "small")
+           name)
   | _ -> Error (Printf.sprintf "`%s` cannot be a name" name)
 
 (* {1 Edits} *)
@@ -86,9 +87,7 @@ let check ws files name =
     match List.assoc_opt path texts with Some text -> Ok text | None -> Workspace.read ws path
   in
   let one (path, ((a : Analysis.t), _)) =
-    let after =
-      Analysis.check ~library:ws.library ~read ~path (List.assoc path texts)
-    in
+    let after = Analysis.check ~library:ws.library ~read ~path (List.assoc path texts) in
     if errors after <> errors a || meaning after <> meaning a then
       Error
         (Printf.sprintf "`%s` means something else already where %s needs it" name
@@ -104,8 +103,7 @@ let answer ws (doc : Document.t) params =
   Workspace.look ws doc;
   match (References.of_symbol ws doc params, doc.latest) with
   | None, _ -> Error "there is no name here"
-  | Some _, Some { resolved = None; _ } ->
-      Error "names are wrong in this program: mend that first"
+  | Some _, Some { resolved = None; _ } -> Error "names are wrong in this program: mend that first"
   | Some (symbol, found), _ ->
       let* () = can_be_renamed ws symbol in
       let* () = check_name symbol name in

@@ -1,8 +1,17 @@
 open Basis
 
 let types =
-  [ "variable"; "parameter"; "function"; "property"; "enumMember"; "type"; "class"; "namespace";
-    "unit" ]
+  [
+    "variable";
+    "parameter";
+    "function";
+    "property";
+    "enumMember";
+    "type";
+    "class";
+    "namespace";
+    "unit";
+  ]
 
 let modifiers = [ "declaration"; "signal"; "static"; "readonly"; "defaultLibrary" ]
 
@@ -36,9 +45,9 @@ let kind (view : View.t) (o : Index.occurrence) =
   | Local -> (
       match Option.bind facts (fun facts -> Facts.local facts o.symbol.at) with
       | None -> ("variable", [])
-      | Some { scheme; level } ->
+      | Some { scheme; level } -> (
           let word = if is_function scheme.ty then "function" else "variable" in
-          (match level with
+          match level with
           | Parameter -> ((if word = "function" then word else "parameter"), [])
           | Level Signal -> (word, [ "signal" ])
           | Level Static -> (word, [ "static" ])
@@ -74,8 +83,7 @@ let answer ws (doc : Document.t) : Json.t =
         if p.line = line && p.character <= character && data <> [] then ((line, character), data)
         else
           let first = if p.line = line then p.character - character else p.character in
-          ( (p.line, p.character),
-            List.rev_append [ p.line - line; first; length; type_; bits ] data )
+          ((p.line, p.character), List.rev_append [ p.line - line; first; length; type_; bits ] data)
       in
       let tokens = List.filter_map token (Index.all (View.index seen.view)) in
       let _, data = List.fold_left add ((0, 0), []) tokens in

@@ -23,9 +23,7 @@ let name : Syntax.Grammar.token -> string option = function
   | _ -> None
 
 let call (tokens : Tokens.token array) ~from ~offset =
-  let rec last i =
-    if i >= 0 && tokens.(i).stop > offset then last (i - 1) else i
-  in
+  let rec last i = if i >= 0 && tokens.(i).stop > offset then last (i - 1) else i in
   (* From a closing bracket to its partner. *)
   let rec partner depth i =
     if i < 0 || tokens.(i).start < from then -1
@@ -57,10 +55,7 @@ let call (tokens : Tokens.token array) ~from ~offset =
   let i = last (Array.length tokens - 1) in
   (* The word that the cursor touches is being written. *)
   let touches = i >= 0 && tokens.(i).stop = offset && is_atom tokens.(i).token in
-  if touches then
-    match back (i - 1) None 0 with
-    | Some call -> Some call
-    | None -> None
+  if touches then match back (i - 1) None 0 with Some call -> Some call | None -> None
   else back i None 0
 
 let answer ws (doc : Document.t) params : Json.t =
@@ -91,9 +86,10 @@ let answer ws (doc : Document.t) params : Json.t =
                 let label = Printf.sprintf "%s :: %s" head type_ in
                 let documentation =
                   Option.fold (Description.doc view g) ~none:[] ~some:(fun text ->
-                      [ ( "documentation",
-                          Json.Object
-                            [ ("kind", String "markdown"); ("value", String text) ] ) ])
+                      [
+                        ( "documentation",
+                          Json.Object [ ("kind", String "markdown"); ("value", String text) ] );
+                      ])
                 in
                 let parameter text : Json.t = Object [ ("label", String text) ] in
                 Object
@@ -102,10 +98,13 @@ let answer ws (doc : Document.t) params : Json.t =
                       List
                         [
                           Object
-                            ([ ("label", Json.String label);
-                               ("parameters", List (List.map parameter parameters)) ]
+                            ([
+                               ("label", Json.String label);
+                               ("parameters", List (List.map parameter parameters));
+                             ]
                             @ documentation);
                         ] );
-                    ("activeSignature", Int 0); ("activeParameter", Int arguments);
+                    ("activeSignature", Int 0);
+                    ("activeParameter", Int arguments);
                   ]))
   | _ -> Null

@@ -73,8 +73,11 @@ let declaration (d : declaration) =
       [ symbol name class_ d.span ~detail:"class" ~inside:(members ms) ]
   | Instance { class_ = c; head; members = ms; _ } ->
       let detail = match head.desc with Type { name; _ } -> name.name.text | _ -> "" in
-      [ symbol { text = "instance " ^ c.name.text; span = c.span } class_ d.span ~detail
-          ~inside:(of_bindings ms) ]
+      [
+        symbol
+          { text = "instance " ^ c.name.text; span = c.span }
+          class_ d.span ~detail ~inside:(of_bindings ms);
+      ]
   | Primitive s -> List.map (fun n -> symbol n function_ d.span) s.names
   | Foreign (Foreign_value { name; _ }) -> [ symbol name function_ d.span ~detail:"foreign" ]
   | Foreign (Foreign_type { name; _ }) -> [ symbol name struct_ d.span ~detail:"foreign" ]
@@ -96,7 +99,8 @@ let of_document ws (doc : Document.t) : Json.t =
             Some
               (Json.Object
                  [
-                   ("name", String s.name.text); ("kind", Int s.kind);
+                   ("name", String s.name.text);
+                   ("kind", Int s.kind);
                    ("detail", String s.detail);
                    ("range", Workspace.range ws doc.text whole);
                    ("selectionRange", Workspace.range ws doc.text name);
@@ -112,8 +116,7 @@ let matches query name =
   let query = String.lowercase_ascii query and name = String.lowercase_ascii name in
   let rec go q n =
     q >= String.length query
-    || n < String.length name
-       && (if query.[q] = name.[n] then go (q + 1) (n + 1) else go q (n + 1))
+    || (n < String.length name && if query.[q] = name.[n] then go (q + 1) (n + 1) else go q (n + 1))
   in
   go 0 0
 
@@ -144,7 +147,8 @@ let of_workspace ws query : Json.t =
         let json (container, s) : Json.t =
           Object
             [
-              ("name", String s.name.text); ("kind", Int s.kind);
+              ("name", String s.name.text);
+              ("kind", Int s.kind);
               ("containerName", String container);
               ("location", Workspace.location ws sources s.name.span);
             ]

@@ -18,10 +18,9 @@ let expect r c = if peek r = c then r.at <- r.at + 1 else raise Malformed
 
 let word r text value =
   let n = String.length text in
-  if r.at + n <= String.length r.text && String.equal (String.sub r.text r.at n) text then begin
+  if r.at + n <= String.length r.text && String.equal (String.sub r.text r.at n) text then (
     r.at <- r.at + n;
-    value
-  end
+    value)
   else raise Malformed
 
 (* {1 Strings} *)
@@ -45,17 +44,24 @@ let unicode r =
   else
     let back = r.at in
     r.at <- r.at + 1;
-    let low = if peek r = 'u' then (r.at <- r.at + 1; hexadecimal r) else 0 in
+    let low =
+      if peek r = 'u' then (
+        r.at <- r.at + 1;
+        hexadecimal r)
+      else 0
+    in
     if is_low low then Uchar.of_int (0x10000 + ((first - 0xd800) lsl 10) + (low - 0xdc00))
-    else begin
+    else (
       r.at <- back;
-      replacement
-    end
+      replacement)
 
 let string_body r =
   expect r '"';
   let text = Buffer.create 64 in
-  let escaped c = r.at <- r.at + 1; Buffer.add_char text c in
+  let escaped c =
+    r.at <- r.at + 1;
+    Buffer.add_char text c
+  in
   let rec go () =
     if r.at >= String.length r.text then raise Malformed;
     match r.text.[r.at] with
@@ -96,7 +102,9 @@ let string_body r =
 let number r : Json.t =
   let start = r.at in
   let is_part = function '0' .. '9' | '-' | '+' | '.' | 'e' | 'E' -> true | _ -> false in
-  while is_part (peek r) do r.at <- r.at + 1 done;
+  while is_part (peek r) do
+    r.at <- r.at + 1
+  done;
   let text = String.sub r.text start (r.at - start) in
   match (int_of_string_opt text, float_of_string_opt text) with
   | Some n, _ -> Int n
@@ -109,12 +117,13 @@ let rec value depth r : Json.t =
   match peek r with
   | '{' ->
       r.at <- r.at + 1;
-      Object (sequence r '}' (fun () ->
-          skip_blanks r;
-          let name = string_body r in
-          skip_blanks r;
-          expect r ':';
-          (name, value (depth + 1) r)))
+      Object
+        (sequence r '}' (fun () ->
+             skip_blanks r;
+             let name = string_body r in
+             skip_blanks r;
+             expect r ':';
+             (name, value (depth + 1) r)))
   | '[' ->
       r.at <- r.at + 1;
       List (sequence r ']' (fun () -> value (depth + 1) r))
@@ -128,22 +137,19 @@ let rec value depth r : Json.t =
 and sequence : 'a. reader -> char -> (unit -> 'a) -> 'a list =
  fun r close element ->
   skip_blanks r;
-  if peek r = close then begin
+  if peek r = close then (
     r.at <- r.at + 1;
-    []
-  end
+    [])
   else
     let rec go elements =
       let elements = element () :: elements in
       skip_blanks r;
-      if peek r = ',' then begin
+      if peek r = ',' then (
         r.at <- r.at + 1;
-        go elements
-      end
-      else begin
+        go elements)
+      else (
         expect r close;
-        List.rev elements
-      end
+        List.rev elements)
     in
     go []
 

@@ -7,15 +7,14 @@ val of_string : string -> t
 val contents : t -> string
 
 type encoding = Utf8 | Utf16 | Utf32
-
 type position = { line : int; character : int }
 
 val position : encoding -> t -> int -> position
 (** Of an offset; inside a character, where that begins. *)
 
 val offset : encoding -> t -> position -> int
-(** The other way round. Past the end of a line it is that end; past the last line the end of
-    the text. *)
+(** The other way round. Past the end of a line it is that end; past the last line the end of the
+    text. *)
 
 val replace : t -> int -> int -> string -> t
 (** [replace t start stop text]: what is between two offsets becomes the text. *)

@@ -34,7 +34,7 @@ let to_path uri =
 
 let of_path path =
   if String.contains path ':' && not (String.starts_with ~prefix:"/" path) then path
-  else begin
+  else
     let buffer = Buffer.create (String.length path + 16) in
     Buffer.add_string buffer scheme;
     String.iter
@@ -44,4 +44,3 @@ let of_path path =
         | c -> Buffer.add_string buffer (Printf.sprintf "%%%02X" (Char.code c)))
       path;
     Buffer.contents buffer
-  end

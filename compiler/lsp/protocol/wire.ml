@@ -16,12 +16,11 @@ let longest = 256 * 1024 * 1024
 
 (* What was read already is dropped now and then. *)
 let compact t =
-  if t.from > 1_000_000 || t.from = Buffer.length t.buffered then begin
+  if t.from > 1_000_000 || t.from = Buffer.length t.buffered then (
     let rest = Buffer.sub t.buffered t.from (Buffer.length t.buffered - t.from) in
     Buffer.reset t.buffered;
     Buffer.add_string t.buffered rest;
-    t.from <- 0
-  end
+    t.from <- 0)
 
 let end_of_header t =
   let n = Buffer.length t.buffered in
@@ -53,12 +52,11 @@ let rec buffered t =
       match length_in header with
       | Some length when length >= 0 && length <= longest ->
           if body + length > Buffer.length t.buffered then None
-          else begin
+          else
             let text = Buffer.sub t.buffered body length in
             t.from <- body + length;
             compact t;
             Some text
-          end
       | Some _ | None ->
           t.from <- body;
           buffered t)
@@ -80,10 +78,9 @@ let rec next t ~timeout =
   | Some text -> Message text
   | None when t.ended -> End
   | None ->
-      if is_ready t timeout then begin
+      if is_ready t timeout then (
         read t;
-        next t ~timeout
-      end
+        next t ~timeout)
       else Nothing
 
 let write channel json =

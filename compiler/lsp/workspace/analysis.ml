@@ -17,9 +17,7 @@ exception Too_long
 let patience = ref 30.
 
 let with_timer f =
-  let set seconds =
-    ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = seconds })
-  in
+  let set seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = seconds }) in
   let before = Sys.signal Sys.sigalrm (Signal_handle (fun _ -> raise Too_long)) in
   set !patience;
   Fun.protect f ~finally:(fun () ->
@@ -68,8 +66,10 @@ let partial ~library ~read (a : t) =
   match guarded (fun () -> Driver.Front_end.partial a.sources request) with
   | Ok (Some (resolved, typed)) when !tree <> None ->
       let shown = name_in ~path:a.path resolved in
-      let is_it = Option.fold !tree ~none:false ~some:(fun (t : Syntax.Ir.program) ->
-          String.equal t.file shown) in
+      let is_it =
+        Option.fold !tree ~none:false ~some:(fun (t : Syntax.Ir.program) ->
+            String.equal t.file shown)
+      in
       let typed = Result.to_option (guarded (fun () -> Lazy.force typed)) in
       if is_it then { a with tree = !tree; shown; resolved = Some resolved; typed } else a
   | Ok _ | Error _ -> a
@@ -99,6 +99,13 @@ let check ~library ~read ~path text =
     match !tree with Some tree -> Some tree | None -> Prepared.Library.tree ~file:shown text
   in
   {
-    path; text = Text.of_string text; shown; tree; diagnostics = Diagnostic.all sink; sources;
-    resolved = !resolved; typed = !typed; fault;
+    path;
+    text = Text.of_string text;
+    shown;
+    tree;
+    diagnostics = Diagnostic.all sink;
+    sources;
+    resolved = !resolved;
+    typed = !typed;
+    fault;
   }

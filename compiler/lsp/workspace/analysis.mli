@@ -14,8 +14,12 @@ type t = {
   fault : string option;  (** the compiler's own *)
 }
 
-val check : library:string -> read:(string -> (string, Resolve.Files.error) result) ->
-  path:string -> string -> t
+val check :
+  library:string ->
+  read:(string -> (string, Resolve.Files.error) result) ->
+  path:string ->
+  string ->
+  t
 (** [read] has the texts of other modules. Raises nothing. *)
 
 val partial : library:string -> read:(string -> (string, Resolve.Files.error) result) -> t -> t
@@ -25,8 +29,8 @@ val path_of : library:string -> string -> string
 (** Where the file is that spans call so. *)
 
 val guarded : (unit -> 'a) -> ('a, string) result
-(** Whatever the compiler does, this ends, with a value or with what went wrong; after some time
-    it is given up. *)
+(** Whatever the compiler does, this ends, with a value or with what went wrong; after some time it
+    is given up. *)
 
 val patience : float ref
 (** That time, in seconds: half a minute. *)

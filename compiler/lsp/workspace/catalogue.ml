@@ -18,11 +18,11 @@ let rec items found : Tokens.token list -> string list option = function
 
 let imports tokens =
   let rec go found : Tokens.token list -> import list = function
-    | { token = IMPORT; first = true; _ } :: rest ->
+    | { token = IMPORT; first = true; _ } :: rest -> (
         let qualified, rest =
           match rest with { token = QUALIFIED; _ } :: rest -> (true, rest) | _ -> (false, rest)
         in
-        (match rest with
+        match rest with
         | { token = UPPER of_module; _ } :: rest ->
             let alias, rest =
               match rest with
@@ -163,14 +163,10 @@ let in_scope ws (doc : Document.t) imports =
       match i.items with
       | None -> List.concat_map snd groups
       | Some items ->
-          List.concat_map
-            (fun item -> Option.value (List.assoc_opt item groups) ~default:[])
-            items
+          List.concat_map (fun item -> Option.value (List.assoc_opt item groups) ~default:[]) items
   in
   List.sort_uniq compare
-    (own @ built_in
-    @ exports ws ~directory:ws.library "Prelude"
-    @ List.concat_map imported imports)
+    (own @ built_in @ exports ws ~directory:ws.library "Prelude" @ List.concat_map imported imports)
 
 let library ws =
   Driver.Program_file.files.modules_in ws.Workspace.library

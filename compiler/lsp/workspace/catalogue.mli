@@ -1,10 +1,6 @@
 (** Which names a text may use, and which it could import. *)
 
-type entry = {
-  name : string;
-  space : Mentions.space;
-  module_ : string;  (** that declares it *)
-}
+type entry = { name : string; space : Mentions.space; module_ : string  (** that declares it *) }
 
 type import = {
   of_module : string;

@@ -129,8 +129,11 @@ let of_symbol view (s : Index.symbol) =
   match s.what with
   | Local ->
       let of_local (l : Facts.local) =
-        { code = Printf.sprintf "%s :: %s" s.name (Typing.Show.scheme l.scheme);
-          notes = [ level l.level ]; doc = None }
+        {
+          code = Printf.sprintf "%s :: %s" s.name (Typing.Show.scheme l.scheme);
+          notes = [ level l.level ];
+          doc = None;
+        }
       in
       Option.map of_local (Option.bind (View.facts view) (fun facts -> Facts.local facts s.at))
   | Value g ->
@@ -143,8 +146,11 @@ let of_symbol view (s : Index.symbol) =
   | Field { record } ->
       let type_ = Option.value (field_type view ~record s.name) ~default:"…" in
       Some
-        { code = Printf.sprintf "%s :: %s" s.name (squeezed type_);
-          notes = [ Printf.sprintf "field of `%s`" record ]; doc = None }
+        {
+          code = Printf.sprintf "%s :: %s" s.name (squeezed type_);
+          notes = [ Printf.sprintf "field of `%s`" record ];
+          doc = None;
+        }
   | Constructor g | Type g | Class g | Unit g -> declared g
   | Module -> Some { code = "module " ^ s.name; notes = []; doc = None }
 

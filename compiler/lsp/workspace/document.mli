@@ -19,9 +19,9 @@ type t = {
 
 val opened : uri:string -> version:Basis.Json.t -> string -> t
 val change : t -> Text.t -> unit
+
 val looked_at : t -> partial:(Analysis.t -> Analysis.t) -> Analysis.t -> unit
 (** [partial] is asked if there never was a version without mistakes. *)
-
 
 val names : t -> View.seen option
 val types : t -> View.seen option

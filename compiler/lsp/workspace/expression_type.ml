@@ -8,9 +8,10 @@ let local (seen : View.seen) facts ~offset name =
     | Some text, Some (start, _) when String.equal text name -> Some (abs (offset - start), l)
     | _ -> None
   in
-  List.filter_map is_it (Facts.locals facts)
-  |> List.sort (fun (a, _) (b, _) -> Int.compare a b)
-  |> function (_, l) :: _ -> Some l.scheme.ty | [] -> None
+  List.filter_map is_it (Facts.locals facts) |> List.sort (fun (a, _) (b, _) -> Int.compare a b)
+  |> function
+  | (_, l) :: _ -> Some l.scheme.ty
+  | [] -> None
 
 let of_name (doc : Document.t) ~offset name =
   match Document.types doc with
@@ -23,9 +24,8 @@ let of_name (doc : Document.t) ~offset name =
           | Some ty -> Some ty
           | None ->
               let module_ = (View.program seen.view).main_module in
-              Option.map
-                (fun (s : Typing.Ir.scheme) -> s.ty)
-                (Facts.global facts { module_; name })))
+              Option.map (fun (s : Typing.Ir.scheme) -> s.ty) (Facts.global facts { module_; name })
+          ))
 
 let fields (doc : Document.t) (ty : Typing.Ir.ty) =
   match (ty, Option.bind (Document.types doc) (fun seen -> View.facts seen.view)) with

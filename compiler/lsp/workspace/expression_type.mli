@@ -1,5 +1,5 @@
-(** The type of something that is just being written, as the last version without mistakes has
-    it. *)
+(** The type of something that is just being written, as the last version without mistakes has it.
+*)
 
 val of_name : Document.t -> offset:int -> string -> Typing.Ir.ty option
 (** Of the variable or definition that this name most likely means at this offset. *)

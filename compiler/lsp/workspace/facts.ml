@@ -18,8 +18,7 @@ let of_program (program : Typing.Ir.program) ~main =
   let rec pattern level (p : pattern) =
     types := (p.span, p.ty) :: !types;
     let bound (l : Resolve.Ir.Local.t) =
-      Place_table.replace locals (Place_table.place l.span)
-        (l.span, { scheme = plain p.ty; level })
+      Place_table.replace locals (Place_table.place l.span) (l.span, { scheme = plain p.ty; level })
     in
     match p.desc with
     | Any | Literal _ -> ()
@@ -60,8 +59,7 @@ let of_program (program : Typing.Ir.program) ~main =
          (fun (c : class_declaration) ->
            List.iter (fun (g, s) -> Hashtbl.replace table g s) c.methods)
          program.classes;
-       List.iter (fun (d : definition) -> Hashtbl.replace table d.name d.scheme)
-         program.definitions;
+       List.iter (fun (d : definition) -> Hashtbl.replace table d.name d.scheme) program.definitions;
        table)
   in
   { program; types = Array.of_list !types; locals; globals }

@@ -7,7 +7,6 @@ type level =
   | Parameter  (** of a function: of the level of what it is given *)
 
 type local = { scheme : Typing.Ir.scheme; level : level }
-
 type t
 
 val of_program : Typing.Ir.program -> main:string -> t

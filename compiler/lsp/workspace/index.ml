@@ -106,12 +106,9 @@ let rec expr meant (e : Resolve.Ir.expr) =
   | Annotated { scheme = s; _ } -> scheme meant s
   | Case { branches; _ } ->
       List.iter (fun (b : Resolve.Ir.branch) -> declarations meant b.right.where) branches
-  | Let { declarations = ds; _ } | Proc { body = { equations = ds; _ }; _ } ->
-      declarations meant ds
+  | Let { declarations = ds; _ } | Proc { body = { equations = ds; _ }; _ } -> declarations meant ds
   | Sequence { statements; _ } ->
-      List.iter
-        (function Resolve.Ir.Values ds -> declarations meant ds | Task _ -> ())
-        statements
+      List.iter (function Resolve.Ir.Values ds -> declarations meant ds | Task _ -> ()) statements
   | _ -> ());
   Resolve.Walk.expr (visitor meant) e
 
@@ -126,9 +123,13 @@ and visitor meant : Resolve.Walk.visitor =
 
 let meant_by (program : Resolve.Ir.program) ~main =
   let meant =
-    { values = Place_table.create 1024; constructors = Place_table.create 256;
-      types = Place_table.create 256; classes = Place_table.create 64;
-      candidates = Place_table.create 64 }
+    {
+      values = Place_table.create 1024;
+      constructors = Place_table.create 256;
+      types = Place_table.create 256;
+      classes = Place_table.create 64;
+      candidates = Place_table.create 64;
+    }
   in
   let is_here (g : Global.t) = String.equal g.module_ main in
   List.iter (binding meant)
@@ -152,13 +153,12 @@ let meant_by (program : Resolve.Ir.program) ~main =
     program.primitives;
   List.iter
     (fun (c : Resolve.Ir.class_) ->
-      if is_here c.class_ then begin
+      if is_here c.class_ then (
         List.iter (fun (m : Resolve.Ir.method_) -> scheme meant m.scheme) c.methods;
         List.iter
           (fun (class_, (at : Span.t)) ->
             Place_table.replace meant.classes (at.start, at.start) class_)
-          c.superclasses
-      end)
+          c.superclasses))
     program.classes;
   List.iter
     (fun (i : Resolve.Ir.instance) ->
@@ -258,12 +258,9 @@ let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
         in
         match of_module module_ with
         | Some symbol -> Some symbol
-        | None ->
-            List.find_map (fun (m : Resolve.Ir.module_) -> of_module m.name) program.modules
+        | None -> List.find_map (fun (m : Resolve.Ir.module_) -> of_module m.name) program.modules
       in
-      let constructor within =
-        Place_table.find_opt meant.constructors (place within)
-      in
+      let constructor within = Place_table.find_opt meant.constructors (place within) in
       let used space (name : Syntax.Ir.qualified) (within : Span.t) =
         match (space : Mentions.space) with
         | Value -> (
@@ -277,10 +274,12 @@ let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
         | Constructor ->
             Option.map (fun g -> symbol Constructor (Constructor g) g) (constructor within)
         | Type ->
-            Option.map (fun g -> symbol Type (Type g) g)
+            Option.map
+              (fun g -> symbol Type (Type g) g)
               (Place_table.find_opt meant.types (place within))
         | Class ->
-            Option.map (fun g -> symbol Class (Class g) g)
+            Option.map
+              (fun g -> symbol Class (Class g) g)
               (Place_table.find_opt meant.classes (within.start, within.start))
         | Unit -> unit_ name.name.text
         | Field -> None

@@ -19,7 +19,6 @@ type symbol = {
 }
 
 type occurrence = { place : Span.t; symbol : symbol; declares : bool }
-
 type t
 
 val of_analysis : Analysis.t -> typed:Typing.Ir.program option -> Syntax.Ir.program -> t

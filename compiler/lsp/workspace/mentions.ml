@@ -142,9 +142,7 @@ and assignments add within fields =
 
 and branch add (b : branch) =
   pattern add b.pattern;
-  (match b.body with
-  | Always e -> expr add e
-  | If_guards guards -> guarded add guards);
+  (match b.body with Always e -> expr add e | If_guards guards -> guarded add guards);
   declarations add b.where
 
 and guarded add guards =

@@ -6,8 +6,8 @@ type space = Value | Constructor | Type | Class | Unit | Field
 
 type mention =
   | Declares of space * name * string option
-      (** at the top of the module, or as a part of a declaration there; of a field its
-          constructor *)
+      (** at the top of the module, or as a part of a declaration there; of a field its constructor
+      *)
   | Binds of name  (** a variable or a definition inside another *)
   | Signs of { name : name; binder : name option }
       (** a signature, and the name that it is of; [None] where there is none beside it *)

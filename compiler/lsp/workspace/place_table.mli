@@ -1,7 +1,6 @@
 (** Tables by places of one text. *)
 
 open Basis
-
 include Hashtbl.S with type key = Span.position * Span.position
 
 val place : Span.t -> key

@@ -18,7 +18,7 @@ let item text offset =
     i = 0
     || text.[i - 1] = '\n'
        && i < n
-       && (match text.[i] with ' ' | '\t' | '\n' | '\r' -> false | _ -> true)
+       && match text.[i] with ' ' | '\t' | '\n' | '\r' -> false | _ -> true
   in
   let rec back i = if i <= 0 || begins i then max 0 i else back (i - 1) in
   let rec forth i = if i >= n || begins i then min n i else forth (i + 1) in

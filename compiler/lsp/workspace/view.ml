@@ -37,7 +37,9 @@ let position s offset =
       let text = Text.contents s.view.analysis.text in
       let rec count i line start =
         if i >= offset then (line, start)
-        else count (i + 1) (if text.[i] = '\n' then line + 1 else line)
+        else
+          count (i + 1)
+            (if text.[i] = '\n' then line + 1 else line)
             (if text.[i] = '\n' then i + 1 else start)
       in
       let line, start = count 0 1 0 in
@@ -62,9 +64,7 @@ let place s span =
   let text = Text.contents s.now in
   let is_name_at i = i >= 0 && i < String.length text && is_name text.[i] in
   match shifted Shift.place s span with
-  | Some (start, stop)
-    when is_name_at start && (is_name_at (start - 1) || is_name_at stop) ->
-      None
+  | Some (start, stop) when is_name_at start && (is_name_at (start - 1) || is_name_at stop) -> None
   | found -> found
 
 let place_at s offset span =

@@ -10,6 +10,7 @@ val of_analysis : Analysis.t -> t option
 val analysis : t -> Analysis.t
 val tree : t -> Syntax.Ir.program
 val index : t -> Index.t
+
 val facts : t -> Facts.t option
 (** [None] if types are wrong. *)
 
@@ -28,6 +29,7 @@ val seen : t -> Text.t -> Shift.t -> seen
 (** [shift]: from the version to this text. *)
 
 val position : seen -> int -> Span.position option
+
 val place : seen -> Span.t -> (int * int) option
 (** Where a word of the version is now. *)
 

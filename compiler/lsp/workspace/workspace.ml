@@ -12,7 +12,12 @@ type t = {
 
 let create ?(disk = Driver.Program_file.files.read) ~library () =
   {
-    library; disk; documents = Hashtbl.create 16; encoding = Utf16; roots = []; inlay_hints = false;
+    library;
+    disk;
+    documents = Hashtbl.create 16;
+    encoding = Utf16;
+    roots = [];
+    inlay_hints = false;
     snippets = false;
   }
 
@@ -22,9 +27,7 @@ let read t path =
   let is_it _ (d : Document.t) found =
     if String.equal d.path path then Some (Text.contents d.text) else found
   in
-  match Hashtbl.fold is_it t.documents None with
-  | Some text -> Ok text
-  | None -> t.disk path
+  match Hashtbl.fold is_it t.documents None with Some text -> Ok text | None -> t.disk path
 
 let check t ~path text = Analysis.check ~library:t.library ~read:(read t) ~path text
 
@@ -38,10 +41,7 @@ let analysis_of t path =
   | Some d ->
       look t d;
       d.latest
-  | None -> (
-      match t.disk path with
-      | Ok text -> Some (check t ~path text)
-      | Error _ -> None)
+  | None -> ( match t.disk path with Ok text -> Some (check t ~path text) | Error _ -> None)
 
 (* {1 Files} *)
 
@@ -87,7 +87,7 @@ let range t text (start, stop) : Json.t =
   Object [ ("start", position t text start); ("end", position t text stop) ]
 
 let offset t text json =
-  let number name = Option.value (Json_reader.(int (member name json))) ~default:0 in
+  let number name = Option.value Json_reader.(int (member name json)) ~default:0 in
   Text.offset t.encoding text { line = number "line"; character = number "character" }
 
 let offsets t text json =

@@ -12,13 +12,14 @@ type t = {
   mutable snippets : bool;  (** the editor knows them *)
 }
 
-val create :
-  ?disk:(string -> (string, Resolve.Files.error) result) -> library:string -> unit -> t
+val create : ?disk:(string -> (string, Resolve.Files.error) result) -> library:string -> unit -> t
+
 val read : t -> string -> (string, Resolve.Files.error) result
 (** The text of a file, as it is in the editor if it is open there. *)
 
 val document : t -> string -> Document.t option
 val check : t -> path:string -> string -> Analysis.t
+
 val analysis_of : t -> string -> Analysis.t option
 (** Of a file that need not be open. *)
 
@@ -32,6 +33,7 @@ val files : t -> string list
 
 val position : t -> Text.t -> int -> Json.t
 val range : t -> Text.t -> int * int -> Json.t
+
 val offset : t -> Text.t -> Json.t -> int
 (** Of a position of the protocol. *)
 
@@ -39,6 +41,7 @@ val offsets : t -> Text.t -> Json.t -> int * int
 (** Of a range. *)
 
 val span_range : t -> Source.t -> Span.t -> Json.t
+
 val location : t -> Source.t -> Span.t -> Json.t
 (** Of a place in a file of a program, whose texts these are. *)
 

@@ -2,18 +2,8 @@ open Basis
 open Interface
 
 type 'a resolver = Env.t -> 'a -> Ir.expr
-
-type right =
-  | Definition of Syntax.Ir.right
-  | Run of Syntax.Ir.command
-  | Judged of Syntax.Ir.expr
-
-type item = {
-  left : Syntax.Ir.left;
-  right : right;
-  doc : string option;
-  span : Span.t;
-}
+type right = Definition of Syntax.Ir.right | Run of Syntax.Ir.command | Judged of Syntax.Ir.expr
+type item = { left : Syntax.Ir.left; right : right; doc : string option; span : Span.t }
 
 (* What documents a signature documents what it is the signature of. *)
 let docs declarations =
@@ -71,8 +61,7 @@ let signatures declarations =
     | Parameter { name; ty; value = _ } -> (name, ty) :: reversed
     | Check _ -> List.rev_append (Labels.check_signature d) reversed
     | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
-    | Primitive _
-    | Foreign _ | Claim _ ->
+    | Primitive _ | Foreign _ | Claim _ ->
         reversed
   in
   List.rev (List.fold_left add [] declarations)
@@ -125,26 +114,20 @@ let variables group table binders =
     { local; owner = Some { group; index; signed = String_map.mem local.name table } }
   in
   Array.mapi (fun i (_, locals) -> Long_list.map (variable i) locals) binders
-  |> Array.to_list
-  |> List.concat_map Fun.id
+  |> Array.to_list |> List.concat_map Fun.id
 
-let signature_of table (local : Ir.Local.t) =
-  Option.map snd (String_map.find_opt local.name table)
+let signature_of table (local : Ir.Local.t) = Option.map snd (String_map.find_opt local.name table)
 
 (* The signatures of variables that are bound by patterns. *)
 let destructured table binders =
   let signed local = Option.map (fun s -> (local, s)) (signature_of table local) in
   let of_binder ((name : Ir.binder), locals) =
-    match name with
-    | Destructure _ -> List.filter_map signed locals
-    | Inner _ | Top _ -> []
+    match name with Destructure _ -> List.filter_map signed locals | Inner _ | Top _ -> []
   in
   List.concat_map of_binder (Array.to_list binders)
 
 let parameters item =
-  match item.left with
-  | Function_name { parameters; _ } -> parameters
-  | Name _ | Pattern _ -> []
+  match item.left with Function_name { parameters; _ } -> parameters | Name _ | Pattern _ -> []
 
 let rec right env ~expr ~command (r : Syntax.Ir.right) : Ir.right =
   let guards =
@@ -199,9 +182,7 @@ and declarations env ~expr ~command ~items ~signatures =
       let resolve i item =
         let name = fst binders.(i) in
         let signature =
-          match name with
-          | Inner local -> signature_of table local
-          | Top _ | Destructure _ -> None
+          match name with Inner local -> signature_of table local | Top _ | Destructure _ -> None
         in
         Groups.within group i (fun () -> binding env ~expr ~command ~name ~signature item)
       in
@@ -238,10 +219,9 @@ let definitions (scope : Scope.t) declarations =
     | Pattern { desc = Bound name; _ } | Name name | Function_name { name; _ } ->
         if is_operator name.text && not scope.library then report_operator scope name;
         if String_table.mem index name.text then all
-        else begin
+        else (
           String_table.add index name.text count;
-          (count + 1, (name, item) :: reversed)
-        end
+          (count + 1, (name, item) :: reversed))
     | Pattern _ ->
         report_pattern scope item;
         all
@@ -254,8 +234,7 @@ let top_level (scope : Scope.t) ~expr ~command declarations =
   let group = Groups.create (Array.length definitions) in
   let env = Env.top scope group index in
   let table =
-    signature_table scope (signatures declarations)
-      ~is_bound:(String_table.mem index)
+    signature_table scope (signatures declarations) ~is_bound:(String_table.mem index)
       ~names:(lazy (in_order index))
   in
   let resolve i ((name : Syntax.Ir.name), item) =

@@ -26,17 +26,21 @@ let check_quotes (scope : Scope.t) (d : Syntax.Ir.declaration) =
   in
   match d.desc with
   | Binding
-      { left =
+      {
+        left =
           Function_name
-            { name = { text = ("trial" | "test") as word; _ };
-              parameters = [ { desc = Bound label; _ } ] };
-        right = { body = Plain value; _ }; _ }
+            {
+              name = { text = ("trial" | "test") as word; _ };
+              parameters = [ { desc = Bound label; _ } ];
+            };
+        right = { body = Plain value; _ };
+        _;
+      }
     when is_a_check value ->
       let text = Printf.sprintf "\"%s\"" label.text in
       Diagnostic.error ~code:"E0235" ~at:label.span "the label of a `%s` is a text, in quotes" word
       |> Diagnostic.hint (Printf.sprintf "write `%s %s = …`" word text)
-      |> Diagnostic.write label.span text
-      |> Context.emit scope.context
+      |> Diagnostic.write label.span text |> Context.emit scope.context
   | _ -> ()
 
 let check scope (program : Syntax.Ir.program) =
@@ -47,9 +51,7 @@ let check scope (program : Syntax.Ir.program) =
     | Declaration { desc = Check { label; _ }; _ } -> check_label scope label
     | Declaration d -> check_quotes scope d
     | _ -> ());
-    let in_proc =
-      match node with Expression { desc = Proc _; _ } -> true | _ -> false
-    in
+    let in_proc = match node with Expression { desc = Proc _; _ } -> true | _ -> false in
     List.iter (visit ~in_proc) (Syntax.Node.children node)
   in
   List.iter (fun d -> visit ~in_proc:false (Declaration d)) program.declarations

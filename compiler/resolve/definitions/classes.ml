@@ -18,17 +18,17 @@ let report_no_method (scope : Scope.t) (class_ : class_) (name : Syntax.Ir.name)
       class_.global.name
   in
   (if is_builtin_class class_ then diagnostic
-  else Diagnostic.label ~at:class_.span "its methods have their signatures there" diagnostic)
+   else Diagnostic.label ~at:class_.span "its methods have their signatures there" diagnostic)
   |> Context.suggest scope.context name.text (lazy class_.methods)
   |> (fun d ->
-       if d.hints = [] then
-         Diagnostic.hint
-           (Printf.sprintf
-              "a function of its own stands at the left edge; what every `%s` has is given its \
-               signature in the class"
-              class_.global.name)
-           d
-       else d)
+  if d.hints = [] then
+    Diagnostic.hint
+      (Printf.sprintf
+         "a function of its own stands at the left edge; what every `%s` has is given its \
+          signature in the class"
+         class_.global.name)
+      d
+  else d)
   |> Context.emit scope.context
 
 (* The methods defined in a block, each with its name, once, in order. *)
@@ -65,9 +65,7 @@ let class_ env ~expr ~command (d : Syntax.Ir.declaration) : Ir.class_ option =
       let superclass (q : Syntax.Ir.qualified) =
         Option.map (fun (c : class_) -> (c.global, q.span)) (Scope.find scope classes q)
       in
-      let texts =
-        Long_list.map (fun (m : Syntax.Ir.name) -> m.text) (method_names members)
-      in
+      let texts = Long_list.map (fun (m : Syntax.Ir.name) -> m.text) (method_names members) in
       let own = { global = global name.text; methods = texts; span = name.span } in
       let add defaults ((name : Syntax.Ir.name), item) =
         String_map.add name.text
@@ -77,8 +75,13 @@ let class_ env ~expr ~command (d : Syntax.Ir.declaration) : Ir.class_ option =
       let defaults = List.fold_left add String_map.empty (definitions scope own members) in
       let method_ scheme doc (name : Syntax.Ir.name) : Ir.method_ =
         if is_operator name.text && not scope.library then Bindings.report_operator scope name;
-        { name = global name.text; scheme; default = String_map.find_opt name.text defaults; doc;
-          span = name.span }
+        {
+          name = global name.text;
+          scheme;
+          default = String_map.find_opt name.text defaults;
+          doc;
+          span = name.span;
+        }
       in
       let methods (m : Syntax.Ir.declaration) =
         match m.desc with
@@ -130,10 +133,8 @@ let classes env ~expr ~command (program : Syntax.Ir.program) =
 
 let report_signature (scope : Scope.t) (class_ : class_) ((name : Syntax.Ir.name), _) =
   Diagnostic.error ~code:"E0231" ~at:name.span "an instance gives no signature"
-  |> Diagnostic.label ~at:class_.span
-       (Printf.sprintf "`%s` has its type from the class" name.text)
-  |> Diagnostic.hint "leave it out"
-  |> Context.emit scope.context
+  |> Diagnostic.label ~at:class_.span (Printf.sprintf "`%s` has its type from the class" name.text)
+  |> Diagnostic.hint "leave it out" |> Context.emit scope.context
 
 let constructor_name (head : Ir.ty) =
   match head.desc with
@@ -146,10 +147,9 @@ let constructor_name (head : Ir.ty) =
 (* [area@Circle]: no name of the source has an [@] in it. *)
 let rec definition_name taken text =
   if Hashtbl.mem taken text then definition_name taken (text ^ "'")
-  else begin
+  else (
     Hashtbl.replace taken text ();
-    text
-  end
+    text)
 
 let instance env ~expr ~command taken (d : Syntax.Ir.declaration) : Ir.instance option =
   let scope = Env.scope env in
@@ -167,13 +167,7 @@ let instance env ~expr ~command taken (d : Syntax.Ir.declaration) : Ir.instance 
           (method_, binding env ~expr ~command own item name.span)
         in
         let given = definitions scope found members in
-        {
-          class_ = found.global;
-          context;
-          head;
-          definitions = Long_list.map definition given;
-          span;
-        }
+        { class_ = found.global; context; head; definitions = Long_list.map definition given; span }
       in
       Option.map of_class (Scope.find scope Interface.classes class_)
   | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _

@@ -6,8 +6,8 @@ val classes :
   command:Syntax.Ir.command Bindings.resolver ->
   Syntax.Ir.program ->
   Ir.class_ list
-(** Each after its superclasses. Emits E0229 for a class that is its own
-    superclass, E0230 for a definition of what is no method. *)
+(** Each after its superclasses. Emits E0229 for a class that is its own superclass, E0230 for a
+    definition of what is no method. *)
 
 val instances :
   Env.t ->

@@ -109,8 +109,8 @@ let field scope variables (name, ty) : Ir.field =
   | None -> { field_name = ""; ty = t; span = t.span }
   | Some name -> { field_name = name.text; ty = t; span = name.span }
 
-let constructor (scope : Scope.t) variables tycon index
-  (c : Syntax.Ir.constructor) : Ir.constructor =
+let constructor (scope : Scope.t) variables tycon index (c : Syntax.Ir.constructor) : Ir.constructor
+    =
   let fields, record =
     match c.fields with
     | Positional types -> (Long_list.map (fun t -> (None, t)) types, false)
@@ -186,7 +186,8 @@ let types (scope : Scope.t) (program : Syntax.Ir.program) =
       ~uses:(uses scope) ~report:(report_circle scope)
   in
   if String.equal scope.module_ "Prelude" then
-    Long_list.map builtin (builtin_types ~file:program.file) @ sorted else sorted
+    Long_list.map builtin (builtin_types ~file:program.file) @ sorted
+  else sorted
 
 (* Units *)
 
@@ -210,8 +211,8 @@ let unit_declaration (scope : Scope.t) (d : Syntax.Ir.declaration) : Ir.unit_dec
   | Base_unit name -> declare name Ir.Base
   | Scaled_unit { name; scale; unit_ } ->
       declare name (Ir.Scaled (scale, Types.concrete_unit scope unit_))
-  | Signature _ | Binding _ | Type_alias _ | Data _ | Class _ | Instance _ | Primitive _
-  | Foreign _ | Parameter _ | Claim _ | Check _ ->
+  | Signature _ | Binding _ | Type_alias _ | Data _ | Class _ | Instance _ | Primitive _ | Foreign _
+  | Parameter _ | Claim _ | Check _ ->
       None
 
 let units_used scope (d : Ir.unit_declaration) =

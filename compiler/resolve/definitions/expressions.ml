@@ -125,8 +125,7 @@ and report_unit_of_a_value env (head : Syntax.Ir.expr) unit_ whole span =
     "a unit stands on a number written out or on a type, not on what is computed"
   |> Diagnostic.hint
        (Printf.sprintf
-          "a value has its unit already; to give one to a plain number, multiply: `x * 1[%s]`"
-          unit_)
+          "a value has its unit already; to give one to a plain number, multiply: `x * 1[%s]`" unit_)
   |> (match head.desc with
      | Parenthesized _ ->
          let at = { whole with start = head.span.stop } in
@@ -151,11 +150,10 @@ and report_apart env (head : Syntax.Ir.expr) unit_ span =
   Diagnostic.error ~code:"E0205" ~at:span "this unit stands apart from its number"
   |> Diagnostic.hint
        (Printf.sprintf "a unit stands in square brackets, without a blank before them: `%s[%s]`"
-         digits (Unit_word.of_expression unit_))
+          digits (Unit_word.of_expression unit_))
   |> (match number.desc with
      | Number { digits; _ } ->
-         Diagnostic.write
-           (Span.merge number.span span)
+         Diagnostic.write (Span.merge number.span span)
            (Printf.sprintf "%s[%s]" digits (Unit_word.of_expression unit_))
      | _ -> Fun.id)
   |> Context.emit (Env.context env)
@@ -335,5 +333,4 @@ and check_complete (scope : Scope.t) (constructor : Interface.constructor) span 
       |> Diagnostic.hint
            (Printf.sprintf "a record has all its fields: add %s"
               (Enumeration.all (List.map (Printf.sprintf "`%s = …`") absent)))
-      |> name_fields absent fields
-      |> Context.emit scope.context
+      |> name_fields absent fields |> Context.emit scope.context

@@ -1,6 +1,5 @@
-(** Expressions: names looked up; operators and sections become applications
-    and functions; every notation of a proc becomes equations and an
-    output. *)
+(** Expressions: names looked up; operators and sections become applications and functions; every
+    notation of a proc becomes equations and an output. *)
 
 val expr : Env.t -> Syntax.Ir.expr -> Ir.expr
 

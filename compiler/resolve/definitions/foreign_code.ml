@@ -11,16 +11,14 @@ let is_name text =
 let refuse (scope : Scope.t) (text : Syntax.Ir.name) ~wanted ~hint =
   let what = if text.text = "" then "an empty text" else Printf.sprintf "`%s`" text.text in
   Diagnostic.error ~code:"E0232" ~at:text.span "%s is not %s in C" what wanted
-  |> Diagnostic.hint hint
-  |> Context.emit scope.context
+  |> Diagnostic.hint hint |> Context.emit scope.context
 
 (* What C or its headers may mean by this name, so that a declaration of it is an error
    there or another thing. *)
 let meaning (scope : Scope.t) ~(kind : Syntax.Ir.foreign_kind) text =
   let starts prefix = String.starts_with ~prefix text in
   let is_reserved =
-    starts "__"
-      || (starts "_" && String.length text > 1 && text.[1] = Char.uppercase_ascii text.[1])
+    starts "__" || (starts "_" && String.length text > 1 && text.[1] = Char.uppercase_ascii text.[1])
   in
   if is_reserved then Some "one of those that C compilers keep for themselves"
   else if C_names.is_taken text then Some "a macro or a type of C's headers"
@@ -37,10 +35,10 @@ let check_symbol (scope : Scope.t) ~kind (text : Syntax.Ir.name) =
     match meaning scope ~kind text.text with
     | None -> ()
     | Some meaning ->
-      Diagnostic.error ~code:"E0232" ~at:text.span "`%s` cannot be a function of yours: it is %s"
-        text.text meaning
-      |> Diagnostic.hint "give the function another name in C"
-      |> Context.emit scope.context
+        Diagnostic.error ~code:"E0232" ~at:text.span "`%s` cannot be a function of yours: it is %s"
+          text.text meaning
+        |> Diagnostic.hint "give the function another name in C"
+        |> Context.emit scope.context
 
 let check_type scope (text : Syntax.Ir.name) =
   let is_type =

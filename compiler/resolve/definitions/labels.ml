@@ -41,8 +41,7 @@ let checked (d : Syntax.Ir.declaration) : (Syntax.Ir.name * Syntax.Ir.expr) list
       [ (named name, value); (named (judge name), field) ]
   | _ -> []
 
-let check_signature (d : Syntax.Ir.declaration) :
-    (Syntax.Ir.name * Syntax.Ir.qualified_type) list =
+let check_signature (d : Syntax.Ir.declaration) : (Syntax.Ir.name * Syntax.Ir.qualified_type) list =
   match d.desc with
   | Check { kind; label = { text; span }; _ } ->
       let name : Syntax.Ir.qualified =

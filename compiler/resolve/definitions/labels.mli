@@ -2,9 +2,9 @@
 
     Assertions: [assert "label" condition] and [assume …] among the equations of a proc.
 
-    Each is an equation like any other from here on, which defines the verdict on its condition
-    (the library's [verdict], of a class) under a name that no source can mention. So nothing
-    depends on it, and what no host asks for comes to nothing.
+    Each is an equation like any other from here on, which defines the verdict on its condition (the
+    library's [verdict], of a class) under a name that no source can mention. So nothing depends on
+    it, and what no host asks for comes to nothing.
 
     [test "label" = e] and [trial "label" = e] are definitions of the types [Test] and [Trial] of
     the library, under names that no source can mention; and the judge in each is one more
@@ -23,7 +23,6 @@ val label : string -> string option
 (** What such a name was made of. *)
 
 val is_assumption : string -> bool
-
 val word : Syntax.Ir.claim -> string
 
 val check_name : Syntax.Ir.check -> string -> string

@@ -2,11 +2,7 @@ open Basis
 open Interface
 
 let number scope (n : Syntax.Ir.number) : Ir.number =
-  {
-    digits = n.digits;
-    decimal = n.decimal;
-    unit_ = Option.map (Types.concrete_unit scope) n.unit_;
-  }
+  { digits = n.digits; decimal = n.decimal; unit_ = Option.map (Types.concrete_unit scope) n.unit_ }
 
 let report_field (scope : Scope.t) (constructor : constructor) known (field : Syntax.Ir.name) =
   Diagnostic.error ~code:"E0209" ~at:field.span "constructor `%s` has no field `%s`"
@@ -14,10 +10,9 @@ let report_field (scope : Scope.t) (constructor : constructor) known (field : Sy
   |> Diagnostic.label ~at:constructor.span "declared here"
   |> Context.suggest scope.context field.text (lazy known)
   |> (fun d ->
-       if d.hints = [] then
-         Diagnostic.note
-           ("its fields: " ^ String.concat ", " (List.map (Printf.sprintf "`%s`") known)) d
-       else d)
+  if d.hints = [] then
+    Diagnostic.note ("its fields: " ^ String.concat ", " (List.map (Printf.sprintf "`%s`") known)) d
+  else d)
   |> Context.emit scope.context
 
 (* Several are one mistake: another record was in mind. *)
@@ -34,9 +29,9 @@ let report_fields (scope : Scope.t) (constructor : constructor) known = function
             Diagnostic.hint
               (Printf.sprintf "it is built so: `%s { %s }`" constructor.global.name
                  (String.concat ", " (List.map (Printf.sprintf "%s = …") known)))
-         else
-           Diagnostic.note
-             ("its fields: " ^ String.concat ", " (List.map (Printf.sprintf "`%s`") known)))
+          else
+            Diagnostic.note
+              ("its fields: " ^ String.concat ", " (List.map (Printf.sprintf "`%s`") known)))
       |> Context.emit scope.context
 
 let report_repeated (scope : Scope.t) (first : Syntax.Ir.name) (second : Syntax.Ir.name) =
@@ -77,12 +72,12 @@ let report_arity (scope : Scope.t) (constructor : constructor) ~found at =
     found
   |> Diagnostic.label ~at:constructor.span "declared here"
   |> (if constructor.arity = 0 || constructor.arity > 3 then Fun.id
-     else
-       let name i = String.make 1 (Char.chr (Char.code 'a' + i)) in
-       Diagnostic.hint
-         (Printf.sprintf "its pattern is `%s %s`, with `_` for what is not looked at"
-            constructor.global.name
-            (String.concat " " (List.init constructor.arity name))))
+      else
+        let name i = String.make 1 (Char.chr (Char.code 'a' + i)) in
+        Diagnostic.hint
+          (Printf.sprintf "its pattern is `%s %s`, with `_` for what is not looked at"
+             constructor.global.name
+             (String.concat " " (List.init constructor.arity name))))
   |> Context.emit scope.context
 
 let rec pattern (scope : Scope.t) (p : Syntax.Ir.pattern) : Ir.pattern =

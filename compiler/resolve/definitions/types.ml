@@ -60,9 +60,9 @@ let unknown_unit (scope : Scope.t) (name : Syntax.Ir.name) =
       unknown name
       |> Diagnostic.hint
            (if name.text = "C" then
-            "a temperature is in kelvin, `K`, where 0 degrees Celsius are `273.15[K]`; a coulomb \
-             is `A s`"
-           else "there is no farad: it is `A s/V`")
+              "a temperature is in kelvin, `K`, where 0 degrees Celsius are `273.15[K]`; a coulomb \
+               is `A s`"
+            else "there is no farad: it is `A s/V`")
       |> Context.emit scope.context
   | Some power -> unknown name |> with_power name power |> Context.emit scope.context
   | None -> ignore (Scope.find scope units { qualifier = None; name; span = name.span })
@@ -84,11 +84,12 @@ let concrete_unit (scope : Scope.t) u =
   let variable (name : Syntax.Ir.name) =
     unknown name
     |> (match Unit_word.symbol name.text with
-       | Some symbol -> fun d ->
-           Diagnostic.hint (Printf.sprintf "`%s` is the unit" symbol) d
-           |> Diagnostic.write name.span symbol
-       | None when power_without_caret scope name <> None -> fun d ->
-           with_power name (Option.get (power_without_caret scope name)) d
+       | Some symbol ->
+           fun d ->
+             Diagnostic.hint (Printf.sprintf "`%s` is the unit" symbol) d
+             |> Diagnostic.write name.span symbol
+       | None when power_without_caret scope name <> None ->
+           fun d -> with_power name (Option.get (power_without_caret scope name)) d
        | None -> Diagnostic.note "a unit variable can stand only in a type")
     |> Context.emit scope.context
   in
@@ -99,8 +100,8 @@ let parameter_missing (scope : Scope.t) owner kind (name : Syntax.Ir.name) =
     name.text owner
   |> Diagnostic.hint
        (if String.equal kind "unit" then
-        Printf.sprintf "declare it in brackets after the name: `%s[%s]`" owner name.text
-       else Printf.sprintf "declare it after the name: `%s %s`" owner name.text)
+          Printf.sprintf "declare it in brackets after the name: `%s[%s]`" owner name.text
+        else Printf.sprintf "declare it after the name: `%s %s`" owner name.text)
   |> Context.emit scope.context
 
 let unit_ (scope : Scope.t) variables u =
@@ -123,24 +124,25 @@ let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
         (counted expected noun) found
     in
     (if String.equal tycon.global.name "Array" && is_builtin tycon then
-     Diagnostic.hint
-       (if found > 2 then "rows of columns are arrays in an array: `Array 2 (Array 3 Float)`"
-       else "a size and a type, as in `Array 4 Float`")
-       diagnostic
-    else if String.equal tycon.global.name "SF" && is_builtin tycon && found > 2 then
-      Diagnostic.hint "several inputs are one tuple, as in `SF (a, b) c`" diagnostic
-    else if String.equal tycon.global.name "SF" && is_builtin tycon then
-      Diagnostic.hint "what comes in and what comes out, as in `SF Float Bool`; `()` is nothing"
-        diagnostic
-    else if String.equal tycon.global.name "Task" && is_builtin tycon then
-      Diagnostic.hint
-        "what comes in, what comes out, and what it ends with, as in `Task i o ()`; `()` is nothing"
-        diagnostic
-    else if String.equal tycon.global.name "Program" && is_builtin tycon then
-      Diagnostic.hint "the robot's input and output, as in `Program RobotInput RobotOutput`"
-        diagnostic
-    else if is_builtin tycon then diagnostic
-    else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
+       Diagnostic.hint
+         (if found > 2 then "rows of columns are arrays in an array: `Array 2 (Array 3 Float)`"
+          else "a size and a type, as in `Array 4 Float`")
+         diagnostic
+     else if String.equal tycon.global.name "SF" && is_builtin tycon && found > 2 then
+       Diagnostic.hint "several inputs are one tuple, as in `SF (a, b) c`" diagnostic
+     else if String.equal tycon.global.name "SF" && is_builtin tycon then
+       Diagnostic.hint "what comes in and what comes out, as in `SF Float Bool`; `()` is nothing"
+         diagnostic
+     else if String.equal tycon.global.name "Task" && is_builtin tycon then
+       Diagnostic.hint
+         "what comes in, what comes out, and what it ends with, as in `Task i o ()`; `()` is \
+          nothing"
+         diagnostic
+     else if String.equal tycon.global.name "Program" && is_builtin tycon then
+       Diagnostic.hint "the robot's input and output, as in `Program RobotInput RobotOutput`"
+         diagnostic
+     else if is_builtin tycon then diagnostic
+     else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
     |> Context.emit scope.context
   in
   let units_right = units = tycon.unit_arity || (units = 0 && tycon.units_optional) in
@@ -193,8 +195,8 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
 
 (* Signatures *)
 
-let constraint_ (scope : Scope.t) ((class_ : Syntax.Ir.qualified), argument) : Ir.constraint_
-  option =
+let constraint_ (scope : Scope.t) ((class_ : Syntax.Ir.qualified), argument) : Ir.constraint_ option
+    =
   let argument = ty scope Quantified argument in
   let span = Span.merge class_.span argument.span in
   Option.map

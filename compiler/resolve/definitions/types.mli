@@ -1,5 +1,5 @@
-(** Types, units and signatures: their names looked up, their arguments
-    counted, and units told from unit variables. *)
+(** Types, units and signatures: their names looked up, their arguments counted, and units told from
+    unit variables. *)
 
 (** The variables that may stand in a type. *)
 type variables =
@@ -8,6 +8,7 @@ type variables =
       (** a declaration of the type [owner]: its parameters; no [n[u]] *)
 
 val ty : Scope.t -> variables -> Syntax.Ir.ty -> Ir.ty
+
 val context : Scope.t -> (Syntax.Ir.qualified * Syntax.Ir.ty) list -> Ir.constraint_ list
 (** What stands before [=>]. Emits E0223 for a class that is unknown. *)
 

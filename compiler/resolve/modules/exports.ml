@@ -32,21 +32,14 @@ let of_module (scope : Scope.t) (header : Syntax.Ir.header option) =
 let imported context (declaration : Syntax.Ir.import option) ~module_ names : Scope.import =
   match declaration with
   | None ->
-      {
-        module_;
-        qualifiers = [ module_ ];
-        unqualified = true;
-        names;
-        span = Span.start_of_file "";
-      }
+      { module_; qualifiers = [ module_ ]; unqualified = true; names; span = Span.start_of_file "" }
   | Some import ->
       let names =
         match import.items with
         | None -> names
         | Some items ->
             let check (name : Syntax.Ir.name) =
-              if not (mem names name.text) then
-                report_absent context names ~module_ name "import"
+              if not (mem names name.text) then report_absent context names ~module_ name "import"
             in
             List.iter check items;
             select names (texts items)
@@ -78,8 +71,7 @@ let idle (scope : Scope.t) (declaration : Syntax.Ir.import option) ~module_ name
             let whole : Span.t =
               match (before, rest) with
               | _ when List.compare_lengths idle items = 0 -> lines import
-              | Some (previous : Syntax.Ir.name), _ ->
-                  { item.span with start = previous.span.stop }
+              | Some (previous : Syntax.Ir.name), _ -> { item.span with start = previous.span.stop }
               | None, next :: _ -> { item.span with stop = next.span.start }
               | None, [] -> item.span
             in

@@ -12,12 +12,12 @@ let read_regular path =
   match open_in_bin path with
   | exception Sys_error _ -> Error (Unreadable "permission denied")
   | channel ->
-    Fun.protect
-      ~finally:(fun () -> close_in_noerr channel)
-      (fun () ->
-        match really_input_string channel (in_channel_length channel) with
-        | text -> Ok text
-        | exception (Sys_error _ | End_of_file) -> Error (Unreadable "reading failed"))
+      Fun.protect
+        ~finally:(fun () -> close_in_noerr channel)
+        (fun () ->
+          match really_input_string channel (in_channel_length channel) with
+          | text -> Ok text
+          | exception (Sys_error _ | End_of_file) -> Error (Unreadable "reading failed"))
 
 (* To open a pipe may take for ever. *)
 let read_on_disk path =
@@ -47,8 +47,7 @@ let in_memory texts =
   let read path = Option.to_result ~none:Missing (Hashtbl.find_opt table path) in
   let modules_in directory =
     let inside (path, _) =
-      if String.equal (Filename.dirname path) directory then Some (Filename.basename path)
-      else None
+      if String.equal (Filename.dirname path) directory then Some (Filename.basename path) else None
     in
     modules (List.filter_map inside texts)
   in

@@ -2,12 +2,7 @@ open Basis
 module String_map = Map.Make (String)
 module String_set = Set.Make (String)
 
-type value = {
-  global : Ir.Global.t;
-  signed : bool;
-  class_ : Ir.Global.t option;
-  span : Span.t;
-}
+type value = { global : Ir.Global.t; signed : bool; class_ : Ir.Global.t option; span : Span.t }
 
 type constructor = {
   global : Ir.Global.t;
@@ -27,7 +22,6 @@ type tycon = {
 }
 
 type unit_name = { global : Ir.Global.t; span : Span.t }
-
 type class_ = { global : Ir.Global.t; methods : string list; span : Span.t }
 
 type names = {
@@ -100,9 +94,7 @@ let none () =
     classes = String_table.create 16;
   }
 
-let is_operator text =
-  match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
-
+let is_operator text = match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
 let prelude = "Prelude"
 
 let builtin_types ~file =
@@ -160,8 +152,7 @@ let add context space ?(hint = Fun.id) names (name : Syntax.Ir.name) entry =
       |> Diagnostic.label ~at:(space.place earlier) "first defined here"
       |> hint
       |> (fun d ->
-           if d.hints = [] then Diagnostic.hint "take one of them out, or give it another name" d
-           else d)
+      if d.hints = [] then Diagnostic.hint "take one of them out, or give it another name" d else d)
       |> Context.emit context
 
 let signed_names declarations =
@@ -179,8 +170,7 @@ let signed_names declarations =
 
 let field_names : Syntax.Ir.fields -> string list option = function
   | Positional _ -> None
-  | Named fields ->
-      Some (Long_list.map (fun ((f : Syntax.Ir.name), _) -> f.text) fields)
+  | Named fields -> Some (Long_list.map (fun ((f : Syntax.Ir.name), _) -> f.text) fields)
 
 let arity : Syntax.Ir.fields -> int = function
   | Positional fields -> List.length fields
@@ -205,14 +195,12 @@ let method_names members =
   List.concat_map names members
 
 let declared context ~module_ (program : Syntax.Ir.program) =
-  let names =
-    if String.equal module_ prelude then builtin_names ~file:program.file else none ()
-  in
+  let names = if String.equal module_ prelude then builtin_names ~file:program.file else none () in
   let signed = signed_names program.declarations in
   let global name : Ir.Global.t = { module_; name } in
   let value ?hint ?class_ (name : Syntax.Ir.name) ~signed =
-    add context values ?hint names name { global = global name.text; signed; class_;
-      span = name.span }
+    add context values ?hint names name
+      { global = global name.text; signed; class_; span = name.span }
   in
   let tycon ?(units_optional = false) (name : Syntax.Ir.name)
       (parameters : Syntax.Ir.type_parameters) record_fields =
@@ -329,5 +317,5 @@ let in_order table =
 
 let all names =
   let add table rest = List.rev_append (in_order table) rest in
-  add names.values (add names.constructors
-    (add names.tycons (add names.units (add names.classes []))))
+  add names.values
+    (add names.constructors (add names.tycons (add names.units (add names.classes []))))

@@ -1,5 +1,5 @@
-(** The names that a module declares and exports, before anything in it is
-    resolved: just enough that others may refer to them. *)
+(** The names that a module declares and exports, before anything in it is resolved: just enough
+    that others may refer to them. *)
 
 open Basis
 module String_map : Map.S with type key = string
@@ -24,15 +24,13 @@ type constructor = {
 type tycon = {
   global : Ir.Global.t;
   unit_arity : int;
-  units_optional : bool;  
-      (** [Float], [Int] and their aliases with a unit alone mean unit 1 *)
+  units_optional : bool;  (** [Float], [Int] and their aliases with a unit alone mean unit 1 *)
   type_arity : int;
   record_fields : string list;
   span : Span.t;
 }
 
 type unit_name = { global : Ir.Global.t; span : Span.t }
-
 type class_ = { global : Ir.Global.t; methods : string list; span : Span.t }
 
 type names = {
@@ -44,7 +42,6 @@ type names = {
 }
 (** Tables that nobody changes any more. *)
 
-(** One of the five name spaces, for what treats them alike. *)
 type 'a space = {
   noun : string;  (** ["type"]; in messages *)
   unknown : string;  (** the code of an unknown name *)
@@ -52,21 +49,20 @@ type 'a space = {
   global : 'a -> Ir.Global.t;
   place : 'a -> Span.t;
 }
+(** One of the five name spaces, for what treats them alike. *)
 
 val values : value space
 val constructors : constructor space
 val tycons : tycon space
 val units : unit_name space
 val classes : class_ space
-
 val none : unit -> names
 
 val is_operator : string -> bool
 (** Is this name a symbol? *)
 
 val builtin_types : file:string -> (string * tycon) list
-(** The types without a declaration, owned by the prelude, which is in this
-    file. *)
+(** The types without a declaration, owned by the prelude, which is in this file. *)
 
 val is_builtin : tycon -> bool
 
@@ -74,15 +70,15 @@ val is_builtin_class : class_ -> bool
 (** [Eq] or [Ord] of the prelude. *)
 
 val declared : Context.t -> module_:string -> Syntax.Ir.program -> names
-(** What a module's top level declares; the prelude's has the built-in types and classes.
-    Emits E0211 for what is declared twice. *)
+(** What a module's top level declares; the prelude's has the built-in types and classes. Emits
+    E0211 for what is declared twice. *)
 
 val method_names : Syntax.Ir.declaration list -> Syntax.Ir.name list
 (** The names that the members of a class declare. *)
 
 val select : names -> String_set.t -> names
-(** The part that a list of names in a header or an import speaks of; a type
-    brings its constructors and fields, a class its methods. *)
+(** The part that a list of names in a header or an import speaks of; a type brings its constructors
+    and fields, a class its methods. *)
 
 val mem : names -> string -> bool
 (** In any of the name spaces. *)

@@ -1,10 +1,7 @@
 open Basis
 open Interface
 
-type import = {
-  declaration : Syntax.Ir.import option;
-  module_ : string;
-}
+type import = { declaration : Syntax.Ir.import option; module_ : string }
 
 type t = {
   name : string;
@@ -17,11 +14,7 @@ type t = {
 
 (* Where a module is, before it is read. *)
 type found = { path : string; shown : string; in_library : bool; text : string }
-
-type state =
-  | Loading
-  | Loaded of t
-  | Failed
+type state = Loading | Loaded of t | Failed
 
 type loader = {
   sink : Diagnostic.sink;
@@ -37,7 +30,6 @@ type loader = {
 
 let prelude = "Prelude"
 let file_of name = name ^ ".frob"
-
 let module_in file = Filename.remove_extension (Filename.basename file)
 
 let beside directory name =
@@ -62,8 +54,7 @@ let report_missing loader ~directory (target : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:"E0201" ~at:target.span "there is no module `%s`" target.text
     |> Diagnostic.note
-         (Printf.sprintf "looked for `%s` beside this file and in the library"
-           (file_of target.text))
+         (Printf.sprintf "looked for `%s` beside this file and in the library" (file_of target.text))
   in
   let is_module name = name <> "" && 'A' <= name.[0] && name.[0] <= 'Z' in
   let modules, others = List.partition is_module known in
@@ -161,8 +152,8 @@ let name_of loader ~file_name (syntax : Syntax.Ir.program) =
   | None -> if is_module_name file_name then file_name else "Main"
   | Some { module_name; _ } ->
       if is_module_name file_name && not (String.equal file_name module_name.text) then
-        Diagnostic.error ~code:"E0203" ~at:module_name.span
-          "module `%s` is in a file named `%s`" module_name.text (file_of file_name)
+        Diagnostic.error ~code:"E0203" ~at:module_name.span "module `%s` is in a file named `%s`"
+          module_name.text (file_of file_name)
         |> Diagnostic.hint
              (Printf.sprintf "name the module `%s` or the file `%s`" file_name
                 (file_of module_name.text))
@@ -227,10 +218,9 @@ and load_imports loader ~way ~name found (syntax : Syntax.Ir.program) =
 (* Is the module there? Loads it if it is new. *)
 and import_module loader ~way ~directory ~importer_in_library (target : Syntax.Ir.name) =
   let found =
-    if imports_itself way target then begin
+    if imports_itself way target then (
       report_cycle loader way target;
-      None
-    end
+      None)
     else find loader ~directory ~importer_in_library target
   in
   match found with
@@ -254,8 +244,19 @@ and import_module loader ~way ~directory ~importer_in_library (target : Syntax.I
               false))
 
 let load sink ~files ~remember ~library ?also main =
-  let loader = { sink; files; remember; library; also; texts = String_map.empty;
-    clashes = String_set.empty; states = String_map.empty; loaded = [] } in
+  let loader =
+    {
+      sink;
+      files;
+      remember;
+      library;
+      also;
+      texts = String_map.empty;
+      clashes = String_set.empty;
+      states = String_map.empty;
+      loaded = [];
+    }
+  in
   let base = module_in main in
   let other file = not (String.equal file main) in
   (match also with
@@ -268,8 +269,7 @@ let load sink ~files ~remember ~library ?also main =
   (match read loader main with
   | Error Missing ->
       report_unreadable loader ~at:(Span.start_of_file main) main "there is no such file"
-  | Error (Unreadable reason) ->
-      report_unreadable loader ~at:(Span.start_of_file main) main reason
+  | Error (Unreadable reason) -> report_unreadable loader ~at:(Span.start_of_file main) main reason
   | Ok text ->
       let found =
         match read_library loader base with

@@ -1,8 +1,7 @@
 (** Finding and reading the modules of a program.
 
-    [import M] means [M.frob] beside the importer, else in the library. The
-    prelude comes from the library only, and every other module imports it
-    without saying so. *)
+    [import M] means [M.frob] beside the importer, else in the library. The prelude comes from the
+    library only, and every other module imports it without saying so. *)
 
 type import = {
   declaration : Syntax.Ir.import option;  (** [None]: the prelude's, unwritten *)
@@ -26,9 +25,7 @@ val load :
   ?also:string ->
   string ->
   t list
-(** The modules that the program in a file consists of, imports before
-    importers and the program last; what cannot be read or parsed is left out
-    with a diagnostic (E0201 to E0203). The module in the file [also] is
-    one of them whether it is imported or not, and an import of its name means it. A file that is,
-    byte for byte,
-    a module of the library counts as that module. *)
+(** The modules that the program in a file consists of, imports before importers and the program
+    last; what cannot be read or parsed is left out with a diagnostic (E0201 to E0203). The module
+    in the file [also] is one of them whether it is imported or not, and an import of its name means
+    it. A file that is, byte for byte, a module of the library counts as that module. *)

@@ -43,9 +43,7 @@ let report_unknown sink setting modules =
     if all = [] then "the program has none; `param NAME :: TYPE = VALUE` declares one"
     else "the program has " ^ Enumeration.all quoted
   in
-  let hint =
-    Option.map (Printf.sprintf "did you mean `%s`?") (Suggest.closest setting.name all)
-  in
+  let hint = Option.map (Printf.sprintf "did you mean `%s`?") (Suggest.closest setting.name all) in
   report sink setting ~note ?hint "the program has no parameter `%s`" setting.name
 
 (* Whose it is: of the program's own module rather than of one that it imports. *)
@@ -68,7 +66,10 @@ let expression sink setting =
   let width = String.length setting.name in
   let value =
     (* As hosts and recordings write them. *)
-    match String.trim setting.text with "true" -> "True" | "false" -> "False" | _ -> setting.text
+    match String.trim setting.text with
+    | "true" -> "True"
+    | "false" -> "False"
+    | _ -> setting.text
   in
   let text = "x" ^ String.make (max 0 (width - 1)) '_' ^ "= " ^ value in
   match Syntax.Parse.program sink ~file:(file_of setting) text with
@@ -127,9 +128,7 @@ let of_modules modules =
     let has_given (name : Syntax.Ir.name) =
       List.exists
         (fun (d : Syntax.Ir.declaration) ->
-          match d.desc with
-          | Parameter p -> String.equal p.name.text (given name.text)
-          | _ -> false)
+          match d.desc with Parameter p -> String.equal p.name.text (given name.text) | _ -> false)
         m.syntax.declarations
     in
     let global name : Ir.Global.t = { module_ = m.name; name } in

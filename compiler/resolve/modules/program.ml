@@ -85,8 +85,7 @@ let resolve context ~elsewhere exports (m : Modules.t) =
     Exports.imported context i.declaration ~module_:i.module_ names
   in
   let scope =
-    Scope.create context ~module_:m.name ~library:m.library ~own
-      ~imports:(List.map import imports)
+    Scope.create context ~module_:m.name ~library:m.library ~own ~imports:(List.map import imports)
       ~complete:m.complete ~elsewhere ~syntax:m.syntax
   in
   let exported = Exports.of_module scope m.syntax.header in

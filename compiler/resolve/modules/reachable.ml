@@ -1,8 +1,5 @@
 (* Of the library: what is not yet found, and what is. *)
-type search = {
-  definitions : Ir.binding Global_table.t;
-  found : unit Global_table.t;
-}
+type search = { definitions : Ir.binding Global_table.t; found : unit Global_table.t }
 
 let rec expr search (e : Ir.expr) =
   match e.desc with
@@ -14,6 +11,7 @@ let rec expr search (e : Ir.expr) =
   | _ -> Walk.expr (visitor search) e
 
 and binding search b = Walk.binding (visitor search) b
+
 and visitor search : Walk.visitor =
   { expr = expr search; pattern = ignore; binding = binding search }
 

@@ -17,10 +17,11 @@ let top scope top_level top_index =
 
 let beside_procs t (r : Syntax.Ir.right) =
   match t.signals with
-  | None -> { t with signals = Some (lazy (Proc_signals.(of_body r.body @ of_right r))) }
+  | None -> { t with signals = Some (lazy Proc_signals.(of_body r.body @ of_right r)) }
   | Some _ when r.where = [] -> t
   | Some around ->
       { t with signals = Some (lazy (Proc_signals.of_body r.body @ Lazy.force around)) }
+
 let of_module scope = top scope (Groups.create 0) (String_table.create 1)
 let scope t = t.scope
 let context t = t.scope.context
@@ -33,17 +34,16 @@ let report_label_twice t (first : Ir.Local.t) (second : Ir.Local.t) =
 let report_twice t ~is_equation (first : Ir.Local.t) (second : Ir.Local.t) =
   if Labels.is_name second.name then report_label_twice t first second
   else
-  Diagnostic.error ~code:"E0212" ~at:second.span "`%s` is bound twice in one group" second.name
-  |> Diagnostic.label ~at:first.span "first bound here"
-  |> (if not is_equation then Fun.id
-     else
-       Diagnostic.hint
-         (Printf.sprintf
-            "nothing is assigned: one equation says what `%s` is at every instant; what it was one \
-             instant ago is \
-             `delay x0 %s`"
-            second.name second.name))
-  |> Context.emit (context t)
+    Diagnostic.error ~code:"E0212" ~at:second.span "`%s` is bound twice in one group" second.name
+    |> Diagnostic.label ~at:first.span "first bound here"
+    |> (if not is_equation then Fun.id
+        else
+          Diagnostic.hint
+            (Printf.sprintf
+               "nothing is assigned: one equation says what `%s` is at every instant; what it was \
+                one instant ago is `delay x0 %s`"
+               second.name second.name))
+    |> Context.emit (context t)
 
 let warn_hidden t (outer : Ir.Local.t) (inner : Ir.Local.t) =
   Diagnostic.warning ~code:"W0201" ~at:inner.span "`%s` hides a local variable of that name"
@@ -88,16 +88,18 @@ let refer_to_local variable : Ir.expr_desc =
 
 let refer_to_value t (value : value) : Ir.expr_desc =
   (if String.equal value.global.module_ t.scope.module_ then
-   match String_table.find_opt t.top_index value.global.name with
-   | Some index -> Groups.refer t.top_level ~signed:value.signed index
-   | None -> ());
+     match String_table.find_opt t.top_index value.global.name with
+     | Some index -> Groups.refer t.top_level ~signed:value.signed index
+     | None -> ());
   Global value.global
 
 let names t = lazy (String_map.fold (fun name _ names -> name :: names) t.locals [])
 
 let module_level t q =
-  Option.map (refer_to_value t) (Scope.find_value t.scope ~locals:(names t)
-    ~signals:(Option.value t.signals ~default:(lazy [])) q)
+  Option.map (refer_to_value t)
+    (Scope.find_value t.scope ~locals:(names t)
+       ~signals:(Option.value t.signals ~default:(lazy []))
+       q)
 
 let variable t (q : Syntax.Ir.qualified) =
   match q.qualifier with

@@ -25,8 +25,9 @@ let number = function
   | "sgn" | "sign" -> Some "it is `signum`"
   | "copysign" | "copysignf" -> Some "it is `if y < 0 then -(abs x) else abs x`"
   | "fmod" | "fmodf" | "remainder" ->
-      Some "of Floats it is `x - y * floorFloat (x / y)`, which has the sign of y; of angles, \
-            `wrapAngle`"
+      Some
+        "of Floats it is `x - y * floorFloat (x / y)`, which has the sign of y; of angles, \
+         `wrapAngle`"
   | "rem" | "quot" | "divMod" | "quotRem" -> Some whole_division
   | "testBit" -> Some "it is `x .&. shiftL 1 n /= 0`"
   | "shift" | "unsafeShiftL" | "unsafeShiftR" -> Some "bits are moved by `shiftL` and `shiftR`"
@@ -78,7 +79,7 @@ let activity = function
       Some "nothing is printed: what is to be seen is an output, and `--record` writes all of them"
   | "analogRead" | "digitalRead" -> Some "what is read is a part of the program's input"
   | "analogWrite" | "digitalWrite" -> Some "what is written is a part of the program's output"
-  | "sleep" | "usleep" | "wait" | "delayMicroseconds" -> 
+  | "sleep" | "usleep" | "wait" | "delayMicroseconds" ->
       Some "a task that waits is `sleepT 2[s] restingOutput`, with the robot at rest"
   | "while" ->
       Some
@@ -200,8 +201,7 @@ let class_ = function
   | "Num" | "Fractional" | "Floating" | "Real" | "Integral" | "RealFrac" ->
       Some
         "numbers have no classes: `n[u]` is any number, of any unit, as in `twice :: n[u] -> \
-         n[u]`; \
-         `Float[u]` has fractions"
+         n[u]`; `Float[u]` has fractions"
   | "Show" | "Read" -> Some "leave it out: a trace shows values of every type"
   | "Functor" | "Applicative" | "Monad" | "Foldable" | "Traversable" | "Semigroup" | "Monoid" ->
       Some "a class is of types, not of what makes types of others"

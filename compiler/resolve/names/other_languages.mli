@@ -1,8 +1,8 @@
-(** Names that users bring along from Haskell, Yampa, C, Python, MATLAB and the libraries
-    of boards, and that Frob has by another name, or not.
+(** Names that users bring along from Haskell, Yampa, C, Python, MATLAB and the libraries of boards,
+    and that Frob has by another name, or not.
 
-    Words that a robot's program may well have as names of its own, such as [range] and
-    [error], are left out: a misspelt one of these is more likely. *)
+    Words that a robot's program may well have as names of its own, such as [range] and [error], are
+    left out: a misspelt one of these is more likely. *)
 
 val value : string -> string option
 (** A hint for who writes this name of a value, unless Frob has one just like it. *)

@@ -15,8 +15,7 @@ let add_declaration names (d : declaration) =
   | Binding { left = Name name | Function_name { name; _ }; _ } -> name :: names
   | Binding { left = Pattern p; _ } -> add_pattern names p
   | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Primitive _ | Foreign _
-  | Parameter _ | Class _
-  | Instance _ | Claim _ | Check _ ->
+  | Parameter _ | Class _ | Instance _ | Claim _ | Check _ ->
       names
 
 let add_statement names = function
@@ -107,6 +106,4 @@ let c_declarations program =
     in
     List.fold_left add (own @ found) (Syntax.Node.children node)
   in
-  List.fold_left
-    (fun found d -> add found (Syntax.Node.Declaration d))
-    [] program.declarations
+  List.fold_left (fun found d -> add found (Syntax.Node.Declaration d)) [] program.declarations

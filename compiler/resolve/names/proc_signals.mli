@@ -1,6 +1,6 @@
-(** The signals of a [proc], for messages about names that are used where they cannot be
-    seen: behind the bracket or the comma that ends the [proc], or in a [where] after
-    [proc … -> do], which belongs to the definition around it. *)
+(** The signals of a [proc], for messages about names that are used where they cannot be seen:
+    behind the bracket or the comma that ends the [proc], or in a [where] after [proc … -> do],
+    which belongs to the definition around it. *)
 
 type t = {
   name : Syntax.Ir.name;
@@ -8,8 +8,7 @@ type t = {
 }
 
 val of_body : Syntax.Ir.body -> t list
-(** What the [proc] that this body is binds: its input and, in its [do], the
-    statements. *)
+(** What the [proc] that this body is binds: its input and, in its [do], the statements. *)
 
 val of_module : Syntax.Ir.program -> t list
 (** What all [proc]s of its definitions bind. *)

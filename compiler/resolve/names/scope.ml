@@ -61,8 +61,7 @@ let report_ambiguous t space (name : Syntax.Ir.name) (candidates : (import * _) 
   List.fold_left place
     (Diagnostic.error ~code:"E0210" ~at:name.span "the %s `%s` is ambiguous" space.noun name.text)
     candidates
-  |> Diagnostic.hint
-       ("write " ^ String.concat " or " (List.map (Printf.sprintf "`%s`") qualified))
+  |> Diagnostic.hint ("write " ^ String.concat " or " (List.map (Printf.sprintf "`%s`") qualified))
   |> List.fold_right (Diagnostic.write name.span) (List.rev qualified)
   |> Context.emit t.context
 
@@ -169,8 +168,7 @@ let report_class t (name : Syntax.Ir.name) =
   in
   if not (Context.is_told t.context same) then
     Diagnostic.error ~code:"E0207" ~at:name.span "`%s` is a class, and no type" name.text
-    |> Diagnostic.hint is_no_type
-    |> Context.emit t.context
+    |> Diagnostic.hint is_no_type |> Context.emit t.context
 
 let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
@@ -195,14 +193,13 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     | Some { qualifiers = q :: _; _ } -> Some (q ^ "." ^ name.text)
     | Some _ | None -> None
   in
-  let imports =
-    List.map (fun (m : of_library) -> Printf.sprintf "import %s" m.module_) with_it
-  in
+  let imports = List.map (fun (m : of_library) -> Printf.sprintf "import %s" m.module_) with_it in
   let diagnostic =
     match (with_it, other_writing t space name.text) with
     | _ when by_qualifier <> None ->
         let text = Option.get by_qualifier in
-        Diagnostic.hint (Printf.sprintf "it is imported with its module's name: write `%s`" text)
+        Diagnostic.hint
+          (Printf.sprintf "it is imported with its module's name: write `%s`" text)
           diagnostic
         |> Diagnostic.write name.span text
     | _ when List.exists is_it (Lazy.force signals) ->
@@ -212,12 +209,11 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
           diagnostic
         |> Diagnostic.hint
              (if signal.of_do then
-              "a `where` after `do` belongs to the whole definition and sees no signals: write a \
-               `let` in the `do`"
-             else
-               "a `proc` ends at the bracket or comma that follows it; behind that, and in a \
-                `where` \
-                behind that, its signals are not known")
+                "a `where` after `do` belongs to the whole definition and sees no signals: write a \
+                 `let` in the `do`"
+              else
+                "a `proc` ends at the bracket or comma that follows it; behind that, and in a \
+                 `where` behind that, its signals are not known")
     | _ :: _, _ -> diagnostic
     | [], Some other ->
         Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
@@ -237,15 +233,16 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
           diagnostic
         |> Diagnostic.hint
              (if List.mem c_type.text Syntax.Beginnings.needless then
-              Printf.sprintf "a definition has no `%s` before it: `%s = …`" c_type.text name.text
-             else Printf.sprintf
-                "no type stands before a name: `%s = …`, and if wanted `%s :: %s` on a line of \
-                 its own"
-                name.text name.text
-                (match c_type.text with
-                | "bool" | "boolean" -> "Bool"
-                | "float" | "double" | "const" | "auto" | "var" | "let" -> "Float"
-                | _ -> "Int"))
+                Printf.sprintf "a definition has no `%s` before it: `%s = …`" c_type.text name.text
+              else
+                Printf.sprintf
+                  "no type stands before a name: `%s = …`, and if wanted `%s :: %s` on a line of \
+                   its own"
+                  name.text name.text
+                  (match c_type.text with
+                  | "bool" | "boolean" -> "Bool"
+                  | "float" | "double" | "const" | "auto" | "var" | "let" -> "Float"
+                  | _ -> "Int"))
     | [], None when Lazy.force elsewhere_in_module <> None ->
         let signal = Option.get (Lazy.force elsewhere_in_module) in
         Diagnostic.label ~at:signal.name.span
@@ -262,7 +259,7 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
         in
         match
           match name.text with
-          | "i" | "input" | "sensors" when suggested.hints = [] -> Some no_input
+          | ("i" | "input" | "sensors") when suggested.hints = [] -> Some no_input
           | word -> Other_languages.robot word
         with
         | Some hint when String.equal space.noun "name" && suggested.hints = [] ->
@@ -295,23 +292,23 @@ let report_unknown_module t (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name)
       qualifier.text
   in
   (if List.exists of_library (Lazy.force t.elsewhere) then
-   Diagnostic.hint
-     (Printf.sprintf "it is in the library: `import qualified %s`" qualifier.text)
-     diagnostic
-   |> Context.add_import t.syntax (Printf.sprintf "import qualified %s" qualifier.text)
-  else if is_of_a_type t qualifier name then
-    let title = Printf.sprintf "leave out `%s.`" qualifier.text in
-    Diagnostic.hint
-      (Printf.sprintf "`%s` is a type, of which the constructors stand alone: %s" qualifier.text
-        title)
-      diagnostic
-    |> Diagnostic.fix title [ ({ qualifier.span with stop = name.span.start }, "") ]
-  else
-    match Other_languages.module_ qualifier.text with
-    | Some hint -> Diagnostic.hint hint diagnostic
-    | None ->
-        let imported = lazy (List.concat_map (fun (i : import) -> i.qualifiers) t.imports) in
-        Context.suggest t.context qualifier.text imported diagnostic)
+     Diagnostic.hint
+       (Printf.sprintf "it is in the library: `import qualified %s`" qualifier.text)
+       diagnostic
+     |> Context.add_import t.syntax (Printf.sprintf "import qualified %s" qualifier.text)
+   else if is_of_a_type t qualifier name then
+     let title = Printf.sprintf "leave out `%s.`" qualifier.text in
+     Diagnostic.hint
+       (Printf.sprintf "`%s` is a type, of which the constructors stand alone: %s" qualifier.text
+          title)
+       diagnostic
+     |> Diagnostic.fix title [ ({ qualifier.span with stop = name.span.start }, "") ]
+   else
+     match Other_languages.module_ qualifier.text with
+     | Some hint -> Diagnostic.hint hint diagnostic
+     | None ->
+         let imported = lazy (List.concat_map (fun (i : import) -> i.qualifiers) t.imports) in
+         Context.suggest t.context qualifier.text imported diagnostic)
   |> Context.emit t.context
 
 let find_qualified t space (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) =
@@ -400,9 +397,21 @@ let create context ~module_ ~library ~own ~imports ~complete ~elsewhere ~syntax 
   let names = Long_list.map (fun (record : tycon) -> record.global) in
   let records_of = lazy (String_map.map names (Lazy.force records)) in
   let used = String_table.create 16 in
-  { context; syntax; module_; library; own; imports; complete; elsewhere; used; records; records_of;
+  {
+    context;
+    syntax;
+    module_;
+    library;
+    own;
+    imports;
+    complete;
+    elsewhere;
+    used;
+    records;
+    records_of;
     signals = lazy (Proc_signals.of_module syntax);
     c_declarations = lazy (Proc_signals.c_declarations syntax);
     in_capitals = lazy (Proc_signals.in_capitals syntax);
     params = lazy (Proc_signals.params syntax);
-    without_definition = lazy (Proc_signals.without_definition syntax) }
+    without_definition = lazy (Proc_signals.without_definition syntax);
+  }

@@ -1,6 +1,5 @@
-(** What a module-level name means at a place in a module: its own
-    declarations hide what it imports; two imports of one name clash only
-    where the name is used. *)
+(** What a module-level name means at a place in a module: its own declarations hide what it
+    imports; two imports of one name clash only where the name is used. *)
 
 open Basis
 
@@ -12,12 +11,12 @@ type import = {
   span : Span.t;
 }
 
-(** A module of the library, for hints. *)
 type of_library = {
   module_ : string;
   names : Interface.names;  (** what it declares, or what its header lists *)
   gathers : bool;  (** its header lists names of others too: it is what one imports *)
 }
+(** A module of the library, for hints. *)
 
 type t = {
   context : Context.t;
@@ -27,10 +26,9 @@ type t = {
   own : Interface.names;
   imports : import list;  (** with the prelude *)
   complete : bool;
-      (** every import was found; otherwise an unknown name is not reported,
-          since it may be the missing module's *)
-  elsewhere : of_library list Lazy.t;
-      (** the modules of the library *)
+      (** every import was found; otherwise an unknown name is not reported, since it may be the
+          missing module's *)
+  elsewhere : of_library list Lazy.t;  (** the modules of the library *)
   used : unit Basis.String_table.t;  (** names that the module uses of what it imports *)
   records : Interface.tycon list Interface.String_map.t Lazy.t;
       (** the record types in scope, by the name of a field *)
@@ -64,13 +62,11 @@ val find_value :
   signals:Proc_signals.t list Lazy.t ->
   Syntax.Ir.qualified ->
   Interface.value option
-(** Likewise; the local names may be suggested. The [signals] are those of a
-    [proc]s in the definition; those that can be seen from here are among the locals. *)
+(** Likewise; the local names may be suggested. The [signals] are those of a [proc]s in the
+    definition; those that can be seen from here are among the locals. *)
 
 val look : t -> 'a Interface.space -> Syntax.Ir.name -> 'a option
-(** The meaning of an unqualified name that need not have one; silent unless
-    it is ambiguous. *)
+(** The meaning of an unqualified name that need not have one; silent unless it is ambiguous. *)
 
 val records_with : t -> string list -> Ir.Global.t list
-(** The record types in scope that have all these fields, in order of their
-    names. *)
+(** The record types in scope that have all these fields, in order of their names. *)

@@ -1,16 +1,16 @@
 open Basis
 
-type kind = Equation | Variable of Span.t  (* the whole pattern *)
+type kind = Equation | Variable of Span.t (* the whole pattern *)
 
 (* A variable, or a binding that takes a pattern apart, whose variables depend on it. *)
 type vertex = { name : string; at : Span.t; kind : kind; needs : int list }
 
 type found = {
-  mutable vertices : vertex list;  (* the last one first *)
+  mutable vertices : vertex list; (* the last one first *)
   mutable count : int;
   of_local : int Int_table.t;
-  mutable told : int list;  (* vertices that hosts tell of, whoever reads them *)
-  mutable reads : (int * int) list;  (* who reads which local variable *)
+  mutable told : int list; (* vertices that hosts tell of, whoever reads them *)
+  mutable reads : (int * int) list; (* who reads which local variable *)
 }
 
 let add found vertex =
@@ -71,7 +71,7 @@ let report_equation sink ~circle at name =
           Printf.sprintf "use it in what comes out, or take it out; `_%s` says that this is meant"
             name)
   |> (if name = "" || name.[0] < 'a' then Fun.id
-     else Diagnostic.fix (Printf.sprintf "call it `_%s`" name) [ (at, "_" ^ name) ])
+      else Diagnostic.fix (Printf.sprintf "call it `_%s`" name) [ (at, "_" ^ name) ])
   |> Diagnostic.emit sink
 
 let report_variable sink v =
@@ -87,16 +87,15 @@ let report_variables sink = function
       Diagnostic.warning ~code:"W0305" ~at:a.at "nothing reads %s"
         (Enumeration.some told ~more:(List.length others))
       |> Diagnostic.hint (Printf.sprintf "write `_` in their places, or names such as `_%s`" a.name)
-      |> Diagnostic.fix ~safe:true (Printf.sprintf "write `_%s` and likewise the others" a.name)
+      |> Diagnostic.fix ~safe:true
+           (Printf.sprintf "write `_%s` and likewise the others" a.name)
            (List.map (fun v -> (v.at, "_" ^ v.name)) (a :: b :: c :: others))
       |> Diagnostic.emit sink
   | few -> List.iter (report_variable sink) few
 
 (* A definition's own: each vertex with what it needs, and what the definition needs itself. *)
 let of_definition sink ~is_labelled (b : Ir.binding) =
-  let found =
-    { vertices = []; count = 0; of_local = Int_table.create 16; told = []; reads = [] }
-  in
+  let found = { vertices = []; count = 0; of_local = Int_table.create 16; told = []; reads = [] } in
   binding found b;
   let vertices = Array.of_list (List.rev found.vertices) in
   let graph = Array.map (fun v -> v.needs) vertices in
@@ -141,7 +140,7 @@ let of_definition sink ~is_labelled (b : Ir.binding) =
   let by_pattern patterns number =
     let v = vertices.(number) in
     match patterns with
-    | ((w :: _) as variables) :: others when w.kind = v.kind -> (v :: variables) :: others
+    | (w :: _ as variables) :: others when w.kind = v.kind -> (v :: variables) :: others
     | _ -> [ v ] :: patterns
   in
   List.sort (fun a b -> Int.compare b a) !unread

@@ -104,9 +104,7 @@ let elementwise (p : position) evaluator target primitive ~result ~numbered f ar
     && List.for_all (fun (a : Value.argument) -> is_first_order p a.ty) arrays
   in
   if all_first_order && not (arrays <> [] && List.for_all is_written_out arrays) then
-    let sources =
-      (if numbered then [ Number ] else []) @ List.map (fun a -> Each a) arrays
-    in
+    let sources = (if numbered then [ Number ] else []) @ List.map (fun a -> Each a) arrays in
     loop p evaluator primitive target ~count f sources ~final:[] ~elements:[ element ]
   else
     let columns = List.map (fun a -> Stdlib.Array.of_list (elements p a)) arrays in

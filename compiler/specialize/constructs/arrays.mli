@@ -1,8 +1,8 @@
 (** The primitives on arrays.
 
-    What Flow can hold becomes a {!Loop}; an array of functions or signal
-    functions has been written out, so there each element is treated for
-    itself. So are the elements of a short array that is written out. *)
+    What Flow can hold becomes a {!Loop}; an array of functions or signal functions has been written
+    out, so there each element is treated for itself. So are the elements of a short array that is
+    written out. *)
 
 val apply :
   Evaluator.position ->

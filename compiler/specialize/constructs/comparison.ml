@@ -12,9 +12,7 @@ let operate (p : position) target operator atoms =
   | None -> define p target (Op (operator, atoms))
 
 let not_ p target (a : Ir.atom) : Ir.atom =
-  match a with
-  | Bool a -> Bool (not a)
-  | Signal _ | Int _ | Float _ -> operate p target Not [ a ]
+  match a with Bool a -> Bool (not a) | Signal _ | Int _ | Float _ -> operate p target Not [ a ]
 
 let and_ p target (a : Ir.atom) (b : Ir.atom) : Ir.atom =
   match (a, b) with
@@ -40,8 +38,7 @@ let has (p : position) ty value index =
 let fields (p : position) ty value constructor parts =
   List.mapi
     (fun field (part : Types.part) ->
-      ( part.ty,
-        Leaves.payload p.types p.node Unnamed ~span:p.span ty value ~constructor ~field ))
+      (part.ty, Leaves.payload p.types p.node Unnamed ~span:p.span ty value ~constructor ~field))
     parts
 
 (* The fields of two values that both have this constructor. *)
@@ -54,8 +51,7 @@ let part_pairs parts a b =
     (fun i (part : Types.part) -> (part.ty, Leaves.component a i, Leaves.component b i))
     parts
 
-let numbers (p : position) ty a b =
-  List.map (Leaves.atom p.types p.node ~span:p.span ty) [ a; b ]
+let numbers (p : position) ty a b = List.map (Leaves.atom p.types p.node ~span:p.span ty) [ a; b ]
 
 let refuse ty =
   Diagnostic.bug ~stage:"Specialize.Comparison" "values of type %s are compared"
@@ -162,8 +158,7 @@ let rec ordered (p : position) order target ty a b : Ir.atom =
         let b_has = has p ty b index in
         let here =
           if index = last then and_ p Node.Unnamed b_has same
-          else
-            if_ p Node.Unnamed b_has same (not_ p Node.Unnamed b_before)
+          else if_ p Node.Unnamed b_has same (not_ p Node.Unnamed b_before)
         in
         if index = last then here
         else

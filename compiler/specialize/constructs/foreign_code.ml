@@ -77,8 +77,7 @@ let apply (p : Evaluator.position) target (f : Core.Primitive.foreign) ~result a
   let atoms (a : Value.argument) = Leaves.atoms p.types p.node ~span:p.span a.ty a.value in
   let outputs =
     Node.call p.node (Node.leaves target leaves) ~callee:f.foreign_name ~node ~span:p.span
-      ~statics:[]
-      ~inputs:(List.concat_map atoms arguments)
+      ~statics:[] ~inputs:(List.concat_map atoms arguments)
       (List.map (fun (leaf : Types.leaf) -> leaf.leaf) leaves)
   in
   Leaves.value p.types result outputs
@@ -90,16 +89,16 @@ let check_names sink ~name (foreign : Core.Ir.foreign) =
   let collision ((f : Core.Primitive.foreign), _) =
     match f.kind with
     | Stateful when String.equal f.symbol prefix ->
-      Some
-        ( f,
-          Printf.sprintf "the program and the component `%s` in C have one name" f.symbol,
-          Printf.sprintf "both would have `struct %s_state`, `%s_reset` and `%s_step`" prefix
-            prefix prefix )
+        Some
+          ( f,
+            Printf.sprintf "the program and the component `%s` in C have one name" f.symbol,
+            Printf.sprintf "both would have `struct %s_state`, `%s_reset` and `%s_step`" prefix
+              prefix prefix )
     | Stateless _ when List.mem f.symbol [ prefix ^ "_reset"; prefix ^ "_step" ] ->
-      Some
-        ( f,
-          Printf.sprintf "the program's own C has a function `%s`" f.symbol,
-          "the functions of a program are named after its file" )
+        Some
+          ( f,
+            Printf.sprintf "the program's own C has a function `%s`" f.symbol,
+            "the functions of a program are named after its file" )
     | Stateful | Stateless _ -> None
   in
   let refuse ~at ?note ~hint message =
@@ -114,5 +113,5 @@ let check_names sink ~name (foreign : Core.Ir.foreign) =
   in
   match List.find_map collision foreign.values with
   | Some ((f : Core.Primitive.foreign), message, note) ->
-    refuse ~at:f.span ~note ~hint:"rename the program's file" message
+      refuse ~at:f.span ~note ~hint:"rename the program's file" message
   | None -> List.iter refuse_header foreign.headers

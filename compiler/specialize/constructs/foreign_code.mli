@@ -1,5 +1,5 @@
-(** Code in C: a node without a body for each function or signal function that
-    is imported, called like any other. *)
+(** Code in C: a node without a body for each function or signal function that is imported, called
+    like any other. *)
 
 val apply :
   Evaluator.position ->
@@ -13,5 +13,5 @@ val apply :
 val imports : Types.table -> Core.Ir.foreign -> Flow.Ir.import list
 
 val check_names : Basis.Diagnostic.sink -> name:string -> Core.Ir.foreign -> unit
-(** [name]: of the program's C files. Emits E0431 where the program's own C has the names
-    of what it imports. *)
+(** [name]: of the program's C files. Emits E0431 where the program's own C has the names of what it
+    imports. *)

@@ -1,15 +1,15 @@
 open Basis
 
 type t = {
-  head : int list;  (* the code it starts with *)
+  head : int list; (* the code it starts with *)
   depth : int;
-  added : string;  (* the function around the deepest nest in it *)
+  added : string; (* the function around the deepest nest in it *)
   name : string;
   at : Span.t;
   from : t option;
-  steps : int;  (* how often in a row it has grown *)
-  waiting : Span.t option;  (* of a task: what most often waits for its end *)
-  task : string option;  (* whose `do` goes on after what runs, if it is a task *)
+  steps : int; (* how often in a row it has grown *)
+  waiting : Span.t option; (* of a task: what most often waits for its end *)
+  task : string option; (* whose `do` goes on after what runs, if it is a task *)
 }
 
 let deepest nests =
@@ -117,9 +117,7 @@ let of_value value ~at ~from =
   in
   let waiting = if steps > most_steps then waiting value else None in
   let name = name_of value in
-  let task =
-    match value with Primitive { primitive = Run_task; _ } -> Some name | _ -> None
-  in
+  let task = match value with Primitive { primitive = Run_task; _ } -> Some name | _ -> None in
   { head; depth; added; name; at; from; steps; waiting; task }
 
 let is_endless t = t.steps > most_steps
@@ -162,9 +160,7 @@ let report_growth (c : Context.t) ~name (t : t) =
       (Diagnostic.label ~at:hop.at text diagnostic, hop.at :: shown)
   in
   let name, what =
-    match t.task with
-    | Some own -> (own, "tasks")
-    | None -> (name, "signal functions")
+    match t.task with Some own -> (own, "tasks") | None -> (name, "signal functions")
   in
   Diagnostic.(
     error ~code:"E0416" ~at "`%s` grows each time it starts itself again" name
@@ -176,6 +172,4 @@ let report_growth (c : Context.t) ~name (t : t) =
   raise Context.Stopped
 
 let report c ~name t =
-  match t.waiting with
-  | Some place -> report_task c t place
-  | None -> report_growth c ~name t
+  match t.waiting with Some place -> report_task c t place | None -> report_growth c ~name t

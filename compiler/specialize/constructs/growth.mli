@@ -1,9 +1,8 @@
 (** Signal functions that get larger each time they start themselves again.
 
-    [go sf = switch sf (\\_ -> go (sf >>> g))] would have a mode for each
-    number of [g]s. Numbers do not count, so a mode that comes after one of
-    the same code and with a deeper nest of functions in it, again and again,
-    will have another like it for ever. *)
+    [go sf = switch sf (\\_ -> go (sf >>> g))] would have a mode for each number of [g]s. Numbers do
+    not count, so a mode that comes after one of the same code and with a deeper nest of functions
+    in it, again and again, will have another like it for ever. *)
 
 open Basis
 

@@ -16,7 +16,6 @@ type request = {
 
 (* In the place of the number of a definition's or a function's code. *)
 let code = max_int
-
 let array count ty : Core.Ir.ty = Array (Size count, ty)
 
 let number_of_form : Ir.argument -> int = function
@@ -76,12 +75,9 @@ let without_node caller ~span ~count parameters outputs tys =
 let define_outputs (c : Context.t) node ~span tys values =
   List.map2
     (fun ty value ->
-      let copy (leaf : Types.leaf) atom =
-        Node.define node Unnamed ~span leaf.leaf (Ir.Copy atom)
-      in
+      let copy (leaf : Types.leaf) atom = Node.define node Unnamed ~span leaf.leaf (Ir.Copy atom) in
       let leaves = (Types.layout c.types ty).leaves in
-      Leaves.value c.types ty
-        (List.map2 copy leaves (Leaves.atoms c.types node ~span ty value)))
+      Leaves.value c.types ty (List.map2 copy leaves (Leaves.atoms c.types node ~span ty value)))
     tys values
 
 let run (p : Evaluator.position) targets request round =
@@ -141,7 +137,7 @@ let run (p : Evaluator.position) targets request round =
     in
     Value.Product
       (if Node.size node = 0 && only_hands_on () then define_outputs c node ~span results values
-      else values)
+       else values)
   in
   let specialization =
     Specialization.find c trail
@@ -166,8 +162,7 @@ let run (p : Evaluator.position) targets request round =
   let element_types = leaf_types request.elements in
   let actual (hole : Skeleton.hole) = hole.atom in
   let forms =
-    List.concat_map
-      (fun a -> List.map (fun _ -> a.form) (Types.layout c.types a.ty).leaves)
+    List.concat_map (fun a -> List.map (fun _ -> a.form) (Types.layout c.types a.ty).leaves)
   in
   let arguments = forms accumulators @ List.map (fun _ -> Ir.Same) same @ forms others in
   let tys = request.final @ List.map (array request.count) request.elements in
@@ -189,7 +184,9 @@ let run (p : Evaluator.position) targets request round =
     | Node node -> loop node
     | Nothing parameters -> (
         let formed =
-          List.map2 (fun p (form, atom) -> (p, form, atom)) parameters
+          List.map2
+            (fun p (form, atom) -> (p, form, atom))
+            parameters
             (List.map (fun hole -> (Ir.Same, actual hole)) statics
             @ List.combine arguments (List.map actual inputs))
         in

@@ -1,12 +1,11 @@
-(** Loops over arrays: a node that is made for one round, and the instance
-    that runs it for each. *)
+(** Loops over arrays: a node that is made for one round, and the instance that runs it for each. *)
 
 type argument = {
   form : Flow.Ir.argument;
   ty : Core.Ir.ty;  (** closed; of what one round gets; first-order *)
   value : Value.t;
-      (** the initial value, the array, or the number to count from; [Same] is
-          for what is captured, see below *)
+      (** the initial value, the array, or the number to count from; [Same] is for what is captured,
+          see below *)
   local : Core.Ir.Local.t;  (** names the node's inputs *)
 }
 
@@ -28,6 +27,6 @@ val run :
   request ->
   (Evaluator.position -> Value.t list -> Value.t list -> Value.t list) ->
   Value.t list
-(** The final accumulators, and the arrays; a target for each. The function is
-    one round, in a node of its own: from what is captured and the arguments to
-    the next accumulators and the elements. May raise {!Context.Postponed}. *)
+(** The final accumulators, and the arrays; a target for each. The function is one round, in a node
+    of its own: from what is captured and the arguments to the next accumulators and the elements.
+    May raise {!Context.Postponed}. *)

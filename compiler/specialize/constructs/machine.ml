@@ -5,11 +5,11 @@ let bug format = Diagnostic.bug ~stage:"Specialize.Machine" format
 
 type mode = {
   number : int;
-  value : Value.t;  (* in terms of the node that found it first *)
+  value : Value.t; (* in terms of the node that found it first *)
   holes : Skeleton.hole list;
   name : string;
-  at : Span.t;  (* what leads to it *)
-  place : Span.t;  (* of its code *)
+  at : Span.t; (* what leads to it *)
+  place : Span.t; (* of its code *)
   growth : Growth.t;
 }
 
@@ -29,7 +29,7 @@ type machine = {
   trail : Context.trail;
   input : Core.Ir.ty;
   result : Core.Ir.ty;
-  known : mode Variables.Table.t;  (* by key *)
+  known : mode Variables.Table.t; (* by key *)
   mutable count : int;
   waiting : mode Queue.t;
 }
@@ -52,9 +52,7 @@ let eta (proc : Core.Ir.proc) =
   | _, _ -> None
 
 (* What a signal function in tail position may be, and when. *)
-type choice =
-  | One of Value.t
-  | If of Ir.atom * choice * choice
+type choice = One of Value.t | If of Ir.atom * choice * choice
 
 (* [input]: of this instant, where it is known that what is chosen runs on it at once. *)
 let rec choices m node ?input ~span (value : Value.t) =
@@ -160,8 +158,7 @@ let rec proc_of (value : Value.t) =
 (* Names for an input of the machine in a mode. *)
 let input_names m (value : Value.t) =
   match proc_of value with
-  | Some (proc, types) ->
-      (Destructuring.of_proc m.context.types types proc, Some proc.input.local)
+  | Some (proc, types) -> (Destructuring.of_proc m.context.types types proc, Some proc.input.local)
   | None -> (Destructuring.none, None)
 
 let parameter node ~name (hole : Skeleton.hole) =
@@ -203,8 +200,7 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
       let result : Core.Ir.ty = Tuple [ m.result; Core.Signature.event ty ] in
       let outputs = run ~name:(Core.Primitive.name primitive) ~result before.value input in
       let delayed = primitive = Delayed_switch in
-      ( Leaves.component outputs 0,
-        next ~delayed ty (Leaves.component outputs 1) continuation.value )
+      (Leaves.component outputs 0, next ~delayed ty (Leaves.component outputs 1) continuation.value)
   | Primitive { primitive = Initially; arguments = [ chosen ]; _ } ->
       let event : Value.t = Constructed { constructor = 1; arguments = [ input.value ] } in
       (Unspecified, next ~delayed:false input.ty event chosen.value)
@@ -252,9 +248,7 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
             Value.Primitive { runs with arguments = [ task ] }
           in
           let after =
-            match occurs with
-            | Bool false -> []
-            | _ -> follow occurs task.value (left ())
+            match occurs with Bool false -> [] | _ -> follow occurs task.value (left ())
           in
           (output ~shown ~has_ended:false ~ended:Unspecified, after))
   | _ -> (run ~name:mode.name ~result:m.result value input, [])
@@ -291,20 +285,18 @@ let finish m name (b : built) outputs =
   let output (path, atom) = (Types.join "out" path, atom) in
   Specialization.finish m.context b.node
     ~name:(Names.unique m.context.names (Types.join name b.mode.name))
-    ~origin:b.mode.name ~span:b.mode.place ~kind:Signal_function ~statics:b.statics
-    ~inputs:b.inputs
-    ~outputs:(List.map output outputs)
-    ~transitions:b.transitions
+    ~origin:b.mode.name ~span:b.mode.place ~kind:Signal_function ~statics:b.statics ~inputs:b.inputs
+    ~outputs:(List.map output outputs) ~transitions:b.transitions
 
 (* {1 The machine} *)
 
 (* What a machine is made of, in its own node. *)
 type parts = {
-  first : Value.t;  (* the signal functions to begin with *)
-  own_input : Value.t;  (* of the modes *)
+  first : Value.t; (* the signal functions to begin with *)
+  own_input : Value.t; (* of the modes *)
   active : Ir.atom option;
   controls : unit -> Ir.transition list;
-  complete : Value.t -> Value.t;  (* the machine's output from that of the modes *)
+  complete : Value.t -> Value.t; (* the machine's output from that of the modes *)
 }
 
 let parts m node ~span (value : Value.t) (input : Value.t) =
@@ -418,7 +410,7 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~insid
         Diagnostic.error ~code:"E0415" ~at:place "`%s` would run inside itself" name
         |> Diagnostic.here
              (if by_itself then Printf.sprintf "`%s` goes on around what runs here" name
-             else "here, inside " ^ String.concat ", inside " quoted)
+              else "here, inside " ^ String.concat ", inside " quoted)
       in
       let labels =
         if by_itself then [ (Printf.sprintf "here `%s` starts again" name, at) ]
@@ -452,7 +444,9 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~insid
       |> Diagnostic.emit c.sink;
       raise Context.Stopped
 
-let is_task : Value.t -> bool = function Primitive { primitive = Run_task; _ } -> true | _ -> false
+let is_task : Value.t -> bool = function
+  | Primitive { primitive = Run_task; _ } -> true
+  | _ -> false
 
 let goes_on : Value.t -> bool = function
   | Primitive { primitive = Recurring_switch | Delayed_recurring_switch; _ } -> true
@@ -505,15 +499,5 @@ let run (p : Evaluator.position) evaluator target ~result value (input : Value.a
         body { p with trail; node; span } evaluator ~name ~own_input ~own_result value input)
   in
   Specialization.call c trail node target
-    {
-      kind = Signal_function;
-      name;
-      span;
-      call = span;
-      result;
-      statics;
-      inputs;
-      names;
-      key;
-    }
+    { kind = Signal_function; name; span; call = span; result; statics; inputs; names; key }
     make

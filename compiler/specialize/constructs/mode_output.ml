@@ -4,7 +4,7 @@ module Ir = Flow.Ir
 let bug format = Diagnostic.bug ~stage:"Specialize.Mode_output" format
 
 type given = { node : Node.t; place : Span.t; value : Value.t }
-type leaves = { key : int option;  (* [None] if any value would do *) holes : Skeleton.hole list }
+type leaves = { key : int option; (* [None] if any value would do *) holes : Skeleton.hole list }
 type variant = { key : int; shape : Value.t; holes : Skeleton.hole list }
 
 let leaves (c : Context.t) ty { node; place; value } =

@@ -1,9 +1,9 @@
 (** What a machine gives, made of what its modes give.
 
-    The output of each mode is a tuple of leaves. Where the output's type holds
-    functions, modes may give values of different skeletons, its {e variants}: then every
-    mode gives the number of its variant and the leaves of all, those of the others
-    being zero, and the machine's node chooses by the number. *)
+    The output of each mode is a tuple of leaves. Where the output's type holds functions, modes may
+    give values of different skeletons, its {e variants}: then every mode gives the number of its
+    variant and the leaves of all, those of the others being zero, and the machine's node chooses by
+    the number. *)
 
 open Basis
 

@@ -7,8 +7,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
     (arguments : Value.argument list) : Value.t =
   let bug () =
     Diagnostic.bug ~stage:"Specialize.Operation" "`%s` on %d arguments"
-      (Core.Primitive.name primitive)
-      (List.length arguments)
+      (Core.Primitive.name primitive) (List.length arguments)
   in
   let atom (a : Value.argument) = Leaves.atom p.types p.node ~span:p.span a.ty a.value in
   let leaf : Ir.ty =
@@ -74,9 +73,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   | Truncate -> operate Truncate
   | Equal -> compare Comparison.equal arguments
   | Not_equal ->
-      let unequal p target ty a b =
-        Comparison.(not_ p target (equal p Node.Unnamed ty a b))
-      in
+      let unequal p target ty a b = Comparison.(not_ p target (equal p Node.Unnamed ty a b)) in
       compare unequal arguments
   | Less -> compare Comparison.less arguments
   | Less_equal -> compare Comparison.less_equal arguments
@@ -95,8 +92,6 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   | Text_of | Blank | Drawn | Together -> Drawing.apply p target primitive ~result arguments
   | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch
   | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Map_sf | Parallel
-  | Make_task
-  | Until_right | Return | Sequence | Run_task | At | Length | Replace | Generate | Map | Imap
-  | Zip_with | Foldl | Scanl | Reactimate | Ending
-  | Console _ | Foreign _ ->
+  | Make_task | Until_right | Return | Sequence | Run_task | At | Length | Replace | Generate | Map
+  | Imap | Zip_with | Foldl | Scanl | Reactimate | Ending | Console _ | Foreign _ ->
       bug ()

@@ -47,9 +47,7 @@ let label p (value : Value.t) =
   match value with
   | Unspecified -> None
   | Text text -> (
-      match fault_of_label text with
-      | None -> Some text
-      | Some fault -> refuse fault Fun.id)
+      match fault_of_label text with None -> Some text | Some fault -> refuse fault Fun.id)
   | _ ->
       refuse "this label is not known while compiling"
         (Diagnostic.hint "give each button and knob its own label, and choose between their values")
@@ -122,14 +120,12 @@ let note (p : position) (found : Ir.control list) (label, kind) =
   | None -> { Ir.label; kind; unit_ = ""; span } :: found
   | Some { kind = known; _ } when known = kind ->
       let is_here (c : Ir.control) = has_label c && c.span = span in
-      if List.exists is_here found then found
-      else { Ir.label; kind; unit_ = ""; span } :: found
+      if List.exists is_here found then found else { Ir.label; kind; unit_ = ""; span } :: found
   | Some other ->
       let what = Core.Console.describe in
       ignore
         (refuse p ~code:"E0442" ~at:span
-           (Printf.sprintf "the console has another `%s` already" label)
-           (fun d ->
+           (Printf.sprintf "the console has another `%s` already" label) (fun d ->
              Diagnostic.here (what kind) d
              |> Diagnostic.label ~at:other.span (what other.kind)
              |> Diagnostic.hint "give one of them another label"));

@@ -2,9 +2,7 @@
 let rec place ~otherwise (value : Value.t) =
   match value with
   | Primitive { arguments; _ } -> (
-      match List.rev arguments with
-      | first :: _ -> place ~otherwise first.value
-      | [] -> otherwise)
+      match List.rev arguments with first :: _ -> place ~otherwise first.value | [] -> otherwise)
   | Function { code = Lambda (_, body); _ } -> body.span
   | Function closure | Signal_function closure -> closure.span
   | Choice { then_; _ } -> place ~otherwise then_
@@ -13,8 +11,7 @@ let rec place ~otherwise (value : Value.t) =
 
 let name (value : Value.t) =
   match value with
-  | Primitive
-      { primitive = Run_task; arguments = [ { value = Primitive { owner; _ }; _ } ]; _ } ->
+  | Primitive { primitive = Run_task; arguments = [ { value = Primitive { owner; _ }; _ } ]; _ } ->
       owner
   | Primitive { owner; _ } -> owner
   | Signal_function closure -> closure.name

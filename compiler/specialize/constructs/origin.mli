@@ -1,5 +1,4 @@
-(** Where and under which name the programmer knows what a machine or one of its
-    modes runs. *)
+(** Where and under which name the programmer knows what a machine or one of its modes runs. *)
 
 open Basis
 

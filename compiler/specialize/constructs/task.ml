@@ -35,9 +35,7 @@ let rec named (c : Context.t) ~name ~at (value : Value.t) : Value.t =
   | value -> value
 
 let place_of ~otherwise (continuation : Value.t) =
-  match continuation with
-  | Function { code = Lambda (_, body); _ } -> body.span
-  | _ -> otherwise
+  match continuation with Function { code = Lambda (_, body); _ } -> body.span | _ -> otherwise
 
 (* So many tasks in a row end at once in no program that means it. *)
 let most_at_once = 1000

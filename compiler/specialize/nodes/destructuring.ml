@@ -1,5 +1,4 @@
 module Ir = Core.Ir
-
 module Parts = Map.Make (String)
 
 (* By path; [""] is the parameter itself. *)
@@ -46,10 +45,7 @@ let of_proc types substitution (proc : Ir.proc) =
     | Pure value -> note types substitution proc.input parts eq.binder value
     | Run _ -> parts
   in
-  {
-    parameter = proc.input.local.id;
-    parts = List.fold_left equation Parts.empty proc.equations;
-  }
+  { parameter = proc.input.local.id; parts = List.fold_left equation Parts.empty proc.equations }
 
 (* The name of the nearest part around the leaf that has one, and the rest. *)
 let rec around parts prefix rest =

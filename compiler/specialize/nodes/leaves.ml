@@ -4,8 +4,7 @@ module Ir = Flow.Ir
 let bug format = Diagnostic.bug ~stage:"Specialize.Leaves" format
 
 (* An atom's type is not written on constants. *)
-let rec atoms table node ~span ty value =
-  List.rev (add_atoms table node ~span ty value [])
+let rec atoms table node ~span ty value = List.rev (add_atoms table node ~span ty value [])
 
 (* The leaves in front of [rest], the last one first. *)
 and add_atoms table node ~span ty (value : Value.t) rest =
@@ -64,8 +63,7 @@ and zeros table node ~span ty : Ir.atom list =
   | Array (_, element), leaves ->
       List.map2
         (fun (leaf : Types.leaf) zero -> Node.define node Unnamed ~span leaf.leaf (Fill zero))
-        leaves
-        (zeros table node ~span element)
+        leaves (zeros table node ~span element)
   | (Scalar | Opaque), _ -> bug "the type %s has no zero" (Types.to_string ty)
 
 and zeros_of_parts table node ~span parts =
@@ -170,8 +168,7 @@ let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) 
         let choose_target i (part, target) = choose i part target in
         Product (List.mapi choose_target (List.combine parts targets))
     | Array (_, element), Elements of_a, Elements of_b ->
-        Elements
-          (List.map2 (select table node Node.Unnamed ~span element condition) of_a of_b)
+        Elements (List.map2 (select table node Node.Unnamed ~span element condition) of_a of_b)
     | (Scalar | Sum _ | Array _ | Opaque), _, _ -> Choice { condition; then_ = a; else_ = b }
 
 let rec payload table node target ~span ty (value : Value.t) ~constructor ~field : Value.t =
@@ -207,8 +204,7 @@ and payload_of_leaf table node target ~span fields atom ~constructor ~field =
     Node.define node target ~span leaf.leaf
       (Payload { value = atom; constructor; leaf = first + i })
   in
-  value table part.ty
-    (List.mapi extract (List.combine (Node.leaves target leaves) leaves))
+  value table part.ty (List.mapi extract (List.combine (Node.leaves target leaves) leaves))
 
 let rec element table node target ~span ty (value : Value.t) k : Value.t =
   match (value, (Types.layout table ty).kind) with

@@ -3,8 +3,7 @@
 open Basis
 
 val atoms : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Flow.Ir.atom list
-(** The leaves of a value of a closed first-order type; known constructors
-    become equations. *)
+(** The leaves of a value of a closed first-order type; known constructors become equations. *)
 
 val known : Types.table -> Core.Ir.ty -> Value.t -> Flow.Ir.atom option list
 (** Of each leaf the atom, if there is one without making an equation. *)

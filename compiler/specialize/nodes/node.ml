@@ -3,20 +3,17 @@ module Ir = Flow.Ir
 
 type t = {
   fresh : unit -> int;
-  mutable equations : Ir.equation list;  (* the last one first *)
-  mutable instances : Ir.instance list;  (* likewise *)
+  mutable equations : Ir.equation list; (* the last one first *)
+  mutable instances : Ir.instance list; (* likewise *)
   mutable size : int;
-  mutable promised : Variables.Set.t;  (* signals that have no equation yet *)
+  mutable promised : Variables.Set.t; (* signals that have no equation yet *)
   mutable machine : Ir.machine option;
   instance_names : Names.t;
   mutable globals : Value.t Variables.t;
   mutable joins : Value.t Variables.t;
 }
 
-type target =
-  | Unnamed
-  | Named of string
-  | Defines of Ir.signal list
+type target = Unnamed | Named of string | Defines of Ir.signal list
 
 let create ~fresh =
   {

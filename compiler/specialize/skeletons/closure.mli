@@ -3,8 +3,7 @@
 exception Needs_itself of Core.Ir.Local.t
 
 val forced : Value.entry -> Value.t
-(** The value of a variable. Raises {!Needs_itself} if its evaluation comes
-    back to it. *)
+(** The value of a variable. Raises {!Needs_itself} if its evaluation comes back to it. *)
 
 val code_id : Value.code -> int
 (** See {!Free}. *)

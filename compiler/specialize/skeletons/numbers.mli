@@ -1,7 +1,7 @@
 (** How many numbers are inside the functions that a closure has captured.
 
-    Not counted are those that it has captured itself: [wallFollow 0.2] has
-    none inside, [delay 1 >>> delay 2] has two. *)
+    Not counted are those that it has captured itself: [wallFollow 0.2] has none inside,
+    [delay 1 >>> delay 2] has two. *)
 
 type table
 (** Remembers the counts of closures, so that counting is linear in all. *)

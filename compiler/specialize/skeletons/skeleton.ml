@@ -10,10 +10,10 @@ type table = {
   keys : Keys.t;
   closed : int option Table.t;
       (* by closure identity: the key of what it has captured if without holes *)
-  closed_with_numbers : int option Table.t;  (* likewise, numbers being no holes *)
+  closed_with_numbers : int option Table.t; (* likewise, numbers being no holes *)
   numbers : Numbers.table;
   constants : Core.Constant_numbers.t;
-  visiting : unit Table.t;  (* closures whose captures are being looked at *)
+  visiting : unit Table.t; (* closures whose captures are being looked at *)
 }
 
 (* So many arguments make a node slower and harder to read than a node of its
@@ -32,31 +32,21 @@ let table types ~constants ~fresh =
     visiting = Table.create 16;
   }
 
-type hole = {
-  atom : Flow.Ir.atom;
-  local : Core.Ir.Local.t;
-  path : string;
-  ty : Flow.Ir.ty;
-}
+type hole = { atom : Flow.Ir.atom; local : Core.Ir.Local.t; path : string; ty : Flow.Ir.ty }
+type numbers = Holes | In_key
 
-type numbers =
-  | Holes
-  | In_key
-
-let closed_keys table = function
-  | Holes -> table.closed
-  | In_key -> table.closed_with_numbers
+let closed_keys table = function Holes -> table.closed | In_key -> table.closed_with_numbers
 
 type walk = {
   table : table;
   node : Node.t;
   numbers : numbers;
   mutable key : int;
-  mutable holes : hole list;  (* the last one first *)
-  mutable seen : int Variables.t;  (* closures with holes, in the order met *)
+  mutable holes : hole list; (* the last one first *)
+  mutable seen : int Variables.t; (* closures with holes, in the order met *)
   mutable seen_count : int;
-  mutable inside : int;  (* of how many functions that are captured or passed *)
-  mutable constant : bool;  (* of a variable whose numbers have to be known *)
+  mutable inside : int; (* of how many functions that are captured or passed *)
+  mutable constant : bool; (* of a variable whose numbers have to be known *)
 }
 
 let walk table node numbers : walk =
@@ -94,7 +84,6 @@ and tag_numbers = 11
 and tag_elements = 12
 
 let type_id w ty = (Types.layout w.table.types ty).id
-
 let types holes = List.map (fun hole -> hole.ty) holes
 
 let numbers_of (table : table) closure =
@@ -280,9 +269,7 @@ let rec value_at c ~inside ~constant ty (original : Value.t) : Value.t =
   if layout.first_order then
     let filled (known : Flow.Ir.atom option) =
       match known with
-      | Some ((Bool _ | Int _ | Float _) as number)
-        when constant || (inside && c.in_key) ->
-          number
+      | Some ((Bool _ | Int _ | Float _) as number) when constant || (inside && c.in_key) -> number
       | Some _ | None -> next_atom c
     in
     Leaves.value c.sources.types ty (List.map filled (Leaves.known c.sources.types ty original))
@@ -293,8 +280,7 @@ let rec value_at c ~inside ~constant ty (original : Value.t) : Value.t =
         Product (List.map2 (fun (part : Types.part) v -> value part.ty v) parts values)
     | Constructed { constructor; arguments }, Sum fields ->
         let argument (part : Types.part) v = value part.ty v in
-        Constructed
-          { constructor; arguments = List.map2 argument fields.(constructor) arguments }
+        Constructed { constructor; arguments = List.map2 argument fields.(constructor) arguments }
     | Elements values, Array (_, element) -> Elements (List.map (value element) values)
     | Function closure, _ -> Function (copy_closure c closure)
     | Signal_function closure, _ -> Signal_function (copy_closure c closure)

@@ -1,20 +1,19 @@
 (** What a node is specialized on: values without their first-order leaves.
 
-    A function or signal function may capture signals and numbers. In the node
-    that is made for it each such leaf is a hole, an input of the node, so
-    that one node serves all the numbers. What remains, the skeleton, is the
-    node's key.
+    A function or signal function may capture signals and numbers. In the node that is made for it
+    each such leaf is a hole, an input of the node, so that one node serves all the numbers. What
+    remains, the skeleton, is the node's key.
 
-    A closure that occurs several times in a value is gone through once; one
-    without holes has a number of its own for good. So a composition such as
-    [f20 = f19 >>> f19], [f19 = f18 >>> f18]… takes linear time. *)
+    A closure that occurs several times in a value is gone through once; one without holes has a
+    number of its own for good. So a composition such as [f20 = f19 >>> f19], [f19 = f18 >>> f18]…
+    takes linear time. *)
 
 type table
 (** All keys so far, as numbers. *)
 
 val table : Types.table -> constants:Core.Constant_numbers.t -> fresh:(unit -> int) -> table
-(** [constants]: what is captured in one of these variables is no hole but part of the key, as
-    far as it is known. *)
+(** [constants]: what is captured in one of these variables is no hole but part of the key, as far
+    as it is known. *)
 
 type hole = {
   atom : Flow.Ir.atom;
@@ -30,14 +29,11 @@ val types : hole list -> Flow.Ir.ty list
 type walk
 
 (** What becomes of the numbers inside functions that are captured or passed. *)
-type numbers =
-  | Holes
-  | In_key  (** they are part of the key *)
+type numbers = Holes | In_key  (** they are part of the key *)
 
 val numbers_of : table -> Value.closure -> numbers
-(** For the specialization of this closure: [In_key] if there are so many that
-    a long composition, of signal functions with numbers in them, would do
-    little but hand them on. *)
+(** For the specialization of this closure: [In_key] if there are so many that a long composition,
+    of signal functions with numbers in them, would do little but hand them on. *)
 
 val walk : table -> Node.t -> numbers -> walk
 (** [Node]: where known constructors of first-order types become leaves. *)

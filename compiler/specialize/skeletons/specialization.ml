@@ -70,9 +70,7 @@ let handed_on parameters actuals outputs =
   let add known (s : Ir.signal) atom = Variables.add s.id atom known in
   let known = List.fold_left2 add Variables.empty parameters actuals in
   let hand_on (atom : Ir.atom) =
-    match atom with
-    | Signal s -> Variables.find s.id known
-    | Bool _ | Int _ | Float _ -> atom
+    match atom with Signal s -> Variables.find s.id known | Bool _ | Int _ | Float _ -> atom
   in
   List.map hand_on outputs
 

@@ -30,10 +30,9 @@ val call :
   request ->
   (Context.trail -> Node.t -> Flow.Ir.atom list -> Value.t) ->
   Value.t
-(** The result of a call of the node for this key. If there is none yet the
-    function gives its body, from the new node and the signals for statics and
-    inputs. A node without equations is not called. May raise
-    {!Context.Postponed}. *)
+(** The result of a call of the node for this key. If there is none yet the function gives its body,
+    from the new node and the signals for statics and inputs. A node without equations is not
+    called. May raise {!Context.Postponed}. *)
 
 val finish :
   Context.t ->

@@ -6,19 +6,13 @@ let broken what = Diagnostic.bug ~stage:"Step.Body" "%s" what
 let modes_context (context : Calls.context) draft state : Modes.context =
   match State.machine state with
   | Some kept ->
-      {
-        program = context.program;
-        callee = context.callee;
-        kept;
-        resolve = Draft.resolve draft;
-      }
+      { program = context.program; callee = context.callee; kept; resolve = Draft.resolve draft }
   | None -> broken "a machine without state"
 
 let output_span (node : F.node) (atom : F.atom) =
   match atom with Signal s -> s.span | Bool _ | Int _ | Float _ -> node.span
 
-let step (context : Calls.context) state (node : F.node) ~limited ~is_root
-    (statics : Statics.t) =
+let step (context : Calls.context) state (node : F.node) ~limited ~is_root (statics : Statics.t) =
   let d = Draft.create () in
   let parameter (s : F.signal) = Draft.leaf d s (Variable (Modes.variable s)) in
   List.iter parameter node.statics;

@@ -2,11 +2,7 @@ module F = Flow.Ir
 open Basis
 open Fragment
 
-type context = {
-  program : F.program;
-  callee : int -> Ir.node;
-  fresh : unit -> int;
-}
+type context = { program : F.program; callee : int -> Ir.node; fresh : unit -> int }
 
 let variable = Modes.variable
 let broken what = Diagnostic.bug ~stage:"Step.Calls" "%s" what
@@ -97,13 +93,9 @@ let loop context resolve (i : F.instance) (l : F.loop) state =
   List.iteri
     (fun k (s, form) -> input k s form)
     (List.combine context.program.nodes.(i.node).inputs l.arguments);
-  let initial =
-    List.filteri (fun k _ -> List.nth l.arguments k = F.Accumulator) i.inputs
-  in
+  let initial = List.filteri (fun k _ -> List.nth l.arguments k = F.Accumulator) i.inputs in
   let parameters = node.step.parameters in
-  let form (p : Ir.variable) =
-    Option.value (Int_table.find_opt forms p.id) ~default:(0, F.Same)
-  in
+  let form (p : Ir.variable) = Option.value (Int_table.find_opt forms p.id) ~default:(0, F.Same) in
   let statements exprs =
     let first, others = Long_list.split_at (List.length initial) exprs in
     let argument p e : Ir.argument =

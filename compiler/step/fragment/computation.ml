@@ -3,7 +3,6 @@ open Basis
 open Fragment
 
 let atom_type atom = Layout.ty (Flow.Operands.ty atom)
-
 let broken what = Diagnostic.bug ~stage:"Step.Computation" "%s" what
 
 let sum_of : F.ty -> int = function
@@ -14,7 +13,8 @@ let operation operator ty arguments : Ir.expr = Operation { operator; ty; argume
 
 let operator_weight : F.operator -> int = function
   | Add | Subtract | Multiply | Negate | Absolute | Equal | Less | Less_equal | Not | And | Or
-  | To_float | Bitwise (Bit_and | Bit_or | Bit_xor) ->
+  | To_float
+  | Bitwise (Bit_and | Bit_or | Bit_xor) ->
       1
   | Signum | Minimum | Maximum | Truncate | Floor | Ceiling | Round
   | Bitwise (Shift_left | Shift_right)
@@ -31,8 +31,8 @@ let one = function [ e ] -> e | _ -> broken "an operation with a wrong number of
    [x == x], which asks whether x is a number. *)
 let without_self_comparison (rhs : F.rhs) : F.rhs =
   match rhs with
-  | Op ((Less | Less_equal | Equal) as operator, [ (Signal a as x); Signal b ])
-    when a.id = b.id -> (
+  | Op (((Less | Less_equal | Equal) as operator), [ (Signal a as x); Signal b ]) when a.id = b.id
+    -> (
       match (operator, a.ty) with
       | Less, _ -> Copy (Bool false)
       | _, Float -> Op (Equal, [ x; x ])
@@ -51,7 +51,9 @@ let computed (eq : F.equation) rhs : computed =
   match (rhs : F.rhs) with
   | Copy a -> make [ a ] 0 one
   | Op (operator, operands) ->
-      let ty = match operands with a :: _ -> atom_type a | [] -> broken "an operation on nothing" in
+      let ty =
+        match operands with a :: _ -> atom_type a | [] -> broken "an operation on nothing"
+      in
       make operands (operator_weight operator) (operation operator ty)
   | If { condition; then_; else_ } ->
       let choice =

@@ -20,8 +20,7 @@ val leaf : t -> Flow.Ir.signal -> Ir.expr -> unit
 val count_nanoseconds : t -> Flow.Ir.signal -> unit
 (** The signal is a whole number of nanoseconds, whatever its type in Flow. *)
 
-val keep_at_end :
-  t -> Ir.field -> Flow.Ir.atom -> leaf:Flow.Ir.signal option -> Span.t -> unit
+val keep_at_end : t -> Ir.field -> Flow.Ir.atom -> leaf:Flow.Ir.signal option -> Span.t -> unit
 (** A field gets this value at the end of the step; [leaf] as in {!Fragment.t}. *)
 
 val work :
@@ -33,8 +32,8 @@ val work :
   Span.t ->
   (Ir.expr list -> Ir.statement list) ->
   Fragment.item
-(** Statements; if nothing else is said they write state, define no variable and cost
-    next to nothing. *)
+(** Statements; if nothing else is said they write state, define no variable and cost next to
+    nothing. *)
 
 val fragment : t -> Fragment.t
 (** All so far; its states are those of {!keep_at_end}. *)

@@ -1,17 +1,16 @@
 (** What a function has to compute, before it is decided where.
 
-    {!Body} describes a reset or step function so; {!Usage} decides which
-    values stand inside their user's expression, {!Write_order} in which order
-    the state is written, {!Placement} in which block each value is computed.
+    {!Body} describes a reset or step function so; {!Usage} decides which values stand inside their
+    user's expression, {!Write_order} in which order the state is written, {!Placement} in which
+    block each value is computed.
 
-    Always true: an item's operands are leaves or defined by items before it;
-    operands are never copies of other signals. *)
+    Always true: an item's operands are leaves or defined by items before it; operands are never
+    copies of other signals. *)
 
 open Basis
 
 type atom = Flow.Ir.atom
 
-(** A value without effect. It may be computed anywhere or not at all. *)
 type computed = {
   signal : Flow.Ir.signal;
   operands : atom list;
@@ -20,8 +19,8 @@ type computed = {
   weight : int;  (** about how many additions it costs *)
   span : Span.t;
 }
+(** A value without effect. It may be computed anywhere or not at all. *)
 
-(** Statements that define variables. *)
 type action = {
   defines : Flow.Ir.signal list;
   operands : atom list;
@@ -31,16 +30,12 @@ type action = {
   weight : int;
   span : Span.t;
 }
+(** Statements that define variables. *)
 
-type item =
-  | Computed of computed
-  | Action of action
+type item = Computed of computed | Action of action
 
 (** How a place is to change at the end of the step. *)
-type update =
-  | Keep
-  | Set of atom
-  | Branch of { condition : atom; then_ : update; else_ : update }
+type update = Keep | Set of atom | Branch of { condition : atom; then_ : update; else_ : update }
 
 type write = { place : Ir.place; update : update; span : Span.t }
 
@@ -53,16 +48,12 @@ type t = {
   results : (Ir.place * atom * Span.t) list;
       (** written before any state; those that {!Late} finds come after it *)
   states : (Ir.field * atom * Flow.Ir.signal option * Span.t) list;
-      (** field, its next value, and the signal whose leaf the field is: that
-          value means that the field keeps what it has *)
+      (** field, its next value, and the signal whose leaf the field is: that value means that the
+          field keeps what it has *)
   returned : (atom * Span.t) option;
   advances : Ir.statement list;  (** of times and integrals: before all else *)
   ending : ending option;  (** see {!Early_end}; [returned] is [None] then *)
 }
 
+and ending = { ends : atom; told : int; span : Span.t }
 (** Where this holds a mode ends, and then only its [results] from [told] on count. *)
-and ending = {
-  ends : atom;
-  told : int;
-  span : Span.t;
-}

@@ -80,10 +80,8 @@ let tick fresh draft (s : F.signal) time period span =
   Draft.leaf draft before (Field time);
   computed s [ Signal before; period ] (on_period (fun time period -> Ir.Reached { time; period }));
   computed rest [ Signal before; period ] (on_period (fun time period -> Ir.Rest { time; period }));
-  computed next
-    ~choice:(Signal s, Signal rest, Signal before)
-    [ Signal s; Signal rest; Signal before ]
-    (function
+  computed next ~choice:(Signal s, Signal rest, Signal before)
+    [ Signal s; Signal rest; Signal before ] (function
     | [ condition; then_; else_ ] -> Select { condition; then_; else_ }
     | _ -> broken "a choice with a wrong number of operands");
   Draft.keep_at_end draft time (Signal next) ~leaf:(Some before) span
@@ -107,8 +105,7 @@ let step ~fresh draft state (eq : F.equation) =
       match eq.rhs with
       | Op (Elementary Nanoseconds, [ seconds ]) -> (
           match memory_of (Draft.resolve draft seconds) with
-          | Some (Elapsed { time; _ }) ->
-              read_time fresh draft eq time (fun e -> In_nanoseconds e)
+          | Some (Elapsed { time; _ }) -> read_time fresh draft eq time (fun e -> In_nanoseconds e)
           | Some _ | None -> Draft.add_computed draft eq)
       | _ -> Draft.add_computed draft eq)
   | Some (Kept field | Delayed field) -> Draft.leaf draft s (Field field)
@@ -142,8 +139,10 @@ let keep draft state span (s : F.signal) =
   match State.memory state s with
   | Some (Kept field) ->
       [
-        Draft.work ~operands:[ Draft.resolve draft (F.Signal s) ] span (fun e ->
-            [ assign field (one e) span ]);
+        Draft.work
+          ~operands:[ Draft.resolve draft (F.Signal s) ]
+          span
+          (fun e -> [ assign field (one e) span ]);
       ]
   | Some _ | None -> []
 

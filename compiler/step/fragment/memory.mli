@@ -1,23 +1,18 @@
-(** The code of what equations remember: delays, integrals, derivatives, times
-    and ticks, each in the fields that {!State} has for it.
+(** The code of what equations remember: delays, integrals, derivatives, times and ticks, each in
+    the fields that {!State} has for it.
 
-    Times and integrals advance at the start of a step, a derivative where it
-    stands, and a delay at the end. *)
+    Times and integrals advance at the start of a step, a derivative where it stands, and a delay at
+    the end. *)
 
 open Basis
 
 val advance : limited:bool -> State.t -> Flow.Ir.equation -> Ir.statement option
-(** At the start of a step, before anything is computed. [limited]:
-    the node's time, if it never starts again, needs no check (see {!Flow.Time_limit}). *)
+(** At the start of a step, before anything is computed. [limited]: the node's time, if it never
+    starts again, needs no check (see {!Flow.Time_limit}). *)
 
-val step :
-  fresh:(unit -> int) ->
-  Draft.t ->
-  State.t ->
-  Flow.Ir.equation ->
-  unit
-(** The equation's value, and what changes where it stands; one without memory
-    is computed. [fresh] gives ids for signals. *)
+val step : fresh:(unit -> int) -> Draft.t -> State.t -> Flow.Ir.equation -> unit
+(** The equation's value, and what changes where it stands; one without memory is computed. [fresh]
+    gives ids for signals. *)
 
 val next :
   Draft.t ->

@@ -1,5 +1,4 @@
 open Basis
-
 module F = Flow.Ir
 
 type context = {

@@ -1,7 +1,7 @@
 (** The code of a machine: a mode of it runs in each instant, and may end.
 
-    A mode's node becomes a step function like any other, whose results after
-    those of the machine are what its transitions need to know. *)
+    A mode's node becomes a step function like any other, whose results after those of the machine
+    are what its transitions need to know. *)
 
 type context = {
   program : Flow.Ir.program;

@@ -17,10 +17,7 @@ type t = {
   mutable count : int;
 }
 
-and machine = {
-  clock : Ir.clock option;
-  modes : Ir.mode list;
-}
+and machine = { clock : Ir.clock option; modes : Ir.mode list }
 
 let numbered t ~name content ~purpose span : Ir.field =
   let id = t.count in
@@ -34,14 +31,10 @@ let new_field t ~name content ~purpose span =
 
 let machine t = t.machine
 let modes t = match t.machine with None -> [] | Some machine -> machine.modes
-
-let fields_of_mode (mode : Ir.mode) =
-  List.map snd mode.parameters @ Option.to_list mode.state
-
+let fields_of_mode (mode : Ir.mode) = List.map snd mode.parameters @ Option.to_list mode.state
 let fields t = List.rev t.fields
 let memory t (s : signal) = Int_table.find_opt t.memories s.id
 let instance t (i : instance) = Hashtbl.find_opt t.instances i.name
-
 let atom_name = function Signal s -> s.name | Bool _ | Int _ | Float _ -> ""
 
 (* A name for what an operation on [atom] remembers: the signal's own name, or
@@ -53,9 +46,7 @@ let derived (s : signal) atom ~suffix ~otherwise =
   | name, _ -> name
 
 let remember t (s : signal) memory = Int_table.replace t.memories s.id memory
-
 let value (ty : ty) : Ir.content = Value (Layout.ty ty)
-
 let past_first = "past the first instant"
 
 let equation t { defines = s; rhs; span } =
@@ -91,7 +82,8 @@ let equation t { defines = s; rhs; span } =
       let input = field ~name:(name ^ "_input") ~purpose:"its last input" in
       remember t s (Differentiated { value; input })
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Param _
-  | Absent | Fill _ | Index _ | At _ | Replace _ | Step_time -> ()
+  | Absent | Fill _ | Index _ | At _ | Replace _ | Step_time ->
+      ()
 
 let kept_name rhs =
   let after operator operand =
@@ -157,9 +149,7 @@ let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : S
       count = 0;
     }
   in
-  let stateful index =
-    match (callee index : Ir.node).state with [] -> false | _ :: _ -> true
-  in
+  let stateful index = match (callee index : Ir.node).state with [] -> false | _ :: _ -> true in
   List.iter
     (fun (item : Flow.Schedule.item) ->
       match item with

@@ -2,8 +2,7 @@
 
 type t
 
-val of_node :
-  callee:(int -> Ir.node) -> statics:(int -> Ir.variable list) -> Statics.t -> t
+val of_node : callee:(int -> Ir.node) -> statics:(int -> Ir.variable list) -> Statics.t -> t
 (** Of the nodes before this one: the nodes themselves, and their statics. *)
 
 type memory =
@@ -21,11 +20,8 @@ val past_first : string
 val memory : t -> Flow.Ir.signal -> memory option
 val instance : t -> Flow.Ir.instance -> Ir.field option
 
+type machine = { clock : Ir.clock option; modes : Ir.mode list }
 (** What a machine keeps. *)
-type machine = {
-  clock : Ir.clock option;
-  modes : Ir.mode list;
-}
 
 val machine : t -> machine option
 

@@ -9,9 +9,7 @@ type t = {
 
 type cost = Cheap | Costly
 
-let is_expensive = function
-  | Flow.Ir.Op ((Pow | Elementary _), _) -> true
-  | _ -> false
+let is_expensive = function Flow.Ir.Op ((Pow | Elementary _), _) -> true | _ -> false
 
 (* What is known of a node while it is being divided; tables by signal id. *)
 type work = {
@@ -91,9 +89,7 @@ let read_at_start (program : Flow.Ir.program) = function
   | Flow.Schedule.Equation { rhs = Delay { init; _ }; _ } -> [ init ]
   | Equation _ -> []
   | Instance i -> (
-      match program.nodes.(i.node).kind with
-      | Signal_function -> i.statics
-      | Function -> [])
+      match program.nodes.(i.node).kind with Signal_function -> i.statics | Function -> [])
   | Trial _ -> []
   | Machine m -> Flow.Transitions.atoms m.start
 
@@ -121,10 +117,7 @@ let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) 
   List.iter (classify work) items;
   let is_static_item = function
     | Flow.Schedule.Equation e -> Int_table.mem work.static e.defines.id
-    | Instance i -> (
-        match i.outputs with
-        | s :: _ -> Int_table.mem work.static s.id
-        | [] -> false)
+    | Instance i -> ( match i.outputs with s :: _ -> Int_table.mem work.static s.id | [] -> false)
     | Trial _ | Machine _ -> false
   in
   let static_items, dynamic = List.partition is_static_item items in

@@ -67,8 +67,8 @@ let find ~fresh ~resolve (node : F.node) (fragment : Fragment.t) =
   let tries = List.exists (fun (i : F.instance) -> i.trials <> []) node.instances in
   match can_occur with
   | first :: others
-    when List.for_all is_signal can_occur && (not tries)
-         && Option.is_none fragment.returned && Option.is_none (Late.split fragment) ->
+    when List.for_all is_signal can_occur && (not tries) && Option.is_none fragment.returned
+         && Option.is_none (Late.split fragment) ->
       let more, ends = List.fold_left (either ~fresh node) ([], first) others in
       let items = Array.append fragment.items (Array.of_list (List.rev more)) in
       let told = List.length node.outputs in

@@ -36,9 +36,7 @@ let of_node (node : F.node) : t =
   | Signal_function ->
       let graph, vertex = graph node in
       let component = Array.make (Array.length graph) 0 in
-      List.iteri
-        (fun k -> List.iter (fun v -> component.(v) <- k))
-        (Graph.components graph);
+      List.iteri (fun k -> List.iter (fun v -> component.(v) <- k)) (Graph.components graph);
       let found = Int_table.create 8 in
       List.iter
         (fun (eq : F.equation) ->

@@ -9,20 +9,16 @@ type user =
 
 type t = {
   fragment : Fragment.t;
-  definer : int Int_table.t;  (* items by signal *)
-  users : user list Int_table.t;  (* by signal; of what is needed *)
-  written : unit Int_table.t;  (* fields *)
-  kept : (int, Ir.field) Hashtbl.t;  (* y, and the field that holds it in the end *)
+  definer : int Int_table.t; (* items by signal *)
+  users : user list Int_table.t; (* by signal; of what is needed *)
+  written : unit Int_table.t; (* fields *)
+  kept : (int, Ir.field) Hashtbl.t; (* y, and the field that holds it in the end *)
   late_items : bool array;
   late_outputs : bool array;
 }
 
 let operands = function Computed c -> c.operands | Action a -> a.operands
-
-let defined = function
-  | Computed c -> [ c.signal ]
-  | Action a -> a.defines
-
+let defined = function Computed c -> [ c.signal ] | Action a -> a.defines
 let users t (s : Flow.signal) = Option.value (Int_table.find_opt t.users s.id) ~default:[]
 
 let use t user (atom : atom) =
@@ -147,8 +143,7 @@ let split (fragment : Fragment.t) =
       users = Int_table.create 64;
       written = Int_table.create 16;
       kept = Hashtbl.create 8;
-      late_items =
-        Array.map (function Computed _ -> true | Action _ -> false) fragment.items;
+      late_items = Array.map (function Computed _ -> true | Action _ -> false) fragment.items;
       late_outputs = Array.make (List.length (outputs fragment)) true;
     }
   in

@@ -18,9 +18,7 @@ and branch = {
   span : Span.t;
 }
 
-and code =
-  | Statement of Ir.statement
-  | Branch_here of branch
+and code = Statement of Ir.statement | Branch_here of branch
 
 type use = { block : block; position : int }
 
@@ -96,8 +94,7 @@ let rec position_in block use =
     | Some { parent; position; _ } -> position_in block { block = parent; position }
     | None -> None
 
-let block_at t depth =
-  { id = fresh t; depth; within = None; code = [] }
+let block_at t depth = { id = fresh t; depth; within = None; code = [] }
 
 let new_branch ?leaf t block condition span =
   let use = here t block in
@@ -246,17 +243,14 @@ let place_computed t (c : computed) uses =
 
 (* [always] is where what writes state goes. *)
 let place_item t ~always = function
-  | Computed c -> (
-      match uses_of t c.signal with
-      | [] -> ()
-      | uses -> place_computed t c uses)
+  | Computed c -> ( match uses_of t c.signal with [] -> () | uses -> place_computed t c uses)
   | Action a ->
       let uses = List.concat_map (uses_of t) a.defines in
-      if a.always || uses <> [] then (
+      if a.always || uses <> [] then
         let block = if a.always then always else block_for t uses in
         let use = here t block in
         let statements = a.statements (List.map (tree t use) a.operands) in
-        List.iter (put block) (List.rev statements))
+        List.iter (put block) (List.rev statements)
 
 (* From blocks to statements; their nesting is bounded. *)
 

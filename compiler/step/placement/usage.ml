@@ -1,13 +1,9 @@
 open Basis
-
 module Flow = Flow.Ir
 open Fragment
 
 (* The innermost branch that all uses of a signal lie in, as far as seen. *)
-type guard =
-  | Nowhere
-  | Under of int * bool  (** the condition's signal; which branch *)
-  | Anywhere
+type guard = Nowhere | Under of int * bool  (** the condition's signal; which branch *) | Anywhere
 
 type t = {
   fragment : Fragment.t;
@@ -29,8 +25,8 @@ let branch_count = 4
 
 (* A choice inside a choice inside … of one write. *)
 let update_depth = 8
-
 let get table key ~default = Option.value (Int_table.find_opt table key) ~default
+
 let ty t (s : Flow.signal) : Ir.ty =
   if Int_table.mem t.fragment.nanoseconds s.id then Nanoseconds else Layout.ty s.ty
 
@@ -46,9 +42,7 @@ let item_uses t k =
   | Action a -> List.fold_left (fun n s -> n + uses t s) 0 a.defines
 
 let computed_of t s =
-  match item_of t s with
-  | Some (_, Computed c) -> Some c
-  | Some (_, Action _) | None -> None
+  match item_of t s with Some (_, Computed c) -> Some c | Some (_, Action _) | None -> None
 
 let predicted t = function
   | Flow.Signal s -> Int_table.mem t.predicted s.id
@@ -69,7 +63,9 @@ let is_array (s : Flow.signal) =
 let inlined t (s : Flow.signal) =
   match computed_of t s with
   | Some c
-    when String.equal s.name "" && uses t s = 1 && not (is_array s)
+    when String.equal s.name ""
+         && uses t s = 1
+         && (not (is_array s))
          && (not (Int_table.mem t.apart s.id))
          && Option.is_none (branches t c) ->
       Some c
@@ -162,8 +158,7 @@ let state_write t (field, atom, own, span) =
 let find_predicted t feedback =
   Array.iter
     (function
-      | Computed { choice = Some (Signal c, _, _); signal; _ }
-        when Feedback.mem feedback signal ->
+      | Computed { choice = Some (Signal c, _, _); signal; _ } when Feedback.mem feedback signal ->
           Int_table.replace t.predicted c.id ();
           Int_table.replace t.branching c.id ()
       | Computed _ | Action _ -> ())
@@ -239,7 +234,8 @@ let bound_sizes t =
     if total <= expression_size then total
     else
       let largest =
-        List.fold_left (fun best atom -> if size atom > size best then atom else best)
+        List.fold_left
+          (fun best atom -> if size atom > size best then atom else best)
           (Flow.Bool true) operands
       in
       match largest with
@@ -269,8 +265,7 @@ let rec taken_apart t depth (atom : atom) =
           | None -> Set atom)
       | Some _ | None -> Set atom)
 
-let result_write t (place, atom, span) =
-  { place; update = taken_apart t update_depth atom; span }
+let result_write t (place, atom, span) = { place; update = taken_apart t update_depth atom; span }
 
 let choice t c =
   Option.map
@@ -298,7 +293,8 @@ let of_fragment feedback (fragment : Fragment.t) =
       predicted = Int_table.create 16;
       writes =
         List.rev
-          (List.rev_map (fun (field, atom, _, span) -> plain (Ir.Own field, atom, span))
+          (List.rev_map
+             (fun (field, atom, _, span) -> plain (Ir.Own field, atom, span))
              fragment.states);
       results = Basis.Long_list.map plain fragment.results;
     }

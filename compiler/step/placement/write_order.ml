@@ -1,10 +1,7 @@
 open Basis
 open Fragment
 
-type write = {
-  write : Fragment.write;
-  early : bool;
-}
+type write = { write : Fragment.write; early : bool }
 
 let reads usage atoms =
   let fields = Int_table.create 8 and seen = Int_table.create 8 in
@@ -27,8 +24,8 @@ let reads usage atoms =
                 | Some (k, (Computed { operands; _ } | Action { operands; _ })) ->
                     let times = 1 + Option.value (Int_table.find_opt seen k) ~default:0 in
                     Int_table.replace seen k times;
-                    if times = Usage.item_uses usage k then visit (operands :: rest)
-                    else visit rest)))
+                    if times = Usage.item_uses usage k then visit (operands :: rest) else visit rest
+                )))
   in
   visit [ atoms ];
   fields
@@ -36,9 +33,7 @@ let reads usage atoms =
 let overlap a b = Int_table.fold (fun field () any -> any || Int_table.mem b field) a false
 
 let note written (w : Fragment.write) =
-  match w.place with
-  | Own field -> Int_table.replace written field.id ()
-  | Local _ | Result _ -> ()
+  match w.place with Own field -> Int_table.replace written field.id () | Local _ | Result _ -> ()
 
 (* Those by one condition that follow each other, which share its [If]. *)
 let groups writes =
@@ -47,8 +42,7 @@ let groups writes =
   in
   let add groups (w : Fragment.write) =
     match groups with
-    | (first :: _ as group) :: others
-      when condition w <> None && condition first = condition w ->
+    | (first :: _ as group) :: others when condition w <> None && condition first = condition w ->
         (w :: group) :: others
     | _ -> [ w ] :: groups
   in

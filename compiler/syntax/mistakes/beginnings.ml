@@ -2,8 +2,8 @@ let by_equation =
   "a function is defined by an equation, `f x = …`, and a block ends where the indentation does"
 
 let no_procedures =
-  "there are no procedures: a robot's program is equations that hold at every instant, \
-   `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`"
+  "there are no procedures: a robot's program is equations that hold at every instant, `main = \
+   reactimateRobot (proc i -> roMake (setVelTR v omega))`"
 
 let cures =
   [
@@ -26,8 +26,7 @@ let cures =
     ([ "using"; "namespace" ], "names come from a module by `import Control`");
   ]
 
-let of_word word =
-  Option.map snd (List.find_opt (fun (words, _) -> List.mem word words) cures)
+let of_word word = Option.map snd (List.find_opt (fun (words, _) -> List.mem word words) cures)
 
 let needless =
   [ "const"; "constexpr"; "var"; "val"; "auto"; "static"; "final"; "local"; "global"; "def"; "let" ]

@@ -68,8 +68,8 @@ let of_field text at =
       {
         hint =
           Some
-            "a record is declared by `data`, and built by its constructor: `data Config = Config \
-             { speed :: Velocity }`";
+            "a record is declared by `data`, and built by its constructor: `data Config = Config { \
+             speed :: Velocity }`";
         instead = None;
       }
   | Some _, _ when starts_a_case text at -> { hint = Some of_switch; instead = None }
@@ -87,7 +87,8 @@ let of_class =
 (* An indented `def`, below a `class`. *)
 let is_a_method text start =
   char_at text start = ' '
-  && List.exists (String.starts_with ~prefix:"class ")
+  && List.exists
+       (String.starts_with ~prefix:"class ")
        (String.split_on_char '\n' (String.sub text 0 start))
 
 (* `x : xs`, as a value. *)
@@ -134,8 +135,7 @@ let of_colon text at =
          signal function gives True"
   | _ when List.mem "for" words || List.mem "(for" words -> hint of_for
   | _ when is_a_slice text at ->
-      hint
-        "a part of an array is made by `take xs` and `drop xs`, as long as its type says"
+      hint "a part of an array is made by `take xs` and `drop xs`, as long as its type says"
   | _ when char_at text (at - 1) = '"' && line_of_brace text at <> None ->
       hint "what has names has the fields of a record: `data Gains = Gains { p :: Float }`"
   | name :: _ when types_a_parameter text start at ->
@@ -185,15 +185,12 @@ let symbol text at = function
   | "\u{2264}" -> Some ("<=", "write `<=`")
   | "\u{2265}" -> Some (">=", "write `>=`")
   | "\u{2260}" -> Some ("/=", "write `/=`")
-  | "\u{2018}" | "\u{2019}" ->
-      Some ("'", "a prime is `'`, and an infix name stands in backticks")
+  | "\u{2018}" | "\u{2019}" -> Some ("'", "a prime is `'`, and an infix name stands in backticks")
   | _ -> None
 
 (* `Robot`, of `#include "Robot.h"`. *)
 let included text at =
-  let stop =
-    Option.value (String.index_from_opt text at '\n') ~default:(String.length text)
-  in
+  let stop = Option.value (String.index_from_opt text at '\n') ~default:(String.length text) in
   let line = String.sub text at (stop - at) in
   match String.split_on_char ' ' line with
   | [ _; file ] when String.length file > 2 ->

@@ -19,9 +19,7 @@ let is_simple ~like c =
 
 let case_of c =
   let names = List.filteri (fun i _ -> i < List.length c.parameters) invented in
-  let value =
-    match names with [ one ] -> one | _ -> "(" ^ String.concat ", " names ^ ")"
-  in
+  let value = match names with [ one ] -> one | _ -> "(" ^ String.concat ", " names ^ ")" in
   Printf.sprintf "%s %s = case %s of" c.name.text (String.concat " " names) value
 
 (* The edits that make branches of the clauses: what stands between the patterns goes. *)
@@ -76,8 +74,7 @@ let joined declarations =
   in
   let add (kept, first, others, told) d =
     match (first, clause d) with
-    | Some f, Some c when String.equal f.name.text c.name.text ->
-        (kept, first, c :: others, told)
+    | Some f, Some c when String.equal f.name.text c.name.text -> (kept, first, c :: others, told)
     | _, c -> (d :: kept, c, [], finish first others told)
   in
   let kept, first, others, told = List.fold_left add ([], None, [], []) declarations in

@@ -22,7 +22,6 @@ let char_at found offset =
   if offset >= 0 && offset < String.length found.text then found.text.[offset] else '\n'
 
 let after found = char_at found found.token.stop.pos_cnum
-
 let is_blank = function ' ' | '\t' | '\n' | '\r' -> true | _ -> false
 let is_symbol c = String.contains "+-*/^=<>&|!.@:$" c
 let is_digit c = c >= '0' && c <= '9'
@@ -33,10 +32,12 @@ let in_brackets : Layout.context -> bool = function
 
 let expects_more : Layout.token option -> bool = function
   | Some
-      { token =
+      {
+        token =
           ( EQUAL | ARROW | DOUBLE_COLON | DOUBLE_ARROW | OPERATOR _ | MINUS | STAR | SLASH | CARET
           | BAR | IF | THEN | ELSE | IN | CASE | COMMA | TAIL );
-        _ } ->
+        _;
+      } ->
       true
   | Some _ | None -> false
 
@@ -63,7 +64,6 @@ let part found (first, last) = String.sub found.text first (last - first)
 
 (* The word at the left edge of the line: what other languages begin it with. *)
 let first_word found = part found (word_from found found.token.start.pos_bol)
-
 let first_word_of_line found = part found (first_word_from found found.token.start.pos_bol)
 
 (* The word that ends before this offset, with only blanks between. *)

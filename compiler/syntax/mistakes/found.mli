@@ -41,6 +41,7 @@ val is_adjacent : t -> Layout.token -> bool
 (** No blank is between that one and the token. *)
 
 val word_from : t -> int -> int * int
+
 val first_word_from : t -> int -> int * int
 (** Behind blanks. *)
 

@@ -14,8 +14,7 @@ let span_of found (first, last) =
 let error found ~at format = Diagnostic.error ~code:"E0110" ~at:(span_of found at) format
 
 let instead found ~at text d =
-  Diagnostic.hint (Printf.sprintf "write `%s`" text) d
-  |> Diagnostic.write (span_of found at) text
+  Diagnostic.hint (Printf.sprintf "write `%s`" text) d |> Diagnostic.write (span_of found at) text
 
 let is_short text = String.length text <= 90
 
@@ -33,9 +32,7 @@ let split_at_text text =
 let claim found =
   match first_word_of_line found with
   | ("assert" | "assume") as word
-    when (match found.token.token with
-         | END | SEMICOLON | CLOSE | EQUAL -> true
-         | _ -> false) -> (
+    when match found.token.token with END | SEMICOLON | CLOSE | EQUAL -> true | _ -> false -> (
       let ((_, stop) as at) = first_word_from found (fst (line found)) in
       let ends = found.token.start.pos_cnum in
       let rest = (stop, if found.token.token = EQUAL then snd (line found) else ends) in
@@ -50,8 +47,7 @@ let claim found =
       in
       let cured found text d =
         if is_short text && balanced text then instead found ~at:whole text d
-        else
-          Diagnostic.hint (Printf.sprintf "as in `%s \"keeps off the wall\" (x > 0)`" word) d
+        else Diagnostic.hint (Printf.sprintf "as in `%s \"keeps off the wall\" (x > 0)`" word) d
       in
       let without_sign behind =
         let is_sign c = c = '=' || c = ':' || c = ',' in
@@ -66,7 +62,8 @@ let claim found =
       match split_at_text text with
       | Some ("", label, behind) when found.token.token = EQUAL ->
           Some
-            (error found ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
+            (error found
+               ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
                "what is to hold follows the label, without a sign between"
             |> cured found (written (without_sign behind) label))
       | Some ("", _, _) -> None
@@ -104,7 +101,8 @@ let param found =
       else
         let text = Printf.sprintf "param %s :: %s = %s" name (type_of value) value in
         Some
-          (error found ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
+          (error found
+             ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
              "a parameter has its type before its value"
           |> instead found ~at:(line found) text)
   | _ -> None
@@ -127,7 +125,7 @@ let let_equation found =
         Some
           (error found ~at:(first, last) "the equations of a `where` have no `let` before them"
           |> (if is_short equation then Diagnostic.hint (Printf.sprintf "write `%s`" equation)
-             else Diagnostic.hint "leave it out")
+              else Diagnostic.hint "leave it out")
           |> Diagnostic.fix "leave it out" [ (span_of found (first, start), "") ])
   | _ -> None
 
@@ -152,10 +150,11 @@ let constraints found =
           let given = between found first last in
           let first = first + if char_at found first = ' ' then 1 else 0 in
           Some
-            (error found ~at:(first, first + String.length given)
+            (error found
+               ~at:(first, first + String.length given)
                "several constraints stand in parentheses"
-            |> instead found ~at:(first, first + String.length given)
-                 (Printf.sprintf "(%s)" given))
+            |> instead found ~at:(first, first + String.length given) (Printf.sprintf "(%s)" given)
+            )
       | _ -> None)
   | _ -> None
 
@@ -169,7 +168,8 @@ let foreign_import found =
           let inside = String.sub label 1 (String.length label - 2) in
           let symbol = List.hd (List.rev (String.split_on_char ' ' inside)) in
           Some
-            (error found ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
+            (error found
+               ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
                "`foreign` has no `import` behind it, and the name in C stands last"
             |> instead found ~at:(bol, stop) (Printf.sprintf "foreign %s = \"%s\"" behind symbol))
       | _ -> None)
@@ -181,12 +181,12 @@ let module_head found =
   | (END | SEMICOLON), Some ({ token = UPPER name; _ } as before)
     when first_word_of_line found = "module" && stands_after found "module" before ->
       Some
-        (error found ~at:(found.token.start.pos_cnum, found.token.start.pos_cnum + 1)
+        (error found
+           ~at:(found.token.start.pos_cnum, found.token.start.pos_cnum + 1)
            "the head of a module ends with `where`"
         |> Diagnostic.hint
              (Printf.sprintf
-                "write `module %s where`; a module that hands on all that it has needs no head"
-                name)
+                "write `module %s where`; a module that hands on all that it has needs no head" name)
         |> Diagnostic.fix "write `where`"
              [ (span_of found (before.stop.pos_cnum, before.stop.pos_cnum), " where") ])
   | _ -> None

@@ -5,7 +5,9 @@ open Syntax_hint
 
 let span (t : Layout.token) = Build.span (t.start, t.stop)
 let opener_span ({ by; _ } : Layout.origin) = Build.span (by.start, by.stop)
-let written found = String.sub found.text found.token.start.pos_cnum
+
+let written found =
+  String.sub found.text found.token.start.pos_cnum
     (found.token.stop.pos_cnum - found.token.start.pos_cnum)
 
 (* {1 What was found} *)
@@ -29,14 +31,11 @@ let describe found =
   | BACKTICK -> "a backtick"
   | NUMBER _ -> Printf.sprintf "the number `%s`" (shortened (written found))
   | CLAIM _ | CHECK _ | LOWER _ | QUALIFIED_LOWER _ | UPPER _ | QUALIFIED_UPPER _ | FIELD _
-  | OPERATOR _
-  | MINUS | SLASH | STAR | CARET | LPAREN | RPAREN | LBRACE | RBRACE | UNIT_BRACKET | LBRACKET
-  | RBRACKET | COMMA | UNDERSCORE | AT | BACKSLASH | EQUAL | BAR | ARROW | LEFT_ARROW | TAIL
-  | DOUBLE_ARROW | DOUBLE_COLON | LET | IN | WHERE | DO | OF | CASE | IF | THEN | ELSE | PROC | REC
-  | LAMBDA_CASE | MODULE | IMPORT | QUALIFIED | AS | DATA | TYPE | UNIT | PRIMITIVE | FOREIGN
-  | PARAM | CLASS | INSTANCE
-  | SEMICOLON | END | BAD
-  | RESERVED _ ->
+  | OPERATOR _ | MINUS | SLASH | STAR | CARET | LPAREN | RPAREN | LBRACE | RBRACE | UNIT_BRACKET
+  | LBRACKET | RBRACKET | COMMA | UNDERSCORE | AT | BACKSLASH | EQUAL | BAR | ARROW | LEFT_ARROW
+  | TAIL | DOUBLE_ARROW | DOUBLE_COLON | LET | IN | WHERE | DO | OF | CASE | IF | THEN | ELSE | PROC
+  | REC | LAMBDA_CASE | MODULE | IMPORT | QUALIFIED | AS | DATA | TYPE | UNIT | PRIMITIVE | FOREIGN
+  | PARAM | CLASS | INSTANCE | SEMICOLON | END | BAD | RESERVED _ ->
       Printf.sprintf "`%s`" (shortened (written found))
 
 (* {1 The state's message} *)
@@ -104,8 +103,8 @@ let cured found =
       Diagnostic.write (span found.token) "$ do"
   | EQUAL, Some _ when awaits_arrow (fst (message_of_state found.state)) ->
       Diagnostic.write (span found.token) "->"
-  | EQUAL, Some _ when compares found.context && is_blank (char_at found (found.token.start.pos_cnum
-    - 1)) ->
+  | EQUAL, Some _
+    when compares found.context && is_blank (char_at found (found.token.start.pos_cnum - 1)) ->
       Diagnostic.write (span found.token) "=="
   | _ -> Fun.id
 
@@ -137,13 +136,12 @@ let plain found =
            other branch, below `else do`";
         ]
     | hints when lacks_else found && innermost_block found.context <> Do ->
-        List.map (fun _ -> "every `if` has both `then` and `else`, since it always has a value")
+        List.map
+          (fun _ -> "every `if` has both `then` and `else`, since it always has a value")
           hints
     | hints -> hints
   in
-  List.fold_left (fun d hint -> Diagnostic.hint hint d) d hints
-  |> cured found
-  |> other_place found
+  List.fold_left (fun d hint -> Diagnostic.hint hint d) d hints |> cured found |> other_place found
 
 (* {1 Brackets} *)
 
@@ -207,10 +205,10 @@ let bracket found =
       match open_bracket found.context with
       | Some ((opener, right), by) when right <> closer ->
           Some
-            (Diagnostic.error ~code:"E0111" ~at:(span found.token)
-               "`%s` cannot close `%s`" closer opener
-            |> Diagnostic.label ~at:(opener_span by)
-              (Printf.sprintf "expected `%s` for this" right))
+            (Diagnostic.error ~code:"E0111" ~at:(span found.token) "`%s` cannot close `%s`" closer
+               opener
+            |> Diagnostic.label ~at:(opener_span by) (Printf.sprintf "expected `%s` for this" right)
+            )
       | Some _ -> None
       | None ->
           if
@@ -221,7 +219,7 @@ let bracket found =
           else
             Some
               (Diagnostic.error ~code:"E0111" ~at:(span found.token) "this `%s` closes nothing"
-                closer))
+                 closer))
   | END when not (expects_more found.before) ->
       Option.map (unclosed found) (bracket_of_item found.context)
   | END | SEMICOLON | CLOSE | WHERE | IN | THEN | ELSE | OF ->
@@ -313,8 +311,7 @@ let for_each found =
       in
       match (List.rev (String.split_on_char ' ' inside), String.split_on_char ']' rest) with
       | x :: "for" :: element, xs :: _ ->
-          Some
-            (String.concat " " (List.rev element), x, String.trim xs)
+          Some (String.concat " " (List.rev element), x, String.trim xs)
       | _ -> None)
   | _ -> None
 
@@ -333,8 +330,14 @@ let missing found =
       let bol = start_of_definition found in
       let line = first_line_of_definition found in
       let own = String.trim (String.sub line 3 (String.length line - 3)) in
-      let start = { found.token.start with pos_bol = bol; pos_cnum = bol; pos_lnum =
-        found.token.start.pos_lnum - lines_between found bol found.token.start.pos_cnum } in
+      let start =
+        {
+          found.token.start with
+          pos_bol = bol;
+          pos_cnum = bol;
+          pos_lnum = found.token.start.pos_lnum - lines_between found bol found.token.start.pos_cnum;
+        }
+      in
       let at = Build.span (start, { start with pos_cnum = bol + 3 }) in
       Some
         (Diagnostic.error ~code:"E0110" ~at "a definition at the left edge has no `let` before it"
@@ -345,8 +348,7 @@ let missing found =
   | ( (THEN | ELSE | IF | IN | OF | WHERE | DO | CASE | LET | TYPE | DATA | MODULE | CLASS | REC),
       Some { token = BACKTICK; _ } ) ->
       Some
-        (Diagnostic.error ~code:"E0110" ~at:(span found.token) "%s"
-           (reserved_word (written found)))
+        (Diagnostic.error ~code:"E0110" ~at:(span found.token) "%s" (reserved_word (written found)))
   | IN, _ when for_each found <> None ->
       let element, x, xs = Option.get (for_each found) in
       Some
@@ -358,9 +360,7 @@ let missing found =
     when index found <> None ->
       let digits, stop = Option.get (index found) in
       let name = word_before found name.stop.pos_cnum in
-      let whole =
-        Build.span (found.token.start, { found.token.stop with pos_cnum = stop })
-      in
+      let whole = Build.span (found.token.start, { found.token.stop with pos_cnum = stop }) in
       Some
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)
            "a `[` directly after a name starts no index and no array"
@@ -386,20 +386,20 @@ let missing found =
         |> Diagnostic.hint "`data` makes a new type, and one with a single field costs nothing"
         |> Diagnostic.write (span found.token) "data")
   | RESERVED word, _ -> Some (absent found "`%s` is not part" word)
-  | UNIT_BRACKET, Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ }
-    when holds_a_unit found ->
+  | UNIT_BRACKET, Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } when holds_a_unit found
+    ->
       Some
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)
            "a unit stands on a number written out or on a type, not on a name"
         |> Diagnostic.hint
-          "a value has its unit already; to give one to a plain number, multiply: `x * 1[m]`")
+             "a value has its unit already; to give one to a plain number, multiply: `x * 1[m]`")
   | UNIT_BRACKET, Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } ->
       Some
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)
            "a `[` directly after a name starts no index and no array"
         |> Diagnostic.hint
-          "an element of an array is written `xs ! 0`, a tuple is taken apart by an equation, \
-           `(a, b) = p`; an argument needs a blank before it")
+             "an element of an array is written `xs ! 0`, a tuple is taken apart by an equation, \
+              `(a, b) = p`; an argument needs a blank before it")
   | LBRACKET, Some { token = DOUBLE_COLON | ARROW; _ } ->
       Some
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)
@@ -407,8 +407,7 @@ let missing found =
         |> Diagnostic.hint "it has the size first, as in `Array 4 Float`")
   | LBRACKET, Some { token = UPPER _ | LOWER _ | QUALIFIED_UPPER _; _ } ->
       Some
-        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
-           "a `[` cannot stand here"
+        (Diagnostic.error ~code:"E0110" ~at:(span found.token) "a `[` cannot stand here"
         |> Diagnostic.hint
              "a unit directly follows its type, as in `Float[m]`; the type of an array is `Array 4 \
               Float`")

@@ -49,7 +49,8 @@ let misplaced_line found =
                   goes on with the one above%s"
                  (items block) column
                  (if found.token.token = EQUAL && opens_with (Layout.Block Top) found.context then
-                   ", unless a `where` ends that" else ""))
+                    ", unless a `where` ends that"
+                  else ""))
       | _ -> None)
   | Some _ | None -> None
 
@@ -61,8 +62,9 @@ let assigns found =
   match found.before with
   | Some { token = OPERATOR "!"; _ } -> Some "`/=` says that two values differ"
   | Some { token = OPERATOR "+" | MINUS | STAR | SLASH; _ } ->
-      Some "nothing is assigned: an equation says what holds at every instant, as in `n = delay 0 \
-            n + 1`"
+      Some
+        "nothing is assigned: an equation says what holds at every instant, as in `n = delay 0 n + \
+         1`"
   | Some _ | None -> None
 
 (* Directly after `{` or `,`, a field of a value; elsewhere one of a declaration. *)
@@ -95,8 +97,10 @@ let foreign_operator found (before : Layout.token) =
     | ">>" | ">>=" -> Some "tasks follow one another in a `do`, each on a line of its own"
     | "++" when after found = ' ' ->
         Some "nothing is joined: a text is a label, and an array has a fixed size"
-    | "++" -> Some "nothing is counted up: an equation says what holds at every instant, as in `n \
-                    = delay 0 n + 1`"
+    | "++" ->
+        Some
+          "nothing is counted up: an equation says what holds at every instant, as in `n = delay 0 \
+           n + 1`"
     | "!!" ->
         Some "an element of an array is written `xs ! 0`, and `at i default xs` takes any index"
     | "/*" -> Some "a comment is written `{- … -}`, or `--` up to the end of the line"
@@ -114,7 +118,10 @@ let opens_fields found sign =
   let rec skip accepts i =
     if accepts (char_at found i) && i < String.length found.text then skip accepts (i + 1) else i
   in
-  let is_letter = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false in
+  let is_letter = function
+    | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true
+    | _ -> false
+  in
   let name = skip (fun c -> c = ' ') found.token.stop.pos_cnum in
   let stop = skip is_letter name in
   let at = skip is_blank stop in
@@ -141,9 +148,10 @@ let python_import found =
   let names =
     between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum)
   in
-  let is_name = String.for_all (function
-    | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | ',' | ' ' -> true
-    | _ -> false)
+  let is_name =
+    String.for_all (function
+      | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | ',' | ' ' -> true
+      | _ -> false)
   in
   if module_ = "" || not (is_name module_) then "Control (limit)"
   else
@@ -181,8 +189,7 @@ let module_name found =
 let capital found =
   let name = module_name found in
   Some
-    (Printf.sprintf "a module begins with a capital, and its file too: `%s`, in `%s.frob`" name
-      name)
+    (Printf.sprintf "a module begins with a capital, and its file too: `%s`, in `%s.frob`" name name)
 
 (* {1 In the program's own words} *)
 
@@ -200,7 +207,8 @@ let comprehension found =
           | xs :: _ :: _ when x <> "" && not (String.contains xs ',') ->
               Some
                 (Printf.sprintf "each element of an array is computed with by `map (\\%s -> %s) %s`"
-                   x element (Source.grouped (String.trim xs)))
+                   x element
+                   (Source.grouped (String.trim xs)))
           | _ -> Some "each element of an array is computed with by `map (\\x -> …) xs`")
       | _ -> None)
   | _ -> None
@@ -263,9 +271,7 @@ let opens_block : Layout.token option -> bool = function
   | Some { token = OPEN; _ } -> true
   | Some _ | None -> false
 
-let is_local : Layout.block -> bool = function
-  | Where | Let | Do | Rec -> true
-  | Top | Of -> false
+let is_local : Layout.block -> bool = function Where | Let | Do | Rec -> true | Top | Of -> false
 
 (* `param speed :: Velocity`, or `foreign cbrt :: Float -> Float`, without what it is by default,
    or its name in C. *)
@@ -302,32 +308,32 @@ let is_in_a_size found =
   let words = String.split_on_char ' ' (String.concat " " (String.split_on_char '(' line)) in
   List.mem "::" words
   && (not (List.mem "=" words))
-  &&
-  match List.filter (( <> ) "") (List.rev words) with
-  | _ :: "Array" :: _ -> true
-  | _ -> false
+  && match List.filter (( <> ) "") (List.rev words) with _ :: "Array" :: _ -> true | _ -> false
 
 let of_token found =
   match (found.token.token, found.before) with
   | _ when beginning found <> None -> Option.map snd (beginning found)
   | _, Some before when foreign_operator found before <> None -> foreign_operator found before
   | (LOWER _ | STRING _ | SLASH | OPERATOR "."), Some { token = IMPORT | QUALIFIED; _ }
-    when Lacking.path found <> None -> Lacking.path found
+    when Lacking.path found <> None ->
+      Lacking.path found
   | LOWER _, Some { token = MODULE | IMPORT | QUALIFIED; _ } -> capital found
   | LOWER _, Some _ when Lacking.choices found <> None -> Lacking.choices found
-  | QUALIFIED_UPPER (("Data" | "Control" | "Prelude" | "Math" | "System" | "Text" | "GHC"), _),
-    Some { token = IMPORT | QUALIFIED; _ } ->
-      Some "what that has for lists, numbers and choices is there without an import, as `map`, \
-            `foldl`, `maybe`; the modules of the library are `Control`, `Geometry`, `Robot` and \
-            others, without points"
+  | ( QUALIFIED_UPPER (("Data" | "Control" | "Prelude" | "Math" | "System" | "Text" | "GHC"), _),
+      Some { token = IMPORT | QUALIFIED; _ } ) ->
+      Some
+        "what that has for lists, numbers and choices is there without an import, as `map`, \
+         `foldl`, `maybe`; the modules of the library are `Control`, `Geometry`, `Robot` and \
+         others, without points"
   | QUALIFIED_UPPER _, Some { token = IMPORT | QUALIFIED; _ } ->
       Some "the name of a module has no points: its file stands beside this one, or in the library"
   | LOWER _, Some _ when first_word found = "import" && written found found.token = "hiding" ->
-      Some "nothing needs hiding: a module's own definitions hide imported ones, and two imports \
-            of one name clash only where it is used"
+      Some
+        "nothing needs hiding: a module's own definitions hide imported ones, and two imports of \
+         one name clash only where it is used"
   | BAR, Some ({ token = LOWER _; _ } as before) when written found before = "with" ->
       Some "a choice by constructors is written `case x of`, and each branch `pattern -> value`"
-  | IF, Some before when not (expects_more (Some before)) && not found.token.first ->
+  | IF, Some before when (not (expects_more (Some before))) && not found.token.first ->
       Some "a choice is written `if c then a else b`"
   | DOUBLE_ARROW, Some _ when innermost_block found.context = Of ->
       Some "a branch is written `pattern -> value`"
@@ -337,8 +343,14 @@ let of_token found =
       Some "`<-` belongs to the statements of a `do`; an equation is written with `=`"
   | TAIL, _ ->
       Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
-  | (EQUAL | DOUBLE_COLON), Some ({ token = UNIT | PRIMITIVE | FOREIGN | PARAM | CLASS | INSTANCE
-    | DATA | TYPE | MODULE | IMPORT | REC; _ } as word) ->
+  | ( (EQUAL | DOUBLE_COLON),
+      Some
+        ({
+           token =
+             ( UNIT | PRIMITIVE | FOREIGN | PARAM | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT
+             | REC );
+           _;
+         } as word) ) ->
       Some (reserved_word (written found word))
   | (EQUAL | BAR | DOUBLE_COLON), _ when lacks_where found ->
       Some
@@ -372,8 +384,7 @@ let of_token found =
   | (NUMBER _ | LOWER _ | UPPER _ | LPAREN), Some { token = LBRACE; _ }
     when List.exists (fun (opener, _) -> opener = Layout.If) found.context ->
       Some "a choice is written `if c then a else b`, without braces"
-  | EQUAL, Some before when is_adjacent found before && assigns found <> None ->
-      assigns found
+  | EQUAL, Some before when is_adjacent found before && assigns found <> None -> assigns found
   | EQUAL, Some ({ token = LOWER _; _ } as name)
     when stands_after found "then" name || stands_after found "else" name ->
       Some "nothing is assigned: one equation chooses the value, as in `x = if c then a else b`"
@@ -405,11 +416,19 @@ let of_token found =
   | DOUBLE_COLON, Some field when opens_with Layout.Brace found.context ->
       if field_of_a_value found field then Some "a field gets its value with `=`"
       else Some "there is a `,` between two fields"
-  | DO, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _
-    | FIELD _; _ } ->
+  | ( DO,
+      Some
+        {
+          token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _;
+          _;
+        } ) ->
       Some "a `do` among arguments needs parentheses, or a `$` before it"
-  | (BACKSLASH | LAMBDA_CASE), Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET
-    | QUALIFIED_LOWER _ | FIELD _; _ } ->
+  | ( (BACKSLASH | LAMBDA_CASE),
+      Some
+        {
+          token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _;
+          _;
+        } ) ->
       Some "a lambda among arguments needs parentheses: `f (\\x -> …)`"
   | LBRACE, Some { token = OPEN; _ } -> Some by_indentation
   | (LOWER _ | UPPER _ | NUMBER _ | LPAREN), Some { token = LOWER _; _ }
@@ -467,12 +486,12 @@ let of_token found =
   | SLASH, None -> Some "a comment starts with `--`"
   | BAR, _ when is_symbol (after found) && after found <> '>' -> Some own_operator
   | BAR, _ when after found = '>' -> Some "a function stands before its argument: `f x`"
-  | (UNIT | PRIMITIVE | FOREIGN | PARAM | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT
-    | REC), Some _ ->
+  | ( (UNIT | PRIMITIVE | FOREIGN | PARAM | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC),
+      Some _ ) ->
       Some (reserved_word (written found found.token))
   | (END | SEMICOLON), before
     when expects_more before && (not found.token.last)
-      && (found.token.token = END || found.token.made) ->
+         && (found.token.token = END || found.token.made) ->
       Some "a definition goes on only in lines that are indented more than its first"
   | _ -> misplaced_line found
 
@@ -519,7 +538,7 @@ let else_if found =
   let rec words i =
     if i < found.token.start.pos_bol then None
     else
-      let (_, last) as word = word_from found i in
+      let ((_, last) as word) = word_from found i in
       if List.mem (part found word) [ "elif"; "elsif"; "elseif" ] && last < stop then Some word
       else words (i - 1)
   in
@@ -540,10 +559,10 @@ let foreign found =
 
 let other_place found diagnostic =
   match found.context with
-  | (((If | Then | Case) as opener), { by; _ }) :: _ when by.start.pos_lnum
-    <> found.token.start.pos_lnum
-    ->
+  | (((If | Then | Case) as opener), { by; _ }) :: _
+    when by.start.pos_lnum <> found.token.start.pos_lnum ->
       let word = match opener with Case -> "case" | _ -> "if" in
-      Diagnostic.label ~at:(Build.span (by.start, by.stop)) (Printf.sprintf "this `%s`" word)
-        diagnostic
+      Diagnostic.label
+        ~at:(Build.span (by.start, by.stop))
+        (Printf.sprintf "this `%s`" word) diagnostic
   | _ -> diagnostic

@@ -1,7 +1,7 @@
 (** What the programmer probably meant, where the text breaks off.
 
-    Newcomers bring habits from Haskell, C and Python; this knows the common
-    ones by the token at which the grammar stops and what stands around it. *)
+    Newcomers bring habits from Haskell, C and Python; this knows the common ones by the token at
+    which the grammar stops and what stands around it. *)
 
 val own_operator : string
 (** Hint for who writes operators of his own. *)
@@ -16,8 +16,8 @@ val by_indentation : string
 (** Hint for who writes blocks in braces. *)
 
 val hint : Found.t -> state_hints:string list -> string list
-(** What the token suggests; else what was said for the automaton's state; else
-    what usually goes wrong at such a token. *)
+(** What the token suggests; else what was said for the automaton's state; else what usually goes
+    wrong at such a token. *)
 
 val foreign : Found.t -> (string * Basis.Span.t) option
 (** The word or operator of other languages at which the text breaks off, and where it is. *)

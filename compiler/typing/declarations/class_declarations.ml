@@ -32,8 +32,7 @@ let check_method (ctx : Context.t) (written : Resolve.Ir.method_) (variable : Ir
     Context.report ctx (fun _ ->
         Diagnostic.error ~code:"E0364" ~at:written.span
           "the type of the method `%s` does not speak of `%s`" written.name.name variable.name
-        |> Diagnostic.label ~at:written.scheme.ty.span
-             "nothing here tells which instance is meant");
+        |> Diagnostic.label ~at:written.scheme.ty.span "nothing here tells which instance is meant");
   let check (c : Resolve.Ir.constraint_) (_, argument) =
     match Type.expand argument with
     | Rigid r when r.variable.id = variable.id ->
@@ -56,15 +55,13 @@ let method_ (ctx : Context.t) class_ (variable : Type.rigid) (written : Resolve.
     }
   in
   let signature = written.scheme.span in
-  Resolve.Global_table.replace ctx.globals written.name { scheme; kind = Method class_;
-    at = Some signature };
+  Resolve.Global_table.replace ctx.globals written.name
+    { scheme; kind = Method class_; at = Some signature };
   { name = written.name; scheme; inner; signature; default = written.default }
 
 let class_ (ctx : Context.t) (written : Resolve.Ir.class_) =
   let environment = ctx.reader.environment in
-  let superclasses =
-    List.map (fun (g, span) -> (Written.class_ g, span)) written.superclasses
-  in
+  let superclasses = List.map (fun (g, span) -> (Written.class_ g, span)) written.superclasses in
   let all =
     List.concat_map (fun (c, _) -> c :: Environment.superclasses environment c) superclasses
   in
@@ -79,9 +76,7 @@ let class_ (ctx : Context.t) (written : Resolve.Ir.class_) =
   in
   Hashtbl.replace ctx.owners variable.variable.id
     { by = Printf.sprintf "the class `%s`" written.class_.name; place = written.span };
-  let inside =
-    { ctx with scope = Written.with_type written.variable.name variable ctx.scope }
-  in
+  let inside = { ctx with scope = Written.with_type written.variable.name variable ctx.scope } in
   {
     class_ = written.class_;
     variable;
@@ -222,8 +217,7 @@ let method_of instance (m : method_) : Type.scheme =
         types = instance.scheme.types @ types;
         representations = m.scheme.representations;
         units = instance.scheme.units @ m.scheme.units;
-        context =
-          instance.scheme.context @ List.map (fun (c, t) -> (c, substitute t)) context;
+        context = instance.scheme.context @ List.map (fun (c, t) -> (c, substitute t)) context;
         body = substitute m.scheme.body;
       }
   | _, _ -> Diagnostic.bug ~stage:"Typing.Class_declarations" "a method without its class"

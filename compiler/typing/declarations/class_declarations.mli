@@ -1,16 +1,15 @@
 (** Type classes and instances, read into the environment.
 
-    Codes: [E0361] a second instance for a class and type constructor · [E0362]
-    a head that is no type constructor applied to distinct variables · [E0363]
-    a method that is not given · [E0364], [E0365] what a method's type or a
-    context may speak of · [E0366] an instance of a built-in class. *)
+    Codes: [E0361] a second instance for a class and type constructor · [E0362] a head that is no
+    type constructor applied to distinct variables · [E0363] a method that is not given · [E0364],
+    [E0365] what a method's type or a context may speak of · [E0366] an instance of a built-in
+    class. *)
 
 open Basis
 
 type method_ = {
   name : Ir.Global.t;
-  scheme : Type.scheme;
-      (** the class's variable comes first, its own class first in the context *)
+  scheme : Type.scheme;  (** the class's variable comes first, its own class first in the context *)
   inner : Context.t;  (** where a default is checked *)
   signature : Span.t;
   default : Resolve.Ir.binding option;
@@ -26,8 +25,7 @@ type class_ = {
 type instance = {
   of_class : class_;
   head : Type.t;
-  scheme : Type.scheme;
-      (** of no value: its variables, in the order of the head, and context *)
+  scheme : Type.scheme;  (** of no value: its variables, in the order of the head, and context *)
   inner : Context.t;  (** where its definitions are checked *)
   definitions : (Ir.Global.t * Resolve.Ir.binding) list;
   place : Span.t;

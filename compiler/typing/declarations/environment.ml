@@ -3,13 +3,7 @@ module Global_table = Resolve.Global_table
 
 type unit_ = { measure : Units.t; scale : Exact.t }
 type parameters = { units : Units.rigid list; types : Type.rigid list }
-
-type definition =
-  | Alias of Type.t
-  | Data of Ir.data
-  | Builtin
-  | Foreign
-
+type definition = Alias of Type.t | Data of Ir.data | Builtin | Foreign
 type type_ = { parameters : parameters; definition : definition }
 type class_ = { superclasses : Ir.class_ list; place : Span.t }
 type instance = { context : (Ir.class_ * int) list; place : Span.t }
@@ -57,9 +51,12 @@ let add_type t name type_ = Global_table.replace t.types name type_
 let type_ t name = found "type" t.types name
 let built_in name : Ir.Global.t = { module_ = "Prelude"; name }
 let array = built_in "Array"
+
 let array_of size element : Type.t =
   Data { tycon = array; units = []; arguments = [ size; element ] }
+
 let task = built_in "Task"
+
 let task_of input output result : Type.t =
   Data { tycon = task; units = []; arguments = [ input; output; result ] }
 
@@ -77,7 +74,6 @@ let is_event t =
 let sequence = built_in "do"
 let add_constructor t c = Global_table.replace t.constructors c.ir.constructor c
 let constructor t name = found "constructor" t.constructors name
-
 let add_class t name c = Global_table.replace t.classes name c
 let class_ t name = found "class" t.classes name
 

@@ -1,5 +1,5 @@
-(** The declared types, constructors and units of a program, as inference
-    uses them. Filled by {!Declarations}, read-only afterwards. *)
+(** The declared types, constructors and units of a program, as inference uses them. Filled by
+    {!Declarations}, read-only afterwards. *)
 
 type t
 
@@ -13,19 +13,13 @@ val add_unit : t -> Ir.Global.t -> unit_ -> unit
 val unit_ : t -> Ir.Global.t -> unit_
 
 val named_unit : t -> Units.t -> string option
-(** A unit of scale 1 with a name of its own and at least three base units in
-    it, as [N]: shorter ones ([1/s]) say more than the name ([Hz]). *)
+(** A unit of scale 1 with a name of its own and at least three base units in it, as [N]: shorter
+    ones ([1/s]) say more than the name ([Hz]). *)
 
 (** {1 Types} *)
 
 type parameters = { units : Units.rigid list; types : Type.rigid list }
-
-type definition =
-  | Alias of Type.t
-  | Data of Ir.data
-  | Builtin
-  | Foreign
-
+type definition = Alias of Type.t | Data of Ir.data | Builtin | Foreign
 type type_ = { parameters : parameters; definition : definition }
 
 val add_type : t -> Ir.Global.t -> type_ -> unit
@@ -35,6 +29,7 @@ val built_in : string -> Ir.Global.t
 (** The global of a built-in type or constructor. *)
 
 val array : Ir.Global.t
+
 val array_of : Type.t -> Type.t -> Type.t
 (** [Array size element] *)
 
@@ -50,15 +45,12 @@ val is_task : Type.t -> bool
 val is_event : Type.t -> bool
 
 val sequence : Ir.Global.t
-(** The primitive that [do] stands for: a task, then the function that gives the
-    task after it. Its name is a keyword, so no program can say it. *)
+(** The primitive that [do] stands for: a task, then the function that gives the task after it. Its
+    name is a keyword, so no program can say it. *)
 
 (** {1 Classes} *)
 
-type class_ = {
-  superclasses : Ir.class_ list;  (** and theirs *)
-  place : Basis.Span.t;
-}
+type class_ = { superclasses : Ir.class_ list;  (** and theirs *) place : Basis.Span.t }
 
 val add_class : t -> Ir.Global.t -> class_ -> unit
 val class_ : t -> Ir.Global.t -> class_

@@ -16,6 +16,7 @@ let rec substitute by (ty : Ir.ty) : Ir.ty =
   | Data d -> Data { d with arguments = List.map (substitute by) d.arguments }
 
 let is_array tycon = tycon = Environment.array
+
 let is_program tycon =
   List.mem tycon [ Environment.built_in "Program"; Environment.built_in "Task" ]
 
@@ -32,7 +33,10 @@ let rec obstacle environment (ty : Ir.ty) =
   | Function _ | Signal_function _ -> here compile_time
   | Variable { name = ("double" | "float" | "int" | "bool") as name; _ } ->
       let cure =
-        match name with "int" -> "`Int`" | "bool" -> "`Bool`" | _ -> "`Float`, which is a `double`"
+        match name with
+        | "int" -> "`Int`"
+        | "bool" -> "`Bool`"
+        | _ -> "`Float`, which is a `double`"
       in
       here "a name in lower case is any type" ~cure:("C's type is written " ^ cure)
   | Variable _ ->
@@ -92,9 +96,7 @@ let check_form sink (p : Resolve.Ir.primitive) (kind : Syntax.Ir.foreign_kind) t
 
 let check_parts sink environment (p : Resolve.Ir.primitive) ty =
   let taken, given =
-    match ty with
-    | Ir.Signal_function (a, b) -> ([ a ], b)
-    | ty -> (arguments ty, result ty)
+    match ty with Ir.Signal_function (a, b) -> ([ a ], b) | ty -> (arguments ty, result ty)
   in
   let check what ty =
     match obstacle environment ty with

@@ -49,8 +49,8 @@ let apply name arguments =
   match arguments with
   | [ _ ] -> Printf.sprintf "`arr %s` applies it at every instant" name
   | several ->
-      Printf.sprintf "`proc (%s) -> %s %s` applies it at every instant"
-        (String.concat ", " several) name (String.concat " " several)
+      Printf.sprintf "`proc (%s) -> %s %s` applies it at every instant" (String.concat ", " several)
+        name (String.concat " " several)
 
 (* Where what comes out is written. *)
 let rec output_of (e : Ir.expr) =
@@ -74,9 +74,7 @@ let size_of_a_name (program : Ir.program) (d : Ir.definition) =
 let refusal program ~closed (d : Ir.definition) =
   let name = d.name.name and ty = Show.scheme d.scheme in
   let refuse ?(at = d.span) what cure =
-    Some
-      (Diagnostic.error ~code:"E0411" ~at "`%s` cannot run: %s" name what
-      |> Diagnostic.hint cure)
+    Some (Diagnostic.error ~code:"E0411" ~at "`%s` cannot run: %s" name what |> Diagnostic.hint cure)
   in
   match kind d.scheme.ty with
   | (Signal_function { output } | Program { output }) when sets_output program d output ->
@@ -89,7 +87,7 @@ let refusal program ~closed (d : Ir.definition) =
         (Printf.sprintf "its type is `%s`, and what comes out is not what a robot takes" ty)
         "the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`"
   | (Signal_function _ | Program _) when closed || is_closed d -> None
-  | Signal_function _ | Program _ when size_of_a_name program d <> None ->
+  | (Signal_function _ | Program _) when size_of_a_name program d <> None ->
       let size = Option.get (size_of_a_name program d) in
       refuse
         (Printf.sprintf "its type `%s` leaves open what comes in or goes out" ty)
@@ -100,14 +98,13 @@ let refusal program ~closed (d : Ir.definition) =
   | Signal_function _ | Program _ ->
       refuse
         (Printf.sprintf "its type `%s` leaves open what comes in or goes out" ty)
-        (Printf.sprintf "give it a signature without variables, such as `%s :: SF Float Float`"
-          name)
+        (Printf.sprintf "give it a signature without variables, such as `%s :: SF Float Float`" name)
   | Function { result = Signal_function _ | Program _; _ } ->
       refuse
         (Printf.sprintf "it still needs an argument, its type is `%s`" ty)
         (if String.equal name "main" then
-          "give it another name, `run` say, and write `main = run …`"
-        else Printf.sprintf "define another with the argument, as in `main = %s …`" name)
+           "give it another name, `run` say, and write `main = run …`"
+         else Printf.sprintf "define another with the argument, as in `main = %s …`" name)
   | Task ->
       refuse
         (Printf.sprintf "it is a task, `%s`, not a signal function" ty)

@@ -1,12 +1,10 @@
 type robot = { input : Ir.Global.t; output : Ir.Global.t }
 type openness = Closed | Open_signal_function | Open_program
-
 type lack = { class_ : Ir.Global.t; of_ : Ir.Global.t; need : Ir.need }
 
 let ends (d : Ir.definition) =
   match d.scheme.ty with
-  | Data { tycon; arguments = [ input; output ]; _ }
-    when tycon = Environment.built_in "Program" ->
+  | Data { tycon; arguments = [ input; output ]; _ } when tycon = Environment.built_in "Program" ->
       Some (input, output)
   | Signal_function (input, output) -> Some (input, output)
   | _ -> None
@@ -53,8 +51,7 @@ let lacks (program : Ir.program) (d : Ir.definition) ~others robot =
       in
       match (matches input robot.input, matches output robot.output) with
       | Some [], Some [] -> None
-      | Some inputs, Some outputs
-        when not (robot.input <> robot.output && input = output) ->
+      | Some inputs, Some outputs when not (robot.input <> robot.output && input = output) ->
           let types = inputs @ outputs in
           let lack ((class_ : Ir.class_), (t : Ir.ty)) need =
             match (class_, t) with

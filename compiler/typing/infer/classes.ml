@@ -3,10 +3,7 @@ open Context
 
 (* What a class needs of a type: the same or other classes of some variables. *)
 type atom = { class_ : Ir.class_; of_ : variable }
-
-and variable =
-  | Quantified of Ir.variable * Type.t
-  | Open
+and variable = Quantified of Ir.variable * Type.t | Open
 
 (* The instances on the way to what is lacking, the last one first. *)
 type lack = { lacking : Ir.class_; culprit : Type.t; through : Environment.instance list }
@@ -112,8 +109,7 @@ let variable_of t : Ir.variable option =
   | Rigid r -> Some r.variable
   | Number (r, _) -> open_representation r
   | Flexible _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _
-  | Alias _
-  | Erroneous ->
+  | Alias _ | Erroneous ->
       None
 
 let given_of ctx (variable : Ir.variable) =
@@ -151,8 +147,7 @@ let through_instances words { lacking; culprit; through } diagnostic =
   | last :: _ ->
       Diagnostic.label ~at:last.place (Printf.sprintf "this instance asks for `%s`" asks) diagnostic
 
-let is_signal_function t =
-  match Type.expand t with Signal_function _ -> true | _ -> false
+let is_signal_function t = match Type.expand t with Signal_function _ -> true | _ -> false
 
 let foreign_of ctx t =
   match Type.expand t with
@@ -162,9 +157,7 @@ let foreign_of ctx t =
   | _ -> None
 
 let same_foreign ctx a b =
-  match (foreign_of ctx a, foreign_of ctx b) with
-  | Some a, Some b -> a = b
-  | _, _ -> false
+  match (foreign_of ctx a, foreign_of ctx b) with Some a, Some b -> a = b | _, _ -> false
 
 (* What has no capability, and stands where a robot's input or output was meant. *)
 let is_no_robot t =
@@ -210,7 +203,7 @@ let about_foreign ctx t diagnostic =
   | Some tycon ->
       Diagnostic.hint
         (Printf.sprintf "only C knows what is in a `%s`: import a function that compares two"
-          tycon.name)
+           tycon.name)
         diagnostic
 
 (* Of the condition of an assertion, whose author has not heard of classes. *)
@@ -236,99 +229,104 @@ let report_lacking ctx required lack =
   | Declared class_, [] when class_ = Environment.built_in "Claim" && required.by = "`verdict`" ->
       report_no_condition ctx ~at:required.at lack.culprit
   | _ ->
-  let { argument; at; by; _ } : required = required in
-  report ctx (fun words ->
-      let culprit = Show.quoted words lack.culprit in
-      let direct =
-        lack.through = []
-        && (Type.expand argument == Type.expand lack.culprit || same_foreign ctx argument
-          lack.culprit)
-      in
-      let diagnostic =
-        match lack.lacking with
-        | Declared _ when Environment.is_task lack.culprit ->
-            Diagnostic.error ~code:"E0371" ~at "%s makes no task, but %s is needed here" by culprit
-        | Declared _ ->
-            Diagnostic.error ~code:"E0360" ~at "there is no instance `%s`"
-              (Show.constraint_ words lack.lacking lack.culprit)
-        | (Eq | Ord) as class_ ->
-            let what = match class_ with Eq -> "equality" | Ord | Declared _ -> "order" in
-            let of_ = if lack.through = [] then Show.quoted words argument else culprit in
-            Diagnostic.error ~code:"E0307" ~at "%s has no %s" of_ what
-      in
-      let diagnostic =
-        diagnostic
-        |>
-        if Environment.is_task lack.culprit then Fun.id
-        else fun d ->
-          Diagnostic.here (Printf.sprintf "%s needs it" by) d
-          |> through_instances words lack |> explain words required
-      in
-      match lack.lacking with
-      | Declared { name = "RobotOutput"; _ } when by = "`roMake`" && is_function lack.culprit ->
-          { diagnostic with message = "`roMake` takes one function, and makes an output of it" }
-          |> Diagnostic.hint
-            "several commands are put together by a dot: `roMake (setVelTR v omega . setLight On)`"
-      | Declared { name = "RobotOutput"; _ } when is_with_an_event lack.culprit ->
-          Diagnostic.hint
-            "besides its output it gives the event that ends it, which is lacking here: `(roMake \
-             (…), after 1[s] ())`"
+      let { argument; at; by; _ } : required = required in
+      report ctx (fun words ->
+          let culprit = Show.quoted words lack.culprit in
+          let direct =
+            lack.through = []
+            && (Type.expand argument == Type.expand lack.culprit
+               || same_foreign ctx argument lack.culprit)
+          in
+          let diagnostic =
+            match lack.lacking with
+            | Declared _ when Environment.is_task lack.culprit ->
+                Diagnostic.error ~code:"E0371" ~at "%s makes no task, but %s is needed here" by
+                  culprit
+            | Declared _ ->
+                Diagnostic.error ~code:"E0360" ~at "there is no instance `%s`"
+                  (Show.constraint_ words lack.lacking lack.culprit)
+            | (Eq | Ord) as class_ ->
+                let what = match class_ with Eq -> "equality" | Ord | Declared _ -> "order" in
+                let of_ = if lack.through = [] then Show.quoted words argument else culprit in
+                Diagnostic.error ~code:"E0307" ~at "%s has no %s" of_ what
+          in
+          let diagnostic =
             diagnostic
-      | Declared { name = "RobotOutput"; _ } when is_pair lack.culprit ->
-          Diagnostic.hint
-            "tasks side by side put out both their outputs, of which `mapOutput` makes one; \
-             `timeOut` and `abortWhen` end a task and have its output only"
-            diagnostic
-      | Declared _ when Environment.is_task lack.culprit ->
-          diagnostic
-          |> Diagnostic.hint
-               "a task takes time, and no equation runs it: `reactimateTask` does, and in a `do` \
-                one follows another"
-      | Declared _ when is_signal_function lack.culprit ->
-          Diagnostic.hint "`constant e` is the signal function that always gives `e`" diagnostic
-      | (Eq | Ord) when (not direct) && lack.through = [] ->
-          Diagnostic.note (Printf.sprintf "it contains %s" culprit) diagnostic
-          |> about_foreign ctx lack.culprit
-      | Eq | Ord when Type.expand lack.culprit = String ->
-          Diagnostic.hint
-            "a text is a label, and no value; what is one of several has a type of its own: `data \
-             Mode = Go | Stop`"
-            diagnostic
-      | Eq | Ord -> about_foreign ctx lack.culprit diagnostic
-      | Declared { name = "RobotOutput"; _ } when by <> "`roMake`" ->
-          let hint = Output_mistake.hint_without_instance lack.culprit in
-          Option.fold hint ~none:Fun.id ~some:Diagnostic.hint diagnostic
-      | Declared { name = "DiffDrive"; _ } when is_function lack.culprit ->
-          Diagnostic.hint
-            "`.` composes functions; what one is applied to stands in parentheses: `roMake \
-             (setVelTR v omega)`"
-            diagnostic
-      | Declared { module_ = "Capability"; _ } when lack.through = [] && is_no_robot lack.culprit ->
-          Diagnostic.hint
-            (Printf.sprintf
-               "this is of a robot's input or output, and what it is given is %s: perhaps two \
-                things stand in the other order"
-               culprit)
-            diagnostic
-      | Declared class_ when lack.through = [] && is_of_the_program class_ lack.culprit ->
-          Diagnostic.hint
-            (Printf.sprintf "`instance %s where` gives it one, with its methods in the lines below"
-               (Show.constraint_ words lack.lacking lack.culprit))
-            diagnostic
-      | Declared class_ -> (
-          match those_with ctx class_ with
-          | _ :: _ as types when lack.through = [] && List.compare_length_with types 6 <= 0 ->
-              Diagnostic.note
-                (Printf.sprintf "what has `%s`: %s" class_.name (String.concat ", " types))
+            |>
+            if Environment.is_task lack.culprit then Fun.id
+            else fun d ->
+              Diagnostic.here (Printf.sprintf "%s needs it" by) d
+              |> through_instances words lack |> explain words required
+          in
+          match lack.lacking with
+          | Declared { name = "RobotOutput"; _ } when by = "`roMake`" && is_function lack.culprit ->
+              { diagnostic with message = "`roMake` takes one function, and makes an output of it" }
+              |> Diagnostic.hint
+                   "several commands are put together by a dot: `roMake (setVelTR v omega . \
+                    setLight On)`"
+          | Declared { name = "RobotOutput"; _ } when is_with_an_event lack.culprit ->
+              Diagnostic.hint
+                "besides its output it gives the event that ends it, which is lacking here: \
+                 `(roMake (…), after 1[s] ())`"
                 diagnostic
-              |> if String.equal class_.module_ "Capability" then for_any_robot class_ lack.culprit
-                 else Fun.id
-          | _ -> diagnostic))
+          | Declared { name = "RobotOutput"; _ } when is_pair lack.culprit ->
+              Diagnostic.hint
+                "tasks side by side put out both their outputs, of which `mapOutput` makes one; \
+                 `timeOut` and `abortWhen` end a task and have its output only"
+                diagnostic
+          | Declared _ when Environment.is_task lack.culprit ->
+              diagnostic
+              |> Diagnostic.hint
+                   "a task takes time, and no equation runs it: `reactimateTask` does, and in a \
+                    `do` one follows another"
+          | Declared _ when is_signal_function lack.culprit ->
+              Diagnostic.hint "`constant e` is the signal function that always gives `e`" diagnostic
+          | (Eq | Ord) when (not direct) && lack.through = [] ->
+              Diagnostic.note (Printf.sprintf "it contains %s" culprit) diagnostic
+              |> about_foreign ctx lack.culprit
+          | (Eq | Ord) when Type.expand lack.culprit = String ->
+              Diagnostic.hint
+                "a text is a label, and no value; what is one of several has a type of its own: \
+                 `data Mode = Go | Stop`"
+                diagnostic
+          | Eq | Ord -> about_foreign ctx lack.culprit diagnostic
+          | Declared { name = "RobotOutput"; _ } when by <> "`roMake`" ->
+              let hint = Output_mistake.hint_without_instance lack.culprit in
+              Option.fold hint ~none:Fun.id ~some:Diagnostic.hint diagnostic
+          | Declared { name = "DiffDrive"; _ } when is_function lack.culprit ->
+              Diagnostic.hint
+                "`.` composes functions; what one is applied to stands in parentheses: `roMake \
+                 (setVelTR v omega)`"
+                diagnostic
+          | Declared { module_ = "Capability"; _ }
+            when lack.through = [] && is_no_robot lack.culprit ->
+              Diagnostic.hint
+                (Printf.sprintf
+                   "this is of a robot's input or output, and what it is given is %s: perhaps two \
+                    things stand in the other order"
+                   culprit)
+                diagnostic
+          | Declared class_ when lack.through = [] && is_of_the_program class_ lack.culprit ->
+              Diagnostic.hint
+                (Printf.sprintf
+                   "`instance %s where` gives it one, with its methods in the lines below"
+                   (Show.constraint_ words lack.lacking lack.culprit))
+                diagnostic
+          | Declared class_ -> (
+              match those_with ctx class_ with
+              | _ :: _ as types when lack.through = [] && List.compare_length_with types 6 <= 0 ->
+                  Diagnostic.note
+                    (Printf.sprintf "what has `%s`: %s" class_.name (String.concat ", " types))
+                    diagnostic
+                  |>
+                  if String.equal class_.module_ "Capability" then for_any_robot class_ lack.culprit
+                  else Fun.id
+              | _ -> diagnostic))
 
 let undecided ctx (required : required) class_ =
   report ctx (fun words ->
-      Diagnostic.error ~code:"E0308" ~at:required.at
-        "nothing decides the type at which %s is used" required.by
+      Diagnostic.error ~code:"E0308" ~at:required.at "nothing decides the type at which %s is used"
+        required.by
       |> Diagnostic.note (Printf.sprintf "it must be a type with `%s`" (Show.class_ class_))
       |> Diagnostic.hint "annotate it, as in `(e :: T)`"
       |> explain words required)
@@ -338,9 +336,7 @@ let undecided ctx (required : required) class_ =
 (* Without those that others imply. *)
 let smallest environment classes =
   let implied class_ =
-    List.exists
-      (fun other -> List.mem class_ (Environment.superclasses environment other))
-      classes
+    List.exists (fun other -> List.mem class_ (Environment.superclasses environment other)) classes
   in
   List.filter (fun class_ -> not (implied class_)) classes
 
@@ -357,8 +353,7 @@ let solve ctx (generalized : Generalize.t) =
   let types = List.map (fun (r : Type.rigid) -> (r.variable, Type.Rigid r)) generalized.types in
   let representations =
     List.map
-      (fun (r : Units.rigid) ->
-        (r.variable, Type.Number (Rigid_representation r, Units.one)))
+      (fun (r : Units.rigid) -> (r.variable, Type.Number (Rigid_representation r, Units.one)))
       generalized.representations
   in
   let variables = types @ representations in

@@ -1,13 +1,9 @@
 open Basis
 
 type 'a later = unit -> 'a
-type entry = { scheme : Type.scheme; kind : kind; at : Span.t option }
 
-and kind =
-  | Defined
-  | Recursive
-  | Primitive
-  | Method of Ir.Global.t
+type entry = { scheme : Type.scheme; kind : kind; at : Span.t option }
+and kind = Defined | Recursive | Primitive | Method of Ir.Global.t
 
 type constraint_ = int * Ir.class_
 
@@ -114,8 +110,7 @@ let words t =
     match Type.expand ty with
     | Data { tycon; _ } ->
         Option.map
-          (fun (c : Environment.constructor) ->
-            (c.ir.constructor.name, List.map fst c.ir.fields))
+          (fun (c : Environment.constructor) -> (c.ir.constructor.name, List.map fst c.ir.fields))
           (Environment.record_of t.reader.environment tycon)
     | _ -> None
   in
@@ -123,7 +118,7 @@ let words t =
     match Type.expand ty with
     | Data { tycon; _ } -> (
         match (Environment.type_ t.reader.environment tycon).definition with
-        | Data { constructors = (_ :: _ :: _) as all; _ }
+        | Data { constructors = _ :: _ :: _ as all; _ }
           when List.compare_length_with all 4 <= 0
                && List.for_all (fun (c : Ir.constructor) -> c.fields = []) all ->
             List.map (fun (c : Ir.constructor) -> c.constructor.name) all
@@ -157,8 +152,16 @@ let words t =
       (Resolve.Global_table.find_opt t.globals g)
   in
   let place : Show.place =
-    { sources = t.sources; inputs = t.inputs; needs_class; definition; fields; choices; declared;
-      makers }
+    {
+      sources = t.sources;
+      inputs = t.inputs;
+      needs_class;
+      definition;
+      fields;
+      choices;
+      declared;
+      makers;
+    }
   in
   Show.words ~place ~named_unit:(Environment.named_unit t.reader.environment) ()
 
@@ -178,10 +181,9 @@ let is_told t (subject : Resolve.Ir.expr option) (d : Diagnostic.t) =
       | Some text ->
           let key = (Span.line span.start, text, d.message) in
           List.mem key t.group.told
-          || begin
-               t.group.told <- key :: t.group.told;
-               false
-             end)
+          ||
+          (t.group.told <- key :: t.group.told;
+           false))
 
 let expect t ?subject ~at (expected : Expected.t) found =
   match Unify.types expected.ty found with
@@ -204,8 +206,7 @@ let asked_in_vain t ~wanted given =
     Type.expand r.argument == Type.expand given && has_no_instance t r.class_ wanted
   in
   match Type.expand given with
-  | Flexible _ ->
-      Option.map (fun (r : required) -> r.by) (List.find_opt lacks t.group.required)
+  | Flexible _ -> Option.map (fun (r : required) -> r.by) (List.find_opt lacks t.group.required)
   | _ -> None
 
 let lacks_class t ~wanted given = Option.is_some (asked_in_vain t ~wanted given)
@@ -223,9 +224,7 @@ let require_context t ~at ~name ~said (scheme : Type.scheme) (instance : Type.in
         said
     in
     let from =
-      match Type.expand parameter with
-      | Rigid r -> Some (r.variable.id, class_)
-      | _ -> None
+      match Type.expand parameter with Rigid r -> Some (r.variable.id, class_) | _ -> None
     in
     require t { class_; argument; at; by = "`" ^ name ^ "`"; because; from }
   in
@@ -252,12 +251,12 @@ let use t ~at ~name ?said (scheme : Type.scheme) =
   let final =
     match (instance.type_arguments, instance.representation_arguments) with
     | [], [] -> fun () -> nothing
-    | types, representations ->
+    | types, representations -> (
         fun () : Ir.instantiation ->
           {
             types = List.map Final.ty types;
             representations = List.map Final.representation representations;
-          }
+          })
   in
   (instance.ty, final)
 
@@ -315,10 +314,9 @@ let rec settle t =
         if answered waiting after_attempts then after_attempts
         else List.filter (fun q -> not (q.attempt () || q.guess ())) waiting
       in
-      if answered waiting still then begin
+      if answered waiting still then (
         t.group.waiting <- List.rev_append still t.group.waiting;
-        settle t
-      end
+        settle t)
       else List.iter (fun q -> q.give_up ()) still
 
 let forgetting_what_errors_need t f =
@@ -340,12 +338,11 @@ let check_sizes t =
                    Diagnostic.note
                      (Printf.sprintf
                         "`%s` in the signature of `%s` stands for any size; a certain one is a \
-                         number there, or a \
-                         name for it: `type Size = 4`"
+                         number there, or a name for it: `type Size = 4`"
                         variable of_)
                | None -> Fun.id)
             |> Diagnostic.hint
-              "annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature")
+                 "annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature")
     | _ -> ()
   in
   (* The last one is the nearest to where the array is made. *)

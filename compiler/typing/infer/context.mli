@@ -1,8 +1,8 @@
 (** What inference carries around, and what it puts off.
 
-    Types come first and the typed program later: inferring an expression
-    gives its type at once and a function that builds the typed expression,
-    to be called when everything about the top-level group is known. *)
+    Types come first and the typed program later: inferring an expression gives its type at once and
+    a function that builds the typed expression, to be called when everything about the top-level
+    group is known. *)
 
 open Basis
 
@@ -31,16 +31,16 @@ type required = {
   because : (Span.t * (Show.words -> string)) option;
   from : constraint_ option;
 }
-(** A class that something used needs; [by] says what, in backticks;
-    [because] is the other place, where that is said, and what is said there;
-    [from]: what in the scheme of the used it stands for. *)
+(** A class that something used needs; [by] says what, in backticks; [because] is the other place,
+    where that is said, and what is said there; [from]: what in the scheme of the used it stands
+    for. *)
 
-(** A question that waits for a type. *)
 type question = {
   attempt : unit -> bool;  (** answers it if it can *)
   guess : unit -> bool;  (** answers it by the rule for what stays unknown, if that can *)
   give_up : unit -> unit;
 }
+(** A question that waits for a type. *)
 
 type t = {
   reader : Written.t;
@@ -70,6 +70,7 @@ val in_group : t -> t
 (** The start of a new one. *)
 
 val bind_local : t -> Ir.Local.t -> Type.scheme -> unit
+
 val find_local : t -> Ir.Local.t -> Type.scheme option
 (** Of this group. *)
 
@@ -87,28 +88,24 @@ val fresh_number : t -> Type.t
 (** {1 Diagnostics} *)
 
 val words : t -> Show.words
-
 val report : t -> (Show.words -> Diagnostic.t) -> unit
 
 val errors : t -> int
 (** Reported in this group so far. *)
 
-val expect :
-  t ->
-  ?subject:Resolve.Ir.expr ->
-  at:Span.t ->
-  Expected.t ->
-  Type.t ->
-  unit
+val expect : t -> ?subject:Resolve.Ir.expr -> at:Span.t -> Expected.t -> Type.t -> unit
 (** The type that was found is the expected one, or that is reported. *)
 
 (** {1 Names} *)
 
 val use :
-  t -> at:Span.t -> name:string -> ?said:Span.t -> Type.scheme ->
+  t ->
+  at:Span.t ->
+  name:string ->
+  ?said:Span.t ->
+  Type.scheme ->
   Type.t * (unit -> Ir.instantiation)
-(** A new instance; what its context demands is kept. [said]: the place of
-    its signature. *)
+(** A new instance; what its context demands is kept. [said]: the place of its signature. *)
 
 val require : t -> required -> unit
 
@@ -123,12 +120,11 @@ val lacks_class : t -> wanted:Type.t -> Type.t -> bool
     instance of. *)
 
 val with_variables : t -> by:string -> Resolve.Ir.scheme -> Type.scheme * t
-(** The scheme and the context of what is below it: its variables in scope,
-    one signature deeper. [by]: what names the variables, in messages. Each
-    constraint is of a variable ([E0365]), which the type has ([E0364]). *)
+(** The scheme and the context of what is below it: its variables in scope, one signature deeper.
+    [by]: what names the variables, in messages. Each constraint is of a variable ([E0365]), which
+    the type has ([E0364]). *)
 
-val with_signature :
-  t -> name:string -> Resolve.Ir.scheme -> Type.scheme * t
+val with_signature : t -> name:string -> Resolve.Ir.scheme -> Type.scheme * t
 (** Likewise for the definition that it is the signature of. *)
 
 (** {1 What is put off} *)
@@ -137,12 +133,11 @@ val ask : t -> question -> unit
 (** Attempts at once, else at {!settle}. *)
 
 val settle : t -> unit
-(** Until nothing waits: attempts all, and where that gets no further,
-    guesses; at last gives up. *)
+(** Until nothing waits: attempts all, and where that gets no further, guesses; at last gives up. *)
 
 val forgetting_what_errors_need : t -> (unit -> 'a) -> 'a
-(** Runs a function; if it reports errors, no class that it asked for is
-    demanded: its types are not to be trusted. *)
+(** Runs a function; if it reports errors, no class that it asked for is demanded: its types are not
+    to be trusted. *)
 
 val check_sizes : t -> unit
 (** Once the group is generalized: reports a size that nothing decides. *)
@@ -154,13 +149,11 @@ val requirements : t -> required list
 
 type typed = { ty : Type.t; build : Ir.expr later }
 
-(** Inference of expressions, as given to the files that treat one kind of
-    them. *)
 type expressions = {
   infer : t -> Resolve.Ir.expr -> typed;
-  check : t -> Resolve.Ir.expr -> Expected.t -> Ir.expr later;
-      (** Reports what does not fit. *)
+  check : t -> Resolve.Ir.expr -> Expected.t -> Ir.expr later;  (** Reports what does not fit. *)
 }
+(** Inference of expressions, as given to the files that treat one kind of them. *)
 
 exception Too_large of Span.t
 (** {!Final.Too_large}, of this expression's type and of none in it. *)

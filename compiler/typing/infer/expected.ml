@@ -31,6 +31,7 @@ type reason =
   | Output of reason
 
 type t = { ty : Type.t; because : reason }
+
 let make because ty = { ty; because }
 
 open Diagnostic
@@ -50,11 +51,12 @@ let rec explain_reason words reason (expected : Type.t) diagnostic =
   | Unknown | Condition | Statement None -> diagnostic
   | Last_statement reason -> explain_reason words reason expected diagnostic
   | Signature { name; at } ->
-      label ~at (Printf.sprintf "the signature of `%s` asks for %s" name
-        (Show.described words expected))
+      label ~at
+        (Printf.sprintf "the signature of `%s` asks for %s" name (Show.described words expected))
         diagnostic
   | Annotation at ->
-      label ~at (Printf.sprintf "the annotation asks for %s" (Show.described words expected))
+      label ~at
+        (Printf.sprintf "the annotation asks for %s" (Show.described words expected))
         diagnostic
   | Parameter { callee; at; position; decided_by; _ } ->
       let callee = match callee with Some name -> "`" ^ name ^ "`" | None -> "this" in
@@ -63,15 +65,18 @@ let rec explain_reason words reason (expected : Type.t) diagnostic =
         diagnostic
       |> decided words decided_by
   | Operand { other; other_type; _ } ->
-      label ~at:other.span (Printf.sprintf "this is %s" (Show.described words other_type))
+      label ~at:other.span
+        (Printf.sprintf "this is %s" (Show.described words other_type))
         diagnostic
   | Branch at ->
       label ~at (Printf.sprintf "this branch is %s" (Show.described words expected)) diagnostic
   | Statement (Some at) ->
-      label ~at (Printf.sprintf "so each task of this `do` is %s" (Show.described words expected))
+      label ~at
+        (Printf.sprintf "so each task of this `do` is %s" (Show.described words expected))
         diagnostic
   | Element at ->
-      label ~at (Printf.sprintf "the first element is %s" (Show.described words expected))
+      label ~at
+        (Printf.sprintf "the first element is %s" (Show.described words expected))
         diagnostic
   | Value at ->
       label ~at (Printf.sprintf "the value is %s" (Show.described words expected)) diagnostic

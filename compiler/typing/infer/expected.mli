@@ -2,9 +2,12 @@
 
 open Basis
 
+type decider = {
+  place : Span.t;
+  decides : Type.t;  (** its type *)
+  a_size : bool;  (** the variable is the size of an array *)
+}
 (** An earlier argument whose type has a variable in common with the parameter's. *)
-type decider = { place : Span.t; decides : Type.t;  (** its type *) a_size : bool
-  (** the variable is the size of an array *) }
 
 (** Why a type is expected at a place. *)
 type reason =
@@ -38,8 +41,7 @@ type reason =
   | Field of {
       name : string;
       at : Span.t;
-      units : string option;
-          (** what the units of the record's fields have to do with each other *)
+      units : string option;  (** what the units of the record's fields have to do with each other *)
     }
   | Output of reason  (** of the signal function that is expected for this reason *)
 
@@ -50,7 +52,6 @@ val make : reason -> Type.t -> t
 val explain : Show.words -> t -> Diagnostic.t -> Diagnostic.t
 (** Labels the other place: where the expected type comes from. *)
 
-val explain_all :
-  Show.words -> subject:Resolve.Ir.expr option -> t -> Diagnostic.t -> Diagnostic.t
-(** Likewise, and if nothing says where it comes from, where the variable is bound that
-    is at fault. *)
+val explain_all : Show.words -> subject:Resolve.Ir.expr option -> t -> Diagnostic.t -> Diagnostic.t
+(** Likewise, and if nothing says where it comes from, where the variable is bound that is at fault.
+*)

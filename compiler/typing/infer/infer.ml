@@ -8,8 +8,7 @@ type declared = { scheme : Type.scheme; inner : Context.t; at : Span.t }
 let top (b : Resolve.Ir.binding) =
   match b.name with
   | Top (name, at) -> (name, at)
-  | Inner _ | Destructure _ ->
-      Diagnostic.bug ~stage:"Typing.Infer" "a local binding at top level"
+  | Inner _ | Destructure _ -> Diagnostic.bug ~stage:"Typing.Infer" "a local binding at top level"
 
 let primitive ctx (p : Resolve.Ir.primitive) =
   let scheme, _ = with_signature ctx ~name:p.name.name p.scheme in
@@ -183,8 +182,8 @@ let check_superclasses ctx (i : Class_declarations.instance) =
     let text _ =
       Printf.sprintf "`%s` is a superclass of `%s`" (Show.class_ class_) i.of_class.class_.name
     in
-    require ctx { class_; argument = i.head; at = i.place; by; because = Some (span, text);
-      from = None }
+    require ctx
+      { class_; argument = i.head; at = i.place; by; because = Some (span, text); from = None }
   in
   List.iter require_superclass i.of_class.superclasses;
   ignore (Classes.solve ctx Generalize.none)
@@ -231,18 +230,14 @@ let with_needs ctx (program : Resolve.Ir.program) (d : Ir.definition) : Ir.defin
   in
   let otherwise : Ir.need = { place = d.span; by = Printf.sprintf "`%s`" d.name.name } in
   let of_constraint (class_, (t : Ir.ty)) =
-    match t with
-    | Variable v -> need ctx ~is_library ~otherwise (v.id, class_)
-    | _ -> otherwise
+    match t with Variable v -> need ctx ~is_library ~otherwise (v.id, class_) | _ -> otherwise
   in
   match d.scheme.context with
   | [] -> d
   | context -> { d with needs = List.map of_constraint context }
 
 let program ?(sources = Source.create ()) sink ~real (program : Resolve.Ir.program) : Ir.program =
-  let reader : Written.t =
-    { environment = Environment.create (); supply = Type.supply (); sink }
-  in
+  let reader : Written.t = { environment = Environment.create (); supply = Type.supply (); sink } in
   let data = Declarations.program reader program in
   let ctx = Context.start reader ~sources ~real in
   let primitives = Long_list.map (primitive ctx) program.primitives @ [ sequence ctx ] in

@@ -16,8 +16,8 @@ let spine (e : Resolve.Ir.expr) =
     | _ -> (e, arguments)
   in
   let head, arguments = go e [] in
-  (head, List.mapi (fun i (value, style, span) -> { value; style; span;
-    position = i + 1 }) arguments)
+  ( head,
+    List.mapi (fun i (value, style, span) -> { value; style; span; position = i + 1 }) arguments )
 
 let rec parameters (t : Type.t) =
   match Type.expand t with
@@ -60,16 +60,13 @@ let deciding parameters arguments =
           let decider a_size : Expected.decider = { place; decides; a_size } in
           (if sizes = [] then [] else [ decider true ])
           @
-          if others <> [] || List.exists (fun u -> List.mem u units) units' then
-            [ decider false ]
+          if others <> [] || List.exists (fun u -> List.mem u units) units' then [ decider false ]
           else []
         in
         let decided_by = List.concat_map decides earlier in
         let this = ((types, units), argument.value.span, parameter) in
         let earlier =
-          match Type.expand parameter with
-          | Flexible _ -> this :: earlier
-          | _ -> earlier @ [ this ]
+          match Type.expand parameter with Flexible _ -> this :: earlier | _ -> earlier @ [ this ]
         in
         decided_by :: of_parameters earlier parameters arguments
   in
@@ -84,7 +81,7 @@ let later given argument = without_first argument.position given
 
 (* Why the argument must have the parameter's type. *)
 let reason ctx ~(head : Resolve.Ir.expr) ~takes ~arguments ~decided_by ~later ~before ~previous
-  argument : Expected.reason =
+    argument : Expected.reason =
   match (argument.style, previous) with
   | Operator operator, Some ((other : Resolve.Ir.expr), other_type) ->
       Operand { operator; other; other_type }
@@ -151,9 +148,7 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
     true
   in
   ask ctx { attempt; guess; give_up = ignore };
-  let build () =
-    apply !decision argument.span result (function_.build ()) (value.build ())
-  in
+  let build () = apply !decision argument.span result (function_.build ()) (value.build ()) in
   ({ ty = result; build }, value.ty)
 
 (* Is this `f -1`, a minus that touches only what follows? *)
@@ -169,7 +164,7 @@ let looks_negative (head : Resolve.Ir.expr) arguments =
 let is_function t = match Type.expand t with Type.Function _ -> true | _ -> false
 
 let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~previous
-  (function_ : typed) argument =
+    (function_ : typed) argument =
   (* The result, and the type of the argument. *)
   let known decision parameter output =
     let before = errors ctx in
@@ -197,9 +192,7 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
           { ty = parameter; build = expressions.check ctx argument.value expected }
     in
     let ty = if errors ctx > before then Type.Erroneous else output in
-    let build () =
-      apply decision argument.span ty (function_.build ()) (value.build ())
-    in
+    let build () = apply decision argument.span ty (function_.build ()) (value.build ()) in
     ({ ty; build }, value.ty)
   in
   let erroneous () =
@@ -225,8 +218,8 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
             left);
       erroneous ()
   | ( Command,
-      ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _
-       | Function _) as found) ) ->
+      ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _ | Function _) as
+       found) ) ->
       report ctx (fun words -> Mistake.not_a_signal_function words ~head found);
       erroneous ()
 
@@ -242,7 +235,7 @@ let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
          && List.for_all (fun a -> a.style = Juxtaposed) arguments -> (
       match Resolve.Global_table.find_opt ctx.globals name with
       | None -> ()
-      | Some { scheme; _ } -> (
+      | Some { scheme; _ } ->
           let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
           let found = (expressions.infer ctx argument.value).ty in
           (* no text comes in: an input that is one was only taken for one here *)
@@ -267,8 +260,7 @@ let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
           in
           let order =
             match Argument_order.exchanged ~unfit ~parameters ~given ~position:failed with
-            | Some other ->
-                Some (Argument_order.exchange failed other ~of_:(List.length arguments))
+            | Some other -> Some (Argument_order.exchange failed other ~of_:(List.length arguments))
             | None -> Argument_order.rotated ~unfit ~parameters ~given
           in
           let cure order =
@@ -276,7 +268,7 @@ let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
             Argument_order.cure (words ctx) ~name:name.name ~at:e.span ~arguments order
             |> Diagnostic.revise_last sink
           in
-          Option.iter cure order))
+          Option.iter cure order)
   | _ -> ()
 
 (* What takes its arguments in another way than in other languages, as `switch mode event next`. *)
@@ -328,7 +320,8 @@ let tell_parentheses expressions ctx ~(head : Resolve.Ir.expr) arguments ~given 
   in
   match Diagnostic.last sink with
   | Some d
-    when all > List.length parameters && in_one_line && is_reported d
+    when all > List.length parameters
+         && in_one_line && is_reported d
          && List.for_all (fun a -> a.style = Juxtaposed) arguments -> (
       let words = words ctx in
       let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
@@ -363,8 +356,8 @@ let infer expressions ctx e =
     | _ ->
         let later = later given argument in
         let because =
-          reason ctx ~head ~takes ~arguments ~decided_by ~later
-            ~before:(before argument) ~previous argument
+          reason ctx ~head ~takes ~arguments ~decided_by ~later ~before:(before argument) ~previous
+            argument
         in
         let next, ty =
           step expressions ctx ~operand ~head ~negative ~because ~previous function_ argument
@@ -416,7 +409,6 @@ let infer expressions ctx e =
             tell_habit expressions ctx e ~head arguments
             || tell_parentheses expressions ctx ~head arguments ~given ~parameters ~failed
           in
-          if not is_told then
-            tell_order expressions ctx e ~head arguments ~given ~failed
+          if not is_told then tell_order expressions ctx e ~head arguments ~given ~failed
       | _ -> ());
       result)

@@ -1,8 +1,7 @@
 (** Juxtaposition: a function applied, or a signal function run.
 
-    The head's type decides. While it is unknown the question is put off, at
-    the latest to the end of the top-level group; what is unknown even then is
-    a function. *)
+    The head's type decides. While it is unknown the question is put off, at the latest to the end
+    of the top-level group; what is unknown even then is a function. *)
 
 open Context
 

@@ -4,7 +4,7 @@ open Context
 let undecided (expected : Expected.t) =
   match (Type.expand expected.ty, Environment.as_task expected.ty) with
   | Flexible _, _ -> true
-  | _, Some (_, _, result) -> (match Type.expand result with Flexible _ -> true | _ -> false)
+  | _, Some (_, _, result) -> ( match Type.expand result with Flexible _ -> true | _ -> false)
   | _ -> false
 
 let beside ~undecided (expected : Expected.t) at : Expected.t =
@@ -30,8 +30,8 @@ let as_one_tuple words ~name parameters (expected : Expected.t) =
       let all = List.filter_map quote parameters in
       match Type.expand first with
       | Tuple elements
-        when List.compare_lengths elements parameters = 0
-             && List.compare_lengths all parameters = 0 ->
+        when List.compare_lengths elements parameters = 0 && List.compare_lengths all parameters = 0
+        ->
           Some (Printf.sprintf "%s (%s) = …" name (String.concat ", " all))
       | _ -> None)
   | _ -> None
@@ -41,14 +41,15 @@ let too_many_parameters ctx ~name ~at ~parameters (expected : Expected.t) ~left 
       let what = match name with Some name -> "`" ^ name ^ "`" | None -> "this function" in
       let diagnostic =
         match allowed with
-        | 0 -> Diagnostic.error ~code:"E0302" ~at "%s has a parameter, but its type is no function"
-          what
-        | 1 -> Diagnostic.error ~code:"E0302" ~at
-          "%s has more than the one parameter that its type allows" what
+        | 0 ->
+            Diagnostic.error ~code:"E0302" ~at "%s has a parameter, but its type is no function"
+              what
+        | 1 ->
+            Diagnostic.error ~code:"E0302" ~at
+              "%s has more than the one parameter that its type allows" what
         | _ ->
             Diagnostic.error ~code:"E0302" ~at
-              "%s has more than the %d parameters that its type allows"
-              what allowed
+              "%s has more than the %d parameters that its type allows" what allowed
       in
       let diagnostic = Expected.explain words expected diagnostic in
       match Type.expand left with
@@ -66,7 +67,7 @@ let too_many_parameters ctx ~name ~at ~parameters (expected : Expected.t) ~left 
 (* `f (x, y) = …`, where the signature says parameters one after the other. *)
 let as_several parameters allowed (expected : Expected.t) =
   match ((parameters : Resolve.Ir.pattern list), Type.expand expected.ty) with
-  | [ { desc = Tuple_of ((_ :: _ :: _) as parts); span } ], Function (first, _)
+  | [ { desc = Tuple_of (_ :: _ :: _ as parts); span } ], Function (first, _)
     when allowed = Some (List.length parts) -> (
       match Type.expand first with
       | Tuple _ | Flexible _ | Erroneous -> None
@@ -106,9 +107,7 @@ let abstraction ctx ~at ~name parameters (expected : Expected.t) body =
     | _ ->
         let n = Option.get allowed in
         let rec result k t =
-          match Type.expand t with
-          | Function (_, t) when k > 0 -> result (k - 1) t
-          | _ -> t
+          match Type.expand t with Function (_, t) when k > 0 -> result (k - 1) t | _ -> t
         in
         too_many_parameters ctx ~name ~at:(List.nth parameters n : Resolve.Ir.pattern).span
           ~parameters expected ~left:(result n expected.ty) n;
@@ -196,8 +195,7 @@ let local_scheme ctx ~name ~at (written : Resolve.Ir.scheme) (scheme : Type.sche
   | _ ->
       report ctx (fun words ->
           Diagnostic.error ~code:"E0314" ~at
-            "only a local function can be polymorphic, and %s is %s"
-            name
+            "only a local function can be polymorphic, and %s is %s" name
             (Show.quoted words scheme.body)
           |> Diagnostic.label ~at:written.span "its signature has variables of its own");
       Type.monomorphic Erroneous
@@ -207,9 +205,7 @@ type declared = { scheme : Type.scheme; inner : t; at : Span.t }
 
 let declare ctx (local : Ir.Local.t) (written : Resolve.Ir.scheme) =
   let scheme, inner = with_signature ctx ~name:local.name written in
-  let scheme =
-    local_scheme ctx ~name:("`" ^ local.name ^ "`") ~at:local.span written scheme
-  in
+  let scheme = local_scheme ctx ~name:("`" ^ local.name ^ "`") ~at:local.span written scheme in
   bind_local ctx local scheme;
   { scheme; inner; at = written.span }
 
@@ -232,9 +228,7 @@ and declarations expressions ctx (d : Resolve.Ir.declarations) =
     | Inner local, Some written -> Hashtbl.replace signed local.id (declare ctx local written)
     | (Inner _ | Top _ | Destructure _), _ -> ()
   in
-  List.iter
-    (fun (g : Resolve.Ir.binding_group) -> List.iter declare_binding g.bindings)
-    d.groups;
+  List.iter (fun (g : Resolve.Ir.binding_group) -> List.iter declare_binding g.bindings) d.groups;
   let groups = List.rev_map (group expressions ctx signed) d.groups in
   fun () -> List.concat_map (List.map (fun build -> build ())) (List.rev groups)
 

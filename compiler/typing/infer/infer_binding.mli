@@ -1,7 +1,7 @@
 (** Bindings: right sides, local declarations, functions.
 
-    Local bindings generalize only if they are functions with a signature; a
-    local value with a polymorphic signature is [E0314]. *)
+    Local bindings generalize only if they are functions with a signature; a local value with a
+    polymorphic signature is [E0314]. *)
 
 open Basis
 open Context
@@ -14,8 +14,8 @@ val abstraction :
   Expected.t ->
   (Expected.t -> Ir.expr later) ->
   Ir.expr later
-(** A function of parameters, given how its body is checked; [name] if it is
-    a definition. Without parameters the body itself. *)
+(** A function of parameters, given how its body is checked; [name] if it is a definition. Without
+    parameters the body itself. *)
 
 val right : expressions -> t -> Resolve.Ir.right -> Expected.t -> Ir.expr later
 (** Guards under their [where]. *)
@@ -23,8 +23,7 @@ val right : expressions -> t -> Resolve.Ir.right -> Expected.t -> Ir.expr later
 val declarations : expressions -> t -> Resolve.Ir.declarations -> Ir.binding list later
 (** Local ones; their names have types afterwards. *)
 
-val annotated :
-  expressions -> t -> Resolve.Ir.expr -> Resolve.Ir.expr -> Resolve.Ir.scheme -> typed
+val annotated : expressions -> t -> Resolve.Ir.expr -> Resolve.Ir.expr -> Resolve.Ir.scheme -> typed
 (** [(e :: T)]: as a local binding with that signature. *)
 
 val undecided : Expected.t -> bool

@@ -76,9 +76,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
   | Tuple elements ->
       let elements = Long_list.map (infer ctx) elements in
       let ty = Type.shared (Tuple (List.map (fun (t : typed) -> t.ty) elements)) in
-      let build () =
-        node e.span ty (Tuple (List.map (fun (t : typed) -> t.build ()) elements))
-      in
+      let build () = node e.span ty (Tuple (List.map (fun (t : typed) -> t.build ()) elements)) in
       { ty; build }
   | Array elements -> array ctx e elements
   | Apply _ -> Infer_application.infer expressions ctx e
@@ -147,12 +145,10 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   | Proc { input; body }, _ -> proc ctx e input body expected
   | Sequence { statements; result }, _ ->
       Infer_sequence.check expressions ctx e statements result expected
-  | Tuple [ a; b ], Tuple [ wanted_a; wanted_b ] ->
-      pair ctx e (a, wanted_a) (b, wanted_b) expected
+  | Tuple [ a; b ], Tuple [ wanted_a; wanted_b ] -> pair ctx e (a, wanted_a) (b, wanted_b) expected
   | Tuple elements, Tuple types when List.compare_lengths elements types = 0 ->
       let elements =
-        List.rev
-          (List.rev_map2 (fun e ty -> check ctx e { expected with ty }) elements types)
+        List.rev (List.rev_map2 (fun e ty -> check ctx e { expected with ty }) elements types)
       in
       fun () -> node e.span expected.ty (Tuple (List.map (fun build -> build ()) elements))
   | Array (_ :: _ as elements), Data { tycon; arguments = [ _; element ]; _ }
@@ -202,8 +198,7 @@ and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expec
   in
   match exchanged with
   | Some (x, y) ->
-      report ctx (fun words ->
-          Mistake.exchanged_pair words ~at:e.span expected (a, x.ty) (b, y.ty));
+      report ctx (fun words -> Mistake.exchanged_pair words ~at:e.span expected (a, x.ty) (b, y.ty));
       (* what comes of them is no other mistake *)
       List.iter
         (fun (wanted, given) -> ignore (Unify.types wanted given))

@@ -36,9 +36,7 @@ let rec check ctx (p : Resolve.Ir.pattern) (expected : Expected.t) : Ir.pattern 
                 (Basis.Diagnostic.hint "`_` takes every value, and looks at none");
             types
       in
-      let elements =
-        List.map2 (fun p ty -> check ctx p { expected with ty }) elements types
-      in
+      let elements = List.map2 (fun p ty -> check ctx p { expected with ty }) elements types in
       node (fun () -> Tuple_of (List.map (fun build -> build ()) elements))
   | Array_of elements ->
       let element =
@@ -56,8 +54,7 @@ let rec check ctx (p : Resolve.Ir.pattern) (expected : Expected.t) : Ir.pattern 
       let fields, result = Environment.fields constructor ty in
       expect ctx ~at:p.span expected result;
       let arguments = List.map2 (fun p ty -> check ctx p { expected with ty }) arguments fields in
-      node (fun () ->
-          Constructed (constructor.ir, List.map (fun build -> build ()) arguments))
+      node (fun () -> Constructed (constructor.ir, List.map (fun build -> build ()) arguments))
   | Literal { negative; number } ->
       let ty, value = Literal.number ctx ~negative ~at:p.span number in
       expect ctx ~at:p.span expected ty;

@@ -32,9 +32,7 @@ let one_of_several environment ty name =
   | Data { tycon; _ } -> (
       match (Environment.type_ environment tycon).definition with
       | Data { constructors; _ } ->
-          List.find_opt
-            (fun (c : Ir.constructor) -> List.mem_assoc name c.fields)
-            constructors
+          List.find_opt (fun (c : Ir.constructor) -> List.mem_assoc name c.fields) constructors
       | Alias _ | Builtin | Foreign -> None)
   | _ -> None
 
@@ -50,7 +48,8 @@ let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagno
   in
   match Resolve.Global_table.fold found ctx.globals None with
   | None ->
-      Option.map (fun text -> Diagnostic.hint text diagnostic)
+      Option.map
+        (fun text -> Diagnostic.hint text diagnostic)
         (Resolve.Other_languages.robot name.text)
   | Some kind ->
       let argument words =
@@ -63,8 +62,10 @@ let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagno
            diagnostic
         |> Diagnostic.fix
              (Printf.sprintf "write `%s %s`" name.text (argument (words ctx)))
-             [ ( Span.merge record.span name.span,
-                 Printf.sprintf "(%s %s)" name.text (argument (words ctx)) ) ])
+             [
+               ( Span.merge record.span name.span,
+                 Printf.sprintf "(%s %s)" name.text (argument (words ctx)) );
+             ])
 
 (* The field of this one that is a record with such a field. *)
 let field_within ctx ty name =
@@ -103,7 +104,8 @@ let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
            d
         |>
         if String.equal text grouped then
-          Diagnostic.fix (Printf.sprintf "write `%s`" cure)
+          Diagnostic.fix
+            (Printf.sprintf "write `%s`" cure)
             [ (whole, if has_it then cure else "(" ^ cure ^ ")") ]
         else Fun.id)
   | t when Environment.is_event t ->
@@ -140,13 +142,14 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
           |> Diagnostic.hint
                (Printf.sprintf "only `%s` has it: `case` finds out, by the pattern `%s { %s = x }`"
                   constructor.name constructor.name name.text)
-      | None ->
+      | None -> (
           let d = error "%s has no field `%s`" described name.text in
-          let usual () = match (Suggest.closest name.text known, known) with
-          | None, _ :: _ when List.compare_length_with known 8 <= 0 ->
-              let fields = List.map (Printf.sprintf "`%s`") known in
-              Diagnostic.note ("its fields: " ^ String.concat ", " fields) d
-          | _ -> suggest name known d
+          let usual () =
+            match (Suggest.closest name.text known, known) with
+            | None, _ :: _ when List.compare_length_with known 8 <= 0 ->
+                let fields = List.map (Printf.sprintf "`%s`") known in
+                Diagnostic.note ("its fields: " ^ String.concat ", " fields) d
+            | _ -> suggest name known d
           in
           match (Type.expand ty, Show.quote words record.span) with
           | Function (input, _), Some f when Show.signal words input <> None ->
@@ -158,13 +161,14 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
               let field = Option.get (field_within ctx ty name.text) in
               let cure = Printf.sprintf "%s.%s.%s" (Source.grouped text) field name.text in
               Diagnostic.hint (Printf.sprintf "its field `%s` has it: `%s`" field cure) d
-              |> Diagnostic.fix (Printf.sprintf "write `%s`" cure)
+              |> Diagnostic.fix
+                   (Printf.sprintf "write `%s`" cure)
                    [ (name.span, field ^ "." ^ name.text) ]
           | _ -> (
               match through words name ~record ty d with
               | Some d -> d
               | None -> (
-                  match as_a_function ctx name ~record d with Some d -> d | None -> usual ())))
+                  match as_a_function ctx name ~record d with Some d -> d | None -> usual ()))))
       |> Diagnostic.label ~at:record.span ("this is " ^ described))
 
 (* Of a record whose type is not known, perhaps for another error. *)
@@ -218,8 +222,8 @@ let when_known ctx ~(record : Resolve.Ir.expr) ty (fields : Syntax.Ir.name list)
         | Erroneous ->
             found None;
             true
-        | ( Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _
-          | Size _ | Alias _ ) as ty ->
+        | ( Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Size _
+          | Alias _ ) as ty ->
             no_field ctx first ~record ty [];
             found None;
             true
@@ -246,8 +250,7 @@ let when_known ctx ~(record : Resolve.Ir.expr) ty (fields : Syntax.Ir.name list)
 let decided ctx = function
   | { contents = Some answer } -> answer
   | { contents = None } ->
-      Diagnostic.bug ~stage:"Typing.Infer_record" "a field was not decided (%d errors)"
-        (errors ctx)
+      Diagnostic.bug ~stage:"Typing.Infer_record" "a field was not decided (%d errors)" (errors ctx)
 
 let indexed (constructor : Environment.constructor) (name : Syntax.Ir.name) =
   match position constructor name.text with

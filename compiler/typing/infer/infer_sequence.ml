@@ -5,7 +5,7 @@ open Context
 type sequence = {
   input : Type.t;
   output : Type.t;
-  whole : Type.t;  (* the type of what is left, whatever came before *)
+  whole : Type.t; (* the type of what is left, whatever came before *)
 }
 
 let task s result = Environment.task_of s.input s.output result
@@ -14,8 +14,13 @@ let task s result = Environment.task_of s.input s.output result
    one if nothing around does. *)
 let rec place ~first (reason : Expected.reason) =
   match reason with
-  | Signature { at; _ } | Annotation at | Parameter { at; _ } | Branch at | Uses { at; _ }
-  | Field { at; _ } | Element at ->
+  | Signature { at; _ }
+  | Annotation at
+  | Parameter { at; _ }
+  | Branch at
+  | Uses { at; _ }
+  | Field { at; _ }
+  | Element at ->
       Some at
   | Last_statement reason -> place ~first reason
   | Statement (Some at) -> Some at
@@ -55,8 +60,8 @@ let next (others : Resolve.Ir.statement list) (last : Resolve.Ir.expr) =
   | Values _ :: _ -> None
 
 (* [first]: the place of the first task, once there was one. *)
-let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected.t) statements
-    last : Ir.expr later =
+let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected.t) statements last
+    : Ir.expr later =
   match (statements : Resolve.Ir.statement list) with
   | [] ->
       let because : Expected.reason =
@@ -75,8 +80,10 @@ let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected
       let result = Context.fresh ctx in
       if pattern = None then Early_return.warn ctx written ~next:(next others last);
       let before = errors ctx in
-      let value = expressions.check ctx written { ty = task s result;
-        because = Statement (place ~first expected.because) } in
+      let value =
+        expressions.check ctx written
+          { ty = task s result; because = Statement (place ~first expected.because) }
+      in
       (* What is wrong already says nothing about the pattern. *)
       let result = if errors ctx > before then Type.Erroneous else result in
       let pattern =

@@ -1,7 +1,7 @@
 (** [do]: tasks, one after the other.
 
-    It becomes applications of {!Environment.sequence}, the rest of the
-    statements being a function of what a task ends with. *)
+    It becomes applications of {!Environment.sequence}, the rest of the statements being a function
+    of what a task ends with. *)
 
 open Context
 

@@ -12,8 +12,8 @@ let is_only_negative (n : Resolve.Ir.number) =
 (* The number that has the bits written in another base. *)
 let as_bits digits =
   match Exact.of_literal digits with
-  | Some value when String.length digits > 2
-    && Exact.base_of_prefix (digits.[0], digits.[1]) <> None ->
+  | Some value
+    when String.length digits > 2 && Exact.base_of_prefix (digits.[0], digits.[1]) <> None ->
       Exact.(to_int32 (add value (negate (power (of_int 2) 32))))
   | Some _ | None -> None
 
@@ -24,9 +24,10 @@ let too_large (ctx : Context.t) ~at (n : Resolve.Ir.number) representation =
         Diagnostic.(
           error ~code:"E0313" ~at "`%s` is out of the range of `Int`" n.digits
           |> note "an `Int` is from -2147483648 to 2147483647"
-          |> match as_bits n.digits with
-             | Some m -> hint (Printf.sprintf "as 32 bits, one for the sign, it is `(%ld)`" m)
-             | None -> Fun.id))
+          |>
+          match as_bits n.digits with
+          | Some m -> hint (Printf.sprintf "as 32 bits, one for the sign, it is `(%ld)`" m)
+          | None -> Fun.id))
   in
   let attempt () =
     match Type.representation representation with
@@ -46,17 +47,14 @@ let too_large (ctx : Context.t) ~at (n : Resolve.Ir.number) representation =
   Context.ask ctx { attempt; guess; give_up = ignore }
 
 let out_of_range (ctx : Context.t) ~at (n : Resolve.Ir.number) =
-  let diagnostic =
-    Diagnostic.error ~code:"E0315" ~at "the number `%s` is out of range" n.digits
-  in
+  let diagnostic = Diagnostic.error ~code:"E0315" ~at "the number `%s` is out of range" n.digits in
   match ctx.real with
   | Double -> diagnostic
   | Single ->
       Diagnostic.note "with `--real float` the largest number is 3.4028234663852886e38" diagnostic
 
 (* Only such digits can be beyond what a Float holds. *)
-let is_long digits =
-  String.length digits > 25 || String.exists (fun c -> c = 'e' || c = 'E') digits
+let is_long digits = String.length digits > 25 || String.exists (fun c -> c = 'e' || c = 'E') digits
 
 let number (ctx : Context.t) ~negative ~at (n : Resolve.Ir.number) =
   let magnitude =

@@ -14,13 +14,11 @@ let create params =
   { locals = Int_table.create 16; globals = Global_table.create 64; params = table }
 
 let local c (x : Local.t) e = Int_table.replace c.locals x.id e
+
 let global c name e =
   if not (Global_table.mem c.params name) then Global_table.replace c.globals name e
 
-type problem =
-  | Variable of Local.t * Span.t
-  | Param of Global.t * Span.t
-  | Computed of Span.t
+type problem = Variable of Local.t * Span.t | Param of Global.t * Span.t | Computed of Span.t
 
 exception Problem of problem
 
@@ -44,31 +42,30 @@ let value c e =
     if depth > longest_chain then fail (Computed e.span);
     let int = int (depth + 1) in
     match e.desc with
-    | Number n -> (
-      match Exact.to_int32 n with Some n -> n | None -> fail (Computed e.span))
+    | Number n -> ( match Exact.to_int32 n with Some n -> n | None -> fail (Computed e.span))
     | Negate a -> Int32.neg (int a)
     | Apply ({ desc = Apply ({ desc = Primitive (g, _); _ }, a); _ }, b) -> (
-      match operation g.name with
-      | Some operation ->
-        let a = int a in
-        operation a (int b)
-      | None -> fail (Computed e.span))
+        match operation g.name with
+        | Some operation ->
+            let a = int a in
+            operation a (int b)
+        | None -> fail (Computed e.span))
     | Local (x, _) -> (
-      match Int_table.find_opt c.locals x.id with
-      | Some value -> named x e (fun () -> int value)
-      | None -> fail (Variable (x, e.span)))
+        match Int_table.find_opt c.locals x.id with
+        | Some value -> named x e (fun () -> int value)
+        | None -> fail (Variable (x, e.span)))
     | Global (g, _) when Global_table.mem c.params g -> fail (Param (g, e.span))
     | Global (g, _) -> (
-      match Global_table.find_opt c.globals g with
-      | Some value -> (
-        try int value with
-        | Problem (Param (p, _)) -> fail (Param (p, e.span))
-        | Problem (Variable _ | Computed _) -> fail (Computed e.span))
-      | None -> fail (Computed e.span))
+        match Global_table.find_opt c.globals g with
+        | Some value -> (
+            try int value with
+            | Problem (Param (p, _)) -> fail (Param (p, e.span))
+            | Problem (Variable _ | Computed _) -> fail (Computed e.span))
+        | None -> fail (Computed e.span))
     | Primitive _ | Method _ | Constructor _ | String _ | Tuple _ | Array _ | Index _ | Apply _
     | Run _ | Power _ | If _ | Case _ | Let _ | Lambda _ | Guards _ | Proc _ | Record _ | Update _
     | Field _ ->
-      fail (Computed e.span)
+        fail (Computed e.span)
   (* The place to show is where the index names it. *)
   and named x e evaluate =
     try evaluate () with

@@ -1,5 +1,5 @@
-(** The index of [!], which the compiler must know: a number written out, a
-    name of one, or [+ - * div mod min max] of such. *)
+(** The index of [!], which the compiler must know: a number written out, a name of one, or
+    [+ - * div mod min max] of such. *)
 
 open Basis
 

@@ -36,7 +36,7 @@ let report_recursion w (x : Local.t) (e : expr) =
     match e.ty with
     | Function _ -> "functions may not call themselves"
     | Signal_function _ | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ ->
-      "only the equations of a `proc` may be recursive"
+        "only the equations of a `proc` may be recursive"
   in
   Diagnostic.(
     error ~code:"E0346" ~at:e.span "`%s` is used in its own definition" x.name
@@ -49,23 +49,21 @@ let mention w frames (x : Local.t) (e : expr) =
   match Level_graph.find w.graph x with
   | None -> Diagnostic.bug ~stage:"Typing.Levels" "`%s` has no level" x.name
   | Some node ->
-    let bound_at = Level_graph.depth node in
-    let rec visit = function
-      | frame :: outer when frame.depth >= bound_at ->
-        (match frame.owner with
-        | Some within ->
-          Level_graph.mention x ~at:e.span node ~within
-            ~inside_proc:(frame.proc_depth > bound_at)
-        | None -> ());
-        visit outer
-      | _ -> ()
-    in
-    visit frames
+      let bound_at = Level_graph.depth node in
+      let rec visit = function
+        | frame :: outer when frame.depth >= bound_at ->
+            (match frame.owner with
+            | Some within ->
+                Level_graph.mention x ~at:e.span node ~within
+                  ~inside_proc:(frame.proc_depth > bound_at)
+            | None -> ());
+            visit outer
+        | _ -> ()
+      in
+      visit frames
 
 let push frames ~proc =
-  let depth, around =
-    match frames with f :: _ -> (f.depth + 1, f.proc_depth) | [] -> (1, 0)
-  in
+  let depth, around = match frames with f :: _ -> (f.depth + 1, f.proc_depth) | [] -> (1, 0) in
   { depth; proc_depth = (if proc then depth else around); owner = None } :: frames
 
 let innermost = function
@@ -87,57 +85,59 @@ let rec expr w frames (e : expr) =
   | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> ()
   | Tuple es | Array es -> List.iter (expr w frames) es
   | Apply (f, a) ->
-    expr w frames f;
-    expr w frames a
+      expr w frames f;
+      expr w frames a
   | Run (h, input) ->
-    runs w frames e;
-    expr w frames h;
-    expr w frames input
+      runs w frames e;
+      expr w frames h;
+      expr w frames input
   | Negate a | Power (a, _) | Field (a, _, _) | Index (a, _) -> expr w frames a
   | If (a, b, c) ->
-    expr w frames a;
-    expr w frames b;
-    expr w frames c
+      expr w frames a;
+      expr w frames b;
+      expr w frames c
   | Case (scrutinee, branches) ->
-    let node = part_node w frames Level_graph.Derived in
-    part w frames node scrutinee;
-    List.iter
-      (fun (b : branch) ->
-        name w node b.pattern;
-        expr w frames b.value)
-      branches
+      let node = part_node w frames Level_graph.Derived in
+      part w frames node scrutinee;
+      List.iter
+        (fun (b : branch) ->
+          name w node b.pattern;
+          expr w frames b.value)
+        branches
   | Let (bindings, body) ->
-    let declare (b : binding) =
-      let node = part_node w frames (origin b) in
-      name w node b.pattern;
-      List.iter (fun (x : Local.t) -> Int_table.replace w.unfinished x.id ())
-        (Parts.variables b.pattern);
-      (node, b)
-    in
-    let define (node, (b : binding)) =
-      part w frames node b.value;
-      List.iter (fun (x : Local.t) -> Int_table.remove w.unfinished x.id)
-        (Parts.variables b.pattern)
-    in
-    List.iter define (Long_list.map declare bindings);
-    expr w frames body
+      let declare (b : binding) =
+        let node = part_node w frames (origin b) in
+        name w node b.pattern;
+        List.iter
+          (fun (x : Local.t) -> Int_table.replace w.unfinished x.id ())
+          (Parts.variables b.pattern);
+        (node, b)
+      in
+      let define (node, (b : binding)) =
+        part w frames node b.value;
+        List.iter
+          (fun (x : Local.t) -> Int_table.remove w.unfinished x.id)
+          (Parts.variables b.pattern)
+      in
+      List.iter define (Long_list.map declare bindings);
+      expr w frames body
   | Lambda (patterns, body) ->
-    let frames = push frames ~proc:false in
-    let depth = (innermost frames).depth in
-    List.iter (name w (Level_graph.node w.graph ~depth Parameter)) patterns;
-    expr w frames body
+      let frames = push frames ~proc:false in
+      let depth = (innermost frames).depth in
+      List.iter (name w (Level_graph.node w.graph ~depth Parameter)) patterns;
+      expr w frames body
   | Guards (guarded, last) ->
-    List.iter
-      (fun (guard, value) ->
-        expr w frames guard;
-        expr w frames value)
-      guarded;
-    Option.iter (expr w frames) last
+      List.iter
+        (fun (guard, value) ->
+          expr w frames guard;
+          expr w frames value)
+        guarded;
+      Option.iter (expr w frames) last
   | Proc { input; equations; output } -> proc w (push frames ~proc:true) input equations output
   | Record (_, fields) -> List.iter (fun (_, e) -> expr w frames e) fields
   | Update (record, _, fields) ->
-    expr w frames record;
-    List.iter (fun (_, e) -> expr w frames e) fields
+      expr w frames record;
+      List.iter (fun (_, e) -> expr w frames e) fields
 
 (* A part of a definition with variables of its own. *)
 and part_node w frames origin =

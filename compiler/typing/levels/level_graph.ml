@@ -34,13 +34,13 @@ let node t ~depth origin =
   match origin with
   | Derived | Bound_signal_function -> make Ir.Constant None_known
   | Parameter ->
-    let n = make Ir.Static None_known in
-    Queue.add n t.statics;
-    n
+      let n = make Ir.Static None_known in
+      Queue.add n t.statics;
+      n
   | Input ->
-    let n = make Ir.Signal From_input in
-    Queue.add n t.signals;
-    n
+      let n = make Ir.Signal From_input in
+      Queue.add n t.signals;
+      n
 
 let name t (x : Ir.Local.t) node = Int_table.replace t.variables x.id node
 let find t (x : Ir.Local.t) = Int_table.find_opt t.variables x.id
@@ -57,17 +57,17 @@ let signal t node cause =
   match node.level with
   | Ir.Signal -> ()
   | Constant | Static ->
-    node.level <- Signal;
-    node.cause <- cause;
-    Queue.add node t.signals
+      node.level <- Signal;
+      node.cause <- cause;
+      Queue.add node t.signals
 
 let runs t node ~at = signal t node (Runs at)
 
 let static t node =
   match node.level with
   | Ir.Constant ->
-    node.level <- Static;
-    Queue.add node t.statics
+      node.level <- Static;
+      Queue.add node t.statics
   | Static | Signal -> ()
 
 let drain queue visit =
@@ -81,7 +81,7 @@ let drain queue visit =
 let solve t =
   drain t.signals (fun node -> function
     | Mentioned { within; variable; at; inside_proc = false } ->
-      signal t within (Mentions { variable; node; at })
+        signal t within (Mentions { variable; node; at })
     | Mentioned { within; inside_proc = true; _ } -> static t within
     | Contained within -> signal t within node.cause);
   drain t.statics (fun _ -> function
@@ -92,15 +92,13 @@ let longest_chain = 8
 
 let explain variable node d =
   let rec go hops (x : Ir.Local.t) node d =
-    let label at why =
-      Diagnostic.label ~at (Printf.sprintf "`%s` is a signal: %s" x.name why) d
-    in
+    let label at why = Diagnostic.label ~at (Printf.sprintf "`%s` is a signal: %s" x.name why) d in
     match node.cause with
     | None_known -> d
     | From_input -> label x.span "it comes from the `proc`'s input here"
     | Runs at -> label at "a signal function is run here"
     | Mentions { variable = y; node; at } ->
-      let d = label at (Printf.sprintf "it depends on `%s` here" y.name) in
-      if hops = longest_chain then d else go (hops + 1) y node d
+        let d = label at (Printf.sprintf "it depends on `%s` here" y.name) in
+        if hops = longest_chain then d else go (hops + 1) y node d
   in
   go 1 variable node d

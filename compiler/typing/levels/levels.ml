@@ -46,38 +46,37 @@ let rec runs_a_local (h : expr) =
 let complaint kind what =
   match kind with
   | Head { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ } ->
-    Printf.sprintf "the initial value of `delay` must be static, but %s" what
+      Printf.sprintf "the initial value of `delay` must be static, but %s" what
   | Head ({ desc = Apply _; _ } as h) when not (runs_a_local h) ->
-    Printf.sprintf "what %s is given before its signal must be static, but %s" (Misplaced.name h)
-      what
+      Printf.sprintf "what %s is given before its signal must be static, but %s" (Misplaced.name h)
+        what
   | Head _ -> Printf.sprintf "what is run must be static, but %s" what
   | Binding_of x ->
-    Printf.sprintf "`%s` is a signal function and must be static, but %s" x.name what
+      Printf.sprintf "`%s` is a signal function and must be static, but %s" x.name what
   | Binding_of_task x -> Printf.sprintf "`%s` is a task and must be static, but %s" x.name what
 
 (* What the programmer likely wants of the thing that must be static. *)
 let cure = function
   | Head { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ } ->
-    Diagnostic.hint "the initial value stands first: `delay 0 x` is 0, then `x` one instant ago"
+      Diagnostic.hint "the initial value stands first: `delay 0 x` is 0, then `x` one instant ago"
   | Head { desc = If _ | Case _; _ } ->
-    Diagnostic.hint "run each in an equation of its own, and choose between their outputs"
+      Diagnostic.hint "run each in an equation of its own, and choose between their outputs"
   | Head { desc = Apply ({ desc = Apply ({ desc = Primitive ({ name; _ }, _); _ }, _); _ }, _); _ }
     when name = "switch" || name = "dSwitch" ->
-    Diagnostic.hint
-      (Printf.sprintf "carry it in the event of the `%s`, or use `initially`" name)
+      Diagnostic.hint (Printf.sprintf "carry it in the event of the `%s`, or use `initially`" name)
   | Binding_of_task _ ->
-    Diagnostic.hint
-      "a task gets what it knows at its start by its parameters, and signals by its input"
+      Diagnostic.hint
+        "a task gets what it knows at its start by its parameters, and signals by its input"
   | Head _ ->
-    Diagnostic.hint
-      "static is what is known when it starts; what changes while it runs comes in by its input; \
-       `initially` starts it with the value of its first instant"
+      Diagnostic.hint
+        "static is what is known when it starts; what changes while it runs comes in by its input; \
+         `initially` starts it with the value of its first instant"
   | Binding_of x ->
-    Diagnostic.hint
-      (Printf.sprintf
-         "a signal function gets signals by its input: `%s` may take a pair, `proc (x, y) -> …`; \
-          a mode that goes on from a value of the one before gets it by the event of the switch"
-         x.name)
+      Diagnostic.hint
+        (Printf.sprintf
+           "a signal function gets signals by its input: `%s` may take a pair, `proc (x, y) -> …`; \
+            a mode that goes on from a value of the one before gets it by the event of the switch"
+           x.name)
 
 let code = function Head _ -> "E0340" | Binding_of _ | Binding_of_task _ -> "E0344"
 
@@ -86,9 +85,7 @@ let report w region ~at what explain =
     region.reported <- true;
     Diagnostic.(
       error ~code:(code region.kind) ~at "%s" (complaint region.kind what)
-      |> explain
-      |> cure region.kind
-      |> emit w.sink))
+      |> explain |> cure region.kind |> emit w.sink))
 
 let outermost suits regions =
   List.fold_left (fun found r -> if suits r then Some r else found) None regions
@@ -97,17 +94,17 @@ let mention w place (x : Local.t) (e : expr) =
   match Level_graph.find w.graph x with
   | None -> ()
   | Some node -> (
-    match (Level_graph.level node, Level_graph.origin node) with
-    | (Constant | Static), _ | Signal, Bound_signal_function -> ()
-    | Signal, (Derived | Parameter | Input) -> (
-      let bound_at = Level_graph.depth node in
-      let concerned (r : region) = r.proc_depth <= bound_at && bound_at <= r.depth in
-      match outermost concerned place.regions with
-      | None -> ()
-      | Some region ->
-        report w region ~at:e.span
-          (Printf.sprintf "`%s` is a signal" x.name)
-          (Level_graph.explain x node)))
+      match (Level_graph.level node, Level_graph.origin node) with
+      | (Constant | Static), _ | Signal, Bound_signal_function -> ()
+      | Signal, (Derived | Parameter | Input) -> (
+          let bound_at = Level_graph.depth node in
+          let concerned (r : region) = r.proc_depth <= bound_at && bound_at <= r.depth in
+          match outermost concerned place.regions with
+          | None -> ()
+          | Some region ->
+              report w region ~at:e.span
+                (Printf.sprintf "`%s` is a signal" x.name)
+                (Level_graph.explain x node)))
 
 (* {1 Where instances stand} *)
 
@@ -117,8 +114,8 @@ let bound_here place e =
   let bound (e : expr) =
     match e.desc with
     | Local (x, _) when List.exists (fun p -> List.memq x (Parts.variables p)) place.conditional ->
-      found := Some x;
-      true
+        found := Some x;
+        true
     | _ -> false
   in
   if place.conditional <> [] then ignore (Parts.exists bound e);
@@ -144,18 +141,18 @@ let instance w place (e : expr) head input =
   match region place.depth with
   | Some region -> nothing_runs region
   | None -> (
-    match obstacle w place e head with
-    | Some obstacle ->
-      Misplaced.report w.sink w.sources place.position obstacle e ~head ~input;
-      (place, place)
-    | None -> (
-      match region place.proc_depth with
-      | Some region -> nothing_runs region
-      | None ->
-        let place =
-          { place with position = Every_instant; depth = place.proc_depth; conditional = [] }
-        in
-        (enter place (Head head), place)))
+      match obstacle w place e head with
+      | Some obstacle ->
+          Misplaced.report w.sink w.sources place.position obstacle e ~head ~input;
+          (place, place)
+      | None -> (
+          match region place.proc_depth with
+          | Some region -> nothing_runs region
+          | None ->
+              let place =
+                { place with position = Every_instant; depth = place.proc_depth; conditional = [] }
+              in
+              (enter place (Head head), place)))
 
 let conditional place (position : Misplaced.position) =
   match place.position with
@@ -168,14 +165,14 @@ let in_task place (f : expr) =
   match f.desc with
   | Apply ({ desc = Primitive (g, _); _ }, _)
     when place.position = Outside && g = Environment.sequence ->
-    { place with position = In_task }
+      { place with position = In_task }
   | _ -> place
 
 let knowing place patterns =
   match place.position with
   | Outside | In_task | Every_instant -> place
   | In_branch _ | In_guard | In_function _ ->
-    { place with conditional = List.rev_append patterns place.conditional }
+      { place with conditional = List.rev_append patterns place.conditional }
 
 (* {1 The index of an array} *)
 
@@ -184,14 +181,15 @@ let not_constant w (e : expr) problem =
   let index = match e.desc with Local (x, _) -> x.name | Global (g, _) -> g.name | _ -> "i" in
   (match (problem : Constant_index.problem) with
   | Variable (x, at) ->
-    error at "the index of `!` must be constant, but `%s` is not" x.name
-    |> Diagnostic.label ~at:x.span (Printf.sprintf "`%s` is bound here" x.name)
+      error at "the index of `!` must be constant, but `%s` is not" x.name
+      |> Diagnostic.label ~at:x.span (Printf.sprintf "`%s` is bound here" x.name)
   | Param (p, at) ->
-    error at "the index of `!` must be constant, and the parameter `%s` is not known before the run"
-      p.name
+      error at
+        "the index of `!` must be constant, and the parameter `%s` is not known before the run"
+        p.name
   | Computed at when Span.compare at e.span = 0 -> error at "the index of `!` must be constant"
   | Computed at ->
-    error e.span "the index of `!` must be constant" |> Diagnostic.label ~at "this is computed")
+      error e.span "the index of `!` must be constant" |> Diagnostic.label ~at "this is computed")
   |> Diagnostic.note "an index is a number, a name of one, or arithmetic with such"
   |> Diagnostic.hint
        (Printf.sprintf "`at %s x xs` takes any index; where there is no such element it is `x`"
@@ -202,27 +200,27 @@ let outside w (array : expr) (index : expr) k =
   let error format = Diagnostic.error ~code:"E0332" ~at:index.span format in
   match array.ty with
   | Data { arguments = [ Size n; _ ]; _ } when k >= n || k < 0 ->
-    error "index %d is outside of an array of %d" k n
-    |> Diagnostic.label ~at:array.span (Printf.sprintf "this is `%s`" (Show.ty array.ty))
-    |> Diagnostic.hint
-         (if n = 1 then "its only element has the number 0"
-          else Printf.sprintf "the elements are numbered from 0 to %d" (n - 1))
-    |> Diagnostic.emit w.sink
+      error "index %d is outside of an array of %d" k n
+      |> Diagnostic.label ~at:array.span (Printf.sprintf "this is `%s`" (Show.ty array.ty))
+      |> Diagnostic.hint
+           (if n = 1 then "its only element has the number 0"
+            else Printf.sprintf "the elements are numbered from 0 to %d" (n - 1))
+      |> Diagnostic.emit w.sink
   | _ when k < 0 ->
-    error "index %d is outside of every array" k
-    |> Diagnostic.hint "the elements are numbered from 0"
-    |> Diagnostic.emit w.sink
+      error "index %d is outside of every array" k
+      |> Diagnostic.hint "the elements are numbered from 0"
+      |> Diagnostic.emit w.sink
   | _ -> ()
 
 let index w array (k : expr) =
   match Constant_index.value w.constants k with
   | Ok n ->
-    let n = Int32.to_int n in
-    outside w array k n;
-    n
+      let n = Int32.to_int n in
+      outside w array k n;
+      n
   | Error problem ->
-    not_constant w k problem;
-    0
+      not_constant w k problem;
+      0
 
 (* {1 The walk} *)
 (* What binds no variable is mentioned by nothing: there its level is only a
@@ -238,91 +236,92 @@ let rec expr w place (e : expr) : expr =
   let with_ desc : expr = { e with desc } in
   match e.desc with
   | Local (x, _) ->
-    mention w place x e;
-    e
+      mention w place x e;
+      e
   | Primitive ({ name = "!"; _ }, _) ->
-    not_constant w e (Computed e.span);
-    e
+      not_constant w e (Computed e.span);
+      e
   | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> e
   | Tuple es -> several w place e es (fun es -> Tuple es)
   | Array es -> several w place e es (fun es -> Array es)
   | Apply ({ desc = Apply ({ desc = Primitive ({ name = "!"; _ }, _); _ }, array); _ }, k) ->
-    with_ (Index (expr w place array, index w array k))
+      with_ (Index (expr w place array, index w array k))
   | Index (array, k) -> one w place e array (fun array -> Index (array, k))
   | Apply (f, a) ->
-    let place = in_task place f in
-    let f' = expr w place f in
-    let a' = expr w place a in
-    if f' == f && a' == a then e else with_ (Apply (f', a'))
+      let place = in_task place f in
+      let f' = expr w place f in
+      let a' = expr w place a in
+      if f' == f && a' == a then e else with_ (Apply (f', a'))
   | Run (h, input) ->
-    let place_of_head, place = instance w place e h input in
-    let head = expr w place_of_head h in
-    let input' = expr w place input in
-    if head == h && input' == input then e else with_ (Run (head, input'))
+      let place_of_head, place = instance w place e h input in
+      let head = expr w place_of_head h in
+      let input' = expr w place input in
+      if head == h && input' == input then e else with_ (Run (head, input'))
   | Negate a -> one w place e a (fun a -> Negate a)
   | Power (a, k) -> one w place e a (fun a -> Power (a, k))
   | Field (a, c, i) -> one w place e a (fun a -> Field (a, c, i))
   | If (condition, a, b) ->
-    let condition' = expr w place condition in
-    let branch chosen_if =
-      expr w (conditional place (In_branch (Some { test = condition; chosen_if })))
-    in
-    let a' = branch true a in
-    let b' = branch false b in
-    if condition' == condition && a' == a && b' == b then e else with_ (If (condition', a', b'))
+      let condition' = expr w place condition in
+      let branch chosen_if =
+        expr w (conditional place (In_branch (Some { test = condition; chosen_if })))
+      in
+      let a' = branch true a in
+      let b' = branch false b in
+      if condition' == condition && a' == a && b' == b then e else with_ (If (condition', a', b'))
   | Case (scrutinee, branches) ->
-    let scrutinee' = expr w place scrutinee in
-    let place = conditional place (In_branch None) in
-    let branch (b : branch) =
-      let value = expr w (knowing place [ b.pattern ]) b.value in
-      if value == b.value then b else { b with value }
-    in
-    let branches' = Long_list.map_sharing branch branches in
-    if scrutinee' == scrutinee && branches' == branches then e
-    else with_ (Case (scrutinee', branches'))
+      let scrutinee' = expr w place scrutinee in
+      let place = conditional place (In_branch None) in
+      let branch (b : branch) =
+        let value = expr w (knowing place [ b.pattern ]) b.value in
+        if value == b.value then b else { b with value }
+      in
+      let branches' = Long_list.map_sharing branch branches in
+      if scrutinee' == scrutinee && branches' == branches then e
+      else with_ (Case (scrutinee', branches'))
   | Let (bindings, body) ->
-    List.iter (Memory.local w.memory) bindings;
-    let bind place (b : binding) = (knowing place [ b.pattern ], binding w place b) in
-    let place, bindings' = List.fold_left_map bind place bindings in
-    let body' = expr w place body in
-    if List.for_all2 ( == ) bindings' bindings && body' == body then e
-    else with_ (Let (bindings', body'))
+      List.iter (Memory.local w.memory) bindings;
+      let bind place (b : binding) = (knowing place [ b.pattern ], binding w place b) in
+      let place, bindings' = List.fold_left_map bind place bindings in
+      let body' = expr w place body in
+      if List.for_all2 ( == ) bindings' bindings && body' == body then e
+      else with_ (Let (bindings', body'))
   | Lambda (patterns, body) -> lambda w place "" e patterns body
   | Guards (guarded, last) ->
-    let in_guard = conditional place In_guard and in_branch = conditional place (In_branch None) in
-    let alternative ((guard, value) as unchanged) =
-      let guard' = expr w in_guard guard in
-      let value' = expr w in_branch value in
-      if guard' == guard && value' == value then unchanged else (guard', value')
-    in
-    let guarded' = Long_list.map_sharing alternative guarded in
-    let last' = Option.map (expr w in_branch) last in
-    if guarded' == guarded && Option.equal ( == ) last' last then e
-    else with_ (Guards (guarded', last'))
+      let in_guard = conditional place In_guard
+      and in_branch = conditional place (In_branch None) in
+      let alternative ((guard, value) as unchanged) =
+        let guard' = expr w in_guard guard in
+        let value' = expr w in_branch value in
+        if guard' == guard && value' == value then unchanged else (guard', value')
+      in
+      let guarded' = Long_list.map_sharing alternative guarded in
+      let last' = Option.map (expr w in_branch) last in
+      if guarded' == guarded && Option.equal ( == ) last' last then e
+      else with_ (Guards (guarded', last'))
   | Proc { input; equations; output } ->
-    let depth = place.depth + 1 in
-    let place =
-      {
-        place with
-        position = Every_instant;
-        depth;
-        proc_depth = depth;
-        conditional = [];
-        lifted = false;
-      }
-    in
-    List.iter (Memory.local w.memory) equations;
-    let equations' = Long_list.map_sharing (binding w place) equations in
-    let output' = expr w place output in
-    if equations' == equations && output' == output then e
-    else with_ (Proc { input; equations = equations'; output = output' })
+      let depth = place.depth + 1 in
+      let place =
+        {
+          place with
+          position = Every_instant;
+          depth;
+          proc_depth = depth;
+          conditional = [];
+          lifted = false;
+        }
+      in
+      List.iter (Memory.local w.memory) equations;
+      let equations' = Long_list.map_sharing (binding w place) equations in
+      let output' = expr w place output in
+      if equations' == equations && output' == output then e
+      else with_ (Proc { input; equations = equations'; output = output' })
   | Record (c, fields) ->
-    let fields' = Long_list.map_sharing (field w place) fields in
-    if fields' == fields then e else with_ (Record (c, fields'))
+      let fields' = Long_list.map_sharing (field w place) fields in
+      if fields' == fields then e else with_ (Record (c, fields'))
   | Update (record, c, fields) ->
-    let record' = expr w place record in
-    let fields' = Long_list.map_sharing (field w place) fields in
-    if record' == record && fields' == fields then e else with_ (Update (record', c, fields'))
+      let record' = expr w place record in
+      let fields' = Long_list.map_sharing (field w place) fields in
+      if record' == record && fields' == fields then e else with_ (Update (record', c, fields'))
 
 and one w place e part make =
   let part' = expr w place part in
@@ -360,7 +359,7 @@ and binding w place (b : binding) =
     | Bound x, _, Lambda (patterns, body) -> lambda w place x.name b.value patterns body
     | Bound x, Signal_function _, _ -> expr w (enter place (Binding_of x)) b.value
     | Bound x, Data { tycon; _ }, _ when tycon = Environment.task ->
-      expr w (enter place (Binding_of_task x)) b.value
+        expr w (enter place (Binding_of_task x)) b.value
     | _ -> expr w place b.value
   in
   (match (level, b.pattern.desc, b.pattern.ty) with
@@ -369,14 +368,7 @@ and binding w place (b : binding) =
   if level = b.level && value == b.value then b else { b with level; value }
 
 let top_level =
-  {
-    position = Outside;
-    depth = 1;
-    proc_depth = 0;
-    regions = [];
-    conditional = [];
-    lifted = false;
-  }
+  { position = Outside; depth = 1; proc_depth = 0; regions = []; conditional = []; lifted = false }
 
 let program ?(sources = Source.create ()) sink (p : program) =
   let constants = Constant_index.create p.params and memory = Memory.create p in
@@ -385,9 +377,7 @@ let program ?(sources = Source.create ()) sink (p : program) =
     let graph = Level_dependencies.definition sink d in
     Level_graph.solve graph;
     let w = { sink; graph; constants; definition = d.name; sources; memory } in
-    (match d.value.ty with
-    | Number _ -> Constant_index.global constants d.name d.value
-    | _ -> ());
+    (match d.value.ty with Number _ -> Constant_index.global constants d.name d.value | _ -> ());
     let value = expr w top_level d.value in
     if value == d.value then d else { d with value }
   in

@@ -30,7 +30,7 @@ let create (p : program) =
        let method_ ((g, scheme) : Global.t * scheme) =
          match (scheme.types, scheme.ty) with
          | robot :: _, Signal_function (Variable input, _) when robot.id = input.id ->
-           Hashtbl.replace found g ()
+             Hashtbl.replace found g ()
          | _ -> ()
        in
        List.iter (fun (c : class_declaration) -> List.iter method_ c.methods) p.classes;
@@ -57,12 +57,12 @@ let rec remembers m e =
     (fun (e : expr) ->
       match e.desc with
       | Local (x, _) when gives_signal_function e.ty -> (
-        match Hashtbl.find_opt m.locals x.id with
-        | Some value ->
-          Hashtbl.remove m.locals x.id;
-          let found = remembers m value in
-          Hashtbl.replace m.locals x.id value;
-          found
-        | None -> true)
+          match Hashtbl.find_opt m.locals x.id with
+          | Some value ->
+              Hashtbl.remove m.locals x.id;
+              let found = remembers m value in
+              Hashtbl.replace m.locals x.id value;
+              found
+          | None -> true)
       | _ -> made_of (Lazy.force m.senses) (Lazy.force m.globals) e)
     e

@@ -1,8 +1,8 @@
 (** Which signal functions remember: what they give depends on when they started.
 
-    One that does not gives the same whether it runs always or only where its value is asked
-    for, so that its place in the program says nothing about when it runs. Senses are held for
-    such too: methods of type [SF i …] in a class of [i] tell how things are for a robot now. *)
+    One that does not gives the same whether it runs always or only where its value is asked for, so
+    that its place in the program says nothing about when it runs. Senses are held for such too:
+    methods of type [SF i …] in a class of [i] tell how things are for a robot now. *)
 
 type t
 

@@ -11,11 +11,7 @@ type position =
 
 and condition = { test : expr; chosen_if : bool }
 
-type obstacle =
-  | Depends_on_start
-  | Bound_here of Local.t
-  | Own_definition
-  | Lifted
+type obstacle = Depends_on_start | Bound_here of Local.t | Own_definition | Lifted
 
 let rec head_name (h : expr) =
   match h.desc with
@@ -58,14 +54,14 @@ let anew sources condition h input =
   let resets { test; chosen_if } =
     match (quote sources h, quote sources input, quote sources test) with
     | Some h', Some input, Some test ->
-      let becomes =
-        if chosen_if then Source.grouped test else Printf.sprintf "(not %s)" (Source.grouped test)
-      in
-      let input = if String.contains input '$' then Source.grouped input else input in
-      Some
-        (Printf.sprintf
-           "to start it anew whenever this branch is chosen: `%s = resetOn %s (%s, edge %s)`"
-           (signal h) (Source.grouped h') input becomes)
+        let becomes =
+          if chosen_if then Source.grouped test else Printf.sprintf "(not %s)" (Source.grouped test)
+        in
+        let input = if String.contains input '$' then Source.grouped input else input in
+        Some
+          (Printf.sprintf
+             "to start it anew whenever this branch is chosen: `%s = resetOn %s (%s, edge %s)`"
+             (signal h) (Source.grouped h') input becomes)
     | _ -> None
   in
   Diagnostic.hint
@@ -74,11 +70,8 @@ let anew sources condition h input =
 
 (* {1 What is wrong} *)
 
-
 let report sink sources position obstacle (e : expr) ~head ~input =
-  let run where code =
-    Diagnostic.error ~code ~at:e.span "%s is run %s" (name head) where
-  in
+  let run where code = Diagnostic.error ~code ~at:e.span "%s is run %s" (name head) where in
   let emit d = Diagnostic.emit sink d in
   let bound (x : Local.t) d =
     Diagnostic.here (Printf.sprintf "`%s` has a value only here" x.name) d
@@ -88,64 +81,66 @@ let report sink sources position obstacle (e : expr) ~head ~input =
     let d = run where "E0342" in
     match obstacle with
     | Own_definition ->
-      emit
-        (Diagnostic.error ~code:"E0342" ~at:e.span "%s is run in its own definition" (name head)
-        |> Diagnostic.hint
-             "every equation holds at every instant: nothing is called again to go on"
-        |> Diagnostic.hint
-             "to go on otherwise after an event, and perhaps then as this again: `switch (proc x \
-              -> (output, event)) (\\_ -> …)`")
+        emit
+          (Diagnostic.error ~code:"E0342" ~at:e.span "%s is run in its own definition" (name head)
+          |> Diagnostic.hint
+               "every equation holds at every instant: nothing is called again to go on"
+          |> Diagnostic.hint
+               "to go on otherwise after an event, and perhaps then as this again: `switch (proc x \
+                -> (output, event)) (\\_ -> …)`")
     | Depends_on_start | Lifted ->
-      emit
-        (Diagnostic.here "what it gives depends on when it started" d
-        |> own_equation sources head e
-        |> anew sources condition head input)
+        emit
+          (Diagnostic.here "what it gives depends on when it started" d
+          |> own_equation sources head e |> anew sources condition head input)
     | Bound_here x ->
-      emit
-        (bound x d
-        |> Diagnostic.hint
-             "a signal function runs at every instant: give it an input that has a value at each, \
-              or run it on events with `onEvent`")
+        emit
+          (bound x d
+          |> Diagnostic.hint
+               "a signal function runs at every instant: give it an input that has a value at \
+                each, or run it on events with `onEvent`")
   in
   match position with
   | Every_instant -> ()
   | Outside ->
-    emit
-      (run "outside of a `proc`" "E0341"
-      |> Diagnostic.here "an instance needs a `proc` around it"
-      |> Diagnostic.hint
-           (Printf.sprintf
-              "write `proc x -> …`, and run it there: what has the type `a -> b` becomes a signal \
-               function, `SF a b`, as in `f = proc x -> %s`"
-              (match quote sources head with Some h -> h ^ " x" | None -> "…")))
+      emit
+        (run "outside of a `proc`" "E0341"
+        |> Diagnostic.here "an instance needs a `proc` around it"
+        |> Diagnostic.hint
+             (Printf.sprintf
+                "write `proc x -> …`, and run it there: what has the type `a -> b` becomes a \
+                 signal function, `SF a b`, as in `f = proc x -> %s`"
+                (match quote sources head with Some h -> h ^ " x" | None -> "…")))
   | In_task ->
-    emit
-      (run "outside of a `proc`" "E0341"
-      |> Diagnostic.here "the statements of a task run no signal functions"
-      |> Diagnostic.hint
-           (let asked = Option.value (quote sources head) ~default:"…" in
-            Printf.sprintf "to read it once: `x <- ask %s` before, and `x` here"
-              (Source.grouped asked))
-      |> Diagnostic.hint
-           "a task in which it runs at every instant is `mkTask (proc i -> (output, event))`")
+      emit
+        (run "outside of a `proc`" "E0341"
+        |> Diagnostic.here "the statements of a task run no signal functions"
+        |> Diagnostic.hint
+             (let asked = Option.value (quote sources head) ~default:"…" in
+              Printf.sprintf "to read it once: `x <- ask %s` before, and `x` here"
+                (Source.grouped asked))
+        |> Diagnostic.hint
+             "a task in which it runs at every instant is `mkTask (proc i -> (output, event))`")
   | In_branch condition -> of_choice "in a branch" condition
   | In_guard -> of_choice "in a guard" None
   | In_function f -> (
-    let where = if f = "" then "in a function" else Printf.sprintf "in the function `%s`" f in
-    let d = run where "E0343" in
-    match obstacle with
-    | Depends_on_start | Own_definition | Lifted ->
-      emit (Diagnostic.here "functions hold no instances" d |> own_equation sources head e)
-    | Bound_here x ->
-      emit
-        (bound x d
-        |> Diagnostic.hint
-             (match (f, quote sources head) with
-             | "", Some h when String.equal h x.name ->
-               "`parB` runs an array of signal functions on one input, `parZ` each on its own"
-             | "", Some h ->
-               Printf.sprintf "`mapSF %s` runs one for each element of an array" (Source.grouped h)
-             | _, _ ->
-               Printf.sprintf
-                 "make %s a signal function, of the form `proc %s -> …`: that is run, not applied"
-                 (if f = "" then "this" else Printf.sprintf "`%s`" f) x.name)))
+      let where = if f = "" then "in a function" else Printf.sprintf "in the function `%s`" f in
+      let d = run where "E0343" in
+      match obstacle with
+      | Depends_on_start | Own_definition | Lifted ->
+          emit (Diagnostic.here "functions hold no instances" d |> own_equation sources head e)
+      | Bound_here x ->
+          emit
+            (bound x d
+            |> Diagnostic.hint
+                 (match (f, quote sources head) with
+                 | "", Some h when String.equal h x.name ->
+                     "`parB` runs an array of signal functions on one input, `parZ` each on its own"
+                 | "", Some h ->
+                     Printf.sprintf "`mapSF %s` runs one for each element of an array"
+                       (Source.grouped h)
+                 | _, _ ->
+                     Printf.sprintf
+                       "make %s a signal function, of the form `proc %s -> …`: that is run, not \
+                        applied"
+                       (if f = "" then "this" else Printf.sprintf "`%s`" f)
+                       x.name)))

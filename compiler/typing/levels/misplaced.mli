@@ -1,5 +1,5 @@
-(** Instances where not every instant looks, and what to write instead: outside of procs
-    ([E0341]), in branches and guards ([E0342]), in functions ([E0343]). *)
+(** Instances where not every instant looks, and what to write instead: outside of procs ([E0341]),
+    in branches and guards ([E0342]), in functions ([E0343]). *)
 
 open Basis
 
@@ -28,6 +28,12 @@ val name : Ir.expr -> string
 (** What is run, as a message says it. *)
 
 val report :
-  Diagnostic.sink -> Source.t -> position -> obstacle -> Ir.expr -> head:Ir.expr -> input:Ir.expr ->
+  Diagnostic.sink ->
+  Source.t ->
+  position ->
+  obstacle ->
+  Ir.expr ->
+  head:Ir.expr ->
+  input:Ir.expr ->
   unit
 (** The expression runs the head on the input. The position is not [Every_instant]. *)

@@ -10,13 +10,12 @@ let exists leaf (e : expr) =
     | If (a, b, c) -> expr a || expr b || expr c
     | Case (a, branches) -> expr a || List.exists (fun (b : branch) -> expr b.value) branches
     | Let (bindings, body) | Proc { equations = bindings; output = body; _ } ->
-      List.exists (fun (b : binding) -> expr b.value) bindings || expr body
+        List.exists (fun (b : binding) -> expr b.value) bindings || expr body
     | Guards (guarded, last) ->
-      List.exists (fun (g, value) -> expr g || expr value) guarded
-      || Option.fold ~none:false ~some:expr last
+        List.exists (fun (g, value) -> expr g || expr value) guarded
+        || Option.fold ~none:false ~some:expr last
     | Record (_, fields) -> List.exists (fun (_, value) -> expr value) fields
-    | Update (record, _, fields) ->
-      expr record || List.exists (fun (_, value) -> expr value) fields
+    | Update (record, _, fields) -> expr record || List.exists (fun (_, value) -> expr value) fields
   in
   expr e
 

@@ -30,25 +30,24 @@ let of_application (f : expr) (last : expr) =
           _;
         } )
     when g = map && x.id = y.id && not (mentions x signal) ->
-    run (fun types -> Global (broadcast, types)) ~input ~output ~size last signal
+      run (fun types -> Global (broadcast, types)) ~input ~output ~size last signal
   | Apply
       ( {
           desc =
             Apply
-              ( { desc = Primitive (g, { types = Signal_function
-                (input, output) :: types; _ }); _ },
+              ( { desc = Primitive (g, { types = Signal_function (input, output) :: types; _ }); _ },
                 {
                   desc =
                     Lambda
                       ( [ { desc = Bound x; _ }; { desc = Bound s; _ } ],
-                        { desc = Run ({ desc = Local (y, _); _ },
-                          { desc = Local (t, _); _ }); _ } );
+                        { desc = Run ({ desc = Local (y, _); _ }, { desc = Local (t, _); _ }); _ }
+                      );
                   _;
                 } );
           _;
         },
         all )
     when g = zip_with && x.id = y.id && s.id = t.id ->
-    let size = List.nth types 2 in
-    run (fun types -> Primitive (each_its_own, types)) ~input ~output ~size all last
+      let size = List.nth types 2 in
+      run (fun types -> Primitive (each_its_own, types)) ~input ~output ~size all last
   | _ -> None

@@ -34,8 +34,7 @@ let rec agree bound wanted given =
           bound.types <- (variable, given) :: bound.types;
           true)
   | _, (Flexible _ | Erroneous) | Erroneous, _ -> true
-  | Number (r, u), Number (r', u') ->
-      representations_agree r r' && units_agree bound u u'
+  | Number (r, u), Number (r', u') -> representations_agree r r' && units_agree bound u u'
   | Tuple ws, Tuple gs -> all ws gs
   | Function (a, b), Function (a', b') | Signal_function (a, b), Signal_function (a', b') ->
       all [ a; b ] [ a'; b' ]
@@ -44,8 +43,9 @@ let rec agree bound wanted given =
   | Rigid a, Rigid b -> a.variable.id = b.variable.id
   | Bool, Bool | String, String -> true
   | Size n, Size n' -> n = n'
-  | (Number _ | Tuple _ | Function _ | Signal_function _ | Data _ | Rigid _ | Bool | String
-    | Size _ | Alias _), _ ->
+  | ( ( Number _ | Tuple _ | Function _ | Signal_function _ | Data _ | Rigid _ | Bool | String
+      | Size _ | Alias _ ),
+      _ ) ->
       false
 
 (* As [agree], but not because nothing is known of what is given. *)

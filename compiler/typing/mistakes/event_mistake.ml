@@ -11,6 +11,7 @@ let content t =
   match Type.expand t with Type.Data { arguments = [ content ]; _ } -> Some content | _ -> None
 
 let is_function t = match Type.expand t with Type.Function _ -> true | _ -> false
+
 let is_plain t =
   match Type.expand t with
   | Number _ | Bool | String | Tuple _ -> true
@@ -62,8 +63,16 @@ let after words (subject : Resolve.Ir.expr option) =
   | Some
       {
         desc =
-          Apply { head = { desc = Apply { head = { desc = Global { name = "after"; _ }; _ };
-            argument = time; _ }; _ }; _ };
+          Apply
+            {
+              head =
+                {
+                  desc =
+                    Apply { head = { desc = Global { name = "after"; _ }; _ }; argument = time; _ };
+                  _;
+                };
+              _;
+            };
         _;
       } ->
       Option.map Source.grouped (Show.quote words time.span)
@@ -84,8 +93,12 @@ let added_up words (subject : Resolve.Ir.expr option) =
           desc =
             Apply
               {
-                head = { desc = Apply { head = { desc = Global { name = "tag"; _ }; _ };
-                  argument = e; _ }; _ };
+                head =
+                  {
+                    desc =
+                      Apply { head = { desc = Global { name = "tag"; _ }; _ }; argument = e; _ };
+                    _;
+                  };
                 argument = x;
                 _;
               };
@@ -94,12 +107,10 @@ let added_up words (subject : Resolve.Ir.expr option) =
         match (quoted e, quoted x) with
         | Some e, Some x -> Some (Printf.sprintf "tag %s (\\n -> n + %s)" e x)
         | _ -> None)
-    | Some e ->
-        Option.map (fun e -> Printf.sprintf "mapE (\\x n -> n + x) %s" e) (quoted e)
+    | Some e -> Option.map (fun e -> Printf.sprintf "mapE (\\x n -> n + x) %s" e) (quoted e)
     | None -> None
   in
-  Printf.sprintf
-    "each event brings a function of what was before; to add up the numbers it is `%s`"
+  Printf.sprintf "each event brings a function of what was before; to add up the numbers it is `%s`"
     (Option.value event ~default:"mapE (\\x n -> n + x) e")
 
 (* `hold 2[s] b`, of a truth that is to last for a time. *)
@@ -119,8 +130,8 @@ let is_thing t =
 (* How `x`, which has this type, leads to what is wanted: by the field that is called like it. *)
 let within words t wanted =
   match (Show.fields words t, Type.expand wanted) with
-  | Some (_, fields), Data { tycon; _ }
-    when List.mem (String.uncapitalize_ascii tycon.name) fields ->
+  | Some (_, fields), Data { tycon; _ } when List.mem (String.uncapitalize_ascii tycon.name) fields
+    ->
       "x." ^ String.uncapitalize_ascii tycon.name
   | _ -> "x"
 
@@ -152,7 +163,7 @@ let hint words ~subject ~(expected : Expected.t) ~found =
       Some (matched_as ~value:"an event" "Event")
   | Value _ when Environment.is_event found && is_maybe wanted ->
       Some (matched_as ~value:"a `Maybe`" "Maybe")
-  | Operand { operator = "==" | "/=" as operator; other; _ }
+  | Operand { operator = ("==" | "/=") as operator; other; _ }
     when (Environment.is_event wanted || is_maybe wanted)
          && not (Environment.is_event found || is_maybe found) -> (
       let constructor = if is_maybe wanted then "Just" else "Event" in
@@ -164,18 +175,18 @@ let hint words ~subject ~(expected : Expected.t) ~found =
                (Source.grouped text))
       | _ -> Some (Printf.sprintf "what is in it is compared as `%s x`" constructor))
   | Parameter { callee = Some ("accum" | "accumHold" | "dAccumHold"); _ }
-    when Environment.is_event wanted
-         && Option.fold (content wanted) ~none:false ~some:is_function ->
+    when Environment.is_event wanted && Option.fold (content wanted) ~none:false ~some:is_function
+    ->
       Some
         (if of_numbers found then added_up words subject
          else if Environment.is_event found then
-         Printf.sprintf
-           "each event brings a function of what was before: `tag %s (\\n -> n + 1)`; `count` \
-            counts events"
-           (written words subject "e")
-        else
-          "after the initial value comes an event with a function of what was before: `tag e (\\n \
-           -> n + 1)`")
+           Printf.sprintf
+             "each event brings a function of what was before: `tag %s (\\n -> n + 1)`; `count` \
+              counts events"
+             (written words subject "e")
+         else
+           "after the initial value comes an event with a function of what was before: `tag e (\\n \
+            -> n + 1)`")
   | Parameter { callee = Some ("hold" | "dHold"); position = 2; _ }
     when Environment.is_event wanted && for_a_time words wanted found ->
       Some
@@ -183,7 +194,7 @@ let hint words ~subject ~(expected : Expected.t) ~found =
            "`hold x0 e` keeps the value of an event; that a condition was True at some instant of \
             the last seconds is `within 2[s] %s`: `import Past`"
            (written words subject "b"))
-  | Parameter { callee = Some ("hold" | "dHold" as hold); _ }
+  | Parameter { callee = Some (("hold" | "dHold") as hold); _ }
     when Environment.is_event wanted && is_plain found && Type.expand found <> Bool ->
       Some
         (Printf.sprintf
@@ -209,8 +220,7 @@ let hint words ~subject ~(expected : Expected.t) ~found =
            (written words subject "e"))
   | Condition when Environment.is_event found && after words subject <> None ->
       Some
-        (Printf.sprintf
-           "this occurs once, at one instant; `elapsed %s ()` is True from then on"
+        (Printf.sprintf "this occurs once, at one instant; `elapsed %s ()` is True from then on"
            (Option.get (after words subject)))
   | Condition when Type.expand found = Tuple [] ->
       Some "`()` says no more than that something has happened, or has ended"
@@ -220,11 +230,12 @@ let hint words ~subject ~(expected : Expected.t) ~found =
            "`fromMaybe False %s` is what is in it, and False in `Nothing`, as where a time has run \
             out"
            (written words subject "m"))
-  | Parameter { callee = Some ("edge" | "when" | "falling" as f); _ }
+  | Parameter { callee = Some (("edge" | "when" | "falling") as f); _ }
     when Environment.is_event found ->
       Some (Printf.sprintf "this is an event already, and needs no `%s`" f)
   | Parameter { callee = Some f; _ }
-    when Type.expand wanted = Bool && Environment.is_event found
+    when Type.expand wanted = Bool
+         && Environment.is_event found
          && not (List.mem f [ "&&"; "||"; "not" ]) ->
       Some (Printf.sprintf "`isEvent %s` tells whether it occurs now" (written words subject "e"))
   | Output (Parameter { position = 1; _ }) when is_beside wanted found ->
@@ -244,7 +255,7 @@ let hint words ~subject ~(expected : Expected.t) ~found =
            (within words (Option.get (content found)) wanted)
            (if takes > 1 then " …" else "")
            (written words subject "e") f)
-  | Parameter _ | Operand _ | Branch _
+  | (Parameter _ | Operand _ | Branch _)
     when Type.expand found = Tuple [] && not (Environment.is_event wanted) -> (
       match subject with
       | Some { desc = Local _; _ } ->

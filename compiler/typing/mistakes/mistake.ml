@@ -20,7 +20,8 @@ let of_one_type words (expected : Expected.t) found diagnostic =
   | Parameter { callee = Some name; of_local = Some first; _ }
     when not (String.equal (shown expected.ty) (shown found)) ->
       let variable = if quantity expected.ty && quantity found then "Float[u]" else "a" in
-      label ~at:first (Printf.sprintf "because of this use of `%s`" name)
+      label ~at:first
+        (Printf.sprintf "because of this use of `%s`" name)
         { diagnostic with hints = []; fixes = [] }
       |> hint
            (Printf.sprintf
@@ -33,16 +34,18 @@ let of_one_type words (expected : Expected.t) found diagnostic =
 let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
   match expected.because with
   | Parameter { head = Some { span; _ }; given; takes; _ }
-    when List.length given > takes && Environment.is_task expected.ty
+    when List.length given > takes
+         && Environment.is_task expected.ty
          && Span.line (List.nth given takes).span.start > Span.line span.stop ->
       hint "several tasks, one below the other, stand in a `do`, which opens their block"
         { d with hints = []; fixes = [] }
   | Parameter { head = Some { desc = Global g; _ }; given; takes; position; _ }
     when (d.hints = [] || (List.length given > takes && String.equal d.code "E0320"))
          && (takes > 1 || List.length given > takes)
-         && (String.equal d.code "E0301" || List.length given > takes
+         && (String.equal d.code "E0301"
+            || List.length given > takes
             || (List.length given = 1 && takes = 2))
-         && (match g.name.[0] with 'a' .. 'z' -> true | _ -> false) -> (
+         && match g.name.[0] with 'a' .. 'z' -> true | _ -> false -> (
       match Show.declared words g with
       | Some ty ->
           hint
@@ -50,8 +53,7 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
                Printf.sprintf "`%s` takes %s, and is given %d: `%s :: %s`" g.name
                  (Unrun_mistake.count takes) (List.length given) g.name ty
              else
-               Printf.sprintf "it stands in the place of argument %d: `%s :: %s`" position g.name
-                 ty)
+               Printf.sprintf "it stands in the place of argument %d: `%s :: %s`" position g.name ty)
             (if List.length given > takes then { d with hints = []; fixes = [] } else d)
       | None -> d)
   | _ -> d
@@ -69,13 +71,11 @@ let without_idle_deciders (expected : Expected.t) found (clash : Unify.clash) : 
   let is_variable (t : Type.t) = match t with Flexible _ -> true | _ -> false in
   let of_sizes = match clash with Different (Size _, Size _) -> true | _ -> false in
   let matters ({ decides; a_size; _ } : Expected.decider) =
-    a_size = of_sizes
-    && (is_variable expected.ty || is_variable decides || alike expected.ty found)
+    a_size = of_sizes && (is_variable expected.ty || is_variable decides || alike expected.ty found)
   in
   match expected.because with
   | Parameter p ->
-      { expected with
-        because = Parameter { p with decided_by = List.filter matters p.decided_by } }
+      { expected with because = Parameter { p with decided_by = List.filter matters p.decided_by } }
   | _ -> expected
 
 let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : Unify.clash) =
@@ -87,9 +87,7 @@ let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : U
   Show.tell_apart words [ expected.ty; found ];
   let finish diagnostic =
     Expected.explain_all words ~subject expected diagnostic
-    |> of_one_type words expected found
-    |> by_signature words expected
-    |> of_two_modules words
+    |> of_one_type words expected found |> by_signature words expected |> of_two_modules words
   in
   match clash with
   | Different_units (wanted, given) -> (
@@ -107,21 +105,22 @@ let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : U
       |> Expected.explain_all words ~subject expected
   | Different (Rigid r, other) | Different (other, Rigid r) -> (
       match (Type.expand expected.ty, Type.expand found) with
-      | _, Signal_function _ | _, Function _ when Type.expand found == other ->
+      | (_, Signal_function _ | _, Function _) when Type.expand found == other ->
           finish (Shape_mistake.shapes words ~subject ~at ~expected ~found)
       | _ -> Signature_mistake.general_type words owner ~at r other)
   | Different _ -> finish (Shape_mistake.shapes words ~subject ~at ~expected ~found)
   | Infinite _ ->
       finish
         (error ~code:"E0305" ~at "this would need an infinite type: expected %s, found %s"
-           (Show.described words expected.ty) (Show.described words found))
+           (Show.described words expected.ty)
+           (Show.described words found))
   | Escaping ->
       finish
         (error ~code:"E0306" ~at
            "a signature's variable cannot depend on what is outside: expected %s, found %s"
-           (Show.described words expected.ty) (Show.described words found))
-  | Out_of_range ->
-      error ~code:"E0323" ~at "the exponent of a unit is too large"
+           (Show.described words expected.ty)
+           (Show.described words found))
+  | Out_of_range -> error ~code:"E0323" ~at "the exponent of a unit is too large"
 
 let exchanged_pair words ~at (expected : Expected.t) ((a : Resolve.Ir.expr), first)
     ((b : Resolve.Ir.expr), second) =
@@ -148,7 +147,8 @@ let exchanged_pair words ~at (expected : Expected.t) ((a : Resolve.Ir.expr), fir
       hint (Printf.sprintf "write `%s`%s" text of_signature) d |> write at text
   | _ ->
       hint
-        (Printf.sprintf "expected %s, found %s" (Show.described words expected.ty)
+        (Printf.sprintf "expected %s, found %s"
+           (Show.described words expected.ty)
            (Show.described words found))
         d
 
@@ -157,9 +157,7 @@ let exchanged_pair words ~at (expected : Expected.t) ((a : Resolve.Ir.expr), fir
 let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.expr) ty =
   (* of [1 x] in [f -1 x] *)
   let rec first (e : Resolve.Ir.expr) =
-    match e.desc with
-    | Apply { head; style = Juxtaposed; _ } -> first head
-    | _ -> e
+    match e.desc with Apply { head; style = Juxtaposed; _ } -> first head | _ -> e
   in
   let operand = Option.map first operand in
   let place = Option.map (fun (e : Resolve.Ir.expr) -> e.span) operand in
@@ -175,7 +173,9 @@ let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.e
 let is_digit c = c >= '0' && c <= '9'
 
 let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
-  let callee = match Plain_name.of_expr head with Some name -> "`" ^ name ^ "`" | None -> "this" in
+  let callee =
+    match Plain_name.of_expr head with Some name -> "`" ^ name ^ "`" | None -> "this"
+  in
   let diagnostic =
     if position = 1 then
       error ~code:"E0302" ~at:head.span "%s is %s, not a function" callee
@@ -187,20 +187,18 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
       |> here "one too many"
       |> label ~at:head.span
            (Printf.sprintf "with %s the result is %s"
-              (if position = 2 then "one argument"
-               else Printf.sprintf "%d arguments" (position - 1))
+              (if position = 2 then "one argument" else Printf.sprintf "%d arguments" (position - 1))
               (Show.described words left))
   in
   match (Type.expand left, head.desc) with
   | _, Number { digits; _ } when position = 1 ->
       hint
         (Printf.sprintf
-          "the elements of an array are separated by commas, factors by `*`: `[%s, …]`"
-           digits)
+           "the elements of an array are separated by commas, factors by `*`: `[%s, …]`" digits)
         diagnostic
-  | _, Field { record; field; _ } when position = 1 ->
+  | _, Field { record; field; _ } when position = 1 -> (
       let quote span = Show.quote words span in
-      (match (quote record.span, quote at) with
+      match (quote record.span, quote at) with
       | Some record, Some value ->
           hint
             (Printf.sprintf "nothing is set: a record with another `%s` is `%s { %s = %s }`"
@@ -209,12 +207,12 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
       | _ -> diagnostic)
   | _, Global { name = ("mergeE" | "mergeR" | "min" | "max") as name; _ } when position = 3 ->
       hint (Printf.sprintf "of three it is `%s a (%s b c)`" name name) diagnostic
-  | Data _, Global { name = ("when" | "edge"); _ } when Environment.is_event left ->
+  | Data _, Global { name = "when" | "edge"; _ } when Environment.is_event left ->
       hint
         "it makes an event of a truth; a choice between two values is `if c then a else b`, and a \
          task that is done on a condition is `whenT c t`"
         diagnostic
-  | Data { tycon; _ }, _ when tycon = Environment.array ->
+  | Data { tycon; _ }, _ when tycon = Environment.array -> (
       (* all that is applied before it, and the index, perhaps in brackets of its own *)
       let applied = { head.span with stop = at.start } in
       let without_paren text =
@@ -232,18 +230,19 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
         (Printf.sprintf "an element is `%s`, counted from 0"
            (written (Option.value array ~default:"xs") (Option.value index ~default:"0")))
         diagnostic
-      |> (match (array, index) with
-         | Some array, Some index ->
-             let text = written array index in
-             fix (Printf.sprintf "write `%s`" text) [ (Span.merge head.span at, "(" ^ text ^ ")") ]
-         | _ -> Fun.id)
+      |>
+      match (array, index) with
+      | Some array, Some index ->
+          let text = written array index in
+          fix (Printf.sprintf "write `%s`" text) [ (Span.merge head.span at, "(" ^ text ^ ")") ]
+      | _ -> Fun.id)
   | _, Global { name = "integral"; _ } when position = 2 ->
       hint
         "it begins at 0: with another beginning it is `x0 + integral v`; to start it afresh at \
          each occurrence of an event, `resetOn integral (v, e)`"
         diagnostic
-  | _, Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ }
-    when position > 1 ->
+  | _, Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ } when position > 1
+    ->
       hint
         (Printf.sprintf "to start it afresh at each occurrence of an event: `resetOn %s (x, e)`"
            (if name = "delay" then "(delay x0)" else name))
@@ -251,9 +250,7 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
   | _ when Environment.is_task left && Span.line at.start > Span.line head.span.stop ->
       hint "several tasks, one below the other, stand in a `do`, which opens their block" diagnostic
   | _, Global g when Environment.is_task left && position > 1 && Show.declared words g <> None ->
-      hint
-        (Printf.sprintf "`%s :: %s`" g.name (Option.get (Show.declared words g)))
-        diagnostic
+      hint (Printf.sprintf "`%s :: %s`" g.name (Option.get (Show.declared words g))) diagnostic
   | _ when Environment.is_task left ->
       hint "a task is run by `runTask`: `runTask t` is a signal function" diagnostic
   | _, Local x when position = 1 -> (
@@ -277,8 +274,7 @@ let applied_without_parentheses ~name ~inner ~whole (d : Diagnostic.t) =
          "`return x` does nothing and ends with `x`: a task that is to be done stands there \
           without it, `%s`"
          inner
-     else
-       Printf.sprintf "what is applied stands in parentheses as an argument: `%s`" whole)
+     else Printf.sprintf "what is applied stands in parentheses as an argument: `%s`" whole)
     { d with hints = []; fixes = [] }
 
 let not_a_signal_function words ~(head : Resolve.Ir.expr) found =

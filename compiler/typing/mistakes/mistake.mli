@@ -1,12 +1,10 @@
 (** What is said about types that do not fit, in the words of the program.
 
-    One module for each kind of clash: {!Number_mistake}, {!Signature_mistake},
-    {!Shape_mistake} with {!Task_mistake} and {!Output_mistake}. Here they are told apart, and the
-    rest
-    is said: [E0301] a negative argument without parentheses · [E0302] not a
-    function, or too many arguments · [E0304] no signal function before [-<] ·
-    [E0305] an infinite type · [E0306] a signature whose variable depends on
-    what is outside · [E0316] too large a type · [E0323] exponents. *)
+    One module for each kind of clash: {!Number_mistake}, {!Signature_mistake}, {!Shape_mistake}
+    with {!Task_mistake} and {!Output_mistake}. Here they are told apart, and the rest is said:
+    [E0301] a negative argument without parentheses · [E0302] not a function, or too many arguments
+    · [E0304] no signal function before [-<] · [E0305] an infinite type · [E0306] a signature whose
+    variable depends on what is outside · [E0316] too large a type · [E0323] exponents. *)
 
 open Basis
 
@@ -32,18 +30,13 @@ val exchanged_pair :
 (** E0301: the two of a pair stand in the other order. *)
 
 val not_a_function :
-  Show.words ->
-  head:Resolve.Ir.expr ->
-  position:int ->
-  at:Span.t ->
-  Type.t ->
-  Diagnostic.t
+  Show.words -> head:Resolve.Ir.expr -> position:int -> at:Span.t -> Type.t -> Diagnostic.t
 (** What is left of the head's type cannot take the argument of that number. *)
 
 val applied_without_parentheses :
   name:string -> inner:string -> whole:string -> Diagnostic.t -> Diagnostic.t
-(** The diagnostic of an application that has too many arguments, as a function among them was to
-    be applied to others: [inner], so that it should be [whole]. *)
+(** The diagnostic of an application that has too many arguments, as a function among them was to be
+    applied to others: [inner], so that it should be [whole]. *)
 
 val negative_argument :
   Show.words ->
@@ -54,8 +47,7 @@ val negative_argument :
   Diagnostic.t
 (** [f -1], where [f] is a function of that type; [operand] is what follows the minus. *)
 
-val not_a_signal_function :
-  Show.words -> head:Resolve.Ir.expr -> Type.t -> Diagnostic.t
+val not_a_signal_function : Show.words -> head:Resolve.Ir.expr -> Type.t -> Diagnostic.t
 (** The head of [sf -< e]. *)
 
 val too_large : at:Span.t -> string -> Diagnostic.t

@@ -11,9 +11,7 @@ let angle : Resolve.Ir.unit_ option -> string option = function
 let is_per_second words u = String.equal (Show.measure words u) "1/s"
 
 let is_angular_velocity (t : Type.t) =
-  match Type.repr t with
-  | Alias { alias = { name = "AngularVelocity"; _ }; _ } -> true
-  | _ -> false
+  match Type.repr t with Alias { alias = { name = "AngularVelocity"; _ }; _ } -> true | _ -> false
 
 (* Below this a time without a unit may well be in seconds. *)
 let many_seconds = 20.
@@ -105,13 +103,9 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
       let cures = List.map cure several in
       let texts = List.map (fun (_, text) -> Printf.sprintf "`%s`" text) cures in
       let diagnostic =
-        List.fold_left
-          (fun d (at, _) -> label ~at "a number without that unit" d)
-          diagnostic cures
+        List.fold_left (fun d (at, _) -> label ~at "a number without that unit" d) diagnostic cures
       in
-      hint
-        (Printf.sprintf "write %s if that is the unit" (String.concat ", " texts))
-        diagnostic
+      hint (Printf.sprintf "write %s if that is the unit" (String.concat ", " texts)) diagnostic
       |> fix (Printf.sprintf "give the numbers the unit `%s`" unit_) cures
   | None -> diagnostic
   | Some (cure, _, None) -> cure diagnostic
@@ -154,16 +148,17 @@ let conversion words ~subject ~expected (wanted, given) diagnostic =
   let plain = written = None && numbers_without_units words subject <> [] in
   if Units.is_open wanted || Units.is_open given then diagnostic
   else if
-    List.mem (Show.measure words wanted, Show.measure words given)
+    List.mem
+      (Show.measure words wanted, Show.measure words given)
       [ ("s", "1/s"); ("s", "Hz"); ("Hz", "s") ]
-  then hint (Printf.sprintf "a rate and the time between are each other's inverse: `1 / %s`" e)
-    diagnostic
+  then
+    hint
+      (Printf.sprintf "a rate and the time between are each other's inverse: `1 / %s`" e)
+      diagnostic
   else if Units.equal given Units.one && plain then
     let digits = List.hd (numbers_without_units words subject) in
     let unit_ = Show.measure words wanted in
-    hint
-      (Printf.sprintf "give its numbers the unit, as in `%s[%s]`" digits unit_)
-      diagnostic
+    hint (Printf.sprintf "give its numbers the unit, as in `%s[%s]`" digits unit_) diagnostic
   else if Units.equal given Units.one && String.equal factor "1/s" && diagnostic.hints = [] then
     hint
       (Printf.sprintf "a gain makes `1/s` of a number without a unit, as in `2[1/s] * %s`" e)
@@ -218,8 +213,7 @@ let without_brackets words (wanted, given) diagnostic =
 let by_time ~(expected : Expected.t) diagnostic =
   match expected.because with
   | Parameter { callee = Some "delay"; position = 2; _ } ->
-      hint
-        "`delay x0` is by one instant, with the value `x0` at the first one, and not by a time"
+      hint "`delay x0` is by one instant, with the value `x0` at the first one, and not by a time"
         diagnostic
   | _ -> diagnostic
 
@@ -270,9 +264,7 @@ let gain words ~(subject : Resolve.Ir.expr option) (wanted, given) diagnostic =
       }
     when diagnostic.hints = []
          && not (Units.is_open wanted || Units.is_open given || is_one given || is_one wanted) ->
-      let text =
-        Printf.sprintf "%s[%s]" digits (Show.measure words (Units.divide wanted given))
-      in
+      let text = Printf.sprintf "%s[%s]" digits (Show.measure words (Units.divide wanted given)) in
       hint (Printf.sprintf "if the factor is a gain, it has a unit: `%s`" text) diagnostic
       |> write span text
   | _ -> diagnostic
@@ -393,10 +385,11 @@ let for_each t =
 
 let to_float ~found (e : Resolve.Ir.expr option) =
   match (Option.bind e Plain_name.of_expr, for_each found) with
-  | Some name, Some each -> fun d ->
-      let text = Printf.sprintf "%stoFloat %s" each name in
-      hint (Printf.sprintf "write `%s`" text) d
-      |> fix (Printf.sprintf "write `%s`" text) [ ((Option.get e).span, "(" ^ text ^ ")") ]
+  | Some name, Some each ->
+      fun d ->
+        let text = Printf.sprintf "%stoFloat %s" each name in
+        hint (Printf.sprintf "write `%s`" text) d
+        |> fix (Printf.sprintf "write `%s`" text) [ ((Option.get e).span, "(" ^ text ^ ")") ]
   | None, Some (("map " | "mapE ") as each) ->
       hint (Printf.sprintf "`%stoFloat` makes each `Int` in it a `Float`" each)
   | _ -> hint "`toFloat` makes a `Float` of an `Int`"
@@ -405,28 +398,31 @@ let to_int ~found (e : Resolve.Ir.expr option) =
   let whole digits =
     match String.index_opt digits '.' with
     | Some point
-      when String.for_all (fun c -> c = '0')
+      when String.for_all
+             (fun c -> c = '0')
              (String.sub digits (point + 1) (String.length digits - point - 1)) ->
         Some (String.sub digits 0 point)
     | Some _ | None -> None
   in
   match e with
-  | Some { desc = Number { digits; unit_ = None; _ }; span } when whole digits <> None -> fun d ->
-      let text = Option.get (whole digits) in
-      hint (Printf.sprintf "a whole number has no point: `%s`" text) d |> write span text
+  | Some { desc = Number { digits; unit_ = None; _ }; span } when whole digits <> None ->
+      fun d ->
+        let text = Option.get (whole digits) in
+        hint (Printf.sprintf "a whole number has no point: `%s`" text) d |> write span text
   | _ -> (
       match for_each found with
       | Some (("map " | "mapE ") as each) ->
           hint
-            (Printf.sprintf "`%sround` makes each `Float` in it an `Int`; or `floor`, `ceiling`, \
-              `truncate`" each)
+            (Printf.sprintf
+               "`%sround` makes each `Float` in it an `Int`; or `floor`, `ceiling`, `truncate`" each)
       | _ -> hint "`round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`")
 
 let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   let text = Show.representation words in
   let found = without_open_unit found in
   let plain () =
-    error ~code:"E0312" ~at "expected %s, found %s" (Show.described words expected.ty)
+    error ~code:"E0312" ~at "expected %s, found %s"
+      (Show.described words expected.ty)
       (Show.described words found)
   in
   match (expected.because, (wanted : Type.representation), (given : Type.representation)) with
@@ -434,7 +430,8 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
   | Operand { operator; other; _ }, Float, Int | Operand { operator; other; _ }, Int, Float ->
       let number = if given = Int then subject else Some other in
       error ~code:"E0312" ~at "the operands of `%s` are %s and %s" operator
-        (Show.described words expected.ty) (Show.described words found)
+        (Show.described words expected.ty)
+        (Show.described words found)
       |> here (Printf.sprintf "this is %s" (Show.described words found))
       |> to_float ~found number
   | Parameter { callee = Some "/"; _ }, Float, Int ->
@@ -443,8 +440,8 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
   | _, Int, Float -> plain () |> to_int ~found subject
   | _ ->
       plain ()
-      |> note (Printf.sprintf "`%s` and `%s` are different representations" (text wanted)
-        (text given))
+      |> note
+           (Printf.sprintf "`%s` and `%s` are different representations" (text wanted) (text given))
 
 let makes name x =
   match name with

@@ -1,8 +1,8 @@
-(** What is said about numbers that do not fit: their units differ ([E0320]), or one is
-    an Int and the other a Float ([E0312]).
+(** What is said about numbers that do not fit: their units differ ([E0320]), or one is an Int and
+    the other a Float ([E0312]).
 
-    In both, the last argument is the pair that clashes: wanted, then given. [subject] is
-    the expression at fault, if it is one. *)
+    In both, the last argument is the pair that clashes: wanted, then given. [subject] is the
+    expression at fault, if it is one. *)
 
 open Basis
 

@@ -45,8 +45,10 @@ let of_other_variables needed promised =
 let promised words ~by (place : Span.t) needed d =
   let joined = String.concat ", " needed in
   let alone = match needed with [ _ ] -> joined | _ -> "(" ^ joined ^ ")" in
-  let at i = Span.make ~file:place.file ~start:(Span.forward i place.start)
-      ~stop:(Span.forward i place.start) in
+  let at i =
+    Span.make ~file:place.file ~start:(Span.forward i place.start)
+      ~stop:(Span.forward i place.start)
+  in
   let insert whole edits =
     Diagnostic.hint (Printf.sprintf "write `%s`" whole) d
     |> Diagnostic.fix (Printf.sprintf "write `%s`" whole) edits
@@ -70,8 +72,10 @@ let promised words ~by (place : Span.t) needed d =
               let rest = String.sub text close (String.length text - close) in
               match of_other_variables needed (String.sub text 0 close) with
               | Some promised ->
-                  let whole = Span.make ~file:place.file ~start:place.start
-                      ~stop:(Span.forward close place.start) in
+                  let whole =
+                    Span.make ~file:place.file ~start:place.start
+                      ~stop:(Span.forward close place.start)
+                  in
                   insert ("(" ^ promised ^ rest) [ (whole, promised) ]
               | None -> insert ("(" ^ joined ^ ", " ^ text) [ (at 0, joined ^ ", ") ])
           | Some i ->
@@ -129,10 +133,10 @@ let several ctx (first : t) rest =
 
 let rec report ctx = function
   | [] -> ()
-  | m :: _ as missing -> (
+  | m :: _ as missing ->
       let here, elsewhere = List.partition (same_signature ctx m) missing in
       (match essential ctx here with
       | [ m ] -> one ctx m
       | first :: rest -> several ctx first rest
       | [] -> ());
-      report ctx elsewhere)
+      report ctx elsewhere

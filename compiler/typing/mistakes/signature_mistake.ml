@@ -38,8 +38,7 @@ let variable_like_a_type words ~at (variable : Ir.variable) =
       |>
       match mentions words at variable.name with
       | [] -> Fun.id
-      | places ->
-          fix (Printf.sprintf "write `%s`" type_) (List.map (fun at -> (at, type_)) places))
+      | places -> fix (Printf.sprintf "write `%s`" type_) (List.map (fun at -> (at, type_)) places))
     (type_meant variable)
 
 (* The signature with what the definition needs in place of the variable. The head of an instance
@@ -56,9 +55,7 @@ let less_general words { by; place } (variable : Ir.variable) needed d =
           text (List.rev places)
       in
       hint (Printf.sprintf "if the definition is right, the signature says `%s`" replaced) d
-      |> fix
-           (Printf.sprintf "write `%s`" replaced)
-           (List.map (fun at -> (at, needed)) places)
+      |> fix (Printf.sprintf "write `%s`" replaced) (List.map (fun at -> (at, needed)) places)
   | _ -> d
 
 let too_general words owner ~at ~kind ~instead (variable : Ir.variable) needed =
@@ -68,8 +65,7 @@ let too_general words owner ~at ~kind ~instead (variable : Ir.variable) needed =
   in
   (match owner variable with
   | Some { by; place } ->
-      label ~at:place (Printf.sprintf "`%s` is any %s in %s" variable.name kind by)
-        diagnostic
+      label ~at:place (Printf.sprintf "`%s` is any %s in %s" variable.name kind by) diagnostic
   | None -> diagnostic)
   |>
   match type_meant variable with
@@ -104,8 +100,8 @@ let general_unit words owner ~at (r : Units.rigid) u =
   too_general words owner ~at ~kind:"unit" ~instead r.variable
     (Printf.sprintf "it to be `%s`" (Show.measure words u))
   |> Option.fold (power_meant r.variable) ~none:Fun.id ~some:(fun power ->
-         hint (Printf.sprintf "`%s` is a variable here; a power is written `%s`" r.variable.name
-                 power))
+         hint
+           (Printf.sprintf "`%s` is a variable here; a power is written `%s`" r.variable.name power))
 
 let general_representation words owner ~at (r : Units.rigid) n =
   let instead =

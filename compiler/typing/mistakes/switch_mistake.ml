@@ -85,13 +85,11 @@ let three_arguments words ~name ~at arguments d =
   in
   let text e otherwise = Source.grouped (raw e otherwise) in
   match arguments with
-  | (first, mode) :: (second, event) :: (third, next) :: rest ->
+  | (first, mode) :: (second, event) :: (third, next) :: rest -> (
       let first' = text first "mode" and second' = text second "event" in
       let x = input words mode in
       let applied =
-        match first.desc with
-        | Apply { style = Juxtaposed; _ } -> raw first "mode"
-        | _ -> first'
+        match first.desc with Apply { style = Juxtaposed; _ } -> raw first "mode" | _ -> first'
       in
       let beside e = Some (Printf.sprintf "(proc %s -> (%s %s, %s))" x applied x e) in
       let first' =
@@ -104,8 +102,7 @@ let three_arguments words ~name ~at arguments d =
             Some (Printf.sprintf "(%s &&& (%s >>> edge))" first' second')
         | Function (_, o) when Type.expand o = Bool ->
             beside (Printf.sprintf "edge (%s %s)" second' x)
-        | Function (_, o) when Environment.is_event o ->
-            beside (Printf.sprintf "%s %s" second' x)
+        | Function (_, o) when Environment.is_event o -> beside (Printf.sprintf "%s %s" second' x)
         | _ -> None
       in
       let next =
@@ -114,7 +111,7 @@ let three_arguments words ~name ~at arguments d =
         | _ -> text third "next"
       in
       let rest = List.map (fun (e, _) -> text e "…") rest in
-      (match first' with
+      match first' with
       | None -> d
       | Some first' ->
           let cure = String.concat " " (name :: first' :: next :: rest) in

@@ -1,5 +1,5 @@
-(** What goes wrong in the arguments of [switch], [dSwitch] and [mkTask]: one mode, which gives
-    its output beside the event that ends it, and what goes on from the event's value. *)
+(** What goes wrong in the arguments of [switch], [dSwitch] and [mkTask]: one mode, which gives its
+    output beside the event that ends it, and what goes on from the event's value. *)
 
 open Basis
 

@@ -49,12 +49,11 @@ let to_task words subject output =
       hint
         (Printf.sprintf
            "`mkTask (%s &&& event)` ends when the event occurs; `mkTask (%s &&& never)` never does"
-             name
-           name)
+           name name)
 
 let task_and_signal_function words ~subject ~at ~(expected : Expected.t) ~found =
   match Type.expand found with
-  | Signal_function (_, output) ->
+  | Signal_function (_, output) -> (
       error ~code:"E0371" ~at "a signal function stands where a task is needed"
       |> here (Printf.sprintf "this is %s" (Show.described words found))
       |> (match expected.because with
@@ -64,9 +63,10 @@ let task_and_signal_function words ~subject ~at ~(expected : Expected.t) ~found 
          | Parameter { callee = Some "reactimateTask"; _ } ->
              hint "`reactimateRobot` makes a program of a signal function"
          | _ -> Fun.id)
-      |> (match Option.bind subject (waits expected) with
-         | Some argument -> to_wait words argument
-         | None -> to_task words subject output)
+      |>
+      match Option.bind subject (waits expected) with
+      | Some argument -> to_wait words argument
+      | None -> to_task words subject output)
   | _ ->
       let name =
         match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "t"
@@ -99,14 +99,13 @@ let unlike_tasks words ~at ~(because : Expected.reason) (input, output, result)
   let text =
     match (differ input input', differ output output', differ result result') with
     | false, false, true ->
-        (cure :=
-           if nothing result then
-             hint
-               "`mapT (const ()) t` is the task `t` without its result; in a `do`, `return ()` \
-                below it drops it"
-           else if nothing result' then
-             hint "in a `do`, `return x` below it ends the two with `x`"
-           else hint "`mapT f t` is the task `t`, and ends with `f` of its result");
+        cure :=
+          if nothing result then
+            hint
+              "`mapT (const ()) t` is the task `t` without its result; in a `do`, `return ()` \
+               below it drops it"
+          else if nothing result' then hint "in a `do`, `return x` below it ends the two with `x`"
+          else hint "`mapT f t` is the task `t`, and ends with `f` of its result";
         says "expected a task that ends with %s, but this one ends with %s" result result'
     | false, true, false ->
         says "expected a task whose output is %s, but that of this one is %s" output output'

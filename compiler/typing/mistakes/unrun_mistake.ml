@@ -41,8 +41,7 @@ let signal_in_place_of_an_argument words name arguments =
         List.rev_map (fun (_, text) -> Option.fold text ~none:"…" ~some:Source.grouped) before
       in
       Some
-        (Printf.sprintf
-           "`%s` takes %s before its signal: `%s`, where the signal is `%s`" name
+        (Printf.sprintf "`%s` takes %s before its signal: `%s`, where the signal is `%s`" name
            (count (List.length arguments))
            (String.concat " " ((name :: before) @ [ "…"; Source.grouped signal ]))
            signal)
@@ -72,7 +71,7 @@ let hint_to_run words subject input d =
   let arguments = Option.fold subject ~none:[] ~some:arguments_of in
   let argument = function
     | ({ span; _ } : Resolve.Ir.expr) ->
-      Option.fold (Show.quote words span) ~none:"…" ~some:Source.grouped
+        Option.fold (Show.quote words span) ~none:"…" ~some:Source.grouped
   in
   hint
     (match (Option.bind subject Plain_name.of_head, arguments) with

@@ -1,10 +1,7 @@
 open Basis
 open Ir
 
-type t = {
-  constructors : constructor array Resolve.Global_table.t;
-  most : int;  (* values named *)
-}
+type t = { constructors : constructor array Resolve.Global_table.t; most : int (* values named *) }
 
 let create data =
   let table = Resolve.Global_table.create 64 in
@@ -14,14 +11,8 @@ let create data =
   { constructors = table; most = 3 }
 
 type row = { pattern : pattern; guarded : bool }
-
 type missing = { named : string list; more : int }
-
-type result = {
-  missing : missing option;
-  guarded_only : int option;
-  useless : int list;
-}
+type result = { missing : missing option; guarded_only : int option; useless : int list }
 
 (* {1 Values not covered} *)
 
@@ -39,22 +30,22 @@ let show value =
     | Anything -> put "_"
     | Constructed (name, []) -> put name
     | Constructed (name, arguments) ->
-      if argument then put "(";
-      put name;
-      List.iter
-        (fun a ->
-          put " ";
-          go true a)
-        arguments;
-      if argument then put ")"
+        if argument then put "(";
+        put name;
+        List.iter
+          (fun a ->
+            put " ";
+            go true a)
+          arguments;
+        if argument then put ")"
     | Record (name, fields) ->
-      put (name ^ " { ");
-      separated
-        (fun (field, value) ->
-          put (field ^ " = ");
-          go false value)
-        fields;
-      put " }"
+        put (name ^ " { ");
+        separated
+          (fun (field, value) ->
+            put (field ^ " = ");
+            go false value)
+          fields;
+        put " }"
     | Tuple parts -> between "(" ")" parts
     | Array parts -> between "[" "]" parts
   and between opening closing parts =
@@ -89,9 +80,9 @@ let rec head (p : pattern) =
   | Tuple_of ps -> Some (Components (List.length ps), ps)
   | Array_of ps -> Some (Elements (List.length ps), ps)
   | Constructed (c, ps) ->
-    let name = c.constructor.name and arity = List.length ps in
-    let fields = if c.record then List.map fst c.fields else [] in
-    Some (Constructor { index = c.index; name; arity; fields }, ps)
+      let name = c.constructor.name and arity = List.length ps in
+      let fields = if c.record then List.map fst c.fields else [] in
+      Some (Constructor { index = c.index; name; arity; fields }, ps)
   | Literal n -> Some (Number n, [])
 
 let arity = function
@@ -108,9 +99,9 @@ let rebuild head parts =
   match head with
   | Constructor { name; fields = []; _ } -> Constructed (name, parts)
   | Constructor { name; fields; _ } -> (
-    match List.filter (fun (_, part) -> part <> Anything) (List.combine fields parts) with
-    | [] -> Constructed (name, parts)
-    | known -> Record (name, known))
+      match List.filter (fun (_, part) -> part <> Anything) (List.combine fields parts) with
+      | [] -> Constructed (name, parts)
+      | known -> Record (name, known))
   | Components _ -> Tuple parts
   | Elements _ -> Array parts
   | Number n -> Constructed (Exact.to_string n, [])
@@ -167,14 +158,14 @@ let others t (ty : ty) heads =
   | Bool -> all_but_given [| ("False", 0); ("True", 0) |]
   | Data { tycon; _ } when tycon = Environment.array -> none
   | Data { tycon; _ } -> (
-    match Resolve.Global_table.find_opt t.constructors tycon with
-    | Some constructors ->
-      all_but_given
-        (Array.map (fun c -> (c.constructor.name, List.length c.fields)) constructors)
-    | None -> Diagnostic.bug ~stage:"Typing.Coverage" "no data type `%s`" tycon.name)
+      match Resolve.Global_table.find_opt t.constructors tycon with
+      | Some constructors ->
+          all_but_given
+            (Array.map (fun c -> (c.constructor.name, List.length c.fields)) constructors)
+      | None -> Diagnostic.bug ~stage:"Typing.Coverage" "no data type `%s`" tycon.name)
   | Number (_, { base = []; variables = [] }) -> some_of t [ Constructed (smallest 0, []) ]
   | Number _ | Variable _ | String | Function _ | Signal_function _ | Size _ ->
-    some_of t [ Anything ]
+      some_of t [ Anything ]
   | Tuple _ -> none
 
 (* {1 The walk} *)
@@ -206,25 +197,25 @@ let split lines =
     match Hashtbl.find_opt groups (key h) with
     | Some group -> group
     | None ->
-      let group =
-        ref (List.map (fun line -> { line with rest = blank first h line.rest }) !others)
-      in
-      Hashtbl.replace groups (key h) group;
-      heads := (h, group) :: !heads;
-      ty := Some first.ty;
-      group
+        let group =
+          ref (List.map (fun line -> { line with rest = blank first h line.rest }) !others)
+        in
+        Hashtbl.replace groups (key h) group;
+        heads := (h, group) :: !heads;
+        ty := Some first.ty;
+        group
   in
   let add line =
     let first, rest = first_and_rest line in
     match head first with
     | Some (h, parts) ->
-      let group = group first h in
-      group := { line with rest = parts @ rest } :: !group
+        let group = group first h in
+        group := { line with rest = parts @ rest } :: !group
     | None ->
-      List.iter
-        (fun (h, group) -> group := { line with rest = blank first h rest } :: !group)
-        !heads;
-      others := { line with rest } :: !others
+        List.iter
+          (fun (h, group) -> group := { line with rest = blank first h rest } :: !group)
+          !heads;
+        others := { line with rest } :: !others
   in
   List.iter add lines;
   {
@@ -246,32 +237,33 @@ let rec gaps t used width lines =
   | [] -> some_of t [ { values = List.init width (fun _ -> Anything); passed = None } ]
   | _ when width = 0 -> reached t used lines
   | _ ->
-    let { ty; groups; others = rest } = split lines in
-    let below (h, lines) =
-      let rebuilt gap =
-        let parts, rest = take (arity h) gap.values [] in
-        { gap with values = rebuild h parts :: rest }
+      let { ty; groups; others = rest } = split lines in
+      let below (h, lines) =
+        let rebuilt gap =
+          let parts, rest = take (arity h) gap.values [] in
+          { gap with values = rebuild h parts :: rest }
+        in
+        map rebuilt (gaps t used (arity h + width - 1) lines)
       in
-      map rebuilt (gaps t used (arity h + width - 1) lines)
-    in
-    let below = List.fold_left (fun found group -> append t found (below group)) none groups in
-    let heads =
-      match ty with
-      | None -> some_of t [ Anything ]
-      | Some ty -> others t ty (List.map fst groups)
-    in
-    if count heads = 0 then below
-    else
-      let beside value gap = { gap with values = value :: gap.values } in
-      append t (pairs t beside heads (gaps t used (width - 1) rest)) below
+      let below = List.fold_left (fun found group -> append t found (below group)) none groups in
+      let heads =
+        match ty with
+        | None -> some_of t [ Anything ]
+        | Some ty -> others t ty (List.map fst groups)
+      in
+      if count heads = 0 then below
+      else
+        let beside value gap = { gap with values = value :: gap.values } in
+        append t (pairs t beside heads (gaps t used (width - 1) rest)) below
 
 (* All that was to be looked at has been: the first line whose guards hold. *)
 and reached t used = function
   | [] -> some_of t [ { values = []; passed = None } ]
   | line :: rest ->
-    used.(line.index) <- true;
-    if line.guards then map (fun gap -> { gap with passed = Some line.index }) (reached t used rest)
-    else none
+      used.(line.index) <- true;
+      if line.guards then
+        map (fun gap -> { gap with passed = Some line.index }) (reached t used rest)
+      else none
 
 let check ?most t rows =
   let t = { t with most = Option.value most ~default:t.most } in

@@ -1,9 +1,8 @@
 (** Which values a list of patterns covers, and which of them are of use.
 
-    The method is that of Maranget, {i Warnings for pattern matching} (2007),
-    as one walk over the decision tree of the whole list: a leaf that no row
-    reaches is a value not covered, and a row that no leaf reaches is of no
-    use. *)
+    The method is that of Maranget, {i Warnings for pattern matching} (2007), as one walk over the
+    decision tree of the whole list: a leaf that no row reaches is a value not covered, and a row
+    that no leaf reaches is of no use. *)
 
 type t
 (** The constructors of a program's data types. *)

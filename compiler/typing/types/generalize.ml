@@ -1,8 +1,4 @@
-type t = {
-  types : Type.rigid list;
-  representations : Units.rigid list;
-  units : Units.rigid list;
-}
+type t = { types : Type.rigid list; representations : Units.rigid list; units : Units.rigid list }
 
 (* How many variables there are already. *)
 type counts = { of_types : int; of_sizes : int; of_representations : int; of_units : int }

@@ -3,7 +3,6 @@ type t = Syntax.Ir.rational
 exception Out_of_range
 
 let limit = 1_000_000
-
 let rec gcd a b = if b = 0 then a else gcd b (a mod b)
 
 let lowest_terms numerator denominator =

@@ -4,8 +4,8 @@ type t = Syntax.Ir.rational
 (** In lowest terms, the denominator positive. *)
 
 exception Out_of_range
-(** Raised where a numerator or denominator would pass a million: no unit that
-    means anything comes near it. *)
+(** Raised where a numerator or denominator would pass a million: no unit that means anything comes
+    near it. *)
 
 val zero : t
 val one : t

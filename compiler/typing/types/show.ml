@@ -94,11 +94,7 @@ let rec tree : Ir.ty -> tree = function
       applied (bracketed tycon.name (List.map unit_ units)) (List.map tree arguments)
 
 let ty t = write (tree t)
-
-let class_ : Ir.class_ -> string = function
-  | Eq -> "Eq"
-  | Ord -> "Ord"
-  | Declared c -> c.name
+let class_ : Ir.class_ -> string = function Eq -> "Eq" | Ord -> "Ord" | Declared c -> c.name
 
 let scheme (s : Ir.scheme) =
   let constraint_ (c, t) = write (Applied (class_ c, [ tree t ])) in
@@ -156,14 +152,11 @@ let definition words x = words.place.definition x
 let fields words t = words.place.fields t
 let choices words t = words.place.choices t
 let makers words t ~of_ = words.place.makers t ~of_
-
 let is_input words name = List.mem_assoc name words.place.inputs
 
 let signal words input =
   let same_kind t =
-    match (Head.of_type input, Head.of_type t) with
-    | Some (a, _), Some (b, _) -> a = b
-    | _ -> true
+    match (Head.of_type input, Head.of_type t) with Some (a, _), Some (b, _) -> a = b | _ -> true
   in
   Option.map fst (List.find_opt (fun (_, t) -> same_kind t) words.place.inputs)
 
@@ -258,8 +251,8 @@ let rec tree_of words depth t =
     | Signal_function (a, b) ->
         let a = continue_ a in
         Applied ("SF", [ a; continue_ b ])
-    | Alias { alias; units = [ u ]; arguments = []; expansion = Number (_, v) }
-      when Units.equal u v ->
+    | Alias { alias; units = [ u ]; arguments = []; expansion = Number (_, v) } when Units.equal u v
+      ->
         Word (number (`Named (data_name words alias)) (measure words u))
     | Data { tycon; units; arguments } | Alias { alias = tycon; units; arguments; _ } ->
         applied
@@ -271,10 +264,11 @@ let rec tree_of words depth t =
 let rec reserve words depth t =
   if depth <= deepest then
     let continue_ = reserve words (depth + 1) in
-    let units = List.iter (fun u ->
-        List.iter
-          (fun ((r : Units.rigid), _) -> ignore (of_rigid words r.variable))
-          (Units.rigid_powers (Units.resolve u)))
+    let units =
+      List.iter (fun u ->
+          List.iter
+            (fun ((r : Units.rigid), _) -> ignore (of_rigid words r.variable))
+            (Units.rigid_powers (Units.resolve u)))
     in
     match Type.repr t with
     | Rigid { variable; _ } -> ignore (of_rigid words variable)
@@ -296,8 +290,7 @@ let type_ words t =
   reserve words 0 t;
   write (tree_of words 0 t)
 
-let declared t g =
-  Option.map (type_ (words ~named_unit:t.named_unit ())) (t.place.declared g)
+let declared t g = Option.map (type_ (words ~named_unit:t.named_unit ())) (t.place.declared g)
 
 let constraint_ words c t =
   reserve words 0 t;
@@ -319,8 +312,8 @@ let described words t =
       | Flexible_representation _, [] ->
           if Units.equal u Units.one then "a number"
           else Printf.sprintf "a number of `%s`" (measure words u)
-      | Flexible_representation _, [ _ ]
-        when Units.base_powers u = [] && Units.rigid_powers u = [] ->
+      | Flexible_representation _, [ _ ] when Units.base_powers u = [] && Units.rigid_powers u = []
+        ->
           "a number"
       | _ -> quoted words t)
   | _ -> quoted words t

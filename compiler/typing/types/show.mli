@@ -14,9 +14,9 @@ val unit_ : Ir.unit_ -> string
 
 (** {1 Types in messages}
 
-    Variables still to be found are named as a programmer would: [a], [b] for
-    types, [u], [v] for units, [n] for representations, the same in all texts
-    of one message, and apart from the names a signature uses. *)
+    Variables still to be found are named as a programmer would: [a], [b] for types, [u], [v] for
+    units, [n] for representations, the same in all texts of one message, and apart from the names a
+    signature uses. *)
 
 type words
 (** The names given so far in one message, and what it may speak of. *)
@@ -27,8 +27,7 @@ type place = {
   needs_class : Type.t -> bool;  (** something was used that asks for one *)
   definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
       (** the value of a local that has no parameters *)
-  fields : Type.t -> (string * string list) option;
-      (** a record's constructor, and its fields *)
+  fields : Type.t -> (string * string list) option;  (** a record's constructor, and its fields *)
   choices : Type.t -> string list;
       (** the constructors of a type, if it has a few, and none of them has parts *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the type of a definition *)
@@ -37,8 +36,7 @@ type place = {
 }
 
 val words : ?place:place -> named_unit:(Units.t -> string option) -> unit -> words
-(** [named_unit] knows units with a name of their own, as [N] for
-    [kg m/s^2]. *)
+(** [named_unit] knows units with a name of their own, as [N] for [kg m/s^2]. *)
 
 val quote : words -> Span.t -> string option
 (** What is written there, if it is short. *)
@@ -46,9 +44,7 @@ val quote : words -> Span.t -> string option
 val needs_class : words -> Type.t -> bool
 val definition : words -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
 val fields : words -> Type.t -> (string * string list) option
-
 val choices : words -> Type.t -> string list
-
 val makers : words -> Type.t -> of_:Type.t -> string list
 
 val declared : words -> Resolve.Ir.Global.t -> string option
@@ -70,8 +66,7 @@ val type_ : words -> Type.t -> string
 (** By its alias where it has one. *)
 
 val quoted : words -> Type.t -> string
-(** In backticks; a number's alias is followed by the unit, as
-    [`Velocity` (m/s)]. *)
+(** In backticks; a number's alias is followed by the unit, as [`Velocity` (m/s)]. *)
 
 val described : words -> Type.t -> string
 (** A type in a sentence: quoted, or [a number]. *)

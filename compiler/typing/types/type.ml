@@ -21,7 +21,6 @@ and flexible = {
 }
 
 and final = { ty : Ir.ty; parts : int; nesting : int }
-
 and rigid = { variable : Ir.variable; kind : kind; depth : int }
 and kind = Of_types | Of_sizes
 

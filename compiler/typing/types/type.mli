@@ -1,8 +1,8 @@
 (** Types while they are inferred.
 
-    As {!Ir.ty}, with variables still to be found, with the names of aliases
-    kept for messages (an alias equals its expansion), and with a type that
-    agrees with everything, so that one mistake is reported once. *)
+    As {!Ir.ty}, with variables still to be found, with the names of aliases kept for messages (an
+    alias equals its expansion), and with a type that agrees with everything, so that one mistake is
+    reported once. *)
 
 type t =
   | Flexible of flexible  (** to be found *)
@@ -32,11 +32,7 @@ and final = {
   nesting : int;
 }
 
-and rigid = {
-  variable : Ir.variable;
-  kind : kind;
-  depth : int;  (** as {!Units.rigid} *)
-}
+and rigid = { variable : Ir.variable; kind : kind; depth : int  (** as {!Units.rigid} *) }
 
 (** What a variable, and a parameter of a type, stands for. *)
 and kind = Of_types | Of_sizes
@@ -93,8 +89,8 @@ val expand : t -> t
 val representation : representation -> representation
 
 val shared : t -> t
-(** The same type, converted only once however often it occurs: for types that
-    an expression adds a layer to. *)
+(** The same type, converted only once however often it occurs: for types that an expression adds a
+    layer to. *)
 
 (** {1 Using a scheme} *)
 
@@ -113,5 +109,4 @@ val mentions : Ir.variable -> t -> bool
 val occurs : flexible -> t -> bool
 (** Likewise of a variable to be found. *)
 
-val substitute :
-  types:(rigid * t) list -> units:(Units.rigid * Units.t) list -> t -> t
+val substitute : types:(rigid * t) list -> units:(Units.rigid * Units.t) list -> t -> t

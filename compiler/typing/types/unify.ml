@@ -20,10 +20,9 @@ let representations a b =
   match (a, b) with
   | Int, Int | Float, Float -> ()
   | Flexible_representation x, Flexible_representation y ->
-      if x != y then begin
+      if x != y then (
         y.depth <- min x.depth y.depth;
-        x.found <- Some b
-      end
+        x.found <- Some b)
   | Flexible_representation x, found | found, Flexible_representation x -> (
       match found with
       | Rigid_representation r when r.depth > x.depth -> clash Escaping
@@ -54,8 +53,7 @@ let rec admit (variable : flexible) t =
       if units <> [] || arguments <> [] then admit variable expansion
   | Bool | String | Size _ | Erroneous -> ()
 
-and admit_unit variable unit_ =
-  if not (Units.lower ~depth:variable.depth unit_) then clash Escaping
+and admit_unit variable unit_ = if not (Units.lower ~depth:variable.depth unit_) then clash Escaping
 
 and admit_representation variable r =
   match Type.representation r with
@@ -80,10 +78,9 @@ let rec unify a b =
   if a != b then
     match (a, b) with
     | Flexible x, Flexible y ->
-        if x != y then begin
+        if x != y then (
           y.depth <- min x.depth y.depth;
-          x.found <- Some b
-        end
+          x.found <- Some b)
     | Erroneous, t | t, Erroneous -> spoil t
     | Flexible variable, t | t, Flexible variable ->
         admit variable t;
@@ -103,10 +100,10 @@ let rec unify a b =
     | Data x, Data y when x.tycon = y.tycon ->
         List.iter2 units x.units y.units;
         List.iter2 unify x.arguments y.arguments
-    | ( (Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _
-      | Size _),
-        (Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _
-          | Size _) ) ->
+    | ( ( Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _
+        | Size _ ),
+        ( Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _
+        | Size _ ) ) ->
         clash (Different (a, b))
 
 let types a b =

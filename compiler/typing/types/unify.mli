@@ -1,7 +1,6 @@
 (** Making two types equal, in the most general way. *)
 
-(** Why it cannot be done: the innermost disagreement, in the order of the
-    arguments. *)
+(** Why it cannot be done: the innermost disagreement, in the order of the arguments. *)
 type clash =
   | Different of Type.t * Type.t
   | Different_units of Units.t * Units.t
@@ -11,5 +10,5 @@ type clash =
   | Out_of_range  (** a unit's exponent, see {!Rational.Out_of_range} *)
 
 val types : Type.t -> Type.t -> (unit, clash) result
-(** What was found before a clash stays found: harmless, as a clash ends in a
-    diagnostic. {!Type.Erroneous} agrees with everything. *)
+(** What was found before a clash stays found: harmless, as a clash ends in a diagnostic.
+    {!Type.Erroneous} agrees with everything. *)

@@ -73,9 +73,7 @@ let rec resolve unit_ =
               let solution = resolve solution in
               x.solution <- Some solution;
               multiply product (power solution p))
-        { unit_ with flexible = [] }
-        unit_.flexible
-
+        { unit_ with flexible = [] } unit_.flexible
 
 (* Of units without variables that are still open. *)
 let same a b =
@@ -84,17 +82,14 @@ let same a b =
 
 let equal a b =
   let a = resolve a and b = resolve b in
-  match (a.flexible, b.flexible) with
-  | [], [] -> same a b
-  | _, _ -> is_one (divide a b)
+  match (a.flexible, b.flexible) with [], [] -> same a b | _, _ -> is_one (divide a b)
 
 let is_open unit_ = (resolve unit_).flexible <> []
 let deepest rigid = List.fold_left (fun depth ((r : rigid), _) -> max depth r.depth) 0 rigid
 
 (* The variable to eliminate: the innermost, so that none further out comes to
    depend on it; among those the newest. *)
-let is_before (x : flexible) (y : flexible) =
-  y.depth > x.depth || (y.depth = x.depth && y.id > x.id)
+let is_before (x : flexible) (y : flexible) = y.depth > x.depth || (y.depth = x.depth && y.id > x.id)
 
 let pivot = function
   | [] -> None
@@ -123,8 +118,7 @@ let unify a b =
   | ( { base = []; rigid = []; flexible = [ (x, power) ] },
       { base = []; rigid = []; flexible = [ (y, power') ] } )
     when Rational.(equal power one && equal power' one) ->
-      if x != y then
-        if is_before x y then y.solution <- Some a else x.solution <- Some b;
+      if x != y then if is_before x y then y.solution <- Some a else x.solution <- Some b;
       true
   | _, _ -> (
       let quotient = divide a b in
@@ -163,8 +157,7 @@ let substitute replacement unit_ =
           match replacement r.variable.id with
           | None -> multiply product { one with rigid = [ (r, p) ] }
           | Some by -> multiply product (power by p))
-        { unit_ with rigid = [] }
-        rigid
+        { unit_ with rigid = [] } rigid
 
 let to_ir unit_ : Ir.unit_ =
   let unit_ = resolve unit_ in

@@ -8,7 +8,6 @@ type scope = {
 }
 
 let empty = { types = Names.empty; representations = Names.empty; units = Names.empty }
-
 let with_type name variable scope = { scope with types = Names.add name variable scope.types }
 
 let of_parameters units types =
@@ -36,18 +35,16 @@ let report_exponent t span =
 
 let scaled_power t span (name : Ir.Global.t) scale (exponent : Rational.t) =
   if Exact.equal scale Exact.one then Exact.one
-  else if not (Rational.is_integer exponent) then begin
+  else if not (Rational.is_integer exponent) then (
     Diagnostic.(
       error ~code:"E0322" ~at:span "`%s` is a scaled unit, so its power must be an integer, not %s"
         name.name (Rational.to_string exponent)
       |> hint "write the number in base units"
       |> emit t.sink);
-    Exact.one
-  end
-  else if abs exponent.numerator > largest_scaled_power then begin
+    Exact.one)
+  else if abs exponent.numerator > largest_scaled_power then (
     report_exponent t span;
-    Exact.one
-  end
+    Exact.one)
   else Exact.power scale exponent.numerator
 
 let unit_ t scope (written : Resolve.Ir.unit_) : Environment.unit_ =
@@ -63,7 +60,7 @@ let unit_ t scope (written : Resolve.Ir.unit_) : Environment.unit_ =
           measure = Units.multiply product.measure (Units.power declared.measure exponent);
           scale =
             (if Exact.equal scale Exact.one then product.scale
-            else Exact.multiply product.scale scale);
+             else Exact.multiply product.scale scale);
         }
   in
   let one : Environment.unit_ = { measure = Units.one; scale = Exact.one } in
@@ -75,29 +72,28 @@ let unit_ t scope (written : Resolve.Ir.unit_) : Environment.unit_ =
 (* Values are held in base units, so a type has no scale. *)
 let unit_of_type t scope (written : Resolve.Ir.unit_) =
   let { Environment.measure; scale } = unit_ t scope written in
-  if not (Exact.equal scale Exact.one) then begin
-    let words = Show.words ~named_unit:(Environment.named_unit t.environment) () in
-    let text = Show.measure words measure in
-    let told =
-      Diagnostic.(
-        error ~code:"E0321" ~at:written.span
-          "a type cannot mention a scaled unit: values are held in base units"
-        |> hint (Printf.sprintf "write `%s` here; scaled units stand on literals" text)
-        |> write written.span text)
-    in
-    match Diagnostic.last t.sink with
-    | Some d
-      when d.hints = told.hints && d.code = told.code
-           && Span.line d.at.start = Span.line written.span.start ->
-        (* the same signature: one cure for all of it *)
-        let all (f : Diagnostic.fix) (other : Diagnostic.fix) =
-          { f with edits = f.edits @ other.edits }
-        in
-        Diagnostic.revise_last t.sink (fun d ->
-            Diagnostic.label ~at:written.span "and here"
-              { d with fixes = List.map2 all d.fixes told.fixes })
-    | _ -> Diagnostic.emit t.sink told
-  end;
+  (if not (Exact.equal scale Exact.one) then
+     let words = Show.words ~named_unit:(Environment.named_unit t.environment) () in
+     let text = Show.measure words measure in
+     let told =
+       Diagnostic.(
+         error ~code:"E0321" ~at:written.span
+           "a type cannot mention a scaled unit: values are held in base units"
+         |> hint (Printf.sprintf "write `%s` here; scaled units stand on literals" text)
+         |> write written.span text)
+     in
+     match Diagnostic.last t.sink with
+     | Some d
+       when d.hints = told.hints && d.code = told.code
+            && Span.line d.at.start = Span.line written.span.start ->
+         (* the same signature: one cure for all of it *)
+         let all (f : Diagnostic.fix) (other : Diagnostic.fix) =
+           { f with edits = f.edits @ other.edits }
+         in
+         Diagnostic.revise_last t.sink (fun d ->
+             Diagnostic.label ~at:written.span "and here"
+               { d with fixes = List.map2 all d.fixes told.fixes })
+     | _ -> Diagnostic.emit t.sink told);
   measure
 
 (* {1 Sizes} *)
@@ -237,8 +233,7 @@ and occurring_in_unit see (written : Resolve.Ir.unit_) =
 let parameter_kinds t (fields : Resolve.Ir.ty list) =
   let kinds = ref Names.empty in
   let see = function
-    | `Type (name, kind) ->
-        if not (Names.mem name !kinds) then kinds := Names.add name kind !kinds
+    | `Type (name, kind) -> if not (Names.mem name !kinds) then kinds := Names.add name kind !kinds
     | `Representation _ | `Unit _ -> ()
   in
   List.iter (occurring t Of_types see) fields;
@@ -255,31 +250,26 @@ let signature t scope ~depth (written : Resolve.Ir.scheme) =
   let variable name : Ir.variable = { id = Type.next t.supply; name } in
   let see = function
     | `Type (name, kind) ->
-        if not (Names.mem name !scope.types) then begin
+        if not (Names.mem name !scope.types) then (
           let rigid : Type.rigid = { variable = variable name; kind; depth } in
           types := rigid :: !types;
-          scope := { !scope with types = Names.add name rigid !scope.types }
-        end
+          scope := { !scope with types = Names.add name rigid !scope.types })
     | `Representation name ->
-        if not (Names.mem name !scope.representations) then begin
+        if not (Names.mem name !scope.representations) then (
           let rigid : Units.rigid = { variable = variable name; depth } in
           representations := rigid :: !representations;
-          scope := { !scope with representations = Names.add name rigid !scope.representations }
-        end
+          scope := { !scope with representations = Names.add name rigid !scope.representations })
     | `Unit name ->
-        if not (Names.mem name !scope.units) then begin
+        if not (Names.mem name !scope.units) then (
           let rigid : Units.rigid = { variable = variable name; depth } in
           units := rigid :: !units;
-          scope := { !scope with units = Names.add name rigid !scope.units }
-        end
+          scope := { !scope with units = Names.add name rigid !scope.units })
   in
   let see_all = occurring t Of_types see in
   List.iter (fun (c : Resolve.Ir.constraint_) -> see_all c.argument) written.context;
   see_all written.ty;
   let scope = !scope in
-  let constraint_ (c : Resolve.Ir.constraint_) =
-    (class_ c.class_, ty t scope c.argument)
-  in
+  let constraint_ (c : Resolve.Ir.constraint_) = (class_ c.class_, ty t scope c.argument) in
   let context = List.map constraint_ written.context in
   let scheme : Type.scheme =
     {

@@ -5,9 +5,9 @@ type value = Float of float | Int of int
 type t = {
   definitions : expr Resolve.Global_table.t;
   found : value Resolve.Global_table.t;
-  of_ints : value Resolve.Global_table.t;  (* of a definition of any numbers, where it is an Int *)
-  as_int : bool;  (* this is such a definition *)
-  given : (int * value) list;  (* parameters, by the local's id *)
+  of_ints : value Resolve.Global_table.t; (* of a definition of any numbers, where it is an Int *)
+  as_int : bool; (* this is such a definition *)
+  given : (int * value) list; (* parameters, by the local's id *)
 }
 
 let is_int (e : expr) = match e.ty with Ir.Number (Int, _) -> true | _ -> false
@@ -70,12 +70,12 @@ let rec at depth t (e : expr) =
       | None -> None)
   | Local (x, _) -> List.assoc_opt x.id t.given
   | Field (record, constructor, index) -> Option.bind (field t record constructor index) value
-  | Apply _ ->
+  | Apply _ -> (
       Option.bind (operation e) (fun (name, arguments) ->
           Option.bind (all_known (List.map value arguments)) (compute name))
-      |> (function
-           | None when is_int e -> call depth t e
-           | found -> found)
+      |> function
+      | None when is_int e -> call depth t e
+      | found -> found)
   | _ -> None
 
 (* A function of the program's own, of numbers that are known. *)
@@ -89,9 +89,12 @@ and call depth t (e : expr) =
           let ids = List.filter_map parameter parameters in
           if List.compare_lengths ids parameters <> 0 then None
           else
-            Option.bind (all_known (List.map (at (depth - 1) t) arguments)) (fun values ->
+            Option.bind
+              (all_known (List.map (at (depth - 1) t) arguments))
+              (fun values ->
                 (* so that calls in calls stay few *)
-                at (min (depth - 1) 8)
+                at
+                  (min (depth - 1) 8)
                   { t with as_int = true; given = List.combine ids values }
                   body)
       | _ -> None)

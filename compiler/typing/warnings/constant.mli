@@ -1,14 +1,12 @@
-(** Numbers that an expression is whatever happens, as far as arithmetic with literals and
-    with definitions of such tells; for warnings, so not to the last bit. *)
+(** Numbers that an expression is whatever happens, as far as arithmetic with literals and with
+    definitions of such tells; for warnings, so not to the last bit. *)
 
 type t
 (** What is known of a program's definitions. *)
 
 val of_program : Ir.program -> t
 
-type value =
-  | Float of float  (** in base units *)
-  | Int of int  (** before it wraps around *)
+type value = Float of float  (** in base units *) | Int of int  (** before it wraps around *)
 
 val spine : Ir.expr -> Ir.expr * Ir.expr list
 (** What is applied, and to what. *)

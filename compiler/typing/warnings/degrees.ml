@@ -11,8 +11,8 @@ let operation (e : Resolve.Ir.expr) =
   match e.desc with
   | Apply
       {
-        head = { desc = Apply { head = { desc = Global g; _ }; argument = left;
-          style = Operator _ }; _ };
+        head =
+          { desc = Apply { head = { desc = Global g; _ }; argument = left; style = Operator _ }; _ };
         argument = right;
         style = Operator _;
       }
@@ -30,15 +30,12 @@ let rec constant (e : Resolve.Ir.expr) =
   | _ -> None
 
 and both compute left right =
-  match (constant left, constant right) with
-  | Some a, Some b -> Some (compute a b)
-  | _, _ -> None
+  match (constant left, constant right) with Some a, Some b -> Some (compute a b) | _, _ -> None
 
 (* Not by [Context.report]: what it counts are errors. *)
 let report (ctx : Context.t) (e : Resolve.Ir.expr) =
   let in_degrees (number : Resolve.Ir.expr) digits text d =
-    Diagnostic.hint (Printf.sprintf text digits) d
-    |> Diagnostic.write number.span (digits ^ "[deg]")
+    Diagnostic.hint (Printf.sprintf text digits) d |> Diagnostic.write number.span (digits ^ "[deg]")
   in
   let cure =
     match e.desc with
@@ -60,7 +57,6 @@ let rec warn_of_angle ctx (e : Resolve.Ir.expr) =
   | None, _ -> ()
 
 let warn ctx e (expected : Expected.t) = if is_angle expected.ty then warn_of_angle ctx e
-
 let compares = function "==" | "/=" | "<" | "<=" | ">" | ">=" -> true | _ -> false
 
 let warn_of_operands ctx (left, left_type) (right, right_type) =

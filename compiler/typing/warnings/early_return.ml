@@ -6,9 +6,7 @@ let prelude name (e : Resolve.Ir.expr) =
   | _ -> false
 
 let is_return (e : Resolve.Ir.expr) =
-  match e.desc with
-  | Apply { head; style = Juxtaposed; _ } -> prelude "return" head
-  | _ -> false
+  match e.desc with Apply { head; style = Juxtaposed; _ } -> prelude "return" head | _ -> false
 
 (* All that it does is to return, whatever holds. *)
 let rec only_returns (e : Resolve.Ir.expr) =
@@ -36,8 +34,7 @@ let warn (ctx : Context.t) (e : Resolve.Ir.expr) ~next =
   if is_return e then
     tell "this `return` does nothing: what follows it is done all the same"
     |> Diagnostic.hint "leave it out: a task ends behind its last statement"
-    |> without e next
-    |> Diagnostic.emit ctx.reader.sink
+    |> without e next |> Diagnostic.emit ctx.reader.sink
   else if only_returns e then
     tell "this ends nothing: what follows it is done all the same"
     |> Diagnostic.hint

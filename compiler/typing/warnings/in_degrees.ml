@@ -83,8 +83,7 @@ let report (ctx : Context.t) ?beside (e : Resolve.Ir.expr) others =
   in
   let other =
     match Option.map (fun (b : Resolve.Ir.expr) -> (b.span, quote b)) beside with
-    | Some (at, Some text) ->
-        Diagnostic.label ~at (Printf.sprintf "`%s` is in radians" text)
+    | Some (at, Some text) -> Diagnostic.label ~at (Printf.sprintf "`%s` is in radians" text)
     | Some (at, None) -> Diagnostic.label ~at "this is in radians"
     | None -> Fun.id
   in

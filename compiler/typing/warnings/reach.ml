@@ -6,7 +6,7 @@ type walk = {
   robot : Global.t option;
   constants : Constant.t;
   program : program;
-  readings : (string * ty) Int_table.t;  (* variables that are what a sonar says *)
+  readings : (string * ty) Int_table.t; (* variables that are what a sonar says *)
 }
 
 let sonar = "HasSonar"
@@ -20,8 +20,7 @@ let rec reach w (input : ty) =
 
 and of_instance w tycon arguments =
   let is_it (i : instance) =
-    String.equal i.class_.name sonar
-    && match i.head with Data d -> d.tycon = tycon | _ -> false
+    String.equal i.class_.name sonar && match i.head with Data d -> d.tycon = tycon | _ -> false
   in
   let body (i : instance) =
     match List.find_opt (fun ((m : Global.t), _) -> String.equal m.name "sonarReach") i.methods with
@@ -75,8 +74,7 @@ let compared w (e : expr) operator reading_of threshold =
                 (if always then "True" else "False")
                 robot sensor reach
               |> note "where the robot sees nothing it says `sonarReach i`"
-              |> hint "compare it with less"
-              |> emit w.sink)
+              |> hint "compare it with less" |> emit w.sink)
           in
           Option.iter warn (answer operator ~reach c))
   | _ -> ()

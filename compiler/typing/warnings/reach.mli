@@ -4,11 +4,6 @@
     constant beyond the robot's [sonarReach], so that the answer is always the same. *)
 
 val warn :
-  Basis.Diagnostic.sink ->
-  Resolve.Ir.program ->
-  robot:Ir.Global.t option ->
-  Ir.program ->
-  unit
+  Basis.Diagnostic.sink -> Resolve.Ir.program -> robot:Ir.Global.t option -> Ir.program -> unit
 (** In the definitions of the program's own modules. [robot]: the type of the input of the robot
-    that the
-    program is for, where its own types leave that open; none if nobody knows. *)
+    that the program is for, where its own types leave that open; none if nobody knows. *)

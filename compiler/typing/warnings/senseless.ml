@@ -11,9 +11,7 @@ let arguments (e : expr) =
 let is_zero w e = Constant.float w.constants e = Some 0.
 
 let is_on_purpose w e =
-  match Constant.operation e with
-  | Some ("/", [ a; b ]) -> is_zero w a && is_zero w b
-  | _ -> false
+  match Constant.operation e with Some ("/", [ a; b ]) -> is_zero w a && is_zero w b | _ -> false
 
 let number w (e : expr) =
   match (e.desc, Constant.value w.constants e) with
@@ -28,9 +26,7 @@ let number w (e : expr) =
           |> emit w.sink)
   | (Apply _ | Negate _ | Global _), Some (Int n)
     when Int32.to_int (Int32.of_int n) <> n
-         && (match e.desc with
-            | Global _ -> Constant.is_of_any_numbers w.constants e
-            | _ -> true) ->
+         && match e.desc with Global _ -> Constant.is_of_any_numbers w.constants e | _ -> true ->
       Diagnostic.(
         warning ~code:"W0308" ~at:e.span "this is %d, which no Int can be: it wraps around to %ld" n
           (Int32.of_int n)
@@ -53,8 +49,8 @@ let duration w name (e : expr) =
   match Constant.float w.constants e with
   | Some x when x < 0. ->
       Diagnostic.(
-        warning ~code:"W0309" ~at:e.span
-          "`%s` is given a time below zero, which counts as none" name
+        warning ~code:"W0309" ~at:e.span "`%s` is given a time below zero, which counts as none"
+          name
         |> hint "write a time of at least `0[s]`"
         |> emit w.sink)
   | Some _ | None -> ()

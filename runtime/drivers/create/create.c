@@ -15,17 +15,32 @@
 #define LONGEST_COMMAND 513 /* bytes: a song of 255 notes */
 
 /* What the stream has. */
-static const uint8_t streamed[] = {
-    FROB_CREATE_BUMPS_AND_DROPS,  FROB_CREATE_CLIFF_LEFT,        FROB_CREATE_CLIFF_FRONT_LEFT,
-    FROB_CREATE_CLIFF_FRONT_RIGHT, FROB_CREATE_CLIFF_RIGHT,      FROB_CREATE_VIRTUAL_WALL,
-    FROB_CREATE_OVERCURRENT,      FROB_CREATE_INFRARED,          FROB_CREATE_BUTTONS,
-    FROB_CREATE_CHARGING,         FROB_CREATE_VOLTAGE,           FROB_CREATE_CHARGE,
-    FROB_CREATE_CAPACITY,         FROB_CREATE_CLIFF_LEFT_SIGNAL, FROB_CREATE_CLIFF_FRONT_LEFT_SIGNAL,
-    FROB_CREATE_CLIFF_FRONT_RIGHT_SIGNAL, FROB_CREATE_CLIFF_RIGHT_SIGNAL, FROB_CREATE_MODE,
-    FROB_CREATE_LEFT_COUNTS,      FROB_CREATE_RIGHT_COUNTS,      FROB_CREATE_LIGHT_LEFT,
-    FROB_CREATE_LIGHT_FRONT_LEFT, FROB_CREATE_LIGHT_CENTER_LEFT, FROB_CREATE_LIGHT_CENTER_RIGHT,
-    FROB_CREATE_LIGHT_FRONT_RIGHT, FROB_CREATE_LIGHT_RIGHT
-};
+static const uint8_t streamed[] = { FROB_CREATE_BUMPS_AND_DROPS,
+                                    FROB_CREATE_CLIFF_LEFT,
+                                    FROB_CREATE_CLIFF_FRONT_LEFT,
+                                    FROB_CREATE_CLIFF_FRONT_RIGHT,
+                                    FROB_CREATE_CLIFF_RIGHT,
+                                    FROB_CREATE_VIRTUAL_WALL,
+                                    FROB_CREATE_OVERCURRENT,
+                                    FROB_CREATE_INFRARED,
+                                    FROB_CREATE_BUTTONS,
+                                    FROB_CREATE_CHARGING,
+                                    FROB_CREATE_VOLTAGE,
+                                    FROB_CREATE_CHARGE,
+                                    FROB_CREATE_CAPACITY,
+                                    FROB_CREATE_CLIFF_LEFT_SIGNAL,
+                                    FROB_CREATE_CLIFF_FRONT_LEFT_SIGNAL,
+                                    FROB_CREATE_CLIFF_FRONT_RIGHT_SIGNAL,
+                                    FROB_CREATE_CLIFF_RIGHT_SIGNAL,
+                                    FROB_CREATE_MODE,
+                                    FROB_CREATE_LEFT_COUNTS,
+                                    FROB_CREATE_RIGHT_COUNTS,
+                                    FROB_CREATE_LIGHT_LEFT,
+                                    FROB_CREATE_LIGHT_FRONT_LEFT,
+                                    FROB_CREATE_LIGHT_CENTER_LEFT,
+                                    FROB_CREATE_LIGHT_CENTER_RIGHT,
+                                    FROB_CREATE_LIGHT_FRONT_RIGHT,
+                                    FROB_CREATE_LIGHT_RIGHT };
 
 /* Frames come every 15 ms. A stream that pauses is asked for again; a robot
  * that is silent longer is lost. */
@@ -84,7 +99,8 @@ static enum frob_status send_start(struct frob_create *d)
 {
     uint8_t bytes[1];
     enum frob_status status = flush(d);
-    return status == FROB_OK ? write(d, bytes, frob_create_plain(FROB_CREATE_START, bytes)) : status;
+    return status == FROB_OK ? write(d, bytes, frob_create_plain(FROB_CREATE_START, bytes))
+                             : status;
 }
 
 static enum frob_status send_mode(struct frob_create *d)
@@ -132,7 +148,8 @@ static enum frob_status connect_further(struct frob_create *d, int64_t now_ns)
 
 static bool drives_in(const struct frob_create *d, unsigned mode)
 {
-    return mode == (d->settings[FROB_CREATE_IN_FULL] != 0.0 ? FROB_CREATE_MODE_FULL : FROB_CREATE_MODE_SAFE);
+    return mode == (d->settings[FROB_CREATE_IN_FULL] != 0.0 ? FROB_CREATE_MODE_FULL
+                                                            : FROB_CREATE_MODE_SAFE);
 }
 
 /* Takes a frame. One with counts out of reach is damaged, and not taken. */
@@ -190,7 +207,8 @@ static void start(void *device, const double *settings, const struct frob_serial
     d->step = FROB_CREATE_RESTING;
     d->heard_ns = frob_now_ns(clock);
     d->sensed_ns = INT64_MIN;
-    frob_create_stream_init(&d->stream, streamed, sizeof streamed, settings[FROB_CREATE_HEADER_IN_SUM] != 0.0);
+    frob_create_stream_init(&d->stream, streamed, sizeof streamed,
+                            settings[FROB_CREATE_HEADER_IN_SUM] != 0.0);
     /* A line that cannot has its rate already, or no frame comes. */
     serial->operations->set_rate(serial->port, (uint32_t)settings[FROB_CREATE_BAUD]);
     serial->operations->discard(serial->port);
@@ -221,15 +239,11 @@ static int64_t due_ns(const void *device)
     const struct frob_create *d = (const struct frob_create *)device;
     int64_t asked_ns;
     switch (d->step) {
-    case FROB_CREATE_RESTING:
-        return d->heard_ns;
+    case FROB_CREATE_RESTING: return d->heard_ns;
     case FROB_CREATE_STARTED:
-    case FROB_CREATE_IN_MODE:
-        return d->step_ns + ns(d->settings[FROB_CREATE_MODE_PAUSE_S]);
-    case FROB_CREATE_STREAMING:
-        return d->step_ns + ANSWER_NS;
-    case FROB_CREATE_CONNECTED:
-        break;
+    case FROB_CREATE_IN_MODE: return d->step_ns + ns(d->settings[FROB_CREATE_MODE_PAUSE_S]);
+    case FROB_CREATE_STREAMING: return d->step_ns + ANSWER_NS;
+    case FROB_CREATE_CONNECTED: break;
     }
     asked_ns = d->asked_ns > d->heard_ns ? d->asked_ns : d->heard_ns;
     return asked_ns + ASK_AGAIN_NS;
@@ -337,7 +351,8 @@ static const char *describe(const void *device)
     if (!d->refused)
         return "iRobot Create 2";
     return d->step == FROB_CREATE_CONNECTED
-               ? "iRobot Create 2, which left the mode in which it drives: a cliff, a wheel drop or a charger"
+               ? "iRobot Create 2, which left the mode in which it drives: a cliff, a wheel drop "
+                 "or a charger"
                : "iRobot Create 2, which does not enter the mode in which it drives";
 }
 
@@ -348,12 +363,15 @@ static double most(const void *device, size_t i)
 }
 
 static const struct frob_setting settings_table[FROB_CREATE_SETTING_COUNT] = {
-    { "baud", 115200, 300, 115200, "rate of the serial line, bits per second (57600 for a Create 1)" },
-    { "full", 0, 0, 1, "1 for mode Full, in which the robot does not stop at cliffs and wheel drops" },
+    { "baud", 115200, 300, 115200,
+      "rate of the serial line, bits per second (57600 for a Create 1)" },
+    { "full", 0, 0, 1,
+      "1 for mode Full, in which the robot does not stop at cliffs and wheel drops" },
     { "header-in-sum", 1, 0, 1, "1 if a frame's header is part of its sum (0 for a Create 1)" },
     { "wheel-separation", 0.235, 0.1, 1, "between the wheels, m (0.258 for a Create 1)" },
     { "mode-pause", 0.05, 0.02, 1, "after a change of mode, s" },
-    { "padding", 4, 0, MOST_PADDING, "zeros before each command that drives: they end an incomplete one" },
+    { "padding", 4, 0, MOST_PADDING,
+      "zeros before each command that drives: they end an incomplete one" },
     { "right-overcurrent", 3, 0, 7, "its bit in packet 14 (2 according to pycreate2)" },
     { "left-overcurrent", 4, 0, 7, "its bit in packet 14 (3 according to pycreate2)" },
 };
@@ -361,25 +379,23 @@ static const struct frob_setting settings_table[FROB_CREATE_SETTING_COUNT] = {
 static const size_t drives[] = { offsetof(struct frob_create_output, forward),
                                  offsetof(struct frob_create_output, turn) };
 
-const struct frob_driver frob_create_driver = {
-    "create",
-    115200,
-    sizeof(struct frob_create),
-    sizeof(struct frob_create_input),
-    sizeof(struct frob_create_output),
-    settings_table,
-    FROB_CREATE_SETTING_COUNT,
-    drives,
-    sizeof drives / sizeof drives[0],
-    most,
-    start,
-    poll,
-    due_ns,
-    sensed_ns,
-    sense,
-    command,
-    stop,
-    close,
-    describe,
-    stands
-};
+const struct frob_driver frob_create_driver = { "create",
+                                                115200,
+                                                sizeof(struct frob_create),
+                                                sizeof(struct frob_create_input),
+                                                sizeof(struct frob_create_output),
+                                                settings_table,
+                                                FROB_CREATE_SETTING_COUNT,
+                                                drives,
+                                                sizeof drives / sizeof drives[0],
+                                                most,
+                                                start,
+                                                poll,
+                                                due_ns,
+                                                sensed_ns,
+                                                sense,
+                                                command,
+                                                stop,
+                                                close,
+                                                describe,
+                                                stands };

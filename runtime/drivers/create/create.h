@@ -61,16 +61,16 @@ struct frob_create {
     struct frob_serial serial;
     struct frob_clock clock;
     enum frob_create_step step;
-    unsigned attempts;        /* to connect */
-    int64_t step_ns;          /* when the step's command was sent */
-    int64_t heard_ns;         /* when the last frame came, or the connection began */
-    int64_t byte_ns;          /* the last byte */
-    int64_t sensed_ns;        /* when the last frame came */
-    int64_t asked_ns;         /* when the stream was asked for */
-    unsigned out_of_mode;     /* frames, one after the other */
-    bool refused;             /* the robot is not in a mode in which it drives */
-    uint8_t lights[4];        /* the command LEDS that was sent last */
-    int64_t lights_ns;        /* and when */
+    unsigned attempts;    /* to connect */
+    int64_t step_ns;      /* when the step's command was sent */
+    int64_t heard_ns;     /* when the last frame came, or the connection began */
+    int64_t byte_ns;      /* the last byte */
+    int64_t sensed_ns;    /* when the last frame came */
+    int64_t asked_ns;     /* when the stream was asked for */
+    unsigned out_of_mode; /* frames, one after the other */
+    bool refused;         /* the robot is not in a mode in which it drives */
+    uint8_t lights[4];    /* the command LEDS that was sent last */
+    int64_t lights_ns;    /* and when */
     struct frob_create_stream stream;
     struct frob_create_sensors sensors;
     struct frob_create_odometry odometry;

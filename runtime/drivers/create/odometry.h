@@ -21,10 +21,10 @@ extern "C" {
 struct frob_create_odometry {
     bool known;
     uint16_t left_counts, right_counts;
-    int64_t taken_ns;    /* when they were read */
-    unsigned refused;    /* frames, one after the other */
-    double x_m, y_m;     /* from where the robot was first, which looked along x */
-    double heading_rad;  /* not reduced to a turn */
+    int64_t taken_ns;       /* when they were read */
+    unsigned refused;       /* frames, one after the other */
+    double x_m, y_m;        /* from where the robot was first, which looked along x */
+    double heading_rad;     /* not reduced to a turn */
     double left_m, right_m; /* ways of the wheels since the measurement of speeds, */
     int64_t measured_ns;    /* which began here */
     double left_m_s, right_m_s;

@@ -39,48 +39,24 @@ bool frob_create_read_packet(unsigned id, const uint8_t *data, struct frob_creat
     case FROB_CREATE_CLIFF_LEFT:
     case FROB_CREATE_CLIFF_FRONT_LEFT:
     case FROB_CREATE_CLIFF_FRONT_RIGHT:
-    case FROB_CREATE_CLIFF_RIGHT:
-        s->cliff[id - FROB_CREATE_CLIFF_LEFT] = data[0] != 0;
-        return true;
-    case FROB_CREATE_VIRTUAL_WALL:
-        s->virtual_wall = data[0] != 0;
-        return true;
-    case FROB_CREATE_OVERCURRENT:
-        s->overcurrent = data[0];
-        return true;
-    case FROB_CREATE_INFRARED:
-        s->infrared = data[0];
-        return true;
-    case FROB_CREATE_BUTTONS:
-        s->buttons = data[0];
-        return true;
-    case FROB_CREATE_CHARGING:
-        s->charging = data[0];
-        return true;
-    case FROB_CREATE_VOLTAGE:
-        s->battery_mv = u16(data);
-        return true;
-    case FROB_CREATE_CHARGE:
-        s->charge_mah = u16(data);
-        return true;
-    case FROB_CREATE_CAPACITY:
-        s->capacity_mah = u16(data);
-        return true;
+    case FROB_CREATE_CLIFF_RIGHT: s->cliff[id - FROB_CREATE_CLIFF_LEFT] = data[0] != 0; return true;
+    case FROB_CREATE_VIRTUAL_WALL: s->virtual_wall = data[0] != 0; return true;
+    case FROB_CREATE_OVERCURRENT: s->overcurrent = data[0]; return true;
+    case FROB_CREATE_INFRARED: s->infrared = data[0]; return true;
+    case FROB_CREATE_BUTTONS: s->buttons = data[0]; return true;
+    case FROB_CREATE_CHARGING: s->charging = data[0]; return true;
+    case FROB_CREATE_VOLTAGE: s->battery_mv = u16(data); return true;
+    case FROB_CREATE_CHARGE: s->charge_mah = u16(data); return true;
+    case FROB_CREATE_CAPACITY: s->capacity_mah = u16(data); return true;
     case FROB_CREATE_CLIFF_LEFT_SIGNAL:
     case FROB_CREATE_CLIFF_FRONT_LEFT_SIGNAL:
     case FROB_CREATE_CLIFF_FRONT_RIGHT_SIGNAL:
     case FROB_CREATE_CLIFF_RIGHT_SIGNAL:
         s->cliff_signal[id - FROB_CREATE_CLIFF_LEFT_SIGNAL] = u16(data);
         return true;
-    case FROB_CREATE_MODE:
-        s->mode = data[0];
-        return true;
-    case FROB_CREATE_LEFT_COUNTS:
-        s->left_counts = u16(data);
-        return true;
-    case FROB_CREATE_RIGHT_COUNTS:
-        s->right_counts = u16(data);
-        return true;
+    case FROB_CREATE_MODE: s->mode = data[0]; return true;
+    case FROB_CREATE_LEFT_COUNTS: s->left_counts = u16(data); return true;
+    case FROB_CREATE_RIGHT_COUNTS: s->right_counts = u16(data); return true;
     case FROB_CREATE_LIGHT_LEFT:
     case FROB_CREATE_LIGHT_FRONT_LEFT:
     case FROB_CREATE_LIGHT_CENTER_LEFT:
@@ -89,8 +65,7 @@ bool frob_create_read_packet(unsigned id, const uint8_t *data, struct frob_creat
     case FROB_CREATE_LIGHT_RIGHT:
         s->light_signal[id - FROB_CREATE_LIGHT_LEFT] = u16(data);
         return true;
-    default:
-        return false;
+    default: return false;
     }
 }
 

@@ -66,8 +66,8 @@ struct frob_create_sensors {
     uint16_t cliff_signal[FROB_CREATE_CLIFFS]; /* infrared that the floor gives back */
     bool virtual_wall;
     uint8_t overcurrent; /* bits of the motors */
-    uint8_t infrared; /* the character that the receiver on top sees; 0: none */
-    uint8_t buttons;  /* bit 0 clean, 1 spot, 2 dock, 3 minute, 4 hour, 5 day, 6 schedule, 7 clock */
+    uint8_t infrared;    /* the character that the receiver on top sees; 0: none */
+    uint8_t buttons; /* bit 0 clean, 1 spot, 2 dock, 3 minute, 4 hour, 5 day, 6 schedule, 7 clock */
     uint8_t charging; /* 0 no, 1 reconditioning, 2 full, 3 trickle, 4 waiting, 5 fault */
     uint16_t battery_mv;
     uint16_t charge_mah, capacity_mah;

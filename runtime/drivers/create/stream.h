@@ -33,11 +33,11 @@ enum {
 struct frob_create_stream {
     uint8_t ids[FROB_CREATE_MAX_IDS];
     uint8_t id_count;
-    uint8_t frame_size;    /* with header, N and sum */
-    bool header_in_sum;    /* true for a Create 2 */
-    uint8_t window[256];   /* a ring of bytes received */
-    uint8_t next;          /* where the next byte goes; wraps as the ring does */
-    uint8_t sum;           /* of the last frame_size bytes, modulo 256 */
+    uint8_t frame_size;  /* with header, N and sum */
+    bool header_in_sum;  /* true for a Create 2 */
+    uint8_t window[256]; /* a ring of bytes received */
+    uint8_t next;        /* where the next byte goes; wraps as the ring does */
+    uint8_t sum;         /* of the last frame_size bytes, modulo 256 */
 };
 
 /* Prepares to receive frames of these packets. False if a packet is unknown,

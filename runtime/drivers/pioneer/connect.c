@@ -7,15 +7,15 @@
 enum {
     OVERHEARING_MS = 150, /* longer than from one SIP to the next */
     SYNC_PATIENCE_MS = 250,
-    SYNC_ATTEMPTS = 2,   /* at one rate */
-    ROUNDS = 3,          /* over all rates */
-    CLOSING_MS = 200,    /* a SIP in its second half: CLOSE was lost */
-    STEP_MS = 20,        /* between the commands that open a session */
-    SWITCHING_MS = 100,  /* the robot's, from HOSTBAUD to the new rate */
+    SYNC_ATTEMPTS = 2,  /* at one rate */
+    ROUNDS = 3,         /* over all rates */
+    CLOSING_MS = 200,   /* a SIP in its second half: CLOSE was lost */
+    STEP_MS = 20,       /* between the commands that open a session */
+    SWITCHING_MS = 100, /* the robot's, from HOSTBAUD to the new rate */
     SIP_PATIENCE_MS = 1000,
     CONFIG_PATIENCE_MS = 300,
     CONFIG_ATTEMPTS = 3,
-    AFTER_RATE = 6       /* the step of opening behind those that switch the rate */
+    AFTER_RATE = 6 /* the step of opening behind those that switch the rate */
 };
 
 /* In the order in which robots are usually found. */
@@ -184,24 +184,19 @@ static enum frob_status identified(struct frob_pioneer *d)
 static int32_t baud_number(uint32_t rate)
 {
     switch (rate) {
-    case 9600:
-        return 0;
-    case 19200:
-        return 1;
-    case 38400:
-        return 2;
-    case 57600:
-        return 3;
-    case 115200:
-        return 4;
-    default:
-        return -1;
+    case 9600: return 0;
+    case 19200: return 1;
+    case 38400: return 2;
+    case 57600: return 3;
+    case 115200: return 4;
+    default: return -1;
     }
 }
 
 static bool switches(const struct frob_pioneer *d)
 {
-    return !d->rate_fixed && d->model.switch_rate != d->rate && baud_number(d->model.switch_rate) >= 0;
+    return !d->rate_fixed && d->model.switch_rate != d->rate &&
+           baud_number(d->model.switch_rate) >= 0;
 }
 
 /* Not where the line could not follow: there the robot would be lost, at this
@@ -224,18 +219,10 @@ static enum frob_status open_step(struct frob_pioneer *d)
     enum frob_status status = FROB_OK;
     int64_t pause_ms = STEP_MS;
     switch (d->step++) {
-    case 0:
-        status = frob_pioneer_send(d, FROB_P2OS_OPEN);
-        break;
-    case 1:
-        status = frob_pioneer_send_int(d, FROB_P2OS_VEL, 0);
-        break;
-    case 2:
-        status = frob_pioneer_send_int(d, FROB_P2OS_RVEL, 0);
-        break;
-    case 3:
-        status = frob_pioneer_send(d, FROB_P2OS_PULSE);
-        break;
+    case 0: status = frob_pioneer_send(d, FROB_P2OS_OPEN); break;
+    case 1: status = frob_pioneer_send_int(d, FROB_P2OS_VEL, 0); break;
+    case 2: status = frob_pioneer_send_int(d, FROB_P2OS_RVEL, 0); break;
+    case 3: status = frob_pioneer_send(d, FROB_P2OS_PULSE); break;
     case 4:
         status = send_hostbaud(d);
         if (d->step == AFTER_RATE)
@@ -245,9 +232,7 @@ static enum frob_status open_step(struct frob_pioneer *d)
         status = set_rate(d, d->model.switch_rate);
         pause_ms = SWITCHING_MS;
         break;
-    case AFTER_RATE:
-        status = frob_pioneer_send_int(d, FROB_P2OS_SONAR, 1);
-        break;
+    case AFTER_RATE: status = frob_pioneer_send_int(d, FROB_P2OS_SONAR, 1); break;
     case 7:
         status = frob_pioneer_send_int(d, FROB_P2OS_ENABLE, 1);
         d->motors_seen = false;
@@ -298,8 +283,8 @@ static enum frob_status no_sip(struct frob_pioneer *d)
 static enum frob_status sync_packet(struct frob_pioneer *d, const struct frob_p2os_packet *packet)
 {
     uint8_t type = packet->body[0];
-    if (type == d->sync && (type < 2 ? packet->length == 1
-                                     : frob_p2os_read_identity(packet, &d->identity))) {
+    if (type == d->sync &&
+        (type < 2 ? packet->length == 1 : frob_p2os_read_identity(packet, &d->identity))) {
         d->attempt = 1;
         return type < 2 ? send_sync(d, (uint8_t)(type + 1)) : identified(d);
     }
@@ -325,10 +310,8 @@ enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
     struct frob_p2os_sip sip;
     struct frob_p2os_robot_config config;
     switch (d->phase) {
-    case FROB_PIONEER_OVERHEARING:
-        return packet->body[0] > 2 ? end_session(d) : FROB_OK;
-    case FROB_PIONEER_SYNC:
-        return sync_packet(d, packet);
+    case FROB_PIONEER_OVERHEARING: return packet->body[0] > 2 ? end_session(d) : FROB_OK;
+    case FROB_PIONEER_SYNC: return sync_packet(d, packet);
     case FROB_PIONEER_LISTENING:
         if (frob_p2os_read_sip(packet, &sip)) {
             d->has_counters = false;
@@ -353,8 +336,7 @@ enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
         break;
     case FROB_PIONEER_OPENING:
     case FROB_PIONEER_SILENT:
-    case FROB_PIONEER_UNKNOWN:
-        break;
+    case FROB_PIONEER_UNKNOWN: break;
     }
     return FROB_OK;
 }
@@ -390,31 +372,21 @@ enum frob_status frob_pioneer_connect_advance(struct frob_pioneer *d)
     bool due = now >= d->until_ns;
     enum frob_status status = FROB_OK;
     switch (d->phase) {
-    case FROB_PIONEER_OVERHEARING:
-        status = due ? overheard(d) : FROB_OK;
-        break;
-    case FROB_PIONEER_SYNC:
-        status = due ? sync_again(d) : FROB_OK;
-        break;
+    case FROB_PIONEER_OVERHEARING: status = due ? overheard(d) : FROB_OK; break;
+    case FROB_PIONEER_SYNC: status = due ? sync_again(d) : FROB_OK; break;
     case FROB_PIONEER_CLOSING:
         status = !due ? FROB_OK : d->still_open ? end_session(d) : sync_after_close(d);
         break;
-    case FROB_PIONEER_OPENING:
-        status = due ? open_step(d) : FROB_OK;
-        break;
-    case FROB_PIONEER_LISTENING:
-        status = due ? no_sip(d) : FROB_OK;
-        break;
+    case FROB_PIONEER_OPENING: status = due ? open_step(d) : FROB_OK; break;
+    case FROB_PIONEER_LISTENING: status = due ? no_sip(d) : FROB_OK; break;
     case FROB_PIONEER_CONNECTED:
         if ((double)(now - d->sensed_ns) > d->settings[FROB_PIONEER_SILENCE] * 1e9) {
             d->phase = FROB_PIONEER_SILENT;
             return FROB_TIMEOUT;
         }
         return ask_config(d);
-    case FROB_PIONEER_SILENT:
-        return FROB_TIMEOUT;
-    case FROB_PIONEER_UNKNOWN:
-        return FROB_REFUSED;
+    case FROB_PIONEER_SILENT: return FROB_TIMEOUT;
+    case FROB_PIONEER_UNKNOWN: return FROB_REFUSED;
     }
     if (status != FROB_OK)
         return status;

@@ -28,7 +28,8 @@ static const struct frob_setting settings[FROB_PIONEER_SETTING_COUNT] = {
     { "motors-flag", NAN, 0, 1, "1: the flags say whether the motors are on" },
     { "hard-stop", 0, 0, 1, "1: stop without a ramp (E_STOP) in an emergency" },
     { "silence", 1.0, 0.1, 60, "s without a packet after which the connection is made anew" },
-    { "interval", NAN, 0.01, 1, "s between commands at the least; 0.01, at 9600 baud or an unknown rate 0.025" },
+    { "interval", NAN, 0.01, 1,
+      "s between commands at the least; 0.01, at 9600 baud or an unknown rate 0.025" },
     { "carry-on", 1, 0, 1, "1: between packets, odometry goes on by the wheels' speeds" },
 };
 

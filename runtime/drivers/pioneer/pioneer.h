@@ -54,10 +54,10 @@ enum { FROB_PIONEER_SONARS = 16 };
 /* Where connecting has got to. */
 enum frob_pioneer_phase {
     FROB_PIONEER_OVERHEARING, /* is the robot in a session already? */
-    FROB_PIONEER_SYNC, /* sync 0, 1 or 2 is sent, its echo awaited */
-    FROB_PIONEER_CLOSING, /* the robot was in a session; its end is awaited */
-    FROB_PIONEER_OPENING, /* the commands that begin a session are being sent */
-    FROB_PIONEER_LISTENING, /* for the first SIP */
+    FROB_PIONEER_SYNC,        /* sync 0, 1 or 2 is sent, its echo awaited */
+    FROB_PIONEER_CLOSING,     /* the robot was in a session; its end is awaited */
+    FROB_PIONEER_OPENING,     /* the commands that begin a session are being sent */
+    FROB_PIONEER_LISTENING,   /* for the first SIP */
     FROB_PIONEER_CONNECTED,
     FROB_PIONEER_SILENT, /* gave up: nobody answers */
     FROB_PIONEER_UNKNOWN /* the robot is of no known model */
@@ -78,19 +78,19 @@ struct frob_pioneer {
     struct frob_p2os_receiver receiver;
 
     enum frob_pioneer_phase phase;
-    uint8_t sync;         /* which of the three */
-    uint8_t attempt;      /* of what the phase sends */
-    uint8_t tried;        /* rates, so far */
-    uint8_t step;         /* of opening */
-    bool still_open;      /* a SIP came after CLOSE */
-    int64_t heard_ns;     /* the last byte */
-    bool motors_seen;     /* the motors have been on in this session */
-    int64_t until_ns;     /* when the phase loses patience, or sends its next */
-    uint32_t rate;        /* of the line now */
-    uint32_t good_rate;   /* at which a robot has answered; 0: not known */
-    uint32_t sync_rate;   /* at which it has shaken hands; 0: not known */
-    bool switch_failed;   /* at the switched rate nothing was heard */
-    bool rate_fixed;      /* the line could not change to the rate last tried */
+    uint8_t sync;       /* which of the three */
+    uint8_t attempt;    /* of what the phase sends */
+    uint8_t tried;      /* rates, so far */
+    uint8_t step;       /* of opening */
+    bool still_open;    /* a SIP came after CLOSE */
+    int64_t heard_ns;   /* the last byte */
+    bool motors_seen;   /* the motors have been on in this session */
+    int64_t until_ns;   /* when the phase loses patience, or sends its next */
+    uint32_t rate;      /* of the line now */
+    uint32_t good_rate; /* at which a robot has answered; 0: not known */
+    uint32_t sync_rate; /* at which it has shaken hands; 0: not known */
+    bool switch_failed; /* at the switched rate nothing was heard */
+    bool rate_fixed;    /* the line could not change to the rate last tried */
 
     struct frob_p2os_identity identity;
     struct frob_p2os_model model; /* with the settings that replace its factors */
@@ -119,8 +119,7 @@ extern const struct frob_driver frob_pioneer_driver;
 
 /* What transducer `i` heard last, and how long ago; false if it never did or
  * nothing was in range. */
-bool frob_pioneer_echo(const struct frob_pioneer *device, size_t i, double *range_m,
-                       double *age_s);
+bool frob_pioneer_echo(const struct frob_pioneer *device, size_t i, double *range_m, double *age_s);
 
 #ifdef __cplusplus
 }

@@ -10,11 +10,11 @@ enum frob_p2os_command_number {
     FROB_P2OS_PULSE = 0,
     FROB_P2OS_OPEN = 1,
     FROB_P2OS_CLOSE = 2,
-    FROB_P2OS_ENABLE = 4,    /* motors: 1 on, 0 off */
-    FROB_P2OS_VEL = 11,      /* mm/s */
-    FROB_P2OS_CONFIG = 18,   /* asks for the config packet */
-    FROB_P2OS_RVEL = 21,     /* deg/s, counter-clockwise */
-    FROB_P2OS_SONAR = 28,    /* 1 on, 0 off */
+    FROB_P2OS_ENABLE = 4,  /* motors: 1 on, 0 off */
+    FROB_P2OS_VEL = 11,    /* mm/s */
+    FROB_P2OS_CONFIG = 18, /* asks for the config packet */
+    FROB_P2OS_RVEL = 21,   /* deg/s, counter-clockwise */
+    FROB_P2OS_SONAR = 28,  /* 1 on, 0 off */
     FROB_P2OS_STOP = 29,
     FROB_P2OS_VEL2 = 32,     /* bytes: right wheel, left wheel */
     FROB_P2OS_HOSTBAUD = 50, /* 0 to 4: 9600, 19200, 38400, 57600, 115200 */

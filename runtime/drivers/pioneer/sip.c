@@ -118,9 +118,9 @@ bool frob_p2os_read_config(const struct frob_p2os_packet *packet,
     u8(&c);
     config->turn_top = u16(&c);
     config->speed_top = u16(&c);
-    u16(&c); /* rotational acceleration */
-    u16(&c); /* translational acceleration */
-    u16(&c); /* greatest PWM */
+    u16(&c);                           /* rotational acceleration */
+    u16(&c);                           /* translational acceleration */
+    u16(&c);                           /* greatest PWM */
     text(&c, skipped, sizeof skipped); /* name */
     config->sip_period = u8(&c);
     u8(&c);  /* host baud */

@@ -24,7 +24,7 @@ struct frob_p2os_echo {
  * `known` has a bit for each that the packet was long enough for. */
 struct frob_p2os_sip {
     bool moving;
-    uint16_t x, y;       /* counters of 15 bits that wrap */
+    uint16_t x, y; /* counters of 15 bits that wrap */
     int16_t heading;
     int16_t left, right; /* wheels' speeds */
     uint8_t battery;     /* 0.1 V */
@@ -56,10 +56,10 @@ bool frob_p2os_read_sip(const struct frob_p2os_packet *packet, struct frob_p2os_
 
 /* The part of the config packet that the driver uses. */
 struct frob_p2os_robot_config {
-    uint16_t turn_top;     /* deg/s */
-    uint16_t speed_top;    /* mm/s */
-    uint8_t sip_period;    /* ms */
-    uint16_t watchdog;     /* ms */
+    uint16_t turn_top;  /* deg/s */
+    uint16_t speed_top; /* mm/s */
+    uint8_t sip_period; /* ms */
+    uint16_t watchdog;  /* ms */
 };
 
 bool frob_p2os_read_config(const struct frob_p2os_packet *packet,

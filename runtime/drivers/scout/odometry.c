@@ -21,7 +21,8 @@ void frob_scout_odometry_reconnect(struct frob_scout_odometry *o)
 }
 
 /* The first state of a connection: where the robot says it is, is the place. */
-static void begin(struct frob_scout_odometry *o, const struct frob_scout_state *state, int64_t now_ns)
+static void begin(struct frob_scout_odometry *o, const struct frob_scout_state *state,
+                  int64_t now_ns)
 {
     o->known = true;
     o->axes_rad = o->place.heading_rad - state->heading * DEGREE_TENTH_RAD;

@@ -22,11 +22,11 @@ struct frob_scout_place {
 
 /* All zero at the start. */
 struct frob_scout_odometry {
-    bool known;             /* the fields of the connection's last state: */
+    bool known; /* the fields of the connection's last state: */
     int x, y, heading;
-    int64_t taken_ns;       /* when it came */
-    unsigned refused;       /* states, one after the other */
-    double axes_rad;        /* from the axes of these fields to those of the place */
+    int64_t taken_ns; /* when it came */
+    unsigned refused; /* states, one after the other */
+    double axes_rad;  /* from the axes of these fields to those of the place */
     struct frob_scout_place place, measured; /* now, and when the measurement of speeds began */
     int64_t measured_ns;
     double forward_m_s, turn_rad_s;

@@ -46,7 +46,8 @@ static enum frob_status send_stop(struct frob_scout *d)
     enum frob_status status = send(d, frob_scout_plain(FROB_SCOUT_ST));
     if (status != FROB_OK || d->sent_ns - d->heard_ns < UNHEARD_NS)
         return status;
-    status = d->serial.operations->write(d->serial.port, zeros, (size_t)d->settings[FROB_SCOUT_FLUSH]);
+    status =
+        d->serial.operations->write(d->serial.port, zeros, (size_t)d->settings[FROB_SCOUT_FLUSH]);
     return status == FROB_LOST ? status : send(d, frob_scout_plain(FROB_SCOUT_ST));
 }
 
@@ -63,16 +64,16 @@ static int64_t ask_ns(const struct frob_scout *d)
 static enum frob_status send_next(struct frob_scout *d, int64_t now_ns)
 {
     switch (d->step) {
-    case FROB_SCOUT_STOPPING:
-        return send_stop(d);
+    case FROB_SCOUT_STOPPING: return send_stop(d);
     case FROB_SCOUT_WATCHDOG:
         return send(d, frob_scout_watchdog((unsigned)d->settings[FROB_SCOUT_WATCHDOG_S]));
     case FROB_SCOUT_ACCELERATION:
-        return send(d, frob_scout_acceleration((unsigned)lround(d->settings[FROB_SCOUT_ACCELERATION_M_S2] / UNIT_M)));
+        return send(d, frob_scout_acceleration(
+                           (unsigned)lround(d->settings[FROB_SCOUT_ACCELERATION_M_S2] / UNIT_M)));
     case FROB_SCOUT_SONARS_ON:
-        return send(d, frob_scout_sonars_on((unsigned)d->settings[FROB_SCOUT_SONAR_MS] / FROB_SCOUT_SONAR_UNIT_MS));
-    case FROB_SCOUT_CONNECTED:
-        break;
+        return send(d, frob_scout_sonars_on((unsigned)d->settings[FROB_SCOUT_SONAR_MS] /
+                                            FROB_SCOUT_SONAR_UNIT_MS));
+    case FROB_SCOUT_CONNECTED: break;
     }
     if (d->velocity_waits)
         return send_velocity(d);
@@ -281,38 +282,39 @@ static double most(const void *device, size_t i)
 
 static const struct frob_setting settings_table[FROB_SCOUT_SETTING_COUNT] = {
     { "baud", 38400, 4800, 38400, "rate of the serial line, bits per second" },
-    { "watchdog", 1, 1, 255, "the robot stops by itself after this many seconds without a command" },
+    { "watchdog", 1, 1, 255,
+      "the robot stops by itself after this many seconds without a command" },
     { "left-first", 0, 0, 1, "1 if the first axis of commands is the left wheel" },
-    { "wheel-separation", 0.3452, 0.1, 1, "between the wheels, m (13.59 inches; some have measured 13.4)" },
+    { "wheel-separation", 0.3452, 0.1, 1,
+      "between the wheels, m (13.59 inches; some have measured 13.4)" },
     { "acceleration", NAN, 0.01, 10, "of the wheels, m/s^2 (else as the robot has it)" },
     { "sonar-period", 40, 4, 1020, "between two transducers' turns, ms" },
     { "poll-period", 0.05, 0.01, 1, "between two states, s" },
     { "patience", 0.1, 0.02, 1, "until a command without answer is given up, s" },
-    { "flush", LONGEST_PACKET, 0, LONGEST_PACKET, "zeros before a stop of a robot that is not heard" },
+    { "flush", LONGEST_PACKET, 0, LONGEST_PACKET,
+      "zeros before a stop of a robot that is not heard" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_scout_output, forward),
                                  offsetof(struct frob_scout_output, turn) };
 
-const struct frob_driver frob_scout_driver = {
-    "scout",
-    38400,
-    sizeof(struct frob_scout),
-    sizeof(struct frob_scout_input),
-    sizeof(struct frob_scout_output),
-    settings_table,
-    FROB_SCOUT_SETTING_COUNT,
-    drives,
-    sizeof drives / sizeof drives[0],
-    most,
-    start,
-    poll,
-    due_ns,
-    sensed_ns,
-    sense,
-    command,
-    stop,
-    close,
-    describe,
-    stands
-};
+const struct frob_driver frob_scout_driver = { "scout",
+                                               38400,
+                                               sizeof(struct frob_scout),
+                                               sizeof(struct frob_scout_input),
+                                               sizeof(struct frob_scout_output),
+                                               settings_table,
+                                               FROB_SCOUT_SETTING_COUNT,
+                                               drives,
+                                               sizeof drives / sizeof drives[0],
+                                               most,
+                                               start,
+                                               poll,
+                                               due_ns,
+                                               sensed_ns,
+                                               sense,
+                                               command,
+                                               stop,
+                                               close,
+                                               describe,
+                                               stands };

@@ -3,7 +3,16 @@
 #include <assert.h>
 
 /* Offsets in the data. */
-enum { SONAR = 0, BUMPERS = 16, X = 19, Y = 21, HEADING = 23, STATUS = 35, TIME = 36, VOLTAGES = 40 };
+enum {
+    SONAR = 0,
+    BUMPERS = 16,
+    X = 19,
+    Y = 21,
+    HEADING = 23,
+    STATUS = 35,
+    TIME = 36,
+    VOLTAGES = 40
+};
 
 bool frob_scout_is_state(const struct frob_scout_packet *packet)
 {
@@ -23,10 +32,8 @@ bool frob_scout_is_state(const struct frob_scout_packet *packet)
     case FROB_SCOUT_CONF_TM:
     case FROB_SCOUT_DA:
     case FROB_SCOUT_WS:
-    case FROB_SCOUT_MV:
-        return true;
-    default:
-        return false;
+    case FROB_SCOUT_MV: return true;
+    default: return false;
     }
 }
 
@@ -43,7 +50,8 @@ struct frob_scout_state frob_scout_read_state(const struct frob_scout_packet *pa
     assert(frob_scout_is_state(packet));
     for (size_t i = 0; i < FROB_SCOUT_SONARS; i++)
         state.sonar_in[i] = data[SONAR + i];
-    state.bumpers = (uint32_t)frob_scout_get_u16(data + BUMPERS) | (uint32_t)data[BUMPERS + 2] << 16;
+    state.bumpers = (uint32_t)frob_scout_get_u16(data + BUMPERS) | (uint32_t)data[BUMPERS + 2]
+                                                                       << 16;
     state.x = frob_scout_get_s16(data + X);
     state.y = frob_scout_get_s16(data + Y);
     state.heading = frob_scout_get_s16(data + HEADING);

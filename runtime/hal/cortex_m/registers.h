@@ -6,7 +6,8 @@
 
 /* The processor's timer, which counts down. */
 struct systick {
-    volatile uint32_t control; /* 1 counts, 2 interrupts, 4 the processor's clock; 1 << 16 wrapped */
+    volatile uint32_t
+        control; /* 1 counts, 2 interrupts, 4 the processor's clock; 1 << 16 wrapped */
     volatile uint32_t reload;
     volatile uint32_t value;
 };

@@ -58,8 +58,8 @@ __attribute__((section(".vectors"), used)) static const struct {
     { reset, unexpected, unexpected, unexpected, unexpected, unexpected, unexpected, unexpected,
       unexpected, unexpected, unexpected, unexpected, unexpected, unexpected, board_on_tick },
     { board_on_receive, unexpected, unexpected, unexpected, unexpected, unexpected, unexpected,
-      unexpected, unexpected, unexpected, unexpected, unexpected, unexpected, unexpected,
-      unexpected, unexpected, unexpected, unexpected, unexpected, unexpected, unexpected,
-      unexpected, unexpected, unexpected, unexpected, unexpected, unexpected, unexpected,
-      unexpected, unexpected, unexpected, unexpected },
+      unexpected,       unexpected, unexpected, unexpected, unexpected, unexpected, unexpected,
+      unexpected,       unexpected, unexpected, unexpected, unexpected, unexpected, unexpected,
+      unexpected,       unexpected, unexpected, unexpected, unexpected, unexpected, unexpected,
+      unexpected,       unexpected, unexpected, unexpected },
 };

@@ -14,8 +14,7 @@ bool frob_posix_lasting_name(const char *folder, const char *device, char *name,
     struct dirent *entry;
     bool found = false;
     DIR *links;
-    if (lstat(device, &status) != 0 || S_ISLNK(status.st_mode) ||
-        realpath(device, wanted) == NULL)
+    if (lstat(device, &status) != 0 || S_ISLNK(status.st_mode) || realpath(device, wanted) == NULL)
         return false;
     links = opendir(folder);
     if (links == NULL)

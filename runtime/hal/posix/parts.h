@@ -19,8 +19,8 @@ bool frob_posix_holder(const char *device, char *name, size_t room);
 
 /* tcp.c: connects to `tcp:HOST:PORT`, for at most 2 s an address, and keeps the
  * address in the line. */
-enum frob_status frob_posix_connect(struct frob_posix_line *line, const char *device,
-                                    char *message, size_t room);
+enum frob_status frob_posix_connect(struct frob_posix_line *line, const char *device, char *message,
+                                    size_t room);
 
 /* tcp.c: connects to the address that the line keeps, for at most half a second;
  * returns 0 or an error number. */

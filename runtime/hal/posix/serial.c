@@ -28,8 +28,8 @@ static void explain_denied(const char *device, char *message, size_t room)
     snprintf(message, room,
              "%s may not be opened by you: permission denied; join the group that may with `sudo "
              "adduser $USER %s`, then log out and in again",
-             device, group != NULL && strcmp(group->gr_name, "root") != 0 ? group->gr_name
-                                                                         : "dialout");
+             device,
+             group != NULL && strcmp(group->gr_name, "root") != 0 ? group->gr_name : "dialout");
 }
 
 static enum frob_status explain_busy(const char *device, char *message, size_t room)
@@ -57,12 +57,9 @@ static enum frob_status explain(int error, const char *device, char *message, si
         snprintf(message, room, "nothing answers behind %s: %s", device, strerror(error));
         return FROB_NOT_FOUND;
     case EACCES:
-    case EPERM:
-        explain_denied(device, message, room);
-        return FROB_DENIED;
+    case EPERM: explain_denied(device, message, room); return FROB_DENIED;
     case EBUSY:
-    case EWOULDBLOCK:
-        return explain_busy(device, message, room);
+    case EWOULDBLOCK: return explain_busy(device, message, room);
     case ENOTTY:
         snprintf(message, room, "%s is not a serial line", device);
         return FROB_UNSUPPORTED;

@@ -20,7 +20,7 @@ struct frob_posix_line {
     int fd; /* -1: not open */
     bool is_terminal;
     bool lost;
-    bool heard; /* at least one byte came, since it was first opened */
+    bool heard;              /* at least one byte came, since it was first opened */
     unsigned char peer[128]; /* of a TCP connection: its address, a struct sockaddr */
     unsigned peer_length;
 };

@@ -90,8 +90,8 @@ int frob_posix_connect_again(struct frob_posix_line *line)
                        AGAIN_PATIENCE_MS, &line->fd);
 }
 
-enum frob_status frob_posix_connect(struct frob_posix_line *line, const char *device,
-                                    char *message, size_t room)
+enum frob_status frob_posix_connect(struct frob_posix_line *line, const char *device, char *message,
+                                    size_t room)
 {
     char host[256], port[16];
     struct addrinfo hints, *addresses = NULL;

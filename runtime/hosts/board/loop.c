@@ -70,8 +70,8 @@ static struct frob_serial line;
 static struct frob_clock time_;
 static double settings[SETTINGS_MOST];
 static struct frob_robot robot;
-static int64_t due_ns;    /* the next instant; 0: when the robot is ready */
-static int64_t before_ns; /* the last instant; 0: there was none */
+static int64_t due_ns;            /* the next instant; 0: when the robot is ready */
+static int64_t before_ns;         /* the last instant; 0: there was none */
 static volatile int64_t alive_ns; /* when the loop last came round; 0: not running */
 static int64_t stopped_ns;
 static struct loop_counts counts;

@@ -41,8 +41,8 @@ static struct order order_of(uint32_t state)
 
 static uint32_t state_of(const struct order *o)
 {
-    uint32_t state = o->fresh << FRESH_BIT | (o->has_any ? 1u : 0u) << ANY_BIT |
-                     o->changes << CHANGES_BIT;
+    uint32_t state =
+        o->fresh << FRESH_BIT | (o->has_any ? 1u : 0u) << ANY_BIT | o->changes << CHANGES_BIT;
     for (unsigned i = 0; i < COUNT; i++)
         state |= o->at[i] << 3 * i;
     return state;

@@ -25,9 +25,9 @@ struct captured {
     enum frob_image_format format; /* of bytes */
     int64_t captured_ns;           /* on the monotonic clock */
     uint32_t number;
-    bool has_camera;               /* it says itself how its camera sees */
+    bool has_camera; /* it says itself how its camera sees */
     struct frob_camera camera;
-    struct frob_tags tags;         /* in it, where they are looked for */
+    struct frob_tags tags; /* in it, where they are looked for */
     uint8_t *pixels;
 };
 

@@ -17,8 +17,8 @@ static size_t find(const struct camera_options *options, size_t count, const cha
                    size_t length)
 {
     size_t i = 0;
-    while (i < count && (strlen(options[i].label) != length ||
-                         strncmp(options[i].label, label, length) != 0))
+    while (i < count &&
+           (strlen(options[i].label) != length || strncmp(options[i].label, label, length) != 0))
         i++;
     return i;
 }
@@ -34,8 +34,10 @@ bool cameras_options(struct camera_options options[CAMERAS_MOST], size_t *count,
         if (length == 0)
             continue;
         if (at == CAMERAS_MOST) {
-            fprintf(stderr, "error: %s asks for more than %d cameras, which is as many as a robot "
-                            "may have\n", program->name, CAMERAS_MOST);
+            fprintf(stderr,
+                    "error: %s asks for more than %d cameras, which is as many as a robot "
+                    "may have\n",
+                    program->name, CAMERAS_MOST);
             return false;
         }
         if (at == *count && !camera_options_init(&options[(*count)++], control->label, length))
@@ -202,12 +204,14 @@ static void tell_pair(struct stereo_pair *s, bool is_pair, int64_t without_ns)
         return;
     s->has_failed = true;
     s->failures++;
-    fprintf(stderr, "warning: cameras `left` and `right` give no pairs of frames: those nearest to "
-                    "each other were taken %.0f ms apart, and may be %.0f ms apart (%s): ",
+    fprintf(stderr,
+            "warning: cameras `left` and `right` give no pairs of frames: those nearest to "
+            "each other were taken %.0f ms apart, and may be %.0f ms apart (%s): ",
             (double)p->nearest_ns * 1e-6, (double)pair_most_ns(p) * 1e-6,
             pair_most_ns(p) == p->within_ns ? "pair_within" : "0.6 of a period");
-    fprintf(stderr, "have both take their frames at the same time and rate%s; if those of one come "
-                    "later than those of the other, set its latency to how much\n",
+    fprintf(stderr,
+            "have both take their frames at the same time and rate%s; if those of one come "
+            "later than those of the other, set its latency to how much\n",
             pair_most_ns(p) == p->within_ns ? ", or set pair_within to more" : "");
 }
 
@@ -217,9 +221,10 @@ static void check_seats(const struct stereo_pair *s)
     const struct frob_camera *l = &buffers_image(s->left->way.given)->camera;
     const struct frob_camera *r = &buffers_image(s->right->way.given)->camera;
     if (fabs(l->x_m - r->x_m) + fabs(l->y_m - r->y_m) + fabs(l->z_m - r->z_m) < 0.001)
-        fprintf(stderr, "warning: cameras `left` and `right` are said to sit at the same place, so "
-                        "that no depth can be computed: set where they sit, as `--set left.left=0.06 "
-                        "--set right.left=-0.06` for two that are 12 cm apart\n");
+        fprintf(stderr,
+                "warning: cameras `left` and `right` are said to sit at the same place, so "
+                "that no depth can be computed: set where they sit, as `--set left.left=0.06 "
+                "--set right.left=-0.06` for two that are 12 cm apart\n");
 }
 
 void cameras_print(const struct cameras *all)
@@ -280,8 +285,7 @@ static void give(const struct cameras *all, struct camera *c, const struct captu
     for (size_t i = 0; i < program->control_count; i++) {
         const struct frob_control *control = &program->console[i];
         const size_t length = frob_camera_label(control);
-        if (length == 0 || length != strlen(label) ||
-            strncmp(control->label, label, length) != 0)
+        if (length == 0 || length != strlen(label) || strncmp(control->label, label, length) != 0)
             continue;
         if (control->kind == FROB_CAMERA)
             frob_camera_give(control, input, image, now_ns);

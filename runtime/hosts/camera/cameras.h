@@ -20,9 +20,9 @@ struct camera {
     pid_t process; /* 0: none */
     int socket;
     bool works, has_failed;
-    char seen[640];          /* what its frames are like; empty before the first */
-    uint32_t given;          /* to the program */
-    int64_t last_number;     /* of those; -1: none yet */
+    char seen[640];      /* what its frames are like; empty before the first */
+    uint32_t given;      /* to the program */
+    int64_t last_number; /* of those; -1: none yet */
     uint32_t failures;
 };
 
@@ -40,7 +40,8 @@ struct cameras {
     struct camera each[CAMERAS_MOST];
     size_t count;
     struct stereo_pair stereo;
-    struct tag_finder finder; /* if tags are asked for: each process that looks for them has a copy */
+    struct tag_finder
+        finder; /* if tags are asked for: each process that looks for them has a copy */
     bool tells; /* also of what is as it should be */
 };
 

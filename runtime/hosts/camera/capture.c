@@ -16,7 +16,7 @@
 
 #define RETRY_NS INT64_C(500000000)
 #define SILENT_NS INT64_C(1000000000) /* without a frame, at least */
-#define BEGIN_NS INT64_C(5000000) /* how soon recorded frames begin after the program */
+#define BEGIN_NS INT64_C(5000000)     /* how soon recorded frames begin after the program */
 enum { WAIT_MS = 100, HANGS_MS = 4000 };
 
 struct capture {
@@ -101,8 +101,7 @@ static bool enter(struct capture *c)
 
 static bool is_same(const struct captured *a, const struct captured *b)
 {
-    return b != NULL && a->width == b->width && a->height == b->height &&
-           a->format == b->format &&
+    return b != NULL && a->width == b->width && a->height == b->height && a->format == b->format &&
            memcmp(a->pixels, b->pixels,
                   (size_t)a->width * (size_t)a->height *
                       (size_t)frob_image_pixel_size(a->format)) == 0;
@@ -148,7 +147,7 @@ static void describe(const struct capture *c, const struct captured *frame, char
              "up, tilted down by %.0f degrees",
              (int)frame->width, (int)frame->height, name_of(frame->format),
              c->source.what[0] != '\0' ? ", " : "", c->source.what, seen.focal_x,
-             frame->has_camera ? " as the frame says"
+             frame->has_camera         ? " as the frame says"
              : s[CAMERA_FOCAL_X] > 0.0 ? ""
                                        : " by its field of view",
              seen.x_m, seen.y_m, seen.z_m, seen.pitch_rad * 57.295779513082323);
@@ -167,11 +166,12 @@ static void got_frame(struct capture *c, struct captured *frame)
     const int64_t now = source_now_ns();
     frame->number = c->number + c->source.lost;
     if (!is_right_size(c, frame)) {
-        source_fail(&c->source, SOURCE_BROKEN,
-                    "a frame is %d x %d, %s, and not %d x %d, %s as it should be: set width, height "
-                    "and grey to what the camera gives, or the camera to these",
-                    (int)frame->width, (int)frame->height, name_of(frame->format), (int)c->width,
-                    (int)c->height, name_of(c->format));
+        source_fail(
+            &c->source, SOURCE_BROKEN,
+            "a frame is %d x %d, %s, and not %d x %d, %s as it should be: set width, height "
+            "and grey to what the camera gives, or the camera to these",
+            (int)frame->width, (int)frame->height, name_of(frame->format), (int)c->width,
+            (int)c->height, name_of(c->format));
         refuse(c);
         return;
     }
@@ -224,15 +224,11 @@ static void step(struct capture *c)
         return;
     }
     switch (c->source.kind->next(&c->source, buffers_back(c->buffers), WAIT_MS)) {
-    case SOURCE_FRAME:
-        got_frame(c, buffers_back(c->buffers));
-        break;
+    case SOURCE_FRAME: got_frame(c, buffers_back(c->buffers)); break;
     case SOURCE_BROKEN:
         c->source.lost++;
         /* fall through */
-    case SOURCE_NOTHING:
-        got_nothing(c);
-        break;
+    case SOURCE_NOTHING: got_nothing(c); break;
     case SOURCE_FAULT:
         leave(c);
         complain(c, c->source.fault);

@@ -59,8 +59,7 @@ ptrdiff_t chunks_take(struct chunks *c, uint8_t *bytes, size_t size)
             }
             from++;
             break;
-        case CHUNKS_OVER:
-            return (ptrdiff_t)to;
+        case CHUNKS_OVER: return (ptrdiff_t)to;
         }
     }
     return (ptrdiff_t)to;

@@ -9,7 +9,7 @@
 
 struct chunks {
     enum { CHUNKS_LENGTH, CHUNKS_REST_OF_LINE, CHUNKS_DATA, CHUNKS_END_OF_DATA, CHUNKS_OVER } state;
-    uint64_t left;  /* of this chunk; while it is read, its length */
+    uint64_t left; /* of this chunk; while it is read, its length */
     bool digits;
 };
 

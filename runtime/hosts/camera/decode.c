@@ -39,8 +39,8 @@ void decode_to_grey(struct captured *frame)
     frame->format = FROB_GREY8;
 }
 
-const char *decode_picture(const uint8_t *bytes, size_t size, bool is_grey,
-                           struct captured *frame, char message[256])
+const char *decode_picture(const uint8_t *bytes, size_t size, bool is_grey, struct captured *frame,
+                           char message[256])
 {
     const char *fault;
     if (size >= 2 && bytes[0] == 0xFF && bytes[1] == 0xD8)

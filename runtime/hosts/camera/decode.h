@@ -9,8 +9,8 @@ size_t decode_raw_size(const struct camera_options *o);
 
 /* A picture that tells its form itself: PGM or PPM of 8 bits, or JPEG. NULL, or why there is no
  * frame: cause and cure, about "a frame", in `message`. `is_grey`: colours are left out. */
-const char *decode_picture(const uint8_t *bytes, size_t size, bool is_grey,
-                           struct captured *frame, char message[256]);
+const char *decode_picture(const uint8_t *bytes, size_t size, bool is_grey, struct captured *frame,
+                           char message[256]);
 
 /* PGM or PPM, in which the frame's own camera may be told (<frob/frame.h>). */
 const char *decode_netpbm(const uint8_t *bytes, size_t size, struct captured *frame,

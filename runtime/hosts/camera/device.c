@@ -60,8 +60,10 @@ static bool is_camera(struct source *s, const struct device *d)
     }
     caps = (can.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? can.device_caps : can.capabilities;
     if ((caps & V4L2_CAP_VIDEO_CAPTURE) == 0 || (caps & V4L2_CAP_STREAMING) == 0) {
-        source_fail(s, SOURCE_FAULT, "this device of `%.32s` gives no frames: many cameras have two, "
-                                     "take the other one", (const char *)can.card);
+        source_fail(s, SOURCE_FAULT,
+                    "this device of `%.32s` gives no frames: many cameras have two, "
+                    "take the other one",
+                    (const char *)can.card);
         return false;
     }
     return true;
@@ -77,8 +79,9 @@ static uint32_t choose(const struct source *s, const struct device *d, int width
                                       V4L2_PIX_FMT_GREY };
     static const uint32_t grey[] = { V4L2_PIX_FMT_GREY, V4L2_PIX_FMT_YUYV, V4L2_PIX_FMT_MJPEG,
                                      V4L2_PIX_FMT_JPEG };
-    const uint32_t *wanted =
-        s->options->settings[CAMERA_GREY] > 0.0 ? grey : width <= 640 ? small : large;
+    const uint32_t *wanted = s->options->settings[CAMERA_GREY] > 0.0 ? grey
+                             : width <= 640                          ? small
+                                                                     : large;
     size_t best = 4;
     struct v4l2_fmtdesc offered;
     for (uint32_t i = 0; i < 64; i++) {
@@ -108,8 +111,9 @@ static bool set_form(struct source *s, struct device *d)
     form.fmt.pix.pixelformat = wanted;
     form.fmt.pix.field = V4L2_FIELD_ANY;
     if (wanted == 0) {
-        source_fail(s, SOURCE_FAULT, "it gives its frames in no form that is known here (YUYV, MJPEG, "
-                                     "grey); let ffmpeg read it, into a pipe of raw frames");
+        source_fail(s, SOURCE_FAULT,
+                    "it gives its frames in no form that is known here (YUYV, MJPEG, "
+                    "grey); let ffmpeg read it, into a pipe of raw frames");
         return false;
     }
     if (request(d, VIDIOC_S_FMT, &form) != 0) {
@@ -123,8 +127,10 @@ static bool set_form(struct source *s, struct device *d)
     if (d->form.pixelformat != wanted ||
         (set[CAMERA_WIDTH] > 0.0 &&
          (d->form.width != (uint32_t)width || d->form.height != (uint32_t)height))) {
-        source_fail(s, SOURCE_FAULT, "it gives no frames of %d x %d, but of %u x %u: set width and "
-                                     "height to these", width, height, d->form.width, d->form.height);
+        source_fail(s, SOURCE_FAULT,
+                    "it gives no frames of %d x %d, but of %u x %u: set width and "
+                    "height to these",
+                    width, height, d->form.width, d->form.height);
         return false;
     }
     return true;
@@ -210,10 +216,11 @@ static bool open_device(struct source *s)
     d->file = open(s->options->source, O_RDWR | O_NONBLOCK | O_CLOEXEC);
     if (d->file < 0) {
         source_fail(s, SOURCE_FAULT, "it cannot be opened: %s%s", strerror(errno),
-                    errno == ENOENT   ? "; is it plugged in? `ls /dev/video*` shows what is there"
-                    : errno == EACCES ? "; its users are of the group `video`: usermod -aG video YOU"
-                    : errno == EBUSY  ? "; another program uses it"
-                                      : "");
+                    errno == ENOENT ? "; is it plugged in? `ls /dev/video*` shows what is there"
+                    : errno == EACCES
+                        ? "; its users are of the group `video`: usermod -aG video YOU"
+                    : errno == EBUSY ? "; another program uses it"
+                                     : "");
         free(d);
         return false;
     }
@@ -271,10 +278,10 @@ static enum source_result take(struct source *s, struct device *d, struct v4l2_b
 static int64_t time_of(const struct v4l2_buffer *buffer)
 {
     const int64_t now = source_now_ns();
-    const int64_t stamp = (int64_t)buffer->timestamp.tv_sec * 1000000000 +
-                          (int64_t)buffer->timestamp.tv_usec * 1000;
-    const bool is_monotonic = (buffer->flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) ==
-                              V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
+    const int64_t stamp =
+        (int64_t)buffer->timestamp.tv_sec * 1000000000 + (int64_t)buffer->timestamp.tv_usec * 1000;
+    const bool is_monotonic =
+        (buffer->flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
     return is_monotonic && stamp > 0 && stamp <= now ? stamp : now;
 }
 
@@ -285,15 +292,15 @@ static const char *decode(const struct source *s, const struct device *d,
     const uint8_t *bytes = d->buffers[buffer->index].bytes;
     const size_t room = d->buffers[buffer->index].size;
     const size_t size = buffer->bytesused < room ? buffer->bytesused : room;
-    const bool is_grey = s->options->settings[CAMERA_GREY] > 0.0 ||
-                         d->form.pixelformat == V4L2_PIX_FMT_GREY;
+    const bool is_grey =
+        s->options->settings[CAMERA_GREY] > 0.0 || d->form.pixelformat == V4L2_PIX_FMT_GREY;
     const char *fault;
     if ((buffer->flags & V4L2_BUF_FLAG_ERROR) != 0)
         return "the driver says that a frame is damaged; is the cable or the hub a bad one?";
     if (d->form.pixelformat == V4L2_PIX_FMT_MJPEG || d->form.pixelformat == V4L2_PIX_FMT_JPEG)
         return decode_jpeg(bytes, size, is_grey, frame, message);
-    fault = decode_set_size(frame, d->form.width, d->form.height,
-                            is_grey ? FROB_GREY8 : FROB_RGB8, message);
+    fault = decode_set_size(frame, d->form.width, d->form.height, is_grey ? FROB_GREY8 : FROB_RGB8,
+                            message);
     if (fault != NULL)
         return fault;
     if (!yuyv_or_grey(bytes, size, d->form.bytesperline, d->form.pixelformat == V4L2_PIX_FMT_YUYV,

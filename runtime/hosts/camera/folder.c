@@ -30,7 +30,8 @@ static int is_picture(const struct dirent *entry)
 static bool open_folder(struct source *s)
 {
     struct folder *f = (struct folder *)calloc(1, sizeof *f);
-    if (f == NULL || (f->count = scandir(s->options->source, &f->names, is_picture, alphasort)) < 0) {
+    if (f == NULL ||
+        (f->count = scandir(s->options->source, &f->names, is_picture, alphasort)) < 0) {
         source_fail(s, SOURCE_FAULT, "the folder cannot be read: %s", strerror(errno));
         free(f);
         return false;
@@ -38,8 +39,9 @@ static bool open_folder(struct source *s)
     if (f->count == 0) {
         free(f->names);
         free(f);
-        source_fail(s, SOURCE_FAULT, "there is no picture in the folder: put .ppm, .pgm or .jpg "
-                                     "files there, which are taken in the order of their names");
+        source_fail(s, SOURCE_FAULT,
+                    "there is no picture in the folder: put .ppm, .pgm or .jpg "
+                    "files there, which are taken in the order of their names");
         return false;
     }
     s->is_recorded = true;

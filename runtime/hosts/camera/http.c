@@ -62,16 +62,19 @@ static int reach(struct source *s, const struct address *address)
     hints.ai_socktype = SOCK_STREAM;
     fault = getaddrinfo(address->host, address->port, &hints, &found);
     if (fault != 0) {
-        source_fail(s, SOURCE_FAULT, "there is no address of %s: %s; is its name right, and is this "
-                                     "machine on its network?", address->host, gai_strerror(fault));
+        source_fail(s, SOURCE_FAULT,
+                    "there is no address of %s: %s; is its name right, and is this "
+                    "machine on its network?",
+                    address->host, gai_strerror(fault));
         return -1;
     }
     for (const struct addrinfo *each = found; each != NULL && reached < 0; each = each->ai_next)
         reached = connect_to(each);
     if (reached < 0)
-        source_fail(s, SOURCE_FAULT, "there is no connection to port %s of %s: %s; is the camera "
-                                     "turned on, and are address and port right?", address->port,
-                    address->host, strerror(errno));
+        source_fail(s, SOURCE_FAULT,
+                    "there is no connection to port %s of %s: %s; is the camera "
+                    "turned on, and are address and port right?",
+                    address->port, address->host, strerror(errno));
     freeaddrinfo(found);
     return reached;
 }
@@ -132,18 +135,21 @@ static void close_http(struct source *s)
 static enum source_result judge(struct source *s, const struct answer *answer)
 {
     if (answer->status == 401 || answer->status == 403)
-        return source_fail(s, SOURCE_FAULT, "the server answers with %d: it lets only those in whom "
-                                            "it knows; have it give its stream without a password",
+        return source_fail(s, SOURCE_FAULT,
+                           "the server answers with %d: it lets only those in whom "
+                           "it knows; have it give its stream without a password",
                            answer->status);
     if (answer->status == 404)
-        return source_fail(s, SOURCE_FAULT, "the server answers with 404: it has nothing of this "
-                                            "path; the camera's manual says which its stream has");
+        return source_fail(s, SOURCE_FAULT,
+                           "the server answers with 404: it has nothing of this "
+                           "path; the camera's manual says which its stream has");
     if (answer->status != 200)
         return source_fail(s, SOURCE_FAULT, "the server answers with %d instead of a stream",
                            answer->status);
     if (strncmp(answer->type, "text/", 5) == 0)
-        return source_fail(s, SOURCE_FAULT, "the server answers with %s, which is no stream of "
-                                            "pictures; the camera's manual says which path has one",
+        return source_fail(s, SOURCE_FAULT,
+                           "the server answers with %s, which is no stream of "
+                           "pictures; the camera's manual says which path has one",
                            answer->type);
     return SOURCE_FRAME;
 }
@@ -161,13 +167,12 @@ static enum source_result feed(struct source *s, struct http *h, uint8_t *bytes,
         memcpy(h->head + before, bytes, more);
         h->head_size += more;
         switch (answer_read(&h->answer, h->head, h->head_size, &length)) {
-        case ANSWER_MORE:
-            return SOURCE_FRAME;
+        case ANSWER_MORE: return SOURCE_FRAME;
         case ANSWER_WRONG:
-            return source_fail(s, SOURCE_FAULT, "what answers there does not speak HTTP; is the port "
-                                                "right?");
-        case ANSWER_GOOD:
-            break;
+            return source_fail(s, SOURCE_FAULT,
+                               "what answers there does not speak HTTP; is the port "
+                               "right?");
+        case ANSWER_GOOD: break;
         }
         h->has_head = true;
         verdict = judge(s, &h->answer);
@@ -197,8 +202,9 @@ static enum source_result take_in(struct source *s, struct http *h)
         return SOURCE_NOTHING;
     if (got < 0)
         return source_fail(s, SOURCE_FAULT, "the connection is gone: %s", strerror(errno));
-    return source_fail(s, SOURCE_FAULT, h->has_head ? "the server has ended the stream"
-                                                    : "the server has gone without an answer");
+    return source_fail(s, SOURCE_FAULT,
+                       h->has_head ? "the server has ended the stream"
+                                   : "the server has gone without an answer");
 }
 
 static enum source_result next(struct source *s, struct captured *frame, int wait_ms)
@@ -210,8 +216,8 @@ static enum source_result next(struct source *s, struct captured *frame, int wai
     const char *fault;
     char message[256];
     size_t size;
-    while ((bytes = splitter_take_newest(&h->splitter, &size, &frame->captured_ns,
-                                         &s->lost)) == NULL) {
+    while ((bytes = splitter_take_newest(&h->splitter, &size, &frame->captured_ns, &s->lost)) ==
+           NULL) {
         struct pollfd input = { h->socket, POLLIN, 0 };
         const int64_t left = until - source_now_ns();
         enum source_result result;

@@ -18,8 +18,7 @@ enum jpeg_result jpeg_scan(struct jpeg_scan *scan, const uint8_t *bytes, size_t 
         size_t length;
         uint8_t marker;
         if (scan->in_data && scan->at < size) {
-            const uint8_t *found =
-                (const uint8_t *)memchr(bytes + scan->at, FILL, size - scan->at);
+            const uint8_t *found = (const uint8_t *)memchr(bytes + scan->at, FILL, size - scan->at);
             scan->at = found == NULL ? size : (size_t)(found - bytes);
         }
         if (size < 2 || scan->at > size - 2)

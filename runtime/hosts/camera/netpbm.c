@@ -69,8 +69,8 @@ const char *decode_netpbm(const uint8_t *bytes, size_t size, struct captured *fr
     if (head.most != 255)
         return "a picture has not 8 bits for each part of a pixel: its greatest value has to be "
                "255";
-    fault = decode_set_size(frame, head.width, head.height,
-                            head.is_grey ? FROB_GREY8 : FROB_RGB8, message);
+    fault = decode_set_size(frame, head.width, head.height, head.is_grey ? FROB_GREY8 : FROB_RGB8,
+                            message);
     if (fault != NULL)
         return fault;
     pixels = (size_t)head.width * (size_t)head.height * (head.is_grey ? 1 : 3);

@@ -33,9 +33,10 @@ const struct frob_setting camera_settings[CAMERA_SETTING_COUNT] = {
 bool camera_options_init(struct camera_options *o, const char *label, size_t length)
 {
     if (length >= sizeof o->label) {
-        fprintf(stderr, "error: the label of a camera, `%.*s`, is longer than %d bytes, which is as "
-                        "long as one of a robot's may be\n", (int)length, label,
-                CAMERA_LABEL_ROOM - 1);
+        fprintf(stderr,
+                "error: the label of a camera, `%.*s`, is longer than %d bytes, which is as "
+                "long as one of a robot's may be\n",
+                (int)length, label, CAMERA_LABEL_ROOM - 1);
         return false;
     }
     memset(o, 0, sizeof *o);
@@ -60,8 +61,8 @@ struct frob_camera camera_geometry(const struct camera_options *o, int32_t width
     const double *s = o->settings;
     struct frob_camera c;
     /* A pinhole that sees so much across. */
-    c.focal_x = given_or(s[CAMERA_FOCAL_X],
-                         0.5 * width / tan(0.5 * radians(s[CAMERA_FIELD_OF_VIEW])));
+    c.focal_x =
+        given_or(s[CAMERA_FOCAL_X], 0.5 * width / tan(0.5 * radians(s[CAMERA_FIELD_OF_VIEW])));
     c.focal_y = given_or(s[CAMERA_FOCAL_Y], c.focal_x);
     c.centre_x = given_or(s[CAMERA_CENTRE_X], 0.5 * (width - 1));
     c.centre_y = given_or(s[CAMERA_CENTRE_Y], 0.5 * (height - 1));

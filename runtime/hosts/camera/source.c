@@ -17,8 +17,7 @@ const struct source_kind *source_kind_of(const char *name)
     return S_ISCHR(status.st_mode) ? &source_device : &source_stream;
 }
 
-enum source_result source_fail(struct source *s, enum source_result result, const char *format,
-                               ...)
+enum source_result source_fail(struct source *s, enum source_result result, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);

@@ -32,11 +32,11 @@ struct source_kind {
 struct source {
     const struct source_kind *kind;
     const struct camera_options *options;
-    void *state;       /* of the kind, while it is open */
-    bool is_recorded;  /* it has a first frame, which waits for the program */
-    uint32_t lost;     /* frames that are known to have been skipped; added up */
-    char fault[512];   /* cause, and cure */
-    char what[128];    /* when it is open: how it is captured, as "YUYV at 30 Hz"; or empty */
+    void *state;      /* of the kind, while it is open */
+    bool is_recorded; /* it has a first frame, which waits for the program */
+    uint32_t lost;    /* frames that are known to have been skipped; added up */
+    char fault[512];  /* cause, and cure */
+    char what[128];   /* when it is open: how it is captured, as "YUYV at 30 Hz"; or empty */
 };
 
 /* By what the user has named: a device, an address, a folder; anything else is a file or pipe.
@@ -46,8 +46,8 @@ const struct source_kind *source_kind_of(const char *name);
 extern const struct source_kind source_folder, source_stream, source_http, source_device;
 
 /* Fills in `fault`; gives `result`. */
-enum source_result source_fail(struct source *s, enum source_result result, const char *format,
-                               ...) __attribute__((format(printf, 3, 4)));
+enum source_result source_fail(struct source *s, enum source_result result, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* The monotonic clock. */
 int64_t source_now_ns(void);

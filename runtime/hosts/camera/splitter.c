@@ -102,8 +102,7 @@ const uint8_t *splitter_take(struct splitter *s, size_t *size, int64_t *begun_ns
             size_t whole;
             if (netpbm_read(s->bytes + s->from, s->to - s->from, &head) != NETPBM_GOOD)
                 return NULL;
-            whole = head.length +
-                    (size_t)head.width * (size_t)head.height * (head.is_grey ? 1 : 3);
+            whole = head.length + (size_t)head.width * (size_t)head.height * (head.is_grey ? 1 : 3);
             if (head.width > FROB_IMAGE_SIDE || head.height > FROB_IMAGE_SIDE || whole > ROOM) {
                 /* One that is too large is for who decodes to complain about. */
                 return take(s, head.length, size, begun_ns);
@@ -111,10 +110,8 @@ const uint8_t *splitter_take(struct splitter *s, size_t *size, int64_t *begun_ns
             return s->to - s->from >= whole ? take(s, whole, size, begun_ns) : NULL;
         }
         switch (jpeg_scan(&s->scan, s->bytes + s->from, s->to - s->from)) {
-        case JPEG_WHOLE:
-            return take(s, s->scan.at, size, begun_ns);
-        case JPEG_MORE:
-            return NULL;
+        case JPEG_WHOLE: return take(s, s->scan.at, size, begun_ns);
+        case JPEG_MORE: return NULL;
         case JPEG_TORN:
             s->torn++;
             use_up(s, s->scan.at);

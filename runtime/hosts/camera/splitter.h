@@ -17,9 +17,9 @@ struct splitter {
     uint8_t *bytes;
     size_t from, to; /* what has come and is not used up */
     struct jpeg_scan scan;
-    int64_t begun_ns;    /* when the first byte at `from` came */
+    int64_t begun_ns; /* when the first byte at `from` came */
     int64_t fed_ns;
-    uint32_t torn;    /* frames that broke off */
+    uint32_t torn; /* frames that broke off */
 };
 
 /* False without memory. */

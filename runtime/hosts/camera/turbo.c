@@ -24,13 +24,12 @@ const struct turbo *turbo_find(const char **fault)
     library = dlopen("libturbojpeg.so.0", RTLD_NOW);
     if (library == NULL)
         return NULL;
-    found = find(library, "tjInitDecompress", &turbo.init_decompress) &&
-            find(library, "tjInitCompress", &turbo.init_compress) &&
-            find(library, "tjDecompressHeader3", &turbo.header) &&
-            find(library, "tjDecompress2", &turbo.decompress) &&
-            find(library, "tjCompress2", &turbo.compress) &&
-            find(library, "tjFree", &turbo.release) &&
-            find(library, "tjGetErrorStr2", &turbo.error) &&
-            find(library, "tjDestroy", &turbo.destroy);
+    found =
+        find(library, "tjInitDecompress", &turbo.init_decompress) &&
+        find(library, "tjInitCompress", &turbo.init_compress) &&
+        find(library, "tjDecompressHeader3", &turbo.header) &&
+        find(library, "tjDecompress2", &turbo.decompress) &&
+        find(library, "tjCompress2", &turbo.compress) && find(library, "tjFree", &turbo.release) &&
+        find(library, "tjGetErrorStr2", &turbo.error) && find(library, "tjDestroy", &turbo.destroy);
     return found ? &turbo : NULL;
 }

@@ -25,8 +25,8 @@ struct turbo {
                       unsigned char *pixels, int width, int pitch, int height, int format,
                       int flags);
     int (*compress)(void *handle, const unsigned char *pixels, int width, int pitch, int height,
-                    int format, unsigned char **jpeg, unsigned long *size, int samples,
-                    int quality, int flags);
+                    int format, unsigned char **jpeg, unsigned long *size, int samples, int quality,
+                    int flags);
     void (*release)(unsigned char *jpeg);
     char *(*error)(void *handle);
     int (*destroy)(void *handle);

@@ -27,8 +27,7 @@ bool claims_open(struct claims *claims, const struct frob_program *program)
 {
     memset(claims, 0, sizeof *claims);
     claims->program = program;
-    claims->each =
-        (struct claim_state *)calloc(program->claim_count + 1, sizeof *claims->each);
+    claims->each = (struct claim_state *)calloc(program->claim_count + 1, sizeof *claims->each);
     if (claims->each == NULL) {
         fprintf(stderr, "error: not enough memory for the program's assertions\n");
         return false;
@@ -90,8 +89,7 @@ void claims_fate(const struct claims *claims, size_t i, char text[CLAIMS_FATE])
     if (state->failed > 0)
         snprintf(text, CLAIMS_FATE, "%s, first at %.3f s; in all at %llu %s",
                  is_assumption ? "failed" : "violated", (double)state->first_ns * 1e-9,
-                 (unsigned long long)state->failed,
-                 state->failed == 1 ? "instant" : "instants");
+                 (unsigned long long)state->failed, state->failed == 1 ? "instant" : "instants");
     else if (claims->is_void && !is_assumption)
         snprintf(text, CLAIMS_FATE, "%s until an assumption failed at %.3f s",
                  state->asked > 0 ? "held" : "did not matter", (double)claims->void_ns * 1e-9);
@@ -108,8 +106,7 @@ void claims_print(const struct claims *claims, FILE *file, const char *who)
     char fate[CLAIMS_FATE];
     for (size_t i = 0; i < program->claim_count; i++) {
         const struct frob_claim *claim = &program->claims[i];
-        fprintf(file, "%s%s \"%s\"", who, claim->is_assumption ? "assume" : "assert",
-                claim->label);
+        fprintf(file, "%s%s \"%s\"", who, claim->is_assumption ? "assume" : "assert", claim->label);
         if (!is_alone(program, claim))
             fprintf(file, " (%s)", claim->column);
         claims_fate(claims, i, fate);

@@ -30,8 +30,8 @@ struct claim_state {
 struct claims {
     const struct frob_program *program;
     struct claim_state *each;
-    bool is_void;      /* an assumption has failed, … */
-    int64_t void_ns;   /* … at this time */
+    bool is_void;                      /* an assumption has failed, … */
+    int64_t void_ns;                   /* … at this time */
     const struct frob_claim *violated; /* the first assertion that was, or NULL */
     int64_t violated_ns;
 };

@@ -18,7 +18,7 @@ struct csv {
     char *text;
     size_t *starts; /* of the cells in the text, which moves as it grows */
     size_t text_capacity, cells_capacity;
-    char *read; /* a line of the file, … */
+    char *read;                            /* a line of the file, … */
     size_t read_capacity, read_length, at; /* … as far as it is a row's already */
 };
 

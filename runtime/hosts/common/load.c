@@ -46,12 +46,10 @@ const void *frob_load_part(const char *robot, const char *part)
 
 const struct frob_column *frob_load_columns(void)
 {
-    return object == NULL ? NULL
-                          : (const struct frob_column *)dlsym(object, FROB_COLUMNS_SYMBOL);
+    return object == NULL ? NULL : (const struct frob_column *)dlsym(object, FROB_COLUMNS_SYMBOL);
 }
 
 const struct frob_origin *frob_load_origins(void)
 {
-    return object == NULL ? NULL
-                          : (const struct frob_origin *)dlsym(object, FROB_ORIGINS_SYMBOL);
+    return object == NULL ? NULL : (const struct frob_origin *)dlsym(object, FROB_ORIGINS_SYMBOL);
 }

@@ -60,17 +60,16 @@ const char *packed_reason(const char *name, int error)
                    : strerror(error);
     switch (error) {
     case NOT_INSTALLED:
-        return is_gzip ? "the program gzip, by which it goes, is not installed"
-                       : "the program zstd, by which it goes, is not installed (`apt install zstd`)";
-    case CUT_OFF:
-        return "the archive is cut off or damaged (`frobc convert` keeps its whole rows)";
+        return is_gzip
+                   ? "the program gzip, by which it goes, is not installed"
+                   : "the program zstd, by which it goes, is not installed (`apt install zstd`)";
+    case CUT_OFF: return "the archive is cut off or damaged (`frobc convert` keeps its whole rows)";
     case OTHER_FORMAT:
         return is_gzip ? "it is not compressed by gzip, as its name says"
                        : "it is not compressed by zstd, as its name says";
     case EPIPE:
         return is_gzip ? "gzip has ended before its time" : "zstd has ended before its time";
-    default:
-        return strerror(error);
+    default: return strerror(error);
     }
 }
 
@@ -239,8 +238,7 @@ static int stream_close_packer(void *cookie)
 
 FILE *packed_write(const char *name)
 {
-    static const cookie_io_functions_t functions = { NULL, stream_put, NULL,
-                                                     stream_close_packer };
+    static const cookie_io_functions_t functions = { NULL, stream_put, NULL, stream_close_packer };
     struct packer *packer = (struct packer *)malloc(sizeof *packer);
     FILE *stream;
     if (packer == NULL)

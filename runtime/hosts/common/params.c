@@ -23,8 +23,8 @@ static void list(const struct frob_program *program, char *why, size_t length)
     if (program->param_count == 0)
         snprintf(why + length, PARAMS_WHY - length, "; the program has none");
     for (size_t i = 0; i < program->param_count && length < PARAMS_WHY; i++) {
-        int written = snprintf(why + length, PARAMS_WHY - length, "%s `%s`", before,
-                               program->params[i].name);
+        int written =
+            snprintf(why + length, PARAMS_WHY - length, "%s `%s`", before, program->params[i].name);
         length += written > 0 ? (size_t)written : 0;
         before = ",";
     }
@@ -59,7 +59,8 @@ static bool take_apart(const char *text, char *number, size_t size, const char *
 static bool is_unit_of(const struct frob_param *param, const char *unit)
 {
     const size_t length = strlen(param->unit);
-    return unit == NULL || (strncmp(unit, param->unit, length) == 0 && strcmp(unit + length, "]") == 0);
+    return unit == NULL ||
+           (strncmp(unit, param->unit, length) == 0 && strcmp(unit + length, "]") == 0);
 }
 
 static bool is_nan(const struct frob_param *param, const void *values)
@@ -77,19 +78,14 @@ static bool is_nan(const struct frob_param *param, const void *values)
 static size_t width(const struct frob_param *param)
 {
     switch (param->value->kind) {
-    case FROB_BOOL:
-        return sizeof(bool);
-    case FROB_INT:
-        return sizeof(int32_t);
-    case FROB_SINGLE:
-        return sizeof(float);
-    default:
-        return sizeof(double);
+    case FROB_BOOL: return sizeof(bool);
+    case FROB_INT: return sizeof(int32_t);
+    case FROB_SINGLE: return sizeof(float);
+    default: return sizeof(double);
     }
 }
 
-static enum params_result read_value(struct params *params, size_t i, const char *text,
-                                     char *why)
+static enum params_result read_value(struct params *params, size_t i, const char *text, char *why)
 {
     const struct frob_param *param = &params->program->params[i];
     char number[200], expected[200], before[sizeof(double)];
@@ -194,22 +190,17 @@ bool params_recorded(struct params *params, const char *name, const char *line)
     char why[PARAMS_WHY];
     const char *setting = params_of_line(line);
     switch (setting == NULL ? PARAMS_SET : params_read(params, setting, why)) {
-    case PARAMS_SET:
-        return true;
+    case PARAMS_SET: return true;
     case PARAMS_KEPT:
-    case PARAMS_UNKNOWN:
-        fprintf(stderr, "warning: %s: %s\n", name, why);
-        return true;
-    case PARAMS_WRONG:
-        break;
+    case PARAMS_UNKNOWN: fprintf(stderr, "warning: %s: %s\n", name, why); return true;
+    case PARAMS_WRONG: break;
     }
     fprintf(stderr, "error: %s: %s; `--param` sets it whatever was recorded\n", name, why);
     return false;
 }
 
 /* As few digits as are read back as the same number. */
-static void write_number(struct frob_text *text, const struct frob_param *param,
-                         const void *values)
+static void write_number(struct frob_text *text, const struct frob_param *param, const void *values)
 {
     const bool is_double = param->value->kind == FROB_FLOAT;
     const char *at = (const char *)values + param->value->offset;
@@ -255,8 +246,7 @@ size_t params_room(const struct frob_program *program)
     return room;
 }
 
-void params_head(struct frob_text *text, const struct frob_program *program,
-                 const void *values)
+void params_head(struct frob_text *text, const struct frob_program *program, const void *values)
 {
     for (size_t i = 0; i < program->param_count; i++) {
         frob_text_add(text, prefix);

@@ -45,8 +45,7 @@ void params_write(struct frob_text *text, const struct frob_param *param, const 
 /* A recording begins with a line for each parameter, as `# param kTurn=4[1/m]`. The
  * functions tell how long such lines are, and write them. */
 size_t params_room(const struct frob_program *program);
-void params_head(struct frob_text *text, const struct frob_program *program,
-                 const void *values);
+void params_head(struct frob_text *text, const struct frob_program *program, const void *values);
 
 /* Of a line of a recording: its setting, or NULL if it is another. */
 const char *params_of_line(const char *line);

@@ -59,8 +59,8 @@ static bool start(const struct ring *ring, char *const *viewer)
 void publisher_start(struct publisher *p, const struct frob_program *program, size_t truth_size,
                      unsigned permissions, char *const *viewer)
 {
-    const struct ring_sizes sizes = { (uint32_t)program->input_size,
-                                      (uint32_t)program->output_size, (uint32_t)truth_size };
+    const struct ring_sizes sizes = { (uint32_t)program->input_size, (uint32_t)program->output_size,
+                                      (uint32_t)truth_size };
     memset(p, 0, sizeof *p);
     if (viewer == NULL)
         return;

@@ -10,12 +10,12 @@
 #include <frob/program.h>
 
 struct publisher {
-    struct ring ring;  /* without memory: nobody is to look */
+    struct ring ring; /* without memory: nobody is to look */
     const struct frob_program *program;
     unsigned char *input; /* of a program with images, room for one that another process can
                            * read; else NULL */
-    uint32_t beats;    /* the last of the viewer's that was heard … */
-    int64_t heard_ns;  /* … at this time */
+    uint32_t beats;       /* the last of the viewer's that was heard … */
+    int64_t heard_ns;     /* … at this time */
 };
 
 /* Starts the viewer, a command that ends with NULL, with `--ring NUMBER` before its other

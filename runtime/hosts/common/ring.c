@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #define MAGIC UINT64_C(0x46726f6252696e31) /* "FrobRin1" */
-#define MOST_BYTES (4u << 20)               /* of all slots */
+#define MOST_BYTES (4u << 20)              /* of all slots */
 #define MOST_SLOTS 8192u
 #define LEAST_SLOTS 16u
 #define LINE 64 /* bytes that processors hand over at a time */

@@ -40,8 +40,8 @@ struct ring_event {
 
 /* What looks on may do besides. */
 enum ring_permission {
-    RING_PACES = 1,  /* pause the run, step it, and set its speed */
-    RING_SENDS = 2   /* send events */
+    RING_PACES = 1, /* pause the run, step it, and set its speed */
+    RING_SENDS = 2  /* send events */
 };
 
 struct ring_shared;

@@ -33,10 +33,11 @@ static bool load(void)
         return true;
     library.object = dlopen(APRILTAG_LIBRARY, RTLD_NOW | RTLD_LOCAL);
     if (library.object == NULL) {
-        fprintf(stderr,
-                "error: this program looks for tags, and the library that finds them, " APRILTAG_LIBRARY
-                ", is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); a "
-                "recording is run again without it\n");
+        fprintf(
+            stderr,
+            "error: this program looks for tags, and the library that finds them, " APRILTAG_LIBRARY
+            ", is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); a "
+            "recording is run again without it\n");
         return false;
     }
     if (find("tag36h11_create", &library.make_family) &&
@@ -121,8 +122,8 @@ static bool make_grey(struct tag_finder *finder, const struct frob_image *image)
             memcpy(to, p, (size_t)image->width);
         else
             for (int32_t x = 0; x < image->width; x++)
-                to[x] = (uint8_t)((77 * p[3 * x] + 150 * p[3 * x + 1] + 29 * p[3 * x + 2] + 128) /
-                                  256);
+                to[x] =
+                    (uint8_t)((77 * p[3 * x] + 150 * p[3 * x + 1] + 29 * p[3 * x + 2] + 128) / 256);
         to += image->width;
     }
     return true;

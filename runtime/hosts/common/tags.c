@@ -30,10 +30,11 @@ static void set_lens(void *input, const struct frob_value *value, const struct f
     if (image != NULL)
         frob_image_lens(image, &lens);
     {
-        const double numbers[] = { lens.width, lens.height, lens.focalX, lens.focalY,
-                                   lens.centreX, lens.centreY, lens.k1, lens.k2, lens.k3,
-                                   lens.p1, lens.p2, lens.ahead, lens.left, lens.up,
-                                   lens.yaw, lens.pitch, lens.roll };
+        const double numbers[] = { lens.width,   lens.height,  lens.focalX, lens.focalY,
+                                   lens.centreX, lens.centreY, lens.k1,     lens.k2,
+                                   lens.k3,      lens.p1,      lens.p2,     lens.ahead,
+                                   lens.left,    lens.up,      lens.yaw,    lens.pitch,
+                                   lens.roll };
         const double *next = numbers;
         set_numbers(input, value, &next);
     }
@@ -52,15 +53,16 @@ static void set_tag(void *input, const struct frob_value *value, const struct fr
         tag = &none;
     {
         const struct frob_vec2 *p = tag->corners;
-        const double numbers[] = { tag->id, tag->middle.x, tag->middle.y, p[0].x, p[0].y, p[1].x,
-                                   p[1].y, p[2].x, p[2].y, p[3].x, p[3].y, tag->margin };
+        const double numbers[] = { tag->id, tag->middle.x, tag->middle.y, p[0].x,
+                                   p[0].y,  p[1].x,        p[1].y,        p[2].x,
+                                   p[2].y,  p[3].x,        p[3].y,        tag->margin };
         const double *next = numbers;
         set_numbers(input, value->constructors[just].fields[0].value, &next);
     }
 }
 
-void frob_tags_give(const struct frob_control *control, void *input,
-                    const struct frob_image *image, const struct frob_tags *tags, int64_t now_ns)
+void frob_tags_give(const struct frob_control *control, void *input, const struct frob_image *image,
+                    const struct frob_tags *tags, int64_t now_ns)
 {
     const struct frob_constructor *frame =
         control->value->constructors[1].fields[0].value->constructors;

@@ -71,8 +71,7 @@ static bool take(struct touches *t, const struct ring_event *event, int64_t now_
         return true;
     }
     if ((event->kind != RING_TOUCH && event->kind != RING_HOLD) ||
-        event->id >= t->program->control_count ||
-        !isfinite(event->x) || !isfinite(event->y))
+        event->id >= t->program->control_count || !isfinite(event->x) || !isfinite(event->y))
         return true; /* nothing that one could take */
     control = &t->program->console[event->id];
     if ((control->kind == FROB_HOLD) != (event->kind == RING_HOLD))

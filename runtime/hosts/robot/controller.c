@@ -60,16 +60,15 @@ bool controller_start(struct controller *c, const struct params *params,
 {
     const struct frob_program *program = params->program;
     int sockets[2];
-    size_t room = sizeof(double) + (program->input_size > program->output_size
-                                        ? program->input_size
-                                        : program->output_size);
+    size_t room =
+        sizeof(double) +
+        (program->input_size > program->output_size ? program->input_size : program->output_size);
     memset(c, 0, sizeof *c);
     c->socket = -1;
     c->input_size = program->input_size;
     c->output_size = program->output_size;
     c->message = (char *)malloc(room);
-    if (c->message == NULL ||
-        socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, sockets) != 0) {
+    if (c->message == NULL || socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, sockets) != 0) {
         fprintf(stderr, "error: cannot start the controller: %s\n", strerror(errno));
         return false;
     }

@@ -15,8 +15,7 @@ void line_init(struct line *line, const char *device, uint32_t rate)
 
 enum frob_status line_open(struct line *line, char *message, size_t room)
 {
-    enum frob_status status =
-        frob_posix_open(&line->port, line->device, line->rate, message, room);
+    enum frob_status status = frob_posix_open(&line->port, line->device, line->rate, message, room);
     if (status == FROB_OK &&
         !frob_posix_lasting_name(BY_ID, line->device, line->lasting, sizeof line->lasting))
         line->lasting[0] = '\0';

@@ -9,8 +9,8 @@
 #include "hal/posix/serial.h"
 
 struct line {
-    const char *device;  /* as the user named it */
-    char lasting[512];   /* the adapter's name that outlives unplugging; "" if none */
+    const char *device; /* as the user named it */
+    char lasting[512];  /* the adapter's name that outlives unplugging; "" if none */
     uint32_t rate;
     struct frob_posix_line port; /* fd is -1 while it is closed */
     int64_t retry_ns;

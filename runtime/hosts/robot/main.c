@@ -32,14 +32,15 @@ int main(int argc, char **argv)
     const unsigned faults = frob_program.arithmetic() | frob_arithmetic_faults();
     streams_open();
     if (driver == NULL) {
-        fprintf(stderr, "error: %s is a program for %s, which has no driver; there are drivers for: %s\n",
+        fprintf(stderr,
+                "error: %s is a program for %s, which has no driver; there are drivers for: %s\n",
                 frob_program.name, frob_program.robot[0] != '\0' ? frob_program.robot : "no robot",
                 driver_names);
         return WRONG_USE;
     }
     if (frob_program.input_size < driver->input_size ||
-        frob_program.output_size < driver->output_size ||
-        driver->output_size > FROB_OUTPUT_MOST || driver->setting_count > SETTINGS_MOST) {
+        frob_program.output_size < driver->output_size || driver->output_size > FROB_OUTPUT_MOST ||
+        driver->setting_count > SETTINGS_MOST) {
         fprintf(stderr, "error: %s was compiled with another <frob/%s.h>\n", frob_program.name,
                 driver->robot);
         return WRONG_USE;
@@ -55,11 +56,8 @@ int main(int argc, char **argv)
             status = supervise(&params, driver, &options);
         params_close(&params);
         break;
-    case OPTIONS_SHOWN:
-        status = DONE;
-        break;
-    case OPTIONS_WRONG:
-        break;
+    case OPTIONS_SHOWN: status = DONE; break;
+    case OPTIONS_WRONG: break;
     }
     free(options.params);
     return status;

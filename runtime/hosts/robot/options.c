@@ -136,10 +136,11 @@ static bool set_source(struct options *o, const char *program, const char *text)
     if (camera == NULL && o->camera_count == 1)
         camera = &o->cameras[0];
     if (camera == NULL) {
-        fprintf(stderr, o->camera_count == 0
-                            ? "error: %s looks through no camera: --camera is nothing for it\n"
-                            : "error: %s looks through several cameras: say which one it is, as "
-                              "--camera %s=%s\n",
+        fprintf(stderr,
+                o->camera_count == 0
+                    ? "error: %s looks through no camera: --camera is nothing for it\n"
+                    : "error: %s looks through several cameras: say which one it is, as "
+                      "--camera %s=%s\n",
                 program, o->camera_count == 0 ? "" : o->cameras[0].label, text);
         return false;
     }
@@ -166,8 +167,10 @@ static bool check_cameras(const struct options *o, const char *program)
             return false;
         }
         if (width * height * 3.0 > (double)BUFFERS_ROOM) {
-            fprintf(stderr, "error: camera `%s`: there is room for frames of 1920 x 1200 pixels, "
-                            "and not %g x %g\n", c->label, width, height);
+            fprintf(stderr,
+                    "error: camera `%s`: there is room for frames of 1920 x 1200 pixels, "
+                    "and not %g x %g\n",
+                    c->label, width, height);
             return false;
         }
     }
@@ -289,16 +292,18 @@ enum options_result read_options(int argc, char **argv, const struct frob_progra
         }
     }
     if (o->device == NULL) {
-        fprintf(stderr, "error: --device is missing: the serial line of the %s; --help says how to "
-                        "use this\n",
+        fprintf(stderr,
+                "error: --device is missing: the serial line of the %s; --help says how to "
+                "use this\n",
                 driver->robot);
         return OPTIONS_WRONG;
     }
     if (!check_cameras(o, program->name))
         return OPTIONS_WRONG;
     if (o->viewer != NULL && o->record == NULL && frames_has_images(program->input)) {
-        fprintf(stderr, "error: this program sees, and what it saw is shown from the frames beside a "
-                        "recording: `--view` needs `--record LOG.csv` too\n");
+        fprintf(stderr,
+                "error: this program sees, and what it saw is shown from the frames beside a "
+                "recording: `--view` needs `--record LOG.csv` too\n");
         return OPTIONS_WRONG;
     }
     return OPTIONS_RUN;

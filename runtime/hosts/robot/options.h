@@ -15,22 +15,22 @@ enum { SETTINGS_MOST = 64 };
 
 struct options {
     const char *device;
-    double duration_s;    /* 0: until it is ended */
-    double rate_hz;       /* of the controller */
-    double patience_s;    /* with old readings and unfinished steps */
-    double reconnect_s;   /* for a lost robot to come back */
-    const char *record;   /* CSV; NULL: none */
-    int priority;         /* real-time, 1 to 99; 0: none */
+    double duration_s;  /* 0: until it is ended */
+    double rate_hz;     /* of the controller */
+    double patience_s;  /* with old readings and unfinished steps */
+    double reconnect_s; /* for a lost robot to come back */
+    const char *record; /* CSV; NULL: none */
+    int priority;       /* real-time, 1 to 99; 0: none */
     bool lock_memory;
-    bool console;         /* keys typed on standard input are the program's */
-    bool exit_when_done;  /* when the program's task has ended */
+    bool console;            /* keys typed on standard input are the program's */
+    bool exit_when_done;     /* when the program's task has ended */
     bool stop_when_violated; /* when an assertion of it is violated */
-    char *const *viewer;  /* a command, which ends with NULL; NULL: none */
-    bool control;         /* who looks on may send events */
-    bool progress;        /* tell also where it is no terminal */
-    const char **params;  /* values of the program's parameters, NAME=VALUE each */
+    char *const *viewer;     /* a command, which ends with NULL; NULL: none */
+    bool control;            /* who looks on may send events */
+    bool progress;           /* tell also where it is no terminal */
+    const char **params;     /* values of the program's parameters, NAME=VALUE each */
     size_t param_count;
-    double settings[SETTINGS_MOST]; /* of the driver, in its order */
+    double settings[SETTINGS_MOST];              /* of the driver, in its order */
     struct camera_options cameras[CAMERAS_MOST]; /* that the program looks through */
     size_t camera_count;
 };

@@ -27,9 +27,9 @@
 
 enum { DONE = 0, WRONG_USE = 2, FAULT = 4 };
 
-#define BEAT_NS INT64_C(20000000)      /* how often the guard hears from here, at least */
+#define BEAT_NS INT64_C(20000000)       /* how often the guard hears from here, at least */
 #define FAREWELL_NS INT64_C(2000000000) /* for a robot that was told to stop to stand */
-enum { GIVE_UP = 10 };                 /* patiences, with a step */
+enum { GIVE_UP = 10 };                  /* patiences, with a step */
 
 static volatile sig_atomic_t ended_by = 0;
 
@@ -60,16 +60,16 @@ struct supervisor {
     bool tells;
 
     void *input, *output;
-    int64_t first_ns;    /* the first instant; 0: not yet */
-    int64_t instant_ns;  /* the last */
-    int64_t due_ns;      /* the next; 0: when the robot is ready */
-    bool stepping;       /* the controller has been asked and has not answered */
-    bool late;           /* for longer than the patience */
-    int64_t lost_ns;     /* when the robot was lost; 0: it is not */
+    int64_t first_ns;   /* the first instant; 0: not yet */
+    int64_t instant_ns; /* the last */
+    int64_t due_ns;     /* the next; 0: when the robot is ready */
+    bool stepping;      /* the controller has been asked and has not answered */
+    bool late;          /* for longer than the patience */
+    int64_t lost_ns;    /* when the robot was lost; 0: it is not */
 
     uint64_t steps, overruns, late_steps;
     int64_t longest_ns;
-    bool ended;          /* the program's task */
+    bool ended; /* the program's task */
     int64_t ended_ns;
 
     bool over;
@@ -149,16 +149,17 @@ static void nobody_answers(struct supervisor *s)
     const char *device = s->line.device, *robot = s->driver->robot;
     const double *baud = setting(s, "baud");
     bool has_rate = !frob_posix_is_tcp(device) && (baud == NULL || *baud > 0.0);
-    const char *its = has_rate && baud != NULL ? "are this its line and its rate (`--set baud=...`)?"
-                                               : "is this its line?";
+    const char *its = has_rate && baud != NULL
+                          ? "are this its line and its rate (`--set baud=...`)?"
+                          : "is this its line?";
     char rate[40] = "";
     if (has_rate)
         snprintf(rate, sizeof rate, " at %.0f baud", baud != NULL ? *baud : s->driver->rate);
     if (s->line.port.heard)
         end(s, FAULT, "something sends on %s, but no %s answers%s: %s", device, robot, rate, its);
     else
-        end(s, FAULT, "no %s answers on %s%s: is it turned on, is its cable plugged in, and %s", robot,
-            device, rate, its);
+        end(s, FAULT, "no %s answers on %s%s: is it turned on, is its cable plugged in, and %s",
+            robot, device, rate, its);
 }
 
 static void robot_failed(struct supervisor *s)
@@ -188,8 +189,7 @@ static void look_after_robot(struct supervisor *s)
         tell(s, "connected: %s", s->driver->describe(s->device));
         s->lost_ns = 0;
     }
-    if (s->lost_ns != 0 &&
-        (double)(now_ns() - s->lost_ns) > s->options->reconnect_s * 1e9)
+    if (s->lost_ns != 0 && (double)(now_ns() - s->lost_ns) > s->options->reconnect_s * 1e9)
         end(s, FAULT, "the robot was lost, and did not come back within %g s",
             s->options->reconnect_s);
 }
@@ -237,16 +237,13 @@ static void look_after_controller(struct supervisor *s)
     int64_t since_ns = now_ns() - (s->first_ns + s->instant_ns);
     const char *fate;
     switch (controller_take(&s->controller, s->output)) {
-    case CONTROLLER_ANSWERED:
-        answered(s);
-        return;
+    case CONTROLLER_ANSWERED: answered(s); return;
     case CONTROLLER_GONE:
         halt(s); /* before anything else */
         fate = controller_end(&s->controller, 100);
         end(s, FAULT, "the controller %s", fate != NULL ? fate : "is gone");
         return;
-    case CONTROLLER_BUSY:
-        break;
+    case CONTROLLER_BUSY: break;
     }
     if (!s->stepping)
         return;
@@ -460,13 +457,11 @@ int supervise(const struct params *params, const struct frob_driver *driver,
     s.record.file.file = -1;
     line_init(&s.line, options->device, driver->rate);
     /* With signals as they were, and without the robot's line. */
-    publisher_start(&s.publisher, s.program, 0, options->control ? RING_SENDS : 0,
-                    options->viewer);
+    publisher_start(&s.publisher, s.program, 0, options->control ? RING_SENDS : 0, options->viewer);
     catch_signals(&s);
     /* Before the line is open: neither cameras nor the controller must hold it. Frames are in
      * memory that the controller has too. */
-    if (!cameras_start(&s.cameras, s.program, options->cameras, options->camera_count,
-                       s.tells) ||
+    if (!cameras_start(&s.cameras, s.program, options->cameras, options->camera_count, s.tells) ||
         !controller_start(&s.controller, params, options)) {
         cameras_end(&s.cameras);
         return WRONG_USE;

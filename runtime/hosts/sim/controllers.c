@@ -77,15 +77,19 @@ static void tell_missing_camera(const struct frob_sim *sim, const char *label)
 {
     const bool is_pair = is_of_a_pair(label);
     const char *table = is_pair ? "[stereo]" : "[camera]";
-    fprintf(stderr, "error: the program looks through a camera, `%s`, and the robot of this world has",
+    fprintf(stderr,
+            "error: the program looks through a camera, `%s`, and the robot of this world has",
             label);
     if (!is_pair && tell_other_cameras(sim))
-        fprintf(stderr, ": give one of them `name = \"%s\"` in the world file, or write [[camera]] "
-                        "for each there and add one\n", label);
+        fprintf(stderr,
+                ": give one of them `name = \"%s\"` in the world file, or write [[camera]] "
+                "for each there and add one\n",
+                label);
     else if (is_pair || strcmp(label, "camera") == 0)
         fprintf(stderr, " none: add a table %s to the world file\n", table);
     else
-        fprintf(stderr, " none: add a table %s with name = \"%s\" to the world file\n", table, label);
+        fprintf(stderr, " none: add a table %s with name = \"%s\" to the world file\n", table,
+                label);
 }
 
 /* Through which camera this one looks: that of a control before it, or a new one of the world. */
@@ -135,8 +139,8 @@ static bool open_cameras(struct controllers *c)
     return ok;
 }
 
-bool controllers_open(struct controllers *c, const struct params *params,
-                      struct frob_sim *sim, const char *record)
+bool controllers_open(struct controllers *c, const struct params *params, struct frob_sim *sim,
+                      const char *record)
 {
     memset(c, 0, sizeof *c);
     c->program = params->program;
@@ -170,8 +174,8 @@ static bool look(struct controllers *c, size_t robot, int64_t now_ns)
             continue;
         while (c->cameras[first] != c->cameras[i])
             first++;
-        c->frames[i] = first < i ? c->frames[first]
-                                 : frob_sim_frame(c->sim, robot, c->cameras[i], now_ns);
+        c->frames[i] =
+            first < i ? c->frames[first] : frob_sim_frame(c->sim, robot, c->cameras[i], now_ns);
         if (control->kind == FROB_CAMERA) {
             frob_camera_give(control, input, c->frames[i], now_ns);
             continue;

@@ -36,7 +36,7 @@ struct controllers {
     struct frob_sim *sim;
     int *cameras; /* of each thing on the console that is one's, its number in the world */
     const struct frob_image **frames; /* of each of these, at the instant; else NULL */
-    struct tag_finder finder; /* if tags are asked for */
+    struct tag_finder finder;         /* if tags are asked for */
     size_t count;
     size_t running; /* those that have not ended */
     struct controller *each;
@@ -47,8 +47,8 @@ struct controllers {
  * nothing is recorded. False when there is not enough memory, when a file cannot
  * be written, when the world lacks a camera that the program asks for, or what finds tags is not
  * there, with a line on standard error; close it then, too. */
-bool controllers_open(struct controllers *c, const struct params *params,
-                      struct frob_sim *sim, const char *record);
+bool controllers_open(struct controllers *c, const struct params *params, struct frob_sim *sim,
+                      const char *record);
 
 /* An instant of all of them, `dt_s` after the one before: each reads its sensors,
  * steps and commands. The touches are for all. False when a record cannot be written, or

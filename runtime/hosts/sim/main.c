@@ -54,7 +54,7 @@ static void show_progress(int64_t now_ns, double duration_s)
         fprintf(stderr, "\rsimulating: %.0f s", now_s);
     else
         fprintf(stderr, "\rsimulating: %.0f of %g s (%.0f %%)", now_s, duration_s,
-            duration_s > 0.0 ? 100.0 * now_s / duration_s : 100.0);
+                duration_s > 0.0 ? 100.0 * now_s / duration_s : 100.0);
     fflush(stderr);
 }
 
@@ -161,11 +161,9 @@ static bool run(const struct options *options, struct controllers *controllers,
 }
 
 /* Who looks on finds the frames of a camera beside the recording. */
-static bool has_frames_for_viewer(const struct options *options,
-                                  const struct frob_program *program)
+static bool has_frames_for_viewer(const struct options *options, const struct frob_program *program)
 {
-    if (options->viewer == NULL || options->record != NULL ||
-        !frames_has_images(program->input))
+    if (options->viewer == NULL || options->record != NULL || !frames_has_images(program->input))
         return true;
     fprintf(stderr, "error: this program sees, and what it saw is shown from the frames beside a "
                     "recording: `--view` needs `--record LOG.csv` too\n");
@@ -318,7 +316,7 @@ static int start(const struct options *options)
         if (params_open(&params, program, options->params, options->param_count))
             status = try_seeds(options, &params, judge);
     } else if (params_open(&params, program, options->params, options->param_count) &&
-        (sim = open_world(options, program)) != NULL) {
+               (sim = open_world(options, program)) != NULL) {
         memset(&action, 0, sizeof action);
         action.sa_handler = interrupt;
         sigaction(SIGINT, &action, NULL);

@@ -10,12 +10,12 @@
 struct pace {
     struct publisher *publisher;
     const volatile sig_atomic_t *interrupted;
-    bool is_free;         /* as fast as it can, if nobody looks on */
+    bool is_free; /* as fast as it can, if nobody looks on */
     bool was_paused;
     double speed;
     int64_t clock_ns, time_ns; /* at which time on the clock the run was at which time */
-    int64_t last_ns;      /* the last instant */
-    uint32_t steps;       /* that were taken while paused */
+    int64_t last_ns;           /* the last instant */
+    uint32_t steps;            /* that were taken while paused */
 };
 
 /* From now on, at the run's time 0. */

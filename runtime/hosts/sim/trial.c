@@ -12,7 +12,7 @@
 enum { TRUTHS = TRIAL_TRUTHS };
 
 static const char *const truth_names[TRUTHS] = {
-    "in.pose.position.x", "in.pose.position.y", "in.pose.heading",   "in.clearance",
+    "in.pose.position.x", "in.pose.position.y", "in.pose.heading",  "in.clearance",
     "in.touches",         "in.driven",          "in.odometryError", "in.ended",
 };
 
@@ -128,9 +128,8 @@ static void see_truth(const struct controllers *controllers, double *truths)
     memcpy(truths, all, sizeof all);
 }
 
-static bool run(struct trial *trial, const struct options *options,
-                struct controllers *controllers, struct claims *judged, double *truths,
-                struct end *end)
+static bool run(struct trial *trial, const struct options *options, struct controllers *controllers,
+                struct claims *judged, double *truths, struct end *end)
 {
     struct touches touches;
     const int64_t end_ns = (int64_t)llround(options->duration_s * 1e9);
@@ -147,8 +146,7 @@ static bool run(struct trial *trial, const struct options *options,
         ok = controllers_step(controllers, now_ns, dt_s, &touches);
         see_truth(controllers, truths);
         fill(trial, truths);
-        trial->judge->step(trial->state, trial->params, dt_s, trial->input,
-                           trial->output);
+        trial->judge->step(trial->state, trial->params, dt_s, trial->input, trial->output);
         claims_see(judged, now_ns, trial->output);
         said = verdict_of(trial->judge->output, trial->output);
         asked = asked || said != VERDICT_NOT_ASKED;

@@ -47,7 +47,7 @@ struct trace {
     FILE *output;
     struct column *columns;
     size_t count, capacity;
-    size_t width; /* cells in the header */
+    size_t width;   /* cells in the header */
     unsigned parts; /* of the output's rows */
     struct claims claims;
     bool stops; /* at an assertion that is violated */
@@ -74,8 +74,7 @@ static void add_column(void *context, const char *name, const struct frob_value 
     struct trace *t = (struct trace *)context;
     if (t->count == t->capacity) {
         size_t capacity = t->capacity == 0 ? 32 : t->capacity * 2;
-        struct column *columns =
-            (struct column *)realloc(t->columns, capacity * sizeof *columns);
+        struct column *columns = (struct column *)realloc(t->columns, capacity * sizeof *columns);
         if (columns == NULL) {
             t->no_memory = true;
             return;
@@ -100,8 +99,7 @@ static bool readable(const struct trace *t, enum csv_status status)
 {
     switch (status) {
     case CSV_ROW:
-    case CSV_END:
-        return true;
+    case CSV_END: return true;
     case CSV_UNREADABLE:
         complain(t, 0, "cannot read the file: %s", packed_reason(t->input_name, errno));
         break;
@@ -111,12 +109,8 @@ static bool readable(const struct trace *t, enum csv_status status)
     case CSV_LATE_QUOTE:
         complain(t, t->csv.count - 1, "a blank before a quote; leave no blanks beside the commas");
         break;
-    case CSV_NUL:
-        complain(t, 0, "a zero byte: this is not a CSV file");
-        break;
-    case CSV_NO_MEMORY:
-        complain(t, 0, "not enough memory for this row");
-        break;
+    case CSV_NUL: complain(t, 0, "a zero byte: this is not a CSV file"); break;
+    case CSV_NO_MEMORY: complain(t, 0, "not enough memory for this row"); break;
     }
     return false;
 }
@@ -134,8 +128,7 @@ static const char *on_blanks(const char *text)
 static bool is_output(const char *name)
 {
     return strncmp(name, "mode.", 5) == 0 || strncmp(name, "probe.", 6) == 0 ||
-           (strncmp(name, "out", 3) == 0 &&
-            (name[3] == '\0' || name[3] == '.' || name[3] == '['));
+           (strncmp(name, "out", 3) == 0 && (name[3] == '\0' || name[3] == '.' || name[3] == '['));
 }
 
 static struct column *find_column(struct trace *t, const char *name)
@@ -260,7 +253,8 @@ static bool read_row(struct trace *t, void *input, int64_t *time)
     if (t->csv.count != t->width) {
         complain(t, t->width, "the header names %lu columns, but cells in this row: %lu%s",
                  (unsigned long)t->width, (unsigned long)t->csv.count,
-                 t->csv.count > t->width ? "; a cell with a comma in it stands in double quotes" : "");
+                 t->csv.count > t->width ? "; a cell with a comma in it stands in double quotes"
+                                         : "");
         return false;
     }
     if (!seconds_read(csv_cell(&t->csv, 0), time)) {
@@ -272,7 +266,8 @@ static bool read_row(struct trace *t, void *input, int64_t *time)
     for (size_t i = 0; i < t->count; i++) {
         const struct column *column = &t->columns[i];
         const char *cell = column->found ? csv_cell(&t->csv, column->cell) : NULL;
-        if (cell != NULL && !frob_cell_read(cell, column->value, input, &t->frames.finder, &error)) {
+        if (cell != NULL &&
+            !frob_cell_read(cell, column->value, input, &t->frames.finder, &error)) {
             complain_of_cell(t, column, cell, &error);
             return false;
         }
@@ -282,8 +277,7 @@ static bool read_row(struct trace *t, void *input, int64_t *time)
 
 static bool cannot_write(const char *output_name)
 {
-    fprintf(stderr, "error: cannot write %s: %s\n", output_name,
-            packed_reason(output_name, errno));
+    fprintf(stderr, "error: cannot write %s: %s\n", output_name, packed_reason(output_name, errno));
     return false;
 }
 
@@ -372,8 +366,9 @@ static bool read_arguments(int argc, char **argv, struct arguments *a)
             break;
     }
     if (a->params == NULL || argc - i < 2 || argc - i > 3) {
-        fprintf(stderr, "usage: frob-trace [--modes] [--stop-when-violated] [--param NAME=VALUE]... "
-                        "PROGRAM.so IN.csv [OUT.csv]\n");
+        fprintf(stderr,
+                "usage: frob-trace [--modes] [--stop-when-violated] [--param NAME=VALUE]... "
+                "PROGRAM.so IN.csv [OUT.csv]\n");
         return false;
     }
     a->program = argv[i];

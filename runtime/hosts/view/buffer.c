@@ -73,8 +73,11 @@ void buffer_format(struct buffer *b, const char *format, ...)
 static size_t utf8_length(const unsigned char *at)
 {
     static const uint32_t least[] = { 0, 0, 0x80, 0x800, 0x10000 };
-    size_t length = *at < 0x80 ? 1 : *at >= 0xc2 && *at < 0xe0 ? 2 : (*at & 0xf0) == 0xe0 ? 3
-                    : *at >= 0xf0 && *at < 0xf5               ? 4 : 0;
+    size_t length = *at < 0x80                  ? 1
+                    : *at >= 0xc2 && *at < 0xe0 ? 2
+                    : (*at & 0xf0) == 0xe0      ? 3
+                    : *at >= 0xf0 && *at < 0xf5 ? 4
+                                                : 0;
     uint32_t code;
     if (length < 2)
         return length;

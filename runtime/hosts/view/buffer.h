@@ -19,8 +19,7 @@ void buffer_free(struct buffer *b);
 
 void buffer_bytes(struct buffer *b, const char *bytes, size_t length);
 void buffer_text(struct buffer *b, const char *text);
-void buffer_format(struct buffer *b, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+void buffer_format(struct buffer *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* A JSON string, with its quotes; bytes that are not UTF-8 become U+FFFD. */
 void buffer_string(struct buffer *b, const char *text);

@@ -64,7 +64,9 @@ static bool read_options(struct options *o, int argc, char **argv)
     o->ring = -1;
     o->files.sources = (const char **)calloc((size_t)argc, sizeof *o->files.sources);
     o->files.params = (const char **)calloc((size_t)argc, sizeof *o->files.params);
-    for (; o->files.sources != NULL && o->files.params != NULL && i < argc && strncmp(argv[i], "--", 2) == 0; i++) {
+    for (; o->files.sources != NULL && o->files.params != NULL && i < argc &&
+           strncmp(argv[i], "--", 2) == 0;
+         i++) {
         if (strcmp(argv[i], "--print") == 0)
             o->print = true;
         else if (strcmp(argv[i], "--port") == 0 && i + 1 < argc)
@@ -84,7 +86,8 @@ static bool read_options(struct options *o, int argc, char **argv)
         else
             break;
     }
-    if (o->files.sources == NULL || o->files.params == NULL || i + 2 > argc || o->port < 0 || o->port > 65535) {
+    if (o->files.sources == NULL || o->files.params == NULL || i + 2 > argc || o->port < 0 ||
+        o->port > 65535) {
         fprintf(stderr, "usage: frob-view [--print] [--port N] [--source FILE]... "
                         "[--library FILE]... [--world FILE] PROGRAM.so RUN.csv\n");
         return false;
@@ -137,8 +140,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "error: --ring %d: there is no run that goes on\n", options.ring);
     } else if (!token_make(token)) {
         fprintf(stderr, "error: this computer has no random numbers (/dev/urandom)\n");
-    } else if (view_start(&view, program, frob_load_columns(), frob_load_origins(),
-                          &options.files, options.ring >= 0 ? &ring : NULL)) {
+    } else if (view_start(&view, program, frob_load_columns(), frob_load_origins(), &options.files,
+                          options.ring >= 0 ? &ring : NULL)) {
         /* Of a run of minutes all is known before the page is there. */
         view_advance(&view, 0.02);
         view_say(&view);

@@ -31,13 +31,13 @@ extern "C" {
 
 /* What can be wrong; each a bit of its own. */
 enum frob_arithmetic_fault {
-    FROB_ARITHMETIC_FORMAT = 1,       /* double is not binary64 */
-    FROB_ARITHMETIC_ROUNDING = 2,     /* not to nearest */
-    FROB_ARITHMETIC_PRECISION = 4,    /* results of more than 53 bits are carried on */
-    FROB_ARITHMETIC_CONTRACTION = 8,  /* a product and a sum with one rounding */
-    FROB_ARITHMETIC_ALGEBRA = 16,     /* operations are reordered, divisions replaced */
-    FROB_ARITHMETIC_SUBNORMAL = 32,   /* small numbers become zero */
-    FROB_ARITHMETIC_SPECIAL = 64      /* NaN, infinities or -0.0 are not told apart */
+    FROB_ARITHMETIC_FORMAT = 1,      /* double is not binary64 */
+    FROB_ARITHMETIC_ROUNDING = 2,    /* not to nearest */
+    FROB_ARITHMETIC_PRECISION = 4,   /* results of more than 53 bits are carried on */
+    FROB_ARITHMETIC_CONTRACTION = 8, /* a product and a sum with one rounding */
+    FROB_ARITHMETIC_ALGEBRA = 16,    /* operations are reordered, divisions replaced */
+    FROB_ARITHMETIC_SUBNORMAL = 32,  /* small numbers become zero */
+    FROB_ARITHMETIC_SPECIAL = 64     /* NaN, infinities or -0.0 are not told apart */
 };
 
 /* The format's own bits, so that no comparison of numbers has to be trusted. */
@@ -187,7 +187,8 @@ static inline const char *frob_arithmetic_reason(unsigned faults)
     if ((faults & FROB_ARITHMETIC_CONTRACTION) != 0)
         return "joins products and sums into one rounding: compile with -ffp-contract=off";
     if ((faults & (FROB_ARITHMETIC_ALGEBRA | FROB_ARITHMETIC_SPECIAL)) != 0)
-        return "takes floating-point numbers for real ones: compile without -ffast-math and its parts";
+        return "takes floating-point numbers for real ones: compile without -ffast-math and its "
+               "parts";
     if ((faults & FROB_ARITHMETIC_SUBNORMAL) != 0)
         return "makes zero of small numbers: compile and link without -ffast-math";
     return "";

@@ -36,21 +36,23 @@ struct frob_spot {
 
 /* What the body senses at an instant. */
 struct frob_senses {
-    int64_t time_ns;               /* since the start */
-    double x_m, y_m, heading_rad;  /* by odometry, from where it started */
-    double left_m_s, right_m_s;    /* measured speeds of the wheels */
+    int64_t time_ns;              /* since the start */
+    double x_m, y_m, heading_rad; /* by odometry, from where it started */
+    double left_m_s, right_m_s;   /* measured speeds of the wheels */
     bool left_stalled, right_stalled;
     bool pressed_ahead, pressed_behind; /* something touches the body before or behind its middle */
     double battery_v;
-    const double *echoes_m; /* of each ranger: NaN, or an echo that has come since the last instant */
-    const double *floor;    /* of each floor sensor: the share of its light that comes back, 0 (black, or no
+    const double
+        *echoes_m; /* of each ranger: NaN, or an echo that has come since the last instant */
+    const double
+        *floor; /* of each floor sensor: the share of its light that comes back, 0 (black, or no
                                floor) to 1 (white), with noise */
     const double *light_lux; /* of each photocell: illuminance, cd/m^2 */
 };
 
 struct frob_body {
-    const char *robot; /* "rover", as in struct frob_program */
-    const char *title; /* "Rover", for pictures */
+    const char *robot;              /* "rover", as in struct frob_program */
+    const char *title;              /* "Rover", for pictures */
     size_t input_size, output_size; /* of the robot's structs */
     double mass_kg;
     double radius_m;
@@ -65,11 +67,11 @@ struct frob_body {
 
     const struct frob_seat *rangers; /* at least one, in the order in which they fire */
     size_t ranger_count;
-    double half_angle_rad;         /* of the cone of each */
-    double nearest_m, farthest_m;  /* what is nearer reads so, what is farther gives no echo */
-    double resolution_m;           /* 0: none */
-    double period_s;               /* from one ranger to the next */
-    size_t left, ahead, right;     /* the rangers that look there most, for pictures */
+    double half_angle_rad;        /* of the cone of each */
+    double nearest_m, farthest_m; /* what is nearer reads so, what is farther gives no echo */
+    double resolution_m;          /* 0: none */
+    double period_s;              /* from one ranger to the next */
+    size_t left, ahead, right;    /* the rangers that look there most, for pictures */
 
     /* Fills in the robot's input struct, which is all zero before. */
     void (*sense)(const struct frob_senses *senses, void *input);

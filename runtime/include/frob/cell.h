@@ -20,16 +20,15 @@ extern "C" {
 
 /* Appends the value that lies in `base`, the input or output struct. No
  * quoting: that is the trace's business. */
-void frob_cell_write(struct frob_text *text, const struct frob_value *value,
-                     const void *base);
+void frob_cell_write(struct frob_text *text, const struct frob_value *value, const void *base);
 
 /* A bound for the length of a cell. */
 size_t frob_cell_room(const struct frob_value *value);
 
 /* What was wrong with a cell. */
 struct frob_cell_error {
-    size_t position;      /* in bytes from the start of the cell */
-    const char *expected; /* a static text: "a number" */
+    size_t position;                 /* in bytes from the start of the cell */
+    const char *expected;            /* a static text: "a number" */
     const struct frob_value *choice; /* one of its constructors was expected; or NULL */
 };
 

@@ -37,8 +37,8 @@ bool frob_console_is_on(const struct frob_program *program, const struct frob_va
  *   the map    is clicked at x, y, in metres, where odometry has its origin
  * A number that is not on the console, a camera and a NaN change nothing; then the answer is
  * false. */
-bool frob_console_touch(const struct frob_program *program, void *input, size_t control,
-                        double x, double y);
+bool frob_console_touch(const struct frob_program *program, void *input, size_t control, double x,
+                        double y);
 
 /* The instant is over: no event occurs any more. */
 void frob_console_clear(const struct frob_program *program, void *input);

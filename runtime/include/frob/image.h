@@ -54,10 +54,10 @@ struct frob_image {
     int32_t stride;        /* bytes from one row to the next: at least a row's own; of depths a
                             * multiple of sizeof(float) */
     enum frob_image_format format;
-    const void *pixels;    /* the upper left one; of depths aligned as floats. NULL only if
+    const void *pixels;  /* the upper left one; of depths aligned as floats. NULL only if
                             * there is none */
-    int64_t captured_ns;   /* the middle of its exposure, on the clock of the program's time */
-    uint32_t number;       /* of the frame since the camera started, from 0; those that never
+    int64_t captured_ns; /* the middle of its exposure, on the clock of the program's time */
+    uint32_t number;     /* of the frame since the camera started, from 0; those that never
                             * reached the program count too */
     struct frob_camera camera;
 };
@@ -66,12 +66,9 @@ struct frob_image {
 static inline int32_t frob_image_pixel_size(enum frob_image_format format)
 {
     switch (format) {
-    case FROB_GREY8:
-        return 1;
-    case FROB_RGB8:
-        return 3;
-    case FROB_DEPTH_M:
-        return (int32_t)sizeof(float);
+    case FROB_GREY8: return 1;
+    case FROB_RGB8: return 3;
+    case FROB_DEPTH_M: return (int32_t)sizeof(float);
     }
     return 0;
 }

@@ -21,8 +21,8 @@ enum {
 };
 
 struct frob_source {
-    const char *column; /* or what the names of several begin with, as `in.sonar` */
-    int back;           /* so many instants ago, 0 for the same one, or one of the above */
+    const char *column;  /* or what the names of several begin with, as `in.sonar` */
+    int back;            /* so many instants ago, 0 for the same one, or one of the above */
     const char *machine; /* only where this column, … */
     int mode;            /* … the running mode of a machine, is this one of its constructors; of
                           * FROB_ENTRY: was it before the mode began that runs now, or one of
@@ -31,12 +31,12 @@ struct frob_source {
 
 /* From one mode of a machine to another. */
 struct frob_transition {
-    int from, target;  /* numbers of modes; `from` may be FROB_ANY or FROB_BEFORE */
-    const char *label; /* what it waits for, as far as that is known; else "" */
-    int delayed;       /* the instant at which it happens is still of the mode that is left */
-    int at_once;       /* it may happen at the first instant of the mode that it leaves */
-    const char *file;  /* where it is written, without folders, … */
-    unsigned line, last;              /* … from and to which line, from 1 */
+    int from, target;    /* numbers of modes; `from` may be FROB_ANY or FROB_BEFORE */
+    const char *label;   /* what it waits for, as far as that is known; else "" */
+    int delayed;         /* the instant at which it happens is still of the mode that is left */
+    int at_once;         /* it may happen at the first instant of the mode that it leaves */
+    const char *file;    /* where it is written, without folders, … */
+    unsigned line, last; /* … from and to which line, from 1 */
     const struct frob_source *sources; /* of its event; as in an origin */
 };
 

@@ -38,9 +38,9 @@ struct frob_field {
 };
 
 struct frob_constructor {
-    const char *name;  /* as in the source: "Just"; NULL for a tuple or array */
-    int is_record;     /* fields are written {name = value} */
-    size_t count;      /* of fields */
+    const char *name; /* as in the source: "Just"; NULL for a tuple or array */
+    int is_record;    /* fields are written {name = value} */
+    size_t count;     /* of fields */
     const struct frob_field *fields;
 };
 
@@ -78,10 +78,10 @@ enum frob_control_kind {
 /* Something on the operator's console; see frob/console.h. */
 struct frob_control {
     enum frob_control_kind kind;
-    const char *label;    /* unique in the program, in UTF-8 */
-    const char *unit;     /* of a knob: "m/s"; "" without one */
-    double least, most;   /* of a knob; 0 and 1 of what is a bool */
-    double first;         /* where a knob is, and whether a toggle is on, before it is touched */
+    const char *label;  /* unique in the program, in UTF-8 */
+    const char *unit;   /* of a knob: "m/s"; "" without one */
+    double least, most; /* of a knob; 0 and 1 of what is a bool */
+    double first;       /* where a knob is, and whether a toggle is on, before it is touched */
     const struct frob_value *value; /* its part of the input */
 };
 
@@ -95,19 +95,20 @@ struct frob_param {
 
 /* An assertion in the program; see `assert` in the language reference. */
 struct frob_claim {
-    const char *label;  /* "keeps off the wall" */
-    const char *column; /* of a trace, if it is shown there: "wallFollow.assert keeps off the wall" */
-    const char *place;  /* "wall_follow.frob:12" */
+    const char *label; /* "keeps off the wall" */
+    const char
+        *column; /* of a trace, if it is shown there: "wallFollow.assert keeps off the wall" */
+    const char *place; /* "wall_follow.frob:12" */
     int is_assumption;
     const struct frob_value *value;
-        /* the verdict, within the output struct: NotAsked, Holds, Open or Fails; an event of
+    /* the verdict, within the output struct: NotAsked, Holds, Open or Fails; an event of
          * one where its signal function does not run at each instant; an array of such */
 };
 
 struct frob_program {
-    unsigned abi;          /* FROB_PROGRAM_ABI */
-    const char *name;      /* of the program */
-    const char *robot;     /* "pioneer", …; "" for a plain signal function */
+    unsigned abi;      /* FROB_PROGRAM_ABI */
+    const char *name;  /* of the program */
+    const char *robot; /* "pioneer", …; "" for a plain signal function */
     size_t state_size, input_size, output_size;
     const struct frob_value *input;
     const struct frob_value *output;
@@ -116,15 +117,15 @@ struct frob_program {
     unsigned (*arithmetic)(void); /* frob_arithmetic_faults, compiled as the program
                                    * is; and of floats, if it computes with them */
     const struct frob_value *result;
-        /* of a program that ends: the event, part of its output, that occurs at
+    /* of a program that ends: the event, part of its output, that occurs at
          * its end and from then on, with what it has ended with; else NULL. The
          * robot's output struct is at the beginning of the output. */
     const struct frob_machine *machines; /* each after the one it is within */
     size_t machine_count;
     const struct frob_value *probes;
-        /* inner signals, a record within the output struct; NULL without any */
+    /* inner signals, a record within the output struct; NULL without any */
     const struct frob_control *console;
-        /* what the operator is asked for, part of the input, where a robot's input struct
+    /* what the operator is asked for, part of the input, where a robot's input struct
          * comes first */
     size_t control_count;
     const void *default_params; /* the struct of the parameters; NULL without any. What is

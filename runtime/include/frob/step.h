@@ -324,8 +324,7 @@ static inline double frob_whole_dt(double dt)
     uint64_t bits;
     (void)memcpy(&bits, &dt, sizeof bits);
     const uint32_t exponent = (uint32_t)(bits >> 52) - 1013u;
-    if (exponent < 32u
-        && (bits * last_bit + last_bit / 2u) << exponent <= last_bit << exponent) {
+    if (exponent < 32u && (bits * last_bit + last_bit / 2u) << exponent <= last_bit << exponent) {
         return dt;
     }
 #endif

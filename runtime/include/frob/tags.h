@@ -24,8 +24,8 @@ struct frob_tags {
 
 /* The event of this instant: what is in the frame, with its age at the time `now_ns`; NULL for
  * both if there is none. */
-void frob_tags_give(const struct frob_control *control, void *input,
-                    const struct frob_image *image, const struct frob_tags *tags, int64_t now_ns);
+void frob_tags_give(const struct frob_control *control, void *input, const struct frob_image *image,
+                    const struct frob_tags *tags, int64_t now_ns);
 
 #ifdef __cplusplus
 }

@@ -19,8 +19,7 @@ extern "C" {
 #endif
 
 /* Called for each column of a value, in order. `name` is good for the call. */
-typedef void frob_column_visitor(void *context, const char *name,
-                                 const struct frob_value *value);
+typedef void frob_column_visitor(void *context, const char *name, const struct frob_value *value);
 
 /* Visits the columns of a program's input or output; `root` is their first
  * word, `in` or `out`. */
@@ -31,19 +30,18 @@ void frob_trace_columns(const struct frob_value *value, const char *root,
 enum frob_trace_parts { FROB_TRACE_IN = 1, FROB_TRACE_OUT = 2, FROB_TRACE_MODES = 4 };
 
 /* Appends the header line, with its line feed. */
-void frob_trace_header(struct frob_text *text, const struct frob_program *program,
-                       unsigned parts);
+void frob_trace_header(struct frob_text *text, const struct frob_program *program, unsigned parts);
 
 /* Appends one row, with its line feed. `time_ns` counts from the first
  * instant's time stamp of choice; in and out may be NULL if not in `parts`.
  * Without modes: see frob_trace_row_with_modes. */
-void frob_trace_row(struct frob_text *text, const struct frob_program *program,
-                    unsigned parts, int64_t time_ns, const void *in, const void *out);
+void frob_trace_row(struct frob_text *text, const struct frob_program *program, unsigned parts,
+                    int64_t time_ns, const void *in, const void *out);
 
 /* Likewise, and the modes too, from the program's state. */
 void frob_trace_row_with_modes(struct frob_text *text, const struct frob_program *program,
-                               unsigned parts, int64_t time_ns, const void *in,
-                               const void *out, const void *state);
+                               unsigned parts, int64_t time_ns, const void *in, const void *out,
+                               const void *state);
 
 /* The number of the mode of machine `i` that runs, from the program's state; -1
  * while the machine is not there. */

@@ -114,9 +114,9 @@ def falsify(
     _check("points", points, 1, 10000)
     _check("runs", runs, 1, 10**9)
     if shape not in search.SHAPES:
-        raise InputError(f"shape: expected \"constant\" or \"linear\", found {shape!r}")
+        raise InputError(f'shape: expected "constant" or "linear", found {shape!r}')
     if method not in search.METHODS:
-        raise InputError(f"method: expected \"cma\" or \"random\", found {method!r}")
+        raise InputError(f'method: expected "cma" or "random", found {method!r}')
     search.need_numpy()
     if method == "cma":
         search.cma()

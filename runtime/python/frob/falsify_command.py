@@ -83,7 +83,7 @@ def _ranges(option: str, settings: List[str]) -> Dict[str, str]:
     for setting in settings:
         name, equals, given = setting.partition("=")
         if not equals or not name.strip():
-            raise Error(f"{option} takes NAME=\"LOW to HIGH\", found `{setting}`")
+            raise Error(f'{option} takes NAME="LOW to HIGH", found `{setting}`')
         if name.strip() in found:
             raise Error(f"{option}: `{name.strip()}` is given twice")
         found[name.strip()] = given.strip()

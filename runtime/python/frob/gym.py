@@ -75,7 +75,12 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
         if not duration > 0:
             raise InputError(f"duration: expected seconds, found {duration}")
         self._drive = Drive(
-            file, world=world, robot=robot, entry=entry, sources=sources, rate=rate,
+            file,
+            world=world,
+            robot=robot,
+            entry=entry,
+            sources=sources,
+            rate=rate,
             picture=picture,
         )
         self._reward, self._done, self._duration = reward, done, duration
@@ -98,9 +103,7 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
         self.action_space: Any = self._space(self._action, ranges)
         self.observation_space: Any = self._space(self._observation, limits or {})
 
-    def _space(
-        self, names: Sequence[str], ranges: Mapping[str, Tuple[float, float]]
-    ) -> Any:
+    def _space(self, names: Sequence[str], ranges: Mapping[str, Tuple[float, float]]) -> Any:
         leaves = self._drive.numbers(names)
         if not names or len(set(names)) != len(names):
             raise InputError("an action and an observation have at least one column, each once")
@@ -123,9 +126,7 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
         self._truth = self._drive.truth()
         return self._seen(), self._info()
 
-    def step(
-        self, action: Floats
-    ) -> "tuple[Floats, float, bool, bool, dict[str, Any]]":
+    def step(self, action: Floats) -> "tuple[Floats, float, bool, bool, dict[str, Any]]":
         """An instant. What is beyond the limits is taken as the limit; NaN is an error."""
         chosen = self._chosen(action)
         of_input = {n: v for n, v in chosen.items() if n.startswith("in")}

@@ -33,7 +33,7 @@ def of_params(code: library.Library, params: Mapping[str, Any]) -> List[search.R
         if len(given_ends) == 1:
             unit = f"[{param.unit}]" if param.unit not in ("", "1") else ""
             raise InputError(
-                f"param {name}: expected a range, as \"{_text(param.default)}{unit} to …\", "
+                f'param {name}: expected a range, as "{_text(param.default)}{unit} to …", '
                 f"found {shapes.shown(given)}"
             )
         low, high = (param.value(end) for end in given_ends)

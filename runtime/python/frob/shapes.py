@@ -212,8 +212,11 @@ class Sum(Shape):
         values = [part.read(memory, base) for part in constructor.parts]
         if self.is_optional and not self.wraps and not is_missing(values[0]):
             return values[0]
-        return Data(constructor.name, **dict(zip(constructor.labels, values))) if (
-            constructor.labels) else Data(constructor.name, *values)
+        return (
+            Data(constructor.name, **dict(zip(constructor.labels, values)))
+            if (constructor.labels)
+            else Data(constructor.name, *values)
+        )
 
     def write(self, memory: Buffer, base: int, value: Any, place: str) -> None:
         if isinstance(value, str) and (self.is_event or value not in self.numbers):
@@ -335,4 +338,3 @@ def only_floats(leaves: List[Tuple[str, Leaf]], size: int) -> bool:
         isinstance(leaf, Float) and leaf.numpy_name == "float64" and leaf.offset == 8 * number
         for number, (_, leaf) in enumerate(leaves)
     )
-

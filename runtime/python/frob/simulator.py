@@ -105,9 +105,7 @@ class Simulator:
         self._lib = loaded()
         message = c.create_string_buffer(ROOM)
         settings = Settings(robot.encode(), seed, 0.0, int(picture), body)
-        self._sim = self._lib.frob_sim_open(
-            os.fsencode(world), c.byref(settings), message, ROOM
-        )
+        self._sim = self._lib.frob_sim_open(os.fsencode(world), c.byref(settings), message, ROOM)
         if not self._sim:
             raise Error(message.value.decode("utf-8", "replace"))
         if self._lib.frob_sim_robots(self._sim) != 1:

@@ -62,8 +62,8 @@ let step_single (program : Step.Ir.program) ~has_params =
     "static void step_single(void *state, const void *params, float dt, const void *input, void \
      *output)\n\
      {\n\
-     %s    %s_step((struct %s_state *)state, %sdt, (const struct %s_input *)input, (struct %s_output \
-     *)output);\n\
+     %s    %s_step((struct %s_state *)state, %sdt, (const struct %s_input *)input, (struct \
+     %s_output *)output);\n\
      }\n"
     unused name name params name name
 
@@ -79,7 +79,10 @@ let expected (program : Step.Ir.program) subject recordings =
     in
     let params = List.map (fun (p : Recording.param) -> c_string p.cell) (Recording.params r) in
     Printf.sprintf
-      "static const char *const params_%d[] = { %s };\nstatic const struct row rows_%d[] = {\n%s};\n" k
+      "static const char *const params_%d[] = { %s };\n\
+       static const struct row rows_%d[] = {\n\
+       %s};\n"
+      k
       (String.concat ", " (params @ [ "0" ]))
       k
       (String.concat "" (List.map2 row (Recording.rows r) (Recording.seconds r)))
@@ -91,7 +94,11 @@ let expected (program : Step.Ir.program) subject recordings =
       (if is_of_singles r then "step_single" else "0")
   in
   Printf.sprintf
-    "#include \"expected.h\"\n#include \"%s.h\"\n\n%s%s\nconst struct recording recordings[] = {\n%s};\n\
+    "#include \"expected.h\"\n\
+     #include \"%s.h\"\n\n\
+     %s%s\n\
+     const struct recording recordings[] = {\n\
+     %s};\n\
      const int recording_count = %d;\n"
     program.name
     (if List.exists is_of_singles recordings then step_single program ~has_params ^ "\n" else "")
@@ -100,7 +107,9 @@ let expected (program : Step.Ir.program) subject recordings =
     (List.length recordings)
 
 let step ?robot (tools : Engines.tools) file =
-  let request = { (Driver.Request.make ~library:tools.library file) with robot; real = tools.real } in
+  let request =
+    { (Driver.Request.make ~library:tools.library file) with robot; real = tools.real }
+  in
   let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
   match Driver.Pipeline.step sink sources request with
   | Some step -> step
@@ -151,7 +160,9 @@ let program_and_robot argument =
 
 let () =
   let s = settings () in
-  let tools real = { Engines.library = s.library; runtime = s.runtime; folder = s.out; real; probed = false } in
+  let tools real =
+    { Engines.library = s.library; runtime = s.runtime; folder = s.out; real; probed = false }
+  in
   let named file = Filename.remove_extension (Filename.basename file) in
   List.iteri
     (fun i argument ->
@@ -160,13 +171,16 @@ let () =
       emit ?robot s (tools Single) ~name:(named file ^ "_single") ~seed:i file)
     s.files;
   let rec modules first =
-    if first < s.count then begin
+    if first < s.count then (
       let count = min Batch.size (s.count - first) in
       let file = s.out / "program.frob" in
-      let real : Basis.Real.t = if Int.rem (Int.div first Batch.size) 3 = 1 then Single else Double in
+      let real : Basis.Real.t =
+        if Int.rem (Int.div first Batch.size) 3 = 1 then Single else Double
+      in
       write file (Constant.in_range real (Program.make ~seed:s.seed ~first ~count ()));
-      emit ~many:true s (tools real) ~name:(Printf.sprintf "random_%d" first) ~seed:(-1 - first) file;
-      modules (first + count)
-    end
+      emit ~many:true s (tools real)
+        ~name:(Printf.sprintf "random_%d" first)
+        ~seed:(-1 - first) file;
+      modules (first + count))
   in
   modules 0

@@ -6,7 +6,7 @@
 
 struct row {
     int64_t time_ns;
-    uint64_t dt; /* what the step is given, in seconds: the bits of a double */
+    uint64_t dt;              /* what the step is given, in seconds: the bits of a double */
     const char *const *cells; /* of the input's columns, in their order */
 };
 
@@ -14,11 +14,10 @@ struct recording {
     const struct row *rows;
     int count;
     const char *const *params; /* cells of the program's parameters, in their order */
-    uint64_t trace; /* FNV-1a of the trace of the output */
+    uint64_t trace;            /* FNV-1a of the trace of the output */
     /* NAME_step of a program in single precision, if that is given each dt as a float
      * here; or NULL, and the step of the table for hosts gets a double. */
-    void (*step_single)(void *state, const void *params, float dt, const void *input,
-                        void *output);
+    void (*step_single)(void *state, const void *params, float dt, const void *input, void *output);
 };
 
 extern const struct recording recordings[];

@@ -35,13 +35,13 @@ void litter(void);
 
 static inline struct a a_nothing(void)
 {
-    struct a v = {0, 0.0, 0, 0, 0};
+    struct a v = { 0, 0.0, 0, 0, 0 };
     return v;
 }
 
 static inline struct b b_nothing(void)
 {
-    struct b v = {0, 0.0, 0.0, 0.0, 0, 0, 0, 0};
+    struct b v = { 0, 0.0, 0.0, 0.0, 0, 0, 0, 0 };
     return v;
 }
 

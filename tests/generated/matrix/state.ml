@@ -25,7 +25,9 @@ and sum v ~depth at k =
   let scalar (name, (ty : Cgen.Ir.ty)) : string =
     value v ~depth (f "%s.%s" at name) (match ty with Real _ -> Float | _ -> Int)
   in
-  let types = List.concat_map (fun (ty, n) -> List.init n (fun _ -> Step.Layout.ty ty)) t.slots.arrays in
+  let types =
+    List.concat_map (fun (ty, n) -> List.init n (fun _ -> Step.Layout.ty ty)) t.slots.arrays
+  in
   f "    mix_int(hash, %s.tag);\n" at
   ^ lines (List.map scalar scalars)
   ^ lines (List.map2 (fun (name, _) ty -> value v ~depth (f "%s.%s" at name) ty) arrays types)
@@ -55,8 +57,7 @@ and of_modes v k modes =
       let case number mode =
         f "    case %s:\n%s        break;\n" v.nodes.(k).modes.(number).constant (all mode)
       in
-      f "    switch (%s) {\n%s    default:\n        mix_int(hash, -1);\n    }\n"
-        (place v k running)
+      f "    switch (%s) {\n%s    default:\n        mix_int(hash, -1);\n    }\n" (place v k running)
         (lines (List.mapi case modes))
   | _, None -> invalid_arg "State.of_modes: modes without a number"
 
@@ -64,8 +65,13 @@ let node (v : V.t) k (node : M.node) =
   if Option.is_some node.foreign || not (V.has_state v k) then ""
   else
     let names = v.nodes.(k) in
-    f "static void node_%d(uint64_t *hash, const struct %s *s)\n{\n    (void)hash;\n    (void)s;\n%s}\n\n" k
-      names.state
+    f
+      "static void node_%d(uint64_t *hash, const struct %s *s)\n\
+       {\n\
+      \    (void)hash;\n\
+      \    (void)s;\n\
+       %s}\n\n"
+      k names.state
       (lines (List.map (field v k) node.state))
 
 let text (program : M.program) =
@@ -80,5 +86,6 @@ let text (program : M.program) =
      }\n"
     program.name
     (lines (Array.to_list (Array.mapi (node v) program.nodes)))
-    (if V.has_state v root then f "node_%d(hash, (const struct %s *)state);" root v.nodes.(root).state
-    else "(void)hash;\n    (void)state;")
+    (if V.has_state v root then
+       f "node_%d(hash, (const struct %s *)state);" root v.nodes.(root).state
+     else "(void)hash;\n    (void)state;")

@@ -1,5 +1,6 @@
 """The kernels of vision (runtime/vision) and what finds tags, from Python: a shared library and
 the structs of <frob/image.h>, <frob/lens.h> and <frob/vision.h>; and how its rows are told."""
+
 import ctypes
 import json
 import sys
@@ -17,13 +18,26 @@ def doubles(names):
     return [(name, Double) for name in names.split()]
 
 
-Camera = struct("Camera", *doubles(
-    "focal_x focal_y centre_x centre_y k1 k2 k3 p1 p2 x y z yaw pitch roll"))
-Image = struct("Image", ("width", Int), ("height", Int), ("stride", Int), ("format", C.c_int),
-               ("pixels", C.c_void_p), ("captured_ns", C.c_int64), ("number", C.c_uint32),
-               ("camera", Camera))
-Lens = struct("Lens", *doubles("width height focal_x focal_y centre_x centre_y "
-                               "k1 k2 k3 p1 p2 ahead left up yaw pitch roll"))
+Camera = struct(
+    "Camera", *doubles("focal_x focal_y centre_x centre_y k1 k2 k3 p1 p2 x y z yaw pitch roll")
+)
+Image = struct(
+    "Image",
+    ("width", Int),
+    ("height", Int),
+    ("stride", Int),
+    ("format", C.c_int),
+    ("pixels", C.c_void_p),
+    ("captured_ns", C.c_int64),
+    ("number", C.c_uint32),
+    ("camera", Camera),
+)
+Lens = struct(
+    "Lens",
+    *doubles(
+        "width height focal_x focal_y centre_x centre_y k1 k2 k3 p1 p2 ahead left up yaw pitch roll"
+    ),
+)
 Region = struct("Region", *doubles("x y width height"))
 Vec2 = struct("Vec2", *doubles("x y"))
 Vec3 = struct("Vec3", *doubles("x y z"))
@@ -31,10 +45,16 @@ Corner = struct("Corner", *doubles("x y score"))
 Stereo = struct("Stereo", ("roi", Region), ("disparities", Int), ("window", Int))
 Tag = struct("Tag", ("id", Int), ("middle", Vec2), ("corners", Vec2 * 4), ("margin", Double))
 Tags = struct("Tags", ("count", C.c_size_t), ("each", Tag * 8))
-TagPlace = struct("TagPlace", ("middle", Vec3), ("facing", Vec3), ("residual", Double),
-                  ("ambiguity", Double))
-Finder = struct("Finder", ("detector", C.c_void_p), ("family", C.c_void_p),
-                ("grey", C.c_void_p), ("room", C.c_size_t))
+TagPlace = struct(
+    "TagPlace", ("middle", Vec3), ("facing", Vec3), ("residual", Double), ("ambiguity", Double)
+)
+Finder = struct(
+    "Finder",
+    ("detector", C.c_void_p),
+    ("family", C.c_void_p),
+    ("grey", C.c_void_p),
+    ("room", C.c_size_t),
+)
 
 
 class Kernels:
@@ -60,27 +80,42 @@ class Kernels:
         room = np.zeros(size // 2 + 1, np.uint16)
         found = np.empty((height, width), np.int16)
         assert self.library.frob_match_stereo(
-            C.byref(self.image(left)), C.byref(self.image(right)), C.byref(how),
-            C.c_void_p(room.ctypes.data), C.c_size_t(size), C.c_void_p(found.ctypes.data), width)
+            C.byref(self.image(left)),
+            C.byref(self.image(right)),
+            C.byref(how),
+            C.c_void_p(room.ctypes.data),
+            C.c_size_t(size),
+            C.c_void_p(found.ctypes.data),
+            width,
+        )
         return found
 
     def corner(self, pixels, x, y, reach):
         """The most corner-like place of a square of whole pixels around a place."""
         side = 2 * reach + 1
         found = Corner()
-        self.library.frob_find_corner(C.byref(self.image(pixels)),
-                                      C.byref(Region(x - reach, y - reach, side, side)),
-                                      C.byref(found))
+        self.library.frob_find_corner(
+            C.byref(self.image(pixels)),
+            C.byref(Region(x - reach, y - reach, side, side)),
+            C.byref(found),
+        )
         return found.x, found.y
 
     def bent(self, straighten, points, matrix, distortion, size):
         """Points without their lens's distortion, or with it; its five numbers as OpenCV has
         them."""
         k1, k2, p1, p2, k3 = distortion
-        image = Image(size[0], size[1], size[0], 0, None, 0, 0, Camera(
-            matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2], k1, k2, k3, p1, p2))
-        call = (self.library.frob_undistort_point if straighten
-                else self.library.frob_distort_point)
+        image = Image(
+            size[0],
+            size[1],
+            size[0],
+            0,
+            None,
+            0,
+            0,
+            Camera(matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2], k1, k2, k3, p1, p2),
+        )
+        call = self.library.frob_undistort_point if straighten else self.library.frob_distort_point
         found = []
         for x, y in points:
             to = Vec2()
@@ -94,16 +129,17 @@ class Kernels:
             self.finder = Finder()
             assert self.library.tag_finder_open(C.byref(self.finder))
         found = Tags()
-        assert self.library.tag_finder_find(C.byref(self.finder), C.byref(self.image(pixels)),
-                                            C.byref(found))
-        return {tag.id: tag for tag in found.each[:found.count]}
+        assert self.library.tag_finder_find(
+            C.byref(self.finder), C.byref(self.image(pixels)), C.byref(found)
+        )
+        return {tag.id: tag for tag in found.each[: found.count]}
 
     def tag_place(self, tag, size, matrix, image_size):
-        lens = Lens(image_size[0], image_size[1], matrix[0, 0], matrix[1, 1], matrix[0, 2],
-                    matrix[1, 2])
+        lens = Lens(
+            image_size[0], image_size[1], matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2]
+        )
         found = TagPlace()
-        self.library.frob_find_tag_place(C.byref(lens), Double(size), C.byref(tag),
-                                         C.byref(found))
+        self.library.frob_find_tag_place(C.byref(lens), Double(size), C.byref(tag), C.byref(found))
         return found
 
 
@@ -114,9 +150,20 @@ def row(measure, value, reference, unit, most=None):
     """A figure beside another; it fails if it is beyond so many times that one."""
     if most is not None and not value <= most * reference:
         failed.append(f"{measure}: {value:.4g} {unit}, and not {most:g} times {reference:.4g}")
-    print(json.dumps({"program": "photographs", "measure": measure, "compiler": "gcc -O3",
-                      "value": round(float(value), 4), "reference": round(float(reference), 4),
-                      "ratio": round(float(value / reference), 3), "unit": unit}), flush=True)
+    print(
+        json.dumps(
+            {
+                "program": "photographs",
+                "measure": measure,
+                "compiler": "gcc -O3",
+                "value": round(float(value), 4),
+                "reference": round(float(reference), 4),
+                "ratio": round(float(value / reference), 3),
+                "unit": unit,
+            }
+        ),
+        flush=True,
+    )
 
 
 def end():

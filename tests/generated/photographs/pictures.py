@@ -5,6 +5,7 @@
 LIBRARY is the kernels' (kernels.py); the others are folders of pictures: `skimage/data` of the
 package scikit-image, `examples/data` of opencv-doc, `ViSP-images` of visp-images-data. Prints
 JSON, one object a line. The exit status is 1 if a figure is beyond its limit."""
+
 import sys
 import time
 
@@ -94,35 +95,61 @@ def corners_of(name):
 
 
 def rms(vectors):
-    return np.sqrt((vectors ** 2).sum(axis=1).mean())
+    return np.sqrt((vectors**2).sum(axis=1).mean())
 
 
 def calibrated(size, views):
-    return cv2.calibrateCamera([board] * len(views), [v.astype(np.float32) for v in views], size,
-                               None, None)
+    return cv2.calibrateCamera(
+        [board] * len(views), [v.astype(np.float32) for v in views], size, None, None
+    )
 
 
 def chessboard(side):
     seen = [corners_of(f"{opencv}/{side}{k:02}.jpg") for k in (*range(1, 10), *range(11, 15))]
     size = seen[0][0]
     theirs, ours = ([s[k] for s in seen] for k in (1, 2))
-    row(f"chessboard, {side}: corners beside OpenCV's, RMS",
-        rms(np.vstack(ours) - np.vstack(theirs)), 0.3, "px", most=1)
+    row(
+        f"chessboard, {side}: corners beside OpenCV's, RMS",
+        rms(np.vstack(ours) - np.vstack(theirs)),
+        0.3,
+        "px",
+        most=1,
+    )
     by_theirs, by_ours = calibrated(size, theirs), calibrated(size, ours)
-    row(f"chessboard, {side}: corners off the calibrated board, RMS", by_ours[0], by_theirs[0],
-        "px", most=1.5)
-    row(f"chessboard, {side}: focal length, difference in %",
-        100 * abs(by_ours[1][0, 0] / by_theirs[1][0, 0] - 1), 1, "%", most=1)
+    row(
+        f"chessboard, {side}: corners off the calibrated board, RMS",
+        by_ours[0],
+        by_theirs[0],
+        "px",
+        most=1.5,
+    )
+    row(
+        f"chessboard, {side}: focal length, difference in %",
+        100 * abs(by_ours[1][0, 0] / by_theirs[1][0, 0] - 1),
+        1,
+        "%",
+        most=1,
+    )
     matrix, distortion = by_theirs[1], by_theirs[2][0]
     points = np.vstack(theirs)
-    straight = cv2.undistortPointsIter(points[:, None], matrix, distortion, None, matrix,
-                                       (cv2.TERM_CRITERIA_COUNT, 100, 0))[:, 0]
+    straight = cv2.undistortPointsIter(
+        points[:, None], matrix, distortion, None, matrix, (cv2.TERM_CRITERIA_COUNT, 100, 0)
+    )[:, 0]
     found = kernels.bent(True, points, matrix, distortion, size)
-    row(f"chessboard, {side}: undistort beside OpenCV, at most",
-        np.abs(found - straight).max(), 0.01, "px", most=1)
-    row(f"chessboard, {side}: distorted again, off at most",
-        np.abs(kernels.bent(False, found, matrix, distortion, size) - points).max(), 0.01, "px",
-        most=1)
+    row(
+        f"chessboard, {side}: undistort beside OpenCV, at most",
+        np.abs(found - straight).max(),
+        0.01,
+        "px",
+        most=1,
+    )
+    row(
+        f"chessboard, {side}: distorted again, off at most",
+        np.abs(kernels.bent(False, found, matrix, distortion, size) - points).max(),
+        0.01,
+        "px",
+        most=1,
+    )
 
 
 # Tags whose corners and poses are known: visp-images-data's
@@ -137,16 +164,21 @@ def turned(found, axis):
 def off_corners(tag, corners):
     """The largest distance of a corner; theirs may begin elsewhere and go the other way round."""
     found = np.array([(p.x, p.y) for p in tag.corners])
-    return min(np.linalg.norm(np.roll(corners[::way], k, 0) - found, axis=1).max()
-               for way in (1, -1) for k in range(4))
+    return min(
+        np.linalg.norm(np.roll(corners[::way], k, 0) - found, axis=1).max()
+        for way in (1, -1)
+        for k in range(4)
+    )
 
 
 def blocks(name, length):
     """Of a file with a name and so many lines of numbers again and again: by the number in the
     name."""
     lines = [line.split() for line in open(name) if line.strip()]
-    return {int(lines[k][-1].rsplit("_", 1)[-1]): np.array(lines[k + 1:k + 1 + length], float)
-            for k in range(0, len(lines), length + 1)}
+    return {
+        int(lines[k][-1].rsplit("_", 1)[-1]): np.array(lines[k + 1 : k + 1 + length], float)
+        for k in range(0, len(lines), length + 1)
+    }
 
 
 def tags_of(what, image, truth, poses, sizes, matrix, limits):
@@ -157,31 +189,58 @@ def tags_of(what, image, truth, poses, sizes, matrix, limits):
     places = {k: kernels.tag_place(tag, sizes[k], matrix, size) for k, tag in found.items()}
     middles = {k: np.array((p.middle.x, p.middle.y, p.middle.z)) for k, p in places.items()}
     corner, place, turn = limits
-    row(f"{what}: corners off, at most", max(off_corners(t, truth[k]) for k, t in found.items()),
-        corner, "px", most=1)
-    row(f"{what}: place off, at most",
-        max(100 * np.linalg.norm(m - poses[k][0]) / np.linalg.norm(poses[k][0])
-            for k, m in middles.items()), place, "%", most=1)
-    row(f"{what}: turn off, at most", max(turned(p, poses[k][1]) for k, p in places.items()),
-        turn, "deg", most=1)
+    row(
+        f"{what}: corners off, at most",
+        max(off_corners(t, truth[k]) for k, t in found.items()),
+        corner,
+        "px",
+        most=1,
+    )
+    row(
+        f"{what}: place off, at most",
+        max(
+            100 * np.linalg.norm(m - poses[k][0]) / np.linalg.norm(poses[k][0])
+            for k, m in middles.items()
+        ),
+        place,
+        "%",
+        most=1,
+    )
+    row(
+        f"{what}: turn off, at most",
+        max(turned(p, poses[k][1]) for k, p in places.items()),
+        turn,
+        "deg",
+        most=1,
+    )
 
 
 def tags():
     folder = f"{visp}/AprilTag/benchmark/640x480"
     truth = blocks(f"{folder}/corners_tag36_11.txt", 4)
     poses = {k: np.loadtxt(f"{folder}/cMo_{k}.txt") for k in truth}
-    tags_of("tags, rendered", grey(f"{folder}/tag36_11_640x480.png"), truth,
-            {k: (p[:3, 3], p[:3, 2]) for k, p in poses.items()},
-            {k: 0.2 if k < 3 else 0.1 for k in truth},
-            np.array([[700, 0, 320], [0, 700, 240], [0, 0, 1]]), (1, 1, 2))
+    tags_of(
+        "tags, rendered",
+        grey(f"{folder}/tag36_11_640x480.png"),
+        truth,
+        {k: (p[:3, 3], p[:3, 2]) for k, p in poses.items()},
+        {k: 0.2 if k < 3 else 0.1 for k in truth},
+        np.array([[700, 0, 320], [0, 700, 240], [0, 0, 1]]),
+        (1, 1, 2),
+    )
     folder = f"{visp}/AprilTag"
     # of these corners the row comes first
     truth = {k: c[:, ::-1] for k, c in blocks(f"{folder}/ground_truth_detection.txt", 4).items()}
     poses = blocks(f"{folder}/ground_truth_pose.txt", 1)
-    tags_of("tags, photographed", grey(f"{folder}/AprilTag.pgm"), truth,
-            {k: (p[0, :3], cv2.Rodrigues(p[0, 3:])[0][:, 2]) for k, p in poses.items()},
-            dict.fromkeys(truth, 0.053),
-            np.array([[615.17, 0, 312.19], [0, 615.17, 243.44], [0, 0, 1]]), (1, 1, 2))
+    tags_of(
+        "tags, photographed",
+        grey(f"{folder}/AprilTag.pgm"),
+        truth,
+        {k: (p[0, :3], cv2.Rodrigues(p[0, 3:])[0][:, 2]) for k, p in poses.items()},
+        dict.fromkeys(truth, 0.053),
+        np.array([[615.17, 0, 312.19], [0, 615.17, 243.44], [0, 0, 1]]),
+        (1, 1, 2),
+    )
 
 
 motorcycle()

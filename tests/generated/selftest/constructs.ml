@@ -19,11 +19,21 @@ let rec ty (t : ty) =
   | Real _ -> note "Real"
   | Struct _ -> note "Struct"
   | Named _ -> note "Named"
-  | Members members -> note "Members"; List.iter member members
-  | Union members -> note "Union"; List.iter member members
-  | Array (t, _) -> note "Array"; ty t
-  | Pointer t -> note "Pointer"; ty t
-  | Pointer_to_const t -> note "Pointer_to_const"; ty t
+  | Members members ->
+      note "Members";
+      List.iter member members
+  | Union members ->
+      note "Union";
+      List.iter member members
+  | Array (t, _) ->
+      note "Array";
+      ty t
+  | Pointer t ->
+      note "Pointer";
+      ty t
+  | Pointer_to_const t ->
+      note "Pointer_to_const";
+      ty t
 
 and member m = ty m.ty
 
@@ -53,34 +63,91 @@ let rec expr : expr -> unit = function
   | Integer _ -> note "Integer"
   | Long _ -> note "Long"
   | Float _ -> note "Float"
-  | Unary (operator, e) -> note "Unary"; note (unary operator); expr e
-  | Binary (operator, a, b) -> note "Binary"; note (binary operator); expr a; expr b
-  | Conditional (a, b, c) -> note "Conditional"; List.iter expr [ a; b; c ]
-  | Call (name, arguments) -> note "Call"; note name; List.iter expr arguments
-  | Member (e, _) -> note "Member"; expr e
-  | Arrow (e, _) -> note "Arrow"; expr e
-  | Subscript (a, b) -> note "Subscript"; expr a; expr b
-  | Aggregate es -> note "Aggregate"; List.iter expr es
-  | Cast (t, e) -> note "Cast"; ty t; expr e
+  | Unary (operator, e) ->
+      note "Unary";
+      note (unary operator);
+      expr e
+  | Binary (operator, a, b) ->
+      note "Binary";
+      note (binary operator);
+      expr a;
+      expr b
+  | Conditional (a, b, c) ->
+      note "Conditional";
+      List.iter expr [ a; b; c ]
+  | Call (name, arguments) ->
+      note "Call";
+      note name;
+      List.iter expr arguments
+  | Member (e, _) ->
+      note "Member";
+      expr e
+  | Arrow (e, _) ->
+      note "Arrow";
+      expr e
+  | Subscript (a, b) ->
+      note "Subscript";
+      expr a;
+      expr b
+  | Aggregate es ->
+      note "Aggregate";
+      List.iter expr es
+  | Cast (t, e) ->
+      note "Cast";
+      ty t;
+      expr e
 
 let rec statement (s : statement) =
   match s.desc with
-  | Constant { ty = t; value; _ } -> note "Constant"; ty t; expr value
-  | Table { ty = t; value; _ } -> note "Table"; ty t; expr value
-  | Variables { ty = t; _ } -> note "Variables"; ty t
-  | Variable { ty = t; value; _ } -> note "Variable"; ty t; expr value
-  | Initialize { ty = t; values; _ } -> note "Initialize"; ty t; List.iter expr values
-  | Assign (a, b) -> note "Assign"; expr a; expr b
-  | Add_to (a, b) -> note "Add_to"; expr a; expr b
-  | Do e -> note "Do"; expr e
-  | If { condition; then_; else_ } -> note "If"; expr condition; List.iter statement (then_ @ else_)
+  | Constant { ty = t; value; _ } ->
+      note "Constant";
+      ty t;
+      expr value
+  | Table { ty = t; value; _ } ->
+      note "Table";
+      ty t;
+      expr value
+  | Variables { ty = t; _ } ->
+      note "Variables";
+      ty t
+  | Variable { ty = t; value; _ } ->
+      note "Variable";
+      ty t;
+      expr value
+  | Initialize { ty = t; values; _ } ->
+      note "Initialize";
+      ty t;
+      List.iter expr values
+  | Assign (a, b) ->
+      note "Assign";
+      expr a;
+      expr b
+  | Add_to (a, b) ->
+      note "Add_to";
+      expr a;
+      expr b
+  | Do e ->
+      note "Do";
+      expr e
+  | If { condition; then_; else_ } ->
+      note "If";
+      expr condition;
+      List.iter statement (then_ @ else_)
   | Switch { value; cases } ->
-      note "Switch"; expr value; List.iter (fun (_, body) -> List.iter statement body) cases
-  | For { body; _ } -> note "For"; List.iter statement body
-  | Repeat { body; _ } -> note "Repeat"; List.iter statement body
+      note "Switch";
+      expr value;
+      List.iter (fun (_, body) -> List.iter statement body) cases
+  | For { body; _ } ->
+      note "For";
+      List.iter statement body
+  | Repeat { body; _ } ->
+      note "Repeat";
+      List.iter statement body
   | Continue -> note "Continue"
   | Break -> note "Break"
-  | Return e -> note "Return"; expr e
+  | Return e ->
+      note "Return";
+      expr e
 
 let function_ (f : function_) =
   (match f.linkage with
@@ -97,10 +164,16 @@ let function_ (f : function_) =
   List.iter operation Cgen.Array_type.operations
 
 let declaration : declaration -> unit = function
-  | Struct_definition { members; _ } -> note "Struct_definition"; List.iter member members
+  | Struct_definition { members; _ } ->
+      note "Struct_definition";
+      List.iter member members
   | Constants _ -> note "Constants"
-  | Prototype f -> note "Prototype"; function_ { f with body = [] }
-  | Function f -> note "Function"; function_ f
+  | Prototype f ->
+      note "Prototype";
+      function_ { f with body = [] }
+  | Function f ->
+      note "Function";
+      function_ f
   | Text _ -> note "Text"
 
 let program ~library ~real folder (file, entry) =
@@ -138,8 +211,7 @@ let elementary path = found_in path (fun line -> Scanf.sscanf line "double %[a-z
 
 (* What only other helpers call or are marked with is with them; what the header asks for,
    it calls nowhere. *)
-let called_by_nobody =
-  [ "frob_wrap"; "FROB_STEP_H" ]
+let called_by_nobody = [ "frob_wrap"; "FROB_STEP_H" ]
 
 let () =
   let library = Sys.argv.(1) and folder = Sys.argv.(2) in
@@ -149,9 +221,11 @@ let () =
   let wanted =
     [
       ("constructors", constructors Sys.argv.(3));
-      ("helpers", List.filter (fun name -> not (List.mem name called_by_nobody)) (Cgen.Helpers.names ()));
+      ( "helpers",
+        List.filter (fun name -> not (List.mem name called_by_nobody)) (Cgen.Helpers.names ()) );
       ("elementary functions", elementary Sys.argv.(4));
-      ("operations on arrays", List.map (fun o -> "array " ^ Cgen.Array_type.suffix o) Cgen.Array_type.operations);
+      ( "operations on arrays",
+        List.map (fun o -> "array " ^ Cgen.Array_type.suffix o) Cgen.Array_type.operations );
     ]
   in
   let missing (what, names) =

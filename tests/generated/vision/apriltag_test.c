@@ -5,9 +5,9 @@
 
 #include "apriltag.h"
 
-#define SAME(own, own_part, its, its_part)                                                         \
-    _Static_assert(offsetof(struct own, own_part) == offsetof(its, its_part) &&                    \
-                       sizeof(((struct own *)0)->own_part) == sizeof(((its *)0)->its_part),        \
+#define SAME(own, own_part, its, its_part)                                                  \
+    _Static_assert(offsetof(struct own, own_part) == offsetof(its, its_part) &&             \
+                       sizeof(((struct own *)0)->own_part) == sizeof(((its *)0)->its_part), \
                    #own "." #own_part)
 
 SAME(apriltag_image, width, image_u8_t, width);
@@ -30,9 +30,12 @@ _Static_assert(sizeof(struct apriltag_image) == sizeof(image_u8_t), "images");
 
 /* What a host calls has these types. */
 static apriltag_family_t *(*const make_family)(void) = tag36h11_create;
-static void (*const add)(apriltag_detector_t *, apriltag_family_t *, int) =
-    apriltag_detector_add_family_bits;
+static void (*const add)(apriltag_detector_t *, apriltag_family_t *,
+                         int) = apriltag_detector_add_family_bits;
 static zarray_t *(*const detect)(apriltag_detector_t *, image_u8_t *) = apriltag_detector_detect;
 static void (*const destroy)(zarray_t *) = apriltag_detections_destroy;
 
-int main(void) { return make_family == NULL || add == NULL || detect == NULL || destroy == NULL; }
+int main(void)
+{
+    return make_family == NULL || add == NULL || detect == NULL || destroy == NULL;
+}

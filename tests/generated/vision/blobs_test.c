@@ -19,7 +19,7 @@ static bool is_inside(const struct frob_region *roi, int32_t x, int32_t y)
 static bool is_found(const struct frob_image *image, int32_t x, int32_t y,
                      const struct frob_colour_range *colours)
 {
-    const struct frob_region roi = {x, y, 1, 1};
+    const struct frob_region roi = { x, y, 1, 1 };
     struct frob_blob blob;
     frob_find_blob(image, &roi, colours, &blob);
     return blob.pixels == 1;
@@ -37,9 +37,10 @@ static int by_the_book(const uint8_t *p, const struct frob_colour_range *c)
     bool unsure = false, in = true;
 
     if (chroma > 0)
-        hue = 60 * degree * (value == r   ? (g - b) / chroma
-                             : value == g ? 2 + (b - r) / chroma
-                                          : 4 + (r - g) / chroma);
+        hue = 60 * degree *
+              (value == r   ? (g - b) / chroma
+               : value == g ? 2 + (b - r) / chroma
+                            : 4 + (r - g) / chroma);
     if (chroma > 0 && past < 360 * degree) {
         distance = fmod(hue - c->hueFrom + 720 * degree, 360 * degree);
         in = distance <= past;
@@ -64,8 +65,9 @@ static void colours_are_those_of_the_book(void)
     for (int k = 0; k < 200000; k++) {
         const double from = random_below(720) - 360;
         const struct frob_colour_range c = {
-            from * degree, (from + random_below(360)) * degree, random_share() * 0.8, 1,
-            random_share() * 0.5, 0.6 + random_share() * 0.4};
+            from * degree,        (from + random_below(360)) * degree, random_share() * 0.8, 1,
+            random_share() * 0.5, 0.6 + random_share() * 0.4
+        };
         int expected, found;
         for (int i = 0; i < 3; i++)
             pixel[i] = (uint8_t)random_below(256);
@@ -81,13 +83,14 @@ static void colours_are_those_of_the_book(void)
 
 static void ends_of_ranges(void)
 {
-    static const uint8_t red[3] = {255, 0, 0}, grey[3] = {102, 102, 102}, cyan[3] = {0, 255, 255};
+    static const uint8_t red[3] = { 255, 0, 0 }, grey[3] = { 102, 102, 102 },
+                         cyan[3] = { 0, 255, 255 };
     struct frob_image *image = picture(1, 1, FROB_RGB8);
-    const struct frob_colour_range around_red = {350 * degree, 10 * degree, 0.5, 1, 0, 1};
-    const struct frob_colour_range red_alone = {0, 0, 0.5, 1, 0, 1};
-    const struct frob_colour_range all = {0, 360 * degree, 0, 1, 0.4, 0.4};
-    const struct frob_colour_range none = {0, 360 * degree, 0.6, 0.5, 0, 1};
-    const struct frob_colour_range unknown = {NAN, 1, 0, 1, 0, 1};
+    const struct frob_colour_range around_red = { 350 * degree, 10 * degree, 0.5, 1, 0, 1 };
+    const struct frob_colour_range red_alone = { 0, 0, 0.5, 1, 0, 1 };
+    const struct frob_colour_range all = { 0, 360 * degree, 0, 1, 0.4, 0.4 };
+    const struct frob_colour_range none = { 0, 360 * degree, 0.6, 0.5, 0, 1 };
+    const struct frob_colour_range unknown = { NAN, 1, 0, 1, 0, 1 };
 
     memcpy((void *)(uintptr_t)image->pixels, red, 3);
     check(is_found(image, 0, 0, &around_red), "red around 0", 0, 1);
@@ -138,8 +141,7 @@ static void compare(const struct frob_blob *found, const bool (*set)[SIDE])
     check(found->box.x == left, "box.x", found->box.x, left);
     check(found->box.y == top, "box.y", found->box.y, top);
     check(found->box.width == right - left + 1, "box.width", found->box.width, right - left + 1);
-    check(found->box.height == bottom - top + 1, "box.height", found->box.height,
-          bottom - top + 1);
+    check(found->box.height == bottom - top + 1, "box.height", found->box.height, bottom - top + 1);
     /* The axes turned back into moments. */
     {
         const double a = found->major * found->major / 16, b = found->minor * found->minor / 16;
@@ -221,9 +223,12 @@ static void random_images(void)
         struct frob_image *image = random_picture(SIDE);
         const struct frob_region roi = random_region(image);
         const double from = random_below(360);
-        const struct frob_colour_range c = {from * degree, (from + random_below(360)) * degree,
-                                            image->format == FROB_GREY8 ? 0 : random_share() * 0.5,
-                                            1, random_share(), 1};
+        const struct frob_colour_range c = { from * degree,
+                                             (from + random_below(360)) * degree,
+                                             image->format == FROB_GREY8 ? 0 : random_share() * 0.5,
+                                             1,
+                                             random_share(),
+                                             1 };
         struct frob_blob blob;
         struct frob_blobs blobs;
         int set = 0;
@@ -257,13 +262,13 @@ static double disc_shade(const void *scene, double x, double y)
 
 static void discs(void)
 {
-    const struct frob_colour_range bright = {0, 6.3, 0, 1, 0.5, 1};
+    const struct frob_colour_range bright = { 0, 6.3, 0, 1, 0.5, 1 };
     double worst = 0;
 
     for (int k = 0; k < 50; k++) {
         struct frob_image *image = picture(SIDE, SIDE, FROB_GREY8);
-        const struct disc d = {20 + 20 * random_share(), 20 + 20 * random_share(),
-                               8 + 10 * random_share()};
+        const struct disc d = { 20 + 20 * random_share(), 20 + 20 * random_share(),
+                                8 + 10 * random_share() };
         struct frob_blob blob;
         draw(image, 16, disc_shade, &d);
         frob_find_blob(image, &everywhere, &bright, &blob);
@@ -279,7 +284,7 @@ static void discs(void)
 /* Spirals and combs have as many runs in a row as there can be, and join late. */
 static void combs(void)
 {
-    const struct frob_colour_range bright = {0, 6.3, 0, 1, 0.5, 1};
+    const struct frob_colour_range bright = { 0, 6.3, 0, 1, 0.5, 1 };
     struct frob_image *image = picture(FROB_IMAGE_SIDE, 5, FROB_GREY8);
     uint8_t *pixels = (uint8_t *)(uintptr_t)image->pixels;
     struct frob_blobs blobs;

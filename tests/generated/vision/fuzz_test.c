@@ -13,23 +13,15 @@
 static void spoil(struct frob_image *image)
 {
     switch (random_below(6)) {
-    case 0:
-        image->width = -1 - random_below(1000);
-        break;
-    case 1:
-        image->height = INT32_MIN;
-        break;
+    case 0: image->width = -1 - random_below(1000); break;
+    case 1: image->height = INT32_MIN; break;
     case 2:
         image->stride = random_below(2) ? INT32_MIN : image->width - 1;
         if (image->stride >= image->width * frob_image_pixel_size(image->format))
             image->stride = -1;
         break;
-    case 3:
-        image->width = INT32_MAX;
-        break;
-    case 4:
-        image->format = (enum frob_image_format)3;
-        break;
+    case 3: image->width = INT32_MAX; break;
+    case 4: image->format = (enum frob_image_format)3; break;
     default:
         image->width = image->height = 4;
         free((void *)(uintptr_t)image->pixels);
@@ -54,10 +46,12 @@ static struct frob_image *any_picture(bool *is_sound)
     return image;
 }
 
-
 /* {1 What is promised} */
 
-static void check_share(double x, const char *what) { check(x >= 0 && x <= 1, what, x, 0); }
+static void check_share(double x, const char *what)
+{
+    check(x >= 0 && x <= 1, what, x, 0);
+}
 
 static void check_in_image(const struct frob_image *image, double x, double y, const char *what)
 {
@@ -67,7 +61,8 @@ static void check_in_image(const struct frob_image *image, double x, double y, c
 
 static struct frob_placement any_placement(const struct frob_image *image)
 {
-    struct frob_placement p = {random_number(), random_number(), random_number(), random_number()};
+    struct frob_placement p = { random_number(), random_number(), random_number(),
+                                random_number() };
 
     if (random_below(2) && image->width > 0 && image->height > 0) {
         p.x = random_below(48);
@@ -81,8 +76,8 @@ static struct frob_placement any_placement(const struct frob_image *image)
 /* A place is before the camera and looks towards it, or is no place. */
 static void tags(void)
 {
-    struct frob_lens lens = {0};
-    struct frob_tag tag = {0};
+    struct frob_lens lens = { 0 };
+    struct frob_tag tag = { 0 };
     struct frob_tag_place place;
     const double size = random_number();
     lens.focalX = random_number();
@@ -101,23 +96,24 @@ static void tags(void)
     check(place.middle.z > 0 && place.residual >= 0, "a place", place.middle.z, place.residual);
     check_share(place.ambiguity, "ambiguity");
     check(fabs(place.facing.x * place.facing.x + place.facing.y * place.facing.y +
-               place.facing.z * place.facing.z - 1) < 1e-9, "a direction", place.facing.z, 1);
+               place.facing.z * place.facing.z - 1) < 1e-9,
+          "a direction", place.facing.z, 1);
 }
 
 static void kernels(const struct frob_image *image, bool is_sound)
 {
-    const struct frob_region roi = {random_number(), random_number(), random_number(),
-                                    random_number()};
+    const struct frob_region roi = { random_number(), random_number(), random_number(),
+                                     random_number() };
     const struct frob_region *where = random_below(2) ? &everywhere : &roi;
-    const struct frob_colour_range colours = {random_number(), random_number(), random_number(),
-                                              random_number(), random_number(), random_number()};
-    const struct frob_segment segment = {random_number(), random_number(), random_number(),
-                                         random_number(), random_number()};
-    const struct frob_vec2 point = {random_number(), random_number()};
+    const struct frob_colour_range colours = { random_number(), random_number(), random_number(),
+                                               random_number(), random_number(), random_number() };
+    const struct frob_segment segment = { random_number(), random_number(), random_number(),
+                                          random_number(), random_number() };
+    const struct frob_vec2 point = { random_number(), random_number() };
     const struct frob_placement place = any_placement(image);
-    const struct frob_search search = {any_placement(image), random_below(9) - 3,
-                                       random_below(9) ? random_below(12) : INT32_MAX,
-                                       random_below(9) - 2};
+    const struct frob_search search = { any_placement(image), random_below(9) - 3,
+                                        random_below(9) ? random_below(12) : INT32_MAX,
+                                        random_below(9) - 2 };
     struct frob_blob blob;
     struct frob_blobs blobs;
     struct frob_statistics statistics;
@@ -144,8 +140,8 @@ static void kernels(const struct frob_image *image, bool is_sound)
           statistics.median, statistics.min);
     frob_get_histogram(image, where, counts);
     frob_find_edges(image, &segment, &edges);
-    check(edges.rising.gradient >= 0 && edges.rising.gradient < 255, "rise",
-          edges.rising.gradient, 0);
+    check(edges.rising.gradient >= 0 && edges.rising.gradient < 255, "rise", edges.rising.gradient,
+          0);
     check(edges.falling.gradient <= 0 && edges.falling.gradient > -255, "fall",
           edges.falling.gradient, 0);
     check(fabs(edges.rising.offset) <= 64.5, "offset", edges.rising.offset, 0);

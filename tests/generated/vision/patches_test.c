@@ -50,7 +50,7 @@ static struct frob_image *drawn(const struct scene *s)
 
 static struct scene random_scene(void)
 {
-    struct scene s = {SIDE / 2, SIDE / 2, 0, 1, 1, 0, 0, {0}, {0}, {0}};
+    struct scene s = { SIDE / 2, SIDE / 2, 0, 1, 1, 0, 0, { 0 }, { 0 }, { 0 } };
 
     for (int k = 0; k < WAVES; k++) {
         s.along[k] = (0.1 + 0.08 * k) * cos(2.4 * k);
@@ -82,8 +82,8 @@ static void cut_as_by_the_formula(void)
 {
     for (int k = 0; k < 300; k++) {
         struct frob_image *image = random_picture(64);
-        const struct frob_placement p = {64 * random_share(), 64 * random_share(),
-                                         6.28 * random_share(), 0.2 + 5 * random_share()};
+        const struct frob_placement p = { 64 * random_share(), 64 * random_share(),
+                                          6.28 * random_share(), 0.2 + 5 * random_share() };
         const int parts = p.scale > 3 ? 4 : p.scale > 2 ? 3 : p.scale > 1.25 ? 2 : 1;
         double samples[FROB_PATCH_SIZE], worst = 0;
         frob_get_patch(image, &p, samples);
@@ -135,16 +135,16 @@ struct errors {
 
 /* Of so many scenes: the patch is cut from the one, and found in another one, whose placement
  * is up to `far` pixels, `turned` and `grown` away from where the search begins. */
-static struct errors errors_of(int scenes, int32_t freedom, double far, double turned,
-                               double grown, double noise)
+static struct errors errors_of(int scenes, int32_t freedom, double far, double turned, double grown,
+                               double noise)
 {
-    struct errors worst = {0, 0, 0, 0, 0};
+    struct errors worst = { 0, 0, 0, 0, 0 };
 
     for (int k = 0; k < scenes; k++) {
         struct scene s = random_scene();
-        const struct frob_placement first = {s.x, s.y, 0, 1};
+        const struct frob_placement first = { s.x, s.y, 0, 1 };
         struct frob_image *before = drawn(&s), *after;
-        struct frob_search search = {first, 2, 10, 0};
+        struct frob_search search = { first, 2, 10, 0 };
         struct frob_match match;
         double patch[FROB_PATCH_SIZE];
         search.freedom = freedom;
@@ -203,8 +203,8 @@ static void found_where_they_were_drawn(void)
 static void what_is_not_there(void)
 {
     struct scene one = random_scene(), other = random_scene();
-    const struct frob_placement first = {one.x, one.y, 0, 1}, outside = {-200, 5, 0, 1};
-    struct frob_search search = {first, 2, 10, 4};
+    const struct frob_placement first = { one.x, one.y, 0, 1 }, outside = { -200, 5, 0, 1 };
+    struct frob_search search = { first, 2, 10, 4 };
     struct frob_image *image = drawn(&one), *another = drawn(&other);
     double patch[FROB_PATCH_SIZE];
     struct frob_match match;
@@ -234,10 +234,10 @@ static void found_again_anywhere(void)
 
     for (int k = 0; k < 40; k++) {
         struct scene s = random_scene();
-        const struct frob_placement first = {s.x, s.y, 0, 1};
-        struct frob_placement like = {0, 0, (k % 4) * 0.4, 1};
+        const struct frob_placement first = { s.x, s.y, 0, 1 };
+        struct frob_placement like = { 0, 0, (k % 4) * 0.4, 1 };
         struct frob_image *before = drawn(&s), *after;
-        struct frob_search search = {first, 2, 10, 4};
+        struct frob_search search = { first, 2, 10, 4 };
         struct frob_match rough, fine;
         double patch[FROB_PATCH_SIZE];
         frob_get_patch(before, &first, patch);

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct frob_region everywhere = {-1e6, -1e6, 1e9, 1e9};
+const struct frob_region everywhere = { -1e6, -1e6, 1e9, 1e9 };
 
 static int failed;
 
@@ -17,7 +17,10 @@ void check(bool ok, const char *what, double found, double expected)
         printf("FAIL %s: %.17g, expected %.17g\n", what, found, expected);
 }
 
-int failures(void) { return failed; }
+int failures(void)
+{
+    return failed;
+}
 
 static uint64_t seed = 1;
 
@@ -29,9 +32,15 @@ uint32_t random_bits(void)
     return (uint32_t)((z ^ (z >> 31)) >> 32);
 }
 
-int32_t random_below(int32_t n) { return (int32_t)(random_bits() % (uint32_t)n); }
+int32_t random_below(int32_t n)
+{
+    return (int32_t)(random_bits() % (uint32_t)n);
+}
 
-double random_share(void) { return random_bits() / 4294967296.0; }
+double random_share(void)
+{
+    return random_bits() / 4294967296.0;
+}
 
 static struct frob_image *with_stride(int32_t width, int32_t height, enum frob_image_format format,
                                       int32_t more)
@@ -77,11 +86,11 @@ struct frob_image *random_picture(int32_t most_side)
 
     for (int32_t y = 0; y < height; y++)
         for (int32_t x = 0; x < width; x++) {
-            uint8_t *pixel = (uint8_t *)(uintptr_t)frob_image_row(image, y) +
-                             x * frob_image_pixel_size(format);
+            uint8_t *pixel =
+                (uint8_t *)(uintptr_t)frob_image_row(image, y) + x * frob_image_pixel_size(format);
             if (format == FROB_DEPTH_M) {
-                const float depth = (float)(random_below(8) == 0 ? random_number()
-                                                                 : 5 * random_share());
+                const float depth =
+                    (float)(random_below(8) == 0 ? random_number() : 5 * random_share());
                 memcpy(pixel, &depth, sizeof depth);
                 continue;
             }
@@ -95,15 +104,14 @@ struct frob_image *random_picture(int32_t most_side)
 
 double random_number(void)
 {
-    static const double odd[] = {0, -0.0, 1, -1, 1e-300, 1e9, -1e9, 2147483648.0, -2147483649.0,
-                                 1e300, INFINITY, -INFINITY, NAN};
+    static const double odd[] = {
+        0,     -0.0,     1,         -1, 1e-300, 1e9, -1e9, 2147483648.0, -2147483649.0,
+        1e300, INFINITY, -INFINITY, NAN
+    };
     switch (random_below(3)) {
-    case 0:
-        return odd[random_below((int32_t)(sizeof odd / sizeof *odd))];
-    case 1:
-        return random_below(40) - 20;
-    default:
-        return 40 * random_share() - 10;
+    case 0: return odd[random_below((int32_t)(sizeof odd / sizeof *odd))];
+    case 1: return random_below(40) - 20;
+    default: return 40 * random_share() - 10;
     }
 }
 

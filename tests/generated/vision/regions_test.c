@@ -34,7 +34,7 @@ static void statistics_of_random_regions(void)
         struct frob_image *image = random_picture(SIDE);
         const struct frob_region roi = random_region(image);
         struct frob_statistics s;
-        int32_t counts[256], expected[256] = {0}, n = 0;
+        int32_t counts[256], expected[256] = { 0 }, n = 0;
         double sum = 0, squares = 0;
         for (int32_t y = 0; y < image->height; y++)
             for (int32_t x = 0; x < image->width; x++) {
@@ -97,11 +97,11 @@ static void edges_where_they_were_drawn(void)
     for (int k = 0; k < 200; k++) {
         struct frob_image *image = picture(SIDE, SIDE, FROB_GREY8);
         const double angle = 360 * degree * random_share(), truth = 8 * random_share() - 4;
-        const struct frob_segment segment = {28 + 8 * random_share(), 28 + 8 * random_share(),
-                                             angle, 16, 1 + random_below(12)};
-        const struct border b = {cos(angle), sin(angle),
-                                 segment.x * cos(angle) + segment.y * sin(angle) + truth,
-                                 60 * random_share(), 120 + 130 * random_share()};
+        const struct frob_segment segment = { 28 + 8 * random_share(), 28 + 8 * random_share(),
+                                              angle, 16, 1 + random_below(12) };
+        const struct border b = { cos(angle), sin(angle),
+                                  segment.x * cos(angle) + segment.y * sin(angle) + truth,
+                                  60 * random_share(), 120 + 130 * random_share() };
         struct frob_segment back = segment;
         struct frob_edges there, again;
         draw(image, 16, border_shade, &b);
@@ -124,7 +124,7 @@ static void edges_where_they_were_drawn(void)
 static void no_edges(void)
 {
     struct frob_image *flat = picture(SIDE, SIDE, FROB_GREY8);
-    const struct frob_segment across_border = {-2, 30, 0, 20, 3}, away = {500, 500, 1, 20, 3};
+    const struct frob_segment across_border = { -2, 30, 0, 20, 3 }, away = { 500, 500, 1, 20, 3 };
     struct frob_edges edges;
 
     memset((void *)(uintptr_t)flat->pixels, 200, SIDE * SIDE);
@@ -201,8 +201,8 @@ static void corners_where_they_were_drawn(void)
 
     for (int k = 0; k < 30; k++) {
         struct frob_image *image = picture(SIDE, SIDE, FROB_GREY8);
-        const struct quadrant q = {25 + 15 * random_share(), 25 + 15 * random_share(),
-                                   6.28 * random_share()};
+        const struct quadrant q = { 25 + 15 * random_share(), 25 + 15 * random_share(),
+                                    6.28 * random_share() };
         struct frob_corner corner;
         draw(image, 16, quadrant_shade, &q);
         frob_find_corner(image, &everywhere, &corner);
@@ -232,7 +232,7 @@ static void lenses_there_and_back(void)
     c->p1 = 0.002;
     c->p2 = -0.001;
     for (int k = 0; k < 5000; k++) {
-        const struct frob_vec2 seen = {320 * random_share(), 240 * random_share()};
+        const struct frob_vec2 seen = { 320 * random_share(), 240 * random_share() };
         struct frob_vec2 straight, again;
         frob_undistort_point(image, &seen, &straight);
         frob_distort_point(image, &straight, &again);
@@ -241,7 +241,7 @@ static void lenses_there_and_back(void)
     check(worst < 1e-6, "there and back, px", worst, 0);
     {
         /* The model's formula at one point: a = 0.4, b = -0.2. */
-        const struct frob_vec2 straight = {158 + 250 * 0.4, 121 - 245 * 0.2};
+        const struct frob_vec2 straight = { 158 + 250 * 0.4, 121 - 245 * 0.2 };
         const double r2 = 0.2, radial = 1 - 0.32 * r2 + 0.11 * r2 * r2 - 0.01 * r2 * r2 * r2;
         const double a = 0.4 * radial + 2 * 0.002 * -0.08 - 0.001 * (r2 + 2 * 0.16);
         const double b = -0.2 * radial + 0.002 * (r2 + 2 * 0.04) + 2 * -0.001 * -0.08;
@@ -252,7 +252,7 @@ static void lenses_there_and_back(void)
     }
     {
         /* Far beyond where the model folds over. */
-        const struct frob_vec2 far = {5000, 5000};
+        const struct frob_vec2 far = { 5000, 5000 };
         struct frob_vec2 found;
         frob_undistort_point(image, &far, &found);
         check(found.x == far.x && found.y == far.y, "none", found.x, far.x);

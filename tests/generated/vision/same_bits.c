@@ -40,10 +40,10 @@ static void add_match(const struct frob_match *m)
 
 enum { KERNELS = 10, IMAGES = 200 };
 
-static const char *const names[KERNELS] = {"find_blob",    "find_blobs",  "get_statistics",
-                                           "find_edges",   "find_corner", "get_patch",
-                                           "match_patch",  "find_template", "undistort_point",
-                                           "stereo_depths"};
+static const char *const names[KERNELS] = { "find_blob",    "find_blobs",    "get_statistics",
+                                            "find_edges",   "find_corner",   "get_patch",
+                                            "match_patch",  "find_template", "undistort_point",
+                                            "stereo_depths" };
 
 /* As a camera sees it that is 0.1 m to the right, before a wall that is 5 pixels away. */
 static const struct frob_image *shifted(const struct frob_image *image)
@@ -68,11 +68,11 @@ static const struct frob_image *shifted(const struct frob_image *image)
 static void run(int kernel, const struct frob_image *image)
 {
     const struct frob_region roi = random_region(image);
-    const struct frob_colour_range colours = {0.5, 4.0, 0.2, 1, 0.1, 0.9};
-    const struct frob_segment segment = {30, 20, 0.7, 30, 5};
-    const struct frob_placement place = {30.2, 25.4, 0.3, 0.9}, near = {31.4, 24.6, 0.35, 0.95};
-    const struct frob_search search = {near, 2, 8, 4};
-    const struct frob_vec2 point = {12.5, 33.25};
+    const struct frob_colour_range colours = { 0.5, 4.0, 0.2, 1, 0.1, 0.9 };
+    const struct frob_segment segment = { 30, 20, 0.7, 30, 5 };
+    const struct frob_placement place = { 30.2, 25.4, 0.3, 0.9 }, near = { 31.4, 24.6, 0.35, 0.95 };
+    const struct frob_search search = { near, 2, 8, 4 };
+    const struct frob_vec2 point = { 12.5, 33.25 };
     struct frob_blob blob;
     struct frob_blobs blobs;
     struct frob_statistics s;
@@ -81,7 +81,7 @@ static void run(int kernel, const struct frob_image *image)
     double patch[FROB_PATCH_SIZE];
     struct frob_match match;
     struct frob_vec2 moved;
-    struct frob_stereo how = {{0, 0, 0, 0}, 32, 9};
+    struct frob_stereo how = { { 0, 0, 0, 0 }, 32, 9 };
     struct frob_depths depths;
 
     switch (kernel) {

@@ -41,8 +41,8 @@ static int32_t cost(const struct frob_image *left, const struct frob_image *righ
     return sum;
 }
 
-static int32_t slow(const struct frob_image *left, const struct frob_image *right,
-                    int32_t first, int32_t last, int32_t all, int32_t around, int32_t x, int32_t y)
+static int32_t slow(const struct frob_image *left, const struct frob_image *right, int32_t first,
+                    int32_t last, int32_t all, int32_t around, int32_t x, int32_t y)
 {
     int32_t sums[256], best = 0, texture = 0, right_best = INT32_MAX, other = 0;
     const int32_t window = 2 * around + 1;
@@ -86,9 +86,10 @@ static void as_the_slow_version(void)
         const enum frob_image_format format = k % 3 ? FROB_GREY8 : FROB_RGB8;
         struct frob_image *left = picture(20 + random_below(50), 3 + random_below(12), format);
         struct frob_image *right = picture(left->width, left->height, format);
-        const struct frob_stereo how = {
-            {k % 2 ? 0 : random_below(10), k % 2 ? 0 : random_below(3), k % 2 ? 100 : 30, 100},
-            16 + 16 * random_below(2), 5 + 2 * random_below(4)};
+        const struct frob_stereo how = { { k % 2 ? 0 : random_below(10),
+                                           k % 2 ? 0 : random_below(3), k % 2 ? 100 : 30, 100 },
+                                         16 + 16 * random_below(2),
+                                         5 + 2 * random_below(4) };
         const int32_t size = frob_image_pixel_size(format);
         const size_t room_size = frob_stereo_room(left->width, &how);
         uint16_t *room = malloc(room_size);
@@ -102,13 +103,12 @@ static void as_the_slow_version(void)
                                  : random_below(256));
         check(frob_match_stereo(left, right, &how, room, room_size, found, SIDE), "matched", 0, 1);
         for (int32_t y = (int32_t)how.roi.y; y < left->height; y++)
-            for (int32_t x = (int32_t)how.roi.x;
-                 x < left->width && x < how.roi.x + how.roi.width; x++) {
+            for (int32_t x = (int32_t)how.roi.x; x < left->width && x < how.roi.x + how.roi.width;
+                 x++) {
                 const int32_t last = (int32_t)fmin(left->width, how.roi.x + how.roi.width) - 1;
                 const int32_t expected = slow(left, right, (int32_t)how.roi.x, last,
                                               how.disparities, how.window / 2, x, y);
-                const int16_t is =
-                    found[(y - (int32_t)how.roi.y) * SIDE + x - (int32_t)how.roi.x];
+                const int16_t is = found[(y - (int32_t)how.roi.y) * SIDE + x - (int32_t)how.roi.x];
                 check(is == expected, "disparity", is, expected);
                 known += is >= 0;
             }
@@ -146,13 +146,14 @@ static double wall_shade(const void *scene, double x, double y)
 
 static void depths_that_were_drawn(void)
 {
-    const struct wall truths[] = {{8, 0, 0, false}, {12.25, 0, 0, false}, {6, 0.06, 0, false},
-                                  {20.6, -0.02, 0, false}};
+    const struct wall truths[] = {
+        { 8, 0, 0, false }, { 12.25, 0, 0, false }, { 6, 0.06, 0, false }, { 20.6, -0.02, 0, false }
+    };
 
     for (size_t k = 0; k < sizeof truths / sizeof *truths; k++) {
         struct frob_image *left = picture(160, 60, FROB_GREY8);
         struct frob_image *right = picture(160, 60, FROB_GREY8);
-        const struct frob_stereo how = {{40, 0, 112, 60}, 32, 9};
+        const struct frob_stereo how = { { 40, 0, 112, 60 }, 32, 9 };
         struct wall w = truths[k];
         struct frob_depths depths;
         draw(left, 3, wall_shade, &w);
@@ -181,7 +182,7 @@ static void nothing_to_see(void)
 {
     struct frob_image *left = picture(64, 48, FROB_GREY8), *right = picture(64, 48, FROB_GREY8);
     struct frob_image *narrow = picture(63, 48, FROB_GREY8);
-    const struct frob_stereo how = {everywhere, 32, 9};
+    const struct frob_stereo how = { everywhere, 32, 9 };
     struct frob_depths depths;
 
     left->camera.y_m = 0.1;
@@ -199,8 +200,8 @@ static void any_arguments(void)
 {
     for (int k = 0; k < 400; k++) {
         struct frob_image *left = random_picture(60), *right = random_picture(60);
-        const struct frob_stereo how = {random_region(left), (int32_t)random_bits(),
-                                        random_below(2) ? (int32_t)random_bits() : 9};
+        const struct frob_stereo how = { random_region(left), (int32_t)random_bits(),
+                                         random_below(2) ? (int32_t)random_bits() : 9 };
         struct frob_depths depths;
         if (random_below(4) > 0) {
             picture_free(right);
@@ -209,8 +210,8 @@ static void any_arguments(void)
         left->camera.y_m = random_number();
         frob_stereo_depths(left, right, &how, &depths);
         check(depths.known >= 0 && depths.known <= 1, "known", depths.known, 0);
-        check(!(depths.nearest < 0) && !(depths.median < depths.nearest), "depths",
-              depths.nearest, depths.median);
+        check(!(depths.nearest < 0) && !(depths.median < depths.nearest), "depths", depths.nearest,
+              depths.median);
         picture_free(left);
         picture_free(right);
     }

@@ -12,8 +12,8 @@ struct truth {
     double size, x, y, z, tilt, pan, spin;
 };
 
-static const struct frob_lens straight = {320, 240, 280, 280, 159.5, 119.5, 0, 0, 0, 0, 0,
-                                          0, 0, 0, 0, 0, 0};
+static const struct frob_lens straight = { 320, 240, 280, 280, 159.5, 119.5, 0, 0, 0,
+                                           0,   0,   0,   0,   0,     0,     0, 0 };
 
 /* In the camera's axes, of a place on the tag, in metres to the right and down. */
 static struct frob_vec3 there(const struct truth *t, double right, double down, double out)
@@ -22,17 +22,17 @@ static struct frob_vec3 there(const struct truth *t, double right, double down, 
     const double spun_y = sin(t->spin) * right + cos(t->spin) * down;
     const double tilted_y = cos(t->tilt) * spun_y + sin(t->tilt) * out;
     const double tilted_z = sin(t->tilt) * spun_y - cos(t->tilt) * out;
-    const struct frob_vec3 p = {t->x + cos(t->pan) * spun_x + sin(t->pan) * tilted_z,
-                                t->y + tilted_y,
-                                t->z - sin(t->pan) * spun_x + cos(t->pan) * tilted_z};
+    const struct frob_vec3 p = { t->x + cos(t->pan) * spun_x + sin(t->pan) * tilted_z,
+                                 t->y + tilted_y,
+                                 t->z - sin(t->pan) * spun_x + cos(t->pan) * tilted_z };
     return p;
 }
 
 static struct frob_tag seen(const struct frob_lens *lens, const struct truth *t, double noise)
 {
-    static const double right[4] = {-1, 1, 1, -1}, down[4] = {1, 1, -1, -1};
-    struct frob_image camera = {0};
-    struct frob_tag tag = {0};
+    static const double right[4] = { -1, 1, 1, -1 }, down[4] = { 1, 1, -1, -1 };
+    struct frob_image camera = { 0 };
+    struct frob_tag tag = { 0 };
     camera.camera.focal_x = lens->focalX;
     camera.camera.focal_y = lens->focalY;
     camera.camera.centre_x = lens->centreX;
@@ -41,8 +41,8 @@ static struct frob_tag seen(const struct frob_lens *lens, const struct truth *t,
     camera.camera.k2 = lens->k2;
     for (int i = 0; i < 4; i++) {
         const struct frob_vec3 p = there(t, t->size / 2 * right[i], t->size / 2 * down[i], 0);
-        const struct frob_vec2 flat = {lens->centreX + lens->focalX * p.x / p.z,
-                                       lens->centreY + lens->focalY * p.y / p.z};
+        const struct frob_vec2 flat = { lens->centreX + lens->focalX * p.x / p.z,
+                                        lens->centreY + lens->focalY * p.y / p.z };
         frob_distort_point(&camera, &flat, &tag.corners[i]);
         tag.corners[i].x += noise * (2 * random_share() - 1);
         tag.corners[i].y += noise * (2 * random_share() - 1);
@@ -71,7 +71,7 @@ static double apart(struct frob_vec3 a, struct frob_vec3 b)
 static struct frob_vec3 facing(const struct truth *t)
 {
     const struct frob_vec3 middle = there(t, 0, 0, 0), out = there(t, 0, 0, 1);
-    const struct frob_vec3 way = {out.x - middle.x, out.y - middle.y, out.z - middle.z};
+    const struct frob_vec3 way = { out.x - middle.x, out.y - middle.y, out.z - middle.z };
     return way;
 }
 
@@ -110,7 +110,7 @@ static double misfit(const struct frob_tag *tag, const struct truth *t)
 /* From a truth: whatever single step makes it fit better, smaller and smaller. */
 static double slow(const struct frob_tag *tag, struct truth t)
 {
-    double *const parts[] = {&t.x, &t.y, &t.z, &t.tilt, &t.pan, &t.spin};
+    double *const parts[] = { &t.x, &t.y, &t.z, &t.tilt, &t.pan, &t.spin };
     double best = misfit(tag, &t);
     for (double step = 0.05; step > 1e-9;) {
         bool better = false;
@@ -149,8 +149,8 @@ static void none_fits_better(void)
 /* Small, far away, tilted: it may as well be tilted the other way. */
 static void doubts_are_told(void)
 {
-    const struct truth far = {0.1, 0.1, 0.05, 4, 0.3, 0.4, 0.2};
-    const struct truth near = {0.3, 0.1, 0.05, 0.6, 0.3, 0.4, 0.2};
+    const struct truth far = { 0.1, 0.1, 0.05, 4, 0.3, 0.4, 0.2 };
+    const struct truth near = { 0.3, 0.1, 0.05, 0.6, 0.3, 0.4, 0.2 };
     struct frob_tag tag = seen(&straight, &far, 0.1);
     struct frob_tag_place place;
     frob_find_tag_place(&straight, far.size, &tag, &place);
@@ -162,7 +162,7 @@ static void doubts_are_told(void)
 
 static void no_tags_have_no_place(void)
 {
-    const struct truth t = {0.2, 0, 0, 1, 0, 0, 0};
+    const struct truth t = { 0.2, 0, 0, 1, 0, 0, 0 };
     const struct frob_tag good = seen(&straight, &t, 0);
     struct frob_tag tag = good;
     struct frob_tag_place place;

@@ -71,10 +71,9 @@ let temporary_folder () =
   path
 
 let rec remove path =
-  if Sys.is_directory path then begin
+  if Sys.is_directory path then (
     Array.iter (fun name -> remove (Filename.concat path name)) (Sys.readdir path);
-    Unix.rmdir path
-  end
+    Unix.rmdir path)
   else Sys.remove path
 
 (* gcc and clang by turns. *)
@@ -125,7 +124,13 @@ let work s worker ~folder =
       let count = min Batch.size (last - first) in
       let engines = engines s batch in
       let tools =
-        { Engines.library = s.library; runtime = s.runtime; folder; real = real s batch; probed = probed batch }
+        {
+          Engines.library = s.library;
+          runtime = s.runtime;
+          folder;
+          real = real s batch;
+          probed = probed batch;
+        }
       in
       let seen = Coverage.create () in
       let failures =
@@ -142,8 +147,7 @@ let work s worker ~folder =
         (fun k f ->
           let f = shrunk k f in
           print_endline
-            ("FAIL "
-            ^ (if s.stop_at_first then Batch.summary else Batch.describe) ~seed:s.seed f))
+            ("FAIL " ^ (if s.stop_at_first then Batch.summary else Batch.describe) ~seed:s.seed f))
         failures;
       let sanitized = if List.length engines > 1 then count else 0 in
       batches (batch + s.jobs)
@@ -154,7 +158,13 @@ let work s worker ~folder =
 let () =
   let s = settings () in
   (* Many short-lived values: a large nursery saves most of the collector's work. *)
-  Gc.set { (Gc.get ()) with minor_heap_size = 1_000_000; space_overhead = 1000; max_overhead = 1_000_000 };
+  Gc.set
+    {
+      (Gc.get ()) with
+      minor_heap_size = 1_000_000;
+      space_overhead = 1000;
+      max_overhead = 1_000_000;
+    };
   (* Sanitized programs run in a process that ends: what they hold is no leak. *)
   Unix.putenv "ASAN_OPTIONS" "detect_leaks=0";
   let folder = temporary_folder () in
@@ -170,13 +180,13 @@ let () =
   let all = List.fold_left both (nothing ()) (List.filter_map Result.to_option results) in
   let prelude = read (Filename.concat s.library "Prelude.frob") in
   if not s.stop_at_first then
-    Printf.printf "how often each construct was generated:\n%s\n"
-      (Coverage.text ~prelude all.seen);
+    Printf.printf "how often each construct was generated:\n%s\n" (Coverage.text ~prelude all.seen);
   let missing = if s.all_constructs then Coverage.missing ~prelude all.seen else [] in
   List.iter (Printf.printf "FAIL random programs: `%s` is never generated\n") missing;
   let ok = all.failed = 0 && broken = [] && missing = [] in
   Printf.printf
-    "%s %d random programs of seed %d, %d of them with sanitizers: %d failed; %.1f s, %.1f programs a second\n"
+    "%s %d random programs of seed %d, %d of them with sanitizers: %d failed; %.1f s, %.1f \
+     programs a second\n"
     (if ok then "ok  " else "FAIL")
     all.programs s.seed all.sanitized all.failed seconds
     (float_of_int all.programs /. seconds);

@@ -37,11 +37,13 @@ let shape : Interp.Shape.t =
   let constructor name fields = { Interp.Shape.name; fields } in
   Tuple
     [
-      Float Double; Array (2, Int);
+      Float Double;
+      Array (2, Int);
       Data
         {
           is_event = true;
-          constructors = [ constructor "NoEvent" []; constructor "Event" [ ("", Tuple [ Bool; Float Single ]) ] ];
+          constructors =
+            [ constructor "NoEvent" []; constructor "Event" [ ("", Tuple [ Bool; Float Single ]) ] ];
         };
     ]
 
@@ -61,7 +63,9 @@ let recordings_with_dt_are_read_as_written () =
       | Ok read ->
           Alcotest.(check string) "the same" (Recording.csv recording) (Recording.csv read);
           Alcotest.(check bool) "precision" true (Recording.precision read = precision);
-          let same a b = Float.equal a b && (Float.is_nan a || Float.sign_bit a = Float.sign_bit b) in
+          let same a b =
+            Float.equal a b && (Float.is_nan a || Float.sign_bit a = Float.sign_bit b)
+          in
           let dts = Recording.seconds recording in
           let check text others = Alcotest.(check bool) text true (List.for_all2 same dts others) in
           check "the same dts" (Recording.seconds read);
@@ -86,8 +90,24 @@ let steps_of_any_dt () =
       dt > 1e-3 && dt < 1. && Float.succ dt = nearest dt && dt <> nearest dt)
 
 let tables_of_the_file_stay_constant () =
-  let c = "static const int a[1] = {1};\nstruct s {\n    int x;\n};\n{\n    static const struct s t = {2};\n}" in
-  let adapted = "static const int a[1] = {1};\nstruct s {\n_Alignas(8) int x;\n};\n{\nconst struct s t = {2};\n}" in
+  let c =
+    "static const int a[1] = {1};\n\
+     struct s {\n\
+    \    int x;\n\
+     };\n\
+     {\n\
+    \    static const struct s t = {2};\n\
+     }"
+  in
+  let adapted =
+    "static const int a[1] = {1};\n\
+     struct s {\n\
+     _Alignas(8) int x;\n\
+     };\n\
+     {\n\
+     const struct s t = {2};\n\
+     }"
+  in
   Alcotest.(check string) "for tcc" adapted (In_process.for_tcc c)
 
 (* The mistake is a Bool that is added; the rest is not needed for it. *)
@@ -113,7 +133,8 @@ let shrinks_what_is_rejected () =
     | Ok _ -> Alcotest.fail "it should be rejected"
   in
   let small =
-    Shrink.program tools [ Tcc ] ~seconds:60. ~first:[] { text = mistaken; outcome; recordings = [] }
+    Shrink.program tools [ Tcc ] ~seconds:60. ~first:[]
+      { text = mistaken; outcome; recordings = [] }
   in
   let lines = List.filter (fun line -> String.trim line <> "") (Reduction.lines small.text) in
   Alcotest.(check bool) ("small: " ^ small.text) true (List.length lines <= 2);

@@ -20,9 +20,11 @@ let rate = 50
 (* The instants of a test that lasts for so long. *)
 let without_input seconds =
   let row k = (Int.div (k * 1_000_000_000) rate, Interp.Value.Tuple [||]) in
-  Recording.make (Tuple []) (List.init (1 + int_of_float ((seconds *. float_of_int rate) +. 0.5)) row)
+  Recording.make (Tuple [])
+    (List.init (1 + int_of_float ((seconds *. float_of_int rate) +. 0.5)) row)
 
-let rows trace = List.map (String.split_on_char ',') (List.tl (String.split_on_char '\n' (String.trim trace)))
+let rows trace =
+  List.map (String.split_on_char ',') (List.tl (String.split_on_char '\n' (String.trim trace)))
 
 (* The cells of a row: the time, the judge's verdict, those on the claims. *)
 let expected (observer : Trying.observer) trace =
@@ -31,7 +33,9 @@ let expected (observer : Trying.observer) trace =
   let failed row =
     let judge, claims = cells row in
     let of_word word =
-      List.find_opt (fun ((w, _, _), cell) -> w = word && cell = "Fails") (List.combine observer.claims claims)
+      List.find_opt
+        (fun ((w, _, _), cell) -> w = word && cell = "Fails")
+        (List.combine observer.claims claims)
     in
     match (of_word "assume", of_word "assert") with
     | Some ((_, label, _), _), _ -> Some { fate = "void"; at = time row; by = label }
@@ -55,7 +59,9 @@ let expected (observer : Trying.observer) trace =
 
 let read path =
   let channel = open_in_bin path in
-  Fun.protect ~finally:(fun () -> close_in channel) (fun () -> really_input_string channel (in_channel_length channel))
+  Fun.protect
+    ~finally:(fun () -> close_in channel)
+    (fun () -> really_input_string channel (in_channel_length channel))
 
 let write path text =
   let channel = open_out_bin path in
@@ -94,7 +100,9 @@ let golden label file = Printf.sprintf "test %S = trace \"in.csv\" %S\n" label f
 (* The last cell of a trace becomes another. *)
 let changed trace =
   let end_ = String.length trace - 1 in
-  let at = 1 + max (String.rindex_from trace (end_ - 1) ',') (String.rindex_from trace (end_ - 1) '\n') in
+  let at =
+    1 + max (String.rindex_from trace (end_ - 1) ',') (String.rindex_from trace (end_ - 1) '\n')
+  in
   String.sub trace 0 at ^ "changed\n"
 
 type count = { mutable tests : int; mutable fates : (string * int) list }
@@ -115,13 +123,19 @@ let one counts frobc tools ~seed k =
   let text = text ^ golden "as it is" "is.csv" ^ golden "as it is not" "not.csv" in
   let file = Printf.sprintf "verdicts%d.frob" k in
   write file text;
-  let input = Engines.recordings (Random.State.make [| seed; k; 7 |]) ~rows:12 (subject tools ~entry:"main" file) in
+  let input =
+    Engines.recordings
+      (Random.State.make [| seed; k; 7 |])
+      ~rows:12
+      (subject tools ~entry:"main" file)
+  in
   let trace = Engines.interpreted (subject tools ~entry:"main" file) (List.hd input) in
   write "in.csv" (Recording.csv (List.hd input));
   write "is.csv" trace;
   write "not.csv" (changed trace);
   let said = tested frobc file ~jobs:1 in
-  if not (String.equal said (tested frobc file ~jobs:2)) then report ~text "%s: two workers say another thing" file;
+  if not (String.equal said (tested frobc file ~jobs:2)) then
+    report ~text "%s: two workers say another thing" file;
   let lines = List.filter (fun line -> line <> "") (String.split_on_char '\n' said) in
   let line label =
     match List.find_opt (fun line -> field "label" line = Some label) lines with
@@ -135,8 +149,8 @@ let one counts frobc tools ~seed k =
     let is key value = field key line = Some value in
     let at = Option.bind (field "at" line) float_of_string_opt in
     if not (is "fate" expected.fate && is "by" expected.by && at = Some expected.at) then
-      report ~text "%s: the interpreter has %s at %g by `%s`, and frobc says:\n%s" file expected.fate expected.at
-        expected.by line
+      report ~text "%s: the interpreter has %s at %g by `%s`, and frobc says:\n%s" file
+        expected.fate expected.at expected.by line
   in
   List.iter of_observer observers;
   List.iter

@@ -83,6 +83,5 @@ let () =
       ("under the sanitizers", List.map (case (Sanitized Gcc)) (programs @ examples));
       ("in single precision", List.map (case ~real:Single Tcc) (programs @ examples));
       ("with probes", List.map (case ~probed:true Tcc) (programs @ examples));
-      ("with probes, in single precision",
-       List.map (case ~real:Single ~probed:true Tcc) examples);
+      ("with probes, in single precision", List.map (case ~real:Single ~probed:true Tcc) examples);
     ]

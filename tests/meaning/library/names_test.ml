@@ -81,8 +81,7 @@ let declared module_ (program : Resolve.Ir.program) =
   let of_class (c : Resolve.Ir.class_) =
     if not (own c.class_) then []
     else
-      { name = c.class_.name; doc = c.doc; runs = false }
-      :: List.concat_map (method_ c) c.methods
+      { name = c.class_.name; doc = c.doc; runs = false } :: List.concat_map (method_ c) c.methods
   in
   let of_binding (b : Resolve.Ir.binding) =
     match b.name with Top (g, _) -> value g b.doc | Inner _ | Destructure _ -> []
@@ -105,8 +104,10 @@ let general = [ "Prelude"; "Control"; "Geometry"; "Sources"; "Past" ]
 let check module_ =
   let declared = declared module_ (load module_) in
   let case what suits =
-    Alcotest.test_case (module_ ^ ": " ^ what) `Quick (fun () ->
-        Alcotest.(check (list string)) what [] (names suits declared))
+    Alcotest.test_case
+      (module_ ^ ": " ^ what)
+      `Quick
+      (fun () -> Alcotest.(check (list string)) what [] (names suits declared))
   in
   case "without a doc comment" (fun d -> d.doc = None)
   ::

@@ -7,6 +7,7 @@
 Both are given the same traces of three signals, an instant a second. A formula holds for RTAMT
 where its robustness is positive; no signal is ever 0, so none is undecided.
 """
+
 import csv
 import os
 import random
@@ -133,7 +134,9 @@ def disagreements(frobc, formulas, rows, said):
         path = lambda name: os.path.join(folder, name)
         found = subprocess.run(
             [frobc, "trace", path("past.frob"), "--engine", "interp", "--input", path("in.csv")],
-            capture_output=True, text=True)
+            capture_output=True,
+            text=True,
+        )
     assert found.returncode == 0, found.stderr
     table = list(csv.reader(found.stdout.splitlines()))[1:]
     for k, one in enumerate(said):
@@ -153,8 +156,10 @@ def compare(frobc, n, seed):
         for (frob, stl), instant, found in disagreements(frobc, formulas, rows, said):
             wrong += 1
             print(f"{frob} is {found} at {instant} s; RTAMT says otherwise of {stl}")
-    print(f"{done} formulas, {INSTANTS} instants each, of seed {seed}: "
-          f"{wrong} told otherwise; {100 * held // (done * INSTANTS)} % of instants held")
+    print(
+        f"{done} formulas, {INSTANTS} instants each, of seed {seed}: "
+        f"{wrong} told otherwise; {100 * held // (done * INSTANTS)} % of instants held"
+    )
     return 1 if wrong else 0
 
 

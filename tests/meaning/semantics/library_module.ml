@@ -19,7 +19,9 @@ let after text i = String.sub text i (String.length text - i)
 
 let first_word text =
   let stops = [ ' '; '['; '=' ] in
-  let rec go i = if i < String.length text && not (List.mem text.[i] stops) then go (i + 1) else i in
+  let rec go i =
+    if i < String.length text && not (List.mem text.[i] stops) then go (i + 1) else i
+  in
   before text (go 0)
 
 (* The first word of each alternative after the equals sign. *)
@@ -61,7 +63,8 @@ let declared text =
       | _, Some name, _, _ ->
           { found with types = (first_word name :: constructors name) @ found.types }
       | _, _, Some names, _ -> { found with values = List.rev_append (in_c names) found.values }
-      | _, _, _, Some names -> { found with values = List.rev_append (signature names) found.values }
+      | _, _, _, Some names ->
+          { found with values = List.rev_append (signature names) found.values }
       | None, None, None, None ->
           { found with values = List.rev_append (signature text) found.values }
   in

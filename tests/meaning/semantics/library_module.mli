@@ -1,5 +1,5 @@
-(** What the text of a module of the library declares, if all of it is exported and
-    every value has a signature. *)
+(** What the text of a module of the library declares, if all of it is exported and every value has
+    a signature. *)
 
 type t = {
   types : string list;  (** types, constructors and units *)

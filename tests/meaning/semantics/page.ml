@@ -13,8 +13,7 @@ let read file =
   text
 
 let starts prefix line =
-  String.length line >= String.length prefix
-  && String.sub line 0 (String.length prefix) = prefix
+  String.length line >= String.length prefix && String.sub line 0 (String.length prefix) = prefix
 
 let drop n line = String.sub line n (String.length line - n)
 
@@ -68,10 +67,7 @@ let parts text =
   go 1 [] (String.split_on_char '\n' text)
 
 let code line =
-  let rec odd = function
-    | _ :: inside :: rest -> inside :: odd rest
-    | [] | [ _ ] -> []
-  in
+  let rec odd = function _ :: inside :: rest -> inside :: odd rest | [] | [ _ ] -> [] in
   match String.split_on_char '`' line with
   | pieces when List.length pieces mod 2 = 1 -> odd pieces
   | _ -> []

@@ -1,8 +1,7 @@
 (** The parts of a Markdown page that a test reads. *)
 
 type table = { line : int; rows : string list list }
-(** Rows of cells, the header first, without the rule below it. [line] is the
-    header's. *)
+(** Rows of cells, the header first, without the rule below it. [line] is the header's. *)
 
 type part =
   | Heading of { line : int; depth : int; text : string }

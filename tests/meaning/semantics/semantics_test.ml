@@ -11,8 +11,20 @@ let prelude = declared "Prelude"
 
 (* With a heading each in appendix B. *)
 let library =
-  [ "Control"; "Geometry"; "Driving"; "Sources"; "Past"; "TestRobot"; "Trial"; "WallFollow";
-    "Display"; "Vision"; "Stereo"; "Tags" ]
+  [
+    "Control";
+    "Geometry";
+    "Driving";
+    "Sources";
+    "Past";
+    "TestRobot";
+    "Trial";
+    "WallFollow";
+    "Display";
+    "Vision";
+    "Stereo";
+    "Tags";
+  ]
 
 let modules = List.map (fun name -> (name, declared name)) library
 let frobc = Sys.argv.(1)
@@ -82,11 +94,7 @@ let same_as_the_program program (table : Page.table) () =
   Alcotest.(check bool) "there is an output" true (outputs <> []);
   let check engine =
     let output = transpose (trace engine ~program ~input:(transpose inputs)) in
-    let output =
-      match output with
-      | times :: values -> List.map short times :: values
-      | [] -> []
-    in
+    let output = match output with times :: values -> List.map short times :: values | [] -> [] in
     Alcotest.(check (list (list string))) ("--engine " ^ engine) expected output
   in
   List.iter check [ "c"; "interp" ]
@@ -115,9 +123,7 @@ let passages =
         | None -> failwith (Printf.sprintf "line %d: a table without a program" line))
     | Page.Text { text; _ } :: rest ->
         let whole =
-          match Page.code text with
-          | [ code ] when "`" ^ code ^ "`" = text -> [ code ]
-          | _ -> []
+          match Page.code text with [ code ] when "`" ^ code ^ "`" = text -> [ code ] | _ -> []
         in
         go { current with signatures = current.signatures @ whole } block found rest
   in
@@ -226,18 +232,22 @@ let () =
            Alcotest.test_case name `Quick (same_as_the_program program table))
          passage.examples
   in
-  Alcotest.run ~argv:[| Sys.argv.(0) |] "semantics"
+  Alcotest.run
+    ~argv:[| Sys.argv.(0) |]
+    "semantics"
     [
       ( "appendix",
         Alcotest.test_case "has every name of the prelude" `Quick every_name
         :: List.map
              (fun (name, declared) ->
-               Alcotest.test_case ("has every name of " ^ name) `Quick (every_name_of (name, declared)))
+               Alcotest.test_case ("has every name of " ^ name) `Quick
+                 (every_name_of (name, declared)))
              (* whose table writes constructors beside their type, and not what its texts are made of *)
              (List.remove_assoc "Display" modules)
         @ [
-          Alcotest.test_case "has the library's types" `Quick types_of_the_library;
-          Alcotest.test_case "has a passage for each event, switch and task" `Quick each_has_a_passage;
-        ] );
+            Alcotest.test_case "has the library's types" `Quick types_of_the_library;
+            Alcotest.test_case "has a passage for each event, switch and task" `Quick
+              each_has_a_passage;
+          ] );
       ("passages", List.concat_map cases passages);
     ]

@@ -35,7 +35,7 @@ enum matter {
     MATTERS
 };
 
-static const char *const names[MATTERS] = { "",       "unplugged", "cut off", "silent",
+static const char *const names[MATTERS] = { "",       "unplugged", "cut off",   "silent",
                                             "frozen", "damaged",   "wrong size" };
 
 static enum matter matter;  /* what is the matter with it … */
@@ -123,8 +123,7 @@ const struct source_kind *source_kind_of(const char *name)
     return &kind;
 }
 
-enum source_result source_fail(struct source *s, enum source_result result, const char *format,
-                               ...)
+enum source_result source_fail(struct source *s, enum source_result result, const char *format, ...)
 {
     snprintf(s->fault, sizeof s->fault, "%s", format);
     return result;

@@ -115,7 +115,8 @@ static int dequeue(struct v4l2_buffer *buffer)
         buffer->index = i;
         buffer->bytesused = (uint32_t)fill(buffers[i]);
         buffer->sequence = sequence++;
-        buffer->flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | (is("damaged") ? V4L2_BUF_FLAG_ERROR : 0);
+        buffer->flags =
+            V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | (is("damaged") ? V4L2_BUF_FLAG_ERROR : 0);
         clock_gettime(CLOCK_MONOTONIC, &now);
         buffer->timestamp.tv_sec = now.tv_sec;
         buffer->timestamp.tv_usec = now.tv_nsec / 1000;
@@ -152,25 +153,16 @@ static int answer(unsigned long request, void *argument)
         size(&wanted->fmt.pix.width, &wanted->fmt.pix.height);
         wanted->fmt.pix.bytesperline = 0;
         return 0;
-    case VIDIOC_S_PARM:
-        return 0;
-    case VIDIOC_REQBUFS:
-        asked->count = COUNT;
-        return 0;
+    case VIDIOC_S_PARM: return 0;
+    case VIDIOC_REQBUFS: asked->count = COUNT; return 0;
     case VIDIOC_QUERYBUF:
         buffer->length = ROOM;
         buffer->m.offset = buffer->index * ROOM;
         return 0;
-    case VIDIOC_QBUF:
-        queued[buffer->index] = true;
-        return 0;
-    case VIDIOC_STREAMON:
-        due_ns = now_ns();
-        return 0;
-    case VIDIOC_STREAMOFF:
-        return 0;
-    case VIDIOC_DQBUF:
-        return dequeue(buffer);
+    case VIDIOC_QBUF: queued[buffer->index] = true; return 0;
+    case VIDIOC_STREAMON: due_ns = now_ns(); return 0;
+    case VIDIOC_STREAMOFF: return 0;
+    case VIDIOC_DQBUF: return dequeue(buffer);
     }
     return fail(ENOTTY);
 }

@@ -19,12 +19,12 @@
 
 static int failures = 0; /* of the test that runs */
 
-#define CHECK(holds)                                                 \
-    do {                                                             \
-        if (!(holds)) {                                              \
+#define CHECK(holds)                                                      \
+    do {                                                                  \
+        if (!(holds)) {                                                   \
             printf("     line %d does not hold: %s\n", __LINE__, #holds); \
-            failures++;                                              \
-        }                                                            \
+            failures++;                                                   \
+        }                                                                 \
     } while (0)
 
 static void done(const char *name)
@@ -135,7 +135,8 @@ static void test_netpbm(void)
     CHECK(frame.format == FROB_GREY8 && pixels[0] == (77 * 'x' + 150 * 'y' + 29 * 'z' + 128) / 256);
     CHECK(split((const uint8_t *)large, sizeof large - 1, 0, 3) == 1);
     CHECK(decode_picture((const uint8_t *)large, sizeof large - 1, false, &frame, message) != NULL);
-    CHECK(decode_picture((const uint8_t *)"P6 1 1 70000\n123456", 19, false, &frame, message) != NULL);
+    CHECK(decode_picture((const uint8_t *)"P6 1 1 70000\n123456", 19, false, &frame, message) !=
+          NULL);
     CHECK(decode_picture((const uint8_t *)"P6 0 1 255\n", 11, false, &frame, message) != NULL);
     CHECK(decode_picture((const uint8_t *)"GIF89a", 6, false, &frame, message) != NULL);
 }
@@ -199,10 +200,12 @@ static void test_addresses(void)
     struct address a;
     struct answer answer;
     size_t length = 0;
-    static const char good[] = "HTTP/1.1 200 OK\r\ncontent-TYPE:  Text/HTML; x\r\nTransfer-encoding: "
-                               "Chunked\r\n\r\nbody";
-    CHECK(address_read(&a, "http://camera.local/stream?x=1") && strcmp(a.host, "camera.local") == 0 &&
-          strcmp(a.port, "80") == 0 && strcmp(a.path, "/stream?x=1") == 0);
+    static const char good[] =
+        "HTTP/1.1 200 OK\r\ncontent-TYPE:  Text/HTML; x\r\nTransfer-encoding: "
+        "Chunked\r\n\r\nbody";
+    CHECK(address_read(&a, "http://camera.local/stream?x=1") &&
+          strcmp(a.host, "camera.local") == 0 && strcmp(a.port, "80") == 0 &&
+          strcmp(a.path, "/stream?x=1") == 0);
     CHECK(address_read(&a, "http://[::1]:8080") && strcmp(a.host, "::1") == 0 &&
           strcmp(a.port, "8080") == 0 && a.path[0] == '\0');
     CHECK(!address_read(&a, "http://"));
@@ -291,7 +294,8 @@ static uint32_t pairs_of(const struct two *two)
         if (now % two->period == 0)
             publish(both[0], (uint32_t)(now / two->period), (int64_t)now * MS);
         if (there >= 0 && there % two->other_period == 0)
-            publish(both[1], (uint32_t)(there / two->other_period), (int64_t)(now - two->delay) * MS);
+            publish(both[1], (uint32_t)(there / two->other_period),
+                    (int64_t)(now - two->delay) * MS);
         if (now % two->instant != 0 || !pair_take(&p, both, frames))
             continue;
         taken++;
@@ -405,7 +409,8 @@ static void test_damage(const uint8_t *jpeg, size_t size)
             CHECK(decode_picture(jpeg, scan.at, false, &frame, message) == NULL);
         if (fault == NULL) {
             good++;
-            CHECK(frame.width > 0 && (size_t)frame.width * (size_t)frame.height * 3 <= BUFFERS_ROOM);
+            CHECK(frame.width > 0 &&
+                  (size_t)frame.width * (size_t)frame.height * 3 <= BUFFERS_ROOM);
         } else {
             bad++;
         }

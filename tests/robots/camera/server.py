@@ -1,6 +1,7 @@
 """server.py FRAMES.mjpeg PORT_FILE -- a camera on a network, in order or not: what it does is the
 path that is asked for. It writes its port to PORT_FILE; or takes the one that it finds there, as one
 that comes back does."""
+
 import os
 import re
 import socket
@@ -14,7 +15,11 @@ PERIOD = 0.03
 
 
 def part(frame):
-    return b"--x\r\nContent-Type: image/jpeg\r\nContent-Length: %d\r\n\r\n" % len(frame) + frame + b"\r\n"
+    return (
+        b"--x\r\nContent-Type: image/jpeg\r\nContent-Length: %d\r\n\r\n" % len(frame)
+        + frame
+        + b"\r\n"
+    )
 
 
 def endless():

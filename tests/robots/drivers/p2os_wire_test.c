@@ -23,9 +23,9 @@ static void commands(void)
     check(IS(p, frob_p2os_command_int(p, FROB_P2OS_ENABLE, 1),
              "\xFA\xFB\x06\x04\x3B\x01\x00\x05\x3B"),
           "ENABLE 1");
-    check(IS(p, frob_p2os_command_int(p, FROB_P2OS_VEL, 200),
-             "\xFA\xFB\x06\x0B\x3B\xC8\x00\xD3\x3B"),
-          "VEL 200");
+    check(
+        IS(p, frob_p2os_command_int(p, FROB_P2OS_VEL, 200), "\xFA\xFB\x06\x0B\x3B\xC8\x00\xD3\x3B"),
+        "VEL 200");
     check(IS(p, frob_p2os_command_int(p, FROB_P2OS_VEL, -200),
              "\xFA\xFB\x06\x0B\x1B\xC8\x00\xD3\x1B"),
           "VEL -200: magnitude and a sign of its own");
@@ -112,7 +112,8 @@ static void garbage_hides_nothing(void)
             garbage[i] = (seed >> 28) < 5 ? 0xFA : (seed >> 28) < 10 ? 0xFB : (uint8_t)(seed >> 16);
         }
         feed(&r, garbage, sizeof garbage, &p);
-        missed += feed(&r, "\xFA\xFB\x03\x02\x00\x02", 6, &p) == 0 || p.body[0] != 2 || p.length != 1;
+        missed +=
+            feed(&r, "\xFA\xFB\x03\x02\x00\x02", 6, &p) == 0 || p.body[0] != 2 || p.length != 1;
     }
     check(missed <= 3, "after garbage the next packet is found with its last byte");
 }

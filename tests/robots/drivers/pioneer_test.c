@@ -18,13 +18,13 @@ static struct {
     struct frob_p2os_receiver receiver;
     const char *names; /* the answer to SYNC2 after its type */
     size_t names_length;
-    uint32_t rate;     /* that it listens and talks at */
+    uint32_t rate; /* that it listens and talks at */
     bool in_session, open, heeds_hostbaud, keeps_rate, silent, motors;
     uint8_t expected_sync;
-    int enables_lost;  /* so many are lost on their way */
-    bool strict;       /* echoes what it does not know, and hangs up at CLOSE */
-    bool stands;       /* its wheels are at rest */
-    bool deaf;         /* waits for the rest of what noise announced */
+    int enables_lost; /* so many are lost on their way */
+    bool strict;      /* echoes what it does not know, and hangs up at CLOSE */
+    bool stands;      /* its wheels are at rest */
+    bool deaf;        /* waits for the rest of what noise announced */
     uint8_t commands[LOG_ROOM];
     int32_t arguments[LOG_ROOM];
     int64_t times[LOG_ROOM];
@@ -231,13 +231,15 @@ static void handshake(void)
     check(other.commands[0] == FROB_P2OS_SYNC0 && other.commands[1] == 1 && other.commands[2] == 2,
           "nothing comes before SYNC0");
     check(other.commands[3] == FROB_P2OS_OPEN && other.commands[4] == FROB_P2OS_VEL &&
-              other.commands[5] == FROB_P2OS_RVEL && other.arguments[4] == 0 && other.arguments[5] == 0,
+              other.commands[5] == FROB_P2OS_RVEL && other.arguments[4] == 0 &&
+              other.arguments[5] == 0,
           "zeros are the first thing in the session");
     check(last_of(FROB_P2OS_ENABLE) != LOG_ROOM && last_of(FROB_P2OS_ENABLE) > 5 &&
               other.arguments[last_of(FROB_P2OS_ENABLE)] == 1,
           "turns the motors on");
     run(300);
-    check(count_of(FROB_P2OS_CONFIG) == 3, "asks three times for a config packet, then goes without");
+    check(count_of(FROB_P2OS_CONFIG) == 3,
+          "asks three times for a config packet, then goes without");
     start();
     other.enables_lost = 2;
     connect_again();
@@ -322,8 +324,9 @@ static void hears_late(void)
         zeros_first = zeros_first && other.commands[i] == FROB_P2OS_CLOSE && i >= 2 &&
                       is_zero(i - 2, FROB_P2OS_VEL) && is_zero(i - 1, FROB_P2OS_RVEL);
     }
-    check(ends > 10 && zeros_first,
-          "a session that is heard is ended, with zeros first, for they may be what is heard first");
+    check(
+        ends > 10 && zeros_first,
+        "a session that is heard is ended, with zeros first, for they may be what is heard first");
     other.deaf = false;
     check(run(3000) == FROB_ROBOT_READY, "and when it hears again, another one is begun");
 }
@@ -351,7 +354,8 @@ static void strict_peer(void)
     other.strict = true;
     line.refuses_rates = true;
     connect_again();
-    check(run(1000) == FROB_ROBOT_READY && !line.lost, "a peer that wants SYNC0 first is satisfied");
+    check(run(1000) == FROB_ROBOT_READY && !line.lost,
+          "a peer that wants SYNC0 first is satisfied");
     run_commanding(300, 0.3, 0.0);
     check(last_argument(FROB_P2OS_VEL) == 300, "and drives");
     frob_robot_close(&robot);

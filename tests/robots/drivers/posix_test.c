@@ -197,8 +197,7 @@ static void lasting_names(void)
     check(mkdtemp(folder) != NULL, "a folder of names");
     snprintf(path, sizeof path, "%s/usb-FTDI_1234-if00-port0", folder);
     check(symlink(device, path) == 0 &&
-              frob_posix_lasting_name(folder, device, name, sizeof name) &&
-              strcmp(name, path) == 0,
+              frob_posix_lasting_name(folder, device, name, sizeof name) && strcmp(name, path) == 0,
           "the name that an adapter keeps");
     check(!frob_posix_lasting_name(folder, path, name, sizeof name), "not of a name that it keeps");
     check(!frob_posix_lasting_name(folder, "/dev/null", name, sizeof name) &&

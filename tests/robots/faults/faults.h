@@ -11,19 +11,21 @@ extern "C" {
 #include "random.h"
 }
 
-class Faults {
+class Faults
+{
   public:
     // Of 65536 bytes, so many are dropped, doubled, flipped, or have garbage
     // before them; of 256 packets, so many are cut short.
     struct Rates {
         unsigned dropped = 0, doubled = 0, flipped = 0, garbage = 0, cut = 0;
-        unsigned storm = 0;        // bytes of garbage for each turn, at the most
-        std::int64_t held_ns = 0;  // bytes come together at multiples of this time
+        unsigned storm = 0;       // bytes of garbage for each turn, at the most
+        std::int64_t held_ns = 0; // bytes come together at multiples of this time
     };
 
     void seed(std::uint64_t seed) { seed_ = seed; }
     void set(const Rates &rates) { rates_ = rates; }
-    bool any() const {
+    bool any() const
+    {
         return rates_.dropped || rates_.doubled || rates_.flipped || rates_.garbage || rates_.cut ||
                rates_.storm || rates_.held_ns;
     }
@@ -31,7 +33,8 @@ class Faults {
     // Did the bytes since `begin` pass unchanged, with nothing before or between?
     bool untouched() const { return untouched_; }
 
-    void begin(std::int64_t room, std::vector<std::uint8_t> &out) {
+    void begin(std::int64_t room, std::vector<std::uint8_t> &out)
+    {
         untouched_ = true;
         cutting_ = false;
         cuts_ = rates_.cut > 0 && random_below(&seed_, 256) < rates_.cut;
@@ -42,8 +45,10 @@ class Faults {
         }
     }
 
-    void pass(std::uint8_t byte, std::vector<std::uint8_t> &out) {
-        if (cuts_ && !cutting_) cutting_ = random_below(&seed_, 16) == 0;
+    void pass(std::uint8_t byte, std::vector<std::uint8_t> &out)
+    {
+        if (cuts_ && !cutting_)
+            cutting_ = random_below(&seed_, 16) == 0;
         if (cutting_ || falls(rates_.dropped)) {
             untouched_ = false;
             return;
@@ -65,7 +70,8 @@ class Faults {
 
     void end() {}
 
-    std::int64_t delay_ns(std::int64_t now_ns) const {
+    std::int64_t delay_ns(std::int64_t now_ns) const
+    {
         return rates_.held_ns == 0 ? 0 : rates_.held_ns - now_ns % rates_.held_ns;
     }
 
@@ -73,9 +79,10 @@ class Faults {
     bool falls(unsigned rate) { return rate != 0 && random_below(&seed_, 65536) < rate; }
 
     // Half of it is what protocols begin and end with.
-    std::uint8_t garbage() {
-        static constexpr std::uint8_t likely[] = {0x01, 0x2C, 0x00, 0x5C, 0x13, 0x37, 0xFA, 0xFB,
-                                                  0x56, 0x91, 0x80, 0x83, 0x07, 0xAD, 0x94, 0x85};
+    std::uint8_t garbage()
+    {
+        static constexpr std::uint8_t likely[] = { 0x01, 0x2C, 0x00, 0x5C, 0x13, 0x37, 0xFA, 0xFB,
+                                                   0x56, 0x91, 0x80, 0x83, 0x07, 0xAD, 0x94, 0x85 };
         const std::uint64_t r = random_next(&seed_);
         return (r & 1) != 0 ? likely[(r >> 1) % sizeof likely] : static_cast<std::uint8_t>(r >> 8);
     }

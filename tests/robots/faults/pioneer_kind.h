@@ -16,23 +16,27 @@ struct frob_sim {
     frob_pioneer_output output{};
 };
 
-class PioneerWire {
+class PioneerWire
+{
   public:
-    PioneerWire()
-        : firmware_(&sim_, *frob::serve::PioneerFirmware::find_model("p3dx-sh"), 38400) {}
+    PioneerWire() : firmware_(&sim_, *frob::serve::PioneerFirmware::find_model("p3dx-sh"), 38400) {}
 
-    void receive(const std::uint8_t *bytes, std::size_t count) {
+    void receive(const std::uint8_t *bytes, std::size_t count)
+    {
         for (std::size_t i = 0; i < count; ++i) {
             firmware_.receive(bytes[i]);
             if (const auto command = reader_.take(bytes[i])) {
-                if (command->number == close) limited_ = false;
-                for (const std::uint8_t limit : limits) limited_ = limited_ || command->number == limit;
+                if (command->number == close)
+                    limited_ = false;
+                for (const std::uint8_t limit : limits)
+                    limited_ = limited_ || command->number == limit;
             }
         }
         collect();
     }
     void sense(const frob_pioneer_input &body, std::int64_t) { sim_.body = body; }
-    void advance(std::int64_t now_ns) {
+    void advance(std::int64_t now_ns)
+    {
         firmware_.advance(now_ns);
         collect();
     }
@@ -45,9 +49,11 @@ class PioneerWire {
     std::vector<std::uint8_t> to_client;
 
   private:
-    static constexpr std::uint8_t close = 2, limits[] = {5, 6, 10, 23}; // SETA, SETV, SETRV, SETRA
+    static constexpr std::uint8_t close = 2,
+                                  limits[] = { 5, 6, 10, 23 }; // SETA, SETV, SETRV, SETRA
 
-    void collect() {
+    void collect()
+    {
         const std::vector<std::uint8_t> sent = firmware_.take_output();
         to_client.insert(to_client.end(), sent.begin(), sent.end());
     }

@@ -21,8 +21,8 @@ enum { ROOM = 65536, FD = 1000 };
 static struct {
     uint64_t seed;
     int64_t now_ns;
-    unsigned interrupted, refused; /* of 256 calls, so many end with EINTR, EAGAIN */
-    bool blocked;                  /* nothing can be written */
+    unsigned interrupted, refused;      /* of 256 calls, so many end with EINTR, EAGAIN */
+    bool blocked;                       /* nothing can be written */
     enum { ALIVE, BROKEN, ENDED } life; /* EIO, or end of file */
     uint8_t in[ROOM], out[ROOM];
     size_t in_count, in_taken, out_count;
@@ -43,7 +43,10 @@ static size_t part(size_t count)
 static bool fails(void)
 {
     os.now_ns += 1000;
-    errno = os.life == BROKEN ? EIO : falls(os.interrupted) ? EINTR : falls(os.refused) ? EAGAIN : 0;
+    errno = os.life == BROKEN       ? EIO
+            : falls(os.interrupted) ? EINTR
+            : falls(os.refused)     ? EAGAIN
+                                    : 0;
     return errno != 0;
 }
 
@@ -139,7 +142,8 @@ static bool reads_all(void)
         if (falls(64) && os.in_count < 5000)
             os.in_count += 1 + random_below(&os.seed, (unsigned)(5000 - os.in_count));
         if (serial.operations->wait(serial.port, os.now_ns + 1000000) == FROB_LOST ||
-            serial.operations->read(serial.port, some, 1 + random_below(&os.seed, 300), &count) != FROB_OK)
+            serial.operations->read(serial.port, some, 1 + random_below(&os.seed, 300), &count) !=
+                FROB_OK)
             return false;
         memcpy(got + taken, some, count);
         taken += count;
@@ -194,7 +198,8 @@ static bool is_lost(int life)
         return false;
     os.life = life == ENDED ? ENDED : BROKEN;
     os.refused = 0;
-    if (serial.operations->read(serial.port, bytes, sizeof bytes, &count) != FROB_LOST || count != 0)
+    if (serial.operations->read(serial.port, bytes, sizeof bytes, &count) != FROB_LOST ||
+        count != 0)
         return false;
     os.life = ALIVE; /* another device now */
     return serial.operations->read(serial.port, bytes, sizeof bytes, &count) == FROB_LOST &&
@@ -220,7 +225,8 @@ static bool discards(void)
     os.in_count = 3000;
     os.refused = 0; /* a spurious EAGAIN would end it early, rightly */
     return serial.operations->discard(serial.port) == FROB_OK &&
-           serial.operations->read(serial.port, bytes, sizeof bytes, &count) == FROB_OK && count == 0;
+           serial.operations->read(serial.port, bytes, sizeof bytes, &count) == FROB_OK &&
+           count == 0;
 }
 
 static bool write_finds_it_broken(void)

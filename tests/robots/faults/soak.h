@@ -17,7 +17,7 @@
 #include "faults.h"
 
 struct SoakResult {
-    std::string failure;      // empty if all held
+    std::string failure; // empty if all held
     double simulated_s = 0;
     double slowest_resume_s = 0;
     double longest_unwanted_s = 0; // the robot moved though readings were stale
@@ -25,9 +25,12 @@ struct SoakResult {
     unsigned limited = 0; // a damaged command set a limit, and a new connection took it away
 };
 
-template <class Kind> class Soak {
+template <class Kind>
+class Soak
+{
   public:
-    explicit Soak(std::uint64_t seed) : seed_(seed) {
+    explicit Soak(std::uint64_t seed) : seed_(seed)
+    {
         b_.to_driver.seed(random_next(&seed_));
         b_.to_robot.seed(random_next(&seed_));
         b_.acted = [this] { look(); };
@@ -37,7 +40,8 @@ template <class Kind> class Soak {
         reconnect();
     }
 
-    SoakResult run(double for_s) {
+    SoakResult run(double for_s)
+    {
         const std::int64_t end_ns = b_.time.now_ns + static_cast<std::int64_t>(for_s * 1e9);
         const std::int64_t start_ns = b_.time.now_ns;
         while (b_.time.now_ns < end_ns && result_.failure.empty()) {
@@ -60,25 +64,30 @@ template <class Kind> class Soak {
 
     // The host: steps 30 times a second, and connects anew a quarter of a
     // second after a connection has failed.
-    void drive(std::int64_t for_ns) {
+    void drive(std::int64_t for_ns)
+    {
         const std::int64_t until_ns = b_.time.now_ns + for_ns;
         while (b_.time.now_ns < until_ns && result_.failure.empty()) {
             if (b_.state == FROB_ROBOT_READY) {
                 typename Kind::Output output{};
                 frob_robot_sense(&b_.robot, &b_.input);
-                if (!Kind::sane(b_.input)) fail("the program sees what cannot be");
+                if (!Kind::sane(b_.input))
+                    fail("the program sees what cannot be");
                 output.forward = forward_;
                 output.turn = turn_;
                 frob_robot_command(&b_.robot, &output);
             } else if (b_.state == FROB_ROBOT_FAILED) {
-                if (failed_ns_ == 0) failed_ns_ = b_.time.now_ns;
-                if (b_.time.now_ns - failed_ns_ >= 250 * ms && !hung_up_) reconnect();
+                if (failed_ns_ == 0)
+                    failed_ns_ = b_.time.now_ns;
+                if (b_.time.now_ns - failed_ns_ >= 250 * ms && !hung_up_)
+                    reconnect();
             }
             b_.run(std::min(until_ns, b_.time.now_ns + second / 30));
         }
     }
 
-    void reconnect() {
+    void reconnect()
+    {
         frob_fake_line_open(&b_.line, &b_.time);
         b_.line.rate = static_cast<std::uint32_t>(b_.rate);
         failed_ns_ = 0;
@@ -88,7 +97,8 @@ template <class Kind> class Soak {
     }
 
     // Without faults the robot must drive as it is told, soon.
-    void well() {
+    void well()
+    {
         const std::int64_t start_ns = b_.time.now_ns;
         while (result_.failure.empty()) {
             drive(100 * ms);
@@ -96,22 +106,25 @@ template <class Kind> class Soak {
             if (b_.state == FROB_ROBOT_READY && std::fabs(output.forward - forward_) < 0.01 &&
                 std::fabs(output.turn - turn_) < 0.05)
                 break;
-            if (b_.time.now_ns - start_ns > 10 * second) fail("driving does not go on after the faults");
+            if (b_.time.now_ns - start_ns > 10 * second)
+                fail("driving does not go on after the faults");
         }
-        result_.slowest_resume_s =
-            std::max(result_.slowest_resume_s, static_cast<double>(b_.time.now_ns - start_ns) * 1e-9);
+        result_.slowest_resume_s = std::max(result_.slowest_resume_s,
+                                            static_cast<double>(b_.time.now_ns - start_ns) * 1e-9);
         // Then it drives for a while, another way than before.
         forward_ = 0.05 * (1 + random_below(&seed_, 6)) * (random_below(&seed_, 4) == 0 ? -1 : 1);
         turn_ = 0.2 * random_below(&seed_, 4);
         drive(static_cast<std::int64_t>(200 + random_below(&seed_, 1500)) * ms);
     }
 
-    unsigned rate(unsigned most) {
+    unsigned rate(unsigned most)
+    {
         // Rare faults as often as frequent ones.
         return random_below(&seed_, 3) == 0 ? most >> random_below(&seed_, 10) : 0;
     }
 
-    Faults::Rates draw() {
+    Faults::Rates draw()
+    {
         Faults::Rates rates;
         rates.dropped = rate(20000);
         rates.doubled = rate(20000);
@@ -121,18 +134,26 @@ template <class Kind> class Soak {
         return rates;
     }
 
-    void begin_faults() {
+    void begin_faults()
+    {
         Faults::Rates in = draw(), out = draw();
-        if (random_below(&seed_, 4) == 0) in.storm = 1 + random_below(&seed_, 100);
-        if (random_below(&seed_, 8) == 0) out.storm = 1 + random_below(&seed_, 20);
-        if (random_below(&seed_, 4) == 0) in.held_ns = (20 + random_below(&seed_, 500)) * ms;
+        if (random_below(&seed_, 4) == 0)
+            in.storm = 1 + random_below(&seed_, 100);
+        if (random_below(&seed_, 8) == 0)
+            out.storm = 1 + random_below(&seed_, 20);
+        if (random_below(&seed_, 4) == 0)
+            in.held_ns = (20 + random_below(&seed_, 500)) * ms;
         b_.to_driver.set(in);
-        if (random_below(&seed_, 2) == 0) b_.to_robot.set(out);
-        if (random_below(&seed_, 6) == 0) b_.line.blocked = true;
-        if (random_below(&seed_, 6) == 0) b_.line.lost = hung_up_ = true;
+        if (random_below(&seed_, 2) == 0)
+            b_.to_robot.set(out);
+        if (random_below(&seed_, 6) == 0)
+            b_.line.blocked = true;
+        if (random_below(&seed_, 6) == 0)
+            b_.line.lost = hung_up_ = true;
     }
 
-    void end_faults() {
+    void end_faults()
+    {
         b_.to_driver.set({});
         b_.to_robot.set({});
         b_.line.blocked = false;
@@ -151,21 +172,24 @@ template <class Kind> class Soak {
     }
 
     // A reading that goes out whole must be found when it has arrived.
-    void expect(const std::vector<std::uint8_t> &bytes) {
+    void expect(const std::vector<std::uint8_t> &bytes)
+    {
         const frob_fake_queue &queue = b_.line.to_driver;
         if (!b_.to_driver.untouched() || b_.line.lost || queue.count == 0 ||
             queue.count + 256 > FROB_FAKE_ROOM || !Kind::is_reading(bytes))
             return;
         const std::size_t last = (queue.first + queue.count - 1) % FROB_FAKE_ROOM;
-        expected_.push_back({queue.arrive_ns[last], session_});
+        expected_.push_back({ queue.arrive_ns[last], session_ });
     }
 
-    void look() {
+    void look()
+    {
         found();
         safe();
     }
 
-    void found() {
+    void found()
+    {
         const bool counts = b_.state == FROB_ROBOT_READY || b_.state == FROB_ROBOT_STALE;
         while (!expected_.empty() && expected_.front().arrival_ns <= b_.polled_ns) {
             const Expected e = expected_.front();
@@ -176,27 +200,32 @@ template <class Kind> class Soak {
             const bool missed =
                 Kind::driver().sensed_ns(&b_.device) < e.arrival_ns && !Kind::doubts(b_.device);
             missed_ = missed ? missed_ + 1 : 0;
-            if (missed_ > Kind::overlapped) fail("a good packet was not found");
+            if (missed_ > Kind::overlapped)
+                fail("a good packet was not found");
             expected_.pop_front();
         }
         counted_session_ = counts ? session_ : 0;
     }
 
-    void safe() {
+    void safe()
+    {
         const auto output = b_.wire.output();
         const bool moves = output.forward != 0 || output.turn != 0;
-        if (b_.to_robot.any() || b_.line.blocked || b_.line.lost) clean_ns_ = b_.time.now_ns;
+        if (b_.to_robot.any() || b_.line.blocked || b_.line.lost)
+            clean_ns_ = b_.time.now_ns;
         // A sum of one byte lets a damaged command through now and then; the next
         // one follows soon.
         if (b_.time.now_ns - clean_ns_ > 200 * ms && std::fabs(output.forward) > Kind::most_m_s)
             fail("the robot is told what it cannot do");
         const std::int64_t sensed_ns = Kind::driver().sensed_ns(&b_.device);
-        const bool fresh = sensed_ns != INT64_MIN && b_.time.now_ns - sensed_ns <= patience_ns + 40 * ms;
+        const bool fresh =
+            sensed_ns != INT64_MIN && b_.time.now_ns - sensed_ns <= patience_ns + 40 * ms;
         if ((b_.state == FROB_ROBOT_READY && fresh) || !moves) {
             unwanted_ns_ = 0;
             return;
         }
-        if (unwanted_ns_ == 0) unwanted_ns_ = b_.time.now_ns;
+        if (unwanted_ns_ == 0)
+            unwanted_ns_ = b_.time.now_ns;
         const double unwanted_s = static_cast<double>(b_.time.now_ns - unwanted_ns_) * 1e-9;
         result_.longest_unwanted_s = std::max(result_.longest_unwanted_s, unwanted_s);
         // A robot that waits for the rest of what garbage announced does not hear
@@ -208,9 +237,11 @@ template <class Kind> class Soak {
             fail("the robot's watchdog does not stop it");
     }
 
-    void fail(const char *what) {
+    void fail(const char *what)
+    {
         char text[200];
-        if (!result_.failure.empty()) return;
+        if (!result_.failure.empty())
+            return;
         std::snprintf(text, sizeof text, "%s, %.3f s after the start", what,
                       static_cast<double>(b_.time.now_ns - second) * 1e-9);
         result_.failure = text;

@@ -47,7 +47,8 @@ const frob_driver *const frob_own_driver = nullptr;
 
 using namespace frob::serve;
 
-namespace {
+namespace
+{
 
 constexpr std::int64_t ms = 1'000'000;
 constexpr std::int64_t patience_ns = 200 * ms;
@@ -57,21 +58,26 @@ struct WrongUse : std::runtime_error {
 };
 
 // The simulated robot's end of the line in memory.
-class MemoryConnection : public Connection {
+class MemoryConnection : public Connection
+{
   public:
     MemoryConnection(frob_fake_line &line, std::int64_t adapter_ns)
-        : line_(line), adapter_ns_(adapter_ns) {}
+        : line_(line), adapter_ns_(adapter_ns)
+    {
+    }
 
     std::string device() const override { return "memory"; }
     int descriptor() const override { return -1; }
     bool connected() const override { return true; }
     std::uint32_t rate() const override { return line_.rate; }
-    Bytes read() override {
+    Bytes read() override
+    {
         Bytes bytes(FROB_FAKE_ROOM);
         bytes.resize(frob_fake_receive(&line_, bytes.data(), bytes.size()));
         return bytes;
     }
-    void write(const Bytes &bytes) override {
+    void write(const Bytes &bytes) override
+    {
         frob_fake_send(&line_, bytes.data(), bytes.size(), adapter_ns_);
     }
 
@@ -92,7 +98,8 @@ struct Options {
     std::string log;
 };
 
-class Run {
+class Run
+{
   public:
     Run(const frob_program &program, const frob_driver &driver, const Options &options,
         const std::vector<double> &settings)
@@ -101,27 +108,29 @@ class Run {
           firmware_(make_firmware(options.robot, "p3dx-sh", usual_rate(options.robot), sim_.get())),
           server_(*firmware_, true), device_(blocks(driver.device_size)),
           state_(blocks(program.state_size)), input_(blocks(program.input_size)),
-          output_(blocks(program.output_size)) {
+          output_(blocks(program.output_size))
+    {
         frob_fake_line_open(&line_, &time_);
         line_.rate = driver.rate;
         server_.plug(std::make_unique<MemoryConnection>(
             line_, static_cast<std::int64_t>(options.adapter_ms * 1e6)));
     }
 
-    void drive() {
+    void drive()
+    {
         const frob_serial serial = frob_fake_serial(&line_);
         const frob_clock clock = frob_fake_time(&time_);
         const std::unique_ptr<std::FILE, int (*)(std::FILE *)> log(
-            options_.log.empty() ? nullptr : std::fopen(options_.log.c_str(), "w"), [](std::FILE *f) {
-                return f ? std::fclose(f) : 0;
-            });
+            options_.log.empty() ? nullptr : std::fopen(options_.log.c_str(), "w"),
+            [](std::FILE *f) { return f ? std::fclose(f) : 0; });
         log_ = log.get();
         program_.reset(state_.data(), program_.default_params);
         frob_robot_start(&robot_, &driver_, device_.data(), settings_.data(), &serial, &clock,
                          patience_ns);
         while (!over()) {
             server_.advance(time_.now_ns);
-            if (frob_robot_poll(&robot_) == FROB_ROBOT_FAILED) throw WrongUse("the robot is lost");
+            if (frob_robot_poll(&robot_) == FROB_ROBOT_FAILED)
+                throw WrongUse("the robot is lost");
             command();
             instant();
             server_.advance(time_.now_ns);
@@ -130,12 +139,14 @@ class Run {
         frob_robot_halt(&robot_);
     }
 
-    void print() const {
+    void print() const
+    {
         print_summary(sim_.get());
         std::printf("stale readings: %lu\nconnections: %lu\n",
                     static_cast<unsigned long>(robot_.stale),
                     static_cast<unsigned long>(robot_.connections));
-        if (ended_ns_ == 0) return;
+        if (ended_ns_ == 0)
+            return;
         std::vector<char> buffer(frob_result_room(&program_));
         frob_text text = frob_text_in(buffer.data(), buffer.size());
         frob_result_write(&text, &program_, output_.data());
@@ -144,63 +155,80 @@ class Run {
     }
 
   private:
-    static std::vector<std::max_align_t> blocks(std::size_t size) {
+    static std::vector<std::max_align_t> blocks(std::size_t size)
+    {
         return std::vector<std::max_align_t>(size / sizeof(std::max_align_t) + 1);
     }
 
-    static frob_sim *open(const Options &options) {
+    static frob_sim *open(const Options &options)
+    {
         char message[8192];
         frob_sim_settings settings{};
         settings.robot = options.robot.c_str();
         settings.seed = options.seed;
         frob_sim *sim = frob_sim_open(options.world.c_str(), &settings, message, sizeof message);
-        if (!sim) throw WrongUse(message);
+        if (!sim)
+            throw WrongUse(message);
         return sim;
     }
 
-    bool over() const {
-        return ended_ns_ != 0 ||
-               (first_ns_ >= 0 && static_cast<double>(time_.now_ns - first_ns_) > options_.duration_s * 1e9);
+    bool over() const
+    {
+        return ended_ns_ != 0 || (first_ns_ >= 0 && static_cast<double>(time_.now_ns - first_ns_) >
+                                                        options_.duration_s * 1e9);
     }
 
-    void instant() {
-        if (robot_.state != FROB_ROBOT_READY) due_ns_ = 0;
-        if (robot_.state != FROB_ROBOT_READY || time_.now_ns < due_ns_ || stepping_) return;
+    void instant()
+    {
+        if (robot_.state != FROB_ROBOT_READY)
+            due_ns_ = 0;
+        if (robot_.state != FROB_ROBOT_READY || time_.now_ns < due_ns_ || stepping_)
+            return;
         const auto period_ns = static_cast<std::int64_t>(1e9 / options_.rate_hz);
         due_ns_ = (due_ns_ == 0 ? time_.now_ns : due_ns_) + period_ns;
-        if (first_ns_ < 0) first_ns_ = before_ns_ = time_.now_ns;
+        if (first_ns_ < 0)
+            first_ns_ = before_ns_ = time_.now_ns;
         frob_robot_sense(&robot_, input_.data());
         std::memset(output_.data(), 0, program_.output_size);
-        program_.step(state_.data(), program_.default_params, static_cast<double>(time_.now_ns - before_ns_) / 1e9,
-                      input_.data(), output_.data());
+        program_.step(state_.data(), program_.default_params,
+                      static_cast<double>(time_.now_ns - before_ns_) / 1e9, input_.data(),
+                      output_.data());
         before_ns_ = time_.now_ns;
         stepping_ = true;
         command_ns_ = time_.now_ns + static_cast<std::int64_t>(options_.step_ms * 1e6);
         command();
-        if (frob_has_ended(&program_, output_.data())) ended_ns_ = time_.now_ns - first_ns_;
-        if (log_) write_log();
+        if (frob_has_ended(&program_, output_.data()))
+            ended_ns_ = time_.now_ns - first_ns_;
+        if (log_)
+            write_log();
     }
 
-    void command() {
-        if (!stepping_ || time_.now_ns < command_ns_) return;
+    void command()
+    {
+        if (!stepping_ || time_.now_ns < command_ns_)
+            return;
         stepping_ = false;
         frob_robot_command(&robot_, output_.data());
     }
 
     // All robots' inputs begin with the odometry, all outputs with the two speeds.
-    void write_log() const {
+    void write_log() const
+    {
         double in[3], out[2];
         std::memcpy(in, input_.data(), sizeof in);
         std::memcpy(out, output_.data(), sizeof out);
         std::fprintf(log_, "%.3f %.4f %.4f %.4f %.3f %.3f %d\n",
-                     static_cast<double>(time_.now_ns - first_ns_) * 1e-9, in[0], in[1], in[2], out[0],
-                     out[1], frob_sim_summarize(sim_.get()).collisions);
+                     static_cast<double>(time_.now_ns - first_ns_) * 1e-9, in[0], in[1], in[2],
+                     out[0], out[1], frob_sim_summarize(sim_.get()).collisions);
     }
 
-    std::int64_t next() const {
+    std::int64_t next() const
+    {
         std::int64_t due = std::min(server_.due_ns(), frob_robot_due_ns(&robot_));
-        if (robot_.state == FROB_ROBOT_READY && !stepping_) due = std::min(due, due_ns_);
-        if (stepping_) due = std::min(due, command_ns_);
+        if (robot_.state == FROB_ROBOT_READY && !stepping_)
+            due = std::min(due, due_ns_);
+        if (stepping_)
+            due = std::min(due, command_ns_);
         if (line_.to_driver.count > 0)
             due = std::min(due, line_.to_driver.arrive_ns[line_.to_driver.first]);
         return std::max(due, time_.now_ns + 1000);
@@ -223,16 +251,20 @@ class Run {
 };
 
 void set(const std::string &text, const frob_driver &driver, Options &options,
-         std::vector<double> &settings) {
+         std::vector<double> &settings)
+{
     const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) throw WrongUse("write NAME=VALUE, not " + text);
+    if (equals == std::string::npos)
+        throw WrongUse("write NAME=VALUE, not " + text);
     const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
-    const std::map<std::string, double *> numbers = {{"adapter", &options.adapter_ms},
-                                                     {"step", &options.step_ms},
-                                                     {"rate", &options.rate_hz}};
+    const std::map<std::string, double *> numbers = { { "adapter", &options.adapter_ms },
+                                                      { "step", &options.step_ms },
+                                                      { "rate", &options.rate_hz } };
     const auto known = numbers.find(name);
-    if (name == "log") options.log = value;
-    else if (known != numbers.end()) *known->second = std::stod(value);
+    if (name == "log")
+        options.log = value;
+    else if (known != numbers.end())
+        *known->second = std::stod(value);
     else {
         for (std::size_t i = 0; i < driver.setting_count; ++i)
             if (name == driver.settings[i].name) {
@@ -243,11 +275,14 @@ void set(const std::string &text, const frob_driver &driver, Options &options,
     }
 }
 
-int run(int argc, char **argv) {
-    if (argc < 6) throw WrongUse("usage: frob-line PROGRAM.so ROBOT WORLD.toml SEED SECONDS [NAME=VALUE]...");
+int run(int argc, char **argv)
+{
+    if (argc < 6)
+        throw WrongUse("usage: frob-line PROGRAM.so ROBOT WORLD.toml SEED SECONDS [NAME=VALUE]...");
     const frob_program *program = frob_load(argv[1]);
     const frob_driver *driver = find_driver(argv[2]);
-    if (!program) return 2;
+    if (!program)
+        return 2;
     if (!driver || std::strcmp(program->robot, argv[2]) != 0)
         throw WrongUse(std::string("this is no program for a robot ") + argv[2]);
     Options options;
@@ -258,7 +293,8 @@ int run(int argc, char **argv) {
     std::vector<double> settings;
     for (std::size_t i = 0; i < driver->setting_count; ++i)
         settings.push_back(driver->settings[i].initial);
-    for (int i = 6; i < argc; ++i) set(argv[i], *driver, options, settings);
+    for (int i = 6; i < argc; ++i)
+        set(argv[i], *driver, options, settings);
     Run run(*program, *driver, options, settings);
     run.drive();
     run.print();
@@ -267,7 +303,8 @@ int run(int argc, char **argv) {
 
 } // namespace
 
-int main(int argc, char **argv) {
+int main(int argc, char **argv)
+{
     try {
         return run(argc, argv);
     } catch (const std::exception &error) {

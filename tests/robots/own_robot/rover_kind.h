@@ -13,21 +13,27 @@
 
 extern "C" const frob_board frob_rover_board;
 
-class RoverWire {
+class RoverWire
+{
   public:
     RoverWire() : memory_(frob_rover_board.size / sizeof(std::uint64_t) + 1) {}
 
-    void receive(const std::uint8_t *bytes, std::size_t count) {
+    void receive(const std::uint8_t *bytes, std::size_t count)
+    {
         for (std::size_t i = 0; i < count; ++i)
-            collect([&](frob_answer &answer) { frob_rover_board.receive(board(), bytes[i], &answer); });
+            collect(
+                [&](frob_answer &answer) { frob_rover_board.receive(board(), bytes[i], &answer); });
     }
-    void sense(const frob_rover_input &body, std::int64_t now_ns) {
+    void sense(const frob_rover_input &body, std::int64_t now_ns)
+    {
         frob_rover_board.sense(board(), &body, now_ns);
     }
-    void advance(std::int64_t now_ns) {
+    void advance(std::int64_t now_ns)
+    {
         collect([&](frob_answer &answer) { frob_rover_board.advance(board(), now_ns, &answer); });
     }
-    frob_rover_output output() const {
+    frob_rover_output output() const
+    {
         frob_rover_output output{};
         frob_rover_board.drive(memory_.data(), &output);
         return output;
@@ -37,7 +43,9 @@ class RoverWire {
 
   private:
     void *board() { return memory_.data(); }
-    template <class Call> void collect(Call call) {
+    template <class Call>
+    void collect(Call call)
+    {
         frob_answer answer{};
         call(answer);
         to_client.insert(to_client.end(), answer.bytes, answer.bytes + answer.count);

@@ -16,7 +16,8 @@ struct RoverSoak : RoverKind {
     static bool is_reading(const std::vector<std::uint8_t> &) { return false; }
     static bool doubts(const rover &d) { return d.odometry.refused > 0; }
     static bool limited(const Wire &) { return false; }
-    static bool sane(const frob_rover_input &i) {
+    static bool sane(const frob_rover_input &i)
+    {
         bool sane = std::isfinite(i.odometry.position.x) && std::isfinite(i.odometry.position.y) &&
                     std::fabs(i.odometry.heading) < 3.2 && std::fabs(i.leftWheel) < 10 &&
                     std::fabs(i.rightWheel) < 10 && i.battery >= 0 && i.battery <= 15.1;
@@ -26,7 +27,8 @@ struct RoverSoak : RoverKind {
     }
 };
 
-int main(int argc, char **argv) {
+int main(int argc, char **argv)
+{
     if (argc != 4) {
         std::fputs("usage: rover_soak SEED COUNT SECONDS\n", stderr);
         return 2;
@@ -40,7 +42,8 @@ int main(int argc, char **argv) {
         Soak<RoverSoak> run(first + i);
         const SoakResult one = run.run(for_s);
         if (!one.failure.empty()) {
-            std::printf("seed %llu: %s\n", static_cast<unsigned long long>(first + i), one.failure.c_str());
+            std::printf("seed %llu: %s\n", static_cast<unsigned long long>(first + i),
+                        one.failure.c_str());
             ++failures;
         }
         faults += one.faults;
@@ -48,8 +51,10 @@ int main(int argc, char **argv) {
         slowest_s = std::max(slowest_s, one.slowest_resume_s);
         unwanted_s = std::max(unwanted_s, one.longest_unwanted_s);
     }
-    std::printf("%s faults on the line of the rover: %u seeds, %u phases of faults, stale %u times\n",
-                failures == 0 ? "ok" : "FAIL", count, faults, stale);
-    std::printf("   slowest to drive again %.2f s, longest motion while stale %.2f s\n", slowest_s, unwanted_s);
+    std::printf(
+        "%s faults on the line of the rover: %u seeds, %u phases of faults, stale %u times\n",
+        failures == 0 ? "ok" : "FAIL", count, faults, stale);
+    std::printf("   slowest to drive again %.2f s, longest motion while stale %.2f s\n", slowest_s,
+                unwanted_s);
     return failures == 0 ? 0 : 1;
 }

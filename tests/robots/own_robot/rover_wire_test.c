@@ -21,7 +21,8 @@ static void reads(const char *bytes, enum rover_kind kind, int32_t first, int32_
 {
     int lines;
     struct rover_answer a = answer_of(bytes, &lines);
-    check(lines == 1 && a.kind == kind && (kind == ROVER_GARBAGE || (a.first == first && a.second == second)),
+    check(lines == 1 && a.kind == kind &&
+              (kind == ROVER_GARBAGE || (a.first == first && a.second == second)),
           bytes);
 }
 
@@ -32,7 +33,8 @@ static void writes(char letter, size_t count, int32_t first, int32_t second, con
     numbers[0] = first;
     numbers[1] = second;
     command = rover_write(letter, count, numbers);
-    check(command.count == strlen(expected) && memcmp(command.bytes, expected, command.count) == 0, expected);
+    check(command.count == strlen(expected) && memcmp(command.bytes, expected, command.count) == 0,
+          expected);
 }
 
 int main(void)
@@ -57,7 +59,8 @@ int main(void)
     reads("OK\t\r\n", ROVER_GARBAGE, 0, 0);
     reads("123456789012345678901234567890123456789\r\n", ROVER_GARBAGE, 0, 0);
     a = answer_of("\xff\x80garbage 12 3\r\n12 3\r\n", &lines);
-    check(lines == 2 && a.kind == ROVER_PAIR && a.first == 12 && a.second == 3, "a line after garbage");
+    check(lines == 2 && a.kind == ROVER_PAIR && a.first == 12 && a.second == 3,
+          "a line after garbage");
     writes('b', 0, 0, 0, "b\r");
     writes('m', 2, -12, 7, "m -12 7\r");
     writes('m', 2, INT32_MIN, INT32_MAX, "m -2147483648 2147483647\r");

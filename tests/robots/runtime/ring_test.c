@@ -67,8 +67,7 @@ static struct seen read_all(const struct ring *ring)
             seen.overwritten++;
             k = ring_count(ring) - 1;
             break;
-        case RING_NOT_YET:
-            break;
+        case RING_NOT_YET: break;
         }
     }
     return seen;
@@ -83,8 +82,8 @@ static void try_instants(void)
     check("a ring is made", ring_make(&ring, &sizes, RING_PACES));
     check("it takes at most 4 MB", ring.size <= (4u << 20) + 8192);
     check("it is attached", ring_attach(&reader, dup(ring.file)));
-    check("with its permissions", ring_permits(&reader, RING_PACES) &&
-                                      !ring_permits(&reader, RING_SENDS));
+    check("with its permissions",
+          ring_permits(&reader, RING_PACES) && !ring_permits(&reader, RING_SENDS));
     check("and its sizes", memcmp(&reader.sizes, &sizes, sizeof sizes) == 0);
     fflush(stdout);
     writer = fork();
@@ -119,8 +118,8 @@ static void try_words(void)
     bool in_order = true;
     check("a small one is made", ring_make(&ring, &sizes, RING_SENDS));
     check("and attached", ring_attach(&reader, dup(ring.file)));
-    check("nothing is stopped at first", !ring_is_stopped(&ring) && !ring_pace(&ring).paused &&
-                                             ring_pace(&ring).speed == 1.0);
+    check("nothing is stopped at first",
+          !ring_is_stopped(&ring) && !ring_pace(&ring).paused && ring_pace(&ring).speed == 1.0);
     ring_pause(&reader, true);
     ring_step(&reader);
     ring_set_speed(&reader, 0.25);

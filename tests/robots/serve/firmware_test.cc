@@ -18,7 +18,8 @@
 
 using namespace frob::serve;
 
-namespace {
+namespace
+{
 
 constexpr std::int64_t ms = 1'000'000;
 
@@ -26,17 +27,22 @@ struct Closer {
     void operator()(frob_sim *sim) const { frob_sim_close(sim); }
 };
 
-std::unique_ptr<frob_sim, Closer> open_world() {
+std::unique_ptr<frob_sim, Closer> open_world()
+{
     char message[1024];
     frob_sim_settings settings{};
     settings.seed = 1;
     std::unique_ptr<frob_sim, Closer> sim(
         frob_sim_open("hall.toml", &settings, message, sizeof message));
-    if (!sim) std::printf("FAIL the world: %s\n", message);
+    if (!sim)
+        std::printf("FAIL the world: %s\n", message);
     return sim;
 }
 
-double driven(const frob_sim *sim) { return frob_sim_summarize(sim).distance_m; }
+double driven(const frob_sim *sim)
+{
+    return frob_sim_summarize(sim).distance_m;
+}
 
 // A client that sends bytes and keeps what comes.
 struct Client {
@@ -46,9 +52,12 @@ struct Client {
     std::vector<Bytes> packets;
 
     explicit Client(const char *model = "p3dx")
-        : firmware(sim.get(), *PioneerFirmware::find_model(model), 9600) {}
+        : firmware(sim.get(), *PioneerFirmware::find_model(model), 9600)
+    {
+    }
 
-    void wait(std::int64_t time) {
+    void wait(std::int64_t time)
+    {
         for (const std::int64_t end = now + time; now < end; now += 10 * ms) {
             firmware.advance(now);
             keep(firmware.take_output());
@@ -56,77 +65,89 @@ struct Client {
     }
 
     // As `wait`, with a PULSE twice a second for the watchdog.
-    void live(std::int64_t time) {
+    void live(std::int64_t time)
+    {
         for (; time > 0; time -= 500 * ms) {
-            send({0xFA, 0xFB, 3, 0, 0, 0});
+            send({ 0xFA, 0xFB, 3, 0, 0, 0 });
             wait(std::min(time, 500 * ms));
         }
     }
 
-    void send(const Bytes &bytes) {
+    void send(const Bytes &bytes)
+    {
         firmware.advance(now);
-        for (const std::uint8_t byte : bytes) firmware.receive(byte);
+        for (const std::uint8_t byte : bytes)
+            firmware.receive(byte);
         keep(firmware.take_output());
     }
 
-    void keep(const Bytes &bytes) {
+    void keep(const Bytes &bytes)
+    {
         for (std::size_t i = 0; i + 3 < bytes.size(); i += bytes[i + 2] + 3u)
             packets.emplace_back(bytes.begin() + static_cast<long>(i),
                                  bytes.begin() + static_cast<long>(i) + bytes[i + 2] + 3);
     }
 
-    void shake_hands() {
-        send({0xFA, 0xFB, 3, 0, 0, 0});
-        send({0xFA, 0xFB, 3, 1, 0, 1});
-        send({0xFA, 0xFB, 3, 2, 0, 2});
-        send({0xFA, 0xFB, 3, 1, 0, 1}); // OPEN
+    void shake_hands()
+    {
+        send({ 0xFA, 0xFB, 3, 0, 0, 0 });
+        send({ 0xFA, 0xFB, 3, 1, 0, 1 });
+        send({ 0xFA, 0xFB, 3, 2, 0, 2 });
+        send({ 0xFA, 0xFB, 3, 1, 0, 1 }); // OPEN
     }
 
-    void command(std::uint8_t number, int argument) {
+    void command(std::uint8_t number, int argument)
+    {
         const int magnitude = argument < 0 ? -argument : argument;
         send(P2osBody(number).u8(argument < 0 ? 0x1B : 0x3B).u16(magnitude).packet());
     }
 
-    std::size_t count(std::uint8_t type) const {
+    std::size_t count(std::uint8_t type) const
+    {
         std::size_t n = 0;
-        for (const Bytes &packet : packets) n += packet[3] == type ? 1 : 0;
+        for (const Bytes &packet : packets)
+            n += packet[3] == type ? 1 : 0;
         return n;
     }
 };
 
-void handshake() {
+void handshake()
+{
     Client c;
-    c.send({0x57, 0x4D, 0x53, 0x32, 0x0D}); // AriaCoda's bytes for a radio modem
-    c.send({0xFA, 0xFB, 3, 0, 0, 0});
-    check::that(c.packets.size() == 1 && c.packets[0] == Bytes({0xFA, 0xFB, 3, 0, 0, 0}),
+    c.send({ 0x57, 0x4D, 0x53, 0x32, 0x0D }); // AriaCoda's bytes for a radio modem
+    c.send({ 0xFA, 0xFB, 3, 0, 0, 0 });
+    check::that(c.packets.size() == 1 && c.packets[0] == Bytes({ 0xFA, 0xFB, 3, 0, 0, 0 }),
                 "junk before the handshake; SYNC0 is echoed");
-    c.send({0xFA, 0xFB, 3, 2, 0, 2});
+    c.send({ 0xFA, 0xFB, 3, 2, 0, 2 });
     check::that(c.packets.size() == 1, "SYNC2 before SYNC1 has no answer");
-    c.send({0xFA, 0xFB, 3, 1, 0, 1});
-    c.send({0xFA, 0xFB, 3, 2, 0, 2});
+    c.send({ 0xFA, 0xFB, 3, 1, 0, 1 });
+    c.send({ 0xFA, 0xFB, 3, 2, 0, 2 });
     const std::string answer(c.packets.back().begin(), c.packets.back().end());
     check::that(answer.find(std::string("FrobSim\0Pioneer\0p3dx\0", 21)) == 4,
                 "SYNC2 is answered with name, class and subclass");
     c.wait(500 * ms);
     check::that(c.count(0x32) == 0, "no SIPs before OPEN");
-    c.send({0xFA, 0xFB, 6, 1, 0x3B, 1, 0, 2, 0x3B}); // OPEN 1, as AriaCoda has it
+    c.send({ 0xFA, 0xFB, 6, 1, 0x3B, 1, 0, 2, 0x3B }); // OPEN 1, as AriaCoda has it
     c.wait(1000 * ms);
     check::that(c.count(0x32) == 9 || c.count(0x32) == 10, "then ten a second");
     Client late;
-    late.send({0xFA, 0xFB, 3, 0, 0, 0});
+    late.send({ 0xFA, 0xFB, 3, 0, 0, 0 });
     late.wait(11'000 * ms);
-    late.send({0xFA, 0xFB, 3, 1, 0, 1});
+    late.send({ 0xFA, 0xFB, 3, 1, 0, 1 });
     check::that(late.packets.size() == 1, "a handshake is forgotten after ten seconds");
 }
 
 // What AriaCoda takes for its limits, at its place in the packet, and the packet's end.
-void config(const Client &c) {
+void config(const Client &c)
+{
     Bytes body;
     for (const Bytes &packet : c.packets)
-        if (packet[3] == 0x20) body.assign(packet.begin() + 4, packet.end() - 2);
+        if (packet[3] == 0x20)
+            body.assign(packet.begin() + 4, packet.end() - 2);
     std::size_t at = 0;
     const auto texts = [&](int n) {
-        while (n > 0 && at < body.size()) n -= body[at++] == 0 ? 1 : 0;
+        while (n > 0 && at < body.size())
+            n -= body[at++] == 0 ? 1 : 0;
     };
     const auto u16 = [&](std::size_t from) {
         return from + 1 < body.size() ? body[from] | body[from + 1] << 8 : -1;
@@ -145,7 +166,8 @@ void config(const Client &c) {
     check::that(body.size() == at + 21, "it is there to its last field");
 }
 
-void clients() {
+void clients()
+{
     Client c;
     c.shake_hands();
     for (int i = 0; i < 5; ++i) {
@@ -159,7 +181,7 @@ void clients() {
     c.wait(1500 * ms);
     const double before = driven(c.sim.get());
     check::that(before > 0.1, "VEL drives");
-    c.send({0xFA, 0xFB, 4, 7, 0x3B, 0x07, 0x3B}); // Player's SETO has a type and no value
+    c.send({ 0xFA, 0xFB, 4, 7, 0x3B, 0x07, 0x3B }); // Player's SETO has a type and no value
     c.wait(200 * ms);
     check::that((c.packets.back()[4] | c.packets.back()[5] << 8) < 200,
                 "SETO without its value sets odometry to zero");
@@ -169,17 +191,18 @@ void clients() {
     c.command(11, 200);
     c.wait(1000 * ms);
     check::near(driven(c.sim.get()), stopped, 1e-3, "without motors VEL does nothing");
-    c.send({0xFA, 0xFB, 3, 2, 0, 2}); // CLOSE
+    c.send({ 0xFA, 0xFB, 3, 2, 0, 2 }); // CLOSE
     const std::size_t count = c.packets.size();
     c.wait(1000 * ms);
     check::that(c.packets.size() == count && !c.firmware.in_session(), "CLOSE ends it all");
 }
 
 // What AriaCoda sends on a serial port, in its order.
-void aria() {
+void aria()
+{
     Client c;
-    c.send({0x57, 0x4D, 0x53, 0x32, 0x0D});
-    for (const std::uint8_t sync : {0, 1, 2}) {
+    c.send({ 0x57, 0x4D, 0x53, 0x32, 0x0D });
+    for (const std::uint8_t sync : { 0, 1, 2 }) {
         c.send(P2osBody(sync).packet());
         c.wait(120 * ms);
     }
@@ -208,9 +231,10 @@ void aria() {
 }
 
 // What Player's p2os driver sends.
-void player() {
+void player()
+{
     Client c;
-    for (const std::uint8_t sync : {0, 1, 2}) {
+    for (const std::uint8_t sync : { 0, 1, 2 }) {
         c.send(P2osBody(sync).packet());
         c.wait(500 * ms);
     }
@@ -218,10 +242,11 @@ void player() {
     c.send(P2osBody(0).packet());
     c.command(28, 0);
     c.wait(300 * ms);
-    check::that(c.count(0x32) >= 2 && c.packets.back()[3 + 19] == 0, "Player: sonars are off at first");
+    check::that(c.count(0x32) >= 2 && c.packets.back()[3 + 19] == 0,
+                "Player: sonars are off at first");
     c.command(28, 1);
     c.command(4, 0);
-    c.send({0xFA, 0xFB, 4, 7, 0x3B, 0x07, 0x3B}); // SETO with a type and no value
+    c.send({ 0xFA, 0xFB, 4, 7, 0x3B, 0x07, 0x3B }); // SETO with a type and no value
     c.wait(400 * ms);
     check::that(c.packets.back()[3 + 19] > 0, "Player: then they are on");
     c.command(11, 200);
@@ -234,7 +259,8 @@ void player() {
     check::that(driven(c.sim.get()) > 0.1, "Player: with motor power it drives");
 }
 
-void watchdog() {
+void watchdog()
+{
     Client c;
     c.shake_hands();
     c.command(4, 1);
@@ -246,7 +272,7 @@ void watchdog() {
     c.wait(2000 * ms);
     check::that(c.firmware.watchdog_tripped(), "then it trips");
     check::near(driven(c.sim.get()), stopped, 0.002, "and the robot stands");
-    c.send({0xFA, 0xFB, 3, 0, 0, 0}); // PULSE
+    c.send({ 0xFA, 0xFB, 3, 0, 0, 0 }); // PULSE
     c.wait(1500 * ms);
     check::that(driven(c.sim.get()) > stopped + 0.2, "a PULSE makes it take up the old speed");
     c.command(11, 0);
@@ -258,20 +284,24 @@ void watchdog() {
     check::near(driven(c.sim.get()) - before, 0.2 * (1.5 - 0.34), 0.03, "VEL2 drives the wheels");
 }
 
-void sonars() {
+void sonars()
+{
     Client c;
     c.shake_hands();
     c.wait(2000 * ms);
     std::vector<int> seen(16);
     bool partial = true;
     for (const Bytes &packet : c.packets) {
-        if (packet[3] != 0x32) continue;
+        if (packet[3] != 0x32)
+            continue;
         const int n = packet[3 + 19];
         partial = partial && n < 16;
-        for (int i = 0; i < n; ++i) ++seen[packet[static_cast<std::size_t>(3 + 20 + 3 * i)]];
+        for (int i = 0; i < n; ++i)
+            ++seen[packet[static_cast<std::size_t>(3 + 20 + 3 * i)]];
     }
     bool each = true;
-    for (const int n : seen) each = each && n >= 4 && n <= 7;
+    for (const int n : seen)
+        each = each && n >= 4 && n <= 7;
     check::that(partial, "a SIP has only the sonars that were fired since the last");
     check::that(each, "each is in one of three or so, about three times a second");
     c.packets.clear();
@@ -280,11 +310,12 @@ void sonars() {
     check::that(c.packets.back()[3 + 19] == 0, "SONAR 0 turns them off");
 }
 
-void pacing() {
+void pacing()
+{
     PacedLine line(true);
     std::uint8_t byte = 0;
     std::int64_t at = 0;
-    line.push({1, 2}, 0, 9600);
+    line.push({ 1, 2 }, 0, 9600);
     check::that(!line.take(1 * ms, byte, at), "at 9600 bits per second a byte takes 1.04 ms");
     check::that(line.take(2 * ms, byte, at) && byte == 1 && at == 1'041'666, "the first");
     check::that(line.take(3 * ms, byte, at) && byte == 2 && at == 2'083'332, "the second");
@@ -296,7 +327,7 @@ void pacing() {
 struct Drive {
     std::unique_ptr<frob_sim, Closer> sim = open_world();
     PioneerFirmware firmware;
-    PacedLine to_robot{true}, to_driver{true};
+    PacedLine to_robot{ true }, to_driver{ true };
     frob_fake_clock clock{};
     frob_fake_line line{};
     frob_pioneer device{};
@@ -304,7 +335,8 @@ struct Drive {
     double settings[FROB_PIONEER_SETTING_COUNT];
 
     explicit Drive(const char *model)
-        : firmware(sim.get(), *PioneerFirmware::find_model(model), 9600) {
+        : firmware(sim.get(), *PioneerFirmware::find_model(model), 9600)
+    {
         frob_fake_line_open(&line, &clock);
         line.rate = 9600;
         for (std::size_t i = 0; i < FROB_PIONEER_SETTING_COUNT; ++i)
@@ -314,7 +346,8 @@ struct Drive {
         frob_robot_start(&robot, &frob_pioneer_driver, &device, settings, &serial, &time, 200 * ms);
     }
 
-    void run(std::int64_t time, double forward, double turn) {
+    void run(std::int64_t time, double forward, double turn)
+    {
         frob_pioneer_output out{};
         out.forward = forward;
         out.turn = turn;
@@ -325,12 +358,14 @@ struct Drive {
         }
     }
 
-    void exchange() {
+    void exchange()
+    {
         std::uint8_t byte = 0;
         std::int64_t at = 0;
         Bytes bytes(256);
         bytes.resize(frob_fake_receive(&line, bytes.data(), bytes.size()));
-        if (line.rate == firmware.rate()) to_robot.push(bytes, clock.now_ns, line.rate);
+        if (line.rate == firmware.rate())
+            to_robot.push(bytes, clock.now_ns, line.rate);
         while (to_robot.take(clock.now_ns, byte, at)) {
             firmware.advance(at);
             firmware.receive(byte);
@@ -338,11 +373,13 @@ struct Drive {
         firmware.advance(clock.now_ns);
         to_driver.push(firmware.take_output(), clock.now_ns, firmware.rate());
         while (to_driver.take(clock.now_ns, byte, at))
-            if (line.rate == firmware.rate()) frob_fake_send(&line, &byte, 1, 0);
+            if (line.rate == firmware.rate())
+                frob_fake_send(&line, &byte, 1, 0);
     }
 };
 
-void driver(const char *model) {
+void driver(const char *model)
+{
     const std::string of = std::string(", ") + model;
     Drive d(model);
     frob_pioneer_input in{};
@@ -368,22 +405,31 @@ void driver(const char *model) {
 }
 
 // The newest packet of a type, from its type on; empty if there is none.
-Bytes newest(const Client &c, std::uint8_t type) {
+Bytes newest(const Client &c, std::uint8_t type)
+{
     for (std::size_t i = c.packets.size(); i-- > 0;)
         if ((c.packets[i][3] & (type == 0x32 ? 0xFE : 0xFF)) == type)
             return Bytes(c.packets[i].begin() + 3, c.packets[i].end());
     return {};
 }
 
-int s16(const Bytes &body, std::size_t at) {
+int s16(const Bytes &body, std::size_t at)
+{
     return static_cast<std::int16_t>(body.at(at) | body.at(at + 1) << 8);
 }
 
-double heading_deg(const Client &c) { return s16(newest(c, 0x32), 5) * 360.0 / 4096; }
-double speed_mm_s(const Client &c) { return (s16(newest(c, 0x32), 7) + s16(newest(c, 0x32), 9)) / 2.0; }
+double heading_deg(const Client &c)
+{
+    return s16(newest(c, 0x32), 5) * 360.0 / 4096;
+}
+double speed_mm_s(const Client &c)
+{
+    return (s16(newest(c, 0x32), 7) + s16(newest(c, 0x32), 9)) / 2.0;
+}
 
 // Distances and headings instead of speeds: MOVE, HEAD, DHEAD, DCHEAD.
-void motions() {
+void motions()
+{
     Client c("p3dx-sh");
     c.shake_hands();
     c.command(4, 1);
@@ -397,7 +443,8 @@ void motions() {
     c.command(12, 90);
     c.live(4000 * ms);
     check::near(heading_deg(c), 90, 1, "HEAD turns to a heading");
-    check::near(s16(newest(c, 0x32), 14) * 360.0 / 4096, 90, 0.1, "which a SIP has as its setpoint");
+    check::near(s16(newest(c, 0x32), 14) * 360.0 / 4096, 90, 0.1,
+                "which a SIP has as its setpoint");
     c.command(13, -120);
     c.live(4000 * ms);
     check::near(heading_deg(c), -30, 1, "DHEAD turns by an angle");
@@ -413,7 +460,8 @@ void motions() {
 }
 
 // SETV, SETRV, SETA and SETRA.
-void limits() {
+void limits()
+{
     Client c("p3dx-sh");
     c.shake_hands();
     c.command(4, 1);
@@ -448,7 +496,8 @@ void limits() {
 }
 
 // Packets that are asked for: of encoders and of inputs and outputs.
-void asked() {
+void asked()
+{
     Client c("p3dx-sh");
     c.shake_hands();
     c.command(4, 1);
@@ -480,7 +529,8 @@ void asked() {
 
 } // namespace
 
-int main() {
+int main()
+{
     motions();
     limits();
     asked();

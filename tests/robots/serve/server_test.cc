@@ -15,12 +15,14 @@
 
 using namespace frob::serve;
 
-namespace {
+namespace
+{
 
 constexpr std::int64_t ms = 1'000'000;
 
 // Keeps what it is given; the bytes of one command are between two semicolons.
-class Kept : public Firmware {
+class Kept : public Firmware
+{
   public:
     void advance(std::int64_t) override {}
     void receive(std::uint8_t byte) override { text += static_cast<char>(byte); }
@@ -31,7 +33,8 @@ class Kept : public Firmware {
 };
 
 // A line whose other end is the test.
-class Plug : public Connection {
+class Plug : public Connection
+{
   public:
     std::string device() const override { return ""; }
     int descriptor() const override { return -1; }
@@ -43,7 +46,8 @@ class Plug : public Connection {
     bool there = true;
 };
 
-void pauses() {
+void pauses()
+{
     Kept robot;
     Server server(robot, true);
     auto line = std::make_unique<Plug>();
@@ -51,7 +55,8 @@ void pauses() {
     std::int64_t now = 0;
     const auto say = [&](const std::string &text, std::int64_t for_ms) {
         client.bytes.assign(text.begin(), text.end());
-        for (const std::int64_t end = now + for_ms * ms; now < end; now += ms) server.advance(now);
+        for (const std::int64_t end = now + for_ms * ms; now < end; now += ms)
+            server.advance(now);
     };
     server.plug(std::move(line));
     say("ab", 90);
@@ -63,20 +68,25 @@ void pauses() {
     say("gh", 1);
     client.there = true;
     say("ij", 20);
-    check::that(robot.text == "abcd;efgh;ij", "so does a client that leaves, when all it said is through");
+    check::that(robot.text == "abcd;efgh;ij",
+                "so does a client that leaves, when all it said is through");
 }
 
-int call(const std::string &device) {
+int call(const std::string &device)
+{
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    address.sin_port = htons(static_cast<std::uint16_t>(std::stoi(device.substr(device.rfind(':') + 1))));
+    address.sin_port =
+        htons(static_cast<std::uint16_t>(std::stoi(device.substr(device.rfind(':') + 1))));
     const int caller = socket(AF_INET, SOCK_STREAM, 0);
-    if (connect(caller, reinterpret_cast<sockaddr *>(&address), sizeof address) != 0) return -1;
+    if (connect(caller, reinterpret_cast<sockaddr *>(&address), sizeof address) != 0)
+        return -1;
     return caller;
 }
 
-void second_client() {
+void second_client()
+{
     std::string told;
     TcpPort port(0, [&](const std::string &text) { told += text; });
     const int first = call(port.device());
@@ -86,13 +96,14 @@ void second_client() {
     port.read();
     check::that(port.connected() && recv(second, &byte, 1, 0) == 0, "a second client is refused");
     check::that(told.rfind("refused a second client, from port ", 0) == 0, "and why is told");
-    check::that(send(first, "x", 1, 0) == 1 && port.read() == Bytes{'x'}, "the first goes on");
+    check::that(send(first, "x", 1, 0) == 1 && port.read() == Bytes{ 'x' }, "the first goes on");
     send(first, "y", 1, 0);
     close(first);
     const int third = call(port.device());
-    check::that(port.read() == Bytes{'y'} && !port.connected(), "it leaves, all it said is heard");
+    check::that(port.read() == Bytes{ 'y' } && !port.connected(),
+                "it leaves, all it said is heard");
     port.read();
-    check::that(port.connected() && send(third, "z", 1, 0) == 1 && port.read() == Bytes{'z'},
+    check::that(port.connected() && send(third, "z", 1, 0) == 1 && port.read() == Bytes{ 'z' },
                 "who comes then is let in");
     close(second);
     close(third);
@@ -100,7 +111,8 @@ void second_client() {
 
 } // namespace
 
-int main() {
+int main()
+{
     pauses();
     second_client();
     return check::status();

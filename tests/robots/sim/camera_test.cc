@@ -12,24 +12,29 @@
 
 using namespace frob::sim;
 
-namespace {
+namespace
+{
 
 constexpr std::int64_t millisecond = 1'000'000;
 
 // A Pioneer at the origin, whose camera is where the robot is, and sees straight ahead.
-class Seer {
+class Seer
+{
   public:
     explicit Seer(const std::string &camera, const std::string &rest, double heading = 0.0,
                   std::uint64_t seed = 1)
-        : simulation_(parse_world("[start]\nx = 0\ny = 0\nheading_deg = " + std::to_string(heading) +
-                                      "\n[camera]\nahead = 0\nup = 0.25\n" + camera + "\n" + rest,
-                                  "test"),
-                      seed, false) {
+        : simulation_(
+              parse_world("[start]\nx = 0\ny = 0\nheading_deg = " + std::to_string(heading) +
+                              "\n[camera]\nahead = 0\nup = 0.25\n" + camera + "\n" + rest,
+                          "test"),
+              seed, false)
+    {
         simulation_.look_through("camera");
     }
 
     // The newest frame at this time, or nullptr.
-    const frob_image *at(std::int64_t time_ns) {
+    const frob_image *at(std::int64_t time_ns)
+    {
         simulation_.advance(time_ns);
         return simulation_.newest_frame(time_ns, 0);
     }
@@ -41,22 +46,28 @@ class Seer {
     Simulation simulation_;
 };
 
-const std::uint8_t *pixel(const frob_image &image, int x, int y) {
+const std::uint8_t *pixel(const frob_image &image, int x, int y)
+{
     return frob_image_row(&image, y) + frob_image_pixel_size(image.format) * x;
 }
 
-bool is_reddish(const std::uint8_t *p) { return p[0] > 2 * p[1] && p[0] > 2 * p[2] && p[0] > 40; }
+bool is_reddish(const std::uint8_t *p)
+{
+    return p[0] > 2 * p[1] && p[0] > 2 * p[2] && p[0] > 40;
+}
 
 struct Spot {
     double x = 0.0, y = 0.0, pixels = 0.0;
 };
 
 // The middle of what is red.
-Spot red_spot(const frob_image &image) {
+Spot red_spot(const frob_image &image)
+{
     Spot spot;
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
-            if (!is_reddish(pixel(image, x, y))) continue;
+            if (!is_reddish(pixel(image, x, y)))
+                continue;
             spot.x += x, spot.y += y, ++spot.pixels;
         }
     }
@@ -64,24 +75,26 @@ Spot red_spot(const frob_image &image) {
     return spot;
 }
 
-std::string red_ball(double x, double y, double radius) {
+std::string red_ball(double x, double y, double radius)
+{
     return "[[ball]]\ncolour = \"red\"\ncenter = [" + std::to_string(x) + ", " + std::to_string(y) +
            "]\nradius = " + std::to_string(radius) + "\n";
 }
 
 // Where a pinhole shows the middle of a ball on the floor, by trigonometry.
-void balls_are_where_they_are() {
+void balls_are_where_they_are()
+{
     struct Case {
         const char *camera;
         double heading, x, y; // of the robot, in degrees; of the ball
     };
-    const Case cases[] = {{"", 0, 2, 0},
-                          {"", 0, 2, 0.6},
-                          {"", 0, 3, -1.2},
-                          {"", 30, 2, 0.9},
-                          {"yaw_deg = 20", 0, 2, 0.9},
-                          {"pitch_deg = 15", 0, 1.5, 0.2},
-                          {"width = 640\nheight = 480\nfield_of_view_deg = 90", 0, 1.2, 0.4}};
+    const Case cases[] = { { "", 0, 2, 0 },
+                           { "", 0, 2, 0.6 },
+                           { "", 0, 3, -1.2 },
+                           { "", 30, 2, 0.9 },
+                           { "yaw_deg = 20", 0, 2, 0.9 },
+                           { "pitch_deg = 15", 0, 1.5, 0.2 },
+                           { "width = 640\nheight = 480\nfield_of_view_deg = 90", 0, 1.2, 0.4 } };
     for (const Case &c : cases) {
         Seer seer(c.camera, red_ball(c.x, c.y, 0.08), c.heading);
         const frob_image &image = *seer.at(0);
@@ -96,21 +109,24 @@ void balls_are_where_they_are() {
         const double y = lens.centre_y - lens.focal_y * above / along;
         const bool is_there = std::hypot(seen.x - x, seen.y - y) < 1.0;
         check::that(is_there, "a ball is seen where it is");
-        if (!is_there) std::printf("  %g %g, not %g %g\n", seen.x, seen.y, x, y);
+        if (!is_there)
+            std::printf("  %g %g, not %g %g\n", seen.x, seen.y, x, y);
         // A disc of its angle: within a tenth, for it is a little wider off the axis.
         const double radius = lens.focal_x * 0.08 / along;
         check::near(seen.pixels / (pi * radius * radius), 1.0, 0.15, "and as large as it is");
     }
 }
 
-void roll_is_clockwise() {
+void roll_is_clockwise()
+{
     Seer seer("roll_deg = 90\nheight = 320", red_ball(2, 0.5, 0.08));
     const Spot seen = red_spot(*seer.at(0));
     check::that(seen.y > 200, "rolled clockwise, what is on the left is at the bottom");
 }
 
 // The cells of tag 0 as its family has them: the second row inside the frame is 110101 ….
-void tags_are_readable() {
+void tags_are_readable()
+{
     Seer seer("width = 640\nheight = 480",
               "[[tag]]\nid = 0\ncenter = [1, 0]\nfacing_deg = 180\nsize = 0.4\nmiddle = 0.25\n");
     const frob_image &image = *seer.at(0);
@@ -120,8 +136,9 @@ void tags_are_readable() {
         const double y = image.camera.centre_y + (row - 4.5) * scale;
         return pixel(image, static_cast<int>(x + 0.5), static_cast<int>(y + 0.5))[0] > 80;
     };
-    const char *const rows[] = {"1111111111", "1000000001", "1011010101", "1001110101", "1001100001",
-                                "1010100001", "1001011001", "1000010001", "1000000001", "1111111111"};
+    const char *const rows[] = { "1111111111", "1000000001", "1011010101", "1001110101",
+                                 "1001100001", "1010100001", "1001011001", "1000010001",
+                                 "1000000001", "1111111111" };
     bool all = true;
     for (int row = 0; row < 10; ++row)
         for (int column = 0; column < 10; ++column)
@@ -129,7 +146,8 @@ void tags_are_readable() {
     check::that(all, "a tag is the right way round");
 }
 
-void near_hides_far() {
+void near_hides_far()
+{
     Seer seer("", "[[box]]\ncenter = [1, 0]\nsize = [0.2, 0.2]\nheight = 0.5\ncolour = \"blue\"\n" +
                       red_ball(2, 0, 0.1) + red_ball(2, 0.8, 0.1));
     const frob_image &image = *seer.at(0);
@@ -139,13 +157,14 @@ void near_hides_far() {
 }
 
 // A low wall 2 m away, and a ball in front of it.
-void truth_is_geometry() {
+void truth_is_geometry()
+{
     const std::string wall = "[[wall]]\npoints = [[2.05, -3], [2.05, 3]]\nheight = 0.5\n";
     Seer seer("noise = 20\nblur = 2", wall + red_ball(1, 0, 0.1));
     const frob_camera lens = seer.at(0)->camera;
     const Truth truth = seer.truth();
     const auto is = [&](int x, int y, Thing::Kind kind) {
-        return truth.thing_at(x, y) == Thing{kind, 0};
+        return truth.thing_at(x, y) == Thing{ kind, 0 };
     };
     check::that(is(10, 120, Thing::Kind::wall) && is(160, 118, Thing::Kind::wall),
                 "truth: a wall, behind the ball too");
@@ -170,15 +189,16 @@ void truth_is_geometry() {
     check::that(post.at(0) != nullptr, "a post");
     const Truth posts = post.truth();
     const int column = static_cast<int>(std::lround(bent.centre_x + bent.focal_x * shrunk));
-    check::that(posts.thing_at(column, 120) == Thing{Thing::Kind::circle, 0} &&
+    check::that(posts.thing_at(column, 120) == Thing{ Thing::Kind::circle, 0 } &&
                     posts.thing_at(static_cast<int>(bent.centre_x + bent.focal_x * a), 120) !=
-                        Thing{Thing::Kind::circle, 0},
+                        Thing{ Thing::Kind::circle, 0 },
                 "with a lens that distorts it is where the picture has it");
     check::near(seen.depth_at(10, 120), 2.0, 1e-6, "as far as it is");
 }
 
 // The middle of a white wall 2 m away, and its left side, by the square of the distance.
-void light_falls_off() {
+void light_falls_off()
+{
     const std::string wall = "[[wall]]\npoints = [[2.05, -3], [2.05, 3]]\ncolour = \"#ffffff\"\n"
                              "texture = \"plain\"\n";
     const auto lit = [&](const std::string &light, int x, const std::string &things) {
@@ -204,12 +224,14 @@ void light_falls_off() {
                       "[[ball]]\ncenter = [1, 0]\nradius = 0.1\ncolour = \"#ffffff\"\n");
     const frob_image &image = *seer.at(0);
     const double way = std::hypot(1.0, 0.15) - 0.1;
-    check::near(*pixel(image, 160, static_cast<int>(std::lround(
-                                       image.camera.centre_y + image.camera.focal_y * 0.15))),
-                255.0 * 60.0 / (way * way) / 144.5, 2.0, "a ball, where it faces the lamp");
+    check::near(
+        *pixel(image, 160,
+               static_cast<int>(std::lround(image.camera.centre_y + image.camera.focal_y * 0.15))),
+        255.0 * 60.0 / (way * way) / 144.5, 2.0, "a ball, where it faces the lamp");
 }
 
-void time_passes() {
+void time_passes()
+{
     Seer late("rate = 20\nlatency = 0.12", "");
     check::that(late.at(115 * millisecond) == nullptr, "nothing comes before its time");
     const frob_image *first = late.at(120 * millisecond);
@@ -217,7 +239,8 @@ void time_passes() {
                 "then the first frame");
     check::that(late.at(125 * millisecond) == nullptr, "once");
     const frob_image *newest = late.at(330 * millisecond);
-    check::that(newest != nullptr && newest->number == 4 && newest->captured_ns == 200 * millisecond,
+    check::that(newest != nullptr && newest->number == 4 &&
+                    newest->captured_ns == 200 * millisecond,
                 "of several the newest");
     Seer lossy("dropout = 0.5\nrate = 100", "");
     int came = 0;
@@ -235,11 +258,13 @@ void time_passes() {
 struct Pair {
     explicit Pair(const std::string &stereo, std::int64_t time_ns = 0)
         : simulation(parse_world("[start]\nx = 0\ny = 0\nheading_deg = 30\n[stereo]\nahead = 0.1\n"
-                                 "left = 0.03\nup = 0.1\n" + stereo + "\n" +
+                                 "left = 0.03\nup = 0.1\n" +
+                                     stereo + "\n" +
                                      red_ball(2.1 * 0.8660254 - 0.03 * 0.5,
                                               2.1 * 0.5 + 0.03 * 0.8660254, 0.1),
                                  "test"),
-                     1, false) {
+                     1, false)
+    {
         const auto left_number = simulation.look_through("left");
         const auto right_number = simulation.look_through("right");
         simulation.advance(time_ns);
@@ -254,9 +279,13 @@ struct Pair {
     const frob_image *left = nullptr, *right = nullptr;
 };
 
-bool is_near(double x, double y, double off) { return std::abs(x - y) < off; }
+bool is_near(double x, double y, double off)
+{
+    return std::abs(x - y) < off;
+}
 
-void pairs_have_disparities() {
+void pairs_have_disparities()
+{
     const Pair straight("baseline = 0.2");
     const double focal = straight.left->camera.focal_x;
     check::that(is_near(straight.disparity(), focal * 0.2 / 2.0, 0.3) &&
@@ -279,13 +308,16 @@ void pairs_have_disparities() {
                 "with the head on its side one camera is above the other");
 }
 
-void pairs_are_of_one_time() {
+void pairs_are_of_one_time()
+{
     bool same = true;
     int lost = 0;
     for (int k = 1; k < 60; ++k) {
-        const Pair pair("rate = 50\njitter = 0.008\ndropout = 0.3\nnoise = 5", k * 20 * millisecond);
+        const Pair pair("rate = 50\njitter = 0.008\ndropout = 0.3\nnoise = 5",
+                        k * 20 * millisecond);
         same = same && (pair.left == nullptr) == (pair.right == nullptr);
-        if (pair.left == nullptr) continue;
+        if (pair.left == nullptr)
+            continue;
         same = same && pair.left->captured_ns == pair.right->captured_ns &&
                pair.left->number == pair.right->number;
         lost += pair.left->captured_ns < (k - 1) * 20 * millisecond - 8 * millisecond;
@@ -295,7 +327,8 @@ void pairs_are_of_one_time() {
 }
 
 // A ball goes by, and a robot turns before a post: rows are taken from the first to the last.
-void rows_roll() {
+void rows_roll()
+{
     Seer seer("rate = 10\nrolling = 0.1",
               "[[ball]]\ncolour = \"red\"\nway = [[2, -2], [2, 2]]\nspeed = 2\nradius = 0.08\n");
     seer.at(500 * millisecond);
@@ -308,36 +341,43 @@ void rows_roll() {
     check::near(spot.x, image.camera.centre_x - image.camera.focal_x * left / 2.0, 1.0,
                 "what moves is where it is at the time of its row");
 
-    Simulation turning(parse_world("[start]\nx = 0\ny = 0\nheading_deg = 150\n"
-                                   "[camera]\nahead = 0\nup = 0.25\nrolling = 0.03\n"
-                                   "[[circle]]\ncenter = [-2, 0]\nradius = 0.02\ncolour = \"red\"\n",
-                                   "test"),
-                       1, false);
+    Simulation turning(
+        parse_world("[start]\nx = 0\ny = 0\nheading_deg = 150\n"
+                    "[camera]\nahead = 0\nup = 0.25\nrolling = 0.03\n"
+                    "[[circle]]\ncenter = [-2, 0]\nradius = 0.02\ncolour = \"red\"\n",
+                    "test"),
+        1, false);
     const auto camera = turning.look_through("camera");
     command(turning, 0, drive(0.0, 1.0));
     bool is_slanted = false;
     for (std::int64_t t = 0; t < 1200 * millisecond; t += 5 * millisecond) {
         turning.advance(t);
         const frob_image *frame = turning.newest_frame(t, *camera);
-        if (t < 700 * millisecond || frame == nullptr) continue;
+        if (t < 700 * millisecond || frame == nullptr)
+            continue;
         const auto column = [&](int y) {
             double sum = 0.0, count = 0.0;
             for (int x = 0; x < frame->width; ++x)
-                if (is_reddish(pixel(*frame, x, y))) sum += x, ++count;
+                if (is_reddish(pixel(*frame, x, y)))
+                    sum += x, ++count;
             return sum / count;
         };
         const double shift = column(130) - column(70), focal = frame->camera.focal_x;
-        if (std::abs(column(100) - frame->camera.centre_x) > 60.0) continue;
+        if (std::abs(column(100) - frame->camera.centre_x) > 60.0)
+            continue;
         is_slanted = true;
-        check::near(shift, focal * 0.03 * 60.0 / (frame->height - 1), 0.8, "a post leans as it turns");
+        check::near(shift, focal * 0.03 * 60.0 / (frame->height - 1), 0.8,
+                    "a post leans as it turns");
         break;
     }
     check::that(is_slanted, "a post was seen");
 }
 
-std::uint64_t hash(const frob_image &image) {
+std::uint64_t hash(const frob_image &image)
+{
     std::uint64_t h = 0xcbf29ce484222325u;
-    const auto size = static_cast<std::size_t>(image.stride) * static_cast<std::size_t>(image.height);
+    const auto size =
+        static_cast<std::size_t>(image.stride) * static_cast<std::size_t>(image.height);
     for (std::size_t i = 0; i < size; ++i)
         h = (h ^ static_cast<const std::uint8_t *>(image.pixels)[i]) * 0x100000001b3u;
     return h;
@@ -356,14 +396,17 @@ const char *const all_things =
     "[[patch]]\npoints = [[1, 0.5], [2, 0.5], [2, 1.5], [1, 1.5]]\ncolour = \"green\"\n"
     "[[hole]]\npoints = [[2.5, 1.2], [2.9, 1.2], [2.9, 1.6], [2.5, 1.6]]\n"
     "[sky]\ncolour = \"white\"\n";
-const char *const all_faults = "noise = 5\nblur = 1\nk1 = -0.2\nk2 = 0.03\npitch_deg = 8\nroll_deg = 2\n"
-                               "exposure = 1.1\njitter = 0.003\n";
+const char *const all_faults =
+    "noise = 5\nblur = 1\nk1 = -0.2\nk2 = 0.03\npitch_deg = 8\nroll_deg = 2\n"
+    "exposure = 1.1\njitter = 0.003\n";
 
-void truth_knows_all_things() {
-    Simulation simulation(parse_world("[[start]]\nx = 0\ny = 0\n[[start]]\nx = 2\ny = 1.2\n[camera]\n" +
-                                          std::string(all_faults) + all_things,
-                                      "test"),
-                          1, false);
+void truth_knows_all_things()
+{
+    Simulation simulation(
+        parse_world("[[start]]\nx = 0\ny = 0\n[[start]]\nx = 2\ny = 1.2\n[camera]\n" +
+                        std::string(all_faults) + all_things,
+                    "test"),
+        1, false);
     const auto camera = simulation.look_through("camera");
     const frob_image &image = *simulation.newest_frame(0, *camera);
     const Truth truth = simulation.frame_truth(*camera);
@@ -381,11 +424,13 @@ void truth_knows_all_things() {
     check::that(are_all, "truth: each kind of thing is somewhere");
     check::that(is_one, "and has its number");
     if (!are_all)
-        for (const int count : pixels) std::printf("  %d\n", count);
+        for (const int count : pixels)
+            std::printf("  %d\n", count);
 }
 
 // The number is that of one machine: no other may have another.
-void pixels_are_the_same_everywhere() {
+void pixels_are_the_same_everywhere()
+{
     Seer seer(all_faults, all_things);
     const std::uint64_t first = hash(*seer.at(0));
     const std::uint64_t expected = 0xc0ad0b38f1ae9e4au;
@@ -397,7 +442,8 @@ void pixels_are_the_same_everywhere() {
     check::that(hash(*other.at(0)) != first, "and others of another");
 }
 
-void mistakes_are_told() {
+void mistakes_are_told()
+{
     const auto told = [](const char *world) {
         try {
             parse_world(std::string("[start]\nx = 0\ny = 0\n") + world, "w");
@@ -407,21 +453,23 @@ void mistakes_are_told() {
         return std::string();
     };
     check::that(told("[[ball]]\ncenter = [1, 1]\ncolour = \"mauve\"\n") ==
-                           "w:6:10: there is no colour `mauve`; the colours: white, grey, black, red, "
-                           "orange, yellow, green, blue, purple, pink, brown, and `#rrggbb`",
+                    "w:6:10: there is no colour `mauve`; the colours: white, grey, black, red, "
+                    "orange, yellow, green, blue, purple, pink, brown, and `#rrggbb`",
                 "no colour");
     check::that(told("[[cone]]\ncenter = [1, 1]\ntexture = \"fur\"\n") ==
-                            "w:6:11: there is no texture `fur`; the textures: plain, plaster, bricks, "
-                            "stripes, checks",
+                    "w:6:11: there is no texture `fur`; the textures: plain, plaster, bricks, "
+                    "stripes, checks",
                 "no texture");
     check::that(told("[[tag]]\nid = 30\ncenter = [1, 1]\nfacing_deg = 0\nsize = 0.1\n") ==
-                        "w:5:6: `id` must be a whole number from 0 to 29",
+                    "w:5:6: `id` must be a whole number from 0 to 29",
                 "no tag");
-    check::that(told("[[poster]]\npicture = \"no.ppm\"\ncenter = [1, 1]\nfacing_deg = 0\nsize = [1, 1]\n") ==
-              "w:5:11: no.ppm: cannot read this picture",
-                "no picture");
+    check::that(
+        told(
+            "[[poster]]\npicture = \"no.ppm\"\ncenter = [1, 1]\nfacing_deg = 0\nsize = [1, 1]\n") ==
+            "w:5:11: no.ppm: cannot read this picture",
+        "no picture");
     check::that(told("[[camera]]\n[[camera]]\nwidth = 100\n") ==
-                               "w:1:1: two cameras are called `camera`: give each a `name` of its own",
+                    "w:1:1: two cameras are called `camera`: give each a `name` of its own",
                 "two of a name");
     check::that(told("[stereo]\nbaseline = 0\nname = \"head\"\n") ==
                     "w:5:12: `baseline` must be more than zero\n"
@@ -431,21 +479,22 @@ void mistakes_are_told() {
                     "w:6:11: `rolling` must be at most 1 / `rate`, the time from frame to frame: a "
                     "row is taken once in each",
                 "rows too slow");
-    check::that(told("[ambient]\nwhite = 100\n") ==
-                    "w:5:9: with `white` cameras see by the light of this world, and there is none: "
-                    "add `light`, or a table [[lamp]]",
-                "no light");
+    check::that(
+        told("[ambient]\nwhite = 100\n") ==
+            "w:5:9: with `white` cameras see by the light of this world, and there is none: "
+            "add `light`, or a table [[lamp]]",
+        "no light");
     check::that(told("[ambient]\nwhite = 0\nlight = 10\n") ==
                     "w:5:9: `white` must be more than zero",
                 "nothing is white");
-    check::that(told("[[ball]]\nway = [[1, 1], [2, 2]]\n") ==
-                                       "w:4:1: this needs a key `speed`",
+    check::that(told("[[ball]]\nway = [[1, 1], [2, 2]]\n") == "w:4:1: this needs a key `speed`",
                 "a way without a speed");
 }
 
 } // namespace
 
-int main() {
+int main()
+{
     balls_are_where_they_are();
     roll_is_clockwise();
     tags_are_readable();

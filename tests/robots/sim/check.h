@@ -5,22 +5,30 @@
 #include <cstdio>
 #include <string>
 
-namespace check {
+namespace check
+{
 
 inline int failures = 0;
 
-inline void that(bool holds, const std::string &name) {
+inline void that(bool holds, const std::string &name)
+{
     std::printf("%s %s\n", holds ? "ok" : "FAIL", name.c_str());
-    if (!holds) ++failures;
+    if (!holds)
+        ++failures;
 }
 
 // Within `tolerance` of what is expected; both are shown if not.
-inline void near(double found, double expected, double tolerance, const std::string &name) {
+inline void near(double found, double expected, double tolerance, const std::string &name)
+{
     const bool holds = std::abs(found - expected) <= tolerance;
     that(holds, name);
-    if (!holds) std::printf("     found %.9g, expected %.9g to %.2g\n", found, expected, tolerance);
+    if (!holds)
+        std::printf("     found %.9g, expected %.9g to %.2g\n", found, expected, tolerance);
 }
 
-inline int status() { return failures == 0 ? 0 : 1; }
+inline int status()
+{
+    return failures == 0 ? 0 : 1;
+}
 
 } // namespace check

@@ -9,15 +9,18 @@
 
 using namespace frob::sim;
 
-namespace {
+namespace
+{
 
 constexpr std::int64_t second = 1'000'000'000;
 
-Scene empty_floor(const std::string &settings = "") {
+Scene empty_floor(const std::string &settings = "")
+{
     return parse_world("[start]\nx = 0\ny = 0\n" + settings, "test");
 }
 
-void goes_straight() {
+void goes_straight()
+{
     Simulation s(empty_floor(), 1);
     command(s, 0, drive(0.5, 0.0));
     s.advance(10 * second);
@@ -29,7 +32,8 @@ void goes_straight() {
     check::near(end.heading, 0.0, 1e-4, "goes straight: keeps its heading");
 }
 
-void turns_on_the_spot() {
+void turns_on_the_spot()
+{
     Simulation s(empty_floor(), 1);
     command(s, 0, drive(0.0, 1.0));
     s.advance(4 * second);
@@ -41,7 +45,8 @@ void turns_on_the_spot() {
     check::near(length(end.position), 0.0, 1e-3, "turns on the spot: stays there");
 }
 
-void drives_a_circle() {
+void drives_a_circle()
+{
     Simulation s(empty_floor(), 1);
     command(s, 0, drive(0.4, 0.8));
     s.advance(5 * second);
@@ -50,13 +55,13 @@ void drives_a_circle() {
     double worst = 0.0;
     for (int i = 1; i <= 100; ++i) {
         s.advance(5 * second + i * second / 10);
-        worst = std::max(worst,
-                         std::abs(length(s.body().pose().position - center) - 0.5));
+        worst = std::max(worst, std::abs(length(s.body().pose().position - center) - 0.5));
     }
     check::near(worst, 0.0, 3e-3, "a circle has the radius v / omega");
 }
 
-void accelerates_within_limits() {
+void accelerates_within_limits()
+{
     Simulation s(empty_floor("[drive]\nacceleration = 0.5\nturn_acceleration_deg = 90\n"), 1);
     double v = 0.0, omega = 0.0, most_v = 0.0, most_omega = 0.0;
     for (int i = 1; i <= 1000; ++i) {
@@ -74,10 +79,12 @@ void accelerates_within_limits() {
     check::near(most_omega, radians(90), 1e-3, "so is the acceleration of turning");
 }
 
-void limits_commands() {
+void limits_commands()
+{
     Simulation s(empty_floor(), 1);
     command(s, 0, drive(100.0, -100.0));
-    check::near(s.robot().drive().commanded_forward(), 1.2, 0.0, "a command is limited to top speed");
+    check::near(s.robot().drive().commanded_forward(), 1.2, 0.0,
+                "a command is limited to top speed");
     check::near(s.robot().drive().commanded_turn(), -radians(300), 0.0,
                 "a turn is limited to top speed");
     command(s, 0, drive(std::numeric_limits<double>::infinity(), 0.0));
@@ -89,7 +96,8 @@ void limits_commands() {
     check::near(static_cast<double>(v.Length()), 0.0, 1e-6, "NaN in any part of a command is rest");
 }
 
-void stalls_against_a_wall() {
+void stalls_against_a_wall()
+{
     Simulation s(empty_floor("[[wall]]\npoints = [[1, -2], [1, 2]]\nthickness = 0.2\n"), 1);
     command(s, 0, drive(0.5, 0.0));
     s.advance(6 * second);
@@ -107,7 +115,8 @@ void stalls_against_a_wall() {
     check::that(!away.frontBumper && !away.leftStall, "it backs away again");
 }
 
-void odometry_without_errors() {
+void odometry_without_errors()
+{
     Simulation s(empty_floor(), 1);
     for (int i = 0; i < 300; ++i) {
         command(s, s.time_ns(), drive(0.4 + 0.2 * std::sin(0.1 * i), std::cos(0.07 * i)));
@@ -116,11 +125,11 @@ void odometry_without_errors() {
     const Pose truth = s.body().pose(), believed = s.robot().odometry().pose();
     check::near(length(truth.position - believed.position), 0.0, 5e-3,
                 "without errors odometry is the truth, after 30 s of curves");
-    check::near(wrap_angle(truth.heading - believed.heading), 0.0, 2e-3,
-                "so is its heading");
+    check::near(wrap_angle(truth.heading - believed.heading), 0.0, 2e-3, "so is its heading");
 }
 
-void odometry_starts_at_zero() {
+void odometry_starts_at_zero()
+{
     Simulation s(parse_world("[start]\nx = 3\ny = 4\nheading_deg = 90\n", "test"), 1);
     const frob_pioneer_input input = read(s);
     check::that(input.odometry.position.x == 0.0 && input.odometry.position.y == 0.0 &&
@@ -128,12 +137,12 @@ void odometry_starts_at_zero() {
                 "odometry starts at zero wherever the robot does");
     command(s, 0, drive(0.5, 0.0));
     s.advance(5 * second);
-    check::that(read(s).odometry.position.x > 1.0 &&
-                    std::abs(read(s).odometry.position.y) < 1e-3,
+    check::that(read(s).odometry.position.x > 1.0 && std::abs(read(s).odometry.position.y) < 1e-3,
                 "its x is the way the robot looked at the start");
 }
 
-void odometry_drifts() {
+void odometry_drifts()
+{
     Simulation s(empty_floor("[odometry]\ndistance_error = 0.02\nveer_deg = 2\n"), 1);
     command(s, 0, drive(0.5, 0.0));
     s.advance(10 * second);
@@ -145,7 +154,8 @@ void odometry_drifts() {
                 "odometry counts its setting too much");
 }
 
-void wheels_slip() {
+void wheels_slip()
+{
     Simulation s(empty_floor("[drive]\nslip = 0.1\n"), 1);
     command(s, 0, drive(0.5, 0.0));
     s.advance(20 * second);
@@ -156,7 +166,8 @@ void wheels_slip() {
 
 } // namespace
 
-int main() {
+int main()
+{
     goes_straight();
     turns_on_the_spot();
     drives_a_circle();

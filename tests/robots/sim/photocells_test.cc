@@ -10,7 +10,8 @@
 
 using namespace frob::sim;
 
-namespace {
+namespace
+{
 
 constexpr std::int64_t second = 1'000'000'000;
 
@@ -19,20 +20,25 @@ struct Input {
     double left, ahead, floor;
 };
 
-const frob_seat ranger = {0.1, 0.0, 0.0};
-const frob_spot spot = {0.05, 0.02};
-const frob_seat cells[] = {{0.0, 0.0, radians(90)}, {0.0, 0.0, 0.0}};
+const frob_seat ranger = { 0.1, 0.0, 0.0 };
+const frob_spot spot = { 0.05, 0.02 };
+const frob_seat cells[] = { { 0.0, 0.0, radians(90) }, { 0.0, 0.0, 0.0 } };
 
-void sense(const frob_senses *senses, void *into) {
-    const Input input = {senses->light_lux[0], senses->light_lux[1], senses->floor[0]};
+void sense(const frob_senses *senses, void *into)
+{
+    const Input input = { senses->light_lux[0], senses->light_lux[1], senses->floor[0] };
     std::memcpy(into, &input, sizeof input);
 }
 
 void sense_nothing(const frob_senses *, void *) {}
 
-void command(const void *, double *forward, double *turn) { *forward = *turn = 0.0; }
+void command(const void *, double *forward, double *turn)
+{
+    *forward = *turn = 0.0;
+}
 
-frob_body table() {
+frob_body table()
+{
     frob_body body{};
     body.robot = "seer";
     body.title = "Seer";
@@ -61,13 +67,17 @@ frob_body table() {
 }
 
 // A robot at the origin that looks along x.
-class Seer {
+class Seer
+{
   public:
     explicit Seer(const std::string &rest, std::uint64_t seed = 1)
         : table_(table()), body_(table_), kind_(own_robot_kind(body_)),
-          simulation_(parse_world("[start]\nx = 0\ny = 0\n" + rest, "test"), seed, false, &kind_) {}
+          simulation_(parse_world("[start]\nx = 0\ny = 0\n" + rest, "test"), seed, false, &kind_)
+    {
+    }
 
-    Input at(std::int64_t time_ns) {
+    Input at(std::int64_t time_ns)
+    {
         Input input;
         simulation_.advance(time_ns);
         simulation_.read(&input);
@@ -81,53 +91,73 @@ class Seer {
     Simulation simulation_;
 };
 
-Input seen(const std::string &rest) { return Seer(rest).at(0); }
+Input seen(const std::string &rest)
+{
+    return Seer(rest).at(0);
+}
 
-void light_of_lamps() {
+void light_of_lamps()
+{
     check::near(seen("").ahead, 0.0, 0, "without a lamp it is dark");
     // 2 m ahead and 1.5 m up: 2.5 m away, E = I cos(a) / d^2 with cos(a) = 2 / 2.5.
     const std::string lamp = "[[lamp]]\nposition = [2, 0]\nheight = 1.5\nintensity = 100\n";
-    check::near(seen(lamp).ahead, 100 * 0.8 / 6.25, 1e-9, "a lamp ahead, by the square of the distance");
+    check::near(seen(lamp).ahead, 100 * 0.8 / 6.25, 1e-9,
+                "a lamp ahead, by the square of the distance");
     check::near(seen(lamp).left, 0.0, 1e-9, "a cell does not see what is square to it");
     check::near(seen("[[lamp]]\nposition = [-2, 0]\n").ahead, 0.0, 0, "nor what is behind it");
     const Input aslant = seen("[[lamp]]\nposition = [1, 1]\nheight = 0.5\nintensity = 60\n");
-    check::near(aslant.left, 60 / std::pow(2.25, 1.5), 1e-9, "a lamp between two cells lights both");
+    check::near(aslant.left, 60 / std::pow(2.25, 1.5), 1e-9,
+                "a lamp between two cells lights both");
     check::near(aslant.ahead, aslant.left, 1e-9, "alike");
-    check::near(seen(lamp + "[[lamp]]\nposition = [0, 2]\n" + lamp).ahead, 2 * 12.8, 1e-9, "lamps add up");
-    check::near(seen("[ambient]\nlight = 3\n" + lamp).ahead, 15.8, 1e-9, "and the light of the room");
-    check::near(seen("[[lamp]]\nposition = [0, 0]\n").ahead, 0.0, 0, "a lamp right above is square to all");
+    check::near(seen(lamp + "[[lamp]]\nposition = [0, 2]\n" + lamp).ahead, 2 * 12.8, 1e-9,
+                "lamps add up");
+    check::near(seen("[ambient]\nlight = 3\n" + lamp).ahead, 15.8, 1e-9,
+                "and the light of the room");
+    check::near(seen("[[lamp]]\nposition = [0, 0]\n").ahead, 0.0, 0,
+                "a lamp right above is square to all");
 }
 
-void shadows() {
+void shadows()
+{
     const std::string lamp = "[[lamp]]\nposition = [2, 0]\n";
-    check::that(seen(lamp + "[[wall]]\npoints = [[3, -1], [3, 1]]\n").ahead > 10, "a wall behind the lamp hides nothing");
-    check::near(seen(lamp + "[[wall]]\npoints = [[1, -1], [1, 1]]\n").ahead, 0.0, 0, "a wall before it does");
-    check::near(seen(lamp + "[[box]]\ncenter = [1, 0]\nsize = [0.2, 0.2]\n").ahead, 0.0, 0, "so does a box");
+    check::that(seen(lamp + "[[wall]]\npoints = [[3, -1], [3, 1]]\n").ahead > 10,
+                "a wall behind the lamp hides nothing");
+    check::near(seen(lamp + "[[wall]]\npoints = [[1, -1], [1, 1]]\n").ahead, 0.0, 0,
+                "a wall before it does");
+    check::near(seen(lamp + "[[box]]\ncenter = [1, 0]\nsize = [0.2, 0.2]\n").ahead, 0.0, 0,
+                "so does a box");
     check::that(seen(lamp + "[[hole]]\npoints = [[0.5, -1], [1, -1], [1, 1], [0.5, 1]]\n[[tape]]\n"
                             "points = [[1, -1], [1, 1]]\n")
                         .ahead > 10,
                 "what is on the floor does not");
 }
 
-void noise() {
+void noise()
+{
     const auto readings = [](std::uint64_t seed, const std::string &rest) {
         Seer seer("[ambient]\nlight = 20\nnoise = 0.1\n" + rest, seed);
         std::vector<double> log;
-        for (int k = 1; k <= 2000; ++k) log.push_back(seer.at(k * (second / 100)).ahead);
+        for (int k = 1; k <= 2000; ++k)
+            log.push_back(seer.at(k * (second / 100)).ahead);
         return log;
     };
     const std::vector<double> log = readings(1, "");
     double mean = 0.0, squares = 0.0;
-    for (const double x : log) mean += x / static_cast<double>(log.size());
-    for (const double x : log) squares += (x - mean) * (x - mean) / static_cast<double>(log.size());
+    for (const double x : log)
+        mean += x / static_cast<double>(log.size());
+    for (const double x : log)
+        squares += (x - mean) * (x - mean) / static_cast<double>(log.size());
     check::near(mean, 20, 0.2, "a photocell's noise has no bias");
     check::near(std::sqrt(squares), 2, 0.15, "and the deviation that was asked for");
-    check::that(log == readings(1, "[floor]\nnoise = 0.1\n"), "the floor's noise does not change it");
+    check::that(log == readings(1, "[floor]\nnoise = 0.1\n"),
+                "the floor's noise does not change it");
     check::that(log != readings(2, ""), "another seed gives other noise");
 }
 
-void floor_below() {
-    const std::string tape = "[[tape]]\npoints = [[0, 0.02], [1, 0.02]]\nwidth = 0.02\nreflectance = 0.2\n";
+void floor_below()
+{
+    const std::string tape =
+        "[[tape]]\npoints = [[0, 0.02], [1, 0.02]]\nwidth = 0.02\nreflectance = 0.2\n";
     check::near(seen("").floor, 1.0, 0, "a white floor");
     check::near(seen(tape).floor, 0.2, 1e-12, "tape below the sensor");
     check::near(seen("[[hole]]\npoints = [[0.04, -1], [1, -1], [1, 1], [0.04, 1]]\n").floor, 0.0, 0,
@@ -135,7 +165,8 @@ void floor_below() {
 }
 
 // As bodies were before there were such sensors.
-void without() {
+void without()
+{
     frob_body plain = table();
     plain.floor_sensors = nullptr;
     plain.floor_sensor_count = 0;
@@ -145,14 +176,17 @@ void without() {
     plain.sense = sense_nothing;
     const OwnBody body(plain);
     const RobotKind kind = own_robot_kind(body);
-    Simulation s(parse_world("[start]\nx = 0\ny = 0\n[[lamp]]\nposition = [1, 0]\n", "test"), 1, false, &kind);
+    Simulation s(parse_world("[start]\nx = 0\ny = 0\n[[lamp]]\nposition = [1, 0]\n", "test"), 1,
+                 false, &kind);
     s.advance(second);
     Input input;
     s.read(&input);
-    check::that(s.time_ns() == second && input.ahead == 0.0, "a body without such sensors needs no lamp");
+    check::that(s.time_ns() == second && input.ahead == 0.0,
+                "a body without such sensors needs no lamp");
 }
 
-void rejects(const std::string &name, const std::string &rest, const std::string &message) {
+void rejects(const std::string &name, const std::string &rest, const std::string &message)
+{
     std::string found = "nothing";
     try {
         parse_world("[start]\nx = 0\ny = 0\n" + rest, "w.toml");
@@ -160,23 +194,28 @@ void rejects(const std::string &name, const std::string &rest, const std::string
         found = error.what();
     }
     check::that(found == message, "world file: " + name);
-    if (found != message) std::printf("     found %s\n", found.c_str());
+    if (found != message)
+        std::printf("     found %s\n", found.c_str());
 }
 
-void mistakes() {
-    rejects("a lamp without a place", "[[lamp]]\nintensity = 10\n", "w.toml:4:1: this needs a key `position`");
+void mistakes()
+{
+    rejects("a lamp without a place", "[[lamp]]\nintensity = 10\n",
+            "w.toml:4:1: this needs a key `position`");
     rejects("a lamp on the floor", "[[lamp]]\nposition = [1, 1]\nheight = 0\n",
             "w.toml:6:10: `height` must be at least 0.01 m");
     rejects("a lamp that takes light away", "[[lamp]]\nposition = [1, 1]\nintensity = -1\n",
             "w.toml:6:13: `intensity` must be more than zero");
-    rejects("less than dark", "[ambient]\nlight = -1\n", "w.toml:5:9: `light` must be zero or more");
+    rejects("less than dark", "[ambient]\nlight = -1\n",
+            "w.toml:5:9: `light` must be zero or more");
     rejects("one lamp where many may hang", "[lamp]\nposition = [1, 1]\n",
             "w.toml:4:1: `lamp` is a table; each one is a table of its own, [[lamp]]");
 }
 
 } // namespace
 
-int main() {
+int main()
+{
     light_of_lamps();
     shadows();
     noise();

@@ -5,7 +5,8 @@
 
 #include "simulation.h"
 
-inline frob_pioneer_output drive(double forward, double turn) {
+inline frob_pioneer_output drive(double forward, double turn)
+{
     frob_pioneer_output output{};
     output.forward = forward;
     output.turn = turn;
@@ -13,11 +14,13 @@ inline frob_pioneer_output drive(double forward, double turn) {
 }
 
 inline void command(frob::sim::Simulation &simulation, std::int64_t time_ns,
-                    const frob_pioneer_output &output) {
+                    const frob_pioneer_output &output)
+{
     simulation.command(time_ns, &output);
 }
 
-inline frob_pioneer_input read(frob::sim::Simulation &simulation) {
+inline frob_pioneer_input read(frob::sim::Simulation &simulation)
+{
     frob_pioneer_input input;
     simulation.read(&input);
     return input;

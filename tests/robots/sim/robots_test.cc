@@ -12,28 +12,34 @@
 
 using namespace frob::sim;
 
-namespace {
+namespace
+{
 
 constexpr std::int64_t second = 1'000'000'000;
 
-Simulation world(const std::string &robot, const std::string &rest) {
-    return {parse_world("robot = \"" + robot + "\"\n[start]\nx = 0\ny = 0\n" + rest, "test"), 1};
+Simulation world(const std::string &robot, const std::string &rest)
+{
+    return { parse_world("robot = \"" + robot + "\"\n[start]\nx = 0\ny = 0\n" + rest, "test"), 1 };
 }
 
-template <typename Input> Input read(Simulation &s) {
+template <typename Input>
+Input read(Simulation &s)
+{
     Input input;
     s.read(&input);
     return input;
 }
 
-void drive_scout(Simulation &s, double forward, double turn) {
+void drive_scout(Simulation &s, double forward, double turn)
+{
     frob_scout_output output{};
     output.forward = forward;
     output.turn = turn;
     s.command(s.time_ns(), &output);
 }
 
-void drive_create(Simulation &s, double forward, double turn) {
+void drive_create(Simulation &s, double forward, double turn)
+{
     frob_create_output output{};
     output.forward = forward;
     output.turn = turn;
@@ -42,8 +48,10 @@ void drive_create(Simulation &s, double forward, double turn) {
 
 const char *wall_ahead = "[[wall]]\npoints = [[2, -4], [2, 4]]\nthickness = 0.2\n";
 
-void scout_sonar() {
-    Simulation s = world("scout", "[[wall]]\npoints = [[-2, -2], [2, -2], [2, 2], [-2, 2]]\nclosed = true\n");
+void scout_sonar()
+{
+    Simulation s =
+        world("scout", "[[wall]]\npoints = [[-2, -2], [2, -2], [2, 2], [-2, 2]]\nclosed = true\n");
     s.advance(4 * second);
     std::map<std::size_t, std::int64_t> last;
     bool in_time = true, whole = true;
@@ -62,10 +70,11 @@ void scout_sonar() {
                 "sonar 0 looks ahead, from the rim");
 }
 
-void scout_bumpers() {
-    const char *behind[] = {"[[1, -2], [1, 2]]", "[[-2, 1], [2, 1]]", "[[-1, -2], [-1, 2]]",
-                            "[[-2, -1], [2, -1]]"};
-    const double heading[] = {0, 90, 180, 270};
+void scout_bumpers()
+{
+    const char *behind[] = { "[[1, -2], [1, 2]]", "[[-2, 1], [2, 1]]", "[[-1, -2], [-1, 2]]",
+                             "[[-2, -1], [2, -1]]" };
+    const double heading[] = { 0, 90, 180, 270 };
     // Square to a wall on any side the bumper is the one that looks there: 0 in
     // front, 3 behind, and on the sides one of two.
     for (int k = 0; k < 4; ++k) {
@@ -83,11 +92,12 @@ void scout_bumpers() {
     check::that(read<frob_scout_input>(s).bumpers[3], "driving back presses bumper 3");
 }
 
-void create_light() {
+void create_light()
+{
     Simulation s = world("create", "[[wall]]\npoints = [[0.5, -4], [0.5, 4]]\nthickness = 0.1\n");
     s.advance(second);
     const frob_create_input input = read<frob_create_input>(s);
-    for (const int k : {2, 3}) {
+    for (const int k : { 2, 3 }) {
         const double distance = (0.45 - 0.17425 * std::cos(radians(12))) / std::cos(radians(12));
         check::near(input.light[k], 2.5 / (distance * distance), 1.0,
                     "light falls with the square of the distance");
@@ -106,7 +116,8 @@ void create_light() {
                 "a signal too faint for programs is none");
 }
 
-void create_bumps() {
+void create_bumps()
+{
     const auto bumps = [](const char *wall) {
         Simulation s = world("create", std::string("[[wall]]\npoints = ") + wall + "\n");
         drive_create(s, 0.3, 0.0);
@@ -119,7 +130,8 @@ void create_bumps() {
     check::that(bumps("[[1, -2], [1, -0.1]]") == 2, "its end on the right the right side");
 }
 
-void create_wheels() {
+void create_wheels()
+{
     Simulation s = world("create", "");
     drive_create(s, 2.0, 0.0);
     s.advance(4 * second);
@@ -127,11 +139,13 @@ void create_wheels() {
     const double way = read<frob_create_input>(s).odometry.position.x;
     const double count = create2::chassis().count;
     check::near(count, 0.00044456, 1e-8, "a count is 0.44456 mm");
-    check::near(way / count, std::round(way / count), 1e-6, "straight ahead, odometry is whole counts");
+    check::near(way / count, std::round(way / count), 1e-6,
+                "straight ahead, odometry is whole counts");
     check::near(way, s.body().pose().position.x, 2 * count, "and right to a count");
 }
 
-void create_cliffs() {
+void create_cliffs()
+{
     // Its edge is 0.55 m ahead.
     Simulation s = world("create", "[[hole]]\npoints = [[0.55, -1], [2, -1], [2, 1], [0.55, 1]]\n");
     drive_create(s, 0.1, 0.0);
@@ -145,7 +159,8 @@ void create_cliffs() {
                 "the front cliff sensors see the edge first");
     s.advance(20 * second);
     const frob_create_input fallen = read<frob_create_input>(s);
-    check::that(fallen.leftDrop && fallen.rightDrop && !fallen.obeying, "beyond it the wheels hang");
+    check::that(fallen.leftDrop && fallen.rightDrop && !fallen.obeying,
+                "beyond it the wheels hang");
     drive_create(s, -0.1, 0.0);
     s.advance(22 * second);
     check::near(read<frob_create_input>(s).odometry.position.x, fallen.odometry.position.x, 1e-3,
@@ -154,7 +169,8 @@ void create_cliffs() {
 
 } // namespace
 
-int main() {
+int main()
+{
     scout_sonar();
     scout_bumpers();
     create_light();

@@ -12,27 +12,32 @@
 
 using namespace frob::sim;
 
-namespace {
+namespace
+{
 
 constexpr std::int64_t second = 1'000'000'000;
 
-void see_each_other() {
-    Simulation s(parse_world("[[start]]\nx = 0\ny = 0\n[[start]]\nx = 2\ny = 0\nheading_deg = 180\n",
-                             "test"),
-                 1);
+void see_each_other()
+{
+    Simulation s(
+        parse_world("[[start]]\nx = 0\ny = 0\n[[start]]\nx = 2\ny = 0\nheading_deg = 180\n",
+                    "test"),
+        1);
     s.advance(second);
     // Transducer 3 looks 10 degrees to the left, and its cone past straight ahead.
     for (std::size_t k = 0; k < s.robots(); ++k) {
         double heard = 0.0;
         for (const Echo &echo : s.robot(k).echoes())
-            if (echo.transducer == 3) heard = echo.distance;
+            if (echo.transducer == 3)
+                heard = echo.distance;
         const double apart = 2.0 - 0.166 - p3dx::chassis().outline[0].x;
         check::that(heard > apart - 0.2 && heard < apart + 0.2,
                     "robot " + std::to_string(k + 1) + " hears the other one");
     }
 }
 
-void run_into_each_other() {
+void run_into_each_other()
+{
     Simulation s(parse_world("[[start]]\nx = 0\ny = 0\n[[start]]\nx = 2\ny = 0\n"
                              "[[start]]\nx = 0\ny = 3\n",
                              "test"),
@@ -49,7 +54,8 @@ void run_into_each_other() {
 }
 
 // What robot 0 senses and does, with others far away.
-std::vector<double> first_of(int robots) {
+std::vector<double> first_of(int robots)
+{
     Simulation s(parse_world("[start]\nx = 0\ny = 0\nspacing = 50\ncolumns = 1\ncount = " +
                                  std::to_string(robots) +
                                  "\n[[wall]]\npoints = [[3, -4], [3, 4]]\n[drive]\nslip = 0.05\n"
@@ -62,21 +68,23 @@ std::vector<double> first_of(int robots) {
         s.advance(now);
         const frob_pioneer_input input = read(s);
         command(s, now, drive(0.3, 0.2));
-        for (const double x : {input.odometry.position.x, input.odometry.heading, input.sonar[3].f0,
-                               s.body().pose().position.y})
+        for (const double x : { input.odometry.position.x, input.odometry.heading,
+                                input.sonar[3].f0, s.body().pose().position.y })
             log.push_back(x);
     }
     return log;
 }
 
-void noise() {
+void noise()
+{
     check::that(first_of(1) == first_of(3), "more robots do not change what the first one draws");
     check::that(Noise::seed_of_robot(7, 1) != Noise::seed_of_robot(7, 2) &&
                     Noise::seed_of_robot(7, 1) != Noise::seed_of_robot(8, 1),
                 "each robot, and each run, has a seed of its own");
 }
 
-void blocks() {
+void blocks()
+{
     const Scene scene = parse_world("[[start]]\nx = 1\ny = 2\nheading_deg = 90\ncount = 5\n"
                                     "columns = 2\nspacing = 3\n[[start]]\nx = -9\ny = 0\n",
                                     "test");
@@ -87,7 +95,8 @@ void blocks() {
     check::near(last.heading, pi / 2, 1e-15, "all of a block look in its direction");
 }
 
-std::string mistakes(const std::string &world) {
+std::string mistakes(const std::string &world)
+{
     try {
         Simulation(parse_world(world, "w"), 1);
         return "";
@@ -96,8 +105,10 @@ std::string mistakes(const std::string &world) {
     }
 }
 
-void wrong_worlds() {
-    check::that(mistakes("[start]\nx = 0\ny = 0\ncount = 2\n") == "w:1:1: this needs a key `spacing`",
+void wrong_worlds()
+{
+    check::that(mistakes("[start]\nx = 0\ny = 0\ncount = 2\n") ==
+                    "w:1:1: this needs a key `spacing`",
                 "several robots are some way apart");
     check::that(mistakes("start = []\n").find("needs a table [start]") != std::string::npos,
                 "a world needs a start");
@@ -107,14 +118,15 @@ void wrong_worlds() {
 }
 
 // Walls, boxes at all angles, circles and robots, and rays between them.
-void fans() {
+void fans()
+{
     std::string world = "[start]\nx = -4\ny = -4\ncount = 25\nspacing = 2\n"
                         "[[wall]]\npoints = [[-6, -6], [6, -6], [6, 6], [-6, 6]]\nclosed = true\n"
                         "[[circle]]\ncenter = [1, 1]\nradius = 0.4\n"
                         "[[polygon]]\npoints = [[-1.4, 0.6], [-0.6, 0.6], [-1, 1.4]]\n";
     for (int i = 0; i < 4; ++i)
-        world += "[[box]]\ncenter = [" + std::to_string(2 * i - 3) + ", -1]\nsize = [0.5, 0.3]\nangle_deg = " +
-                 std::to_string(35 * i) + "\n";
+        world += "[[box]]\ncenter = [" + std::to_string(2 * i - 3) +
+                 ", -1]\nsize = [0.5, 0.3]\nangle_deg = " + std::to_string(35 * i) + "\n";
     Simulation s(parse_world(world, "test"), 1);
     for (std::size_t k = 0; k < s.robots(); ++k) {
         const frob_pioneer_output go = drive(0.2, 0.1 * static_cast<double>(k % 7) - 0.3);
@@ -123,9 +135,10 @@ void fans() {
     Noise random(1, 1);
     int same = 0, met = 0, cast = 0;
     for (int i = 0; i < 4000; ++i) {
-        if (i % 20 == 0) s.advance(s.time_ns() + step_ns);
+        if (i % 20 == 0)
+            s.advance(s.time_ns() + step_ns);
         const Body &body = s.body(static_cast<std::size_t>(i) % s.robots());
-        const Vec origin = {12 * random.uniform() - 6, 12 * random.uniform() - 6};
+        const Vec origin = { 12 * random.uniform() - 6, 12 * random.uniform() - 6 };
         const double heading = 2 * pi * random.uniform(), half = 1.2 * random.uniform();
         const double reach = 0.1 + 8 * random.uniform();
         const RayFan fan(body, origin, heading, half, reach);
@@ -144,7 +157,8 @@ void fans() {
 
 } // namespace
 
-int main() {
+int main()
+{
     see_each_other();
     run_into_each_other();
     noise();

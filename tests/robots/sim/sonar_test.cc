@@ -9,28 +9,33 @@
 
 using namespace frob::sim;
 
-namespace {
+namespace
+{
 
 constexpr std::int64_t second = 1'000'000'000;
 
-Scene with_start(const std::string &rest) {
+Scene with_start(const std::string &rest)
+{
     return parse_world("[start]\nx = 0\ny = 0\n" + rest, "test");
 }
 
 // The distances of a transducer's echoes in the first `time_ns`, robot at rest.
 std::vector<double> echoes(const Scene &scene, std::size_t transducer, std::int64_t time_ns,
-                           std::uint64_t seed = 1) {
+                           std::uint64_t seed = 1)
+{
     Simulation s(scene, seed);
     s.advance(time_ns);
     std::vector<double> result;
     for (const Echo &echo : s.robot().echoes())
-        if (echo.transducer == transducer) result.push_back(echo.distance);
+        if (echo.transducer == transducer)
+            result.push_back(echo.distance);
     return result;
 }
 
 const char *wall_ahead = "[[wall]]\npoints = [[2, -4], [2, 4]]\nthickness = 0.2\n";
 
-void distances() {
+void distances()
+{
     const Scene scene = with_start(wall_ahead);
     // Transducer 3 looks 10 degrees to the left; its cone reaches past straight
     // ahead, which is nearest.
@@ -46,7 +51,8 @@ void distances() {
     check::that(echoes(scene, 12, second).empty(), "nothing behind gives no echo");
 }
 
-void ranges() {
+void ranges()
+{
     check::that(echoes(with_start("[[wall]]\npoints = [[5.4, -9], [5.4, 9]]\n"), 3, second).empty(),
                 "what is beyond 5 m gives no echo");
     const std::vector<double> near =
@@ -57,7 +63,8 @@ void ranges() {
     check::near(beside.empty() ? 0.0 : beside[0], 0.8 - 0.136, 1e-3, "boxes are heard, too");
 }
 
-void firing() {
+void firing()
+{
     Simulation s(with_start("[[wall]]\npoints = [[-2, -2], [2, -2], [2, 2], [-2, 2]]\n"
                             "closed = true\n"),
                  1);
@@ -76,7 +83,8 @@ void firing() {
     check::that(heard >= 96 && heard <= 100, "one of each array every 40 ms");
 }
 
-void events() {
+void events()
+{
     Simulation s(with_start(wall_ahead), 1);
     int occurrences = 0;
     for (int k = 1; k <= 200; ++k) {
@@ -86,20 +94,22 @@ void events() {
     check::that(occurrences == 12, "an echo is an event of one instant only");
 }
 
-void arrival() {
+void arrival()
+{
     Simulation s(with_start(wall_ahead), 1);
     s.advance(second);
     for (const Echo &echo : s.robot().echoes())
         if (echo.transducer == 3) {
             const std::int64_t fired = echo.time_ns / p3dx::ring().ping_ns * p3dx::ring().ping_ns;
-            check::near(static_cast<double>(echo.time_ns - fired) * 1e-9,
-                        2 * echo.distance / 343.0, 1e-6, "sound takes its time, there and back");
+            check::near(static_cast<double>(echo.time_ns - fired) * 1e-9, 2 * echo.distance / 343.0,
+                        1e-6, "sound takes its time, there and back");
             return;
         }
     check::that(false, "sound takes its time, there and back");
 }
 
-void noise() {
+void noise()
+{
     const Scene noisy = with_start(std::string(wall_ahead) + "[sonar]\nnoise = 0.02\n");
     const std::vector<double> once = echoes(noisy, 3, 600 * second);
     double sum = 0.0, squares = 0.0;
@@ -117,7 +127,8 @@ void noise() {
                 "dropouts lose the share that is set");
 }
 
-void generator() {
+void generator()
+{
     // splitmix64 is exact, so these are the same on every machine.
     Noise noise(1, 1);
     double sum = 0.0, squares = 0.0;
@@ -135,7 +146,8 @@ void generator() {
 
 } // namespace
 
-int main() {
+int main()
+{
     distances();
     ranges();
     firing();

@@ -19,16 +19,19 @@ static const double smoothing_s = 0.5; /* time constant */
 
 struct state {
     int started;
-    double front[2], side[3];      /* m, last echoes */
-    double smooth_side, slope;     /* m, m/s */
+    double front[2], side[3];  /* m, last echoes */
+    double smooth_side, slope; /* m, m/s */
 };
 
-static double limit(double x, double y) { return fmax(-x, fmin(x, y)); }
+static double limit(double x, double y)
+{
+    return fmax(-x, fmin(x, y));
+}
 
 /* Keeps the last echo of transducer `i`. */
-#define HOLD(last, i) \
-    do { \
-        if (input->sonar[i].tag == 1) \
+#define HOLD(last, i)                    \
+    do {                                 \
+        if (input->sonar[i].tag == 1)    \
             (last) = input->sonar[i].f0; \
     } while (0)
 
@@ -75,32 +78,33 @@ static void step(void *self, const void *params, double dt, const void *in, void
 }
 
 #define AT(member) offsetof(struct frob_pioneer_input, member)
-#define NUMBER(name, where) \
-    static const struct frob_value name = { FROB_FLOAT, where, 0, 0, NULL };
-#define TRUTH(name, where) \
-    static const struct frob_value name = { FROB_BOOL, where, 0, 0, NULL };
+#define NUMBER(name, where) static const struct frob_value name = { FROB_FLOAT, where, 0, 0, NULL };
+#define TRUTH(name, where) static const struct frob_value name = { FROB_BOOL, where, 0, 0, NULL };
 #define COUNT(fields) (sizeof(fields) / sizeof(fields)[0])
-#define PRODUCT(name, fields) \
+#define PRODUCT(name, fields)                                                                      \
     static const struct frob_constructor name##_constructor = { #name, 1, COUNT(fields), fields }; \
     static const struct frob_value name = { FROB_PRODUCT, 0, 0, 1, &name##_constructor };
-#define ECHO(i) \
-    NUMBER(distance_##i, AT(sonar[i].f0)) \
+#define ECHO(i)                                                                       \
+    NUMBER(distance_##i, AT(sonar[i].f0))                                             \
     static const struct frob_field echo_##i##_fields[] = { { NULL, &distance_##i } }; \
-    static const struct frob_constructor echo_##i##_constructors[] = { \
-        { "NoEvent", 0, 0, NULL }, { "Event", 0, 1, echo_##i##_fields } }; \
-    static const struct frob_value echo_##i = { \
-        FROB_SUM, AT(sonar[i].tag), 1, 2, echo_##i##_constructors };
+    static const struct frob_constructor echo_##i##_constructors[] = {                \
+        { "NoEvent", 0, 0, NULL }, { "Event", 0, 1, echo_##i##_fields }               \
+    };                                                                                \
+    static const struct frob_value echo_##i = { FROB_SUM, AT(sonar[i].tag), 1, 2,     \
+                                                echo_##i##_constructors };
 
-ECHO(0) ECHO(1) ECHO(2) ECHO(3) ECHO(4) ECHO(5) ECHO(6) ECHO(7)
-ECHO(8) ECHO(9) ECHO(10) ECHO(11) ECHO(12) ECHO(13) ECHO(14) ECHO(15)
+ECHO(0)
+ECHO(1) ECHO(2) ECHO(3) ECHO(4) ECHO(5) ECHO(6) ECHO(7) ECHO(8) ECHO(9) ECHO(10) ECHO(11) ECHO(12)
+    ECHO(13) ECHO(14) ECHO(15)
 
-static const struct frob_field sonar_elements[] = {
-    { NULL, &echo_0 },  { NULL, &echo_1 },  { NULL, &echo_2 },  { NULL, &echo_3 },
-    { NULL, &echo_4 },  { NULL, &echo_5 },  { NULL, &echo_6 },  { NULL, &echo_7 },
-    { NULL, &echo_8 },  { NULL, &echo_9 },  { NULL, &echo_10 }, { NULL, &echo_11 },
-    { NULL, &echo_12 }, { NULL, &echo_13 }, { NULL, &echo_14 }, { NULL, &echo_15 },
-};
-static const struct frob_constructor sonar_constructor = { NULL, 0, COUNT(sonar_elements), sonar_elements };
+        static const struct frob_field sonar_elements[] = {
+            { NULL, &echo_0 },  { NULL, &echo_1 },  { NULL, &echo_2 },  { NULL, &echo_3 },
+            { NULL, &echo_4 },  { NULL, &echo_5 },  { NULL, &echo_6 },  { NULL, &echo_7 },
+            { NULL, &echo_8 },  { NULL, &echo_9 },  { NULL, &echo_10 }, { NULL, &echo_11 },
+            { NULL, &echo_12 }, { NULL, &echo_13 }, { NULL, &echo_14 }, { NULL, &echo_15 },
+        };
+static const struct frob_constructor sonar_constructor = { NULL, 0, COUNT(sonar_elements),
+                                                           sonar_elements };
 static const struct frob_value sonar = { FROB_ARRAY, 0, 0, 1, &sonar_constructor };
 
 NUMBER(x, AT(odometry.position.x))
@@ -108,7 +112,8 @@ NUMBER(y, AT(odometry.position.y))
 static const struct frob_field position_fields[] = { { "x", &x }, { "y", &y } };
 PRODUCT(position, position_fields)
 NUMBER(heading, AT(odometry.heading))
-static const struct frob_field pose_fields[] = { { "position", &position }, { "heading", &heading } };
+static const struct frob_field pose_fields[] = { { "position", &position },
+                                                 { "heading", &heading } };
 PRODUCT(pose, pose_fields)
 
 NUMBER(left_wheel, AT(leftWheel))
@@ -120,11 +125,10 @@ TRUTH(right_stall, AT(rightStall))
 NUMBER(battery, AT(battery))
 TRUTH(motors_on, AT(motorsOn))
 static const struct frob_field input_fields[] = {
-    { "odometry", &pose },           { "leftWheel", &left_wheel },
-    { "rightWheel", &right_wheel },  { "sonar", &sonar },
-    { "frontBumper", &front_bumper }, { "rearBumper", &rear_bumper },
-    { "leftStall", &left_stall },    { "rightStall", &right_stall },
-    { "battery", &battery },         { "motorsOn", &motors_on },
+    { "odometry", &pose },        { "leftWheel", &left_wheel },     { "rightWheel", &right_wheel },
+    { "sonar", &sonar },          { "frontBumper", &front_bumper }, { "rearBumper", &rear_bumper },
+    { "leftStall", &left_stall }, { "rightStall", &right_stall },   { "battery", &battery },
+    { "motorsOn", &motors_on },
 };
 PRODUCT(pioneer_input, input_fields)
 

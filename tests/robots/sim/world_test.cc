@@ -10,11 +10,13 @@
 
 using namespace frob::sim;
 
-namespace {
+namespace
+{
 
 constexpr std::int64_t second = 1'000'000'000;
 
-double kinetic_energy(World &world) {
+double kinetic_energy(World &world)
+{
     double energy = 0.0;
     for (const b2Body *b = world.physics().GetBodyList(); b != nullptr; b = b->GetNext()) {
         const double v = static_cast<double>(b->GetLinearVelocity().Length());
@@ -42,7 +44,8 @@ size = [0.3, 0.3]
 mass = 1
 )";
 
-void boxes_come_to_rest() {
+void boxes_come_to_rest()
+{
     Simulation s(parse_world(room_with_boxes, "test"), 1);
     command(s, 0, drive(0.6, 0.0));
     s.advance(4 * second);
@@ -57,23 +60,28 @@ void boxes_come_to_rest() {
     check::that(s.robot().contacts().collisions() == 0, "pushing a box is no collision");
 }
 
-void boxes_rub_on_the_floor() {
+void boxes_rub_on_the_floor()
+{
     World world(parse_world("[start]\nx = 0\ny = 5\n[[box]]\ncenter = [0, 0]\nsize = [0.4, 0.2]\n"
                             "mass = 3\nfriction = 0.4\n",
-                            "test"), p3dx::chassis());
+                            "test"),
+                p3dx::chassis());
     for (b2Body *b = world.physics().GetBodyList(); b != nullptr; b = b->GetNext())
-        if (b != &world.robots()[0].rigid()) b->SetLinearVelocity({1.0f, 0.0f});
-    for (int i = 0; i < 400; ++i) world.step();
+        if (b != &world.robots()[0].rigid())
+            b->SetLinearVelocity({ 1.0f, 0.0f });
+    for (int i = 0; i < 400; ++i)
+        world.step();
     check::near(world.box_poses()[0].position.x, 1.0 / (2 * 0.4 * 9.81), 4e-3,
                 "a box slides v^2 / (2 mu g)");
 }
 
 // Bodies are thrown at each other, and nothing drives them.
-void energy_never_grows() {
+void energy_never_grows()
+{
     World world(parse_world(room_with_boxes, "test"), p3dx::chassis());
     float speed = 3.0f;
     for (b2Body *b = world.physics().GetBodyList(); b != nullptr; b = b->GetNext()) {
-        b->SetLinearVelocity({speed, 1.0f - speed});
+        b->SetLinearVelocity({ speed, 1.0f - speed });
         b->SetAngularVelocity(2.0f * speed);
         speed = -0.7f * speed;
     }
@@ -89,7 +97,8 @@ void energy_never_grows() {
 }
 
 // Readings and poses of a run with all noise on, as bytes would compare.
-std::vector<double> run(std::uint64_t seed) {
+std::vector<double> run(std::uint64_t seed)
+{
     Simulation s(parse_world(std::string(room_with_boxes) +
                                  "[drive]\nslip = 0.05\n[sonar]\nnoise = 0.01\ndropout = 0.1\n"
                                  "[odometry]\nheading_noise_deg = 1\n",
@@ -101,24 +110,27 @@ std::vector<double> run(std::uint64_t seed) {
         s.advance(now);
         const frob_pioneer_input input = read(s);
         command(s, now, drive(0.5, std::sin(0.05 * k)));
-        for (const double x : {input.odometry.position.x, input.odometry.heading, input.leftWheel,
-                               input.sonar[0].f0, input.sonar[3].f0, input.sonar[12].f0,
-                               s.body().pose().position.x, s.world().box_poses()[0].heading})
+        for (const double x : { input.odometry.position.x, input.odometry.heading, input.leftWheel,
+                                input.sonar[0].f0, input.sonar[3].f0, input.sonar[12].f0,
+                                s.body().pose().position.x, s.world().box_poses()[0].heading })
             log.push_back(x);
     }
     return log;
 }
 
-void determinism() {
+void determinism()
+{
     check::that(run(1) == run(1), "the same seed gives the same run, bit for bit");
     check::that(run(1) != run(2), "another seed gives another run");
 }
 
-void physics_does_not_depend_on_rate() {
+void physics_does_not_depend_on_rate()
+{
     const auto end = [](int steps) {
         Simulation s(parse_world(room_with_boxes, "test"), 1);
         command(s, 0, drive(0.3, 0.2));
-        for (int k = 1; k <= steps; ++k) s.advance(k * 5 * second / steps);
+        for (int k = 1; k <= steps; ++k)
+            s.advance(k * 5 * second / steps);
         return s.body().pose();
     };
     const Pose a = end(7), b = end(1000);
@@ -126,36 +138,39 @@ void physics_does_not_depend_on_rate() {
                 "the physics has steps of its own, whatever the controller's rate");
 }
 
-void measure() {
+void measure()
+{
     const Scene scene = parse_world("[start]\nx = 0\ny = 0\n"
                                     "[[wall]]\npoints = [[-5, 1], [5, 1]]\nthickness = 0.2\n"
                                     "[[polygon]]\npoints = [[2, -1], [3, -1], [3, -2], [2, -2]]\n"
                                     "[measure]\ndistance = 0.5\nsettle = 1\n",
                                     "test");
-    check::near(clearance(scene, {0.0, 0.0}), 0.9, 1e-12, "clearance is to a wall's surface");
-    check::near(clearance(scene, {1.0, -1.5}), 1.0, 1e-12, "clearance is to a polygon's edge");
-    check::near(clearance(scene, {2.5, -1.5}), 0.0, 0.0, "clearance is 0 inside");
+    check::near(clearance(scene, { 0.0, 0.0 }), 0.9, 1e-12, "clearance is to a wall's surface");
+    check::near(clearance(scene, { 1.0, -1.5 }), 1.0, 1e-12, "clearance is to a polygon's edge");
+    check::near(clearance(scene, { 2.5, -1.5 }), 0.0, 0.0, "clearance is 0 inside");
     WallDistance measured(scene, p3dx::chassis(), *scene.measure);
     check::that(std::isnan(measured.mean_error()), "nothing is measured before it settles");
-    check::near(measured.observe(0, {{0, 0}, 0}), 0.9 - 0.136, 1e-12,
+    check::near(measured.observe(0, { { 0, 0 }, 0 }), 0.9 - 0.136, 1e-12,
                 "the distance counts from the left transducer");
-    measured.observe(second, {{0.0, 0.264}, 0});
-    measured.observe(2 * second, {{0.0, 0.164}, 0});
+    measured.observe(second, { { 0.0, 0.264 }, 0 });
+    measured.observe(2 * second, { { 0.0, 0.164 }, 0 });
     check::near(measured.mean_error(), 0.05, 1e-12, "the mean error is since it settled");
     check::near(measured.largest_error(), 0.1, 1e-12, "so is the largest");
 }
 
-void triangles() {
-    const std::vector<Vec> ell = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+void triangles()
+{
+    const std::vector<Vec> ell = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } };
     double area = 0.0;
     for (const Triangle &t : triangulate(ell))
         area += 0.5 * cross(t[1] - t[0], t[2] - t[0]);
     check::near(area, 3.0, 1e-12, "triangles cover a polygon that is not convex");
     check::that(is_simple(ell), "an L is a simple polygon");
-    check::that(!is_simple({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), "a bow tie is not");
+    check::that(!is_simple({ { 0, 0 }, { 1, 1 }, { 1, 0 }, { 0, 1 } }), "a bow tie is not");
 }
 
-void rejects(const std::string &name, const std::string &text, const std::string &message) {
+void rejects(const std::string &name, const std::string &text, const std::string &message)
+{
     std::string found = "nothing";
     try {
         Simulation(parse_world(text, "w.toml"), 1);
@@ -163,15 +178,18 @@ void rejects(const std::string &name, const std::string &text, const std::string
         found = error.what();
     }
     check::that(found == message, "world file: " + name);
-    if (found != message) std::printf("     found %s\n", found.c_str());
+    if (found != message)
+        std::printf("     found %s\n", found.c_str());
 }
 
 const std::string start = "[start]\nx = 0\ny = 0\n";
 
-void mistakes() {
+void mistakes()
+{
     rejects("a start is needed", "name = \"x\"\n",
             "w.toml:1:1: a world needs a table [start] with `x` and `y`, where the robot starts");
-    rejects("an unknown key, and the one that was meant", start + "[[wall]]\npoints = [[2,0],[2,1]]\nthicknes = 1\n",
+    rejects("an unknown key, and the one that was meant",
+            start + "[[wall]]\npoints = [[2,0],[2,1]]\nthicknes = 1\n",
             "w.toml:6:1: unknown key `thicknes`; did you mean `thickness`?");
     rejects("a key without its unit", "[start]\nx = 0\ny = 0\nheading = 90\n",
             "w.toml:4:1: unknown key `heading`; did you mean `heading_deg`?");
@@ -203,12 +221,15 @@ void mistakes() {
 }
 
 // What no machine could simulate, or no robot could be.
-void excesses() {
-    rejects("odometry that is no measurement", start + "[odometry]\nveer_deg = 1e6\nturn_error = -2\n",
+void excesses()
+{
+    rejects("odometry that is no measurement",
+            start + "[odometry]\nveer_deg = 1e6\nturn_error = -2\n",
             "w.toml:5:12: `veer_deg` must be a turn at most either way, from -360 to 360\n"
             "w.toml:6:14: `turn_error` must be a share of what is measured, from -1 to 1");
     std::string heap = start, hall = start;
-    for (int i = 0; i < 17; ++i) heap += "[[box]]\ncenter = [2, 2]\nsize = [1, 1]\n";
+    for (int i = 0; i < 17; ++i)
+        heap += "[[box]]\ncenter = [2, 2]\nsize = [1, 1]\n";
     for (int i = 0; i < 2001; ++i)
         hall += "[[box]]\ncenter = [" + std::to_string(9 + i) + ", 2]\nsize = [0.5, 0.5]\n";
     rejects("a heap of boxes", heap,
@@ -224,12 +245,14 @@ void excesses() {
     rejects("a wall of very many points", start + wall(20001, 9),
             "w.toml:5:10: `points` takes at most 20000 points, these are 20001");
     rejects("walls of very many points", start + wall(15000, 9) + wall(15000, 12),
-            "w.toml:1:1: a world's walls, polygons, holes, patches and tapes have at most 20000 points, "
+            "w.toml:1:1: a world's walls, polygons, holes, patches and tapes have at most 20000 "
+            "points, "
             "this one's 30000");
 }
 
 // What is no TOML at all.
-void syntax_mistakes() {
+void syntax_mistakes()
+{
     const std::string unit = "numbers have no unit here: lengths are in metres, angles in degrees, "
                              "masses in kilograms, times in seconds";
     rejects("a number with a unit", "[start]\nx = 5cm\ny = 0\n", "w.toml:2:6: " + unit);
@@ -267,7 +290,8 @@ void syntax_mistakes() {
 
 } // namespace
 
-int main() {
+int main()
+{
     boxes_come_to_rest();
     boxes_rub_on_the_floor();
     energy_never_grows();

@@ -51,29 +51,36 @@ struct NoFaults {
     std::int64_t delay_ns(std::int64_t) { return 0; }
 };
 
-template <class Kind, class Faults = NoFaults> class Bench {
+template <class Kind, class Faults = NoFaults>
+class Bench
+{
   public:
-    Bench() : device(), robot() {
+    Bench() : device(), robot()
+    {
         time.now_ns = second;
         frob_fake_line_open(&line, &time);
         for (std::size_t i = 0; i < Kind::driver().setting_count; ++i)
             settings.push_back(Kind::driver().settings[i].initial);
     }
 
-    void start() {
+    void start()
+    {
         serial = frob_fake_serial(&line);
         clock = frob_fake_time(&time);
-        frob_robot_start(&robot, &Kind::driver(), &device, settings.data(), &serial, &clock, 200 * ms);
+        frob_robot_start(&robot, &Kind::driver(), &device, settings.data(), &serial, &clock,
+                         200 * ms);
     }
 
     // Lets both ends act at the present time. The driver's bytes reach the robot
     // at once; the robot's bytes take their time.
-    void act() {
+    void act()
+    {
         std::uint8_t bytes[256];
         passed_.clear();
         to_robot.begin((time.now_ns - moved_ns_) / byte_ns(), passed_);
         while (const std::size_t count = frob_fake_receive(&line, bytes, sizeof bytes))
-            for (std::size_t i = 0; i < count; ++i) to_robot.pass(bytes[i], passed_);
+            for (std::size_t i = 0; i < count; ++i)
+                to_robot.pass(bytes[i], passed_);
         to_robot.end();
         wire.receive(passed_.data(), passed_.size());
         move();
@@ -81,21 +88,25 @@ template <class Kind, class Faults = NoFaults> class Bench {
         send();
         polled_ns = time.now_ns;
         state = frob_robot_poll(&robot);
-        if (acted) acted();
+        if (acted)
+            acted();
     }
 
     // Goes to the time `until_ns`, with both ends acting whenever something is
     // due or all bytes are there, and every `tick_ns`.
-    void run(std::int64_t until_ns) {
+    void run(std::int64_t until_ns)
+    {
         while (time.now_ns < until_ns) {
             act();
             std::int64_t next = std::min(until_ns, time.now_ns + tick_ns);
             const std::int64_t due = frob_robot_due_ns(&robot);
-            if (due > time.now_ns) next = std::min(next, due);
+            if (due > time.now_ns)
+                next = std::min(next, due);
             if (line.to_driver.count > 0) {
                 const std::size_t last = line.to_driver.first + line.to_driver.count - 1;
                 const std::int64_t arrival = line.to_driver.arrive_ns[last % FROB_FAKE_ROOM];
-                if (arrival > time.now_ns) next = std::min(next, arrival);
+                if (arrival > time.now_ns)
+                    next = std::min(next, arrival);
             }
             time.now_ns = next;
         }
@@ -103,7 +114,8 @@ template <class Kind, class Faults = NoFaults> class Bench {
     }
 
     // Drives for a time, commanding 30 times a second.
-    void drive(double forward, double turn, std::int64_t for_ns) {
+    void drive(double forward, double turn, std::int64_t for_ns)
+    {
         const std::int64_t until_ns = time.now_ns + for_ns;
         while (time.now_ns < until_ns) {
             typename Kind::Output output{};
@@ -131,7 +143,7 @@ template <class Kind, class Faults = NoFaults> class Bench {
     std::int64_t rate = Kind::driver().rate;
     std::int64_t tick_ns = 5 * ms;
     std::int64_t polled_ns = 0; // when the driver was polled last; it may have waited since
-    bool cut = false; // the cable is: bytes go nowhere
+    bool cut = false;           // the cable is: bytes go nowhere
 
     // For tests that watch: both ends have acted; the robot has sent something,
     // which is on its way as far as it got past the faults.
@@ -140,7 +152,8 @@ template <class Kind, class Faults = NoFaults> class Bench {
 
   private:
     // The body has moved as the wire told it before.
-    void move() {
+    void move()
+    {
         const double elapsed_s = static_cast<double>(time.now_ns - moved_ns_) * 1e-9;
         const auto output = wire.output();
         if (moved_ns_ != 0 && elapsed_s > 0) {
@@ -158,20 +171,26 @@ template <class Kind, class Faults = NoFaults> class Bench {
 
     std::int64_t byte_ns() const { return 10 * second / rate; }
 
-    void send() {
+    void send()
+    {
         passed_.clear();
-        to_driver.begin(std::max<std::int64_t>(0, time.now_ns + ms - busy_ns_) / byte_ns(), passed_);
-        for (const std::uint8_t byte : wire.to_client) to_driver.pass(byte, passed_);
+        to_driver.begin(std::max<std::int64_t>(0, time.now_ns + ms - busy_ns_) / byte_ns(),
+                        passed_);
+        for (const std::uint8_t byte : wire.to_client)
+            to_driver.pass(byte, passed_);
         to_driver.end();
         sent_.swap(wire.to_client);
         wire.to_client.clear();
         // A robot whose bytes do not get away drops new ones.
-        if (cut || busy_ns_ > time.now_ns + 50 * ms) return;
+        if (cut || busy_ns_ > time.now_ns + 50 * ms)
+            return;
         for (const std::uint8_t byte : passed_) {
             busy_ns_ = std::max(busy_ns_, time.now_ns) + byte_ns();
-            frob_fake_send(&line, &byte, 1, busy_ns_ - time.now_ns + to_driver.delay_ns(time.now_ns));
+            frob_fake_send(&line, &byte, 1,
+                           busy_ns_ - time.now_ns + to_driver.delay_ns(time.now_ns));
         }
-        if (sent && !sent_.empty()) sent(sent_);
+        if (sent && !sent_.empty())
+            sent(sent_);
     }
 
     std::int64_t moved_ns_ = 0, busy_ns_ = 0;

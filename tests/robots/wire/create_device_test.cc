@@ -6,16 +6,19 @@
 using CreateBench = Bench<CreateKind>;
 using Mode = frob::sim::CreateWire::Mode;
 
-static void connects_and_drives() {
+static void connects_and_drives()
+{
     CreateBench b;
     b.body.battery = 14.9;
     b.body.charge = 0.5;
     b.start();
     b.run(b.time.now_ns + second);
-    check(b.state == FROB_ROBOT_READY && b.wire.mode() == Mode::safe, "create: connects, in mode Safe");
+    check(b.state == FROB_ROBOT_READY && b.wire.mode() == Mode::safe,
+          "create: connects, in mode Safe");
     b.drive(0.3, 0, 2 * second);
     check(b.wire.left_mm_s() == 300 && b.wire.right_mm_s() == 300, "create: 300 mm/s");
-    check_near(b.input.odometry.position.x, b.body.odometry.position.x, 0.02, "create: odometry ahead");
+    check_near(b.input.odometry.position.x, b.body.odometry.position.x, 0.02,
+               "create: odometry ahead");
     check_near(b.input.leftWheel, 0.3, 0.02, "create: measured speed");
     b.drive(-0.3, 0, 6 * second);
     check_near(b.input.odometry.position.x, b.body.odometry.position.x, 0.02,
@@ -31,7 +34,8 @@ static void connects_and_drives() {
           "create: rests in mode Passive after the session");
 }
 
-static void limits_wheels_together() {
+static void limits_wheels_together()
+{
     CreateBench b;
     b.start();
     b.run(b.time.now_ns + second);
@@ -40,36 +44,42 @@ static void limits_wheels_together() {
           "create: too fast a wheel slows both, and the curve stays");
 }
 
-static void senses() {
+static void senses()
+{
     CreateBench b;
     b.start();
     b.run(b.time.now_ns + second);
     b.body.bumpLeft = true;
     b.body.cliffs[3] = true;
     b.body.light[1] = 700;
-    for (int i = 0; i < 4; ++i) b.body.cliffSignals[i] = 300 * (i + 1);
+    for (int i = 0; i < 4; ++i)
+        b.body.cliffSignals[i] = 300 * (i + 1);
     b.body.virtualWall = b.body.cleanButton = b.body.leftOvercurrent = true;
     b.body.beacon = 161;
     b.drive(0, 0, second / 10);
     check(b.input.bumpLeft && !b.input.bumpRight, "create: bump on the left");
     check(b.input.cliffs[3] && !b.input.cliffs[0], "create: cliff on the right");
-    check(b.input.cliffSignals[0] == 300 && b.input.cliffSignals[1] == 600 && b.input.cliffSignals[2] == 900 &&
-              b.input.cliffSignals[3] == 1200,
+    check(b.input.cliffSignals[0] == 300 && b.input.cliffSignals[1] == 600 &&
+              b.input.cliffSignals[2] == 900 && b.input.cliffSignals[3] == 1200,
           "create: what the floor gives back, from the left to the right");
     check(b.input.light[1] == 700 && b.input.light[0] == 0, "create: light bumper");
-    check(b.input.virtualWall && b.input.beacon == 161 && b.input.cleanButton, "create: beacons, button");
+    check(b.input.virtualWall && b.input.beacon == 161 && b.input.cleanButton,
+          "create: beacons, button");
     check(b.input.leftOvercurrent && !b.input.rightOvercurrent, "create: overcurrent on the left");
 }
 
-static void leaving_safe_mode_is_a_fault() {
+static void leaving_safe_mode_is_a_fault()
+{
     CreateBench b;
     b.start();
     b.run(b.time.now_ns + second);
     b.drive(0.3, 0, second);
     b.body.cliffs[1] = true;
     b.drive(0.3, 0, 100 * ms);
-    check(b.state == FROB_ROBOT_FAILED && b.robot.status == FROB_REFUSED, "create: a cliff is a fault");
-    check(std::strstr(frob_create_driver.describe(&b.device), "cliff") != nullptr, "create: and says so");
+    check(b.state == FROB_ROBOT_FAILED && b.robot.status == FROB_REFUSED,
+          "create: a cliff is a fault");
+    check(std::strstr(frob_create_driver.describe(&b.device), "cliff") != nullptr,
+          "create: and says so");
     check(b.wire.left_mm_s() == 0 && b.wire.mode() == Mode::passive, "create: the robot stands");
     b.drive(0.3, 0, 2 * second);
     check(b.wire.mode() == Mode::passive, "create: Safe is not entered again by itself");
@@ -79,41 +89,49 @@ static void leaving_safe_mode_is_a_fault() {
     check(b.state == FROB_ROBOT_READY, "create: but when the host starts anew");
 }
 
-static void does_not_drive_in_the_air() {
+static void does_not_drive_in_the_air()
+{
     CreateBench b;
     b.body.leftDrop = true;
     b.start();
     b.run(b.time.now_ns + second);
-    check(b.state == FROB_ROBOT_FAILED && b.robot.status == FROB_REFUSED, "create: lifted, it is refused");
+    check(b.state == FROB_ROBOT_FAILED && b.robot.status == FROB_REFUSED,
+          "create: lifted, it is refused");
 }
 
-static void stops_when_frames_stay_away() {
+static void stops_when_frames_stay_away()
+{
     CreateBench b;
     b.start();
     b.run(b.time.now_ns + second);
     b.drive(0.3, 0, second);
     b.cut = true; // towards the driver; the robot still hears
     b.drive(0.3, 0, 350 * ms);
-    check(b.state == FROB_ROBOT_STALE && b.wire.left_mm_s() == 0, "create: stale frames stop the robot");
+    check(b.state == FROB_ROBOT_STALE && b.wire.left_mm_s() == 0,
+          "create: stale frames stop the robot");
     b.cut = false;
     b.drive(0.3, 0, second);
-    check(b.state == FROB_ROBOT_READY && b.wire.left_mm_s() == 300, "create: and driving goes on after them");
-    const std::uint8_t pause[] = {150, 0};
+    check(b.state == FROB_ROBOT_READY && b.wire.left_mm_s() == 300,
+          "create: and driving goes on after them");
+    const std::uint8_t pause[] = { 150, 0 };
     b.wire.receive(pause, sizeof pause);
     b.drive(0.3, 0, second);
-    check(b.state == FROB_ROBOT_READY && b.wire.left_mm_s() == 300, "create: a stream that pauses is asked for again");
+    check(b.state == FROB_ROBOT_READY && b.wire.left_mm_s() == 300,
+          "create: a stream that pauses is asked for again");
     b.cut = true;
     b.run(b.time.now_ns + 2 * second);
-    check(b.state == FROB_ROBOT_FAILED && b.robot.status == FROB_TIMEOUT, "create: a silent robot is lost");
+    check(b.state == FROB_ROBOT_FAILED && b.robot.status == FROB_TIMEOUT,
+          "create: a silent robot is lost");
 }
 
 // 145 mm/s to the right is 00 91, and 91 is the opcode: without padding a lost
 // byte would be felt for ever.
-static void a_lost_byte_is_felt_once() {
+static void a_lost_byte_is_felt_once()
+{
     CreateBench b;
     b.start();
     b.run(b.time.now_ns + second);
-    const std::uint8_t begun[] = {145};
+    const std::uint8_t begun[] = { 145 };
     bool always_right = true;
     for (int round = 0; round < 20; ++round) {
         b.wire.receive(begun, sizeof begun); // the rest of this command is lost
@@ -124,39 +142,46 @@ static void a_lost_byte_is_felt_once() {
     check(always_right, "create: the command after an incomplete one is understood");
 }
 
-static void lights_and_tones() {
+static void lights_and_tones()
+{
     frob_create_output output{};
-    std::uint8_t leds[] = {139, 2, 255, 128};
-    std::uint8_t note[] = {140, 0, 1, 69, 32, 141, 0};
+    std::uint8_t leds[] = { 139, 2, 255, 128 };
+    std::uint8_t note[] = { 140, 0, 1, 69, 32, 141, 0 };
     std::uint8_t bytes[16];
     output.spotLight = true;
     output.powerColour = 7;
     output.powerLight = 0.5;
-    check(frob_create_lights(&output, bytes) == 4 && std::memcmp(bytes, leds, 4) == 0, "create: lights");
+    check(frob_create_lights(&output, bytes) == 4 && std::memcmp(bytes, leds, 4) == 0,
+          "create: lights");
     output.powerColour = NAN;
     frob_create_lights(&output, bytes);
     check(bytes[2] == 0, "create: a colour that is no number is the first");
     output.tone.f0 = 440;
     output.tone.f1 = 0.5;
-    check(frob_create_tone(&output, bytes) == 7 && std::memcmp(bytes, note, 7) == 0, "create: a tone");
+    check(frob_create_tone(&output, bytes) == 7 && std::memcmp(bytes, note, 7) == 0,
+          "create: a tone");
     output.tone.f0 = -1;
     output.tone.f1 = NAN;
     check(frob_create_tone(&output, bytes) == 7 && bytes[3] == 31 && bytes[4] == 1,
           "create: tones out of range are brought into it");
 }
 
-static void counts_out_of_reach_are_refused() {
+static void counts_out_of_reach_are_refused()
+{
     frob_create_odometry o{};
     std::int64_t now_ns = second;
     bool taken = frob_create_odometry_add(&o, 65500, 100, now_ns, 0.235);
     for (int i = 1; i <= 100; ++i) {
         now_ns += 15 * ms;
-        taken = taken && frob_create_odometry_add(&o, static_cast<std::uint16_t>(65500 + 10 * i),
-                                                  static_cast<std::uint16_t>(100 + 10 * i), now_ns, 0.235);
+        taken = taken &&
+                frob_create_odometry_add(&o, static_cast<std::uint16_t>(65500 + 10 * i),
+                                         static_cast<std::uint16_t>(100 + 10 * i), now_ns, 0.235);
     }
     check(taken, "create: counts that wrap are taken");
-    check_near(o.x_m, 1000 * FROB_CREATE_METRES_PER_COUNT, 1e-9, "create: a thousand counts are 0.44 m");
-    check_near(o.left_m_s, 10 * FROB_CREATE_METRES_PER_COUNT / 0.015, 0.01, "create: speed from counts");
+    check_near(o.x_m, 1000 * FROB_CREATE_METRES_PER_COUNT, 1e-9,
+               "create: a thousand counts are 0.44 m");
+    check_near(o.left_m_s, 10 * FROB_CREATE_METRES_PER_COUNT / 0.015, 0.01,
+               "create: speed from counts");
     const double before = o.x_m;
     check(!frob_create_odometry_add(&o, 30000, 1100, now_ns + 15 * ms, 0.235) && o.x_m == before,
           "create: counts out of reach are refused");
@@ -164,11 +189,14 @@ static void counts_out_of_reach_are_refused() {
           "create: and the next good ones are taken");
     const double there = o.x_m;
     for (int i = 1; i <= 5; ++i)
-        taken = frob_create_odometry_add(&o, 0, static_cast<std::uint16_t>(20000 + i), now_ns + 100 * ms, 0.235);
-    check(taken && std::fabs(o.x_m - there) < 0.01, "create: a robot that counts anew keeps its place");
+        taken = frob_create_odometry_add(&o, 0, static_cast<std::uint16_t>(20000 + i),
+                                         now_ns + 100 * ms, 0.235);
+    check(taken && std::fabs(o.x_m - there) < 0.01,
+          "create: a robot that counts anew keeps its place");
 }
 
-static void keeps_its_place_when_connected_again() {
+static void keeps_its_place_when_connected_again()
+{
     CreateBench b;
     b.start();
     b.run(b.time.now_ns + second);
@@ -177,11 +205,13 @@ static void keeps_its_place_when_connected_again() {
     b.start();
     b.run(b.time.now_ns + second);
     frob_robot_sense(&b.robot, &b.input);
-    check_near(b.input.odometry.position.x, before, 0.02, "create: a new connection keeps the place");
+    check_near(b.input.odometry.position.x, before, 0.02,
+               "create: a new connection keeps the place");
     check(b.wire.left_mm_s() == 0, "create: and begins at rest");
 }
 
-int main() {
+int main()
+{
     connects_and_drives();
     limits_wheels_together();
     senses();

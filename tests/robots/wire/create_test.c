@@ -34,7 +34,8 @@ static void sizes(void)
         all_with_ids += frob_create_packet_size(id) > 0;
         lights += id >= 46 && id <= 51 ? frob_create_packet_size(id) : 0;
     }
-    check(all == 80 && all_with_ids == FROB_CREATE_MAX_IDS, "packets 7 to 58 have 80 bytes, as group 100");
+    check(all == 80 && all_with_ids == FROB_CREATE_MAX_IDS,
+          "packets 7 to 58 have 80 bytes, as group 100");
     check(lights == 12, "the light bumpers have 12 bytes, as group 106");
 }
 
@@ -60,7 +61,8 @@ static void checksums(void)
     check(frob_create_stream_init(&stream, ids, 2, true), "a stream of two packets");
     check(receive(&stream, create_2, sizeof create_2, &sensors) == 1 && !sensors.virtual_wall,
           "the sum of a Create 2 has the header in it");
-    check(receive(&stream, create_1, sizeof create_1, &sensors) == 0, "the sum of a Create 1 has not");
+    check(receive(&stream, create_1, sizeof create_1, &sensors) == 0,
+          "the sum of a Create 1 has not");
     frob_create_stream_init(&stream, ids, 2, false);
     check(receive(&stream, create_1, sizeof create_1, &sensors) == 1 && sensors.virtual_wall &&
               receive(&stream, create_2, sizeof create_2, &sensors) == 0,
@@ -69,14 +71,14 @@ static void checksums(void)
 
 /* Packets and their data, each field different. */
 static const uint8_t body[] = {
-    7,  0x09,                                       /* bump right, drop left */
-    9,  1,          11, 1,                          /* cliffs left and front right */
-    28, 0x05, 0xDC, 31, 0x00, 0x2A,                 /* signals of the left and right one */
-    13, 1,          14, 0x08,       17, 161,  18, 1, /* virtual wall, overcurrent, infrared, clean */
-    21, 2,          22, 0x3A, 0x98,                 /* charging, 15000 mV */
-    25, 0x07, 0xD0, 26, 0x0A, 0x8C, 35, 2,          /* 2000 of 2700 mAh, safe */
-    43, 0xFF, 0xFE, 44, 0x00, 0x13, 23, 0xFE, 0xD4, /* counts; a packet without a field */
-    46, 0x0F, 0xFF, 51, 0x00, 0x13
+    7,  0x09,                                /* bump right, drop left */
+    9,  1,    11,   1,                       /* cliffs left and front right */
+    28, 0x05, 0xDC, 31,   0x00, 0x2A,        /* signals of the left and right one */
+    13, 1,    14,   0x08, 17,   161,  18, 1, /* virtual wall, overcurrent, infrared, clean */
+    21, 2,    22,   0x3A, 0x98,              /* charging, 15000 mV */
+    25, 0x07, 0xD0, 26,   0x0A, 0x8C, 35, 2, /* 2000 of 2700 mAh, safe */
+    43, 0xFF, 0xFE, 44,   0x00, 0x13, 23, 0xFE, 0xD4, /* counts; a packet without a field */
+    46, 0x0F, 0xFF, 51,   0x00, 0x13
 };
 
 static const uint8_t body_ids[] = { 7,  9,  11, 28, 31, 13, 14, 17, 18, 21,
@@ -111,12 +113,12 @@ static void fields(void)
           "cliff signals");
     check(s.virtual_wall && s.overcurrent == 8 && s.infrared == 161 && s.buttons == 1,
           "wall, overcurrent, infrared, buttons");
-    check(s.charging == 2 && s.battery_mv == 15000 && s.charge_mah == 2000 && s.capacity_mah == 2700,
+    check(s.charging == 2 && s.battery_mv == 15000 && s.charge_mah == 2000 &&
+              s.capacity_mah == 2700,
           "battery");
     check(s.mode == FROB_CREATE_MODE_SAFE, "mode");
     check(s.left_counts == 65534 && s.right_counts == 19, "encoder counts");
-    check(s.light_signal[0] == 4095 && s.light_signal[5] == 19,
-          "light bumpers");
+    check(s.light_signal[0] == 4095 && s.light_signal[5] == 19, "light bumpers");
 }
 
 static void steps(void)

@@ -27,8 +27,13 @@ let short =
       Exact.equal (decimal text) (decimal (text ^ "e0")))
 
 let test_forms () =
-  let refused text = Alcotest.(check bool) (Printf.sprintf "`%s`" text) true (Exact.of_literal text = None) in
-  List.iter refused [ ""; "."; ".5"; "1.2.3"; "-1"; "+1"; "1e"; "e1"; "1x"; " 1"; "0x"; "0b2"; "0o8"; "0x1.5"; "1x0" ];
+  let refused text =
+    Alcotest.(check bool) (Printf.sprintf "`%s`" text) true (Exact.of_literal text = None)
+  in
+  List.iter refused
+    [
+      ""; "."; ".5"; "1.2.3"; "-1"; "+1"; "1e"; "e1"; "1x"; " 1"; "0x"; "0b2"; "0o8"; "0x1.5"; "1x0";
+    ];
   let read value text = Alcotest.(check string) text value (Exact.to_string (decimal text)) in
   List.iter (read "31") [ "0x1F"; "0X1f"; "0o37"; "0b1_1111"; "31"; "3_1"; "3.1e1" ];
   read "340282366920938463463374607431768211455" ("0x" ^ String.make 32 'f')
@@ -51,8 +56,9 @@ let order =
 
 let test_degrees () =
   let degree = Exact.divide Exact.pi (Exact.of_int 180) in
-  Alcotest.(check (float 0.)) "180 degrees" (Float.pi) Exact.(to_float (multiply degree (of_int 180)));
-  Alcotest.(check string) "90 over pi" "90"
+  Alcotest.(check (float 0.)) "180 degrees" Float.pi Exact.(to_float (multiply degree (of_int 180)));
+  Alcotest.(check string)
+    "90 over pi" "90"
     Exact.(to_string (divide (multiply (of_int 90) degree) degree))
 
 let property test =

@@ -9,22 +9,27 @@ let order () =
   check_components "what is needed comes first" [ [ 2 ]; [ 1 ]; [ 0 ]; [ 3 ] ]
     [| [ 1 ]; [ 2 ]; []; [ 0 ] |];
   check_components "without edges the order stays" [ [ 0 ]; [ 1 ]; [ 2 ] ] [| []; []; [] |];
-  check_components "a cycle is one component" [ [ 3 ]; [ 0; 1; 2 ]; [ 4 ] ]
+  check_components "a cycle is one component"
+    [ [ 3 ]; [ 0; 1; 2 ]; [ 4 ] ]
     [| [ 1 ]; [ 2; 3 ]; [ 0 ]; []; [ 1 ] |]
 
 let cyclic () =
   let graph = [| [ 0 ]; []; [ 1 ] |] in
   let cyclic component = Graph.is_cyclic graph component in
-  Alcotest.(check (list bool)) "an edge to itself" [ true; false; false ]
+  Alcotest.(check (list bool))
+    "an edge to itself" [ true; false; false ]
     (List.map cyclic (Graph.components graph))
 
 let shortest () =
   let cycle graph = Graph.shortest_cycle graph (List.init (Array.length graph) Fun.id) in
-  Alcotest.(check (list int)) "the chord is taken" [ 1; 2; 4 ]
+  Alcotest.(check (list int))
+    "the chord is taken" [ 1; 2; 4 ]
     (cycle [| [ 1 ]; [ 2 ]; [ 3; 4 ]; [ 4 ]; [ 0; 1 ] |]);
-  Alcotest.(check (list int)) "from the smallest vertex, along the edges" [ 0; 2; 1 ]
+  Alcotest.(check (list int))
+    "from the smallest vertex, along the edges" [ 0; 2; 1 ]
     (cycle [| [ 2 ]; [ 0 ]; [ 1 ] |]);
-  Alcotest.(check (list int)) "an edge to itself is shortest" [ 2 ]
+  Alcotest.(check (list int))
+    "an edge to itself is shortest" [ 2 ]
     (cycle [| [ 1 ]; [ 2 ]; [ 2; 0 ] |])
 
 let large () =
@@ -77,12 +82,11 @@ let agrees_with_reachability graph =
     (fun component ->
       let shortest = List.fold_left (fun best v -> min best d.(v).(v)) 1000 component in
       if Graph.is_cyclic graph component <> (shortest < 1000) then ok := false;
-      if shortest < 1000 then begin
+      if shortest < 1000 then (
         let cycle = Graph.shortest_cycle graph component in
         let next = List.tl cycle @ [ List.hd cycle ] in
         if List.length cycle <> shortest then ok := false;
-        if not (List.for_all2 (fun v w -> List.mem w graph.(v)) cycle next) then ok := false
-      end)
+        if not (List.for_all2 (fun v w -> List.mem w graph.(v)) cycle next) then ok := false))
     components;
   !ok
 
@@ -91,8 +95,7 @@ let random =
     (QCheck.make
        ~print:(fun g ->
          String.concat "; "
-           (Array.to_list
-              (Array.map (fun s -> String.concat "," (List.map string_of_int s)) g)))
+           (Array.to_list (Array.map (fun s -> String.concat "," (List.map string_of_int s)) g)))
        graph_gen)
     agrees_with_reachability
 

@@ -3,16 +3,14 @@
 open Basis
 
 (* What was done with a table, judged by the standard library's. *)
-type action =
-  | Replace of int * int
-  | Remove of int
-  | Reset
+type action = Replace of int * int | Remove of int | Reset
 
 let action =
   let open QCheck.Gen in
   (* keys near each other, far from each other, and below 0 *)
   let key =
-    oneof [ int_range (-8) 40; map (fun k -> k lsl 20) (int_range (-8) 8); oneofl [ min_int; max_int ] ]
+    oneof
+      [ int_range (-8) 40; map (fun k -> k lsl 20) (int_range (-8) 8); oneofl [ min_int; max_int ] ]
   in
   frequency
     [
@@ -27,7 +25,9 @@ let show = function
   | Reset -> "reset"
 
 let actions =
-  QCheck.make ~print:QCheck.Print.(list show) ~shrink:(fun l -> QCheck.Shrink.list l)
+  QCheck.make
+    ~print:QCheck.Print.(list show)
+    ~shrink:(fun l -> QCheck.Shrink.list l)
     QCheck.Gen.(list_size (int_range 0 300) action)
 
 let perform table judge action =
@@ -74,9 +74,7 @@ let finds () =
   Int_table.replace table 1 "one";
   Alcotest.(check string) "something" "one" (Int_table.find table 1)
 
-let property name test () =
-  QCheck.Test.check_exn ~rand:(Random.State.make [| 1 |]) (test name)
-
+let property name test () = QCheck.Test.check_exn ~rand:(Random.State.make [| 1 |]) (test name)
 let alone name = QCheck.Test.make ~name ~count:300 actions like_the_standard_one
 let copied name = QCheck.Test.make ~name ~count:300 (QCheck.pair actions actions) a_copy_is_its_own
 

@@ -37,7 +37,8 @@ int main(void)
 
     clock_reset(&state);
     out = step(&state, 5.0, 3.0);
-    check("dt of the first instant is not looked at", out.f1 == 0.0 && out.f2 == 0.0 && out.f3 == 0.0);
+    check("dt of the first instant is not looked at",
+          out.f1 == 0.0 && out.f2 == 0.0 && out.f3 == 0.0);
     out = step(&state, 0.5, 4.0);
     check("time adds up", out.f1 == 0.5);
     check("an integral adds dt times the last input", out.f2 == 1.5);

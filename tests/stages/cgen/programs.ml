@@ -14,7 +14,8 @@ let tuple shapes =
       parts = List.map (fun shape -> ("", shape)) shapes;
     }
 
-let program ?(sums = [||]) b name ~input ~output = { (Build.program ~sums b) with name; input; output }
+let program ?(sums = [||]) b name ~input ~output =
+  { (Build.program ~sums b) with name; input; output }
 
 (* The paper's wall follower, with its gains and limits as literals. *)
 let wall_follow =
@@ -27,19 +28,22 @@ let wall_follow =
         let limit lo hi x = op n Maximum [ lo; op n Minimum [ hi; x ] ] in
         let error = op n Subtract [ f; float 0.2 ] in
         let v =
-          let_ ~line:12 n "v" (Op (Maximum, [ float (-0.4); op n Minimum [ float 0.4; op n Multiply [ float 0.5; error ] ] ]))
+          let_ ~line:12 n "v"
+            (Op
+               ( Maximum,
+                 [ float (-0.4); op n Minimum [ float 0.4; op n Multiply [ float 0.5; error ] ] ] ))
         in
         let rate = let_ ~line:13 n "" (Derivative s) in
         let most = op n Multiply [ op n (Elementary Sin) [ float 0.3 ]; v_curr ] in
         let side = op n Multiply [ float 1.5; op n Subtract [ s; float 0.2 ] ] in
         let limited = limit (op n Negate [ most ]) most side in
         let omega =
-          let_ ~line:13 n "omega"
-            (Op (Multiply, [ float 1.2; op n Subtract [ limited; rate ] ]))
+          let_ ~line:13 n "omega" (Op (Multiply, [ float 1.2; op n Subtract [ limited; rate ] ]))
         in
         [ ("1", v); ("2", omega) ])
   in
-  program b "wall_follow" ~input:(tuple [ leaf Float; leaf Float; leaf Float ])
+  program b "wall_follow"
+    ~input:(tuple [ leaf Float; leaf Float; leaf Float ])
     ~output:(tuple [ leaf Float; leaf Float ])
 
 let maybe_float =
@@ -68,12 +72,18 @@ let hold =
         in
         define n kept (Delay { init = float 0.; next = held });
         let more = op ~ty:Int n Add [ Signal count; Int 1l ] in
-        let next = let_ ~ty:Int ~line:5 n "" (If { condition = occurs; then_ = more; else_ = Signal count }) in
+        let next =
+          let_ ~ty:Int ~line:5 n "" (If { condition = occurs; then_ = more; else_ = Signal count })
+        in
         define n count (Delay { init = Int 0l; next });
-        let out = let_ ~ty:(Sum 0) ~line:6 n "" (Construct { constructor = 1; payload = [ held ] }) in
+        let out =
+          let_ ~ty:(Sum 0) ~line:6 n "" (Construct { constructor = 1; payload = [ held ] })
+        in
         let small = op ~ty:Bool n Less [ held; float 1. ] in
         let none = let_ ~ty:(Sum 0) n "" (Construct { constructor = 0; payload = [] }) in
-        let result = let_ ~ty:(Sum 0) ~line:6 n "" (If { condition = small; then_ = none; else_ = out }) in
+        let result =
+          let_ ~ty:(Sum 0) ~line:6 n "" (If { condition = small; then_ = none; else_ = out })
+        in
         [ ("1", result); ("2", next) ])
   in
   program b "hold" ~sums:[| maybe_float |] ~input:(leaf (Sum 0))
@@ -99,7 +109,8 @@ let branches =
         let q = let_ ~line:7 n "q" (If { condition = far; then_ = float 10.; else_ = x }) in
         [ ("1", u); ("2", w); ("3", q); ("4", op n Add [ w; q ]) ])
   in
-  program b "branches" ~input:(tuple [ leaf Float; leaf Float ])
+  program b "branches"
+    ~input:(tuple [ leaf Float; leaf Float ])
     ~output:(tuple [ leaf Float; leaf Float; leaf Float; leaf Float ])
 
 (* A choice that decides about itself from step to step is a branch to be
@@ -138,7 +149,9 @@ let exchange =
         let d' = let_ ~line:6 n "" (If { condition = go; then_ = Signal c; else_ = Signal d }) in
         define n c (Delay { init = float 3.; next = c' });
         define n d (Delay { init = float 4.; next = d' });
-        [ ("p", Signal p); ("q", Signal q); ("older", Signal older); ("c", Signal c); ("d", Signal d) ])
+        [
+          ("p", Signal p); ("q", Signal q); ("older", Signal older); ("c", Signal c); ("d", Signal d);
+        ])
   in
   program b "exchange" ~input:(leaf Bool)
     ~output:(tuple [ leaf Float; leaf Float; leaf Float; leaf Float; leaf Float ])
@@ -172,7 +185,10 @@ let instances =
         call ~line:7 ~statics:[ gain; float 0. ] n pi [ Signal phi ] [ turn ];
         let t = let_ ~line:8 n "t" (Time { restart = Bool false }) in
         let started = op ~ty:Bool n Less_equal [ float 1.; t ] in
-        let forward' = let_ ~line:9 n "forward'" (If { condition = started; then_ = Signal forward; else_ = float 0. }) in
+        let forward' =
+          let_ ~line:9 n "forward'"
+            (If { condition = started; then_ = Signal forward; else_ = float 0. })
+        in
         [ ("forward", forward'); ("turn", Signal turn) ])
   in
   let goal =
@@ -228,8 +244,13 @@ let totality =
           List.map
             (fun (name, operator) -> (name, op ~ty:Int n operator [ a; b ]))
             [
-              ("add", Add); ("sub", Subtract); ("mul", Multiply); ("div", Div); ("mod", Mod);
-              ("min", Minimum); ("max", Maximum);
+              ("add", Add);
+              ("sub", Subtract);
+              ("mul", Multiply);
+              ("div", Div);
+              ("mod", Mod);
+              ("min", Minimum);
+              ("max", Maximum);
             ]
         in
         let int = List.map (fun (name, operator) -> (name, op ~ty:Int n operator [ a ])) in
@@ -243,9 +264,13 @@ let totality =
               [ ("round", Round); ("floor", Floor); ("ceiling", Ceiling); ("truncate", Truncate) ];
             floats
               [
-                ("fmin", Minimum, [ x; y ]); ("fmax", Maximum, [ x; y ]); ("fsignum", Signum, [ x ]);
-                ("capped", Minimum, [ x; float 1. ]); ("raised", Maximum, [ float 1.; x ]);
-                ("min0", Minimum, [ x; float 0. ]); ("max0", Maximum, [ float 0.; x ]);
+                ("fmin", Minimum, [ x; y ]);
+                ("fmax", Maximum, [ x; y ]);
+                ("fsignum", Signum, [ x ]);
+                ("capped", Minimum, [ x; float 1. ]);
+                ("raised", Maximum, [ float 1.; x ]);
+                ("min0", Minimum, [ x; float 0. ]);
+                ("max0", Maximum, [ float 0.; x ]);
                 ("limit", Maximum, [ op n Negate [ x ]; op n Minimum [ x; y ] ]);
               ];
           ])
@@ -261,8 +286,20 @@ let totality =
       (record "Results"
          (names Int
             [
-              "add"; "sub"; "mul"; "div"; "mod"; "min"; "max"; "negate"; "abs"; "signum";
-              "round"; "floor"; "ceiling"; "truncate";
+              "add";
+              "sub";
+              "mul";
+              "div";
+              "mod";
+              "min";
+              "max";
+              "negate";
+              "abs";
+              "signum";
+              "round";
+              "floor";
+              "ceiling";
+              "truncate";
             ]
          @ names Float [ "fmin"; "fmax"; "fsignum"; "capped"; "raised"; "min0"; "max0"; "limit" ]))
 
@@ -311,7 +348,9 @@ let shapes =
         let left = let_ ~ty:Bool n "" (Is_constructor (e, 0)) in
         let inner = let_ ~ty:(Sum 0) n "" (Payload { value = e; constructor = 0; leaf = 0 }) in
         let nothing = let_ ~ty:(Sum 0) n "" (Construct { constructor = 0; payload = [] }) in
-        let chosen = let_ ~ty:(Sum 0) n "chosen" (If { condition = left; then_ = inner; else_ = nothing }) in
+        let chosen =
+          let_ ~ty:(Sum 0) n "chosen" (If { condition = left; then_ = inner; else_ = nothing })
+        in
         let again = let_ ~ty:(Sum 1) n "" (Construct { constructor = 0; payload = [ chosen ] }) in
         let x = let_ n "" (Payload { value = v; constructor = 1; leaf = 1 }) in
         let occurs = let_ ~ty:Bool n "" (Is_constructor (v, 1)) in
@@ -324,8 +363,7 @@ let shapes =
         [ ("1", Signal last); ("2", result) ])
   in
   let unit = tuple [] in
-  program b "shapes"
-    ~sums:[| maybe_float; either; event |]
+  program b "shapes" ~sums:[| maybe_float; either; event |]
     ~input:(tuple [ leaf (Sum 1); unit; tuple [ leaf (Sum 2) ] ])
     ~output:(tuple [ leaf (Sum 1); unit; leaf (Sum 2) ])
 

@@ -101,8 +101,8 @@ let run_function name instants outputs =
      {\n\
     \    struct %s_state self;\n\
     \    /* Those of the evaluator, not the defaults. */\n\
-     \    const struct %s_params params = {true, 7, -3.25};\n\
-     \    struct %s_input in;\n\
+    \    const struct %s_params params = {true, 7, -3.25};\n\
+    \    struct %s_input in;\n\
     \    struct %s_output out;\n\
     \    memset(&self, 0xa5, sizeof self);\n\
     \    memset(&out, 0xa5, sizeof out);\n\
@@ -134,7 +134,9 @@ let () =
       let program = { (causal rng) with name } in
       let instants = List.map exact_dt (Random_program.instants rng program) in
       let outputs = Evaluate.by_demand program instants in
-      let prepared = if k mod 2 = 0 then Optimize.program program else Dead_code.program (Inline.program program) in
+      let prepared =
+        if k mod 2 = 0 then Optimize.program program else Dead_code.program (Inline.program program)
+      in
       let step = Step.Passes.program (Step.Of_flow.program prepared) in
       Step.Lint.program step;
       let files = Cgen.Emit.program step in

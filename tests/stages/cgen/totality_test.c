@@ -112,18 +112,22 @@ int main(void)
     check("min is the first of equals, plus", plus_zero(floats(0.0, -0.0).fmin));
     check("max is the first of equals", minus_zero(floats(-0.0, 0.0).fmax));
     check("max is the first of equals, plus", plus_zero(floats(0.0, -0.0).fmax));
-    check("min and max of different ones", floats(2.0, 1.0).fmin == 1.0 && floats(1.0, 2.0).fmax == 2.0);
+    check("min and max of different ones",
+          floats(2.0, 1.0).fmin == 1.0 && floats(1.0, 2.0).fmax == 2.0);
     check("min with infinity", floats(inf, 1.0).fmin == 1.0 && floats(-inf, 1.0).fmax == 1.0);
     check("a literal limit lets NaN through", isnan(floats(nan, 0.0).capped) != 0);
     check("a literal limit on the left too", isnan(floats(nan, 0.0).raised) != 0);
-    check("literal limits limit", floats(3.0, 0.0).capped == 1.0 && floats(-3.0, 0.0).raised == 1.0);
+    check("literal limits limit",
+          floats(3.0, 0.0).capped == 1.0 && floats(-3.0, 0.0).raised == 1.0);
     check("min x 0 is the first of equals", minus_zero(floats(-0.0, 0.0).min0));
     check("max 0 x is the first of equals", plus_zero(floats(-0.0, 0.0).max0));
     check("max 0 of NaN is NaN", isnan(floats(nan, 0.0).max0) != 0);
     check("a limit limits", floats(2.0, 3.0).limit == 2.0 && floats(2.0, -3.0).limit == -2.0);
     check("a limit keeps what is inside", floats(2.0, 1.0).limit == 1.0);
-    check("a limit is NaN if either is", isnan(floats(nan, 1.0).limit) != 0 && isnan(floats(1.0, nan).limit) != 0);
-    check("a negative limit is the maximum", floats(-2.0, 5.0).limit == 2.0 && floats(-2.0, -5.0).limit == 2.0);
+    check("a limit is NaN if either is",
+          isnan(floats(nan, 1.0).limit) != 0 && isnan(floats(1.0, nan).limit) != 0);
+    check("a negative limit is the maximum",
+          floats(-2.0, 5.0).limit == 2.0 && floats(-2.0, -5.0).limit == 2.0);
     check("a limit of 0 gives the first of equals", minus_zero(floats(0.0, 1.0).limit));
     check("signum of minus zero is itself", minus_zero(floats(-0.0, 0.0).fsignum));
     check("signum of NaN is NaN", isnan(floats(nan, 0.0).fsignum) != 0);

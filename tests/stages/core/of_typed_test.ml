@@ -51,16 +51,15 @@ f =
 |}
     [
       ( "f",
-        proc (bound x float) []
-          (plus (number 1) (let_ [ next ] (delay (number 0) (var k float)))) );
+        proc (bound x float) [] (plus (number 1) (let_ [ next ] (delay (number 0) (var k float))))
+      );
     ]
 
 let fall_through () =
   let maybe_float = maybe_of float in
   let branches =
     [
-      ( construct just maybe_float [ bound x float ],
-        guards [ (boolean false, var x float) ] None );
+      (construct just maybe_float [ bound x float ], guards [ (boolean false, var x float) ] None);
       (construct just maybe_float [ bound y float ], plus (var y float) (number 1));
       (any maybe_float, number 0);
     ]

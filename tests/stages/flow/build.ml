@@ -19,9 +19,7 @@ let span file line =
   Span.make ~file ~start:(Span.position ~line ~column:1) ~stop:(Span.position ~line ~column:9)
 
 let node ?(kind = Ir.Signal_function) ?(file = "test.frob") program name outputs =
-  let b =
-    { program; file; line = 0; statics = []; inputs = []; equations = []; instances = [] }
-  in
+  let b = { program; file; line = 0; statics = []; inputs = []; equations = []; instances = [] } in
   let outputs = outputs b in
   let node =
     {
@@ -80,7 +78,9 @@ let call ?(statics = []) ?line b index inputs outputs =
     | n -> Printf.sprintf "%s_%d" callee.name (n + 1)
   in
   let span = span b.file (Option.value line ~default:b.line) in
-  b.instances <- { Ir.node = index; name; statics; inputs; outputs; loop = None; trials = []; span } :: b.instances
+  b.instances <-
+    { Ir.node = index; name; statics; inputs; outputs; loop = None; trials = []; span }
+    :: b.instances
 
 let run ?statics b index inputs name =
   let s = declare b name in
@@ -90,8 +90,7 @@ let run ?statics b index inputs name =
 (* One of each type that a parameter may have. *)
 let params : Ir.param list =
   let param label param_ty default : Ir.param =
-    { label; param_ty; unit_ = ""; default; doc = None;
-      declared = span "test.frob" 1 }
+    { label; param_ty; unit_ = ""; default; doc = None; declared = span "test.frob" 1 }
   in
   [ param "on" Bool (Bool false); param "count" Int (Int 0l); param "gain" Float (Float 1.) ]
 

@@ -1,7 +1,7 @@
 (** Flow programs by hand, for tests.
 
-    Lines number themselves: every signal stands on a line of its own, in the
-    order of creation within its node, unless [line] says another. *)
+    Lines number themselves: every signal stands on a line of its own, in the order of creation
+    within its node, unless [line] says another. *)
 
 open Flow
 

@@ -8,7 +8,9 @@ let text (d : Diagnostic.t) =
   let place (at : Span.t) = Printf.sprintf "%s:%d" at.file (Span.line at.start) in
   String.concat "\n"
     ([ Printf.sprintf "%s %s: %s [%s]" (place d.at) d.code d.message d.here ]
-    @ List.map (fun (l : Diagnostic.label) -> Printf.sprintf "  %s: %s" (place l.at) l.text) d.labels
+    @ List.map
+        (fun (l : Diagnostic.label) -> Printf.sprintf "  %s: %s" (place l.at) l.text)
+        d.labels
     @ List.map (( ^ ) "  note: ") d.notes
     @ List.map (( ^ ) "  hint: ") d.hints)
 
@@ -52,7 +54,8 @@ let delay_breaks () =
   in
   check [] (feedback (fun y -> Ir.Delay { init = zero; next = y }));
   check [] (feedback (fun y -> Ir.Integral y));
-  Alcotest.(check int) "derivative does not" 1
+  Alcotest.(check int)
+    "derivative does not" 1
     (List.length (messages (feedback (fun y -> Ir.Derivative y))))
 
 let both_branches_count () =
@@ -79,7 +82,8 @@ let unnamed_are_skipped () =
       "test.frob:1 E0401: signal `a` needs its own value in the same instant []\n\
       \  test.frob:7: `a` reads `b` here\n\
       \  test.frob:9: `b` reads `a` here\n\
-      \  hint: let `b` read the previous value of `a`: `delay x0 a`, where `x0` is the initial value";
+      \  hint: let `b` read the previous value of `a`: `delay x0 a`, where `x0` is the initial \
+       value";
     ]
     (build (fun b ->
          let a = Build.declare ~line:1 b "a" in
@@ -125,7 +129,8 @@ let leaf_by_leaf () =
     [
       "test.frob:2 E0401: signal `now` needs its own value in the same instant []\n\
       \  test.frob:4: `now` reads `now` here, through `crossing`\n\
-      \  hint: let `now` read its own previous value: `delay x0 now`, where `x0` is the initial value";
+      \  hint: let `now` read its own previous value: `delay x0 now`, where `x0` is the initial \
+       value";
     ]
     (program ~feed:`Same_instant)
 
@@ -171,8 +176,7 @@ let library_loop_shows_its_use () =
         [ ("", Signal c) ])
   in
   let between =
-    Build.node ~file:"Prelude.frob" p "between" (fun b ->
-        [ ("", Build.run b loop [] "") ])
+    Build.node ~file:"Prelude.frob" p "between" (fun b -> [ ("", Build.run b loop [] "") ])
   in
   ignore (Build.node p "main" (fun b -> [ ("", Build.run b between [] "y") ]));
   check
@@ -226,7 +230,8 @@ let large_nodes () =
   check [] (large ~closed:false);
   match messages (large ~closed:true) with
   | [ message ] ->
-      Alcotest.(check int) "the loop is cut to what one can read" 14
+      Alcotest.(check int)
+        "the loop is cut to what one can read" 14
         (List.length (String.split_on_char '\n' message))
   | _ -> Alcotest.fail "one message"
 

@@ -11,7 +11,9 @@ let exact_below = 0x4000000000000L
 
 let exact () =
   let same t =
-    if not (Int64.equal (Int64.bits_of_float (Int64.to_float t)) (Int64.bits_of_float (of_seconds t)))
+    if
+      not
+        (Int64.equal (Int64.bits_of_float (Int64.to_float t)) (Int64.bits_of_float (of_seconds t)))
     then Alcotest.failf "%Ld ns" t
   in
   let rng = Random.State.make [| 5 |] in
@@ -32,8 +34,22 @@ let reaches () =
           Alcotest.failf "%h is reached before %Ld" number least
   in
   List.iter check
-    [ 0.; -0.; -1.; 0.5; 1.; 1e9; 1e9 +. 0.5; 4503599627370496.; 9007199254740993.; 9.2e18; 1e19;
-      Float.infinity; Float.neg_infinity; Float.nan ];
+    [
+      0.;
+      -0.;
+      -1.;
+      0.5;
+      1.;
+      1e9;
+      1e9 +. 0.5;
+      4503599627370496.;
+      9007199254740993.;
+      9.2e18;
+      1e19;
+      Float.infinity;
+      Float.neg_infinity;
+      Float.nan;
+    ];
   let rng = Random.State.make [| 6 |] in
   for _ = 1 to 10_000 do
     check (Float.of_int (Random.State.bits rng) *. Float.pow 2. (Random.State.float rng 35.));

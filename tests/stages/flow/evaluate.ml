@@ -14,7 +14,8 @@ let rec equal a b =
   | Bool a, Bool b -> Bool.equal a b
   | Int a, Int b -> Int32.equal a b
   | Float a, Float b ->
-      (Float.is_nan a && Float.is_nan b) || Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
+      (Float.is_nan a && Float.is_nan b)
+      || Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
   | Sum (a, payload), Sum (b, other) -> a = b && List.for_all2 equal payload other
   | Array a, Array b -> List.for_all2 equal a b
   | (Bool _ | Int _ | Float _ | Sum _ | Array _), _ -> false
@@ -36,8 +37,7 @@ let floor_div a b =
     Int32.of_float (Float.floor (float_of_int a /. float_of_int b))
 
 let to_int x =
-  if Float.is_nan x then 0l
-  else Int32.of_float (Float.min 2147483647. (Float.max (-2147483648.) x))
+  if Float.is_nan x then 0l else Int32.of_float (Float.min 2147483647. (Float.max (-2147483648.) x))
 
 let half_away x = if x < 0. then Float.ceil (x -. 0.5) else Float.floor (x +. 0.5)
 
@@ -128,7 +128,6 @@ let position = function
 
 (* What a stateful equation remembers: see {!advance}. *)
 type memory = { past : value; total : float }
-
 type clock = { dt : float; time : float; first : bool }
 
 let time clock read memory (e : Ir.equation) (restart : Ir.atom) =
@@ -172,7 +171,9 @@ let value clock read memory (e : Ir.equation) =
       | Bool | Int | Float | Sum _ | Foreign _ -> failwith "not an array")
   | Index (a, k) -> List.nth (elements (read a)) k
   | At { array; index; default } ->
-      Option.value (List.nth_opt (elements (read array)) (position (read index))) ~default:(read default)
+      Option.value
+        (List.nth_opt (elements (read array)) (position (read index)))
+        ~default:(read default)
   | Replace { array; index; value } ->
       let k = position (read index) in
       Array (List.mapi (fun i x -> if i = k then read value else x) (elements (read array)))
@@ -202,8 +203,8 @@ let advance clock read memory now (e : Ir.equation) =
       let period = number (read period) and time = since_tick clock memory e in
       let rest = if period < 1. then 0. else Float.rem time (Float.trunc period) in
       Some { past = now; total = (if is_due period time then rest else time) }
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Param _ | Absent | Fill _
-  | Index _ | At _ | Replace _ | Step_time ->
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Param _
+  | Absent | Fill _ | Index _ | At _ | Replace _ | Step_time ->
       None
 
 let constant : Ir.atom -> value option = function
@@ -274,7 +275,9 @@ let by_demand (program : Ir.program) instants =
     match List.find_opt (fun (e : Ir.equation) -> is e.defines) frame.node.equations with
     | Some e -> value clock (ask clock frame argument) (remembered frame) e
     | None -> (
-        match List.find_opt (fun (i : Ir.instance) -> List.exists is i.outputs) frame.node.instances with
+        match
+          List.find_opt (fun (i : Ir.instance) -> List.exists is i.outputs) frame.node.instances
+        with
         | None -> argument s
         | Some i ->
             let child = List.assoc i.name frame.children in
@@ -319,11 +322,11 @@ let read table (a : Ir.atom) =
   | None, Signal s -> (
       match Hashtbl.find_opt table s.id with
       | Some v -> v
-      | None -> failwith (Printf.sprintf "signal %s (%d) is read before it is computed" s.name s.id))
+      | None -> failwith (Printf.sprintf "signal %s (%d) is read before it is computed" s.name s.id)
+      )
   | None, (Bool _ | Int _ | Float _) -> assert false
 
 let start : clock = { dt = 0.; time = 0.; first = true }
-
 let bind table = List.iter2 (fun (s : Ir.signal) v -> Hashtbl.replace table s.id v)
 
 (* Switches are tested as programs, in tests/meaning/switch. *)
@@ -336,7 +339,9 @@ let rec call frame clock statics inputs =
   let outputs = List.map (fun (_, a) -> read frame.now a) frame.node.outputs in
   let advance_equation (e : Ir.equation) =
     let now = Hashtbl.find frame.now e.defines.id in
-    Option.map (fun m -> (e.defines.id, m)) (advance clock (read frame.now) (remembered frame) now e)
+    Option.map
+      (fun m -> (e.defines.id, m))
+      (advance clock (read frame.now) (remembered frame) now e)
   in
   let memories = List.filter_map advance_equation frame.node.equations in
   List.iter (fun (id, m) -> Hashtbl.replace frame.memory id m) memories;
@@ -345,8 +350,7 @@ let rec call frame clock statics inputs =
 and run frame clock table = function
   | Schedule.Equation ({ rhs = Delay _; _ } as e) ->
       Hashtbl.replace table e.defines.id (remembered frame e).past
-  | Equation e ->
-      Hashtbl.replace table e.defines.id (value clock (read table) (remembered frame) e)
+  | Equation e -> Hashtbl.replace table e.defines.id (value clock (read table) (remembered frame) e)
   | Instance i ->
       let child = List.assoc i.name frame.children in
       let values = List.map (read table) in

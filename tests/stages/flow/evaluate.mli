@@ -20,10 +20,9 @@ val equal : value -> value -> bool
 val show : value -> string
 
 val by_demand : Ir.program -> instant list -> value list list
-(** The outputs at each instant. Every signal is computed when it is asked
-    for, through instances leaf by leaf; needs no schedule. *)
+(** The outputs at each instant. Every signal is computed when it is asked for, through instances
+    leaf by leaf; needs no schedule. *)
 
 val by_schedule : Ir.program -> instant list -> value list list
-(** As the C code does it: each node's reset, then its step in the order of
-    {!Flow.Schedule}, each instance one call. Fails on a signal that is read
-    before it is computed. *)
+(** As the C code does it: each node's reset, then its step in the order of {!Flow.Schedule}, each
+    instance one call. Fails on a signal that is read before it is computed. *)

@@ -27,8 +27,7 @@ let is_causal program =
   Causality.check sink ~entry:(Build.span "test.frob" 1) program;
   not (Basis.Diagnostic.has_errors sink)
 
-let same_outputs expected found =
-  List.for_all2 (List.for_all2 Evaluate.equal) expected found
+let same_outputs expected found = List.for_all2 (List.for_all2 Evaluate.equal) expected found
 
 let show outputs =
   String.concat "\n"
@@ -65,10 +64,13 @@ let stays pass seed =
 let random_tests =
   [
     random "simplify keeps every bit" 400 (keeps_outputs Simplify.program Evaluate.by_demand);
-    random "boolean simplification keeps every bit" 400 (keeps_outputs Boolean_simplification.program Evaluate.by_demand);
-    random "common subexpressions keep every bit" 400 (keeps_outputs Common_subexpressions.program Evaluate.by_demand);
+    random "boolean simplification keeps every bit" 400
+      (keeps_outputs Boolean_simplification.program Evaluate.by_demand);
+    random "common subexpressions keep every bit" 400
+      (keeps_outputs Common_subexpressions.program Evaluate.by_demand);
     random "dead code keeps every bit" 400 (keeps_outputs Dead_code.program Evaluate.by_demand);
-    random "constant propagation keeps every bit" 400 (keeps_outputs Constant_propagation.program Evaluate.by_demand);
+    random "constant propagation keeps every bit" 400
+      (keeps_outputs Constant_propagation.program Evaluate.by_demand);
     random "inline keeps every bit and leaves a schedule" 400
       (keeps_outputs Inline.program Evaluate.by_schedule);
     random "dead code is dead at once" 400 (stays Dead_code.program);
@@ -88,14 +90,15 @@ let zero = Ir.Float 0.
 let float_identities () =
   check
     [ "signal function main (x : Float)"; "a : Float = x + 0.0"; "-> ( = a,  = x,  = x,  = x)" ]
-    (Dead_code.program @@ Simplify.program
-       (build (fun b ->
-            let x = Build.input b "x" in
-            let a = Build.let_ b "a" (Op (Add, [ x; zero ])) in
-            let minus_zero = Build.op b Add [ x; Float (-0.) ] in
-            let times_one = Build.op b Multiply [ x; Float 1. ] in
-            let twice_negated = Build.op b Negate [ Build.op b Negate [ x ] ] in
-            [ ("", a); ("", minus_zero); ("", times_one); ("", twice_negated) ])))
+    (Dead_code.program
+    @@ Simplify.program
+         (build (fun b ->
+              let x = Build.input b "x" in
+              let a = Build.let_ b "a" (Op (Add, [ x; zero ])) in
+              let minus_zero = Build.op b Add [ x; Float (-0.) ] in
+              let times_one = Build.op b Multiply [ x; Float 1. ] in
+              let twice_negated = Build.op b Negate [ Build.op b Negate [ x ] ] in
+              [ ("", a); ("", minus_zero); ("", times_one); ("", twice_negated) ])))
 
 let elementary_functions () =
   check
@@ -123,12 +126,13 @@ let negations_are_not_kept () =
       "d : Bool = not(_1)";
       "-> ( = d)";
     ]
-    (Dead_code.program @@ Simplify.program
-       (build (fun n ->
-            let ty : Ir.ty = Bool in
-            let x = Build.input ~ty n "x" in
-            let off = Build.let_ ~ty n "off" (Op (Not, [ x ])) in
-            [ ("", Build.let_ ~ty n "d" (Delay { init = Bool true; next = off })) ])))
+    (Dead_code.program
+    @@ Simplify.program
+         (build (fun n ->
+              let ty : Ir.ty = Bool in
+              let x = Build.input ~ty n "x" in
+              let off = Build.let_ ~ty n "off" (Op (Not, [ x ])) in
+              [ ("", Build.let_ ~ty n "d" (Delay { init = Bool true; next = off })) ])))
 
 (* Whether one of two events occurs, said by cases. *)
 let conditions_in_cases () =
@@ -138,11 +142,17 @@ let conditions_in_cases () =
        (build (fun n ->
             let ty : Ir.ty = Bool in
             let a = Build.input ~ty n "a" and b = Build.input ~ty n "b" in
-            let choice condition then_ else_ = Build.let_ ~ty n "" (If { condition; then_; else_ }) in
+            let choice condition then_ else_ =
+              Build.let_ ~ty n "" (If { condition; then_; else_ })
+            in
             let both = choice a b (Bool false) in
             let only_a = choice a (Build.let_ ~ty n "" (Op (Not, [ b ]))) (Bool false) in
             let one = choice only_a a b in
-            [ ("", Build.let_ ~ty n "either" (If { condition = both; then_ = Bool true; else_ = one })) ])))
+            [
+              ( "",
+                Build.let_ ~ty n "either" (If { condition = both; then_ = Bool true; else_ = one })
+              );
+            ])))
 
 (* Of two conditions it does not matter how the other one is. *)
 let conditions_anyhow () =
@@ -152,7 +162,9 @@ let conditions_anyhow () =
        (build (fun n ->
             let ty : Ir.ty = Bool in
             let a = Build.input ~ty n "a" and b = Build.input ~ty n "b" in
-            let choice condition then_ else_ = Build.let_ ~ty n "" (If { condition; then_; else_ }) in
+            let choice condition then_ else_ =
+              Build.let_ ~ty n "" (If { condition; then_; else_ })
+            in
             let both = choice a b (Bool false) in
             let only_a = choice a (Build.let_ ~ty n "" (Op (Not, [ b ]))) (Bool false) in
             [ ("", Build.let_ ~ty n "either" (Op (Or, [ both; only_a ]))) ])))
@@ -171,7 +183,9 @@ let known_constructors () =
          let v = Build.let_ b "" (Payload { value = m; constructor = 1; leaf = 0 }) in
          [ ("", Build.let_ b "y" (If { condition = is_just; then_ = v; else_ = zero })) ]));
   check
-    [ "signal function main (c : Bool, x : Float)"; "y : Float = if c then x else 0.0"; "-> ( = y)" ]
+    [
+      "signal function main (c : Bool, x : Float)"; "y : Float = if c then x else 0.0"; "-> ( = y)";
+    ]
     (Optimize.program (Build.program ~sums:[| Random_program.maybe |] p))
 
 (* Two delays, each of a sum of its own. *)
@@ -229,7 +243,8 @@ let shared_instances () =
   let program = Optimize.program (Build.program p) in
   let large = program.nodes.(0) in
   Alcotest.(check int) "one instance" 1 (List.length (root program).instances);
-  Alcotest.(check (list string)) "the literal and what nobody reads are no inputs" [ "x" ]
+  Alcotest.(check (list string))
+    "the literal and what nobody reads are no inputs" [ "x" ]
     (List.map (fun (s : Ir.signal) -> s.name) large.inputs);
   Alcotest.(check int) "one output" 1 (List.length large.outputs)
 
@@ -255,7 +270,8 @@ let inlined_for_feedback () =
          [ ("", y) ]));
   let program = Optimize.program (Build.program p) in
   Lint.program program;
-  Alcotest.(check (list string)) "filter is open, what it calls is not" [ "large"; "large_2" ]
+  Alcotest.(check (list string))
+    "filter is open, what it calls is not" [ "large"; "large_2" ]
     (List.map (fun (i : Ir.instance) -> i.name) (root program).instances);
   Alcotest.(check int) "a schedule" 4 (List.length (Schedule.of_node (root program)))
 

@@ -3,7 +3,6 @@ open Flow
 let any rng items = List.nth items (Random.State.int rng (List.length items))
 let chance rng percent = Random.State.int rng 100 < percent
 
-
 (* Newest first, the newer the likelier: so that what is computed is used. *)
 let recent rng items =
   let n = List.length items in
@@ -71,20 +70,54 @@ and make_sum scope ~static =
   define scope ~static (Sum 0) rhs
 
 let binary : (Ir.operator * Ir.ty * Ir.ty) list =
-  [ (Add, Float, Float); (Subtract, Float, Float); (Multiply, Float, Float); (Divide, Float, Float);
-    (Minimum, Float, Float); (Maximum, Float, Float); (Equal, Float, Bool); (Less, Float, Bool);
-    (Less_equal, Float, Bool); (Elementary Atan2, Float, Float);
-    (Elementary Hypot, Float, Float); (Pow, Float, Float);
-    (Add, Int, Int); (Subtract, Int, Int); (Multiply, Int, Int); (Div, Int, Int); (Mod, Int, Int);
-    (Minimum, Int, Int); (Maximum, Int, Int); (Equal, Int, Bool); (Less, Int, Bool);
-    (Less_equal, Int, Bool); (And, Bool, Bool); (Or, Bool, Bool) ]
+  [
+    (Add, Float, Float);
+    (Subtract, Float, Float);
+    (Multiply, Float, Float);
+    (Divide, Float, Float);
+    (Minimum, Float, Float);
+    (Maximum, Float, Float);
+    (Equal, Float, Bool);
+    (Less, Float, Bool);
+    (Less_equal, Float, Bool);
+    (Elementary Atan2, Float, Float);
+    (Elementary Hypot, Float, Float);
+    (Pow, Float, Float);
+    (Add, Int, Int);
+    (Subtract, Int, Int);
+    (Multiply, Int, Int);
+    (Div, Int, Int);
+    (Mod, Int, Int);
+    (Minimum, Int, Int);
+    (Maximum, Int, Int);
+    (Equal, Int, Bool);
+    (Less, Int, Bool);
+    (Less_equal, Int, Bool);
+    (And, Bool, Bool);
+    (Or, Bool, Bool);
+  ]
 
 let unary : (Ir.operator * Ir.ty * Ir.ty) list =
-  [ (Negate, Float, Float); (Absolute, Float, Float); (Signum, Float, Float);
-    (Elementary Sqrt, Float, Float); (Elementary Floor_float, Float, Float);
-    (Elementary Ceiling_float, Float, Float); (Elementary Nanoseconds, Float, Float); (Elementary Sin, Float, Float); (Elementary Cos, Float, Float);
-    (Round, Float, Int); (Floor, Float, Int); (Ceiling, Float, Int); (Truncate, Float, Int); (Negate, Int, Int);
-    (Absolute, Int, Int); (Signum, Int, Int); (To_float, Int, Float); (Not, Bool, Bool) ]
+  [
+    (Negate, Float, Float);
+    (Absolute, Float, Float);
+    (Signum, Float, Float);
+    (Elementary Sqrt, Float, Float);
+    (Elementary Floor_float, Float, Float);
+    (Elementary Ceiling_float, Float, Float);
+    (Elementary Nanoseconds, Float, Float);
+    (Elementary Sin, Float, Float);
+    (Elementary Cos, Float, Float);
+    (Round, Float, Int);
+    (Floor, Float, Int);
+    (Ceiling, Float, Int);
+    (Truncate, Float, Int);
+    (Negate, Int, Int);
+    (Absolute, Int, Int);
+    (Signum, Int, Int);
+    (To_float, Int, Float);
+    (Not, Bool, Bool);
+  ]
 
 let operation scope ~static =
   let pick ty = choose scope ~static ty in
@@ -136,7 +169,9 @@ let stateful scope =
   let pick ty = choose scope ~static:false ty in
   let time restart =
     let t = Build.let_ scope.node "" (Time { restart }) in
-    ignore (define scope Float (if chance scope.rng 50 then Copy t else Op (Elementary Nanoseconds, [ t ])))
+    ignore
+      (define scope Float
+         (if chance scope.rng 50 then Copy t else Op (Elementary Nanoseconds, [ t ])))
   in
   match Random.State.int scope.rng 7 with
   | 0 ->
@@ -190,7 +225,9 @@ let add_node rng program callees ~root =
         let inputs = List.map (fun ty -> Build.input ~ty node "i") input_types in
         let scope = { rng; node; atoms = inputs @ statics; static_atoms = statics } in
         if kind = Signal_function then
-          for _ = 1 to Random.State.int rng 4 do operation scope ~static:true done;
+          for _ = 1 to Random.State.int rng 4 do
+            operation scope ~static:true
+          done;
         (* Feedback: declared here and read by delays, integrals and, where it
            happens to be causal, instances. *)
         let later =
@@ -199,8 +236,7 @@ let add_node rng program callees ~root =
         in
         List.iter
           (fun (s : Ir.signal) ->
-            if s.ty = Float && chance rng 40 then
-              ignore (define scope Float (Integral (Signal s)))
+            if s.ty = Float && chance rng 40 then ignore (define scope Float (Integral (Signal s)))
             else
               let init = choose scope ~static:true s.ty in
               ignore (define scope s.ty (Delay { init; next = Signal s })))
@@ -210,13 +246,12 @@ let add_node rng program callees ~root =
         in
         for _ = 1 to 3 + Random.State.int rng 25 do
           match Random.State.int rng 10 with
-          | 0 | 1 | 2 when callable <> [] -> instance scope ~later (any rng callable)
-          | 3 | 4 when kind = Signal_function -> stateful scope
+          | (0 | 1 | 2) when callable <> [] -> instance scope ~later (any rng callable)
+          | (3 | 4) when kind = Signal_function -> stateful scope
           | _ -> operation scope ~static:false
         done;
         List.iter
-          (fun (s : Ir.signal) ->
-            Build.define node s (Copy (choose scope ~static:false s.ty)))
+          (fun (s : Ir.signal) -> Build.define node s (Copy (choose scope ~static:false s.ty)))
           later;
         if root then List.map (fun a -> ("", a)) scope.atoms
         else List.map (fun ty -> ("", choose scope ~static:false ty)) output_types)

@@ -1,6 +1,5 @@
-(** Random well-typed Flow programs: several nodes that instantiate each
-    other, every kind of equation, feedback through delays, integrals and
-    instances. Most, not all, are causal. *)
+(** Random well-typed Flow programs: several nodes that instantiate each other, every kind of
+    equation, feedback through delays, integrals and instances. Most, not all, are causal. *)
 
 val maybe : Flow.Ir.sum
 (** [Maybe Float], the only sum in them. *)

@@ -4,8 +4,25 @@
 open Flow
 
 let floats =
-  [| Float.nan; infinity; neg_infinity; 0.; -0.; 1.; -1.; 0.5; 1e308; -1e308; 3e38; -3e38; 5e-324;
-     1e-45; -1e-30; 7.; 1e16 |]
+  [|
+    Float.nan;
+    infinity;
+    neg_infinity;
+    0.;
+    -0.;
+    1.;
+    -1.;
+    0.5;
+    1e308;
+    -1e308;
+    3e38;
+    -3e38;
+    5e-324;
+    1e-45;
+    -1e-30;
+    7.;
+    1e16;
+  |]
 
 let ints = [| 0l; 1l; -1l; 2l; 31l; 65536l; Int32.max_int; Int32.min_int; -7l |]
 
@@ -52,25 +69,47 @@ let two (ty : Ir.ty) : Ir.ty list = [ ty; ty ]
 
 let operators : (string * Ir.operator * Ir.ty list * Ir.ty) list =
   let of_numbers (ty : Ir.ty) : (string * Ir.operator * Ir.ty list * Ir.ty) list =
-    [ ("+", Add, two ty, ty); ("-", Subtract, two ty, ty); ("*", Multiply, two ty, ty);
-      ("min", Minimum, two ty, ty); ("max", Maximum, two ty, ty); ("<", Less, two ty, Bool);
-      ("<=", Less_equal, two ty, Bool); ("==", Equal, two ty, Bool); ("abs", Absolute, [ ty ], ty);
-      ("negate", Negate, [ ty ], ty); ("signum", Signum, [ ty ], ty) ]
+    [
+      ("+", Add, two ty, ty);
+      ("-", Subtract, two ty, ty);
+      ("*", Multiply, two ty, ty);
+      ("min", Minimum, two ty, ty);
+      ("max", Maximum, two ty, ty);
+      ("<", Less, two ty, Bool);
+      ("<=", Less_equal, two ty, Bool);
+      ("==", Equal, two ty, Bool);
+      ("abs", Absolute, [ ty ], ty);
+      ("negate", Negate, [ ty ], ty);
+      ("signum", Signum, [ ty ], ty);
+    ]
   in
   of_numbers Float @ of_numbers Int
-  @ [ ("/", Divide, two Float, Float); ("div", Div, two Int, Int); ("mod", Mod, two Int, Int);
-      ("fromInt", To_float, [ Int ], Float); ("round", Round, [ Float ], Int);
-      ("floor", Floor, [ Float ], Int); ("floorFloat", Elementary Floor_float, [ Float ], Float);
+  @ [
+      ("/", Divide, two Float, Float);
+      ("div", Div, two Int, Int);
+      ("mod", Mod, two Int, Int);
+      ("fromInt", To_float, [ Int ], Float);
+      ("round", Round, [ Float ], Int);
+      ("floor", Floor, [ Float ], Int);
+      ("floorFloat", Elementary Floor_float, [ Float ], Float);
       ("ceilingFloat", Elementary Ceiling_float, [ Float ], Float);
       ("nanoseconds", Elementary Nanoseconds, [ Float ], Float);
-      ("sqrt", Elementary Sqrt, [ Float ], Float); ("hypot", Elementary Hypot, two Float, Float);
+      ("sqrt", Elementary Sqrt, [ Float ], Float);
+      ("hypot", Elementary Hypot, two Float, Float);
       ("**", Pow, two Float, Float);
-      ("&&", And, two Bool, Bool); ("||", Or, two Bool, Bool); ("not", Not, [ Bool ], Bool);
-      ("==", Equal, two Bool, Bool) ]
+      ("&&", And, two Bool, Bool);
+      ("||", Or, two Bool, Bool);
+      ("not", Not, [ Bool ], Bool);
+      ("==", Equal, two Bool, Bool);
+    ]
 
 let sound real rng (name, operator, arguments, result) () =
   for _ = 1 to 20_000 do
-    let members = List.map (fun ty -> List.init (1 + Random.State.int rng 3) (fun _ -> member rng real ty)) arguments in
+    let members =
+      List.map
+        (fun ty -> List.init (1 + Random.State.int rng 3) (fun _ -> member rng real ty))
+        arguments
+    in
     let ranges = List.map range members in
     let given = Range.operation real operator ranges result in
     let arguments =
@@ -83,7 +122,9 @@ let sound real rng (name, operator, arguments, result) () =
     in
     match Fold.operation real operator arguments with
     | Some atom when not (holds given atom) ->
-        Alcotest.failf "%s of %s gives %s" name (String.concat ", " (List.map shown arguments)) (shown atom)
+        Alcotest.failf "%s of %s gives %s" name
+          (String.concat ", " (List.map shown arguments))
+          (shown atom)
     | Some _ | None -> ()
   done
 
@@ -91,10 +132,11 @@ let cases real =
   let rng = Random.State.make [| 7 |] in
   List.map
     (fun ((name, _, arguments, _) as operator) ->
-      let types = List.map (function (Ir.Float : Ir.ty) -> "Float" | Int -> "Int" | _ -> "Bool") arguments in
+      let types =
+        List.map (function (Ir.Float : Ir.ty) -> "Float" | Int -> "Int" | _ -> "Bool") arguments
+      in
       Alcotest.test_case (String.concat " " (name :: types)) `Quick (sound real rng operator))
     operators
 
 let () =
-  Alcotest.run "ranges"
-    [ ("double", cases Basis.Real.Double); ("single", cases Basis.Real.Single) ]
+  Alcotest.run "ranges" [ ("double", cases Basis.Real.Double); ("single", cases Basis.Real.Single) ]

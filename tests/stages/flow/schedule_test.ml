@@ -16,9 +16,10 @@ let check expected program = Alcotest.(check (list string)) "order" expected (or
 
 let build root =
   let p = Build.create () in
-  let callee = Build.node p "double" (fun b ->
-      let x = Build.input b "x" in
-      [ ("", Build.let_ b "y" (Ir.Op (Add, [ x; x ]))) ])
+  let callee =
+    Build.node p "double" (fun b ->
+        let x = Build.input b "x" in
+        [ ("", Build.let_ b "y" (Ir.Op (Add, [ x; x ]))) ])
   in
   ignore (Build.node p "main" (root callee));
   Build.program p
@@ -67,7 +68,8 @@ let loops_name_their_instances () =
         [ ("", other) ])
   in
   let root = program.nodes.(1) in
-  Alcotest.(check (list (list string))) "instances" [ [ "double" ] ]
+  Alcotest.(check (list (list string)))
+    "instances" [ [ "double" ] ]
     (List.map (List.map (fun (i : Ir.instance) -> i.name)) (Schedule.loops root));
   match Schedule.of_node root with
   | _ -> Alcotest.fail "a cycle has no order"
@@ -85,7 +87,8 @@ let large () =
           signals;
         [ ("", Signal signals.(0)) ])
   in
-  Alcotest.(check (list string)) "from the last to the first"
+  Alcotest.(check (list string))
+    "from the last to the first"
     (List.init 100_000 (fun i -> string_of_int (99_999 - i)))
     (order program)
 

@@ -18,7 +18,8 @@ let static_parameters () =
   check ""
     [
       ( "f",
-        lambda [ bound k float ]
+        lambda
+          [ bound k float ]
           (proc (bound x float)
              [ binding (bound y float) (plus (var k float) one) ]
              (delay (var y float) vx)) );
@@ -34,8 +35,7 @@ let chain () =
       ( "f",
         proc (bound x float)
           [
-            binding (bound z float) (plus one (var y float));
-            binding (bound y float) (plus one vx);
+            binding (bound z float) (plus one (var y float)); binding (bound y float) (plus one vx);
           ]
           (delay (var z float) vx) );
     ]
@@ -53,16 +53,10 @@ let recursive_equations () =
 
 let branches () =
   check "E0342: `delay` is run in a branch [what it gives depends on when it started]"
-    [
-      ( "f",
-        proc (bound x float) []
-          (case vx [ (any float, plus one (delay one vx)) ]) );
-    ]
+    [ ("f", proc (bound x float) [] (case vx [ (any float, plus one (delay one vx)) ])) ]
 
 let local_functions () =
-  check
-    "E0343: `delay` is run in the function `f` [`k` has a value only here]\n\
-    \  `k` is bound here"
+  check "E0343: `delay` is run in the function `f` [`k` has a value only here]\n  `k` is bound here"
     [
       ( "f",
         proc (bound x float)
@@ -96,22 +90,19 @@ let bound_signal_function () =
     ]
 
 let captured_signal () =
-  check
-    ""
+  check ""
     [
-      ( "f",
-        proc (bound x float) []
-          (tuple [ proc (bound k float) [] (plus (var k float) vx); one ]) );
+      ("f", proc (bound x float) [] (tuple [ proc (bound k float) [] (plus (var k float) vx); one ]));
     ]
 
 let recursive_let () =
   check
-    "E0346: `y` is used in its own definition [only the equations of a `proc` may be \
-     recursive]\n\
+    "E0346: `y` is used in its own definition [only the equations of a `proc` may be recursive]\n\
     \  `y` is defined here"
     [
       ( "f",
-        lambda [ bound x float ]
+        lambda
+          [ bound x float ]
           (let_ [ binding (bound y float) (plus (var y float) vx) ] (var y float)) );
     ]
 
@@ -128,10 +119,10 @@ let levels_filled_in () =
   let p = Typing.Levels.program sink (program [ ("f", value) ]) in
   match (List.hd p.definitions).value.desc with
   | Lambda (_, { desc = Proc { equations; _ }; _ }) ->
-    Alcotest.(check bool)
-      "constant, signal, static" true
-      (List.map (fun (b : Typing.Ir.binding) -> b.level) equations
-      = [ Typing.Ir.Constant; Signal; Static ])
+      Alcotest.(check bool)
+        "constant, signal, static" true
+        (List.map (fun (b : Typing.Ir.binding) -> b.level) equations
+        = [ Typing.Ir.Constant; Signal; Static ])
   | _ -> Alcotest.fail "the definition has another shape"
 
 let deep_expressions () =

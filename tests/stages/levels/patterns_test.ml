@@ -33,17 +33,13 @@ let missing_literal () =
 
 let nested () =
   check "E0350: this `case` does not cover every value [no branch for `(Nothing, Just _)`]"
-    (of_pair
-       [
-         (pair (just_ (any float)) (any maybe_float), one); (pair nothing_ nothing_, one);
-       ])
+    (of_pair [ (pair (just_ (any float)) (any maybe_float), one); (pair nothing_ nothing_, one) ])
 
 let guards_cover_nothing () =
   check
     "E0350: this `case` does not cover every value [no branch for `Just _`]\n\
     \  the guards of this branch may all fail"
-    (of_maybe
-       [ (nothing_, one); (just_ (bound x float), guards [ (boolean true, one) ] None) ])
+    (of_maybe [ (nothing_, one); (just_ (bound x float), guards [ (boolean true, one) ] None) ])
 
 let never_taken () =
   check "W0301: this branch is never taken [the branches before it cover these values]"

@@ -6,7 +6,9 @@ let check point files expected =
       Alcotest.(check (list string)) point expected (Support.codes diagnostics))
 
 let one point text expected = check point [ ("main.frob", text) ] expected
-let gains = ("Gains.frob", "module Gains (gain, Side) where\ngain = 2.0\nsecret = 1.0\ndata Side = L | R\n")
+
+let gains =
+  ("Gains.frob", "module Gains (gain, Side) where\ngain = 2.0\nsecret = 1.0\ndata Side = L | R\n")
 
 let scoping =
   [
@@ -18,13 +20,14 @@ let scoping =
       "f = proc x -> z where z = y + 1; y = delay 0 x\n" [];
     one "statements of a proc see later ones"
       "f = proc v -> do r <- delay 0 -< r + v; returnA -< r\n" [];
-    one "rec has no effect" "f = proc v -> do\n  rec r <- delay 0 -< q\n      q <- v + r\n  returnA -< r\n" [];
+    one "rec has no effect"
+      "f = proc v -> do\n  rec r <- delay 0 -< q\n      q <- v + r\n  returnA -< r\n" [];
     one "a definition's where does not see a proc's variables"
       "f = proc v -> do\n    returnA -< y\n  where\n    y = v\n" [ "E0205" ];
     one "a branch's variables end with it" "f m = case m of Just x -> x; Nothing -> x\n" [ "E0205" ];
     one "hiding a local is a warning" "f x = (\\x -> x) x\n" [ "W0201" ];
-    one "an equation may not rebind one of its group" "f = proc x -> y where y = x; (y, z) = (x, x)\n"
-      [ "E0212" ];
+    one "an equation may not rebind one of its group"
+      "f = proc x -> y where y = x; (y, z) = (x, x)\n" [ "E0212" ];
     one "parameters are one group" "f x x = x\n" [ "E0212" ];
     one "statements are one group"
       "f = proc x -> do y <- identity -< x; y <- identity -< y; returnA -< y\n" [ "E0212" ];
@@ -52,14 +55,17 @@ let importing =
       [ "E0215" ];
     check "the prelude may be named" [ ("main.frob", "f = Prelude.pi\n") ] [];
     check "two imports of one name clash where it is used"
-      [ ("main.frob", "import Gains\nimport Other\nf = gain\n"); gains; ("Other.frob", "gain = 3\n") ]
+      [
+        ("main.frob", "import Gains\nimport Other\nf = gain\n"); gains; ("Other.frob", "gain = 3\n");
+      ]
       [ "E0210" ];
     check "two imports of one name do not clash unused"
       [ ("main.frob", "import Gains\nimport Other\n"); gains; ("Other.frob", "gain = 3\n") ]
       [];
     check "one thing by two ways is no clash"
       [
-        ("main.frob", "import Gains\nimport Other\nf = gain\n"); gains;
+        ("main.frob", "import Gains\nimport Other\nf = gain\n");
+        gains;
         ("Other.frob", "module Other (gain) where\nimport Gains\n");
       ]
       [];
@@ -89,7 +95,8 @@ let importing =
 
 let types =
   [
-    one "a single small letter is a unit variable" "f :: Float[u] -> Float[u1] -> Float[v']\nf x y = 0\n" [];
+    one "a single small letter is a unit variable"
+      "f :: Float[u] -> Float[u1] -> Float[v']\nf x y = 0\n" [];
     one "other unknown units are errors" "f :: Float[uv] -> Float\nf x = 0\n" [ "E0208" ];
     one "a program's units are seen in its types" "unit tick\nf :: Int[tick]\nf = 3[tick]\n" [];
     one "units of types need their number" "f :: Float[m, s]\nf = 0\n" [ "E0216" ];
@@ -118,7 +125,8 @@ let hints =
       [ "`wrapAngle` is in the library: `import Geometry`" ];
     hint "a field used as a function" "data P = P { heading :: Float }\nf p = heading p\n"
       [ "write `p.heading`; the function is `\\r -> r.heading`" ];
-    hint "a type used as a constructor" "f = Velocity\n" [ "`Velocity` is a type, not a constructor" ];
+    hint "a type used as a constructor" "f = Velocity\n"
+      [ "`Velocity` is a type, not a constructor" ];
   ]
 
 (* The groups of a program's top level, as names. *)
@@ -143,15 +151,17 @@ let dependencies =
     groups "used before users" "a = b\nb = c\nc = 1\n" [ [ "c" ]; [ "b" ]; [ "a" ] ];
     groups "mutual recursion is one group" "a = b\nb = a\nc = a\n" [ [ "a"; "b" ]; [ "c" ] ];
     groups "a signature parts a group" "a = b\nb :: Float\nb = a\n" [ [ "a" ]; [ "b" ] ];
-    groups "a reference from within an inner where counts"
-      "a = x where x = let y = b in y\nb = 1\n" [ [ "b" ]; [ "a" ] ];
+    groups "a reference from within an inner where counts" "a = x where x = let y = b in y\nb = 1\n"
+      [ [ "b" ]; [ "a" ] ];
   ]
 
 let repeated n s = String.concat "" (List.init n (fun _ -> s))
 
 let large =
   [
-    one "4,000 nested brackets" ("f = " ^ repeated 4_000 "(1 + " ^ "1" ^ repeated 4_000 ")" ^ "\n") [];
+    one "4,000 nested brackets"
+      ("f = " ^ repeated 4_000 "(1 + " ^ "1" ^ repeated 4_000 ")" ^ "\n")
+      [];
     one "9,000 nested functions"
       ("f = " ^ String.concat "" (List.init 9_000 (Printf.sprintf "\\x%d -> ")) ^ "1\n")
       [];

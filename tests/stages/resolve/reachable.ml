@@ -30,7 +30,8 @@ inGuard = 1
 inProc = 1
 inCase = 1
 inTask = 1
-|} )
+|}
+  )
 
 let kept text =
   match Support.load [ ("main.frob", "import Extra\n" ^ text); extra ] with
@@ -64,8 +65,7 @@ let all =
     check "instances and defaults stay, and what is to be kept" "main = proc x -> x + 1.0\n" [];
     check "what the program mentions, through others too" "f = used\n" [ "through"; "used" ];
     check "the program's own definitions count whether or not they are run"
-      "main = proc x -> x + 1.0\nf = unused\n"
-      [ "alsoUnused"; "unused" ];
+      "main = proc x -> x + 1.0\nf = unused\n" [ "alsoUnused"; "unused" ];
     check "a circle stays whole" "f = even' 1\n" [ "even'"; "odd'" ];
     check "wherever it is mentioned"
       {|

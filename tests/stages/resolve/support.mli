@@ -2,8 +2,8 @@
 
 val load :
   ?main:string -> (string * string) list -> Basis.Diagnostic.t list * Resolve.Ir.program option
-(** [load files]: paths and texts; the program is [main.frob]. A program that
-    comes out has passed the lint. *)
+(** [load files]: paths and texts; the program is [main.frob]. A program that comes out has passed
+    the lint. *)
 
 val codes : Basis.Diagnostic.t list -> string list
 

@@ -94,8 +94,7 @@ let compose =
   let f = local 20 "f" (sf ta tb) and g = local 21 "g" (sf tb tc) in
   let x = local 22 "x" ta and y = local 23 "" tb and z = local 24 "" tc in
   define ~parameters:[ a; b; c ] ">>>"
-    (lambda [ f; g ]
-       (proc ">>>" x [ run y (var f) (var x); run z (var g) (var y) ] (var z)))
+    (lambda [ f; g ] (proc ">>>" x [ run y (var f) (var x); run z (var g) (var y) ] (var z)))
 
 let ( >>> ) f g = apply (global (snd compose) [ float; float; float ]) [ f; g ]
 
@@ -111,9 +110,7 @@ let composition () =
 
 let a_statics_hole () =
   let x0 = local 30 "x0" float in
-  let twice, twice' =
-    define "twice" (lambda [ x0 ] (delay (var x0) >>> delay (var x0)))
-  in
+  let twice, twice' = define "twice" (lambda [ x0 ] (delay (var x0) >>> delay (var x0))) in
   let body =
     proc "main" i
       [
@@ -218,10 +215,7 @@ let chosen_functions () =
   let double = lambda [ x ] (var x + var x) and square = lambda [ y ] (var y * var y) in
   let body =
     proc "main" i
-      [
-        h := if_ (binary Less (var i) (number 0.)) double square;
-        z := apply (var h) [ var i ];
-      ]
+      [ h := if_ (binary Less (var i) (number 0.)) double square; z := apply (var h) [ var i ] ]
       (var z)
   in
   check
@@ -248,7 +242,8 @@ let sums_are_leaves () =
         m := if_ (binary Less (var i) (number 0.)) (nothing float) (just (var i));
         run n (delay (nothing float)) (var m);
       ]
-      (tuple [ if_ (is_just (var n)) (from_just (var n)) (number 7.); binary Equal (var m) (var n) ])
+      (tuple
+         [ if_ (is_just (var n)) (from_just (var n)) (number 7.); binary Equal (var m) (var n) ])
   in
   check
     {|signal function main (i : Float)
@@ -280,9 +275,9 @@ let destructured_parameters () =
   let add, add' =
     define "add"
       (lambda [ p ]
-         (let_ x (component (var p) 0)
-            (let_ q (component (var p) 1)
-               (var x + (component (var q) 0 * component (var q) 1)))))
+         (let_ x
+            (component (var p) 0)
+            (let_ q (component (var p) 1) (var x + (component (var q) 0 * component (var q) 1)))))
   in
   let body =
     proc "main" input
@@ -310,7 +305,8 @@ let joins_are_evaluated_once () =
     proc "main" i
       [
         z :=
-          let_ k (lambda [ u ] (var i * var i))
+          let_ k
+            (lambda [ u ] (var i * var i))
             (if_ (less 1.) (if_ (less 0.) (number 5.) fail) fail);
       ]
       (var z)
@@ -328,8 +324,7 @@ let joins_are_evaluated_once () =
 
 (* {1 What is rejected} *)
 
-let rejected expected definitions =
-  Alcotest.(check string) "message" expected (flow definitions)
+let rejected expected definitions = Alcotest.(check string) "message" expected (flow definitions)
 
 let recursion () =
   let f, f' = define "f" (lambda [ x ] (var x)) in

@@ -22,8 +22,7 @@ let codes text =
   let sink = Diagnostic.sink () in
   let files = { on_disk with read } in
   ignore (Pipeline.flow sink (Source.create ()) ~files ~library "main.frob");
-  List.sort_uniq String.compare
-    (List.map (fun (d : Diagnostic.t) -> d.code) (Diagnostic.all sink))
+  List.sort_uniq String.compare (List.map (fun (d : Diagnostic.t) -> d.code) (Diagnostic.all sink))
 
 let check_page code () =
   let page = Option.get (Explain.find code) in
@@ -32,5 +31,4 @@ let check_page code () =
 
 let () =
   let page code = Alcotest.test_case code `Quick (check_page code) in
-  Alcotest.run "explain"
-    [ ("pages", List.map page [ "E0410"; "E0412"; "E0413"; "E0414" ]) ]
+  Alcotest.run "explain" [ ("pages", List.map page [ "E0410"; "E0412"; "E0413"; "E0414" ]) ]

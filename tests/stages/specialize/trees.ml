@@ -36,8 +36,7 @@ let apply f arguments =
       | _ -> invalid_arg "apply")
     f arguments
 
-let let_ binder value (body : expr) =
-  make (Let { binder; value; body }) body.ty
+let let_ binder value (body : expr) = make (Let { binder; value; body }) body.ty
 
 let binary primitive (a : expr) b =
   let result : ty = match primitive with Core.Primitive.Less | Equal -> Bool | _ -> a.ty in
@@ -55,9 +54,7 @@ let ( := ) binder e = equation binder (Pure e)
 let run binder signal_function input = equation binder (Run { signal_function; input })
 
 let delay (x : expr) =
-  apply
-    (make (Primitive (Delay, [ x.ty ])) (Function (x.ty, Signal_function (x.ty, x.ty))))
-    [ x ]
+  apply (make (Primitive (Delay, [ x.ty ])) (Function (x.ty, Signal_function (x.ty, x.ty)))) [ x ]
 
 let derivative = make (Primitive (Derivative, [])) (Signal_function (Float, Float))
 

@@ -23,7 +23,8 @@ let check code =
   let check () =
     (match block "frob-error" page with
     | Some text ->
-        Alcotest.(check (list string)) "the example" [ code ]
+        Alcotest.(check (list string))
+          "the example" [ code ]
           (List.sort_uniq String.compare (codes text))
     | None -> Alcotest.(check bool) "has an example" true (List.mem code without_example));
     match block "frob" page with

@@ -27,20 +27,24 @@ let blocks =
     same "empty items" "x = let ;; a = 1 ;; b = 2; in a" "x = let a = 1; b = 2 in a";
     same "`in` closes the innermost let" "x = let a = let b = 1\n        in b\n    in a"
       "x = let a = let b = 1 in b in a";
-    same "a parenthesis closes blocks" "x = (case y of A -> 1; B -> 2)" "x = (case y of\n  A -> 1\n  B -> 2\n  )";
-    same "a comma closes blocks" "x = (case y of A -> 1, 2)" "x = (case y of\n      A -> 1\n    , 2)";
+    same "a parenthesis closes blocks" "x = (case y of A -> 1; B -> 2)"
+      "x = (case y of\n  A -> 1\n  B -> 2\n  )";
+    same "a comma closes blocks" "x = (case y of A -> 1, 2)"
+      "x = (case y of\n      A -> 1\n    , 2)";
     same "a comma in a tuple in a block does not" "x = let a = (1, 2); b = 3 in a"
       "x = let a = (1\n           , 2)\n        b = 3\n    in a";
     same "`then` and `else` close blocks" "x = if case y of A -> b then case y of A -> 1 else 2"
       "x = if case y of\n         A -> b\n    then case y of\n         A -> 1\n    else 2";
-    same "`of` closes blocks" "x = case let a = 1 in a of A -> 1" "x = case let a = 1 in a of\n  A -> 1";
+    same "`of` closes blocks" "x = case let a = 1 in a of A -> 1"
+      "x = case let a = 1 in a of\n  A -> 1";
     same "a line further right goes on" "x = f\n  a\n   b" "x = f a b";
     same "a closing bracket in the first column" "x = f (\n  a, b\n)" "x = f (a, b)";
     same "a record over several lines" "x = R\n  { a = 1\n  , b = 2\n  }" "x = R { a = 1, b = 2 }";
     same "empty let" "x = let in 1" "x = let\n    in 1";
-    same "a block no further right is empty" "instance Shape Circle where\nz = 1" "instance Shape Circle\n\nz = 1";
-    same "a non-ASCII text counts by characters" "x = f \"é\" (let a = 1\n               b = 2 in a)"
-      "x = f \"é\" (let a = 1; b = 2 in a)";
+    same "a block no further right is empty" "instance Shape Circle where\nz = 1"
+      "instance Shape Circle\n\nz = 1";
+    same "a non-ASCII text counts by characters"
+      "x = f \"é\" (let a = 1\n               b = 2 in a)" "x = f \"é\" (let a = 1; b = 2 in a)";
     same "a `let` in a `do`" "x = proc y -> do\n  let a = 1\n      b = 2\n  f -< a"
       "x = proc y -> do\n  let a = 1; b = 2\n  f -< a";
   ]
@@ -49,7 +53,8 @@ let where =
   [
     same "of a proc" "f = proc x -> y where y = x" "f = proc x -> y\n  where\n    y = x";
     same "at the column of a block's items closes the block"
-      "f = proc x -> case x of\n  A -> y\n  where y = 1" "f = proc x -> case x of\n    A -> y\n  where y = 1";
+      "f = proc x -> case x of\n  A -> y\n  where y = 1"
+      "f = proc x -> case x of\n    A -> y\n  where y = 1";
     same "of a branch, further right" "f x = case x of\n  A -> y\n    where y = 1\n  B -> 2"
       "f x = case x of\n  A -> y where y = 1\n  B -> 2";
     same "after a do belongs to the definition" "f = proc x -> do\n    g -< x\n  where y = 1"
@@ -60,7 +65,8 @@ let where =
       "f = proc x -> g -< x\n  where\n  y = 1";
     same "of the inner proc first" "f = proc x -> proc z -> y where y = 1"
       "f = proc x -> proc z -> y\n  where y = 1";
-    same "of a guarded definition" "f x | x = 1\n    | y = 2\n  where y = x" "f x\n  | x = 1\n  | y = 2\n where\n  y = x";
+    same "of a guarded definition" "f x | x = 1\n    | y = 2\n  where y = x"
+      "f x\n  | x = 1\n  | y = 2\n where\n  y = x";
     rejected "in the first column" "E0110" "f = x\nwhere x = 1";
   ]
 
@@ -73,7 +79,8 @@ let statements =
     same "`then` and `else` at the column of the `if`"
       "f = proc x -> do\n  y <- if a\n  then b\n  else c\n  h -< y"
       "f = proc x -> do\n  y <- if a then b else c\n  h -< y";
-    same "a dropped output" "f = proc x -> do\n  g -< x\n  h -< x" "f = proc x -> do\n  _ <- g -< x\n  h -< x";
+    same "a dropped output" "f = proc x -> do\n  g -< x\n  h -< x"
+      "f = proc x -> do\n  _ <- g -< x\n  h -< x";
     rejected "no output" "E0116" "f = proc x -> do\n  y <- g -< x";
     rejected "a choice of commands" "E0116" "f = proc x -> do\n  if x then g -< x else h -< x";
     rejected "a choice of commands by case" "E0116" "f = proc x -> do\n  case x of\n    A -> g -< x";
@@ -91,13 +98,11 @@ let rec bracketed (e : Syntax.Ir.expr) =
   | Power { base; exponent } -> Printf.sprintf "(%s ^ %d)" (bracketed base) exponent
   | Field { record; field } -> Printf.sprintf "(%s.%s)" (bracketed record) field.text
   | Parenthesized e -> bracketed e
-  | Left_section { left; operator } ->
-      Printf.sprintf "[%s %s]" (bracketed left) operator.name.text
+  | Left_section { left; operator } -> Printf.sprintf "[%s %s]" (bracketed left) operator.name.text
   | Right_section { operator; right } ->
       Printf.sprintf "[%s %s]" operator.name.text (bracketed right)
-  | String _ | Tuple _ | Tuple_section _ | Lambda_case _ | Array _ | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ | Record _
-  | Update _
-  | Annotated _ ->
+  | String _ | Tuple _ | Tuple_section _ | Lambda_case _ | Array _ | If _ | Case _ | Let _
+  | Lambda _ | Proc _ | Sequence _ | Record _ | Update _ | Annotated _ ->
       Alcotest.fail "not in these tests"
 
 let groups text expected =

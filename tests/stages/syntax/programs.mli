@@ -12,5 +12,6 @@ val written : unit -> (string * string) list
 (** The library, the example and the programs beside this file: path and text. *)
 
 val read : string -> string
+
 val files_of : string -> string -> string list
 (** [files_of directory suffix]: paths, sorted. *)

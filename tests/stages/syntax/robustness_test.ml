@@ -7,7 +7,9 @@ let codes_are name text expected () =
 
 let repeat n text =
   let all = Buffer.create (n * String.length text) in
-  for _ = 1 to n do Buffer.add_string all text done;
+  for _ = 1 to n do
+    Buffer.add_string all text
+  done;
   Buffer.contents all
 
 let case name text expected = Alcotest.test_case name `Quick (codes_are name text expected)
@@ -15,7 +17,8 @@ let case name text expected = Alcotest.test_case name `Quick (codes_are name tex
 let deep =
   [
     case "parentheses within the limit"
-      ("x = " ^ String.make 9_000 '(' ^ "1" ^ String.make 9_000 ')') [];
+      ("x = " ^ String.make 9_000 '(' ^ "1" ^ String.make 9_000 ')')
+      [];
     case "parentheses beyond it"
       ("x = " ^ String.make 100_000 '(' ^ "1" ^ String.make 100_000 ')')
       [ "E0106" ];
@@ -44,7 +47,9 @@ let big =
     case "a byte order mark" "\xef\xbb\xbfx = 1\n" [];
     case "carriage returns" "-- | doc\r\nx = 1\r\ny =\r\n  2\r\n" [];
     case "no last line end" "x = 1" [];
-    case "many definitions" (String.concat "" (List.init 50_000 (Printf.sprintf "x%d = f (1 + 2)\n"))) [];
+    case "many definitions"
+      (String.concat "" (List.init 50_000 (Printf.sprintf "x%d = f (1 + 2)\n")))
+      [];
     case "a wide tuple" ("x = (1" ^ repeat 200_000 ", 1" ^ ")") [];
     case "many fields" ("data T = T { a" ^ repeat 200_000 ", a" ^ " :: Int }") [];
     case "many names" (repeat 200_000 "a, " ^ "a :: Int") [];
@@ -73,16 +78,79 @@ let never_raises name count generator =
 
 let pieces =
   [|
-    "let"; "in"; "where"; "do"; "of"; "case"; "if"; "then"; "else"; "proc"; "rec"; "module"; "import";
-    "qualified"; "as"; "data"; "type"; "unit"; "primitive"; "class"; "x"; "y'"; "M.x"; "M.N"; "T";
-    ".f"; "."; "1"; "1.5"; "2[m]"; "["; "]"; "("; ")"; "{"; "}"; ","; ";"; "`"; "@"; "\\"; "="; "|";
-    "->"; "<-"; "-<"; "=>"; "::"; "-"; "+"; "*"; "/"; "^"; "$"; "<"; "=="; "_"; "\"s\""; "-- | d\n";
-    "{-"; "-}"; "\n"; "\n"; "\n  "; "\n  "; "\n    "; "\n "; "'"; "\t"; "pi";
+    "let";
+    "in";
+    "where";
+    "do";
+    "of";
+    "case";
+    "if";
+    "then";
+    "else";
+    "proc";
+    "rec";
+    "module";
+    "import";
+    "qualified";
+    "as";
+    "data";
+    "type";
+    "unit";
+    "primitive";
+    "class";
+    "x";
+    "y'";
+    "M.x";
+    "M.N";
+    "T";
+    ".f";
+    ".";
+    "1";
+    "1.5";
+    "2[m]";
+    "[";
+    "]";
+    "(";
+    ")";
+    "{";
+    "}";
+    ",";
+    ";";
+    "`";
+    "@";
+    "\\";
+    "=";
+    "|";
+    "->";
+    "<-";
+    "-<";
+    "=>";
+    "::";
+    "-";
+    "+";
+    "*";
+    "/";
+    "^";
+    "$";
+    "<";
+    "==";
+    "_";
+    "\"s\"";
+    "-- | d\n";
+    "{-";
+    "-}";
+    "\n";
+    "\n";
+    "\n  ";
+    "\n  ";
+    "\n    ";
+    "\n ";
+    "'";
+    "\t";
+    "pi";
   |]
 
-let tokens =
-  QCheck.Gen.(map (String.concat " ") (list_size (int_bound 60) (oneofa pieces)))
-
+let tokens = QCheck.Gen.(map (String.concat " ") (list_size (int_bound 60) (oneofa pieces)))
 let bytes = QCheck.Gen.(string_size ~gen:char (int_bound 200))
 let ascii = QCheck.Gen.(string_size ~gen:(char_range ' ' '~') (int_bound 200))
 

@@ -55,15 +55,13 @@ let paragraphs text =
 (* One top-level part of a program, with a few words changed. *)
 let mutant =
   let parts =
-    List.concat_map
-      (fun (_, text) -> paragraphs text)
-      (written ())
+    List.concat_map (fun (_, text) -> paragraphs text) (written ())
     |> List.filter (fun text -> String.length text < 2000)
     |> Array.of_list
   in
   let change random words =
     let n = Array.length words in
-    if n > 0 then begin
+    if n > 0 then
       let i = Random.State.int random n and k = Random.State.int random n in
       match Random.State.int random 4 with
       | 0 -> words.(i) <- ""
@@ -73,24 +71,22 @@ let mutant =
           let kept = words.(i) in
           words.(i) <- words.(k);
           words.(k) <- kept
-    end
   in
   fun random ->
     let part = parts.(Random.State.int random (Array.length parts)) in
     let words = words part in
-    for _ = 0 to Random.State.int random 3 do change random words done;
+    for _ = 0 to Random.State.int random 3 do
+      change random words
+    done;
     String.concat "" (Array.to_list words)
 
 let mutants =
-  QCheck.Test.make ~name:"mutants that parse" ~count:4000
-    (QCheck.make ~print:Fun.id mutant)
+  QCheck.Test.make ~name:"mutants that parse" ~count:4000 (QCheck.make ~print:Fun.id mutant)
     (fun text ->
       match parse text with
       | _, None -> true
       | _, Some program -> (
-          match survives program with
-          | Ok () -> true
-          | Error what -> QCheck.Test.fail_report what))
+          match survives program with Ok () -> true | Error what -> QCheck.Test.fail_report what))
 
 let run_property test () = QCheck.Test.check_exn ~rand:(Random.State.make [| 20 |]) test
 

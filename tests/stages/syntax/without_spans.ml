@@ -35,9 +35,7 @@ let rec ty (t : ty) : ty =
 let qualified_type (t : qualified_type) : qualified_type =
   { context = all (fun (c, t) -> (qualified c, ty t)) t.context; ty = ty t.ty }
 
-let signature (s : signature) : signature =
-  { names = all name s.names; ty = qualified_type s.ty }
-
+let signature (s : signature) : signature = { names = all name s.names; ty = qualified_type s.ty }
 let number (n : number) = { n with unit_ = Option.map unit_ n.unit_ }
 
 let rec pattern (p : pattern) : pattern =
@@ -156,7 +154,8 @@ and declaration (d : declaration) : declaration =
     | Type_alias { name = x; parameters = p; body } ->
         Type_alias { name = name x; parameters = parameters p; body = ty body }
     | Data { name = x; parameters = p; constructors } ->
-        Data { name = name x; parameters = parameters p; constructors = all constructor constructors }
+        Data
+          { name = name x; parameters = parameters p; constructors = all constructor constructors }
     | Class { superclasses; name = x; variable; members } ->
         Class
           {
@@ -177,8 +176,7 @@ and declaration (d : declaration) : declaration =
     | Scaled_unit { name = x; scale; unit_ = u } ->
         Scaled_unit { name = name x; scale; unit_ = unit_ u }
     | Foreign (Foreign_value { kind; name = x; ty = t; symbol }) ->
-        Foreign
-          (Foreign_value { kind; name = name x; ty = qualified_type t; symbol = name symbol })
+        Foreign (Foreign_value { kind; name = name x; ty = qualified_type t; symbol = name symbol })
     | Foreign (Foreign_type { name = x; c_type; copyable }) ->
         Foreign (Foreign_type { name = name x; c_type = name c_type; copyable })
     | Foreign (Foreign_include header) -> Foreign (Foreign_include (name header))

@@ -33,7 +33,6 @@ let flow =
     (the (Specialize.Of_core.program sink ~name:"main" ~entry:main core))
 
 let step = Step.Passes.program (Step.Of_flow.program (Flow.Optimize.program flow))
-
 let is_half (name : Core.Ir.Global.t) = name.module_ = main.module_ && name.name = "half"
 
 let finds ~stage lint good broken () =
@@ -71,9 +70,7 @@ let of_half (g : Resolve.Ir.binding_group) =
   in
   List.exists defines g.bindings
 
-let without_half =
-  { resolved with groups = List.filter (fun g -> not (of_half g)) resolved.groups }
-
+let without_half = { resolved with groups = List.filter (fun g -> not (of_half g)) resolved.groups }
 let half_twice = { resolved with groups = List.filter of_half resolved.groups @ resolved.groups }
 
 let typed_without_half =

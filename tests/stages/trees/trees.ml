@@ -45,9 +45,7 @@ let case scrutinee branches =
   let branches = List.map (fun (pattern, value) -> { pattern; value }) branches in
   make (Case (scrutinee, branches)) (List.hd branches).value.ty
 
-let guards alternatives last =
-  make (Guards (alternatives, last)) (snd (List.hd alternatives)).ty
-
+let guards alternatives last = make (Guards (alternatives, last)) (snd (List.hd alternatives)).ty
 let let_ bindings (body : expr) = make (Let (bindings, body)) body.ty
 
 let lambda patterns (body : expr) =
@@ -63,7 +61,6 @@ let bound x ty = pattern (Bound x) ty
 let pair (a : pattern) (b : pattern) = pattern (Tuple_of [ a; b ]) (Tuple [ a.ty; b.ty ] : ty)
 let literal n ty = pattern (Literal (Exact.of_int n)) ty
 let construct c ty parts = pattern (Constructed (c, parts)) ty
-
 let monomorphic ty : scheme = { types = []; representations = []; units = []; context = []; ty }
 
 let binding pattern (value : expr) =
@@ -71,9 +68,7 @@ let binding pattern (value : expr) =
 
 let a : variable = { id = 1; name = "a" }
 let nothing = { constructor = main "Nothing"; index = 0; record = false; fields = [] }
-
-let just =
-  { constructor = main "Just"; index = 1; record = false; fields = [ ("", Variable a) ] }
+let just = { constructor = main "Just"; index = 1; record = false; fields = [ ("", Variable a) ] }
 
 let maybe =
   {

@@ -17,6 +17,7 @@ val apply : expr -> expr -> expr
 (** Applies or runs, by the type of the first. *)
 
 val plus : expr -> expr -> expr
+
 val delay : expr -> expr -> expr
 (** [delay x0 s], run. *)
 

@@ -21,7 +21,8 @@ let infer text =
   let files = Resolve.Files.in_memory (("main.frob", text) :: Lazy.force library_texts) in
   let remember ~file:_ _ = () in
   let typed =
-    Option.map (Typing.Infer.program sink ~real:Double)
+    Option.map
+      (Typing.Infer.program sink ~real:Double)
       (Resolve.Program.load sink ~files ~remember ~library:"stdlib" "main.frob")
   in
   match typed with
@@ -66,23 +67,20 @@ let functions =
 let signal_functions =
   [
     ("juxtaposition runs", "f = proc x -> integral x", [ "f :: SF Float[u] Float[u s]" ]);
-    ( "juxtaposition applies a function",
-      "f = proc x -> sin x",
-      [ "f :: SF Float Float" ] );
-    ( "an unknown head is a function",
-      "f h x = h (h x)",
-      [ "f :: (a -> a) -> a -> a" ] );
+    ("juxtaposition applies a function", "f = proc x -> sin x", [ "f :: SF Float Float" ]);
+    ("an unknown head is a function", "f h x = h (h x)", [ "f :: (a -> a) -> a -> a" ]);
     ( "a head is known by the end of the group",
       "f = proc x -> g (x, derivative) where g (y, h) = h y + derivative x",
       [ "f :: SF Float[u] Float[u/s]" ] );
     ( "a head is known from its signature",
       "f :: SF a b -> SF a b\nf h = proc x -> h x",
       [ "f :: SF a b -> SF a b" ] );
-    ( "a command runs whatever its head is",
-      "f h = proc x -> h -< x",
-      [ "f :: SF a b -> SF a b" ] );
+    ("a command runs whatever its head is", "f h = proc x -> h -< x", [ "f :: SF a b -> SF a b" ]);
     ( "the paper's integral",
-      "i = proc (v, t) -> do\n  t' <- delay 0 -< t\n  r <- delay 0 -< r + (t - t') * v\n  returnA -< r",
+      "i = proc (v, t) -> do\n\
+      \  t' <- delay 0 -< t\n\
+      \  r <- delay 0 -< r + (t - t') * v\n\
+      \  returnA -< r",
       [ "i :: SF (n[u], n[v]) n[u v]" ] );
     ( "mutually recursive equations",
       "f = proc x -> y where\n  y = delay 0 z\n  z = x + y",
@@ -96,9 +94,7 @@ let units =
     ("division subtracts them", "f x y = x / y", [ "f :: Float[u] -> Float[v] -> Float[u/v]" ]);
     ("roots halve them", "f x = sqrt x", [ "f :: Float[u] -> Float[u^(1/2)]" ]);
     ("powers multiply them", "f x = x ^ 3 + 1[m^6]", [ "f :: n[m^2] -> n[m^6]" ]);
-    ( "a unit is solved for",
-      "f x = 3.0[m] / x + 1[m/s]",
-      [ "f :: Float[s] -> Float[m/s]" ] );
+    ("a unit is solved for", "f x = 3.0[m] / x + 1[m/s]", [ "f :: Float[s] -> Float[m/s]" ]);
     ( "variables are as few as can be",
       "f x y = (x * y, sqrt (x * y))",
       [ "f :: Float[u] -> Float[v] -> (Float[u v], Float[u^(1/2) v^(1/2)])" ] );
@@ -131,9 +127,7 @@ let numbers =
 let classes =
   [
     ("equality is inferred", "f x y = x == y", [ "f :: Eq a => a -> a -> Bool" ]);
-    ( "an order includes equality",
-      "f x y = x == y || x < y",
-      [ "f :: Ord a => a -> a -> Bool" ] );
+    ("an order includes equality", "f x y = x == y || x < y", [ "f :: Ord a => a -> a -> Bool" ]);
     ( "classes of parts",
       "f x y = (x, 1.0) == (Just y, 2.0)",
       [ "f :: Eq a => Maybe a -> a -> Bool" ] );
@@ -151,9 +145,7 @@ let records =
     ( "a field by its record's type",
       "import Geometry\nf :: Pose -> Distance\nf p = p.position.x",
       [ "f :: Pose -> Float[m]" ] );
-    ( "the only type with the field",
-      "import Geometry\nf p = p.heading",
-      [ "f :: Pose -> Float" ] );
+    ("the only type with the field", "import Geometry\nf p = p.heading", [ "f :: Pose -> Float" ]);
     ( "a type that comes later decides",
       "data A = A { k :: Bool }\ndata B = B { k :: Int }\nf x = (x.k, g x)\ng :: B -> B\ng y = y",
       [ "g :: B -> B"; "f :: B -> (Int, B)" ] );
@@ -171,9 +163,7 @@ let mistakes =
       "f = 1[m] + 1[s]\ng = f + 2[kg]\nh = f && True",
       [ "E0320" ] );
     ("two mistakes, two messages", "f = 1[m] + 1[s]\ng = not 3", [ "E0320"; "E0301" ]);
-    ( "a comparison in error needs no class",
-      "f = proc () -> time > 10[s]",
-      [ "E0303" ] );
+    ("a comparison in error needs no class", "f = proc () -> time > 10[s]", [ "E0303" ]);
     ("a function given itself", "f g = g g", [ "E0305" ]);
   ]
 

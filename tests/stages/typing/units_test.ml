@@ -47,16 +47,16 @@ let unifies =
    solution, and it must not say more than those values. *)
 let most_general =
   QCheck.Test.make ~count:1000 ~name:"a solution is the most general"
-    (QCheck.pair (QCheck.list_of_size (QCheck.Gen.return 3) sample) (QCheck.list_of_size (QCheck.Gen.int_range 1 3) sample))
+    (QCheck.pair
+       (QCheck.list_of_size (QCheck.Gen.return 3) sample)
+       (QCheck.list_of_size (QCheck.Gen.int_range 1 3) sample))
     (fun (values, lefts) ->
       let closed sample = { sample with xs = [ 0; 0; 0 ] } in
       let values = List.map (fun v -> build (variables ()) (closed v)) values in
       let variables = variables () in
       (* each left side equals what it is at those values *)
       let solved =
-        List.for_all
-          (fun left -> Units.unify (build variables left) (build values left))
-          lefts
+        List.for_all (fun left -> Units.unify (build variables left) (build values left)) lefts
       in
       solved && List.for_all2 (fun x value -> Units.unify x value) variables values)
 
@@ -64,11 +64,10 @@ let idempotent =
   QCheck.Test.make ~count:1000 ~name:"solving again changes nothing" system (fun equations ->
       let variables = variables () in
       if not (solve variables equations) then true
-      else begin
+      else
         let show () = List.map (fun x -> Units.flexible_powers (Units.resolve x)) variables in
         let before = show () in
-        solve variables equations && show () = before
-      end)
+        solve variables equations && show () = before)
 
 let order =
   QCheck.Test.make ~count:1000 ~name:"the order of equations does not matter" system

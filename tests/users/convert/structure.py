@@ -9,15 +9,37 @@ import zlib
 
 MAGIC = b"\x89MCAP0\r\n"
 NAMES = {
-    1: "Header", 2: "Footer", 3: "Schema", 4: "Channel", 5: "Message", 6: "Chunk",
-    7: "MessageIndex", 8: "ChunkIndex", 9: "Attachment", 10: "AttachmentIndex", 11: "Statistics",
-    12: "Metadata", 13: "MetadataIndex", 14: "SummaryOffset", 15: "DataEnd",
+    1: "Header",
+    2: "Footer",
+    3: "Schema",
+    4: "Channel",
+    5: "Message",
+    6: "Chunk",
+    7: "MessageIndex",
+    8: "ChunkIndex",
+    9: "Attachment",
+    10: "AttachmentIndex",
+    11: "Statistics",
+    12: "Metadata",
+    13: "MetadataIndex",
+    14: "SummaryOffset",
+    15: "DataEnd",
 }
 FIELDS = {
-    "Header": "ss", "Footer": "QQI", "Schema": "Hsss", "Channel": "HHssm", "Chunk": "QQQIsL",
-    "MessageIndex": "Hi", "ChunkIndex": "QQQQnQsQQ", "Attachment": "QQssLI",
-    "AttachmentIndex": "QQQQQss", "Statistics": "QHIIIIQQn", "Metadata": "sm",
-    "MetadataIndex": "QQs", "SummaryOffset": "BQQ", "DataEnd": "I",
+    "Header": "ss",
+    "Footer": "QQI",
+    "Schema": "Hsss",
+    "Channel": "HHssm",
+    "Chunk": "QQQIsL",
+    "MessageIndex": "Hi",
+    "ChunkIndex": "QQQQnQsQQ",
+    "Attachment": "QQssLI",
+    "AttachmentIndex": "QQQQQss",
+    "Statistics": "QHIIIIQQn",
+    "Metadata": "sm",
+    "MetadataIndex": "QQs",
+    "SummaryOffset": "BQQ",
+    "DataEnd": "I",
 }
 
 
@@ -82,8 +104,11 @@ def read(data):
     for name, at, length, fields in records[1:-1]:
         if name == "Chunk":
             first, last, size, crc, compression, inside = fields
-            same("chunk's size, CRC, compression", (len(inside), zlib.crc32(inside), b""),
-                 (size, crc, compression))
+            same(
+                "chunk's size, CRC, compression",
+                (len(inside), zlib.crc32(inside), b""),
+                (size, crc, compression),
+            )
             found = {}
             for inner, inner_at, _, parts in Reader(inside).records(len(inside)):
                 if inner == "Message":
@@ -115,8 +140,11 @@ def read(data):
             else:
                 same("kind", name, "Metadata")
                 meta[at] = [at, length, fields[0]]
-                print("metadata", fields[0].decode(),
-                      {k.decode(): v.decode() for k, v in fields[1].items()})
+                print(
+                    "metadata",
+                    fields[0].decode(),
+                    {k.decode(): v.decode() for k, v in fields[1].items()},
+                )
     same("indexes that are missing", found, {})
     for channel in channels:
         numbers = [sequence for other, sequence, _, _ in messages if other == channel]
@@ -125,10 +153,23 @@ def read(data):
     times = [time for _, _, time, _ in messages]
     counts = {c: sum(other == c for other, *_ in messages) for c in channels}
     expected = {
-        "Schema": definitions["Schema"], "Channel": definitions["Channel"],
-        "Statistics": [[len(messages), len(schemas), len(channels), len(attached), len(meta),
-                        len(chunks), min(times), max(times), counts]],
-        "ChunkIndex": list(chunks.values()), "AttachmentIndex": list(attached.values()),
+        "Schema": definitions["Schema"],
+        "Channel": definitions["Channel"],
+        "Statistics": [
+            [
+                len(messages),
+                len(schemas),
+                len(channels),
+                len(attached),
+                len(meta),
+                len(chunks),
+                min(times),
+                max(times),
+                counts,
+            ]
+        ],
+        "ChunkIndex": list(chunks.values()),
+        "AttachmentIndex": list(attached.values()),
         "MetadataIndex": list(meta.values()),
     }
     groups = {}
@@ -136,8 +177,11 @@ def read(data):
         groups.setdefault(name, [at, 0, []])
         groups[name][1] = at + length
         groups[name][2].append(fields)
-    same("summary", {name: group[2] for name, group in groups.items()},
-         {name: fields for name, fields in expected.items() if fields})
+    same(
+        "summary",
+        {name: group[2] for name, group in groups.items()},
+        {name: fields for name, fields in expected.items() if fields},
+    )
     stated = [fields for *_, fields in Reader(data, offsets).records(footer_at)]
     codes = {name: code for code, name in NAMES.items()}
     same("offsets", stated, [[codes[n], g[0], g[1] - g[0]] for n, g in groups.items()])

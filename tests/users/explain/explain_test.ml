@@ -39,13 +39,7 @@ let folder =
 let library = "../../../stdlib"
 
 (* How far a program must go for the diagnostic to come. *)
-type stage =
-  | Check
-  | Compile
-  | Interpret
-  | Test
-  | Probe of string
-  | Set of string
+type stage = Check | Compile | Interpret | Test | Probe of string | Set of string
 
 let codes_of stage files =
   let folder = folder () in
@@ -54,8 +48,7 @@ let codes_of stage files =
   let main = Filename.concat folder (fst (List.hd files)) in
   let request = { (Driver.Request.make ~library main) with lint = true } in
   (match stage with
-  | Probe name ->
-      ignore (Driver.Pipeline.compile sink sources { request with probes = [ name ] })
+  | Probe name -> ignore (Driver.Pipeline.compile sink sources { request with probes = [ name ] })
   | Set name ->
       let params = [ { Resolve.Parameters.name; text = "0.3[m/s]" } ] in
       ignore (Driver.Pipeline.params sink sources { request with params })

@@ -5,8 +5,10 @@ let says_what_to_write hint =
   match String.split_on_char '`' hint with
   | _ :: text :: _ when begins "write `" || begins "it is `" || begins "it is written `" ->
       (* A part that is left open is an ellipsis, which has these bytes. *)
-      not (List.mem "\xe2\x80\xa6" (List.init (String.length text) (fun i ->
-          String.sub text i (min 3 (String.length text - i)))))
+      not
+        (List.mem "\xe2\x80\xa6"
+           (List.init (String.length text) (fun i ->
+                String.sub text i (min 3 (String.length text - i)))))
   | _ -> false
 
 let () =

@@ -36,9 +36,7 @@ let comments text =
       | '{', '-' -> nested (depth + 1) (i + 2)
       | '-', '}' -> nested (depth - 1) (i + 2)
       | _ -> nested depth (i + 1)
-  and quoted i =
-    match at i with '"' -> i + 1 | '\\' -> quoted (i + 2) | _ -> quoted (i + 1)
-  in
+  and quoted i = match at i with '"' -> i + 1 | '\\' -> quoted (i + 2) | _ -> quoted (i + 1) in
   go [] 0
 
 let formatted text =

@@ -14,13 +14,12 @@ let () =
   List.iter
     (fun file ->
       let text = read file in
-      if Format_judge.Judge.parsed text <> None then begin
+      if Format_judge.Judge.parsed text <> None then (
         incr programs;
         match Format_judge.Judge.verdict text with
         | Error what -> Printf.printf "%s: %s\n" file what
         | Ok result ->
             if should_be <> [] && not (String.equal result text) then
-              Printf.printf "%s is not formatted: frobc format %s\n" file file
-      end)
+              Printf.printf "%s is not formatted: frobc format %s\n" file file))
     files;
   if !programs < 5 then print_endline "there are hardly any programs"

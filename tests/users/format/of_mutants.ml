@@ -65,21 +65,21 @@ let () =
       let programs = ref 0 and failed = ref 0 in
       for _ = 1 to int_of_string count do
         let words = words parts.(Random.State.int random (Array.length parts)) in
-        for _ = 0 to Random.State.int random 4 do change random words done;
+        for _ = 0 to Random.State.int random 4 do
+          change random words
+        done;
         let text = String.concat "" (Array.to_list words) in
-        if Format_judge.Judge.parsed text <> None then begin
+        if Format_judge.Judge.parsed text <> None then (
           incr programs;
           match Format_judge.Judge.verdict text with
           | Ok _ -> ()
           | Error what ->
               incr failed;
-              if !failed <= 3 then Printf.printf "%s\nIt was:\n%s\n" what text
-        end
+              if !failed <= 3 then Printf.printf "%s\nIt was:\n%s\n" what text)
       done;
       if !failed = 0 && 10 * !programs > int_of_string count then
         Printf.printf "ok   %d changed programs are formatted\n" !programs
-      else begin
+      else (
         Printf.printf "FAIL %d of %d changed programs\n" !failed !programs;
-        exit 1
-      end
+        exit 1)
   | _ -> exit 2

@@ -26,7 +26,9 @@ let long_comment random =
 
 let line_comment random =
   incr comments;
-  Printf.sprintf "--%s %d%s" (if chance random 4 then " |" else "") !comments
+  Printf.sprintf "--%s %d%s"
+    (if chance random 4 then " |" else "")
+    !comments
     (String.make (Random.State.int random 3) ' ')
 
 let blanks random n = String.make (Random.State.int random n) ' '
@@ -46,13 +48,12 @@ let sprinkled random ~every text =
     (* what stood between two lines, with more in it *)
     String.iter
       (fun c ->
-        if c = '\n' then begin
+        if c = '\n' then (
           at_line_end ();
           add "\n";
           if chance random every then add (blanks random 12 ^ line_comment random ^ "\n");
           if chance random (2 * every) then add (blanks random 9 ^ long_comment random ^ "\n");
-          if chance random every then add (String.make (Random.State.int random 4) '\n')
-        end
+          if chance random every then add (String.make (Random.State.int random 4) '\n'))
         else Buffer.add_char result c)
       written
   in
@@ -61,11 +62,10 @@ let sprinkled random ~every text =
       let start = token.start.pos_cnum and stop = token.stop.pos_cnum in
       gap := String.sub text !from (start - !from);
       if String.contains !gap '\n' then lines_between !gap
-      else begin
+      else (
         add !gap;
         if !gap <> "" && chance random (4 * every) then add (blanks random 4);
-        if !gap <> "" && chance random (8 * every) then add (inline_comment random ^ " ")
-      end;
+        if !gap <> "" && chance random (8 * every) then add (inline_comment random ^ " "));
       add (String.sub text start (stop - start));
       from := stop)
     (tokens text);
@@ -90,16 +90,14 @@ let () =
     let every = 1 + Random.State.int random 8 in
     let other = sprinkled random ~every text in
     (* blanks in the wrong place make it no program *)
-    if Format_judge.Judge.parsed other <> None then begin
+    if Format_judge.Judge.parsed other <> None then (
       incr disturbed;
-      judge number other
-    end
+      judge number other)
     else judge number text
   done;
   if !failed = 0 && 4 * !disturbed > count then
     Printf.printf "ok   %d random programs are formatted, %d with comments in them\n" !judged
       !disturbed
-  else begin
+  else (
     Printf.printf "FAIL %d of %d random programs, %d with comments\n" !failed !judged !disturbed;
-    exit 1
-  end
+    exit 1)

@@ -26,17 +26,15 @@ let parses file =
 let show sink sources = ignore (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink))
 
 let run ~library file =
-  if parses file then begin
+  if parses file then (
     let sink = Diagnostic.sink () and sources = Source.create () in
     let request = { (Driver.Request.make ~library file) with lint = true } in
     Driver.Pipeline.check sink sources request;
     show sink sources;
-    if not (Diagnostic.has_errors sink) then begin
+    if not (Diagnostic.has_errors sink) then (
       let sink = Diagnostic.sink () and sources = Source.create () in
       ignore (Driver.Pipeline.compile sink sources request);
-      show sink sources
-    end
-  end
+      show sink sources))
   else
     (* What does not parse is said too, with its place. *)
     let sink = Diagnostic.sink () and sources = Source.create () in

@@ -10,7 +10,8 @@ import time
 class Client:
     def __init__(self, folder, encodings=None, options=None, start=True, command=("frobc", "lsp")):
         self.process = subprocess.Popen(
-            list(command), stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+            list(command), stdin=subprocess.PIPE, stdout=subprocess.PIPE
+        )
         self.buffer = b""
         self.last_id = 0
         self.diagnostics = {}  # by URI, the latest
@@ -20,19 +21,29 @@ class Client:
         self.folder = folder
         if start:
             general = {"positionEncodings": encodings} if encodings else {}
-            self.capabilities = self.request("initialize", {
-                "processId": os.getpid(), "rootUri": None,
-                "workspaceFolders": [{"uri": self.uri(""), "name": "here"}],
-                "initializationOptions": options or {},
-                "capabilities": {
-                    "general": general,
-                    "textDocument": {"completion": {"completionItem": {"snippetSupport": True}}}},
-            })["capabilities"]
+            self.capabilities = self.request(
+                "initialize",
+                {
+                    "processId": os.getpid(),
+                    "rootUri": None,
+                    "workspaceFolders": [{"uri": self.uri(""), "name": "here"}],
+                    "initializationOptions": options or {},
+                    "capabilities": {
+                        "general": general,
+                        "textDocument": {
+                            "completion": {"completionItem": {"snippetSupport": True}}
+                        },
+                    },
+                },
+            )["capabilities"]
             self.notify("initialized", {})
 
     def uri(self, name):
-        path = os.path.join(os.path.abspath(self.folder), name) if name else \
-            os.path.abspath(self.folder)
+        path = (
+            os.path.join(os.path.abspath(self.folder), name)
+            if name
+            else os.path.abspath(self.folder)
+        )
         return "file://" + path
 
     def send_bytes(self, data):
@@ -102,22 +113,30 @@ class Client:
                 text = file.read()
         self.texts[uri] = (text, 1)
         self.diagnostics.pop(uri, None)
-        self.notify("textDocument/didOpen", {"textDocument": {
-            "uri": uri, "languageId": "frob", "version": 1, "text": text}})
+        self.notify(
+            "textDocument/didOpen",
+            {"textDocument": {"uri": uri, "languageId": "frob", "version": 1, "text": text}},
+        )
         return uri
 
     def change(self, uri, text):
         version = self.texts[uri][1] + 1
         self.texts[uri] = (text, version)
-        self.notify("textDocument/didChange", {
-            "textDocument": {"uri": uri, "version": version}, "contentChanges": [{"text": text}]})
+        self.notify(
+            "textDocument/didChange",
+            {"textDocument": {"uri": uri, "version": version}, "contentChanges": [{"text": text}]},
+        )
 
     def edit(self, uri, range, text):
         version = self.texts[uri][1] + 1
         self.texts[uri] = (None, version)
-        self.notify("textDocument/didChange", {
-            "textDocument": {"uri": uri, "version": version},
-            "contentChanges": [{"range": range, "text": text}]})
+        self.notify(
+            "textDocument/didChange",
+            {
+                "textDocument": {"uri": uri, "version": version},
+                "contentChanges": [{"range": range, "text": text}],
+            },
+        )
 
     def told(self, uri):
         """What is said of the text as it is now."""
@@ -136,13 +155,14 @@ class Client:
         offset += inside
         before = text[:offset]
         line = before.count("\n")
-        column = len(before[before.rfind("\n") + 1:].encode("utf-16-le")) // 2
+        column = len(before[before.rfind("\n") + 1 :].encode("utf-16-le")) // 2
         return {"textDocument": {"uri": uri}, "position": {"line": line, "character": column}}
 
     def ask(self, method, uri, mark, inside=0, nth=1, **more):
         """What a request at a place is answered: the result, or the error's message."""
-        answer = self.answer(self.send_request(
-            "textDocument/" + method, {**self.at(uri, mark, inside, nth), **more}))
+        answer = self.answer(
+            self.send_request("textDocument/" + method, {**self.at(uri, mark, inside, nth), **more})
+        )
         return answer["error"]["message"] if "error" in answer else answer["result"]
 
     def ask_all(self, method, uri, **more):

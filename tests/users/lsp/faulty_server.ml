@@ -4,9 +4,7 @@
    is called so, with the ending [.fault]. *)
 
 let rec deep n = 1 + deep (n + 1)
-
 let rec forever list = forever (List.rev list)
-
 let on_disk : Resolve.Files.t = Driver.Program_file.files
 
 let disk path =

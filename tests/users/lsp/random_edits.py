@@ -21,10 +21,54 @@ rng = random.Random(seed)
 folder = tempfile.mkdtemp()
 client = Client(folder, options={"inlayHints": True})
 
-PIECES = ["(", ")", "[", "]", "{", "}", "\n", "\n    ", " ", "=", "->", "<-", "-<", "::", ",", "[m/s]",
-          "where", "proc x -> ", "if ", "then ", "let ", "in ", "do\n    ", "case x of\n    ", "0.3",
-          "x", "foo", "integral ", "main", "Float", "import Control\n", "--", "{-", "-}", "\"", "`",
-          "\u00e4", "\U0001f916", "\u2192", "\t", "\r\n", "\r", "\x00", "$", "delay 0 ", "\\x -> "]
+PIECES = [
+    "(",
+    ")",
+    "[",
+    "]",
+    "{",
+    "}",
+    "\n",
+    "\n    ",
+    " ",
+    "=",
+    "->",
+    "<-",
+    "-<",
+    "::",
+    ",",
+    "[m/s]",
+    "where",
+    "proc x -> ",
+    "if ",
+    "then ",
+    "let ",
+    "in ",
+    "do\n    ",
+    "case x of\n    ",
+    "0.3",
+    "x",
+    "foo",
+    "integral ",
+    "main",
+    "Float",
+    "import Control\n",
+    "--",
+    "{-",
+    "-}",
+    '"',
+    "`",
+    "\u00e4",
+    "\U0001f916",
+    "\u2192",
+    "\t",
+    "\r\n",
+    "\r",
+    "\x00",
+    "$",
+    "delay 0 ",
+    "\\x -> ",
+]
 
 
 class Mirror:
@@ -36,21 +80,21 @@ class Mirror:
 
     def position(self, i):
         line = bisect.bisect_right(self.starts, i) - 1
-        before = self.text[self.starts[line]:i]
+        before = self.text[self.starts[line] : i]
         return {"line": line, "character": len(before.encode("utf-16-le")) // 2}
 
     def offset(self, p):
         start = self.starts[p["line"]]
         stop = self.starts[p["line"] + 1] if p["line"] + 1 < len(self.starts) else len(self.text)
-        units = self.text[start:stop].encode("utf-16-le")[:2 * p["character"]]
+        units = self.text[start:stop].encode("utf-16-le")[: 2 * p["character"]]
         return start + len(units.decode("utf-16-le"))
 
     def at(self, range):
-        return self.text[self.offset(range["start"]):self.offset(range["end"])]
+        return self.text[self.offset(range["start"]) : self.offset(range["end"])]
 
     def boundary(self, i):
         """Not between the two of a line end."""
-        return i + 1 if self.text[i - 1:i + 1] == "\r\n" else i
+        return i + 1 if self.text[i - 1 : i + 1] == "\r\n" else i
 
 
 def edited(mirror):
@@ -95,8 +139,12 @@ def check_tokens(uri, mirror):
     for i in range(0, len(data), 5):
         column = data[i + 1] + (column if data[i] == 0 else 0)
         line += data[i]
-        word = mirror.at({"start": {"line": line, "character": column},
-                          "end": {"line": line, "character": column + data[i + 2]}})
+        word = mirror.at(
+            {
+                "start": {"line": line, "character": column},
+                "end": {"line": line, "character": column + data[i + 2]},
+            }
+        )
         if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_']*|[!#$%&*+./<=>?@\\^|~:-]+", word):
             fail("a token is no word", mirror, line, column, word)
 
@@ -124,18 +172,22 @@ def others(uri, mirror):
     i = rng.randrange(len(mirror.text) + 1)
     params = {"position": mirror.position(i)}
     range = {"start": mirror.position(i), "end": mirror.position(len(mirror.text))}
-    rng.choice([
-        lambda: client.ask_all("completion", uri, **params),
-        lambda: client.ask_all("signatureHelp", uri, **params),
-        lambda: client.ask_all("codeAction", uri, range=range, context={"diagnostics": []}),
-        lambda: client.ask_all("inlayHint", uri, range=range),
-        lambda: client.ask_all("foldingRange", uri),
-        lambda: client.ask_all("selectionRange", uri, positions=[params["position"]]),
-        lambda: client.ask_all("documentHighlight", uri, **params),
-        lambda: client.ask_all("references", uri, **params, context={"includeDeclaration": True}),
-        lambda: client.ask_all("formatting", uri, options={}),
-        lambda: client.ask_all("codeLens", uri),
-    ])()
+    rng.choice(
+        [
+            lambda: client.ask_all("completion", uri, **params),
+            lambda: client.ask_all("signatureHelp", uri, **params),
+            lambda: client.ask_all("codeAction", uri, range=range, context={"diagnostics": []}),
+            lambda: client.ask_all("inlayHint", uri, range=range),
+            lambda: client.ask_all("foldingRange", uri),
+            lambda: client.ask_all("selectionRange", uri, positions=[params["position"]]),
+            lambda: client.ask_all("documentHighlight", uri, **params),
+            lambda: client.ask_all(
+                "references", uri, **params, context={"includeDeclaration": True}
+            ),
+            lambda: client.ask_all("formatting", uri, options={}),
+            lambda: client.ask_all("codeLens", uri),
+        ]
+    )()
 
 
 def check_messages(uri, mirror):
@@ -150,8 +202,11 @@ def check_messages(uri, mirror):
         if d["spans"][0]["file_name"] == path:
             before = mirror.text.encode()[:start].decode(errors="ignore")
             wanted.append((d["code"]["code"], mirror.position(len(before))))
-    found = [(d["code"], d["range"]["start"]) for d in client.told(uri)
-             if not re.match(r"in \w+\.frob: ", d["message"])]
+    found = [
+        (d["code"], d["range"]["start"])
+        for d in client.told(uri)
+        if not re.match(r"in \w+\.frob: ", d["message"])
+    ]
     if sorted(found, key=str) != sorted(wanted, key=str):
         fail("messages differ", mirror, found, wanted)
     os.remove(path)
@@ -173,7 +228,9 @@ while done < count:
         client.edit(uri, range_, text)
         mirror = Mirror(mirror.text[:start] + text + mirror.text[stop:])
         done += 1
-        rng.choice([check_symbols, check_tokens, check_place, check_place, others, others])(uri, mirror)
+        rng.choice([check_symbols, check_tokens, check_place, check_place, others, others])(
+            uri, mirror
+        )
         if done % 50 == 0:
             check_messages(uri, mirror)
     client.notify("textDocument/didClose", {"textDocument": {"uri": uri}})

@@ -6,6 +6,7 @@ chasing_cars.py EXAMPLE [TRIES]   with cma, and with psy-taliro where it is inst
 An input has 20 values in 100 s. The program takes Euler steps of 2.5 ms (with 10 ms cars brake
 where others would not); what is found counts if it is violated with steps of 0.1 ms too.
 """
+
 import importlib.util
 import statistics
 import sys

@@ -51,7 +51,8 @@ class Agree(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", frob.FrobWarning)
             program = frob.compile(
-                source(name), robot=ROBOTS.get(name), params=recording.attrs["params"])
+                source(name), robot=ROBOTS.get(name), params=recording.attrs["params"]
+            )
         told = traced(name)
         texts = rows(head)
         self.same(program, told, program.run(texts, time=[float(t) for t in texts["time"]]))

@@ -108,7 +108,9 @@ class OnCluster(unittest.TestCase):
         self.assertTrue(runs.equals(self.wanted))
         self.assertEqual(runs.attrs["summary"], self.wanted.attrs["summary"])
         self.assertEqual(len(set(rows("gaps.rows"))), 600)
-        self.assertEqual([name for name in os.listdir("gaps.rows") if not name.endswith(".rows")], [])
+        self.assertEqual(
+            [name for name in os.listdir("gaps.rows") if not name.endswith(".rows")], []
+        )
         os.utime("gaps.rows", (0, 0))
         self.assertTrue(frob.sweep("gaps.toml", self.client).equals(self.wanted))
         self.assertEqual(os.path.getmtime("gaps.rows"), 0)
@@ -172,7 +174,9 @@ class OnCluster(unittest.TestCase):
 
     def test_errors(self):
         write("wrong.toml", PLAN.replace("0.2[m]", "0.5[m]"))
-        with self.assertRaisesRegex(frob.Error, "^error: .*/wrong.toml:4:7: the range of `gap` ends at"):
+        with self.assertRaisesRegex(
+            frob.Error, "^error: .*/wrong.toml:4:7: the range of `gap` ends at"
+        ):
             frob.sweep("wrong.toml", self.client)
         with self.assertRaisesRegex(frob.InputError, "^jobs: a cluster's workers make one run at"):
             frob.sweep("gaps.toml", self.client, jobs=2)

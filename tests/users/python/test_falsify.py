@@ -21,20 +21,42 @@ def condition(r, depth):
     if depth == 0:
         s, t = r.sample(SIGNALS, 2)
         other = r.choice([t, f"{r.randrange(-3, 4)}"])
-        return r.choice([
-            f"({s} > {other})", f"({s} <= {other})", f"({s} == {other})", f"({s} /= {other})",
-            f"(round {s} >= round {t})", "i.b", f"(i.b == ({s} < 1))", "(time () > 7[s])",
-        ])
+        return r.choice(
+            [
+                f"({s} > {other})",
+                f"({s} <= {other})",
+                f"({s} == {other})",
+                f"({s} /= {other})",
+                f"(round {s} >= round {t})",
+                "i.b",
+                f"(i.b == ({s} < 1))",
+                "(time () > 7[s])",
+            ]
+        )
     f, g = condition(r, depth - 1), condition(r, r.randrange(depth))
     q = r.choice(["0[s]", "1[s]", "2.5[s]", "patience", "100[s]"])
-    return r.choice([
-        f"(not {f})", f"({f} && {g})", f"({f} || {g})", f"(if {f} then i.b else i.x < i.y)",
-        f"(holds (implies {f} {g}))", f"(ever {f})", f"(always {f})", f"(since ({f}, {g}))",
-        f"(within {q} {f})", f"(heldFor {q} {f})", f"(holds (afterwards ({f}, {g})))",
-        f"(holds (respondsWithin {q} ({f}, {g})))", f"(holds (by {q} {f}))",
-        f"(helper {f} {g})", f"(inside ({f}, {g}))", f"(local {f})",
-        f"(holds (max (verdict {f}) ({g} `implies` {f})))", f"(delay True {f} || {g})",
-    ])
+    return r.choice(
+        [
+            f"(not {f})",
+            f"({f} && {g})",
+            f"({f} || {g})",
+            f"(if {f} then i.b else i.x < i.y)",
+            f"(holds (implies {f} {g}))",
+            f"(ever {f})",
+            f"(always {f})",
+            f"(since ({f}, {g}))",
+            f"(within {q} {f})",
+            f"(heldFor {q} {f})",
+            f"(holds (afterwards ({f}, {g})))",
+            f"(holds (respondsWithin {q} ({f}, {g})))",
+            f"(holds (by {q} {f}))",
+            f"(helper {f} {g})",
+            f"(inside ({f}, {g}))",
+            f"(local {f})",
+            f"(holds (max (verdict {f}) ({g} `implies` {f})))",
+            f"(delay True {f} || {g})",
+        ]
+    )
 
 
 def program(claims):
@@ -94,8 +116,10 @@ class Margins(unittest.TestCase):
             subject = Subject(built(program(claims)), 30.0, 1.7)
             count = len(subject.time)
             draw = np.random.RandomState(r.randrange(1000))
-            inputs = {f"in.{s}": np.repeat(draw.randint(-4, 5, count // 3 + 1) * 1.0, 3)[:count]
-                      for s in "xyz"}
+            inputs = {
+                f"in.{s}": np.repeat(draw.randint(-4, 5, count // 3 + 1) * 1.0, 3)[:count]
+                for s in "xyz"
+            }
             inputs["in.z"][draw.rand(count) < 0.1] = np.nan
             inputs["in.y"][draw.rand(count) < 0.1] = np.inf
             inputs["in.b"] = draw.rand(count) < 0.5
@@ -121,22 +145,32 @@ class Margins(unittest.TestCase):
         value, failed = subject.judged(claims["is slow"], {"most": 0.7}, inputs)
         self.assertAlmostEqual(value, 0.8 - 0.6)
         self.assertIsNone(failed)
-        value, failed = subject.judged(claims["is slow"], {"most": 1.0}, {**inputs, "in.wanted": ahead})
+        value, failed = subject.judged(
+            claims["is slow"], {"most": 1.0}, {**inputs, "in.wanted": ahead}
+        )
         self.assertAlmostEqual(value, 0.8 - 1.0)
         self.assertEqual(failed, 0)
 
     def test_what_does_not_run_is_not_judged(self):
-        subject = Subject(built("""import Past
+        subject = Subject(
+            built("""import Past
 main :: SF Float Float
 main = switch (proc x -> (x, when (time () >= 3[s]))) (\\_ -> later)
 
 later :: SF Float Float
 later = proc x -> x where
     assert "less" (always (x < 5))
-"""), 6.0, 1.0)
-        value, failed = subject.judged(subject.claims[0], {}, {"in": np.array([9.0, 9, 9, 1, 2, 3, 1])})
+"""),
+            6.0,
+            1.0,
+        )
+        value, failed = subject.judged(
+            subject.claims[0], {}, {"in": np.array([9.0, 9, 9, 1, 2, 3, 1])}
+        )
         self.assertEqual((value, failed), (2.0, None))
-        value, failed = subject.judged(subject.claims[0], {}, {"in": np.array([9.0, 9, 9, 1, 2, 6, 1])})
+        value, failed = subject.judged(
+            subject.claims[0], {}, {"in": np.array([9.0, 9, 9, 1, 2, 6, 1])}
+        )
         self.assertEqual((value, failed), (-1.0, 5))
 
 
@@ -154,7 +188,9 @@ class Falsify(unittest.TestCase):
             settings = [f"--param={name}={value}" for name, value in found.settings.items()]
             told = subprocess.run(
                 [frob.tools.frobc(), "trace", "cruise.frob", "--input", "found.csv", *settings],
-                capture_output=True, text=True)
+                capture_output=True,
+                text=True,
+            )
             self.assertIn(f'"{label}": violated, first at {found.time:.3f}', told.stderr)
         self.assertLess(slow.found.margin, 0)
         self.assertIs(stops.found.params["brakes"], False)
@@ -179,7 +215,9 @@ main = proc x -> y where
     assert "small" (y <= 1.001)
 """)
         # To 1 s it adds up what was before the last step, which a finer step has less of.
-        look = dict(inputs={"in": (0, 1)}, duration=1.0, rate=10, points=1, method="random", runs=30)
+        look = dict(
+            inputs={"in": (0, 1)}, duration=1.0, rate=10, points=1, method="random", runs=30
+        )
         self.assertIsNone(frob.falsify("sum.frob", **look)[0].found)
         look["inputs"] = {"in": (0, 1.2)}
         self.assertIsNotNone(frob.falsify("sum.frob", **look, check_rate=1000)[0].found)
@@ -191,9 +229,11 @@ main = proc x -> y where
             self.assertIn(expected, str(caught.exception))
 
         told("has no parameter `mot`; it has: most, brakes", params={"mot": (0, 1)})
-        told("param most: expected a range, as \"0.5[m/s] to …\", found 0.3", params={"most": 0.3})
-        told("param most: the range ends at 0.1, which is not more than 0.2",
-             params={"most": "0.2[m/s] to 0.1[m/s]"})
+        told('param most: expected a range, as "0.5[m/s] to …", found 0.3', params={"most": 0.3})
+        told(
+            "param most: the range ends at 0.1, which is not more than 0.2",
+            params={"most": "0.2[m/s] to 0.1[m/s]"},
+        )
         told("its unit is [m/s], and not [m]", params={"most": "0.2[m] to 1[m]"})
         told("a range has two ends", params={"most": (0, float("inf"))})
         told("has no input `in.want`", inputs={"in.want": (0, 1)})
@@ -209,21 +249,28 @@ main = proc x -> y where
 
     def test_without_the_libraries_the_cure_is_told(self):
         def told(missing, method):
-            text = (f"import sys; sys.modules['{missing}'] = None; import frob.falsify_command as it\n"
-                    f"sys.exit(it.main(['cruise.frob', '--method', '{method}', '--input', 'in=0']))")
+            text = (
+                f"import sys; sys.modules['{missing}'] = None; import frob.falsify_command as it\n"
+                f"sys.exit(it.main(['cruise.frob', '--method', '{method}', '--input', 'in=0']))"
+            )
             done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stdout), (2, ""))
             return done.stderr
 
-        self.assertEqual(told("numpy", "random"),
-                         "error: falsify needs numpy, which is not installed: "
-                         "`apt install python3-numpy` or `pip install numpy`\n")
-        self.assertIn("needs the package cma, which is not installed: `pip install cma`, or search at "
-                      "random", told("cma", "cma"))
+        self.assertEqual(
+            told("numpy", "random"),
+            "error: falsify needs numpy, which is not installed: "
+            "`apt install python3-numpy` or `pip install numpy`\n",
+        )
+        self.assertIn(
+            "needs the package cma, which is not installed: `pip install cma`, or search at random",
+            told("cma", "cma"),
+        )
 
     def test_a_sketch_is_a_signal_of_few_parts(self):
-        space = search.Space([search.Range("p", 0, 1, "float")],
-                             [search.Range("in", 0, 10, "float")], 4, "constant")
+        space = search.Space(
+            [search.Range("p", 0, 1, "float")], [search.Range("in", 0, 10, "float")], 4, "constant"
+        )
         sketch = search.Sketch(space, [3], [])
         self.assertEqual(sketch.at([0.5, 0.25, 0.5, 0.1, 0.2, 0.3]), [0.5, 0.1, 0.2, 0.3, 0.3])
         # Times have an order, whichever number is which; what is beyond an end is at it.
@@ -231,10 +278,13 @@ main = proc x -> y where
         time = np.arange(9) / 8
         self.assertEqual(
             space.inputs_at([0, 0, 0.1, 0.2, 0.3], time, 1.0)["in"].tolist(),
-            [0, 0, 1, 1, 2, 2, 3, 3, 3])
+            [0, 0, 1, 1, 2, 2, 3, 3, 3],
+        )
         space = search.Space([], [search.Range("in", 0, 10, "float")], 3, "linear")
         self.assertEqual(
-            space.inputs_at([0, 1, 0], time, 1.0)["in"].tolist(), [0, 2.5, 5, 7.5, 10, 7.5, 5, 2.5, 0])
+            space.inputs_at([0, 1, 0], time, 1.0)["in"].tolist(),
+            [0, 2.5, 5, 7.5, 10, 7.5, 5, 2.5, 0],
+        )
         r = random.Random(1)
         for most in (1, 2, 7):
             for _ in range(50):
@@ -274,24 +324,48 @@ class Simulated(unittest.TestCase):
             file.write(STOPPING)
         with open("hall.toml", "w") as file:
             file.write(WORLD)
-        options = {"duration": 12, "method": "random", "robot": "pioneer", "world": "hall.toml",
-                   "runs": 60, **options}
+        options = {
+            "duration": 12,
+            "method": "random",
+            "robot": "pioneer",
+            "world": "hall.toml",
+            "runs": 60,
+            **options,
+        }
         return frob.falsify("stopping.frob", **options)
 
     def test_what_is_found_is_what_a_run_does(self):
-        searches = self.look(params={"gap": "0.02[m] to 0.6[m]"}, seeds="1 to 9",
-                             disturbances={"sonar.noise": (0, 0.02), "drive.slip": "0 to 0.1"})
+        searches = self.look(
+            params={"gap": "0.02[m] to 0.6[m]"},
+            seeds="1 to 9",
+            disturbances={"sonar.noise": (0, 0.02), "drive.slip": "0 to 0.1"},
+        )
         self.assertEqual([one.label for one in searches], ["stops in time", "touches nothing"])
         for one in searches:
             found = one.found
             with open("hall-found.toml", "w") as file:
                 file.write(found.drive.text)
             settings = [f"--param={name}={value}" for name, value in found.settings.items()]
-            command = [frob.tools.frobc(), "run", "stopping.frob", "--robot", "pioneer", "--world",
-                       "hall-found.toml", "--seed", str(found.drive.seed), "--for", "12s", *settings]
+            command = [
+                frob.tools.frobc(),
+                "run",
+                "stopping.frob",
+                "--robot",
+                "pioneer",
+                "--world",
+                "hall-found.toml",
+                "--seed",
+                str(found.drive.seed),
+                "--for",
+                "12s",
+                *settings,
+            ]
             done = subprocess.run(command, capture_output=True, text=True)
             if one.label == "stops in time":
-                self.assertIn(f'"stops in time": violated, first at {found.time:.3f}', done.stdout + done.stderr)
+                self.assertIn(
+                    f'"stops in time": violated, first at {found.time:.3f}',
+                    done.stdout + done.stderr,
+                )
                 self.assertLess(found.margin, 0)
             else:
                 self.assertNotIn("collisions: 0", done.stdout)
@@ -305,9 +379,12 @@ class Simulated(unittest.TestCase):
         self.assertGreater(touches.nearest, 0.25)
 
     def test_the_world_is_as_the_file_says_but_for_what_is_varied(self):
-        found = self.look(params={"gap": (0.02, 0.03)}, only=["touches nothing"], runs=5,
-                          disturbances={"drive.slip": (0.2, 0.3), "sonar.noise": (0.1, 0.2),
-                                        "start.x": (1, 2)})[0].found
+        found = self.look(
+            params={"gap": (0.02, 0.03)},
+            only=["touches nothing"],
+            runs=5,
+            disturbances={"drive.slip": (0.2, 0.3), "sonar.noise": (0.1, 0.2), "start.x": (1, 2)},
+        )[0].found
         values = found.drive.disturbances
         text = WORLD.replace("slip = 0.01", f"slip = {values['drive.slip']!r}")
         text = text.replace("x = 0\n", f"x = {values['start.x']!r}\n")
@@ -347,9 +424,25 @@ class Command(unittest.TestCase):
             file.write(STOPPING)
         with open("hall.toml", "w") as file:
             file.write(WORLD)
-        command = [frob.tools.frobc(), "falsify", "stopping.frob", "--robot", "pioneer", "--world",
-                   "hall.toml", "--for", "12s", "--method", "random", "--seeds", "1 to 100",
-                   "--disturbance", "sonar.dropout=0 to 0.5", "--keep", "driven"]
+        command = [
+            frob.tools.frobc(),
+            "falsify",
+            "stopping.frob",
+            "--robot",
+            "pioneer",
+            "--world",
+            "hall.toml",
+            "--for",
+            "12s",
+            "--method",
+            "random",
+            "--seeds",
+            "1 to 100",
+            "--disturbance",
+            "sonar.dropout=0 to 0.5",
+            "--keep",
+            "driven",
+        ]
         found = subprocess.run(command, capture_output=True, text=True)
         self.assertEqual((found.returncode, found.stderr), (1, ""))
         first, again, with_ = found.stdout.splitlines()[:3]
@@ -358,23 +451,43 @@ class Command(unittest.TestCase):
         words = again.split()
         self.assertEqual(words[:2], ["frobc", "run"])
         driven = subprocess.run([frob.tools.frobc(), *words[1:]], capture_output=True, text=True)
-        at = first[len("violated  stops in time: at "):].split()[0]
-        self.assertIn(f'"stops in time": violated, first at {float(at):.3f}', driven.stdout + driven.stderr)
+        at = first[len("violated  stops in time: at ") :].split()[0]
+        self.assertIn(
+            f'"stops in time": violated, first at {float(at):.3f}', driven.stdout + driven.stderr
+        )
 
     def test_it_tells_what_it_finds_and_how_to_see_it(self):
         with open("cruise.frob", "w") as file:
             file.write(CRUISE)
-        command = [frob.tools.frobc(), "falsify", "cruise.frob", "--method", "random", "--for", "5s",
-                   "--input", "in.wanted=-1 to 1", "--input", "in.ahead=0.5"]
+        command = [
+            frob.tools.frobc(),
+            "falsify",
+            "cruise.frob",
+            "--method",
+            "random",
+            "--for",
+            "5s",
+            "--input",
+            "in.wanted=-1 to 1",
+            "--input",
+            "in.ahead=0.5",
+        ]
         held = subprocess.run([*command, "--runs", "20"], capture_output=True, text=True)
         self.assertEqual((held.returncode, held.stderr), (0, ""))
-        self.assertEqual(held.stdout.splitlines()[1],
-                         "held      is slow: not violated in 20 runs; the nearest margin is 0.3")
-        found = subprocess.run([*command, "--param", "most=0.2[m/s] to 1[m/s]", "--only", "is slow"],
-                               capture_output=True, text=True)
+        self.assertEqual(
+            held.stdout.splitlines()[1],
+            "held      is slow: not violated in 20 runs; the nearest margin is 0.3",
+        )
+        found = subprocess.run(
+            [*command, "--param", "most=0.2[m/s] to 1[m/s]", "--only", "is slow"],
+            capture_output=True,
+            text=True,
+        )
         self.assertEqual(found.returncode, 1)
         self.assertIn("violated  is slow: at ", found.stdout)
-        self.assertIn("frobc trace cruise.frob --input falsified/is-slow.csv --param most=", found.stdout)
+        self.assertIn(
+            "frobc trace cruise.frob --input falsified/is-slow.csv --param most=", found.stdout
+        )
         self.assertTrue(os.path.exists("falsified/is-slow.csv"))
         wrong = subprocess.run([*command, "--param", "most=1"], capture_output=True, text=True)
         self.assertEqual(wrong.returncode, 2)

@@ -62,8 +62,10 @@ class Driven(unittest.TestCase):
                     told = told.item() if hasattr(told, "item") else told
                     self.assertEqual(repr(value), repr(told), (name, row))
                 driven.step({}, {})
-                self.assertEqual(driven.values(["out.forward", "out.turn"]),
-                                 table[["out.forward", "out.turn"]].iloc[row].tolist())
+                self.assertEqual(
+                    driven.values(["out.forward", "out.turn"]),
+                    table[["out.forward", "out.turn"]].iloc[row].tolist(),
+                )
 
     def test_a_robot_of_ones_own(self):
         example = os.path.abspath(f"{os.environ['FROB_ROOT']}/examples/light_seek")
@@ -74,8 +76,10 @@ class Driven(unittest.TestCase):
         driven.start(2, {})
         for row in range(len(table)):
             driven.step({}, {})
-            self.assertEqual(driven.values(["out.forward", "out.turn"]),
-                             table[["out.forward", "out.turn"]].iloc[row].tolist())
+            self.assertEqual(
+                driven.values(["out.forward", "out.turn"]),
+                table[["out.forward", "out.turn"]].iloc[row].tolist(),
+            )
 
     def test_another_acts(self):
         driven = drive(self.file)
@@ -107,7 +111,9 @@ class Driven(unittest.TestCase):
         driven.close()
         with self.assertRaisesRegex(frob.Error, "has not been started, or is closed"):
             driven.truth()
-        with self.assertRaisesRegex(frob.InputError, "follow has no number `out.left`; it has: in.od"):
+        with self.assertRaisesRegex(
+            frob.InputError, "follow has no number `out.left`; it has: in.od"
+        ):
             driven.numbers(["out.left"])
         with self.assertRaisesRegex(frob.Error, "a world needs a table .start."):
             drive(self.file, world=write("empty.toml", ""))
@@ -181,7 +187,9 @@ class Environment(unittest.TestCase):
 
     def test_part_of_an_output(self):
         """What the agent does not set is the program's."""
-        env = self.environment(action=["out.turn"], observation=["out.forward", "in.sonar[3]"], limits={})
+        env = self.environment(
+            action=["out.turn"], observation=["out.forward", "in.sonar[3]"], limits={}
+        )
         env.reset(seed=1)
         seen, *_ = env.step(np.array([0.0]))
         self.assertEqual(seen[0], frob.simulate("follow.frob", duration=0.01)["out.forward"][0])
@@ -189,8 +197,12 @@ class Environment(unittest.TestCase):
     def test_operator(self):
         """A knob has limits of its own; what is beyond them is the limit."""
         env = frob.gym.RobotEnv(
-            write("knob.frob", KNOB), robot="pioneer", reward=lambda moment: 0,
-            action=["in.console.speed"], observation=["out.forward"])
+            write("knob.frob", KNOB),
+            robot="pioneer",
+            reward=lambda moment: 0,
+            action=["in.console.speed"],
+            observation=["out.forward"],
+        )
         self.assertEqual((env.action_space.low, env.action_space.high), (0, 0.4))
         env.reset(seed=1)
         self.assertEqual([env.step(np.array([x]))[0].item() for x in (0.2, 9)], [0.2, 0.4])

@@ -16,7 +16,9 @@ NAME = "wall_follower.ipynb"
 
 
 def printed(cell):
-    return "".join("".join(o.get("text", "")) for o in cell["outputs"] if o["output_type"] == "stream")
+    return "".join(
+        "".join(o.get("text", "")) for o in cell["outputs"] if o["output_type"] == "stream"
+    )
 
 
 def by_hand(notebook):

@@ -60,7 +60,9 @@ class Values(unittest.TestCase):
         self.assertEqual(pickle.loads(pickle.dumps(given)), given)
         again = p.step(0.1, (given, (1, 2), None))
         self.assertEqual((again[0], again[3]), (None, None))
-        idle = p.step(0.1, ({"x": 1, "way": "Idle"}, np.array([3, 4]), frob.Data("Event", float("nan"))))
+        idle = p.step(
+            0.1, ({"x": 1, "way": "Idle"}, np.array([3, 4]), frob.Data("Event", float("nan")))
+        )
         self.assertEqual(idle[2].way, frob.Data("Idle"))
         self.assertEqual(repr(idle[0]), "Data('Just', nan)")
 
@@ -84,7 +86,9 @@ main = proc e -> either (const 0) (\\w -> w.speed) e
         self.assertEqual(frame.loc["b"].to_dict(), {"time": 0.1, "out": 2})
         odd = program(ODD)
         self.assertEqual(odd.run(np.array([[1, 0], [2, 1]]), dt=1).tolist(), [[2, 1], [3, 0]])
-        self.assertEqual(odd.run({"in.1": [1.0], "in.2": ["true"]}, dt=1)["out.2"].tolist(), [False])
+        self.assertEqual(
+            odd.run({"in.1": [1.0], "in.2": ["true"]}, dt=1)["out.2"].tolist(), [False]
+        )
 
     def test_run_leaves_the_state_alone(self):
         p = program("main :: SF Float Float\nmain = proc x -> integral x / 1[s]\n")
@@ -110,8 +114,16 @@ main = proc e -> either (const 0) (\\w -> w.speed) e
         self.assertEqual(out.tolist(), [1, 2])
         fixed = np.zeros(2)
         fixed.flags.writeable = False
-        for wrong in (np.zeros(3), np.zeros((2, 1)), np.zeros(2, np.float32), np.zeros(4)[::2],
-                      np.zeros(2, ">f8"), fixed, inputs, [0, 0]):
+        for wrong in (
+            np.zeros(3),
+            np.zeros((2, 1)),
+            np.zeros(2, np.float32),
+            np.zeros(4)[::2],
+            np.zeros(2, ">f8"),
+            fixed,
+            inputs,
+            [0, 0],
+        ):
             with self.assertRaisesRegex(frob.InputError, "out: expected an array of float64"):
                 half.run(inputs, dt=1, out=wrong)
         with self.assertRaisesRegex(frob.InputError, "out: expected an array of float64"):
@@ -129,7 +141,9 @@ main = proc e -> either (const 0) (\\w -> w.speed) e
 
     def test_parameters(self):
         p = program(GAIN, params={"gain": 3})
-        self.assertEqual((p.params, p.units), ({"gain": 3, "turbo": False}, {"gain": "1/s", "turbo": ""}))
+        self.assertEqual(
+            (p.params, p.units), ({"gain": 3, "turbo": False}, {"gain": "1/s", "turbo": ""})
+        )
         self.assertEqual(p.step(0.1, 1), 3)
         p.reset(params={"turbo": True, "gain": "4[1/s]"})
         self.assertEqual((p.step(0.1, 1), p.run([1.0], dt=1)), (40, [40]))
@@ -142,23 +156,32 @@ class Mistakes(unittest.TestCase):
         self.assertEqual(str(caught.exception), text)
 
     def test_compiling(self):
-        self.told("there is no program nowhere.frob", lambda: frob.compile("nowhere.frob"), frob.Error)
+        self.told(
+            "there is no program nowhere.frob", lambda: frob.compile("nowhere.frob"), frob.Error
+        )
         text = "main :: SF Float Float\nmain = proc x -> y\n"
         with self.assertRaises(frob.CompileError) as caught:
             program(text)
-        checked = subprocess.run([tools.frobc(), "check", "it.frob"], capture_output=True, text=True)
+        checked = subprocess.run(
+            [tools.frobc(), "check", "it.frob"], capture_output=True, text=True
+        )
         self.assertEqual(str(caught.exception), checked.stderr.rstrip("\n"))
         with self.assertWarnsRegex(frob.FrobWarning, "nothing uses it"):
             program("main :: SF Float Float\nmain = proc x -> x where\n    spare = 2 * x\n")
         before = dict(os.environ)
         os.environ["CC"] = "no-such-compiler"
         try:
-            with self.assertRaisesRegex(frob.Error, "there is no C compiler `no-such-compiler` here"):
+            with self.assertRaisesRegex(
+                frob.Error, "there is no C compiler `no-such-compiler` here"
+            ):
                 program(HALF + "-- another\n")
             os.environ["FROBC"] = "/nowhere/frobc"
             self.told(
                 "FROBC names /nowhere/frobc, which cannot be run: install frobc, or set FROBC to "
-                "where it is", lambda: program(HALF), frob.Error)
+                "where it is",
+                lambda: program(HALF),
+                frob.Error,
+            )
         finally:
             os.environ.clear()
             os.environ.update(before)
@@ -167,78 +190,140 @@ class Mistakes(unittest.TestCase):
         p, pose = program(PAIR), {"x": 1, "way": "Idle"}
         step = lambda value: lambda: p.step(0.1, value)
         self.told("in: expected a tuple of 3, found 1: [1]", step([1]))
-        self.told("in.1.x: expected a number, found True", step(({"x": True, "way": "Idle"}, [1, 2], None)))
+        self.told(
+            "in.1.x: expected a number, found True",
+            step(({"x": True, "way": "Idle"}, [1, 2], None)),
+        )
         self.told("in.1: the field `way` is missing", step(({"x": 1}, [1, 2], None)))
-        self.told("in.1: there is no field `z`; the fields are x, way", step(({**pose, "z": 1}, [1, 2], None)))
-        self.told("in.1.way: expected `Idle` or `Ahead` or `Turn`, found Data('Back')",
-                  step(({"x": 1, "way": "Back"}, [1, 2], None)))
-        self.told("in.1.way: `Turn` carries 1, found Data('Turn')",
-                  step(({"x": 1, "way": "Turn"}, [1, 2], None)))
+        self.told(
+            "in.1: there is no field `z`; the fields are x, way",
+            step(({**pose, "z": 1}, [1, 2], None)),
+        )
+        self.told(
+            "in.1.way: expected `Idle` or `Ahead` or `Turn`, found Data('Back')",
+            step(({"x": 1, "way": "Back"}, [1, 2], None)),
+        )
+        self.told(
+            "in.1.way: `Turn` carries 1, found Data('Turn')",
+            step(({"x": 1, "way": "Turn"}, [1, 2], None)),
+        )
         self.told("in.2: expected a list of 2, found 3: [1, 2, 3]", step((pose, [1, 2, 3], None)))
-        self.told("in.2[1]: expected a whole number from -2147483648 to 2147483647, found 2147483648",
-                  step((pose, [1, 2**31], None)))
+        self.told(
+            "in.2[1]: expected a whole number from -2147483648 to 2147483647, found 2147483648",
+            step((pose, [1, 2**31], None)),
+        )
         self.told("in.3: expected a number, found [1]", step((pose, [1, 2], [1])))
-        self.told("dt: nan is no time that passes; it is seconds from 0 on",
-                  lambda: p.step(float("nan"), (pose, [1, 2], None)))
+        self.told(
+            "dt: nan is no time that passes; it is seconds from 0 on",
+            lambda: p.step(float("nan"), (pose, [1, 2], None)),
+        )
         self.told("dt: expected seconds, found '1'", lambda: p.step("1", (pose, [1, 2], None)))
 
     def test_columns(self):
         odd, half = program(ODD), program(HALF, "half.frob")
-        self.told("the column `in.2` is missing, which it takes; it takes in.1, in.2, found in.1",
-                  lambda: odd.run({"in.1": [1]}, dt=1))
-        self.told("in.1, row 1: expected a whole number from -2147483648 to 2147483647, found 1.5",
-                  lambda: odd.run({"in.1": [1, 1.5], "in.2": [True, True]}, dt=1))
-        self.told("in.1, row 1: expected a whole number from -2147483648 to 2147483647, found nan",
-                  lambda: odd.run(pd.DataFrame({"in.1": [1, None], "in.2": [True, True]}), dt=1))
-        self.told("in.2, row 0: expected True or False, found 1",
-                  lambda: odd.run({"in.1": [1], "in.2": [1]}, dt=1))
-        self.told("row 1: expected 0 or 1 for a truth value, found 2",
-                  lambda: odd.run(np.array([[1, 1], [1, 2]]), dt=1))
-        self.told("in, row 1: expected a number, found None", lambda: half.run({"in": [1, None]}, dt=1))
-        self.told("`in.2` has 1 rows, and `in.1` 2",
-                  lambda: odd.run({"in.1": [1, 2], "in.2": [True]}, dt=1))
-        self.told("in.1: expected a column, found 5",
-                  lambda: odd.run({"in.1": 5, "in.2": [True]}, dt=1))
+        self.told(
+            "the column `in.2` is missing, which it takes; it takes in.1, in.2, found in.1",
+            lambda: odd.run({"in.1": [1]}, dt=1),
+        )
+        self.told(
+            "in.1, row 1: expected a whole number from -2147483648 to 2147483647, found 1.5",
+            lambda: odd.run({"in.1": [1, 1.5], "in.2": [True, True]}, dt=1),
+        )
+        self.told(
+            "in.1, row 1: expected a whole number from -2147483648 to 2147483647, found nan",
+            lambda: odd.run(pd.DataFrame({"in.1": [1, None], "in.2": [True, True]}), dt=1),
+        )
+        self.told(
+            "in.2, row 0: expected True or False, found 1",
+            lambda: odd.run({"in.1": [1], "in.2": [1]}, dt=1),
+        )
+        self.told(
+            "row 1: expected 0 or 1 for a truth value, found 2",
+            lambda: odd.run(np.array([[1, 1], [1, 2]]), dt=1),
+        )
+        self.told(
+            "in, row 1: expected a number, found None", lambda: half.run({"in": [1, None]}, dt=1)
+        )
+        self.told(
+            "`in.2` has 1 rows, and `in.1` 2",
+            lambda: odd.run({"in.1": [1, 2], "in.2": [True]}, dt=1),
+        )
+        self.told(
+            "in.1: expected a column, found 5", lambda: odd.run({"in.1": 5, "in.2": [True]}, dt=1)
+        )
         self.assertEqual(odd.run({"in.1": [], "in.2": []}, dt=1)["out.2"].tolist(), [])
-        self.told("time, row 1: 'a' is not a time in seconds", lambda: half.run([1, 2], time=[0, "a"]))
-        self.told("time, row 1: time goes back: 0.0 comes after a later time",
-                  lambda: half.run([1, 2], time=[1, 0]))
-        self.told("how much time passes from instant to instant? Give `dt`, in seconds, or the "
-                  "`time` of each instant", lambda: half.run(np.zeros(3)))
-        self.told("time, row 2: time goes back: 0.5 comes after a later time",
-                  lambda: half.run(np.zeros(3), time=[0, 1, 0.5]))
-        self.told("time, row 1: nan is not a time in seconds",
-                  lambda: half.run(np.zeros(2), time=[0, float("nan")]))
+        self.told(
+            "time, row 1: 'a' is not a time in seconds", lambda: half.run([1, 2], time=[0, "a"])
+        )
+        self.told(
+            "time, row 1: time goes back: 0.0 comes after a later time",
+            lambda: half.run([1, 2], time=[1, 0]),
+        )
+        self.told(
+            "how much time passes from instant to instant? Give `dt`, in seconds, or the "
+            "`time` of each instant",
+            lambda: half.run(np.zeros(3)),
+        )
+        self.told(
+            "time, row 2: time goes back: 0.5 comes after a later time",
+            lambda: half.run(np.zeros(3), time=[0, 1, 0.5]),
+        )
+        self.told(
+            "time, row 1: nan is not a time in seconds",
+            lambda: half.run(np.zeros(2), time=[0, float("nan")]),
+        )
         self.told("dt has 2 rows, and the input 3", lambda: half.run(np.zeros(3), dt=[1, 1]))
-        self.told("dt, row 1: -1.0 is no time that passes; it is seconds from 0 on",
-                  lambda: half.run(np.zeros(2), dt=[1, -1]))
-        self.told("expected an array of 1 columns (in), found the shape (2, 3)",
-                  lambda: half.run(np.zeros((2, 3)), dt=1))
-        self.told("expected an array of 1 columns (in), found the shape (2, 0)",
-                  lambda: half.run(np.zeros((2, 0)), dt=1))
-        self.told("`in.1.way` of it is no number (`Idle` or `Ahead` or `Turn`), and an array has "
-                  "numbers only: give a mapping of columns, or a DataFrame",
-                  lambda: program(PAIR).run(np.zeros((2, 5)), dt=1))
-        self.told("the array: values are masked: fill them, or leave their rows out",
-                  lambda: half.run(np.ma.masked_equal([1.0, 2.0], 2), dt=1))
-        self.told("expected an array, a mapping of columns, a DataFrame or a list, found 3",
-                  lambda: half.run(3, dt=1))
+        self.told(
+            "dt, row 1: -1.0 is no time that passes; it is seconds from 0 on",
+            lambda: half.run(np.zeros(2), dt=[1, -1]),
+        )
+        self.told(
+            "expected an array of 1 columns (in), found the shape (2, 3)",
+            lambda: half.run(np.zeros((2, 3)), dt=1),
+        )
+        self.told(
+            "expected an array of 1 columns (in), found the shape (2, 0)",
+            lambda: half.run(np.zeros((2, 0)), dt=1),
+        )
+        self.told(
+            "`in.1.way` of it is no number (`Idle` or `Ahead` or `Turn`), and an array has "
+            "numbers only: give a mapping of columns, or a DataFrame",
+            lambda: program(PAIR).run(np.zeros((2, 5)), dt=1),
+        )
+        self.told(
+            "the array: values are masked: fill them, or leave their rows out",
+            lambda: half.run(np.ma.masked_equal([1.0, 2.0], 2), dt=1),
+        )
+        self.told(
+            "expected an array, a mapping of columns, a DataFrame or a list, found 3",
+            lambda: half.run(3, dt=1),
+        )
 
     def test_nan_is_a_number(self):
         half = program(HALF)
         for inputs in (np.array([float("nan")]), {"in": [float("nan")]}, [float("nan")]):
             result = half.run(inputs, dt=1)
-            self.assertEqual(repr(float(list(result.values())[0][0] if isinstance(result, dict) else result[0])), "nan")
+            self.assertEqual(
+                repr(float(list(result.values())[0][0] if isinstance(result, dict) else result[0])),
+                "nan",
+            )
 
     def test_parameters(self):
-        self.told("it has no parameter `gian`; it has: gain, turbo",
-                  lambda: program(GAIN, params={"gian": 1}))
-        self.told("params: expected a mapping of names, found [1]",
-                  lambda: program(GAIN, params=[1]))
-        self.told("param gain: its unit is [1/s], and not [1/m]",
-                  lambda: program(GAIN, params={"gain": "1[1/m]"}))
-        self.told("param turbo: expected True or False, found 1",
-                  lambda: program(GAIN, params={"turbo": 1}))
+        self.told(
+            "it has no parameter `gian`; it has: gain, turbo",
+            lambda: program(GAIN, params={"gian": 1}),
+        )
+        self.told(
+            "params: expected a mapping of names, found [1]", lambda: program(GAIN, params=[1])
+        )
+        self.told(
+            "param gain: its unit is [1/s], and not [1/m]",
+            lambda: program(GAIN, params={"gain": "1[1/m]"}),
+        )
+        self.told(
+            "param turbo: expected True or False, found 1",
+            lambda: program(GAIN, params={"turbo": 1}),
+        )
 
 
 class Interpreter(unittest.TestCase):

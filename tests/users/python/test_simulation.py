@@ -49,7 +49,8 @@ class Simulate(unittest.TestCase):
         run = ["run", "follow.frob", "--for", "3s", "--seed", "7", "--param", "distance=0.4[m]"]
         tools.run([*run, "--param", "hurry=True", "--record", "told.csv"])
         table = frob.simulate(
-            "follow.frob", duration=3, seed=7, params={"distance": 0.4, "hurry": True}, picture=True)
+            "follow.frob", duration=3, seed=7, params={"distance": 0.4, "hurry": True}, picture=True
+        )
         self.assertTrue(table.equals(frob.read("told.csv")))
         with open("told.csv") as file:
             rows = list(csv.reader(line for line in file if not line.startswith("#")))
@@ -60,7 +61,9 @@ class Simulate(unittest.TestCase):
         self.assertEqual(table.attrs["units"], {"distance": "m", "hurry": ""})
         self.assertEqual(table.attrs["summary"]["time simulated"], "3.000 s")
         xml.etree.ElementTree.fromstring(table.attrs["picture"]._repr_svg_())
-        texts = frob.simulate("follow.frob", duration=3, seed=7, params={"distance": "40[cm]", "hurry": "True"})
+        texts = frob.simulate(
+            "follow.frob", duration=3, seed=7, params={"distance": "40[cm]", "hurry": "True"}
+        )
         self.assertTrue(table.equals(texts))
         probed = frob.simulate("follow.frob", duration=1, probe=["wallFollow1"])
         self.assertTrue(any(name.startswith("probe.wallFollow1") for name in probed))
@@ -81,7 +84,10 @@ class Simulate(unittest.TestCase):
         for text, options in [
             ("there is no world nowhere.toml", dict(world="nowhere.toml")),
             ("seed: expected a whole number from 0 on, found -1", dict(seed=-1)),
-            ("duration: expected seconds from 0.001 to 100000, found nan", dict(duration=float("nan"))),
+            (
+                "duration: expected seconds from 0.001 to 100000, found nan",
+                dict(duration=float("nan")),
+            ),
             ("rate: expected a number, found '50'", dict(rate="50")),
             ("the program has no parameter `far`", dict(params={"far": 1})),
             ("expected the unit `m`, found `s`", dict(params={"distance": "1[s]"})),
@@ -100,7 +106,7 @@ class Read(unittest.TestCase):
         self.assertEqual(str(caught.exception), message)
 
     def test_cells(self):
-        text = "# param n=3\ntime,in.a,in.b,in.c,out\n0.000000000,At 0.5,,Idle,\"Left (1, true)\"\n"
+        text = '# param n=3\ntime,in.a,in.b,in.c,out\n0.000000000,At 0.5,,Idle,"Left (1, true)"\n'
         text += "0.100000000,NoWhere,nan,Idle,Right (Pose {x = -2})\n"
         with gzip.open("log.csv.gz", "wt") as file:
             file.write(text)
@@ -109,7 +115,9 @@ class Read(unittest.TestCase):
         self.assertEqual(repr(table["in.b"].tolist()), "[None, Data('Event', nan)]")
         self.assertEqual(table["in.c"].tolist(), ["Idle", "Idle"])
         pose = frob.Data("Pose", x=-2)
-        self.assertEqual(table["out"].tolist(), [frob.Data("Left", (1, True)), frob.Data("Right", pose)])
+        self.assertEqual(
+            table["out"].tolist(), [frob.Data("Left", (1, True)), frob.Data("Right", pose)]
+        )
         self.assertEqual((table["time"].dtype, table.attrs["params"]), (float, {"n": 3}))
 
     def test_compressed(self):
@@ -140,9 +148,13 @@ class Read(unittest.TestCase):
             frob.read("nowhere.csv")
         self.told("a,b\n1,2\n", "log.csv:1: not a recording: its first column is `time`, found `a`")
         self.told("", "log.csv:1: not a recording: its first column is `time`")
-        self.told("time,in\n0,1\n1\n", "log.csv:3: 2 columns, but 1 cells in this row; the "
-                  "recording may have been cut")
-        self.told("# param a=1\ntime,in\n0,1\n1,(2\n", "log.csv:4: column `in`: the value ends too early")
+        self.told(
+            "time,in\n0,1\n1\n",
+            "log.csv:3: 2 columns, but 1 cells in this row; the recording may have been cut",
+        )
+        self.told(
+            "# param a=1\ntime,in\n0,1\n1,(2\n", "log.csv:4: column `in`: the value ends too early"
+        )
         with open("log.csv", "wb") as file:
             file.write(b"\x89PNG\xff")
         with self.assertRaisesRegex(frob.Error, "log.csv is not a recording: it is not text"):
@@ -151,7 +163,9 @@ class Read(unittest.TestCase):
     def test_empty(self):
         with open("log.csv", "w") as file:
             file.write("time,in,out\n")
-        self.assertEqual((len(frob.read("log.csv")), list(frob.read("log.csv"))), (0, ["time", "in", "out"]))
+        self.assertEqual(
+            (len(frob.read("log.csv")), list(frob.read("log.csv"))), (0, ["time", "in", "out"])
+        )
 
 
 if __name__ == "__main__":

@@ -63,9 +63,12 @@ class Sweep(unittest.TestCase):
                     self.assertEqual(text, "")
                 else:
                     self.assertEqual(float(text), value)
-        kinds = {name: runs[name].dtype.kind for name in ("run", "seed", "touches", "gap", "on", "error")}
+        kinds = {
+            name: runs[name].dtype.kind for name in ("run", "seed", "touches", "gap", "on", "error")
+        }
         self.assertEqual(
-            kinds, {"run": "i", "seed": "i", "touches": "i", "gap": "f", "on": "b", "error": "f"})
+            kinds, {"run": "i", "seed": "i", "touches": "i", "gap": "f", "on": "b", "error": "f"}
+        )
         self.assertEqual(set(runs["fate"]), {"held", "violated"})
         self.assertEqual(runs.attrs["summary"] + "\ntable: swept.csv\n", told)
         xml.etree.ElementTree.fromstring(runs.attrs["picture"])
@@ -89,7 +92,9 @@ class Sweep(unittest.TestCase):
     def test_errors(self):
         with self.assertRaisesRegex(frob.Error, "^there is no plan none.toml$"):
             frob.sweep("none.toml")
-        with self.assertRaisesRegex(frob.InputError, "^jobs: expected a whole number from 1 on, found 0$"):
+        with self.assertRaisesRegex(
+            frob.InputError, "^jobs: expected a whole number from 1 on, found 0$"
+        ):
             frob.sweep("gaps.toml", jobs=0)
         write("wrong.toml", PLAN + "gp = 3\n[more]\n")
         with self.assertRaisesRegex(frob.Error, r"^error: wrong.toml:7:2: unknown key `more`"):

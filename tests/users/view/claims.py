@@ -35,17 +35,24 @@ def make_run(frobc, folder):
     program, recording = os.path.join(folder, "around.frob"), os.path.join(folder, "around.csv")
     with open(program, "w") as file:
         file.write(program_text)
-    said = subprocess.run([frobc, "run", program, "--robot", "pioneer", "--for", "20s", "--record",
-                           recording], check=True, stdout=subprocess.PIPE, text=True).stdout
+    said = subprocess.run(
+        [frobc, "run", program, "--robot", "pioneer", "--for", "20s", "--record", recording],
+        check=True,
+        stdout=subprocess.PIPE,
+        text=True,
+    ).stdout
     return program, recording, dict(re.findall(r'^ass(?:ert|ume) "(.*)": (.*)$', said, re.M))
 
 
 def violated(rows, column, void):
     """Of an assertion from when it is violated and until when, in turn."""
-    fails = [row[f"probe.{column}"] == "Fails" and not (void is not None and k >= void)
-             for k, row in enumerate(rows)]
-    return [float(row["time"]) for k, row in enumerate(rows)
-            if fails[k] != (k > 0 and fails[k - 1])]
+    fails = [
+        row[f"probe.{column}"] == "Fails" and not (void is not None and k >= void)
+        for k, row in enumerate(rows)
+    ]
+    return [
+        float(row["time"]) for k, row in enumerate(rows) if fails[k] != (k > 0 and fails[k - 1])
+    ]
 
 
 async def of_recording(frobc, program, recording, summary):
@@ -56,27 +63,46 @@ async def of_recording(frobc, program, recording, summary):
         check("the page begins where it is told to", there["at"] == 15.9)
         await ask(client, f"instant {len(rows) - 1}")  # all of it has been run
         claims = (await ask(client, "claims"))["all"]
-        check("what became of each is as the run has told",
-              {c["label"]: c["fate"]["text"] for c in claims} == summary)
+        check(
+            "what became of each is as the run has told",
+            {c["label"]: c["fate"]["text"] for c in claims} == summary,
+        )
         void = next(k for k, row in enumerate(rows) if row["probe.main.assume is early"] == "Fails")
-        check("each has the times at which it was violated, until an assumption fails", all(
-            c["times"] == violated(rows, c["column"], None if c["assumed"] else void)
-            for c in claims) and sum(len(c["times"]) for c in claims) > 5)
-        check("each has its line, and the signal of its verdict", all(
-            program_text.splitlines()[int(c["place"].split(":")[1]) - 1].split('"')[1] == c["label"]
-            and there["signals"][c["signal"]]["name"] == f"probe.{c['column']}" for c in claims))
-        check("what is open, and what was asked nothing", [
-            c["label"] for c in claims if not c["fate"]["asked"]] == ["is asked nothing"] and [
-            c["label"] for c in claims if c["fate"]["open"]] == ["rests in the end"])
+        check(
+            "each has the times at which it was violated, until an assumption fails",
+            all(
+                c["times"] == violated(rows, c["column"], None if c["assumed"] else void)
+                for c in claims
+            )
+            and sum(len(c["times"]) for c in claims) > 5,
+        )
+        check(
+            "each has its line, and the signal of its verdict",
+            all(
+                program_text.splitlines()[int(c["place"].split(":")[1]) - 1].split('"')[1]
+                == c["label"]
+                and there["signals"][c["signal"]]["name"] == f"probe.{c['column']}"
+                for c in claims
+            ),
+        )
+        check(
+            "what is open, and what was asked nothing",
+            [c["label"] for c in claims if not c["fate"]["asked"]] == ["is asked nothing"]
+            and [c["label"] for c in claims if c["fate"]["open"]] == ["rests in the end"],
+        )
         edited = program_text.replace("< 0.3[m/s]", "< 3[m/s]").replace("has room", "has place")
         await ask(client, f"what-if {edited}")
         others = {c["label"]: c["other"] for c in (await ask(client, "claims"))["all"]}
-        check("those of an edited program are beside them",
-              others["is slow"]["text"].startswith("held") and others["has room"] is None
-              and others["is early"]["failed"])
+        check(
+            "those of an edited program are beside them",
+            others["is slow"]["text"].startswith("held")
+            and others["has room"] is None
+            and others["is early"]["failed"],
+        )
         await ask(client, "what-if")
-        check("and gone with it", not any("other" in c for c in
-                                          (await ask(client, "claims"))["all"]))
+        check(
+            "and gone with it", not any("other" in c for c in (await ask(client, "claims"))["all"])
+        )
     v.end()
 
 
@@ -84,8 +110,10 @@ async def of_many(frobc, folder):
     """In mapSF there are many with one label."""
     program, recording = os.path.join(folder, "many.frob"), os.path.join(folder, "many.csv")
     with open(program, "w") as file:
-        file.write("main :: SF (Array 3 Float) (Array 3 Float)\n"
-                   'main = mapSF (proc x -> 2 * x where assert "small" (x < 2))\n')
+        file.write(
+            "main :: SF (Array 3 Float) (Array 3 Float)\n"
+            'main = mapSF (proc x -> 2 * x where assert "small" (x < 2))\n'
+        )
     with open(recording, "w") as file:
         file.write("time,in[0],in[1],in[2]\n0,1,1,1\n1,1,3,1\n2,1,1,1\n3,1,1,4\n")
     v = viewer.Viewer(frobc, recording, program)
@@ -93,8 +121,10 @@ async def of_many(frobc, folder):
         await greet(v, client)
         await ask(client, "instant 3")
         (claim,) = (await ask(client, "claims"))["all"]
-        check("one that runs many times is violated where one of them is",
-              claim["times"] == [1, 2, 3] and claim["signal"] == -1)
+        check(
+            "one that runs many times is violated where one of them is",
+            claim["times"] == [1, 2, 3] and claim["signal"] == -1,
+        )
     v.end()
 
 
@@ -114,8 +144,10 @@ async def of_live_run(frobc, program, summary):
         await client.send("claims")
         while said["is"] != "claims":
             said = json.loads(await client.recv())
-    check("of a run that goes on, at its end, likewise",
-          {c["label"]: c["fate"]["text"] for c in said["all"]} == summary)
+    check(
+        "of a run that goes on, at its end, likewise",
+        {c["label"]: c["fate"]["text"] for c in said["all"]} == summary,
+    )
 
 
 async def main():

@@ -29,16 +29,21 @@ all = proc (v, turns) -> (way, smooth, rate, back) where
     back = delay False (turns && way > 0.5[m])
 """
 # The same with its inner signals as outputs.
-outer = inner.replace("SF (Velocity, Bool) Distance\nmain = proc (v, turns) -> way where\n"
-                      "    (way, _, _, _) = all (v, turns)",
-                      "SF (Velocity, Bool) (Distance, Velocity, Acceleration, Bool)\nmain = all")
+outer = inner.replace(
+    "SF (Velocity, Bool) Distance\nmain = proc (v, turns) -> way where\n"
+    "    (way, _, _, _) = all (v, turns)",
+    "SF (Velocity, Bool) (Distance, Velocity, Acceleration, Bool)\nmain = all",
+)
 names = ["probe.all.way", "probe.all.smooth", "probe.all.rate", "probe.all.back"]
 
 
 def interpreted(frobc, program, recording, *options):
     traced = subprocess.run(
         [frobc, "trace", "--engine", "interp", "--input", recording, *options, program],
-        check=True, stdout=subprocess.PIPE, text=True).stdout
+        check=True,
+        stdout=subprocess.PIPE,
+        text=True,
+    ).stdout
     return list(csv.DictReader(traced.splitlines()))
 
 
@@ -59,24 +64,36 @@ async def main():
     rows = interpreted(frobc, program, recording, "--robot", robot, "--probe", "draw")
     v = viewer.Viewer(frobc, recording, program)
     columns = [column for column in rows[0] if column != "time"]
-    check("outputs and what is drawn are as interpreted",
-          any(column.startswith("probe.draw") for column in columns)
-          and await shown(v, rows, {column: column for column in columns}))
+    check(
+        "outputs and what is drawn are as interpreted",
+        any(column.startswith("probe.draw") for column in columns)
+        and await shown(v, rows, {column: column for column in columns}),
+    )
     v.end()
     with tempfile.TemporaryDirectory() as folder:
+
         def file(name, text):
             with open(os.path.join(folder, name), "w") as file:
                 file.write(text)
             return file.name
 
-        recording = file("run.csv", "time,in.1,in.2\n" + "".join(
-            f"{k * 0.05:.2f},{(k * 7 % 23) / 10},{str(k % 40 > 20).lower()}\n" for k in range(400)))
+        recording = file(
+            "run.csv",
+            "time,in.1,in.2\n"
+            + "".join(
+                f"{k * 0.05:.2f},{(k * 7 % 23) / 10},{str(k % 40 > 20).lower()}\n"
+                for k in range(400)
+            ),
+        )
         rows = interpreted(frobc, file("outer.frob", outer), recording)
         v = viewer.Viewer(frobc, recording, file("inner.frob", inner))
         outputs = [column for column in rows[0] if column != "time"]
-        check("inner signals are as interpreted", len(outputs) == len(names)
-              and {row[outputs[3]] for row in rows} == {"true", "false"}
-              and await shown(v, rows, dict(zip(names, outputs))))
+        check(
+            "inner signals are as interpreted",
+            len(outputs) == len(names)
+            and {row[outputs[3]] for row in rows} == {"true", "false"}
+            and await shown(v, rows, dict(zip(names, outputs))),
+        )
         v.end()
 
 

@@ -29,8 +29,12 @@ def started():
 
 def main():
     for how in (signal.SIGKILL, signal.SIGTERM, signal.SIGINT):
-        test = subprocess.Popen([sys.executable, "-B", __file__, *sys.argv[1:5], "start"],
-                                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        test = subprocess.Popen(
+            [sys.executable, "-B", __file__, *sys.argv[1:5], "start"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        )
         pid = int(test.stdout.readline())
         there = is_running(pid)
         os.kill(test.pid, how)

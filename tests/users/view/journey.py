@@ -45,7 +45,9 @@ class Page:
         return next((element.text for element in self.all(selector)), "")
 
     def wait(self, condition):
-        return WebDriverWait(self.driver, 10, ignored_exceptions=[stale]).until(lambda _: condition())
+        return WebDriverWait(self.driver, 10, ignored_exceptions=[stale]).until(
+            lambda _: condition()
+        )
 
     def press(self, *keys):
         ActionChains(self.driver).send_keys(*keys).perform()
@@ -58,15 +60,25 @@ class Page:
 
     def cells(self):
         """What the list of signals shows of each, whole."""
-        return dict(self.driver.execute_script(
-            "return [...document.querySelectorAll('#list section > button')]"
-            ".map(row => [row.title, row.querySelector('output').title])"))
+        return dict(
+            self.driver.execute_script(
+                "return [...document.querySelectorAll('#list section > button')]"
+                ".map(row => [row.title, row.querySelector('output').title])"
+            )
+        )
 
 
 def origin(page, name):
     def found():
-        return next((b for b in page.all(".why li button")
-                     if b.find_element(By.CSS_SELECTOR, ".name").text == name), None)
+        return next(
+            (
+                b
+                for b in page.all(".why li button")
+                if b.find_element(By.CSS_SELECTOR, ".name").text == name
+            ),
+            None,
+        )
+
     return page.wait(found)
 
 
@@ -78,15 +90,18 @@ def visit(page, rows):
     page.at(last)
     page.press(Keys.ARROW_LEFT)
     page.at(last - 1)
-    page.wait(lambda: all(page.cells().get(name, cell) == cell
-                          for name, cell in rows[last - 1].items()))
+    page.wait(
+        lambda: all(page.cells().get(name, cell) == cell for name, cell in rows[last - 1].items())
+    )
     check("the list shows what is traced", True)
 
     away = float(rows[last - 1]["probe.draw[2]"].split('"')[2])
     page.wait(lambda: page.text("#readings dd").endswith("[m]"))
-    check("what the program draws is beside the map, with its unit",
-          page.text("#readings dt") == "to the goal"
-          and abs(float(page.text("#readings dd")[:-3]) - away) < 1e-4 * away)
+    check(
+        "what the program draws is beside the map, with its unit",
+        page.text("#readings dt") == "to the goal"
+        and abs(float(page.text("#readings dd")[:-3]) - away) < 1e-4 * away,
+    )
 
     before = len(page.all("#plots article"))
     page.press("/", "heading", Keys.ENTER)
@@ -119,8 +134,9 @@ def visit(page, rows):
     check("it plays", True)
 
     plot = page.all("#plots article .u-over")[0]
-    ActionChains(page.driver).move_to_element_with_offset(plot, -50, 0).click_and_hold() \
-        .move_by_offset(100, 0).release().perform()
+    ActionChains(page.driver).move_to_element_with_offset(
+        plot, -50, 0
+    ).click_and_hold().move_by_offset(100, 0).release().perform()
     page.press(Keys.HOME)
     page.at(0)
     ActionChains(page.driver).move_to_element(plot).click().perform()
@@ -129,7 +145,8 @@ def visit(page, rows):
 
     source = page.driver.execute_script(
         "return document.querySelector('#source > div').shadowRoot"
-        ".querySelector('.cm-content').innerText")
+        ".querySelector('.cm-content').innerText"
+    )
     check("the source is there", "main" in source)
     page.press(Keys.HOME, *[Keys.ARROW_RIGHT] * 30)
     page.at(30)
@@ -140,11 +157,13 @@ def visit(page, rows):
     page.wait(lambda: "running" in pill.get_attribute("class"))
     check("a mode that is clicked is gone to", True)
     diagram = page.all(".modes")[2]
-    check("the modes of a machine are drawn with what leads from one to the other",
-          [b.text for b in diagram.find_elements(By.CSS_SELECTOR, "button")]
-          == ["driveTo", "withSF", "circleTo", "ended"]
-          and len(diagram.find_elements(By.CSS_SELECTOR, "path.edge")) == 2 * 6
-          and "closestPlace" in diagram.text)
+    check(
+        "the modes of a machine are drawn with what leads from one to the other",
+        [b.text for b in diagram.find_elements(By.CSS_SELECTOR, "button")]
+        == ["driveTo", "withSF", "circleTo", "ended"]
+        and len(diagram.find_elements(By.CSS_SELECTOR, "path.edge")) == 2 * 6
+        and "closestPlace" in diagram.text,
+    )
 
     line = page.driver.execute_script("""
         const root = document.querySelector('#source > div').shadowRoot;
@@ -153,8 +172,10 @@ def visit(page, rows):
         const text = chip.closest('.cm-line').textContent + chip.textContent;
         chip.click();
         return text""")
-    check("values stand on the lines of their signals",
-          line.startswith("bug goal = do") and line.endswith("13[m]"))
+    check(
+        "values stand on the lines of their signals",
+        line.startswith("bug goal = do") and line.endswith("13[m]"),
+    )
     page.wait(lambda: any(".goal.x" in h.text for h in page.all("#plots h3")))
     check("a value that is clicked is plotted", True)
     page.press("w")
@@ -172,8 +193,10 @@ def visit(page, rows):
     origin(page, "driveTo.blocked").click()
     page.at(found - 1)
     page.wait(lambda: page.text(".why .name") == "driveTo.blocked")
-    check("each value leads to those it came from, and to their instants",
-          "blocked" in page.text(".why pre"))
+    check(
+        "each value leads to those it came from, and to their instants",
+        "blocked" in page.text(".why pre"),
+    )
     page.press(Keys.BACKSPACE)
     page.at(asked)
     page.wait(lambda: page.text(".why .name") == "bug.mode")
@@ -185,8 +208,9 @@ def visit(page, rows):
     page.press("e")
     page.wait(lambda: page.all(".what-if button") and page.all(".what-if button")[0].is_displayed())
     page.press("wrong ")
-    ActionChains(page.driver).key_down(Keys.CONTROL).send_keys(Keys.ENTER).key_up(Keys.CONTROL) \
-        .perform()
+    ActionChains(page.driver).key_down(Keys.CONTROL).send_keys(Keys.ENTER).key_up(
+        Keys.CONTROL
+    ).perform()
     page.wait(lambda: "error" in page.text(".what-if pre"))
     check("an edited program that is wrong is told", True)
     page.press(Keys.ESCAPE)
@@ -194,8 +218,10 @@ def visit(page, rows):
     page.press("e")
     next(b for b in page.all(".what-if button") if b.text == "Drive again").click()
     page.wait(lambda: "driven in the simulator" in page.text(".what-if pre"))
-    check("the program drives again in the simulator",
-          page.text(".what-if pre").endswith("Its outputs are the same, at all instants."))
+    check(
+        "the program drives again in the simulator",
+        page.text(".what-if pre").endswith("Its outputs are the same, at all instants."),
+    )
     page.press(Keys.ESCAPE)
 
     messages = [entry["message"] for entry in page.driver.get_log("browser")]

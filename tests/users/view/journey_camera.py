@@ -70,7 +70,9 @@ def visit(page):
     page.at(50)
     page.wait(lambda: frame(page) == 29)
     filled, seen = colours(page)
-    check("the frame of the instant is seen, and the poster's outline", filled > 10000 and seen > 50)
+    check(
+        "the frame of the instant is seen, and the poster's outline", filled > 10000 and seen > 50
+    )
     canvas = page.all("#camera canvas")[0]
     ActionChains(page.driver).move_to_element(canvas).perform()
     page.wait(lambda: page.text("#camera p").startswith("x 1"))
@@ -94,8 +96,10 @@ def visit_missing(page):
     page.at(0)
     page.press(Keys.PAGE_DOWN)
     page.at(50)
-    check("a frame that is missing is told", "frame 29, of instant 50, is not there" in
-          page.wait(lambda: page.text("#notes")))
+    check(
+        "a frame that is missing is told",
+        "frame 29, of instant 50, is not there" in page.wait(lambda: page.text("#notes")),
+    )
     page.wait(lambda: colours(page)[1] == 0)
     check("and no other is shown for it", frame(page) is None)
 
@@ -104,11 +108,16 @@ def main():
     frobc = sys.argv[1]
     with tempfile.TemporaryDirectory() as folder:
         path = f"{folder}/run.csv"
-        subprocess.run([frobc, "run", "--robot", "pioneer", "--for", "2s", "--record", path, poster],
-                       check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(
+            [frobc, "run", "--robot", "pioneer", "--for", "2s", "--record", path, poster],
+            check=True,
+            stdout=subprocess.DEVNULL,
+        )
         driver = start(1280, 720)
         try:
-            run = viewer.Run(frobc, ["--robot", "pioneer", "--record", f"{folder}/live.csv", poster])
+            run = viewer.Run(
+                frobc, ["--robot", "pioneer", "--record", f"{folder}/live.csv", poster]
+            )
             visit_live(Page(driver, run.address))
             visit(Page(driver, viewer.Viewer(frobc, path, poster).address))
             driver.set_window_size(390, 780)

@@ -15,8 +15,11 @@ from viewer import check
 
 
 def row_of(page, label):
-    return next(row for row in page.all("#claims button")
-                if row.find_element(By.CSS_SELECTOR, "span").text == label)
+    return next(
+        row
+        for row in page.all("#claims button")
+        if row.find_element(By.CSS_SELECTOR, "span").text == label
+    )
 
 
 def time_of(page):
@@ -42,15 +45,29 @@ def visit(page, rows, summary):
     page.wait(lambda: abs(time_of(page) - 15.9) < 1e-9)
     page.wait(lambda: "violated" in row_of(page, "is slow").get_attribute("class"))
     check("it begins at the instant that it was told", True)
-    check("each assertion says what became of it", all(
-        row_of(page, shown).text.endswith(summary[label]) for shown, label in
-        [("is slow", "is slow"), ("assume is early", "is early"), ("moves on", "moves on")]))
-    check("all in short", page.text("#claimed") == "2 of 5 assertions violated, 1 assumption failed")
+    check(
+        "each assertion says what became of it",
+        all(
+            row_of(page, shown).text.endswith(summary[label])
+            for shown, label in [
+                ("is slow", "is slow"),
+                ("assume is early", "is early"),
+                ("moves on", "moves on"),
+            ]
+        ),
+    )
+    check(
+        "all in short", page.text("#claimed") == "2 of 5 assertions violated, 1 assumption failed"
+    )
     row_of(page, "has room").click()
     after = next((t for t in room[::2] if t > 15.9), room[0])
     page.wait(lambda: time_of(page) == round(after, 3))
-    page.wait(lambda: row_of(page, "has room").find_element(By.CSS_SELECTOR, "i")
-              .get_attribute("data-verdict") == "Fails")
+    page.wait(
+        lambda: row_of(page, "has room")
+        .find_element(By.CSS_SELECTOR, "i")
+        .get_attribute("data-verdict")
+        == "Fails"
+    )
     check("a click goes to where it is next violated", True)
     page.driver.find_element(By.ID, "start").click()
     page.at(0)
@@ -65,8 +82,12 @@ def visit(page, rows, summary):
     row_of(page, "moves on").click()
     page.wait(lambda: len(page.all("#plots article")) == before + 1)
     check("the verdict of one that held is plotted", True)
-    bad = sum(row["probe.main.assert is slow"] == "Fails" or row["probe.main.assert has room"] ==
-              "Fails" or row["probe.main.assume is early"] == "Fails" for row in rows) / len(rows)
+    bad = sum(
+        row["probe.main.assert is slow"] == "Fails"
+        or row["probe.main.assert has room"] == "Fails"
+        or row["probe.main.assume is early"] == "Fails"
+        for row in rows
+    ) / len(rows)
     check("the time line is marked where one is violated", abs(red(page) - bad) < 0.05)
 
 

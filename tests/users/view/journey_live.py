@@ -47,8 +47,10 @@ def visit(page):
     page.press("p")
     page.wait(lambda: page.text("#hold") == "Pause")
     page.wait(lambda: extent(page) > at + 20)
-    check("what was before is shown while it goes on",
-          page.text("#follow") == "Back to live" and page.instant() == 0)
+    check(
+        "what was before is shown while it goes on",
+        page.text("#follow") == "Back to live" and page.instant() == 0,
+    )
     page.press("l")
     page.wait(lambda: page.text("#follow") == "Live" and page.instant() > at + 20)
     check("and back to the newest instant", True)

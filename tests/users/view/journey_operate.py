@@ -28,11 +28,17 @@ def control(page, label):
 def drive(page):
     page.wait(lambda: page.text("#follow") == "Live")
     labels = [found.text.split("\n")[0] for found in page.all("#console > *")]
-    check("the page has what the program asks for",
-          labels == ["drive", "back", "speed", "turn", "careful"])
-    check("large enough for thumbs", all(
-        found.size["height"] >= 48 and found.size["width"] >= 48
-        for found in page.all("#console button, #console input")))
+    check(
+        "the page has what the program asks for",
+        labels == ["drive", "back", "speed", "turn", "careful"],
+    )
+    check(
+        "large enough for thumbs",
+        all(
+            found.size["height"] >= 48 and found.size["width"] >= 48
+            for found in page.all("#console button, #console input")
+        ),
+    )
     check("knobs show their units", "0.25[m/s]" in control(page, "speed").text)
     button = control(page, "drive")
     ActionChains(page.driver).click_and_hold(button).perform()
@@ -60,12 +66,13 @@ def drive(page):
 
 def click(page):
     page.wait(lambda: page.text("#follow") == "Live")
-    page.driver.execute_script(
-        "document.querySelector('#panels [data-panel=map]').click()")
+    page.driver.execute_script("document.querySelector('#panels [data-panel=map]').click()")
     canvas = page.wait(lambda: next((c for c in page.all("#map canvas") if c.is_displayed()), None))
     ActionChains(page.driver).move_to_element_with_offset(canvas, 20, 0).click().perform()
-    page.wait(lambda: abs(float(cell(page, "in.odometry.heading"))) > 0.01
-              or float(cell(page, "in.odometry.position.x")) > 0.02)
+    page.wait(
+        lambda: abs(float(cell(page, "in.odometry.heading"))) > 0.01
+        or float(cell(page, "in.odometry.position.x")) > 0.02
+    )
     check("the robot sets off for a click on the map", page.text("#follow") == "Live")
     finish(page)
 
@@ -73,8 +80,7 @@ def click(page):
 def finish(page):
     page.all("#stop")[0].click()
     page.wait(lambda: page.text("#follow") == "The run is over")
-    check("when it is over there is nothing to operate",
-          not page.all("#console")[0].is_displayed())
+    check("when it is over there is nothing to operate", not page.all("#console")[0].is_displayed())
     for entry in page.driver.get_log("browser"):
         check(entry["message"], False)
 
@@ -82,8 +88,10 @@ def finish(page):
 def look(page):
     page.wait(lambda: page.text("#follow") == "Live")
     page.wait(lambda: "--view=control" in page.text("#console"))
-    check("of a robot that is only looked at the page says so, and how to operate it",
-          not any(found.is_displayed() for found in page.all("#console button, #console input")))
+    check(
+        "of a robot that is only looked at the page says so, and how to operate it",
+        not any(found.is_displayed() for found in page.all("#console button, #console input")),
+    )
     finish(page)
 
 

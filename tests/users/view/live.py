@@ -42,8 +42,11 @@ class Page:
 
     async def __aenter__(self):
         self.socket = await websockets.connect(
-            f"ws://{self.run.host}/", subprotocols=["frob-view"],
-            origin=f"http://{self.run.host}", max_size=None)
+            f"ws://{self.run.host}/",
+            subprotocols=["frob-view"],
+            origin=f"http://{self.run.host}",
+            max_size=None,
+        )
         await self.socket.send(f"hello {self.run.token}")
         self.program = await self.answer("program")
         return self
@@ -107,15 +110,24 @@ async def as_traced(page, run, recording, program, robot):
 async def values(frobc, program, robot):
     """A run that is looked at, with a second page that never reads."""
     arguments = ["--for", "10s", "--record"]
-    subprocess.run([frobc, "run", *arguments, path("plain.csv"), program], check=True,
-                   stdout=subprocess.DEVNULL)
+    subprocess.run(
+        [frobc, "run", *arguments, path("plain.csv"), program],
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
     run = viewer.Run(frobc, [*arguments, path("looked.csv"), program])
-    async with Page(run) as page, websockets.connect(
-            f"ws://{run.host}/", subprotocols=["frob-view"], origin=f"http://{run.host}") as deaf:
+    async with (
+        Page(run) as page,
+        websockets.connect(
+            f"ws://{run.host}/", subprotocols=["frob-view"], origin=f"http://{run.host}"
+        ) as deaf,
+    ):
         await deaf.send(f"hello {run.token}")
         await page.until(lambda p: p.live and p.live["instants"] > 25)
-        check("a run is seen while it goes on", page.live["live"]
-              and page.live["newest"]["k"] == page.live["instants"] - 1)
+        check(
+            "a run is seen while it goes on",
+            page.live["live"] and page.live["newest"]["k"] == page.live["instants"] - 1,
+        )
         check("it may be paced, and sent events", page.state["paces"] and page.state["sends"])
         moved = page.live["newest"]["truth"][0]
         early = await page.ask("instant 10")
@@ -123,12 +135,16 @@ async def values(frobc, program, robot):
         check("and where the robot really was", moved[0] != early["truth"][0][0])
         check("it can be made faster", await page.send("speed 100") == [])
         await page.to_end()
-        check("its instants are as traced", await as_traced(page, run, "looked.csv", program, robot))
+        check(
+            "its instants are as traced", await as_traced(page, run, "looked.csv", program, robot)
+        )
         series = await page.ask("series 0 0 1e6 100000")
         check("a plot has all of it", len(series["times"]) == page.live["instants"])
         check("and so has the way", len((await page.ask("way 0 1000"))["points"]) == 501)
-        check("when it is over nothing can be done to it", await page.send("pause") == []
-              or page.refused != [])
+        check(
+            "when it is over nothing can be done to it",
+            await page.send("pause") == [] or page.refused != [],
+        )
     check("it ends as without", run.process.wait(10) == 0)
     check("and is recorded as without", read("plain.csv") == read("looked.csv"))
 
@@ -142,15 +158,20 @@ async def commands(frobc, program):
         await asyncio.sleep(0.3)
         at = (await page.ask("program"))["instants"]
         await asyncio.sleep(0.5)
-        check("a run that is paused stands", (await page.ask("program"))["instants"] == at
-              and page.state["paused"])
+        check(
+            "a run that is paused stands",
+            (await page.ask("program"))["instants"] == at and page.state["paused"],
+        )
         for _ in range(3):
             await page.send("step")
         await page.until(lambda p: p.live["instants"] == at + 3)
         await asyncio.sleep(0.3)
         check("it takes single instants", (await page.ask("program"))["instants"] == at + 3)
-        check("another page may not", await other.send("go") ==
-              ["another page operates this run"] and not other.state["operates"])
+        check(
+            "another page may not",
+            await other.send("go") == ["another page operates this run"]
+            and not other.state["operates"],
+        )
         await other.send("take")
         await page.until(lambda p: not p.state["operates"])
         check("unless it takes over", other.state["operates"] and await other.send("go") == [])
@@ -166,8 +187,18 @@ async def commands(frobc, program):
             await other.socket.send("key 119")
         await other.send("take")
         check("of a flood of events not all are taken", len(other.refused) > 0)
-        for nonsense in ("stop now", "key", "key -1", "key x", "key 1e99", "step 3", "pause x",
-                         "speed", "take it", "go go"):
+        for nonsense in (
+            "stop now",
+            "key",
+            "key -1",
+            "key x",
+            "key 1e99",
+            "step 3",
+            "pause x",
+            "speed",
+            "take it",
+            "go go",
+        ):
             if await other.send(nonsense) == []:
                 check(f"{nonsense} is refused", False)
         check("nonsense is refused", not page.state["stopping"])
@@ -191,8 +222,11 @@ async def events(frobc):
         check("a program reacts to a key", True)
         await page.send("stop")
         await page.to_end()
-        pressed = [k for k in range(page.live["instants"])
-                   if (await page.ask(f"instant {k}"))["cells"][key] != ""]
+        pressed = [
+            k
+            for k in range(page.live["instants"])
+            if (await page.ask(f"instant {k}"))["cells"][key] != ""
+        ]
         check("each key is there once", len(pressed) == 2)
         check("and all is as traced", await as_traced(page, run, "keys.csv", stick, "pioneer"))
     run.process.wait(10)
@@ -215,19 +249,29 @@ async def gaps(frobc, program, robot, recorded):
         instants, newest = page.live["instants"], page.live["newest"]
         rate = round(newest["time"] / newest["dt"]) + 1 if newest["dt"] else 0
         if recorded:
-            check("what was missed comes from the recording",
-                  page.live["notes"] == "" and instants == rate)
+            check(
+                "what was missed comes from the recording",
+                page.live["notes"] == "" and instants == rate,
+            )
             check("and is as traced", await as_traced(page, run, "gap.csv", program, robot))
         else:
-            check("without a recording a gap is told", "were missed" in page.live["notes"]
-                  and instants < rate)
-            inner = [i for i, s in enumerate(page.program["signals"]) if s["side"] in
-                     ("probe", "mode")]
+            check(
+                "without a recording a gap is told",
+                "were missed" in page.live["notes"] and instants < rate,
+            )
+            inner = [
+                i for i, s in enumerate(page.program["signals"]) if s["side"] in ("probe", "mode")
+            ]
             before = (await page.ask("instant 3"))["cells"]
             check("before it all is known", any(before[i] for i in inner))
-            check("after it what comes and goes", newest["cells"][0] != ""
-                  and not any(newest["cells"][i] for i in inner))
-            for request in (f"series {inner[0]} 0 1e6 1000", f"find 0 {page.program['signals'][0]['name']} > 1"):
+            check(
+                "after it what comes and goes",
+                newest["cells"][0] != "" and not any(newest["cells"][i] for i in inner),
+            )
+            for request in (
+                f"series {inner[0]} 0 1e6 1000",
+                f"find 0 {page.program['signals'][0]['name']} > 1",
+            ):
                 await page.socket.send(request)
                 await page.answer("series" if request[0] == "s" else "found")
     run.process.wait(10)
@@ -236,8 +280,11 @@ async def gaps(frobc, program, robot, recorded):
 async def misfortunes(frobc, program):
     """The viewer is stopped, killed, or was never there."""
     arguments = ["--for", "3s", "--record"]
-    subprocess.run([frobc, "run", *arguments, path("plain.csv"), program], check=True,
-                   stdout=subprocess.DEVNULL)
+    subprocess.run(
+        [frobc, "run", *arguments, path("plain.csv"), program],
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
     runs = {}
     for name, number in (("stopped", signal.SIGSTOP), ("killed", signal.SIGKILL)):
         runs[name] = viewer.Run(frobc, [*arguments, path(name + ".csv"), program])
@@ -251,21 +298,29 @@ async def misfortunes(frobc, program):
         check("and is recorded as without", read("plain.csv") == read(name + ".csv"))
     os.kill(runs["stopped"].viewer, signal.SIGKILL)
     simulator = os.path.join(os.path.dirname(frobc), "..", "lib", "frobc", "frob-sim")
-    command = command[:command.index("--viewer")]
+    command = command[: command.index("--viewer")]
     command[command.index("--record") + 1] = path("never.csv")
-    gone = subprocess.run([simulator, *command, "--viewer", path("gone")], stderr=subprocess.PIPE,
-                          stdout=subprocess.DEVNULL, text=True)
-    check("without a viewer, too", gone.returncode == 0
-          and "warning: this run cannot be looked at: " in gone.stderr
-          and read("plain.csv") == read("never.csv"))
+    gone = subprocess.run(
+        [simulator, *command, "--viewer", path("gone")],
+        stderr=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        text=True,
+    )
+    check(
+        "without a viewer, too",
+        gone.returncode == 0
+        and "warning: this run cannot be looked at: " in gone.stderr
+        and read("plain.csv") == read("never.csv"),
+    )
 
 
 class Robot:
     """A simulated one behind a line of its own."""
 
     def __init__(self, frobc):
-        self.process = subprocess.Popen([frobc, "serve", "--tcp", "0"], stdout=subprocess.PIPE,
-                                        text=True)
+        self.process = subprocess.Popen(
+            [frobc, "serve", "--tcp", "0"], stdout=subprocess.PIPE, text=True
+        )
         self.device = self.process.stdout.readline().removeprefix("device:").strip()
 
     def __enter__(self):
@@ -282,10 +337,14 @@ async def robot(frobc):
         async with Page(run) as page:
             await page.until(lambda p: p.live and p.live["instants"] > 50)
             check("a robot's run is seen while it goes on", page.live["live"])
-            check("a real robot is only looked at",
-                  not page.state["sends"] and not page.state["paces"]
-                  and "only looked at" in (await page.send("key 119"))[0]
-                  and await page.send("pause") != [] and await page.send("speed 2") != [])
+            check(
+                "a real robot is only looked at",
+                not page.state["sends"]
+                and not page.state["paces"]
+                and "only looked at" in (await page.send("key 119"))[0]
+                and await page.send("pause") != []
+                and await page.send("speed 2") != [],
+            )
             await page.send("stop")
             await page.to_end()
             check("but stopped it can be, as with Ctrl-C", run.process.wait(10) == 4)

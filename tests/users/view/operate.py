@@ -54,8 +54,21 @@ def replays(run, recording, program, robot):
     """Both engines say what the run has put out."""
     for engine in "c", "interp":
         traced = subprocess.run(
-            [run.frobc, "trace", program, "--robot", robot, "--input", path(recording),
-             "--engine", engine], check=True, stdout=subprocess.PIPE, text=True).stdout
+            [
+                run.frobc,
+                "trace",
+                program,
+                "--robot",
+                robot,
+                "--input",
+                path(recording),
+                "--engine",
+                engine,
+            ],
+            check=True,
+            stdout=subprocess.PIPE,
+            text=True,
+        ).stdout
         for row, other in zip(rows(recording), csv.DictReader(traced.splitlines()), strict=True):
             if any(row[name] != other[name] for name in other):
                 return False
@@ -66,12 +79,26 @@ async def driving(frobc):
     run = viewer.Run(frobc, ["--robot", "pioneer", "--record", path("teleop.csv"), teleop])
     async with Page(run) as page:
         panel = Panel(page)
-        check("the page is told what is on the console", panel.controls[2] == {
-            "kind": "knob", "label": "speed", "unit": "m/s", "least": 0, "most": 0.5,
-            "first": 0.25, "signal": panel.names.index("in.console.speed")})
+        check(
+            "the page is told what is on the console",
+            panel.controls[2]
+            == {
+                "kind": "knob",
+                "label": "speed",
+                "unit": "m/s",
+                "least": 0,
+                "most": 0.5,
+                "first": 0.25,
+                "signal": panel.names.index("in.console.speed"),
+            },
+        )
         await page.until(lambda p: p.live and p.live["instants"] > 5)
-        check("at first all is as the program says", panel.input("speed") == "0.25"
-              and panel.input("careful") == "true" and panel.input("drive") == "false")
+        check(
+            "at first all is as the program says",
+            panel.input("speed") == "0.25"
+            and panel.input("careful") == "true"
+            and panel.input("drive") == "false",
+        )
         await panel.touch("speed", 0.125)
         await panel.until("speed", "0.125")
         await panel.touch("turn", -9)
@@ -94,17 +121,30 @@ async def driving(frobc):
         since = time.monotonic()
         await panel.until("drive", "false")
         check("or until its page falls silent", 0.1 < time.monotonic() - since < 2)
-        for nonsense in ("touch", "touch 0", "touch x 1 2", "touch 2 nan 0", "touch 2 1 inf",
-                         "touch -1 1 0", "touch 1.5 1 0", "touch 2 1 0 0", "hold", "hold 0",
-                         "hold 0 1 1", "hold 1e99 1"):
+        for nonsense in (
+            "touch",
+            "touch 0",
+            "touch x 1 2",
+            "touch 2 nan 0",
+            "touch 2 1 inf",
+            "touch -1 1 0",
+            "touch 1.5 1 0",
+            "touch 2 1 0 0",
+            "hold",
+            "hold 0",
+            "hold 0 1 1",
+            "hold 1e99 1",
+        ):
             if await page.send(nonsense) == []:
                 check(f"{nonsense} is refused", False)
         for strange in ("touch 99 1 0", "hold 2 1", "touch 0 1 0", "hold 999999 1"):
             await page.send(strange)
         await asyncio.sleep(0.2)
         await page.until(lambda p: p.live["newest"])
-        check("what is not on the console changes nothing", panel.input("speed") == "0.125"
-              and panel.input("drive") == "false")
+        check(
+            "what is not on the console changes nothing",
+            panel.input("speed") == "0.125" and panel.input("drive") == "false",
+        )
         await panel.hold("drive", 1)
         await panel.until("drive", "true")
     # The page has gone away while it held the button.
@@ -124,8 +164,9 @@ async def driving(frobc):
         await page.to_end()
     check("a run that was operated ends well", run.process.wait(10) == 0)
     held = [row["in.console.drive"] for row in rows("teleop.csv")]
-    longest = max(len(part) for part in "".join("x" if cell == "true" else " " for cell in held)
-                  .split())
+    longest = max(
+        len(part) for part in "".join("x" if cell == "true" else " " for cell in held).split()
+    )
     check("no page held it for long after it was heard", longest < 80)
     check("and replays", replays(run, "teleop.csv", teleop, "pioneer"))
 
@@ -143,11 +184,16 @@ async def clicking(frobc):
         await page.send("stop")
         await page.to_end()
     run.process.wait(10)
-    clicks = [(k, row["in.console.map"]) for k, row in enumerate(rows("there.csv"))
-              if row["in.console.map"] != ""]
-    check("clicks are recorded, each at an instant of its own",
-          [cell for _, cell in clicks] == ["(0.5, 0.25)", "(0.625, 0.125)"]
-          and clicks[0][0] < clicks[1][0])
+    clicks = [
+        (k, row["in.console.map"])
+        for k, row in enumerate(rows("there.csv"))
+        if row["in.console.map"] != ""
+    ]
+    check(
+        "clicks are recorded, each at an instant of its own",
+        [cell for _, cell in clicks] == ["(0.5, 0.25)", "(0.625, 0.125)"]
+        and clicks[0][0] < clicks[1][0],
+    )
     check("and replay", replays(run, "there.csv", go_there, "pioneer"))
 
 
@@ -158,16 +204,20 @@ async def going_round(frobc):
         panel = Panel(page)
 
         def away(x, y):
-            return math.hypot(float(panel.value("in.odometry.position.x")) - x,
-                              float(panel.value("in.odometry.position.y")) - y)
+            return math.hypot(
+                float(panel.value("in.odometry.position.x")) - x,
+                float(panel.value("in.odometry.position.y")) - y,
+            )
 
         await page.until(lambda p: p.live and p.live["instants"] > 5)
         check("without a goal it stands", panel.value("out.forward") == "0")
         await page.send("speed 100")
         await panel.touch("map", 3.5, 0)
         await page.until(lambda p: away(3.5, 0) < 0.25)
-        check("BUG comes to a goal that is clicked, round what is in the way",
-              panel.value("in.frontBumper") != "true")
+        check(
+            "BUG comes to a goal that is clicked, round what is in the way",
+            panel.value("in.frontBumper") != "true",
+        )
         await panel.touch("map", 3, 1)
         await page.until(lambda p: away(3, 1) < 0.25)
         check("and to the next one", True)
@@ -175,8 +225,10 @@ async def going_round(frobc):
         await page.to_end()
     run.process.wait(10)
     passed = rows("bug.csv")
-    first = passed[:next(k for k, row in enumerate(passed) if row["in.console.map"] == "(3, 1)")]
-    check("it had to go round", max(abs(float(row["in.odometry.position.y"])) for row in first) > 0.3)
+    first = passed[: next(k for k, row in enumerate(passed) if row["in.console.map"] == "(3, 1)")]
+    check(
+        "it had to go round", max(abs(float(row["in.odometry.position.y"])) for row in first) > 0.3
+    )
     check("and all of it replays", replays(run, "bug.csv", bug, "pioneer"))
 
 

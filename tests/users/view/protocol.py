@@ -43,13 +43,30 @@ async def values(v, rows):
         program = await greet(v, client)
         names = [signal["name"] for signal in program["signals"]]
         known = {signal["name"]: signal for signal in program["signals"]}
-        check("signals have their units", [known[name]["unit"] for name in (
-            "in.odometry.position.x", "in.sonar[3]", "in.leftWheel", "out.forward", "in.motorsOn",
-            "probe.closestPlace.p.x")] == ["m", "m", "m/s", "m/s", "", "m"])
+        check(
+            "signals have their units",
+            [
+                known[name]["unit"]
+                for name in (
+                    "in.odometry.position.x",
+                    "in.sonar[3]",
+                    "in.leftWheel",
+                    "out.forward",
+                    "in.motorsOn",
+                    "probe.closestPlace.p.x",
+                )
+            ]
+            == ["m", "m", "m/s", "m/s", "", "m"],
+        )
         inner = known["probe.closestPlace.p.x"]
-        check("inner signals have their places", inner["instance"] == "closestPlace"
-              and inner["own"] == "p.x" and inner["file"] == "bug.frob" and inner["kind"] == "float"
-              and "p <- " in program["sources"][0]["text"].splitlines()[inner["line"] - 1])
+        check(
+            "inner signals have their places",
+            inner["instance"] == "closestPlace"
+            and inner["own"] == "p.x"
+            and inner["file"] == "bug.frob"
+            and inner["kind"] == "float"
+            and "p <- " in program["sources"][0]["text"].splitlines()[inner["line"] - 1],
+        )
         check("all columns are signals", set(rows[0]) == {"time", *names})
         check("as many instants as rows", program["instants"] == len(rows))
         differing = 0
@@ -58,21 +75,42 @@ async def values(v, rows):
             differing += instant["cells"] != [rows[k][name] for name in names]
             differing += not math.isclose(instant["time"], float(rows[k]["time"]))
         check("each instant, in any order, is as traced", differing == 0)
-        plain = [i for i, signal in enumerate(program["signals"])
-                 if signal["kind"] in ("bool", "int", "float")
-                 or (signal["kind"] == "event" and "sonar" in signal["name"])]
+        plain = [
+            i
+            for i, signal in enumerate(program["signals"])
+            if signal["kind"] in ("bool", "int", "float")
+            or (signal["kind"] == "event" and "sonar" in signal["name"])
+        ]
         series = [await ask(client, f"series {i} -1 1e6 100000") for i in plain]
-        check("plots of whole runs are as traced", all(
-            s["values"] == [number(row[names[i]]) for row in rows] for i, s in zip(plain, series)))
+        check(
+            "plots of whole runs are as traced",
+            all(
+                s["values"] == [number(row[names[i]]) for row in rows]
+                for i, s in zip(plain, series)
+            ),
+        )
         heading = names.index("in.odometry.heading")
         whole = [float(row["in.odometry.heading"]) for row in rows]
         few = await ask(client, f"series {heading} -1 1e6 20")
-        check("a plot of few columns has the extremes", len(few["values"]) <= 80 and
-              min(few["values"]) == min(whole) and max(few["values"]) == max(whole))
+        check(
+            "a plot of few columns has the extremes",
+            len(few["values"]) <= 80
+            and min(few["values"]) == min(whole)
+            and max(few["values"]) == max(whole),
+        )
         path = await ask(client, "path %d %d 11" % (names.index("in.odometry.position.x"), heading))
-        check("a path is evenly as traced", path["points"] == [
-            [float(row["time"]), float(row["in.odometry.position.x"]),
-             float(row["in.odometry.heading"])] for row in rows[::len(rows) // 10]])
+        check(
+            "a path is evenly as traced",
+            path["points"]
+            == [
+                [
+                    float(row["time"]),
+                    float(row["in.odometry.position.x"]),
+                    float(row["in.odometry.heading"]),
+                ]
+                for row in rows[:: len(rows) // 10]
+            ],
+        )
         after = await ask(client, "time 1.019")
         check("a time is the last instant not after it", after["k"] == 50)
 
@@ -83,9 +121,18 @@ async def diagrams(v):
         modes = next(s for s in program["signals"] if s["name"] == "probe.bug.mode")
         name = lambda k: modes["names"][k] if k >= 0 else {-2: "start", -1: "any"}[k]
         drawn = {(name(t["from"]), name(t["to"])) for t in modes["transitions"]}
-        check("the modes of a machine, and what leads from one to the other", drawn == {
-            ("start", "driveTo"), ("driveTo", "withSF"), ("driveTo", "ended"),
-            ("withSF", "circleTo"), ("circleTo", "driveTo"), ("circleTo", "ended")})
+        check(
+            "the modes of a machine, and what leads from one to the other",
+            drawn
+            == {
+                ("start", "driveTo"),
+                ("driveTo", "withSF"),
+                ("driveTo", "ended"),
+                ("withSF", "circleTo"),
+                ("circleTo", "driveTo"),
+                ("circleTo", "ended"),
+            },
+        )
 
 
 async def units(frobc):
@@ -93,16 +140,20 @@ async def units(frobc):
     with tempfile.TemporaryDirectory() as folder:
         program, recording = os.path.join(folder, "push.frob"), os.path.join(folder, "run.csv")
         with open(program, "w") as file:
-            file.write("main :: SF Acceleration (Float[N], Float[N/m^2], AngularVelocity)\n"
-                       "main = proc a -> (2[kg] * a, 2[kg] * a / 1[m^2], 1[rad/s])\n")
+            file.write(
+                "main :: SF Acceleration (Float[N], Float[N/m^2], AngularVelocity)\n"
+                "main = proc a -> (2[kg] * a, 2[kg] * a / 1[m^2], 1[rad/s])\n"
+            )
         with open(recording, "w") as file:
             file.write("time,in\n0,1\n")
         v = viewer.Viewer(frobc, recording, program)
         async with connect(v) as client:
             signals = (await greet(v, client))["signals"]
         v.end()
-    check("derived units have their names", [s["unit"] for s in signals if s["side"] == "output"]
-          == ["N", "Pa", "1/s"])
+    check(
+        "derived units have their names",
+        [s["unit"] for s in signals if s["side"] == "output"] == ["N", "Pa", "1/s"],
+    )
 
 
 async def origins(v, rows):
@@ -132,37 +183,53 @@ async def origins(v, rows):
                 differing += s["k"] > k
             for place in [answer, *switches]:
                 differing += place["file"] != "" and not (
-                    1 <= place["line"] <= place["last"] <= len(lines[place["file"]]))
+                    1 <= place["line"] <= place["last"] <= len(lines[place["file"]])
+                )
         check("what values come from is as traced", differing == 0)
 
         answer = await why(50, "probe.driveTo.v")
-        check("an equation and what it mentions",
-              lines[answer["file"]][answer["line"] - 1].strip().startswith("v ")
-              and named(answer["sources"]) == [
-                  (f"probe.driveTo.{own}", 50) for own in ("looks", "near", "off")])
+        check(
+            "an equation and what it mentions",
+            lines[answer["file"]][answer["line"] - 1].strip().startswith("v ")
+            and named(answer["sources"])
+            == [(f"probe.driveTo.{own}", 50) for own in ("looks", "near", "off")],
+        )
         switch = next(k for k, row in enumerate(rows) if row["probe.bug.mode"] == "withSF")
         answer = await why(switch + 20, "probe.bug.mode")
-        check("a mode by what it came there, and when",
-              answer["since"]["k"] == switch
-              and [(s["from"], s["to"], s["k"]) for s in answer["switches"]] == [
-                  ("driveTo", "withSF", switch)]
-              and named(answer["switches"][0]["sources"]) == [
-                  ("probe.driveTo.arrived", switch - 1), ("probe.driveTo.blocked", switch - 1)])
+        check(
+            "a mode by what it came there, and when",
+            answer["since"]["k"] == switch
+            and [(s["from"], s["to"], s["k"]) for s in answer["switches"]]
+            == [("driveTo", "withSF", switch)]
+            and named(answer["switches"][0]["sources"])
+            == [("probe.driveTo.arrived", switch - 1), ("probe.driveTo.blocked", switch - 1)],
+        )
         answer = await why(switch + 20, "probe.withSF.hit.x")
-        check("a parameter of a mode from when that began",
-              named(answer["sources"]) == [("in.odometry.position.x", switch)]
-              and answer["sources"][0]["cell"] == rows[switch + 20]["probe.withSF.hit.x"])
-        omega = next(n for n in names if n.endswith(".wallFollow.omega")
-                     and rows[switch + 20][n] != "")
+        check(
+            "a parameter of a mode from when that began",
+            named(answer["sources"]) == [("in.odometry.position.x", switch)]
+            and answer["sources"][0]["cell"] == rows[switch + 20]["probe.withSF.hit.x"],
+        )
+        omega = next(
+            n for n in names if n.endswith(".wallFollow.omega") and rows[switch + 20][n] != ""
+        )
         answer = await why(switch + 20, omega)
         s = omega.replace("omega", "s")
-        check("what a derivative was taken of, now and an instant ago",
-              {(s, switch + 20), (s, switch + 19)} <= set(named(answer["sources"])))
+        check(
+            "what a derivative was taken of, now and an instant ago",
+            {(s, switch + 20), (s, switch + 19)} <= set(named(answer["sources"])),
+        )
         answer = await why(50, "out.forward")
-        check("an output in the mode that runs, and no other",
-              named(answer["sources"]) == [("probe.withMarks.mode", 50), ("probe.watching.mode", 50),
-                                           ("probe.bug.mode", 50),
-                                           ("probe.driveTo.v", 50)])
+        check(
+            "an output in the mode that runs, and no other",
+            named(answer["sources"])
+            == [
+                ("probe.withMarks.mode", 50),
+                ("probe.watching.mode", 50),
+                ("probe.bug.mode", 50),
+                ("probe.driveTo.v", 50),
+            ],
+        )
         answer = await why(7, "in.sonar[3]")
         check("input comes from nowhere", answer["sources"] == [] and answer["file"] == "")
 
@@ -177,16 +244,17 @@ async def conditions(v, rows):
 
     wanted = {
         "out.forward < 0.1[m/s]": lambda row: x(row, "out.forward") < 0.1,
-        "forward * 100 < 10 || turn > 0.5": lambda row:
-            x(row, "out.forward") * 100 < 10 or x(row, "out.turn") > 0.5,
+        "forward * 100 < 10 || turn > 0.5": lambda row: x(row, "out.forward") * 100 < 10
+        or x(row, "out.turn") > 0.5,
         "sonar[3] <= 150[cm]": lambda row: x(row, "in.sonar[3]") <= 1.5,
         "not (sonar[3] <= 1.5)": lambda row: not x(row, "in.sonar[3]") <= 1.5,
-        "abs heading > 10[deg] && motorsOn": lambda row:
-            abs(x(row, "in.odometry.heading")) > math.radians(10) and row["in.motorsOn"] == "true",
+        "abs heading > 10[deg] && motorsOn": lambda row: abs(x(row, "in.odometry.heading"))
+        > math.radians(10)
+        and row["in.motorsOn"] == "true",
         "mode.bug == driveTo": lambda row: row["mode.bug"] == "driveTo",
         "mode.bug /= driveTo": lambda row: row["mode.bug"] not in ("driveTo", ""),
-        "-forward - 0.1 >= -(0.2 + 0.1) / 2 * 2": lambda row:
-            -x(row, "out.forward") - 0.1 >= -(0.2 + 0.1) / 2 * 2,
+        "-forward - 0.1 >= -(0.2 + 0.1) / 2 * 2": lambda row: -x(row, "out.forward") - 0.1
+        >= -(0.2 + 0.1) / 2 * 2,
         "True": lambda row: True,
         "False": lambda row: False,
     }
@@ -207,11 +275,13 @@ async def conditions(v, rows):
         for condition, holds in wanted.items():
             expected = rises([holds(row) for row in rows])
             found = await ask(client, f"find 100 {condition}")
-            check(f"{condition}: begins to hold where it should",
-                  found["count"] == len(expected)
-                  and found["first"] == (expected or [None])[0]
-                  and found["before"] == ([k for k in expected if k < 100] or [None])[-1]
-                  and found["after"] == ([k for k in expected if k > 100] or [None])[0])
+            check(
+                f"{condition}: begins to hold where it should",
+                found["count"] == len(expected)
+                and found["first"] == (expected or [None])[0]
+                and found["before"] == ([k for k in expected if k < 100] or [None])[-1]
+                and found["after"] == ([k for k in expected if k > 100] or [None])[0],
+            )
         for condition, why in wrong.items():
             found = await ask(client, f"find 0 {condition}")
             check(f"{condition[:20]}: {why or 'is found'}", found.get("why") == why)
@@ -231,11 +301,14 @@ async def what_if(v, frobc, recording, program, robot, rows):
     async with connect(v) as client:
         names = [signal["name"] for signal in (await greet(v, client))["signals"]]
         outputs = [name for name in names if name.startswith("out.")]
-        first = next(k for k in range(len(rows))
-                     if any(rows[k][name] != others[k][name] for name in outputs))
+        first = next(
+            k for k in range(len(rows)) if any(rows[k][name] != others[k][name] for name in outputs)
+        )
         answer = await ask(client, f"what-if {text}")
-        check("the same program has the same outputs",
-              answer == {"is": "what-if", "there": True, "drives": False})
+        check(
+            "the same program has the same outputs",
+            answer == {"is": "what-if", "there": True, "drives": False},
+        )
         answer = await ask(client, f"what-if {edited}")
         check("an edited program is other from where its trace is", answer["first"] == first)
         differing = 0
@@ -246,19 +319,33 @@ async def what_if(v, frobc, recording, program, robot, rows):
         check("both have the values of their traces", differing == 0)
         forward = names.index("out.forward")
         series = await ask(client, f"series {forward} -1 1e6 100000")
-        check("both have the plots of their traces",
-              series["values"] == [number(row["out.forward"]) for row in rows]
-              and series["others"] == [number(row["out.forward"]) for row in others])
+        check(
+            "both have the plots of their traces",
+            series["values"] == [number(row["out.forward"]) for row in rows]
+            and series["others"] == [number(row["out.forward"]) for row in others],
+        )
         wrong = await ask(client, f"what-if {text.replace('13[m]', '13[s]')}")
-        check("what the compiler says comes back", not wrong["there"] and "error[" in wrong["why"]
-              and " bug.frob:14" in wrong["why"])
+        check(
+            "what the compiler says comes back",
+            not wrong["there"] and "error[" in wrong["why"] and " bug.frob:14" in wrong["why"],
+        )
         other = await ask(client, "what-if main :: SF Float Float\nmain = proc x -> x")
         check("another input is refused", "cannot be run on this recording" in other["why"])
         answer = await ask(client, "what-if")
-        check("an edited program can be dropped", answer == {"is": "what-if", "there": False}
-              and "others" not in await ask(client, "instant 1"))
-    check("nothing of it is left on disk", [name for name in os.listdir(tempfile.gettempdir())
-          if name.startswith("frob-view-") and name not in before] == [])
+        check(
+            "an edited program can be dropped",
+            answer == {"is": "what-if", "there": False}
+            and "others" not in await ask(client, "instant 1"),
+        )
+    check(
+        "nothing of it is left on disk",
+        [
+            name
+            for name in os.listdir(tempfile.gettempdir())
+            if name.startswith("frob-view-") and name not in before
+        ]
+        == [],
+    )
 
 
 async def drive_again(v, frobc, recording, program, robot, rows):
@@ -271,19 +358,31 @@ async def drive_again(v, frobc, recording, program, robot, rows):
         path, driven = os.path.join(folder, "bug.frob"), os.path.join(folder, "driven.csv")
         with open(path, "w") as file:
             file.write(edited)
-        subprocess.run([frobc, "run", "--world", world, "--for", "10s", "--record", driven, path],
-                       check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(
+            [frobc, "run", "--world", world, "--for", "10s", "--record", driven, path],
+            check=True,
+            stdout=subprocess.DEVNULL,
+        )
         others = viewer.trace(frobc, driven, path, robot)
     async with connect(v) as client:
         names = [signal["name"] for signal in (await greet(v, client))["signals"]]
         outputs = [name for name in names if name.startswith("out.")]
         answer = await ask(client, f"drive {text}")
-        check("the same program drives the same way",
-              answer == {"is": "what-if", "there": True, "drives": True})
+        check(
+            "the same program drives the same way",
+            answer == {"is": "what-if", "there": True, "drives": True},
+        )
         answer = await ask(client, f"drive {edited}")
-        check("an edited program drives in the same world", answer["drives"] and
-              answer["first"] == next(k for k in range(len(rows)) if any(
-                  rows[k][name] != others[k][name] for name in outputs)))
+        check(
+            "an edited program drives in the same world",
+            answer["drives"]
+            and answer["first"]
+            == next(
+                k
+                for k in range(len(rows))
+                if any(rows[k][name] != others[k][name] for name in outputs)
+            ),
+        )
         differing = 0
         for k in random.Random(2).sample(range(len(rows)), 50):
             instant = await ask(client, f"instant {k}")
@@ -291,19 +390,32 @@ async def drive_again(v, frobc, recording, program, robot, rows):
         check("all of it is as in a run of its own", differing == 0)
         x, y = (names.index(f"in.odometry.position.{c}") for c in "xy")
         path = await ask(client, f"path {x} {y} 11")
-        check("both ways are on the map", path["others"] == [
-            [float(row["time"]), float(row["in.odometry.position.x"]),
-             float(row["in.odometry.position.y"])] for row in others[::len(others) // 10]])
+        check(
+            "both ways are on the map",
+            path["others"]
+            == [
+                [
+                    float(row["time"]),
+                    float(row["in.odometry.position.x"]),
+                    float(row["in.odometry.position.y"]),
+                ]
+                for row in others[:: len(others) // 10]
+            ],
+        )
         wrong = await ask(client, f"drive {text.replace('13[m]', '13[s]')}")
-        check("what the compiler says comes back from there too",
-              not wrong["there"] and "error[" in wrong["why"])
+        check(
+            "what the compiler says comes back from there too",
+            not wrong["there"] and "error[" in wrong["why"],
+        )
         await ask(client, "what-if")
     other = viewer.Viewer(frobc, recording, program, "--seed", "2")
     async with connect(other) as client:
         await greet(other, client)
         answer = await ask(client, f"drive {text}")
-        check("a recording that the simulator does not repeat is no measure", not answer["there"]
-              and "the simulator does not repeat this recording" in answer["why"])
+        check(
+            "a recording that the simulator does not repeat is no measure",
+            not answer["there"] and "the simulator does not repeat this recording" in answer["why"],
+        )
     other.end()
 
 
@@ -352,17 +464,23 @@ async def strangers(v):
     host = v.host
     check("the page is served", " 200" in http(v, (get % ("/", host)).encode()))
     for name in ("example.org", "localhost:%d" % v.port, "127.0.0.1", host + ".example.org"):
-        check(f"the host {name.replace(str(v.port), 'PORT')} is refused",
-              " 403" in http(v, (get % ("/", name)).encode()))
-    upgrade = ("GET / HTTP/1.1\r\nHost: example.org\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-               f"Origin: http://{host}\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
-               "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Protocol: frob-view\r\n\r\n")
+        check(
+            f"the host {name.replace(str(v.port), 'PORT')} is refused",
+            " 403" in http(v, (get % ("/", name)).encode()),
+        )
+    upgrade = (
+        "GET / HTTP/1.1\r\nHost: example.org\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+        f"Origin: http://{host}\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+        "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Protocol: frob-view\r\n\r\n"
+    )
     check("a WebSocket of another host is refused", " 101" not in http(v, upgrade.encode()))
     for path in ("/page.ts", "/etc/passwd", "//etc/passwd", "/%2e%2e/etc/passwd"):
         check(f"there is no {path}", " 200" not in http(v, (get % (path, host)).encode()))
-    check("only GET is answered",
-          " 405" in http(v, b"POST / HTTP/1.1\r\nHost: %s\r\nContent-Length: 0\r\n\r\n"
-                         % host.encode()))
+    check(
+        "only GET is answered",
+        " 405"
+        in http(v, b"POST / HTTP/1.1\r\nHost: %s\r\nContent-Length: 0\r\n\r\n" % host.encode()),
+    )
 
 
 async def wrong_messages(v):
@@ -379,14 +497,43 @@ async def wrong_messages(v):
 async def nonsense(v, count):
     """Random requests, and random bytes in frames."""
     chance = random.Random(7)
-    words = ["instant", "time", "why", "find", "path", "(", "not", "out.turn", "<", "/=", "[",
-             "mode.bug",
-              "series", "program", "hello", "-1", "0", "7", "99999999999999999999",
-             "1e308", "nan", "inf", "", "é", "\0", "\"", "\\", "0x10", "1.5"]
+    words = [
+        "instant",
+        "time",
+        "why",
+        "find",
+        "path",
+        "(",
+        "not",
+        "out.turn",
+        "<",
+        "/=",
+        "[",
+        "mode.bug",
+        "series",
+        "program",
+        "hello",
+        "-1",
+        "0",
+        "7",
+        "99999999999999999999",
+        "1e308",
+        "nan",
+        "inf",
+        "",
+        "é",
+        "\0",
+        '"',
+        "\\",
+        "0x10",
+        "1.5",
+    ]
     async with connect(v) as client:
         await greet(v, client)
-        answers = [await ask(client, " ".join(chance.choices(words, k=chance.randrange(6))))
-                   for _ in range(count)]
+        answers = [
+            await ask(client, " ".join(chance.choices(words, k=chance.randrange(6))))
+            for _ in range(count)
+        ]
         kinds = {answer["is"] for answer in answers}
         check("nonsense is refused, and harmless", "refused" in kinds)
 
@@ -397,7 +544,9 @@ def frame(chance, opcode, payload, is_last=True, lies=False):
     if lies:
         length = chance.choice([0, length + 1, 125, 126, 65535, 65536, 2**31, 2**63 - 1, 2**64 - 1])
     flags = (0x80 if is_last else 0) | opcode | (chance.choice([0x10, 0x40, 0x70]) if lies else 0)
-    form = chance.choice([7, 16, 64]) if lies else 7 if length < 126 else 16 if length < 65536 else 64
+    form = (
+        chance.choice([7, 16, 64]) if lies else 7 if length < 126 else 16 if length < 65536 else 64
+    )
     mask = chance.randbytes(4)
     head = bytes([flags, 0x80 | {7: length & 127, 16: 126, 64: 127}[form]])
     if form != 7:
@@ -407,22 +556,39 @@ def frame(chance, opcode, payload, is_last=True, lies=False):
 
 def talk(v, chance):
     """A connection of a stranger, who may know the token: frames of all kinds, torn anywhere."""
-    handshake = (f"GET / HTTP/1.1\r\nHost: {v.host}\r\nUpgrade: websocket\r\n"
-                 f"Connection: Upgrade\r\nOrigin: http://{v.host}\r\n"
-                 "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n"
-                 "Sec-WebSocket-Protocol: frob-view\r\n\r\n").encode()
-    yield handshake if chance.random() < 0.9 else handshake[:chance.randrange(len(handshake))]
+    handshake = (
+        f"GET / HTTP/1.1\r\nHost: {v.host}\r\nUpgrade: websocket\r\n"
+        f"Connection: Upgrade\r\nOrigin: http://{v.host}\r\n"
+        "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n"
+        "Sec-WebSocket-Protocol: frob-view\r\n\r\n"
+    ).encode()
+    yield handshake if chance.random() < 0.9 else handshake[: chance.randrange(len(handshake))]
     if chance.random() < 0.5:
         yield frame(chance, 1, f"hello {v.token}".encode())
     for _ in range(chance.randrange(1, 20)):
         if chance.random() < 0.1:
             yield chance.randbytes(chance.randrange(1, 3000))
             continue
-        text = chance.choice([b"instant 3", b"series 0 0 1 100", b"stop", b"program", b"\xff\xfe",
-                              b"", chance.randbytes(chance.randrange(200)), b"x" * 70000])
-        made = frame(chance, chance.choice([0, 1, 1, 1, 2, 3, 8, 9, 10, 15]), text,
-                     chance.random() < 0.7, chance.random() < 0.2)
-        yield made[:chance.randrange(len(made))] if chance.random() < 0.1 else made
+        text = chance.choice(
+            [
+                b"instant 3",
+                b"series 0 0 1 100",
+                b"stop",
+                b"program",
+                b"\xff\xfe",
+                b"",
+                chance.randbytes(chance.randrange(200)),
+                b"x" * 70000,
+            ]
+        )
+        made = frame(
+            chance,
+            chance.choice([0, 1, 1, 1, 2, 3, 8, 9, 10, 15]),
+            text,
+            chance.random() < 0.7,
+            chance.random() < 0.2,
+        )
+        yield made[: chance.randrange(len(made))] if chance.random() < 0.1 else made
 
 
 def frames(v, count):

@@ -12,8 +12,12 @@ def guard(group):
     """Ends a group of processes when this process has ended, however it did. Returns who does
     so, for `dismiss`."""
     command = 'read told || kill -KILL "-$0"'
-    return subprocess.Popen(["sh", "-c", command, str(group)], stdin=subprocess.PIPE,
-                            stderr=subprocess.DEVNULL, start_new_session=True)
+    return subprocess.Popen(
+        ["sh", "-c", command, str(group)],
+        stdin=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
 
 
 def dismiss(guard):
@@ -25,8 +29,9 @@ class Process:
     """What prints the address of a page in its first line."""
 
     def __init__(self, command):
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True,
-                                        start_new_session=True)
+        self.process = subprocess.Popen(
+            command, stdout=subprocess.PIPE, text=True, start_new_session=True
+        )
         self.guard = guard(self.process.pid)
         atexit.register(self.kill)
         line = self.process.stdout.readline()
@@ -62,8 +67,9 @@ class Run(Process):
         super().__init__([frobc, "run", f"--view={how}", *arguments])
         self.frobc = frobc
         self.host_process = self.host_of(self.process.pid)
-        self.viewer = next(pid for pid in children(self.host_process)
-                           if name_of(pid) == "frob-view")
+        self.viewer = next(
+            pid for pid in children(self.host_process) if name_of(pid) == "frob-view"
+        )
 
     @staticmethod
     def host_of(pid):
@@ -90,14 +96,29 @@ def trace(frobc, recording, program, robot, *params):
     """What `frobc trace` says of each instant: a dictionary by column."""
     settings = [word for setting in params for word in ("--param", setting)]
     rows = subprocess.run(
-        [frobc, "trace", "--modes", "--probe", "all", "--robot", robot, "--input", recording,
-         *settings, program],
-        check=True, stdout=subprocess.PIPE, text=True,
+        [
+            frobc,
+            "trace",
+            "--modes",
+            "--probe",
+            "all",
+            "--robot",
+            robot,
+            "--input",
+            recording,
+            *settings,
+            program,
+        ],
+        check=True,
+        stdout=subprocess.PIPE,
+        text=True,
     ).stdout.splitlines()
     with open(recording, newline="") as file:
         lines = (line for line in file if not line.startswith("#"))
-        return [dict(recorded, **computed)
-                for recorded, computed in zip(csv.DictReader(lines), csv.DictReader(rows))]
+        return [
+            dict(recorded, **computed)
+            for recorded, computed in zip(csv.DictReader(lines), csv.DictReader(rows))
+        ]
 
 
 failures = 0

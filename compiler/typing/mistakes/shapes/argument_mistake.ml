@@ -32,14 +32,11 @@ let lacking_arguments words ~subject missing d =
 (* The result of a function that is given an argument too many. *)
 let one_too_many words ~subject ~wanted d =
   match (wanted, subject) with
-  | Type.Function _,
-    Some ({ desc = Apply { style = Juxtaposed; head; _ }; _ } as e : Resolve.Ir.expr)
-    -> (
+  | ( Type.Function _,
+      Some ({ desc = Apply { style = Juxtaposed; head; _ }; _ } as e : Resolve.Ir.expr) ) -> (
       match (Plain_name.of_head e, Show.quote words head.span) with
       | Some name, Some text ->
-          hint
-            (Printf.sprintf "`%s` has an argument too many here: `%s` is a function" name text)
-            d
+          hint (Printf.sprintf "`%s` has an argument too many here: `%s` is a function" name text) d
       | _ -> d)
   | _ -> d
 

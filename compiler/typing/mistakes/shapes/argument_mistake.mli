@@ -13,8 +13,7 @@ val lacking_arguments :
 (** So many are missing where this local, or what it stands for, was defined. *)
 
 val one_too_many :
-  Show.words ->
-  subject:Resolve.Ir.expr option -> wanted:Type.t -> Diagnostic.t -> Diagnostic.t
+  Show.words -> subject:Resolve.Ir.expr option -> wanted:Type.t -> Diagnostic.t -> Diagnostic.t
 (** Of the result of a function that was wanted itself. *)
 
 val input_given : Show.words -> Resolve.Ir.expr option -> Type.t -> string option

@@ -1,9 +1,7 @@
 open Basis
 
 let is_array t =
-  match Type.expand t with
-  | Data { tycon; _ } -> tycon = Environment.array
-  | _ -> false
+  match Type.expand t with Data { tycon; _ } -> tycon = Environment.array | _ -> false
 
 let unlike_sizes a b =
   match (Type.expand a, Type.expand b) with Size a, Size b -> a <> b | _ -> false
@@ -21,8 +19,8 @@ let operands words ~subject (expected : Expected.t) =
 
 let arithmetic (expected : Expected.t) =
   match expected.because with
-  | Parameter { callee = Some ("+" | "-" | "*" | "/" as operator); _ }
-  | Operand { operator = "+" | "-" | "*" | "/" as operator; _ } ->
+  | Parameter { callee = Some (("+" | "-" | "*" | "/") as operator); _ }
+  | Operand { operator = ("+" | "-" | "*" | "/") as operator; _ } ->
       Some operator
   | _ -> None
 
@@ -36,9 +34,7 @@ let with_each words ~subject expected =
 let computed words ~subject expected =
   let of_both operator =
     let a, b = operands words ~subject expected in
-    let each =
-      Printf.sprintf "`map (\\x -> x %s %s) %s` computes with each element" operator b a
-    in
+    let each = Printf.sprintf "`map (\\x -> x %s %s) %s` computes with each element" operator b a in
     match b.[0] with
     | '0' .. '9' -> each
     | _ -> Printf.sprintf "%s, `zipWith (%s) %s %s` with those of two arrays" each operator a b
@@ -48,8 +44,8 @@ let computed words ~subject expected =
 (* What does to other things what `map` does to arrays. *)
 let mapped (expected : Expected.t) found =
   match (expected.because, Type.expand found) with
-  | Parameter { callee = Some ("map" | "fmap"); position = 2; at; _ }, t
-    when Environment.is_event t ->
+  | Parameter { callee = Some ("map" | "fmap"); position = 2; at; _ }, t when Environment.is_event t
+    ->
       Some ("mapE", "of an event's value", at)
   | Parameter { callee = Some "map"; position = 2; at; _ }, t when Environment.is_task t ->
       Some ("mapT", "of what a task ends with", at)
@@ -69,10 +65,12 @@ let as_a_tuple words (subject : Resolve.Ir.expr option) parts =
 let extreme words (subject : Resolve.Ir.expr option) =
   match subject with
   | Some
-      { desc = Apply { head = { desc = Global { name = ("max" | "min") as name; _ }; _ };
-        argument; _ }; _ } ->
+      {
+        desc =
+          Apply { head = { desc = Global { name = ("max" | "min") as name; _ }; _ }; argument; _ };
+        _;
+      } ->
       let xs = Option.fold (Show.quote words argument.span) ~none:"xs" ~some:Source.grouped in
       Some
-        (Printf.sprintf "`%s` is of two values; of all elements it is `%simumBy id %s`" name name
-           xs)
+        (Printf.sprintf "`%s` is of two values; of all elements it is `%simumBy id %s`" name name xs)
   | _ -> None

@@ -14,8 +14,7 @@ val with_each : Show.words -> subject:Resolve.Ir.expr option -> Expected.t -> st
 val mapped : Expected.t -> Type.t -> (string * string * Span.t) option
 (** What does to this what `map` does to arrays, in words, and where `map` stands. *)
 
-val as_a_tuple :
-  Show.words -> Resolve.Ir.expr option -> Type.t list -> (Span.t * string) option
+val as_a_tuple : Show.words -> Resolve.Ir.expr option -> Type.t list -> (Span.t * string) option
 (** An array written out, as the tuple of so many parts that was meant. *)
 
 val extreme : Show.words -> Resolve.Ir.expr option -> string option

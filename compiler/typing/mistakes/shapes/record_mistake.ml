@@ -65,8 +65,9 @@ let elements words ~wanted found =
       Option.map
         (fun (_, fields) ->
           let shown = List.filteri (fun i _ -> i < 4) fields in
-          Printf.sprintf "its elements are records, of which the parts are %s: `map (\\x -> x.%s)` \
-                          takes one of each"
+          Printf.sprintf
+            "its elements are records, of which the parts are %s: `map (\\x -> x.%s)` takes one of \
+             each"
             (Enumeration.all (List.map (Printf.sprintf "`%s`") shown))
             (List.hd (List.rev shown)))
         (Show.fields words record)

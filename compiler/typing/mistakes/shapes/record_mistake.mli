@@ -3,8 +3,7 @@
 val built : Show.words -> Expected.t -> string option
 (** How a record is built that is wanted here. *)
 
-val parts :
-  Show.words -> subject:Resolve.Ir.expr option -> record:string -> Type.t -> string
+val parts : Show.words -> subject:Resolve.Ir.expr option -> record:string -> Type.t -> string
 (** What there is in a record, or a vector, where a number is needed; [record] is how the subject is
     written. *)
 

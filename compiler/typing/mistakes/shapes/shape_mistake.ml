@@ -6,9 +6,7 @@ open Argument_mistake
 
 (* As a foreign function without arguments. *)
 let of_nothing t =
-  match Type.expand t with
-  | Function (argument, _) -> Type.expand argument = Tuple []
-  | _ -> false
+  match Type.expand t with Function (argument, _) -> Type.expand argument = Tuple [] | _ -> false
 
 (* The input of the proc around, if this function may well be of that. *)
 let signal_of words t =
@@ -30,9 +28,7 @@ let of_a_sequence (expected : Expected.t) =
   match expected.because with Statement _ | Last_statement _ -> true | _ -> false
 
 let is_maybe t =
-  match Type.expand t with
-  | Data { tycon; _ } -> tycon = Environment.built_in "Maybe"
-  | _ -> false
+  match Type.expand t with Data { tycon; _ } -> tycon = Environment.built_in "Maybe" | _ -> false
 
 let is_number t = match Type.expand t with Number _ -> true | _ -> false
 
@@ -69,16 +65,15 @@ let is_only_returned words t =
   match Environment.as_task t with
   | Some (input, output, _) -> (
       match (Type.expand input, Type.expand output) with
-      | Flexible _, Flexible _ ->
-          not (Show.needs_class words input || Show.needs_class words output)
+      | Flexible _, Flexible _ -> not (Show.needs_class words input || Show.needs_class words output)
       | _ -> false)
   | None -> false
 
 (* For `not x > 0`. *)
 let hint_to_group name operator =
   hint
-    (Printf.sprintf "application binds tighter than `%s`: write `%s (… %s …)`"
-       operator name operator)
+    (Printf.sprintf "application binds tighter than `%s`: write `%s (… %s …)`" operator name
+       operator)
 
 (* Of a lambda that is an argument: what is expected is said of the whole of it. *)
 let is_a_body ~(at : Span.t) (expected : Expected.t) =
@@ -109,9 +104,9 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       Task_mistake.task_and_signal_function words ~subject ~at ~expected ~found
   | Signal_function _, given, _ when Environment.is_task given ->
       Task_mistake.task_and_signal_function words ~subject ~at ~expected ~found
-  | wanted, (Number _ | Bool | String | Tuple _ | Data _ | Rigid _ as given), _
-    when Environment.is_task wanted && (not (Environment.is_task given))
-      && of_a_sequence expected ->
+  | wanted, ((Number _ | Bool | String | Tuple _ | Data _ | Rigid _) as given), _
+    when Environment.is_task wanted && (not (Environment.is_task given)) && of_a_sequence expected
+    ->
       Task_mistake.no_task words ~subject ~at ~found
   | Data { tycon = { name = "Test"; _ }; _ }, Signal_function (input, _), _ ->
       let sf = written "sf" in
@@ -127,13 +122,13 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
            | _ -> Printf.sprintf "`during 10[s] %s` is a test" sf)
   | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _), _ ->
       unrun words ~subject ~at ~wanted:expected.ty ~input ~found
-        |> note (Printf.sprintf "expected %s" (text expected.ty))
+      |> note (Printf.sprintf "expected %s" (text expected.ty))
   | Signal_function (input, _), (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Some other
     ->
       unrun words ~subject:(Some other) ~at:other.span ~wanted:found ~input ~found:expected.ty
       |> label ~at (Printf.sprintf "this is %s" (text found))
-  | Signal_function _, _, None
-    when Switch_mistake.of_a_mode words ~subject ~expected ~found <> None ->
+  | Signal_function _, _, None when Switch_mistake.of_a_mode words ~subject ~expected ~found <> None
+    ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint (Option.get (Switch_mistake.of_a_mode words ~subject ~expected ~found))
   | Signal_function (_, wanted), Function (_, given), _
@@ -143,22 +138,22 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
            (match Option.bind subject Plain_name.of_expr with
            | Some name -> Printf.sprintf "`proc x -> edge (%s x)` occurs when it becomes True" name
            | None -> "`proc x -> edge (f x)` occurs when `f x` becomes True")
-  | Signal_function _, Function _, _ ->
+  | Signal_function _, Function _, _ -> (
       error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
-      |> (match Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) with
-           | Some text ->
-               fun d ->
-                 let text = "arr " ^ Source.grouped text in
-                 hint
-                   (Printf.sprintf "`arr` makes a signal function of a function: `%s`" text) d
-                 |> instead subject text
-           | None -> (
-               match Show.quote words at with
-               | Some text when text.[0] = '\\' ->
-                   hint
-                     "a signal function is written `proc x -> …`, with `proc` in place of `\\`; \
-                      `arr` makes one of a function"
-               | _ -> hint "`arr` makes a signal function of a function"))
+      |>
+      match Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) with
+      | Some text ->
+          fun d ->
+            let text = "arr " ^ Source.grouped text in
+            hint (Printf.sprintf "`arr` makes a signal function of a function: `%s`" text) d
+            |> instead subject text
+      | None -> (
+          match Show.quote words at with
+          | Some text when text.[0] = '\\' ->
+              hint
+                "a signal function is written `proc x -> …`, with `proc` in place of `\\`; `arr` \
+                 makes one of a function"
+          | _ -> hint "`arr` makes a signal function of a function"))
   | Function _, Signal_function _, _ -> (
       let diagnostic =
         error ~code:"E0304" ~at "expected a function, found a signal function: %s" (text found)
@@ -221,8 +216,8 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
             match expected.because with
             | Parameter { callee = Some f; position = 1; before = None; _ } ->
                 hint
-                  (Printf.sprintf "write `%s (%s)`: what is applied stands in parentheses as an \
-                    argument" f text)
+                  (Printf.sprintf
+                     "write `%s (%s)`: what is applied stands in parentheses as an argument" f text)
                   d
             | _ -> applied text d)
         | Some name ->
@@ -259,10 +254,10 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       let too_many = missing_arguments found - missing_arguments expected.ty in
       error ~code:"E0301" ~at "expected a function of %s, found one of %d: %s"
         (count (missing_arguments expected.ty))
-        (missing_arguments found)
-        (text found)
+        (missing_arguments found) (text found)
       |> hint
-           (Printf.sprintf "`%s` lacks %s" (Option.get (Option.bind subject Plain_name.of_head))
+           (Printf.sprintf "`%s` lacks %s"
+              (Option.get (Option.bind subject Plain_name.of_head))
               (count too_many))
   | Number _, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ }, _
     when Option.is_some (vector_operator expected) ->
@@ -271,8 +266,7 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
            (Printf.sprintf "vectors have operators of their own: %s"
               (Option.get (vector_operator expected)))
   | Number _, _, _
-    when Array_mistake.is_array found
-         && Array_mistake.computed words ~subject expected <> None ->
+    when Array_mistake.is_array found && Array_mistake.computed words ~subject expected <> None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint (Option.get (Array_mistake.computed words ~subject expected))
   | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
@@ -328,23 +322,24 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
            (Printf.sprintf "`%s` takes one tuple of %d: `%s%s (%s)`" name (List.length wanted) name
               before
               (String.concat ", " (raw "a" :: others)))
-  | Tuple (_ :: _ as wanted), Tuple (_ :: _ as given), _
-    when List.compare_lengths wanted given <> 0 ->
+  | Tuple (_ :: _ as wanted), Tuple (_ :: _ as given), _ when List.compare_lengths wanted given <> 0
+    -> (
       error ~code:"E0301" ~at "expected a tuple of %d, found one of %d" (List.length wanted)
         (List.length given)
       |> (match subject with
          | Some { desc = Tuple _; _ } -> Fun.id
          | _ -> here (Printf.sprintf "this is %s" (text found)))
-      |> (match expected.because with
-         | Parameter { callee = Some ("fst" | "snd"); _ } ->
-             let parts = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) given in
-             hint
-               (Printf.sprintf "an equation takes it apart: `(%s) = %s`" (String.concat ", " parts)
-                  (raw "p"))
-         | Pattern _ ->
-             let parts = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) given in
-             hint (Printf.sprintf "a pattern for it is `(%s)`" (String.concat ", " parts))
-         | _ -> Fun.id)
+      |>
+      match expected.because with
+      | Parameter { callee = Some ("fst" | "snd"); _ } ->
+          let parts = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) given in
+          hint
+            (Printf.sprintf "an equation takes it apart: `(%s) = %s`" (String.concat ", " parts)
+               (raw "p"))
+      | Pattern _ ->
+          let parts = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) given in
+          hint (Printf.sprintf "a pattern for it is `(%s)`" (String.concat ", " parts))
+      | _ -> Fun.id)
   | Data _, Tuple (_ :: _ as given), _ when Array_mistake.is_array expected.ty ->
       let elements =
         match subject with
@@ -356,15 +351,15 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
         (List.length given)
       |> hint
            (if List.mem None elements then
-            let parts = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) given in
-            let parts = String.concat ", " parts in
-            Printf.sprintf
-              "a tuple is taken apart by an equation, `(%s) = %s`; an array is written in \
-               brackets, `[%s]`"
-              parts (raw "p") parts
-           else
-             Printf.sprintf "an array is written in brackets: `[%s]`"
-               (String.concat ", " (List.map Option.get elements)))
+              let parts = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) given in
+              let parts = String.concat ", " parts in
+              Printf.sprintf
+                "a tuple is taken apart by an equation, `(%s) = %s`; an array is written in \
+                 brackets, `[%s]`"
+                parts (raw "p") parts
+            else
+              Printf.sprintf "an array is written in brackets: `[%s]`"
+                (String.concat ", " (List.map Option.get elements)))
   | Data { tycon = { name; _ }; _ }, Number _, _
     when Number_mistake.makes name (written "x") <> None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
@@ -381,8 +376,8 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint (Printf.sprintf "a tuple stands in parentheses: `%s`" tuple)
       |> write place tuple
-  | Bool, given, _
-    when Environment.is_task given && Task_mistake.beside_each_other expected <> None ->
+  | Bool, given, _ when Environment.is_task given && Task_mistake.beside_each_other expected <> None
+    ->
       error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
       |> hint (Option.get (Task_mistake.beside_each_other expected))
   | (Function _ as lacking), Number _, Some ({ desc = Apply { style = Juxtaposed; _ }; _ } as e)
@@ -393,8 +388,7 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> hint (Printf.sprintf "the last one is missing: `%s :: %s`" name ty)
   | Data { arguments = [ n; _ ]; _ }, Data { arguments = [ n'; _ ]; _ }, _
     when Array_mistake.is_array expected.ty
-         && Array_mistake.is_array found
-         && Array_mistake.unlike_sizes n n' ->
+         && Array_mistake.is_array found && Array_mistake.unlike_sizes n n' ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint
            (match subject with
@@ -502,8 +496,7 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
                   (String.concat " or "
                      (List.map (Printf.sprintf "`%s`") (Show.choices words expected.ty)))
                   (match (Show.choices words expected.ty, Type.expand found) with
-                  | [ _; _ ], Bool ->
-                      Printf.sprintf ", as in `if %s then … else …`" (raw "b")
+                  | [ _; _ ], Bool -> Printf.sprintf ", as in `if %s then … else …`" (raw "b")
                   | _ -> ""))
       | None, Condition when Truth_mistake.compared words ~subject found <> None ->
           error ~code:"E0301" ~at "a condition must be `Bool`, but this is %s" (text found)
@@ -515,9 +508,8 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
         when is_maybe found && not (is_maybe expected.ty) ->
           error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
           |> hint
-               (Printf.sprintf
-                  "`fromMaybe x0 %s` is what is in it, and `x0` where there is nothing"
-                    (written "m"))
+               (Printf.sprintf "`fromMaybe x0 %s` is what is in it, and `x0` where there is nothing"
+                  (written "m"))
       | None, _ when is_number expected.ty && Environment.is_event found ->
           error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
           |> hint
@@ -529,8 +521,10 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
                      (Array_mistake.with_each words ~subject expected)
                      ~none:""
                      ~some:(Printf.sprintf "; `mapE %s` computes with each one")))
-      | None, _ when Type.expand expected.ty = Bool && Environment.is_event found
-        && Truth_mistake.of_events words ~subject expected <> None ->
+      | None, _
+        when Type.expand expected.ty = Bool
+             && Environment.is_event found
+             && Truth_mistake.of_events words ~subject expected <> None ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
           |> hint (Option.get (Truth_mistake.of_events words ~subject expected))
       | None, _ when Environment.is_event expected.ty && Type.expand found = Bool ->
@@ -544,8 +538,9 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
         when Type.expand expected.ty = Bool ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
           |> hint_to_group name operator
-      | None, Operand { operator = "==" | "/=" as operator; other; _ }
-        when Type.expand expected.ty = Bool && is_number found
+      | None, Operand { operator = ("==" | "/=") as operator; other; _ }
+        when Type.expand expected.ty = Bool
+             && is_number found
              && Show.quote words other.span <> None ->
           let truth = Option.get (Show.quote words other.span) in
           let negated = Printf.sprintf "not %s" (Source.grouped truth) in
@@ -556,15 +551,14 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
                    Printf.sprintf "it is True or False by itself: write `%s`" truth
                | "0", "==" | "1", "/=" ->
                    Printf.sprintf "it is True or False by itself: write `%s`" negated
-               | _ ->
-                   Printf.sprintf "it is True or False by itself: `%s`, or `%s`" truth negated)
+               | _ -> Printf.sprintf "it is True or False by itself: `%s`, or `%s`" truth negated)
       | None, Operand { operator; other = { desc = Apply { head; style = Juxtaposed; _ }; _ }; _ }
         when Type.expand expected.ty = Bool && Option.is_some (Plain_name.of_head head) ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
           |> hint_to_group (Option.get (Plain_name.of_head head)) operator
       | None, (Parameter { before = None; _ } | Operand { other = { desc = Apply _; _ }; _ })
-        when Type.expand expected.ty = Bool
-             && Truth_mistake.compared words ~subject found <> None ->
+        when Type.expand expected.ty = Bool && Truth_mistake.compared words ~subject found <> None
+        ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
           |> hint (Option.get (Truth_mistake.compared words ~subject found))
       | None, Element _ ->
@@ -575,5 +569,4 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       | None, Value _ ->
           error ~code:"E0301" ~at "this pattern matches %s, but the value is %s" (text found)
             (text expected.ty)
-      | None, _ ->
-          error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found))
+      | None, _ -> error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found))

@@ -1,9 +1,9 @@
-(** What is said about types of another shape: a function where a number belongs, a
-    signal function where its signal's value is wanted.
+(** What is said about types of another shape: a function where a number belongs, a signal function
+    where its signal's value is wanted.
 
-    Codes: [E0301] different types · [E0303] a signal function where its
-    signal's value is wanted, by {!Unrun_mistake} · [E0304] a function where a signal function is
-    wanted, or the reverse · those of {!Task_mistake}. *)
+    Codes: [E0301] different types · [E0303] a signal function where its signal's value is wanted,
+    by {!Unrun_mistake} · [E0304] a function where a signal function is wanted, or the reverse ·
+    those of {!Task_mistake}. *)
 
 open Basis
 

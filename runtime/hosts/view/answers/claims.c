@@ -31,8 +31,7 @@ static void add_signal(const struct view *view, const struct frob_claim *claim,
     buffer_free(&name);
 }
 
-static void add_times(const struct view *view, const struct watched *watched,
-                      struct buffer *answer)
+static void add_times(const struct view *view, const struct watched *watched, struct buffer *answer)
 {
     buffer_text(answer, ",\"times\":[");
     for (size_t i = 0; i < watched->count && i < 2 * TIMES; i++) {

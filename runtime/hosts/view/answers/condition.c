@@ -7,13 +7,30 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum operator { NUMBER, SIGNAL, OR, AND, NOT, LESS, AT_MOST, GREATER, AT_LEAST, EQUAL, UNEQUAL,
-                PLUS, MINUS, TIMES, OVER, NEGATE, ABSOLUTE };
+enum operator{
+    NUMBER,
+    SIGNAL,
+    OR,
+    AND,
+    NOT,
+    LESS,
+    AT_MOST,
+    GREATER,
+    AT_LEAST,
+    EQUAL,
+    UNEQUAL,
+    PLUS,
+    MINUS,
+    TIMES,
+    OVER,
+    NEGATE,
+    ABSOLUTE
+};
 
 struct operation {
     enum operator operator;
     double number;
-    const double *numbers;       /* of a signal, at each instant */
+    const double *numbers; /* of a signal, at each instant */
     const struct signal *signal;
 };
 
@@ -44,7 +61,7 @@ static struct operation *add(struct reader *r, enum operator operator, double nu
         return operation;
     }
     memset(operation, 0, sizeof *operation);
-    operation->operator = operator;
+    operation->operator= operator;
     operation->number = number;
     r->condition->count++;
     return operation;
@@ -258,7 +275,7 @@ static void read_comparison(struct reader *r)
     static const struct {
         const char *symbol;
         enum operator operator;
-    } all[] = { { "<=", AT_MOST }, { "<", LESS },    { ">=", AT_LEAST },
+    } all[] = { { "<=", AT_MOST }, { "<", LESS },   { ">=", AT_LEAST },
                 { ">", GREATER },  { "==", EQUAL }, { "/=", UNEQUAL } };
     size_t from = r->condition->count;
     read_sum(r);
@@ -266,8 +283,8 @@ static void read_comparison(struct reader *r)
         const struct operation *left = &r->condition->operations[from];
         if (!take(r, all[i].symbol))
             continue;
-        if (all[i].operator < EQUAL || r->condition->count != from + 1 ||
-            left->operator != SIGNAL || !read_name_of(r, left->signal))
+        if (all[i].operator<EQUAL || r->condition->count != from + 1 ||
+            left->operator!= SIGNAL || !read_name_of(r, left->signal))
             read_sum(r);
         add(r, all[i].operator, 0);
         return;
@@ -356,9 +373,7 @@ bool condition_holds(const struct condition *condition, size_t k)
         case NOT: stack[top - 1] = !is_true(stack[top - 1]); break;
         case NEGATE: stack[top - 1] = -stack[top - 1]; break;
         case ABSOLUTE: stack[top - 1] = fabs(stack[top - 1]); break;
-        default:
-            top--;
-            stack[top - 1] = apply(operation->operator, stack[top - 1], stack[top]);
+        default: top--; stack[top - 1] = apply(operation->operator, stack[top - 1], stack[top]);
         }
     }
     return is_true(stack[0]);

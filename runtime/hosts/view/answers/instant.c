@@ -40,7 +40,8 @@ static void add_truth(const struct view *view, size_t k, struct buffer *answer)
     buffer_text(answer, ",\"truth\":[");
     for (size_t i = 0; i < robots; i++) {
         struct truth truth;
-        memcpy(&truth, (const unsigned char *)recording_truth(&view->recording, k) + i * sizeof truth,
+        memcpy(&truth,
+               (const unsigned char *)recording_truth(&view->recording, k) + i * sizeof truth,
                sizeof truth);
         buffer_text(answer, i > 0 ? ",[" : "[");
         buffer_number(answer, truth.x_m);

@@ -90,12 +90,10 @@ void answer_picture(struct view *view, size_t k, size_t width, size_t had, struc
         const size_t by = ((size_t)image->width + width - 1) / width;
         const size_t columns = (size_t)image->width / by, rows = (size_t)image->height / by;
         const bool is_same = had == at + 1;
-        buffer_format(answer,
-                      ",\"at\":%lu,\"number\":%lu,\"width\":%ld,\"height\":%ld,\"age\":",
+        buffer_format(answer, ",\"at\":%lu,\"number\":%lu,\"width\":%ld,\"height\":%ld,\"age\":",
                       (unsigned long)at, (unsigned long)image->number, (long)image->width,
                       (long)image->height);
-        buffer_number(answer,
-                      (double)(view->recording.times[k] - image->captured_ns) / 1e9);
+        buffer_number(answer, (double)(view->recording.times[k] - image->captured_ns) / 1e9);
         add_marks(view, output, answer);
         if (is_same || image->format == FROB_DEPTH_M) {
             buffer_text(answer, "}\n");

@@ -35,7 +35,7 @@ static const double *other_numbers(struct view *view, const struct signal *signa
 }
 
 void answer_series(struct view *view, size_t number, double from, double to, size_t width,
-                          struct buffer *answer)
+                   struct buffer *answer)
 {
     const size_t first = view_instant_at(view, from), last = view_instant_at(view, to);
     const size_t end = last + 1 < view->recording.count ? last + 2 : last + 1;
@@ -89,8 +89,7 @@ static void add_path(const struct recording *recording, const double *xs, const 
     buffer_text(answer, "]");
 }
 
-void answer_path(struct view *view, size_t x, size_t y, size_t count,
-                        struct buffer *answer)
+void answer_path(struct view *view, size_t x, size_t y, size_t count, struct buffer *answer)
 {
     const struct signal *all = view->signals.all;
     const bool known = view_knows(view, &all[x]) && view_knows(view, &all[y]);
@@ -120,8 +119,7 @@ void answer_way(struct view *view, size_t robot, size_t count, struct buffer *an
     for (size_t i = 0; i < points; i++) {
         const size_t k = points == 1 ? 0 : i * (instants - 1) / (points - 1);
         struct truth truth;
-        memcpy(&truth,
-               (const unsigned char *)recording_truth(recording, k) + robot * sizeof truth,
+        memcpy(&truth, (const unsigned char *)recording_truth(recording, k) + robot * sizeof truth,
                sizeof truth);
         buffer_text(answer, i > 0 ? ",[" : "[");
         buffer_number(answer, view_seconds_at(view, k));

@@ -5,27 +5,21 @@ static const char *kind_of(const struct signal *signal)
     if (signal->side == MODE)
         return "mode";
     switch (signal->shown->kind) {
-    case FROB_BOOL:
-        return "bool";
-    case FROB_INT:
-        return "int";
+    case FROB_BOOL: return "bool";
+    case FROB_INT: return "int";
     case FROB_FLOAT:
     case FROB_SINGLE:
-    case FROB_ROUNDED:
-        return "float";
-    case FROB_SUM:
-        return signal->shown->is_event ? "event" : "sum";
+    case FROB_ROUNDED: return "float";
+    case FROB_SUM: return signal->shown->is_event ? "event" : "sum";
     case FROB_PRODUCT:
     case FROB_ARRAY:
-    case FROB_IMAGE:
-        break;
+    case FROB_IMAGE: break;
     }
     return "data";
 }
 
 /* The names that the numbers of a plot stand for. */
-static void add_names(const struct view *view, const struct signal *signal,
-                      struct buffer *answer)
+static void add_names(const struct view *view, const struct signal *signal, struct buffer *answer)
 {
     const char *comma = "";
     buffer_text(answer, ",\"names\":[");

@@ -64,14 +64,13 @@ bool view_start(struct view *view, const struct frob_program *program,
     }
     if (files->world != NULL && !read_source(&view->world, files->world))
         return false;
-    if (ring != NULL ? !live_start(&view->live, ring, files->recording, &view->signals,
-                                   &view->recording)
-                     : !recording_read(&view->recording, &view->signals, files->recording))
+    if (ring != NULL
+            ? !live_start(&view->live, ring, files->recording, &view->signals, &view->recording)
+            : !recording_read(&view->recording, &view->signals, files->recording))
         return false;
     if (!recording_set(&view->recording, files->params, files->param_count))
         return false;
-    if (!replay_start(&view->replay, &view->signals, &view->recording,
-                      &view->recording.params)) {
+    if (!replay_start(&view->replay, &view->signals, &view->recording, &view->recording.params)) {
         fprintf(stderr, "error: not enough memory for the program's states\n");
         return false;
     }
@@ -146,7 +145,8 @@ enum view_work view_work(struct view *view, double seconds)
         view_say(view);
     if (!is_whole)
         return VIEW_GOES_ON;
-    return view_is_live(view) && (!view->live.has_ended || view->has_news) ? VIEW_LOOKS : VIEW_RESTS;
+    return view_is_live(view) && (!view->live.has_ended || view->has_news) ? VIEW_LOOKS
+                                                                           : VIEW_RESTS;
 }
 
 bool view_has_news(struct view *view)
@@ -254,7 +254,7 @@ static void answer_what_if(struct view *view, const struct what_if_edit *edit,
         buffer_text(answer, "{\"is\":\"what-if\",\"there\":false}");
     } else if (!can_try(view, drives)) {
         answer_refusal(answer, drives ? "this run cannot be driven again"
-                              : "this program cannot be run again on the recording");
+                                      : "this program cannot be run again on the recording");
     } else if (!what_if_start(&view->other, &view->signals, &view->recording,
                               &view->files->commands, view->files->sources[0], edit, &why)) {
         buffer_text(answer, "{\"is\":\"what-if\",\"there\":false,\"why\":");
@@ -264,8 +264,7 @@ static void answer_what_if(struct view *view, const struct what_if_edit *edit,
         buffer_format(answer, "{\"is\":\"what-if\",\"there\":true,\"drives\":%s",
                       drives ? "true" : "false");
         if (view->other.first_in != NULL) {
-            buffer_format(answer, ",\"first\":%lu,\"signal\":",
-                          (unsigned long)view->other.first);
+            buffer_format(answer, ",\"first\":%lu,\"signal\":", (unsigned long)view->other.first);
             buffer_string(answer, view->other.first_in->name);
         }
         buffer_text(answer, "}");
@@ -375,7 +374,8 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
              take_number(&at, view->signals.count, &signal) && *at == '\0' &&
              view_knows(view, &view->signals.all[signal]))
         answer_why(view, k, signal, answer);
-    else if (take_word(&at, "picture") && (take_newest(&at, count, &k) || take_number(&at, count, &k)) &&
+    else if (take_word(&at, "picture") &&
+             (take_newest(&at, count, &k) || take_number(&at, count, &k)) &&
              take_number(&at, FROB_IMAGE_SIDE + 1, &width) && width > 0 &&
              take_number(&at, SIZE_MAX, &other) && *at == '\0')
         answer_picture(view, k, width, other, answer);

@@ -51,13 +51,13 @@ struct source {
 
 struct view_files {
     const char *recording; /* of a run that goes on: what it is recorded in, or NULL */
-    const char **sources; /* the user's, then … */
+    const char **sources;  /* the user's, then … */
     size_t source_count;
-    size_t own_count;     /* … from here on those of the library */
-    const char *world;    /* that the robot may have driven in; NULL: none */
-    const char **params;  /* values of the program's parameters, NAME=VALUE each */
+    size_t own_count;    /* … from here on those of the library */
+    const char *world;   /* that the robot may have driven in; NULL: none */
+    const char **params; /* values of the program's parameters, NAME=VALUE each */
     size_t param_count;
-    double at;            /* the time that pages show at first, in seconds */
+    double at; /* the time that pages show at first, in seconds */
     struct what_if_commands commands;
 };
 

@@ -183,8 +183,7 @@ static void add_source(struct why *why, const struct signal *signal, size_t k, c
 
 /* {2 Switches} */
 
-const struct frob_origin *why_origin(const struct frob_origin *origins,
-                                     const struct signal *signal)
+const struct frob_origin *why_origin(const struct frob_origin *origins, const struct signal *signal)
 {
     const struct frob_origin *found = NULL;
     size_t longest = 0;
@@ -255,8 +254,8 @@ static struct entry entry_of(struct why *why, const struct signal *machine, size
     entry.is_known = !is_longer;
     entry.before = entry.k == 0 || is_longer ? -1 : mode_at(why, machine, entry.k - 1);
     if (origin != NULL && origin->transitions != NULL && entry.is_known && entry.before >= 0)
-        entry.count = way(origin->transitions, entry.before, mode_at(why, machine, entry.k),
-                          entry.way);
+        entry.count =
+            way(origin->transitions, entry.before, mode_at(why, machine, entry.k), entry.way);
     return entry;
 }
 
@@ -302,8 +301,8 @@ static bool instant_of(struct why *why, const struct signal *of, const struct fr
     return mode_at(why, machine, *at) == source->mode;
 }
 
-static void add_sources(struct why *why, const struct signal *of,
-                        const struct frob_source *sources, enum asked asked, size_t k)
+static void add_sources(struct why *why, const struct signal *of, const struct frob_source *sources,
+                        enum asked asked, size_t k)
 {
     const struct signals *signals = why->replay->signals;
     const char *comma = "";

@@ -3,7 +3,8 @@ import type { Answer, Picture } from "./protocol";
 
 /** JSON, a line feed, and pixels of one or three bytes. */
 function readPicture(message: ArrayBuffer): Picture {
-  const bytes = new Uint8Array(message), feed = bytes.indexOf(10);
+  const bytes = new Uint8Array(message),
+    feed = bytes.indexOf(10);
   const picture = JSON.parse(new TextDecoder().decode(bytes.subarray(0, feed))) as Picture;
   const { columns, rows, grey } = picture;
   if (!columns || !rows) return picture;
@@ -22,7 +23,7 @@ export class Connection {
     this.socket.binaryType = "arraybuffer";
     this.socket.onopen = () => this.ask(`hello ${location.hash.slice(1)}`);
     this.socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) =>
-      answered(typeof data === "string" ? JSON.parse(data) as Answer : readPicture(data));
+      answered(typeof data === "string" ? (JSON.parse(data) as Answer) : readPicture(data));
     this.socket.onclose = (event) => closed(event.reason || "the viewer has ended");
   }
 

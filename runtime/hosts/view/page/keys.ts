@@ -5,39 +5,94 @@ import { goToViolation } from "./signals/claims";
 import { toggleTheme } from "./theme";
 import type { WhyPanel } from "./source/why";
 
-export function startKeys(store: Store, player: Player, filter: HTMLInputElement,
-                          find: HTMLInputElement, why: WhyPanel, help: HTMLDialogElement): void {
+export function startKeys(
+  store: Store,
+  player: Player,
+  filter: HTMLInputElement,
+  find: HTMLInputElement,
+  why: WhyPanel,
+  help: HTMLDialogElement,
+): void {
   const act = (event: KeyboardEvent): boolean => {
     const { instant } = store;
     switch (event.key) {
-      case "ArrowLeft": store.stepBy(event.shiftKey ? -10 : -1); break;
-      case "ArrowRight": store.stepBy(event.shiftKey ? 10 : 1); break;
-      case "PageUp": store.goToTime((instant?.time ?? 0) - 1); break;
-      case "PageDown": store.goToTime((instant?.time ?? 0) + 1); break;
-      case "Home": store.goTo(0); break;
-      case "End": case "l": player.toEnd(); break;
-      case "X": store.command("stop"); break;
-      case "p": if (store.run?.paces) store.command(store.run.paused ? "go" : "pause"); break;
-      case "n": if (store.run?.paused) store.command("step"); break;
-      case " ": player.toggle(); break;
-      case "+": case "=": player.faster(1); break;
-      case "-": player.faster(-1); break;
-      case "m": store.setMark(store.mark ? null : instant); break;
-      case "z": store.showAll(); break;
-      case "t": toggleTheme(); break;
-      case "/": filter.closest("section")?.scrollIntoView(); filter.focus(); break;
-      case "f": find.focus(); find.select(); break;
-      case "w": why.toggle(); break;
-      case "Backspace": why.back(); break;
-      case "v": case "V": goToViolation(store, event.key === "v"); break;
-      case "e": document.getElementById("what-if")?.click(); break;
-      case "?": help.showModal(); break;
-      default: return false;
+      case "ArrowLeft":
+        store.stepBy(event.shiftKey ? -10 : -1);
+        break;
+      case "ArrowRight":
+        store.stepBy(event.shiftKey ? 10 : 1);
+        break;
+      case "PageUp":
+        store.goToTime((instant?.time ?? 0) - 1);
+        break;
+      case "PageDown":
+        store.goToTime((instant?.time ?? 0) + 1);
+        break;
+      case "Home":
+        store.goTo(0);
+        break;
+      case "End":
+      case "l":
+        player.toEnd();
+        break;
+      case "X":
+        store.command("stop");
+        break;
+      case "p":
+        if (store.run?.paces) store.command(store.run.paused ? "go" : "pause");
+        break;
+      case "n":
+        if (store.run?.paused) store.command("step");
+        break;
+      case " ":
+        player.toggle();
+        break;
+      case "+":
+      case "=":
+        player.faster(1);
+        break;
+      case "-":
+        player.faster(-1);
+        break;
+      case "m":
+        store.setMark(store.mark ? null : instant);
+        break;
+      case "z":
+        store.showAll();
+        break;
+      case "t":
+        toggleTheme();
+        break;
+      case "/":
+        filter.closest("section")?.scrollIntoView();
+        filter.focus();
+        break;
+      case "f":
+        find.focus();
+        find.select();
+        break;
+      case "w":
+        why.toggle();
+        break;
+      case "Backspace":
+        why.back();
+        break;
+      case "v":
+      case "V":
+        goToViolation(store, event.key === "v");
+        break;
+      case "e":
+        document.getElementById("what-if")?.click();
+        break;
+      case "?":
+        help.showModal();
+        break;
+      default:
+        return false;
     }
     return true;
   };
-  const moves = new Set(["ArrowLeft", "ArrowRight", "PageUp", "PageDown", "Home", "End",
-    "v", "V"]);
+  const moves = new Set(["ArrowLeft", "ArrowRight", "PageUp", "PageDown", "Home", "End", "v", "V"]);
   document.addEventListener("keydown", (event) => {
     const target = event.target instanceof Element ? event.target : null;
     if (event.ctrlKey || event.altKey || event.metaKey || help.open) return;

@@ -37,10 +37,14 @@ function describe(program: Program): void {
 
 function describeRun(program: Program): void {
   const isSet = program.params.filter(({ value, first }) => value !== first);
-  element("run").textContent = [program.recording, program.robot,
+  element("run").textContent = [
+    program.recording,
+    program.robot,
     `${program.instants} instants, ${formatNumber(program.end - program.start)} s`,
-    ...isSet.map(({ name, value }) => `${name}=${value}`)]
-    .filter((part) => part !== "").join("  ·  ");
+    ...isSet.map(({ name, value }) => `${name}=${value}`),
+  ]
+    .filter((part) => part !== "")
+    .join("  ·  ");
 }
 
 function showProgress(program: Program, progress: Program | Progress | Live): void {
@@ -86,8 +90,13 @@ function start(program: Program): Store {
   startClaims(store, element("claims"), element<HTMLButtonElement>("claimed"), filter);
   startMap(store, element("map"));
   startCamera(store, element("camera"));
-  startSearch(store, element<HTMLInputElement>("find"), element("found"),
-              element<HTMLButtonElement>("before"), element<HTMLButtonElement>("after"));
+  startSearch(
+    store,
+    element<HTMLInputElement>("find"),
+    element("found"),
+    element<HTMLButtonElement>("before"),
+    element<HTMLButtonElement>("after"),
+  );
   startTimeline(store, element("timeline"));
   startKeys(store, new Player(store), filter, element<HTMLInputElement>("find"), why, help);
   startLive(store);
@@ -127,16 +136,36 @@ function answered(answer: Answer): void {
       run = answer;
       store?.runsOn(run);
       break;
-    case "way": store?.wayReceived(answer); break;
-    case "picture": store?.pictureReceived(answer); break;
-    case "instant": store?.arrived(answer); break;
-    case "series": store?.received(answer); break;
-    case "path": store?.pathReceived(answer); break;
-    case "why": store?.whyReceived(answer); break;
-    case "found": store?.found(answer); break;
-    case "claims": store?.claimsReceived(answer); break;
-    case "what-if": store?.whatIfReceived(answer); break;
-    case "refused": showState(answer.why, false); break;
+    case "way":
+      store?.wayReceived(answer);
+      break;
+    case "picture":
+      store?.pictureReceived(answer);
+      break;
+    case "instant":
+      store?.arrived(answer);
+      break;
+    case "series":
+      store?.received(answer);
+      break;
+    case "path":
+      store?.pathReceived(answer);
+      break;
+    case "why":
+      store?.whyReceived(answer);
+      break;
+    case "found":
+      store?.found(answer);
+      break;
+    case "claims":
+      store?.claimsReceived(answer);
+      break;
+    case "what-if":
+      store?.whatIfReceived(answer);
+      break;
+    case "refused":
+      showState(answer.why, false);
+      break;
   }
 }
 

@@ -282,5 +282,18 @@ export interface Refused {
   readonly why: string;
 }
 
-export type Answer = Picture | Program | Progress | Live | Run | Instant | Series | Path | Way | Why |
-  Found | WhatIf | Claims | Refused;
+export type Answer =
+  | Picture
+  | Program
+  | Progress
+  | Live
+  | Run
+  | Instant
+  | Series
+  | Path
+  | Way
+  | Why
+  | Found
+  | WhatIf
+  | Claims
+  | Refused;

@@ -1,12 +1,36 @@
 // What the page shows at the moment, and who wants to know when that changes.
 import type { Connection } from "./connection";
-import type { Claim, Claims, Found, Instant, Live, Path, Picture, Place, Program, Run, Series, Way, WhatIf, Why } from
-  "./protocol";
+import type {
+  Claim,
+  Claims,
+  Found,
+  Instant,
+  Live,
+  Path,
+  Picture,
+  Place,
+  Program,
+  Run,
+  Series,
+  Way,
+  WhatIf,
+  Why,
+} from "./protocol";
 
 type Listener = () => void;
 export type Change =
-  "instant" | "mark" | "range" | "plotted" | "spans" | "what-if" | "extent" | "following" | "run" |
-  "why" | "place" | "claims";
+  | "instant"
+  | "mark"
+  | "range"
+  | "plotted"
+  | "spans"
+  | "what-if"
+  | "extent"
+  | "following"
+  | "run"
+  | "why"
+  | "place"
+  | "claims";
 
 /** How many seconds plots show at first of a run that goes on. */
 const recently = 20;
@@ -56,8 +80,10 @@ export class Store {
   /** How many seconds plots show meanwhile. */
   private recent = recently;
 
-  private shownIn: { width: number; then: (picture: Picture) => void } =
-    { width: 1, then: () => undefined };
+  private shownIn: { width: number; then: (picture: Picture) => void } = {
+    width: 1,
+    then: () => undefined,
+  };
   private pictureIsAsked = false;
   private pictureIsWanted = false;
   /** Of the pixels that are here: how wide they were asked for, and their instant. */
@@ -253,8 +279,13 @@ export class Store {
     this.changed("place");
   }
 
-  series(signal: number, from: number, to: number, width: number,
-         then: (series: Series) => void): void {
+  series(
+    signal: number,
+    from: number,
+    to: number,
+    width: number,
+    then: (series: Series) => void,
+  ): void {
     this.waiting.set(`${signal} ${from} ${to}`, then);
     this.connection.ask(`series ${signal} ${from} ${to} ${Math.max(1, Math.round(width))}`);
   }

@@ -21,7 +21,8 @@ export function lineColour(index: number): string {
 const known = new Map<string, string>();
 
 export function colour(name: string): string {
-  const found = known.get(name) ??
+  const found =
+    known.get(name) ??
     getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
   known.set(name, found);
   return found;

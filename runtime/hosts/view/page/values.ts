@@ -4,7 +4,10 @@ import type { Signal } from "./protocol";
 export function formatNumber(x: number): string {
   if (!Number.isFinite(x)) return Number.isNaN(x) ? "nan" : x > 0 ? "inf" : "-inf";
   if (x !== 0 && (Math.abs(x) < 1e-4 || Math.abs(x) >= 1e7))
-    return x.toExponential(4).replace(/\.?0+e/, "e").replace("e+", "e");
+    return x
+      .toExponential(4)
+      .replace(/\.?0+e/, "e")
+      .replace("e+", "e");
   return String(Number(x.toPrecision(6)));
 }
 
@@ -16,8 +19,12 @@ export function formatCell(signal: Signal, cell: string): string {
   if (cell === "true") return "True";
   if (cell === "false") return "False";
   // A digit within a name is none of a number.
-  return withUnit(signal, cell.replace(numbers, (digits, _fraction, _exponent, at: number) =>
-    /[\w']/.test(cell[at - 1] ?? "") ? digits : formatNumber(Number(digits))));
+  return withUnit(
+    signal,
+    cell.replace(numbers, (digits, _fraction, _exponent, at: number) =>
+      /[\w']/.test(cell[at - 1] ?? "") ? digits : formatNumber(Number(digits)),
+    ),
+  );
 }
 
 function withUnit(signal: Signal, text: string): string {

@@ -27,10 +27,10 @@ struct drawn {
 struct display {
     struct drawn *drawn;
     size_t count;
-    int picture, in_image;  /* constructors of a mark; -1: the program has none such */
+    int picture, in_image; /* constructors of a mark; -1: the program has none such */
     struct shown shown;
-    unsigned char *output;  /* a copy of the output that has the marks … */
-    size_t output_of;       /* … of this instant; or NO_INSTANT: it is not here */
+    unsigned char *output; /* a copy of the output that has the marks … */
+    size_t output_of;      /* … of this instant; or NO_INSTANT: it is not here */
     size_t size;
 };
 

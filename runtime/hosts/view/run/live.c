@@ -95,8 +95,7 @@ static void make_up(struct live *live, size_t most)
         const uint64_t end = missed + most < newest ? missed + most : newest;
         if (live->catching == NULL)
             live->catching = catching_start(live->signals, live->file);
-        if (live->catching != NULL &&
-            catching_take(live->catching, recording, (size_t)end)) {
+        if (live->catching != NULL && catching_take(live->catching, recording, (size_t)end)) {
             live->left = end;
             return;
         }
@@ -123,18 +122,14 @@ bool live_take(struct live *live, size_t most)
     const bool ended = ring_has_ended(live->ring) || (long)getppid() != live->host;
     for (size_t i = 0; i < most && !live->full; i++) {
         int64_t time_ns;
-        switch (ring_read(live->ring, live->left, &time_ns, live->input, live->output,
-                          live->truth)) {
+        switch (
+            ring_read(live->ring, live->left, &time_ns, live->input, live->output, live->truth)) {
         case RING_READ:
             live->left++;
             add(live, time_ns);
             break;
-        case RING_OVERWRITTEN:
-            make_up(live, most);
-            return live->recording->count > before;
-        case RING_NOT_YET:
-            live->has_ended = ended;
-            return live->recording->count > before;
+        case RING_OVERWRITTEN: make_up(live, most); return live->recording->count > before;
+        case RING_NOT_YET: live->has_ended = ended; return live->recording->count > before;
         }
     }
     live->has_ended = live->full && ended;

@@ -7,14 +7,14 @@
 #include "../../common/ring.h"
 
 struct live {
-    struct ring *ring; /* NULL: this is a recording of a run that is over */
-    const char *file;  /* that the host records in; NULL: none */
+    struct ring *ring;         /* NULL: this is a recording of a run that is over */
+    const char *file;          /* that the host records in; NULL: none */
     struct catching *catching; /* up with it; NULL: there was no need yet */
     const struct signals *signals;
     struct recording *recording;
     unsigned char *input, *output, *truth; /* of an instant */
-    bool full;      /* there is no memory for more */
-    long host;      /* the process, which is the parent of this one */
+    bool full;                             /* there is no memory for more */
+    long host;                             /* the process, which is the parent of this one */
     uint64_t left;  /* before this instant of the run all are there, or never will be */
     bool has_ended; /* the run, and all of it was taken */
 };

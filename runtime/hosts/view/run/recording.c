@@ -28,13 +28,12 @@ struct reader {
     /* The row that was read before, as most of a row's cells are the same again. */
     struct {
         char *text;
-        size_t *starts; /* of its cells in the text */
+        size_t *starts;    /* of its cells in the text */
         size_t room, next; /* the instant after it; 0: there is none */
     } before;
 };
 
-static void note(struct reader *r, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+static void note(struct reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 static void note(struct reader *r, const char *format, ...)
 {
@@ -89,8 +88,9 @@ static void look_for_inputs(struct reader *r)
             add_name(&missing, r->signals->all[i].name);
     recording->has_all_inputs = missing.count == 0;
     if (missing.count > 0)
-        note(r, "no column of the program's input %s; so the program cannot be run on it, and "
-                "what was recorded is all that is shown",
+        note(r,
+             "no column of the program's input %s; so the program cannot be run on it, and "
+             "what was recorded is all that is shown",
              missing.text.data);
     buffer_free(&missing.text);
 }
@@ -127,8 +127,9 @@ static bool read_header(struct reader *r)
         }
     }
     if (foreign.count > 0)
-        note(r, "the program has no %s: the recording is of another program, or of another "
-                "version of it",
+        note(r,
+             "the program has no %s: the recording is of another program, or of another "
+             "version of it",
              foreign.text.data);
     buffer_free(&foreign.text);
     look_for_inputs(r);
@@ -201,7 +202,7 @@ static bool lost_frame(struct reader *r, const struct signal *signal, const char
         r->frames->expected[0] == '\0')
         return false;
     seen_lose(r->recording, r->recording->count, input, signal->value,
-                   (uint32_t)strtoul(name + strlen("Image "), NULL, 10), false);
+              (uint32_t)strtoul(name + strlen("Image "), NULL, 10), false);
     return true;
 }
 
@@ -241,8 +242,7 @@ static bool read_row(struct reader *r)
             continue;
         r->frames->expected[0] = '\0';
         if (!frob_cell_read(csv_cell(&r->csv, i), signal->value,
-                            signal->side == INPUT ? input : output, &r->frames->finder,
-                            &error) &&
+                            signal->side == INPUT ? input : output, &r->frames->finder, &error) &&
             !lost_frame(r, signal, csv_cell(&r->csv, i), input)) {
             note(r, "column `%s`: `%s` is no value of it", signal->name, csv_cell(&r->csv, i));
             return false;
@@ -313,8 +313,7 @@ bool recording_read_on(struct recording *recording)
     return recording->reader != NULL;
 }
 
-bool recording_read(struct recording *recording, const struct signals *signals,
-                    const char *name)
+bool recording_read(struct recording *recording, const struct signals *signals, const char *name)
 {
     struct reader *reader = (struct reader *)calloc(1, sizeof *reader);
     FILE *file = packed_read(name);
@@ -347,8 +346,8 @@ bool recording_read(struct recording *recording, const struct signals *signals,
     return ok;
 }
 
-bool recording_begin(struct recording *recording, const struct signals *signals,
-                     const char *name, size_t truth_size)
+bool recording_begin(struct recording *recording, const struct signals *signals, const char *name,
+                     size_t truth_size)
 {
     memset(recording, 0, sizeof *recording);
     recording->program = signals->program;
@@ -362,8 +361,7 @@ bool recording_begin(struct recording *recording, const struct signals *signals,
         !frame_reader_open(&recording->frames, name, false))
         return give_up(recording, "not enough memory");
     for (size_t i = 0; i < signals->count; i++)
-        recording->recorded[i] =
-            signals->all[i].side == INPUT || signals->all[i].side == OUTPUT;
+        recording->recorded[i] = signals->all[i].side == INPUT || signals->all[i].side == OUTPUT;
     return true;
 }
 
@@ -394,7 +392,7 @@ bool recording_add(struct recording *recording, int64_t time_ns, const void *inp
 struct catching {
     struct recording row; /* one row at a time */
     struct reader reader;
-    size_t k;             /* of the next row */
+    size_t k; /* of the next row */
 };
 
 struct catching *catching_start(const struct signals *signals, const char *name)

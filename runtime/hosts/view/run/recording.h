@@ -11,28 +11,28 @@
 struct recording {
     const struct frob_program *program;
     const char *name;
-    size_t count;           /* of instants */
-    int64_t *times;         /* in nanoseconds */
-    unsigned char *inputs;  /* count times the program's input struct */
-    unsigned char *outputs; /* count times the part of the output struct that a recording
+    size_t count;               /* of instants */
+    int64_t *times;             /* in nanoseconds */
+    unsigned char *inputs;      /* count times the program's input struct */
+    unsigned char *outputs;     /* count times the part of the output struct that a recording
                              * has; a signal that was not recorded is zero */
-    size_t output_size;     /* of that part: inner signals are after it */
-    bool *recorded;         /* for each signal: is there a column of it? */
-    struct buffer params;   /* how parameters were set, NAME=VALUE each, with a NUL */
-    bool has_all_inputs;    /* so that the program can be run on it */
+    size_t output_size;         /* of that part: inner signals are after it */
+    bool *recorded;             /* for each signal: is there a column of it? */
+    struct buffer params;       /* how parameters were set, NAME=VALUE each, with a NUL */
+    bool has_all_inputs;        /* so that the program can be run on it */
     struct frame_reader frames; /* beside it: what inputs point to stays while it does */
-    struct buffer notes;    /* what was wrong, a line each: what is shown is all the rest */
+    struct buffer notes;        /* what was wrong, a line each: what is shown is all the rest */
     size_t capacity;
-    size_t gap;             /* before this instant some were missed, of a run that goes on, or
+    size_t gap; /* before this instant some were missed, of a run that goes on, or
                              * here a frame is: the program cannot be run further; or NO_GAP */
     const struct frob_value **eyes; /* the events of frames in the program's input */
     size_t eye_count;
     struct lost_frame *lost; /* of a frame that is not there the event does not occur */
     size_t lost_count;
-    size_t checked;         /* frames of the instants before this one are those recorded */
-    unsigned char *truths;  /* count times what a simulator knows, or NULL … */
-    size_t truth_size;      /* … of so many bytes */
-    struct reader *reader;  /* of a file of which there is more; NULL: it has been read */
+    size_t checked;        /* frames of the instants before this one are those recorded */
+    unsigned char *truths; /* count times what a simulator knows, or NULL … */
+    size_t truth_size;     /* … of so many bytes */
+    struct reader *reader; /* of a file of which there is more; NULL: it has been read */
 };
 
 #define NO_GAP SIZE_MAX
@@ -47,8 +47,7 @@ struct lost_frame {
 /* Begins to read a file, as far as its first rows, which is all of most. What does not fit the
  * program is left out, with a line in `notes`: columns that it does not have, and all from the
  * first row that cannot be read. False, with one line on standard error, if nothing is left. */
-bool recording_read(struct recording *recording, const struct signals *signals,
-                    const char *name);
+bool recording_read(struct recording *recording, const struct signals *signals, const char *name);
 
 /* Reads some more rows. False if that was all. */
 bool recording_read_on(struct recording *recording);
@@ -60,8 +59,8 @@ bool recording_set(struct recording *recording, const char *const *params, size_
 
 /* A recording of a run that goes on, which grows. `name` is that of the run. False without
  * memory, with a line on standard error. */
-bool recording_begin(struct recording *recording, const struct signals *signals,
-                     const char *name, size_t truth_size);
+bool recording_begin(struct recording *recording, const struct signals *signals, const char *name,
+                     size_t truth_size);
 
 /* Adds an instant. `output` begins as the program's output struct does, in `output_size`
  * bytes. False without memory. */

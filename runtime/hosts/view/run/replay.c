@@ -14,8 +14,8 @@ static void step(struct replay *replay)
 {
     const struct recording *recording = replay->recording;
     replay->signals->program->step(replay->state, replay->params.values,
-                             recording_dt(recording, replay->next),
-                             recording_input(recording, replay->next), replay->output);
+                                   recording_dt(recording, replay->next),
+                                   recording_input(recording, replay->next), replay->output);
     display_see(&replay->display, replay->next, replay->output);
     replay->next++;
 }
@@ -68,8 +68,8 @@ static void set_params(struct replay *replay, const struct buffer *settings)
         params_read(&replay->params, settings->data + at, why);
 }
 
-bool replay_start(struct replay *replay, const struct signals *signals,
-                  struct recording *recording, const struct buffer *settings)
+bool replay_start(struct replay *replay, const struct signals *signals, struct recording *recording,
+                  const struct buffer *settings)
 {
     const struct frob_program *program = signals->program;
     memset(replay, 0, sizeof *replay);

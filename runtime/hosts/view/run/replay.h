@@ -13,7 +13,7 @@
 #define REPLAY_EVERY 64
 
 struct replay {
-    struct recording *recording;   /* its frames are looked at before the program sees them */
+    struct recording *recording; /* its frames are looked at before the program sees them */
     const struct signals *signals;
     struct params params;          /* as they were set, or else by default */
     bool runs;                     /* the recording has all that the program needs */
@@ -23,19 +23,19 @@ struct replay {
                                     * compared with those recorded */
     unsigned char *state, *output; /* after instant `next - 1` */
     size_t next;
-    bool diverged;                 /* an output is not the recorded one … */
-    size_t diverged_at;            /* … first at this instant */
+    bool diverged;      /* an output is not the recorded one … */
+    size_t diverged_at; /* … first at this instant */
     const struct signal *diverged_in;
-    struct display display;        /* after instant `next - 1` … */
-    struct shown *shown;           /* … and before the instants whose states are kept */
-    struct watch watch;            /* before instant `reached` */
+    struct display display; /* after instant `next - 1` … */
+    struct shown *shown;    /* … and before the instants whose states are kept */
+    struct watch watch;     /* before instant `reached` */
 };
 
 /* Nothing is run yet. The program of the signals need not be the one that the recording was
  * read for, but must have the same input and output. Of its parameters those are set that
  * `settings` has (see recording.h). False without memory. */
-bool replay_start(struct replay *replay, const struct signals *signals,
-                  struct recording *recording, const struct buffer *settings);
+bool replay_start(struct replay *replay, const struct signals *signals, struct recording *recording,
+                  const struct buffer *settings);
 void replay_end(struct replay *replay);
 
 /* Has the whole recording been run over, up to where it has a gap? */

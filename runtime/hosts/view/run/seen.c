@@ -85,8 +85,8 @@ static const struct frob_image *image_at(const struct recording *recording, size
                                          const int32_t *key)
 {
     struct look look = { NULL, key };
-    frob_camera_images(recording->eyes[eye],
-                       recording->inputs + k * recording->program->input_size, look_at, &look);
+    frob_camera_images(recording->eyes[eye], recording->inputs + k * recording->program->input_size,
+                       look_at, &look);
     return look.image;
 }
 

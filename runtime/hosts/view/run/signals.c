@@ -182,18 +182,11 @@ static double number_at(const struct frob_value *value, const char *bytes)
     double real;
     float single;
     switch (value->kind) {
-    case FROB_BOOL:
-        return *(const unsigned char *)place != 0 ? 1 : 0;
-    case FROB_INT:
-        memcpy(&integer, place, sizeof integer);
-        return integer;
+    case FROB_BOOL: return *(const unsigned char *)place != 0 ? 1 : 0;
+    case FROB_INT: memcpy(&integer, place, sizeof integer); return integer;
     case FROB_FLOAT:
-    case FROB_ROUNDED:
-        memcpy(&real, place, sizeof real);
-        return real;
-    case FROB_SINGLE:
-        memcpy(&single, place, sizeof single);
-        return (double)single;
+    case FROB_ROUNDED: memcpy(&real, place, sizeof real); return real;
+    case FROB_SINGLE: memcpy(&single, place, sizeof single); return (double)single;
     case FROB_SUM:
         if (!value->is_event)
             return *(const unsigned char *)place;
@@ -204,8 +197,7 @@ static double number_at(const struct frob_value *value, const char *bytes)
     case FROB_ARRAY:
         product = &value->constructors[0];
         return product->count > 0 ? number_at(product->fields[0].value, bytes) : 1;
-    case FROB_IMAGE:
-        break;
+    case FROB_IMAGE: break;
     }
     return NAN;
 }
@@ -235,10 +227,8 @@ bool signal_values_equal(const struct frob_value *value, const void *a, const vo
     const char *at = (const char *)a + value->offset, *bt = (const char *)b + value->offset;
     double x, y;
     switch (value->kind) {
-    case FROB_BOOL:
-        return *at == *bt;
-    case FROB_INT:
-        return memcmp(at, bt, sizeof(int32_t)) == 0;
+    case FROB_BOOL: return *at == *bt;
+    case FROB_INT: return memcmp(at, bt, sizeof(int32_t)) == 0;
     case FROB_FLOAT:
     case FROB_ROUNDED:
     case FROB_SINGLE:
@@ -247,13 +237,10 @@ bool signal_values_equal(const struct frob_value *value, const void *a, const vo
         /* A trace writes all that are no number the same. */
         return (isnan(x) && isnan(y)) || memcmp(&x, &y, sizeof x) == 0;
     case FROB_SUM:
-        return *at == *bt &&
-               parts_equal(&value->constructors[*(const unsigned char *)at], a, b);
+        return *at == *bt && parts_equal(&value->constructors[*(const unsigned char *)at], a, b);
     case FROB_PRODUCT:
-    case FROB_ARRAY:
-        return parts_equal(&value->constructors[0], a, b);
-    case FROB_IMAGE:
-        return memcmp(at, bt, sizeof(const struct frob_image *)) == 0;
+    case FROB_ARRAY: return parts_equal(&value->constructors[0], a, b);
+    case FROB_IMAGE: return memcmp(at, bt, sizeof(const struct frob_image *)) == 0;
     }
     return false;
 }

@@ -164,8 +164,7 @@ static void end_attempt(struct attempt *a)
     buffer_free(&a->folder);
 }
 
-static bool begin_attempt(struct attempt *a, const char *name, const char *text,
-                          struct buffer *why)
+static bool begin_attempt(struct attempt *a, const char *name, const char *text, struct buffer *why)
 {
     const char *temporary = getenv("TMPDIR");
     memset(a, 0, sizeof *a);
@@ -269,8 +268,8 @@ static bool drive(const struct attempt *a, what_if_command command, const char *
     buffer_format(&rate, "%.12g", hertz);
     buffer_format(&duration, "%.9fs", seconds);
     buffer_format(&record, "%s/driven.csv", a->folder.data);
-    const char *const others[] = { "--rate", rate.data, "--for", duration.data,
-                                   "--record", record.data, file, NULL };
+    const char *const others[] = { "--rate",   rate.data,   "--for", duration.data,
+                                   "--record", record.data, file,    NULL };
     if (arguments != NULL)
         memcpy(arguments + count, others, sizeof others);
     if (rate.failed || duration.failed || record.failed || arguments == NULL ||
@@ -339,8 +338,10 @@ static bool repeats(const struct attempt *a, what_if_command command, const char
                           "which it was made",
                           in->name, (unsigned long)k);
         else if (!ok)
-            buffer_format(a->why, "the simulator does not repeat this recording: it ends at "
-                                  "instant %lu", (unsigned long)k);
+            buffer_format(a->why,
+                          "the simulator does not repeat this recording: it ends at "
+                          "instant %lu",
+                          (unsigned long)k);
     }
     recording_free(&driven);
     return ok;
@@ -399,8 +400,7 @@ static bool is_edited(const struct frob_program *edited, const struct frob_progr
 
 /* How the parameters of the edited program are set. False for what is no value of one. */
 static bool settle(struct what_if *what_if, const struct frob_program *recorded,
-                   const struct buffer *settings, const struct buffer *asked,
-                   struct buffer *why)
+                   const struct buffer *settings, const struct buffer *asked, struct buffer *why)
 {
     const struct frob_program *program = what_if->signals.program;
     struct params params;
@@ -408,8 +408,7 @@ static bool settle(struct what_if *what_if, const struct frob_program *recorded,
     bool ok = params_open(&params, program, NULL, 0);
     for (size_t at = 0; at < settings->length; at += strlen(settings->data + at) + 1)
         if (!is_edited(program, recorded, settings->data + at))
-            buffer_bytes(&what_if->settings, settings->data + at,
-                         strlen(settings->data + at) + 1);
+            buffer_bytes(&what_if->settings, settings->data + at, strlen(settings->data + at) + 1);
     for (size_t at = 0; ok && at < asked->length; at += strlen(asked->data + at) + 1) {
         ok = params_read(&params, asked->data + at, text) == PARAMS_SET;
         if (!ok)
@@ -422,8 +421,7 @@ static bool settle(struct what_if *what_if, const struct frob_program *recorded,
     return ok && !what_if->settings.failed;
 }
 
-static bool run_over(struct what_if *what_if, struct recording *recording,
-                     struct buffer *why)
+static bool run_over(struct what_if *what_if, struct recording *recording, struct buffer *why)
 {
     if (!replay_start(&what_if->replay, &what_if->signals, recording, &what_if->settings)) {
         buffer_text(why, "not enough memory for the program's states");

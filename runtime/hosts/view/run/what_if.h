@@ -6,16 +6,16 @@
 #include "series.h"
 
 struct what_if {
-    bool is_there; /* an edited program has been compiled, and the rest is of it */
-    bool drives;   /* it has driven in the simulator, and has inputs of its own */
+    bool is_there;          /* an edited program has been compiled, and the rest is of it */
+    bool drives;            /* it has driven in the simulator, and has inputs of its own */
     struct buffer settings; /* of its parameters, as in a recording */
     struct signals signals;
     struct recording driven;
     struct replay replay;
     struct series series;
-    size_t first; /* the first instant at which its outputs are others, … */
+    size_t first;                  /* the first instant at which its outputs are others, … */
     const struct signal *first_in; /* … and where; NULL if they never are */
-    bool is_repeatable; /* the simulator has repeated the recording */
+    bool is_repeatable;            /* the simulator has repeated the recording */
 };
 
 /* A command, with NULL at its end. */

@@ -20,16 +20,17 @@ static bool is_set(const char *name)
 static bool write_page(const char *address)
 {
     const char *folder = getenv("XDG_RUNTIME_DIR");
-    int length = snprintf(file_name, sizeof file_name, "%s/frob-view-%ld.html", folder,
-                          (long)getpid());
+    int length =
+        snprintf(file_name, sizeof file_name, "%s/frob-view-%ld.html", folder, (long)getpid());
     int number = length < (int)sizeof file_name
                      ? open(file_name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600)
                      : -1;
     FILE *file = number < 0 ? NULL : fdopen(number, "w");
     bool ok = file != NULL;
     if (ok) {
-        ok = fprintf(file, "<!DOCTYPE html><title>Frob</title>"
-                           "<meta http-equiv=\"refresh\" content=\"0; url=%s\">\n",
+        ok = fprintf(file,
+                     "<!DOCTYPE html><title>Frob</title>"
+                     "<meta http-equiv=\"refresh\" content=\"0; url=%s\">\n",
                      address) > 0;
         ok = fclose(file) == 0 && ok;
     }

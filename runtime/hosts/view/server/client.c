@@ -73,7 +73,7 @@ static enum reception take(struct client *client, const char *token, const char 
 }
 
 enum reception client_receive(struct client *client, const char *token, const char *piece,
-                            size_t length, bool is_last)
+                              size_t length, bool is_last)
 {
     enum reception verdict;
     if (client->incoming.length + length > SERVER_MESSAGE)

@@ -5,8 +5,8 @@
 #include <string.h>
 #include <time.h>
 
-static const char *const words[] = { "stop", "take", "pause", "go", "step", "speed", "key",
-                                     "touch", "hold" };
+static const char *const words[] = { "stop",  "take", "pause", "go",  "step",
+                                     "speed", "key",  "touch", "hold" };
 
 static bool begins_with(const char *request, const char *word)
 {

@@ -15,7 +15,7 @@
 struct server {
     struct view *view;
     const char *token;
-    char host_name[32], origin[48]; /* as a request must name them */
+    char host_name[32], origin[48];         /* as a request must name them */
     struct client *clients[SERVER_CLIENTS]; /* the oldest first */
     size_t client_count;
     unsigned long connections;
@@ -24,7 +24,7 @@ struct server {
     unsigned long operator; /* the number of the page that asked to operate */
     pid_t host;             /* of the run that is shown */
     lws_sorted_usec_list_t again;
-    long idle;              /* beats without a page after the run's end */
+    long idle; /* beats without a page after the run's end */
 };
 
 /* What libwebsockets keeps for each connection. */
@@ -94,8 +94,8 @@ static int send_file(struct lws *wsi, struct connection *connection)
     if (!is_last)
         length = sizeof block - LWS_PRE;
     memcpy(block + LWS_PRE, connection->file->begin + connection->sent, length);
-    if (lws_write(wsi, block + LWS_PRE, length,
-                  is_last ? LWS_WRITE_HTTP_FINAL : LWS_WRITE_HTTP) < (int)length)
+    if (lws_write(wsi, block + LWS_PRE, length, is_last ? LWS_WRITE_HTTP_FINAL : LWS_WRITE_HTTP) <
+        (int)length)
         return -1;
     connection->sent += length;
     if (is_last)
@@ -109,14 +109,12 @@ static int on_http(struct lws *wsi, enum lws_callback_reasons reason, void *user
 {
     struct connection *connection = (struct connection *)user;
     switch (reason) {
-    case LWS_CALLBACK_HTTP:
-        return begin_file(wsi, connection, (const char *)in);
+    case LWS_CALLBACK_HTTP: return begin_file(wsi, connection, (const char *)in);
     case LWS_CALLBACK_HTTP_WRITEABLE:
         return connection == NULL || connection->file == NULL ? 0 : send_file(wsi, connection);
     case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION:
         return -1; /* a WebSocket of no protocol that is spoken here */
-    default:
-        return lws_callback_http_dummy(wsi, reason, user, in, length);
+    default: return lws_callback_http_dummy(wsi, reason, user, in, length);
     }
 }
 
@@ -209,14 +207,13 @@ static void command(struct server *server, struct client *client)
     if (refusal != NULL)
         client->refusal = refusal;
     else if (strcmp(client->command, "take") == 0)
-        server->operator = client->number;
+        server->operator= client->number;
     free(client->command);
     client->command = NULL;
     tell_run(server);
 }
 
-static int receive(struct lws *wsi, struct connection *connection, const char *piece,
-                   size_t length)
+static int receive(struct lws *wsi, struct connection *connection, const char *piece, size_t length)
 {
     struct server *server = server_of(wsi);
     struct client *client = connection->client;
@@ -231,13 +228,9 @@ static int receive(struct lws *wsi, struct connection *connection, const char *p
         return close_with(wsi, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE, "this request is too long");
     case WRONG_TOKEN:
         return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "this is not the token");
-    case TOO_MANY:
-        return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "too many requests");
-    case COMMANDS:
-        command(server, client);
-        break;
-    case GOES_ON:
-        break;
+    case TOO_MANY: return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "too many requests");
+    case COMMANDS: command(server, client); break;
+    case GOES_ON: break;
     }
     if (client->admitted && !was_admitted)
         tell_run(server);
@@ -286,9 +279,8 @@ static int write_message(struct lws *wsi, struct connection *connection)
         return 0;
     }
     length = text.length - sizeof room;
-    if (text.failed ||
-        lws_write(wsi, (unsigned char *)text.data + LWS_PRE, length,
-                  text.is_binary ? LWS_WRITE_BINARY : LWS_WRITE_TEXT) < (int)length)
+    if (text.failed || lws_write(wsi, (unsigned char *)text.data + LWS_PRE, length,
+                                 text.is_binary ? LWS_WRITE_BINARY : LWS_WRITE_TEXT) < (int)length)
         status = -1;
     buffer_free(&text);
     ask(server);
@@ -332,22 +324,14 @@ static int on_page(struct lws *wsi, enum lws_callback_reasons reason, void *user
                        header_is(wsi, WSI_TOKEN_ORIGIN, server_of(wsi)->origin)
                    ? 0
                    : -1;
-    case LWS_CALLBACK_ESTABLISHED:
-        return open_client(wsi, connection);
+    case LWS_CALLBACK_ESTABLISHED: return open_client(wsi, connection);
     case LWS_CALLBACK_TIMER:
         return connection->client != NULL && connection->client->admitted ? 0 : -1;
-    case LWS_CALLBACK_RECEIVE:
-        return receive(wsi, connection, (const char *)in, length);
-    case LWS_CALLBACK_SERVER_WRITEABLE:
-        return write_message(wsi, connection);
-    case LWS_CALLBACK_EVENT_WAIT_CANCELLED:
-        deliver(server_of(wsi));
-        return 0;
-    case LWS_CALLBACK_CLOSED:
-        close_client(wsi, connection);
-        return 0;
-    default:
-        return 0;
+    case LWS_CALLBACK_RECEIVE: return receive(wsi, connection, (const char *)in, length);
+    case LWS_CALLBACK_SERVER_WRITEABLE: return write_message(wsi, connection);
+    case LWS_CALLBACK_EVENT_WAIT_CANCELLED: deliver(server_of(wsi)); return 0;
+    case LWS_CALLBACK_CLOSED: close_client(wsi, connection); return 0;
+    default: return 0;
     }
 }
 
@@ -403,8 +387,7 @@ static const struct lws_protocol_vhost_options
                  "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; "
                  "img-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'" };
 
-bool server_run(struct view *view, int port, const char *token, server_ready *ready,
-                void *context)
+bool server_run(struct view *view, int port, const char *token, server_ready *ready, void *context)
 {
     struct server server = { .view = view, .token = token, .host = getppid() };
     struct lws_context_creation_info info;

@@ -22,7 +22,6 @@ typedef bool server_ready(void *context, int port);
 /* Serves until the process gets SIGTERM, or SIGINT if this is no run that goes on; one that
  * does is served until it is over and no page is open. Port 0 is any that is free. False if the
  * port cannot be had, with one line on standard error, or nobody was told. */
-bool server_run(struct view *view, int port, const char *token, server_ready *ready,
-                void *context);
+bool server_run(struct view *view, int port, const char *token, server_ready *ready, void *context);
 
 #endif

@@ -4,8 +4,8 @@
 #include <string.h>
 #include <time.h>
 
-#define LOOK_NS 4000000  /* how often to look for new instants of a run */
-#define WORK_S 0.005     /* how long to work without looking for requests */
+#define LOOK_NS 4000000 /* how often to look for new instants of a run */
+#define WORK_S 0.005    /* how long to work without looking for requests */
 
 /* Until there is a request, or it is time to look; with the lock. */
 static void wait_for_something(struct worker *worker, bool looks)
@@ -34,8 +34,7 @@ static bool take(struct worker *worker, struct job *job)
         return false;
     *job = worker->waiting[0];
     worker->waiting_count--;
-    memmove(worker->waiting, worker->waiting + 1,
-            worker->waiting_count * sizeof *worker->waiting);
+    memmove(worker->waiting, worker->waiting + 1, worker->waiting_count * sizeof *worker->waiting);
     return true;
 }
 

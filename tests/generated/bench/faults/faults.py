@@ -76,7 +76,9 @@ def outputs(program):
 
 def draw(text, random_source):
     """Faults of a program in random order: by turns of any kind, none twice."""
-    left = {kind: random_source.sample(places, len(places)) for kind, places in faults(text).items()}
+    left = {
+        kind: random_source.sample(places, len(places)) for kind, places in faults(text).items()
+    }
     while left:
         kind = random_source.choice(sorted(left))
         yield kind, left[kind].pop()
@@ -113,7 +115,9 @@ def judge(path, text, wanted):
             line = text.count("\n", 0, start) + 1
             old, new = (" ".join(what.split()) for what in (text[start:end], instead))
             left_out = f"without `{old}`"
-            missed.append(f"{path}:{line}: {kind}: " + (f"`{new}` for `{old}`" if new else left_out))
+            missed.append(
+                f"{path}:{line}: {kind}: " + (f"`{new}` for `{old}`" if new else left_out)
+            )
     return path, caught, missed, none
 
 

@@ -43,9 +43,7 @@ unit# = proc x -> y where
     y      = gain# b.gait (drift + 0.1 * change) + (let z = x * x in z / (1 + z))
 |}
 
-let block k =
-  print_string (String.concat (string_of_int k) (String.split_on_char '#' template))
-
+let block k = print_string (String.concat (string_of_int k) (String.split_on_char '#' template))
 let lines_of_block = List.length (String.split_on_char '\n' template) - 1
 
 (* Runs the signal functions called [name] from number [first] one after the
@@ -58,19 +56,20 @@ let join whole name first count =
 
 let rec levels level name count =
   if count <= 10 then join "main" name 0 count
-  else begin
+  else
     let whole = Printf.sprintf "level%dof" level in
     let groups = (count + 9) / 10 in
     for i = 0 to groups - 1 do
       join (Printf.sprintf "%s%d" whole i) name (10 * i) (min 10 (count - (10 * i)))
     done;
     levels (level + 1) whole groups
-  end
 
 let () =
   let lines = int_of_string Sys.argv.(1) in
   (* ten blocks come with about 15 lines that join them *)
   let blocks = max 1 (10 * lines / ((10 * lines_of_block) + 15)) in
   Printf.printf "-- A generated program of about %d lines.\n" lines;
-  for k = 0 to blocks - 1 do block k done;
+  for k = 0 to blocks - 1 do
+    block k
+  done;
   levels 1 "unit" blocks

@@ -52,9 +52,19 @@ client.end()
 
 def tell(measure, times, aim):
     p95 = 1000 * sorted(times)[int(0.95 * len(times))]
-    print(json.dumps({
-        "program": "lines_2000", "measure": measure, "compiler": "frobc lsp", "value": round(p95, 1),
-        "reference": aim, "ratio": round(p95 / aim, 3), "unit": "ms"}))
+    print(
+        json.dumps(
+            {
+                "program": "lines_2000",
+                "measure": measure,
+                "compiler": "frobc lsp",
+                "value": round(p95, 1),
+                "reference": aim,
+                "ratio": round(p95 / aim, 3),
+                "unit": "ms",
+            }
+        )
+    )
 
 
 tell("change to messages, 95 %", changes, 100)

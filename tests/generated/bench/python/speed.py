@@ -89,5 +89,7 @@ for file in sys.argv[1:]:
         sys.exit(f"{file}: Python has other outputs than C")
     c, python = (min(times[k][0] for times in rounds) / N * 1e9 for k in (0, 1))
     result = {"program": p.name, "measure": "a step from Python", "compiler": "gcc"}
-    result.update(value=round(python, 2), reference=round(c, 2), ratio=round(python / c, 3), unit="ns")
+    result.update(
+        value=round(python, 2), reference=round(c, 2), ratio=round(python / c, 3), unit="ns"
+    )
     print(json.dumps(result))

@@ -47,61 +47,58 @@ int bench_main(const struct bench *bench, int argc, char **argv);
 #define BENCH_PASS __attribute__((noinline))
 
 #ifdef BENCH_BATCH
-#define BENCH_PASSES(program)                                                  \
-    static struct program##_state by_hand_state;                               \
-    static BENCH_PASS void generated_pass(void)                                \
-    {                                                                          \
-        program##_reset(&generated_state);                                     \
-        program##_steps(&generated_state, INSTANTS, bench_dt, input,           \
-                        generated);                                            \
-    }                                                                          \
-    static BENCH_PASS void by_hand_pass(void)                                  \
-    {                                                                          \
-        program##_reset(&by_hand_state);                                       \
-        for (size_t i = 0; i < INSTANTS; i++)                                  \
-            program##_step(&by_hand_state, bench_dt[i], &input[i],             \
-                           &by_hand[i]);                                       \
+#define BENCH_PASSES(program)                                                    \
+    static struct program##_state by_hand_state;                                 \
+    static BENCH_PASS void generated_pass(void)                                  \
+    {                                                                            \
+        program##_reset(&generated_state);                                       \
+        program##_steps(&generated_state, INSTANTS, bench_dt, input, generated); \
+    }                                                                            \
+    static BENCH_PASS void by_hand_pass(void)                                    \
+    {                                                                            \
+        program##_reset(&by_hand_state);                                         \
+        for (size_t i = 0; i < INSTANTS; i++)                                    \
+            program##_step(&by_hand_state, bench_dt[i], &input[i], &by_hand[i]); \
     }
 #else
-#define BENCH_PASSES(program)                                                  \
-    static struct by_hand by_hand_state;                                       \
-    static BENCH_PASS void generated_pass(void)                                \
-    {                                                                          \
-        program##_reset(&generated_state);                                     \
-        for (size_t i = 0; i < INSTANTS; i++)                                  \
-            program##_step(&generated_state, bench_dt[i], &input[i],           \
-                           &generated[i]);                                     \
-    }                                                                          \
-    static BENCH_PASS void by_hand_pass(void)                                  \
-    {                                                                          \
-        by_hand_reset(&by_hand_state);                                         \
-        for (size_t i = 0; i < INSTANTS; i++)                                  \
-            by_hand_step(&by_hand_state, bench_dt[i], &input[i], &by_hand[i]); \
+#define BENCH_PASSES(program)                                                        \
+    static struct by_hand by_hand_state;                                             \
+    static BENCH_PASS void generated_pass(void)                                      \
+    {                                                                                \
+        program##_reset(&generated_state);                                           \
+        for (size_t i = 0; i < INSTANTS; i++)                                        \
+            program##_step(&generated_state, bench_dt[i], &input[i], &generated[i]); \
+    }                                                                                \
+    static BENCH_PASS void by_hand_pass(void)                                        \
+    {                                                                                \
+        by_hand_reset(&by_hand_state);                                               \
+        for (size_t i = 0; i < INSTANTS; i++)                                        \
+            by_hand_step(&by_hand_state, bench_dt[i], &input[i], &by_hand[i]);       \
     }
 #endif
 
-#define BENCH(program)                                                         \
-    static struct program##_input input[INSTANTS];                             \
-    static struct program##_output generated[INSTANTS], by_hand[INSTANTS];     \
-    static struct program##_state generated_state;                             \
-    static void make_input(size_t i);                                          \
-    static void make_inputs(void)                                              \
-    {                                                                          \
-        for (size_t i = 0; i < INSTANTS; i++)                                  \
-            make_input(i);                                                     \
-    }                                                                          \
-    BENCH_PASSES(program)                                                      \
-    int main(int argc, char **argv)                                            \
-    {                                                                          \
-        const struct bench bench = {make_inputs,                               \
-                                    generated_pass,                            \
-                                    by_hand_pass,                              \
-                                    (const double *)(const void *)generated,   \
-                                    (const double *)(const void *)by_hand,     \
-                                    sizeof generated / (sizeof(double)),       \
-                                    sizeof generated_state,                    \
-                                    sizeof by_hand_state};                     \
-        return bench_main(&bench, argc, argv);                                 \
+#define BENCH(program)                                                        \
+    static struct program##_input input[INSTANTS];                            \
+    static struct program##_output generated[INSTANTS], by_hand[INSTANTS];    \
+    static struct program##_state generated_state;                            \
+    static void make_input(size_t i);                                         \
+    static void make_inputs(void)                                             \
+    {                                                                         \
+        for (size_t i = 0; i < INSTANTS; i++)                                 \
+            make_input(i);                                                    \
+    }                                                                         \
+    BENCH_PASSES(program)                                                     \
+    int main(int argc, char **argv)                                           \
+    {                                                                         \
+        const struct bench bench = { make_inputs,                             \
+                                     generated_pass,                          \
+                                     by_hand_pass,                            \
+                                     (const double *)(const void *)generated, \
+                                     (const double *)(const void *)by_hand,   \
+                                     sizeof generated / (sizeof(double)),     \
+                                     sizeof generated_state,                  \
+                                     sizeof by_hand_state };                  \
+        return bench_main(&bench, argc, argv);                                \
     }
 
 #endif

@@ -238,7 +238,8 @@ static void print(const char *measure, int64_t value, int64_t reference)
 
 int main(int argc, char **argv)
 {
-    size_t count = argc > 3 ? (size_t)atoi(argv[2]) : 0, lanes = argc > 3 ? (size_t)atoi(argv[3]) : 0;
+    size_t count = argc > 3 ? (size_t)atoi(argv[2]) : 0,
+           lanes = argc > 3 ? (size_t)atoi(argv[3]) : 0;
     int64_t *taken, *reference;
     size_t lost = 0;
     if (count == 0 || lanes == 0) {

@@ -54,7 +54,8 @@ int main(int argc, char **argv)
         wake.tv_sec += wake.tv_nsec / 1000000000;
         wake.tv_nsec %= 1000000000;
         clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, NULL);
-        late[k] = (seconds(CLOCK_MONOTONIC) - (double)wake.tv_sec - (double)wake.tv_nsec / 1e9) * 1e6;
+        late[k] =
+            (seconds(CLOCK_MONOTONIC) - (double)wake.tv_sec - (double)wake.tv_nsec / 1e9) * 1e6;
         input[0] = seconds(CLOCK_REALTIME) * 1e3;
         input[1] = late[k];
         program->step(state, program->default_params, k == 0 ? 0.0 : (double)period_us / 1e6, input,

@@ -15,9 +15,11 @@ def example(name):
 
 
 def figure(program, measure, value, aim, unit):
-    print('{"program": "%s", "measure": "%s", "compiler": "", "value": %.6g, "reference": %g, '
-          '"ratio": %.2f, "unit": "%s"}' % (program, measure, value, aim, value / aim, unit),
-          flush=True)
+    print(
+        '{"program": "%s", "measure": "%s", "compiler": "", "value": %.6g, "reference": %g, '
+        '"ratio": %.2f, "unit": "%s"}' % (program, measure, value, aim, value / aim, unit),
+        flush=True,
+    )
 
 
 def quantile(values, share):
@@ -71,11 +73,21 @@ class Clock:
         with open(recording, "w") as file:
             file.write("time,in.1,in.2\n0,0,0\n")
         self.host = os.path.join(folder, "clock_host")
-        self.shared = subprocess.run([frobc, "view", "--only-build", recording, program], check=True,
-                                     stdout=subprocess.PIPE, text=True).stdout.strip()
+        self.shared = subprocess.run(
+            [frobc, "view", "--only-build", recording, program],
+            check=True,
+            stdout=subprocess.PIPE,
+            text=True,
+        ).stdout.strip()
         viewer = os.path.join(os.path.dirname(frobc), "..", "lib", "frobc", "frob-view")
         self.viewer = [viewer, "--print", "--source", program, self.shared, "-"]
 
     def command(self, count, period_us, priority, viewer=True):
-        return [self.host, self.shared, str(count), str(period_us), str(priority),
-                *(self.viewer if viewer else [])]
+        return [
+            self.host,
+            self.shared,
+            str(count),
+            str(period_us),
+            str(priority),
+            *(self.viewer if viewer else []),
+        ]

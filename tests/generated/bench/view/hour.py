@@ -18,7 +18,10 @@ import websockets
 from journey import Page, start
 from protocol import connect
 
-PROBES = "ahead.front,ahead.left,ahead.right,ahead.omega,explore.mode,watching.n,sides.least,ahead.mode"
+PROBES = (
+    "ahead.front,ahead.left,ahead.right,ahead.omega,explore.mode,watching.n,sides.least,ahead.mode"
+)
+
 
 async def ask(client, request):
     await client.send(request)
@@ -69,8 +72,11 @@ def main():
     frobc, folder = sys.argv[1:]
     recording = os.path.join(folder, "hour.csv")
     program = example("explore")
-    subprocess.run([frobc, "run", program, "--for", "3600s", "--record", recording, "--probe", PROBES],
-                   check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(
+        [frobc, "run", program, "--for", "3600s", "--record", recording, "--probe", PROBES],
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
     with open(recording) as file:
         columns = file.readline().count(",") + 1
         instants = sum(1 for _ in file)
@@ -93,8 +99,7 @@ def main():
         page = Page(driver, v.address)
         page.at(0)
         driver.set_script_timeout(10)
-        took = [driver.execute_async_script(scrub, "#now", random.random())
-                for _ in range(200)]
+        took = [driver.execute_async_script(scrub, "#now", random.random()) for _ in range(200)]
         for name, share in ("median", 0.5), ("99 %", 0.99):
             figure("explore", f"any instant on the screen, {name}", quantile(took, share), 33, "ms")
         time.sleep(10)  # for the browser to collect what it does not need

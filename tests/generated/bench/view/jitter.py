@@ -44,8 +44,9 @@ def main():
     finally:
         driver.quit()
     for name, which, aim in (("median", 0, 20), ("99 %", 1, 20)):
-        with_, without = ([quantile([r[which] for r in results], 0.5)] for results in
-                          (looked_at, alone))
+        with_, without = (
+            [quantile([r[which] for r in results], 0.5)] for results in (looked_at, alone)
+        )
         figure("clock", f"wake-up later when looked at, {name}", with_[0] - without[0], aim, "us")
     figure("clock", "memory of a host that is looked at, more", quantile(sizes, 0.5), 4, "MB")
 

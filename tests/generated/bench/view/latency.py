@@ -29,7 +29,9 @@ const drawn = (name, then) => {
 };
 """
 
-instants = watch + """
+instants = (
+    watch
+    + """
 const [count, done] = arguments;
 const took = [];
 let last = "";
@@ -42,8 +44,11 @@ const output = drawn("in.1", (seen) => {
   done(took);
 });
 """
+)
 
-press = watch + """
+press = (
+    watch
+    + """
 const [key, done] = arguments;
 const field = document.getElementById("type");
 const before = performance.now();
@@ -54,6 +59,7 @@ drawn("out.turn", (seen) => {
 field.value = key;
 field.oninput();
 """
+)
 
 
 def tell(program, measure, took):
@@ -75,8 +81,11 @@ def main():
         run = viewer.Run(frobc, ["--robot", "pioneer", example("safe_stick")])
         page = Page(driver, run.address)
         page.wait(lambda: page.text("#follow") == "Live" and page.instant() > 50)
-        tell("safe_stick", "key to pixel",
-             [driver.execute_async_script(press, "ax"[i % 2]) for i in range(count)])
+        tell(
+            "safe_stick",
+            "key to pixel",
+            [driver.execute_async_script(press, "ax"[i % 2]) for i in range(count)],
+        )
         page.all("#stop")[0].click()
         run.process.wait(10)
     finally:

@@ -47,8 +47,10 @@ def on_screen(v):
         page.at(0)
         driver.set_script_timeout(10)
         # to and fro, so that it is another frame each time
-        return [driver.execute_async_script(scrub, "#camera p", (k % 2 + random.random()) / 2)
-                for k in range(200)]
+        return [
+            driver.execute_async_script(scrub, "#camera p", (k % 2 + random.random()) / 2)
+            for k in range(200)
+        ]
     finally:
         driver.quit()
 
@@ -57,8 +59,11 @@ def main():
     frobc, folder = sys.argv[1:]
     recording = os.path.join(folder, "seen.csv")
     program = example("follow_ball")
-    subprocess.run([frobc, "run", program, "--for", f"{INSTANTS / 50}s", "--record", recording],
-                   check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(
+        [frobc, "run", program, "--for", f"{INSTANTS / 50}s", "--record", recording],
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
     v = viewer.Viewer(frobc, recording, program)
     took, worked = asyncio.run(answered(v))
     figure("follow_ball", "the image of any instant, the viewer's processor time", worked, 5, "ms")

@@ -34,8 +34,11 @@ def main():
     frobc, folder, count = sys.argv[1], sys.argv[2], int(sys.argv[3])
     recording, program = os.path.join(folder, "minute.csv"), example("wall_follow")
     os.environ["XDG_CACHE_HOME"] = os.path.join(folder, "cache")
-    subprocess.run([frobc, "run", program, "--for", "60s", "--record", recording], check=True,
-                   stdout=subprocess.DEVNULL)
+    subprocess.run(
+        [frobc, "run", program, "--for", "60s", "--record", recording],
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
     with open(program) as file:
         text = file.read()
     v = viewer.Viewer(frobc, recording, program)

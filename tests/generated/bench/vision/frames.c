@@ -196,14 +196,14 @@ static void through_pipe(const char *measure, const char *pipe, const struct fil
 }
 
 /* From when it is due, which is its time. Some may be skipped on a busy machine. */
-static void from_file(const char *measure, const struct camera_options *options,
-                      double decoding_ms)
+static void from_file(const char *measure, const struct camera_options *options, double decoding_ms)
 {
     struct camera_process p = begin(options);
     double took[COUNT];
     int64_t last_ns = 0;
     int count = 0;
-    for (const struct captured *frame; count < COUNT && (frame = await(&p, last_ns + 1, 1)) != NULL;) {
+    for (const struct captured *frame;
+         count < COUNT && (frame = await(&p, last_ns + 1, 1)) != NULL;) {
         took[count++] = (double)(source_now_ns() - frame->captured_ns) * 1e-6 - decoding_ms;
         last_ns = frame->captured_ns;
     }
@@ -279,8 +279,8 @@ static void again(const char *measure, const char *state, int count, int at_a_ti
 {
     const int each = count / at_a_time;
     const size_t size = (size_t)(each * at_a_time) * sizeof(double);
-    double *took = (double *)mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS,
-                                  -1, 0);
+    double *took =
+        (double *)mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     int status;
     for (int i = 0; i < at_a_time; i++)
         if (fork() == 0) {

@@ -78,8 +78,8 @@ static void draw(void)
 
 /* {1 Calls} */
 
-static const struct frob_region everywhere = {0, 0, WIDTH, HEIGHT};
-static const struct frob_colour_range orange = {0.17, 0.7, 0.5, 1, 0.3, 1};
+static const struct frob_region everywhere = { 0, 0, WIDTH, HEIGHT };
+static const struct frob_colour_range orange = { 0.17, 0.7, 0.5, 1, 0.3, 1 };
 static volatile double sink;
 
 static void blob(void)
@@ -105,7 +105,7 @@ static void statistics(void)
 
 static void edges(void)
 {
-    const struct frob_segment segment = {160.3, 120.2, 0.3, 40, 10};
+    const struct frob_segment segment = { 160.3, 120.2, 0.3, 40, 10 };
     struct frob_edges found;
     frob_find_edges(&grey, &segment, &found);
     sink = found.rising.offset;
@@ -121,7 +121,7 @@ static void corner(void)
 /* From where it does not stop before the tenth step. */
 static void match(void)
 {
-    const struct frob_search search = {{163, 117, 0.15, 1.1}, 0, 10, 4};
+    const struct frob_search search = { { 163, 117, 0.15, 1.1 }, 0, 10, 4 };
     struct frob_match found;
     frob_match_patch(&grey, patch, &search, &found);
     sink = found.residual;
@@ -129,7 +129,7 @@ static void match(void)
 
 static void cut(void)
 {
-    const struct frob_placement place = {163.3, 117.2, 0.15, 1.1};
+    const struct frob_placement place = { 163.3, 117.2, 0.15, 1.1 };
     double samples[FROB_PATCH_SIZE];
     frob_get_patch(&grey, &place, samples);
     sink = samples[0];
@@ -142,7 +142,7 @@ static void undistort(void)
     bent.camera.k1 = -0.2;
     bent.camera.focal_y = 300;
     for (int k = 0; k < 1000; k++) {
-        const struct frob_vec2 point = {k % 320, k % 240};
+        const struct frob_vec2 point = { k % 320, k % 240 };
         struct frob_vec2 found;
         frob_undistort_point(&bent, &point, &found);
         sink = found.x;
@@ -151,7 +151,7 @@ static void undistort(void)
 
 static void find(void)
 {
-    const struct frob_placement like = {0, 0, 0, 1};
+    const struct frob_placement like = { 0, 0, 0, 1 };
     struct frob_match found;
     frob_find_template(&grey, &everywhere, patch, &like, &found);
     sink = found.residual;
@@ -159,7 +159,7 @@ static void find(void)
 
 static void depths(void)
 {
-    const struct frob_stereo how = {{0, 0, WIDTH, HEIGHT}, 32, 9};
+    const struct frob_stereo how = { { 0, 0, WIDTH, HEIGHT }, 32, 9 };
     struct frob_depths found;
     frob_stereo_depths(&grey, &other, &how, &found);
     sink = found.known;
@@ -211,7 +211,9 @@ static void *read_file(const char *path, size_t size)
 static int stereo(char **arguments)
 {
     const int width = atoi(arguments[0]), height = atoi(arguments[1]);
-    const struct frob_stereo how = {{0, 0, width, height}, atoi(arguments[2]), atoi(arguments[3])};
+    const struct frob_stereo how = { { 0, 0, width, height },
+                                     atoi(arguments[2]),
+                                     atoi(arguments[3]) };
     const size_t size = (size_t)width * (size_t)height;
     const size_t room_size = frob_stereo_room(width, &how);
     uint16_t *room = malloc(room_size);
@@ -236,7 +238,7 @@ static int stereo(char **arguments)
 
 int main(int count, char **arguments)
 {
-    const struct frob_placement place = {160, 120, 0, 1};
+    const struct frob_placement place = { 160, 120, 0, 1 };
 
     if (count == 8)
         return stereo(arguments + 1);

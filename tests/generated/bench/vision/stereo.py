@@ -6,6 +6,7 @@ disparities of photographs are worth is told by tests/generated/photographs.
 
 KERNELS is the program kernels.c, FOLDER where to work.
 """
+
 import json
 import subprocess
 import sys
@@ -38,9 +39,19 @@ def own(left, right, disparities, window):
 
 
 def row(measure, value, reference, unit):
-    print(json.dumps({"program": "vision", "measure": measure, "compiler": "opencv",
-                      "value": round(value, 4), "reference": round(reference, 4),
-                      "ratio": round(value / reference, 2), "unit": unit}))
+    print(
+        json.dumps(
+            {
+                "program": "vision",
+                "measure": measure,
+                "compiler": "opencv",
+                "value": round(value, 4),
+                "reference": round(reference, 4),
+                "ratio": round(value / reference, 2),
+                "unit": unit,
+            }
+        )
+    )
 
 
 kernels, folder = sys.argv[1:]

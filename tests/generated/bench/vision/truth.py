@@ -6,6 +6,7 @@ one object a line: a value, and the aim as its reference.
 FROBC is the compiler, FOLDER where to work; SEEDS of noise that examples are tried with, 100
 unless told. Of recordings with frames a tenth of these are made.
 """
+
 import csv
 import json
 import math
@@ -21,14 +22,26 @@ trackers = pathlib.Path("tests/robots/trackers")
 
 
 def row(program, measure, value, aim, unit):
-    print(json.dumps({"program": program, "measure": measure, "compiler": "gcc",
-                      "value": round(value, 4), "reference": aim,
-                      "ratio": round(value / aim, 3), "unit": unit}), flush=True)
+    print(
+        json.dumps(
+            {
+                "program": program,
+                "measure": measure,
+                "compiler": "gcc",
+                "value": round(value, 4),
+                "reference": aim,
+                "ratio": round(value / aim, 3),
+                "unit": unit,
+            }
+        ),
+        flush=True,
+    )
 
 
 def call(*arguments):
-    return subprocess.run([frobc, *map(str, arguments)], check=True, capture_output=True,
-                          text=True).stdout
+    return subprocess.run(
+        [frobc, *map(str, arguments)], check=True, capture_output=True, text=True
+    ).stdout
 
 
 # What the trials of examples measure
@@ -36,8 +49,15 @@ def call(*arguments):
 
 def measured(example):
     """What its trial measures: a list of numbers for each name, of all runs. All have to hold."""
-    tests = call("test", f"examples/{example}/{example}.frob", "--seeds", SEEDS, "--json",
-                 "--keep", folder / "failed")
+    tests = call(
+        "test",
+        f"examples/{example}/{example}.frob",
+        "--seeds",
+        SEEDS,
+        "--json",
+        "--keep",
+        folder / "failed",
+    )
     runs = [run["measured"] for line in tests.splitlines() for run in json.loads(line)["runs"]]
     assert len(runs) == SEEDS
     return {name: [run[name] for run in runs] for name in runs[0]}
@@ -62,8 +82,18 @@ def recording(program, world, seconds, seed):
     """A run with its frames; the next one takes its place."""
     log = folder / "run.csv"
     subprocess.run(["rm", "-rf", folder / "run.frames"], check=True)
-    call("run", trackers / program, "--world", trackers / world, "--for", seconds, "--seed", seed,
-         "--record", log)
+    call(
+        "run",
+        trackers / program,
+        "--world",
+        trackers / world,
+        "--for",
+        seconds,
+        "--seed",
+        seed,
+        "--record",
+        log,
+    )
     return log
 
 
@@ -117,8 +147,9 @@ def occlusion():
     waits = []
     for seed in RECORDED:
         log = recording("known.frob", "world.toml", "8s", seed)
-        traced = call("trace", trackers / "occluded.frob", "--with", trackers / "covered.c",
-                      "--input", log)
+        traced = call(
+            "trace", trackers / "occluded.frob", "--with", trackers / "covered.c", "--input", log
+        )
         waits += found_again(list(csv.reader(traced.splitlines()))[1:])
     row("trackers", "found again after, at most", max(waits), 0.5, "s")
 

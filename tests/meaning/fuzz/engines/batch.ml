@@ -2,7 +2,13 @@ let size = Bias.alike
 let rows = 25
 let most_judges = 2
 
-type failure = { number : int; recordings : Recording.t list; outcome : Engines.outcome; text : string; real : Basis.Real.t }
+type failure = {
+  number : int;
+  recordings : Recording.t list;
+  outcome : Engines.outcome;
+  text : string;
+  real : Basis.Real.t;
+}
 
 let summary ~seed { number; outcome; real; _ } =
   let precision = match real with Double -> "" | Single -> " in single precision" in
@@ -14,8 +20,7 @@ let describe ~seed failure =
     | Differ { recording; _ } -> "\n\nits input:\n\n" ^ Recording.csv recording
     | Agree | Rejected _ | Failed _ -> ""
   in
-  Printf.sprintf "%s\n\n%s%s\n" (summary ~seed failure)
-    (String.trim failure.text) recording
+  Printf.sprintf "%s\n\n%s%s\n" (summary ~seed failure) (String.trim failure.text) recording
 
 let write path text =
   let channel = open_out_bin path in
@@ -84,7 +89,8 @@ let on_input_of ?seen batch (tools : Engines.tools) engines ~seed ~first ~count 
   in
   match outcome with
   | Agree -> None
-  | Rejected _ | Failed _ | Differ _ -> Some { number = first; recordings; outcome; text; real = tools.real }
+  | Rejected _ | Failed _ | Differ _ ->
+      Some { number = first; recordings; outcome; text; real = tools.real }
 
 let patience = 60.
 
@@ -92,7 +98,10 @@ let shrunk (tools : Engines.tools) engines ~seed { number; recordings; outcome; 
   let components = List.init (Program.signals ~seed number) Fun.id in
   let small =
     Shrink.program tools engines ~seconds:patience
-      ~first:(List.map (fun component -> Constant.in_range real (Program.alone ~seed number ~component)) components)
+      ~first:
+        (List.map
+           (fun component -> Constant.in_range real (Program.alone ~seed number ~component))
+           components)
       { text; outcome; recordings }
   in
   let outcome : Engines.outcome =

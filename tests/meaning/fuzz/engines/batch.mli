@@ -39,5 +39,6 @@ val failures :
   first:int ->
   count:int ->
   failure list
-(** Now and then the programs of a batch are tried one by one. If another batch fails, each of its programs is tried alone, and those that
-    fail are given; if none does, the batch is, under its first number. *)
+(** Now and then the programs of a batch are tried one by one. If another batch fails, each of its
+    programs is tried alone, and those that fail are given; if none does, the batch is, under its
+    first number. *)

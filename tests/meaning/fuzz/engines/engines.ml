@@ -42,7 +42,8 @@ let ( / ) = Filename.concat
 
 (* In a bug of the compiler the programs to look at are those that show it. *)
 let internal_error : exn -> string option = function
-  | Diagnostic.Bug { stage; message } -> Some (Printf.sprintf "internal error in %s: %s" stage message)
+  | Diagnostic.Bug { stage; message } ->
+      Some (Printf.sprintf "internal error in %s: %s" stage message)
   | Invalid_argument reason | Failure reason -> Some ("internal error: " ^ reason)
   | Not_found -> Some "internal error: something is not found"
   | Stack_overflow -> Some "internal error: the stack overflowed"
@@ -67,7 +68,9 @@ let some_probes request =
   match Driver.Pipeline.columns (Diagnostic.sink ()) (Source.create ()) request with
   | None -> ([], false)
   | Some columns ->
-      let few = List.compare_length_with (List.filter is_claim columns) (Int.div most_probes 2) <= 0 in
+      let few =
+        List.compare_length_with (List.filter is_claim columns) (Int.div most_probes 2) <= 0
+      in
       let is_probe (c : Driver.Columns.t) = String.starts_with ~prefix:"probe." c.name in
       let all = List.filter is_probe columns in
       let every = 1 + Int.div (List.length all) most_probes in
@@ -78,10 +81,14 @@ let some_probes request =
 let rec load_with ?(watched = false) probes ?robot tools ~entry file =
   let sink = Diagnostic.sink () and sources = Source.create () in
   let request = Driver.Request.make ~library:tools.library file in
-  let request = { request with robot; entry; real = tools.real; lint = true; probes;
-    asserts = watched } in
+  let request =
+    { request with robot; entry; real = tools.real; lint = true; probes; asserts = watched }
+  in
   match Driver.Pipeline.for_both_engines sink sources request with
-  | None when List.exists (fun (d : Diagnostic.t) -> d.code = Driver.Probes.unknown) (Diagnostic.all sink) ->
+  | None
+    when List.exists
+           (fun (d : Diagnostic.t) -> d.code = Driver.Probes.unknown)
+           (Diagnostic.all sink) ->
       (* One of them is what a switch fed with its own output cannot show. *)
       load_with [] ?robot tools ~entry file
   | None -> Error (Rejected (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink)))
@@ -97,7 +104,11 @@ let rec load_with ?(watched = false) probes ?robot tools ~entry file =
           input = Interp.Shape.of_type core input;
           output = Interp.Shape.of_type core output;
           files =
-            [ (name ^ ".h", c.header); (name ^ ".c", c.source); (name ^ "_host.c", Option.get c.host_table) ];
+            [
+              (name ^ ".h", c.header);
+              (name ^ ".c", c.source);
+              (name ^ "_host.c", Option.get c.host_table);
+            ];
         }
 
 let load ?robot tools ~entry file =
@@ -181,13 +192,13 @@ let traced subject recording =
   let at = ref 0 and out = Buffer.create 4096 in
   let read () =
     if !at = String.length text then None
-    else begin
+    else (
       incr at;
-      Some text.[!at - 1]
-    end
+      Some text.[!at - 1])
   in
   match
-    Interp.Trace.run subject.core ~entry:subject.entry ~name:"input" ~read ~write:(Buffer.add_string out)
+    Interp.Trace.run subject.core ~entry:subject.entry ~name:"input" ~read
+      ~write:(Buffer.add_string out)
   with
   | Ok () -> Buffer.contents out
   | Error complaints -> failwith (String.concat "\n" complaints)
@@ -221,8 +232,7 @@ let in_process tools subject recordings =
       subject.files
   in
   let* program =
-    In_process.compile ~headers:(tools.runtime / "include") ~folder:tools.folder sources
-    |> failed
+    In_process.compile ~headers:(tools.runtime / "include") ~folder:tools.folder sources |> failed
   in
   Fun.protect
     ~finally:(fun () -> In_process.release program)
@@ -247,10 +257,9 @@ let cells text =
   let next = ref 0 in
   let characters () =
     if !next = String.length text then None
-    else begin
+    else (
       incr next;
-      Some text.[!next - 1]
-    end
+      Some text.[!next - 1])
   in
   let csv = Interp.Csv.reader characters in
   let rec rows found =

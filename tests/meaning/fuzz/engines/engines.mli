@@ -40,15 +40,14 @@ val files : subject -> (string * string) list
 (** The names and texts of its C, with the table for hosts. *)
 
 val interpreted : subject -> Recording.t -> string
-(** The trace of the output as the interpreter has it. May raise what a program
-    of its own would show as an internal error. *)
+(** The trace of the output as the interpreter has it. May raise what a program of its own would
+    show as an internal error. *)
 
 val recordings : Random.State.t -> rows:int -> subject -> Recording.t list
 (** A tame one and a wild one. *)
 
 val with_dt : Random.State.t -> rows:int -> tools -> subject -> Recording.t
-(** One whose steps are given any dt, as no host gives them. {!judge} leaves it to
-    [Tcc]. *)
+(** One whose steps are given any dt, as no host gives them. {!judge} leaves it to [Tcc]. *)
 
 val fits : subject -> Recording.t -> bool
 (** Whether the recording has the program's columns. *)

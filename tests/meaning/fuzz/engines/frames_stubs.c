@@ -26,10 +26,10 @@ struct size {
     enum frob_image_format format;
 };
 
-static const struct size sizes[] = {
-    { 32, 24, FROB_RGB8 }, { 40, 40, FROB_GREY8 }, { 64, 20, FROB_RGB8 }, { 7, 9, FROB_GREY8 },
-    { 1, 1, FROB_RGB8 },   { 90, 12, FROB_GREY8 }, { 48, 48, FROB_RGB8 }, { 32, 24, FROB_GREY8 }
-};
+static const struct size sizes[] = { { 32, 24, FROB_RGB8 }, { 40, 40, FROB_GREY8 },
+                                     { 64, 20, FROB_RGB8 }, { 7, 9, FROB_GREY8 },
+                                     { 1, 1, FROB_RGB8 },   { 90, 12, FROB_GREY8 },
+                                     { 48, 48, FROB_RGB8 }, { 32, 24, FROB_GREY8 } };
 enum { COUNT = sizeof sizes / sizeof sizes[0] };
 
 /* A bright square, a disc in colours, and noise. */
@@ -43,7 +43,9 @@ static void draw(uint8_t *pixels, const struct size *size, uint32_t seed)
                 const bool in_square = x > 3 && x < 12 && y > 4 && y < 12;
                 const bool in_disc = dx * dx + dy * dy < 30;
                 seed = seed * 1664525u + 1013904223u;
-                *pixels++ = (uint8_t)((in_square ? 200 : in_disc ? 60 + 70 * (int)k : 90 + x % 7) +
+                *pixels++ = (uint8_t)((in_square ? 200
+                                       : in_disc ? 60 + 70 * (int)k
+                                                 : 90 + x % 7) +
                                       (int)(seed >> 28));
             }
 }
@@ -82,7 +84,8 @@ value frames_write(value record)
     for (uint32_t k = 0; ok && k < COUNT; k++) {
         static uint8_t pixels[3 * 128 * 128];
         struct frob_image image = image_of(k, pixels);
-        const struct frob_frame_name name = (draw(pixels, &sizes[k], k), frob_frame_name_of(&image));
+        const struct frob_frame_name name =
+            (draw(pixels, &sizes[k], k), frob_frame_name_of(&image));
         ok = frame_writer_put(&writer, &image);
         one = caml_alloc_tuple(3);
         Store_field(one, 0, Val_long((long)name.number));

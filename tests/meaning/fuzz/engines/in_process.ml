@@ -1,6 +1,7 @@
 type t
 
 external compile_files : string array -> string array -> t = "in_process_compile"
+
 external run_rows :
   t -> bool * string array -> float array -> int array -> string array array -> string
   = "in_process_run"
@@ -41,7 +42,9 @@ let run program recording =
   let times = List.map (fun (r : Recording.row) -> r.time_ns) rows in
   let cells = List.map (fun (r : Recording.row) -> Array.of_list r.cells) rows in
   let singles = Recording.precision recording = Single in
-  let params = Array.of_list (List.map (fun (p : Recording.param) -> p.cell) (Recording.params recording)) in
+  let params =
+    Array.of_list (List.map (fun (p : Recording.param) -> p.cell) (Recording.params recording))
+  in
   let dts = Array.of_list (Recording.seconds recording) in
   match run_rows program (singles, params) dts (Array.of_list times) (Array.of_list cells) with
   | trace -> Ok trace

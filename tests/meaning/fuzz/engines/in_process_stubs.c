@@ -46,9 +46,9 @@ static void finalize(value v)
 }
 
 static struct custom_operations operations = {
-    "frob.fuzz.in_process",  finalize,
-    custom_compare_default,  custom_hash_default,
-    custom_serialize_default, custom_deserialize_default,
+    "frob.fuzz.in_process",     finalize,
+    custom_compare_default,     custom_hash_default,
+    custom_serialize_default,   custom_deserialize_default,
     custom_compare_ext_default, custom_fixed_length_default
 };
 
@@ -73,9 +73,9 @@ static void add_message(void *context, const char *message)
 static void add_elementary(TCCState *compiler)
 {
 #define ONE(name) tcc_add_symbol(compiler, #name, (const void *)(intptr_t)name)
-#define ADD(name) \
-    do { \
-        ONE(name); \
+#define ADD(name)     \
+    do {              \
+        ONE(name);    \
         ONE(name##f); \
     } while (0)
     ADD(frob_exp);
@@ -242,7 +242,8 @@ static void *params_of(const struct frob_program *program, value cells)
     if (Wosize_val(cells) != program->param_count)
         abort();
     for (size_t i = 0; i < program->param_count; i++)
-        if (!frob_cell_read(String_val(Field(cells, i)), program->params[i].value, params, NULL, &error))
+        if (!frob_cell_read(String_val(Field(cells, i)), program->params[i].value, params, NULL,
+                            &error))
             abort();
     return params;
 }
@@ -290,8 +291,8 @@ value in_process_run(value v, value how, value dts, value times, value rows)
     caught = sigsetjmp(back, 1);
     if (caught == 0) {
         alarm(PATIENCE);
-        unread = instants(program, &stepper, &columns, dts, times, rows, state, input, output,
-                          &text);
+        unread =
+            instants(program, &stepper, &columns, dts, times, rows, state, input, output, &text);
         restarts = same_again(program, &stepper, &columns, dts, times, rows, state, input, output,
                               &text, &again);
     }

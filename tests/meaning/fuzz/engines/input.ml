@@ -4,8 +4,25 @@ type kind = Tame | Wild
 
 let extreme_floats =
   [
-    Interp.Number.Float.nan; Float.infinity; Float.neg_infinity; 0.; -0.; 1e308; -1e308; 5e-324; -2.3e-308;
-    2147483647.5; -2147483648.5; 3.4028234663852886e38; 1e-45; 1e-39; 8388609.; 16777217.; 0.49999999999999994; 4503599627370497.5; 1e-9;
+    Interp.Number.Float.nan;
+    Float.infinity;
+    Float.neg_infinity;
+    0.;
+    -0.;
+    1e308;
+    -1e308;
+    5e-324;
+    -2.3e-308;
+    2147483647.5;
+    -2147483648.5;
+    3.4028234663852886e38;
+    1e-45;
+    1e-39;
+    8388609.;
+    16777217.;
+    0.49999999999999994;
+    4503599627370497.5;
+    1e-9;
   ]
 
 let plain_floats = [ 0.; -0.; 1.; -1.; 0.5; -0.5; 1.5; 2.5; -2.5; 3.; 0.1 ]
@@ -63,12 +80,34 @@ let make random kind shape ~rows =
 
 let extreme_dts =
   [
-    Float.nan; Float.infinity; Float.neg_infinity; 0.; -0.; -1.; -1e-9; 5e-324; 1e-45; 1e-30; 4.9e-10; 999999999.9999999;
-    1e9; 1000000001.; 1e18; 1e300; 4503599.627370496; 4503599.627370497; 4194304.; 4194303.9999999995; 9.765625e-4; 1.5e7; 8388607.5;
+    Float.nan;
+    Float.infinity;
+    Float.neg_infinity;
+    0.;
+    -0.;
+    -1.;
+    -1e-9;
+    5e-324;
+    1e-45;
+    1e-30;
+    4.9e-10;
+    999999999.9999999;
+    1e9;
+    1000000001.;
+    1e18;
+    1e300;
+    4503599.627370496;
+    4503599.627370497;
+    4194304.;
+    4194303.9999999995;
+    9.765625e-4;
+    1.5e7;
+    8388607.5;
   ]
 
 (* Nanoseconds of which a half is left over: of doubles below 2^52, of singles below 2^23. *)
-let halves random = Float.of_int (Random.State.int random (1 lsl (1 + Random.State.int random 29))) +. 0.5
+let halves random =
+  Float.of_int (Random.State.int random (1 lsl (1 + Random.State.int random 29))) +. 0.5
 
 let dt random steady (precision : Basis.Real.t) =
   let beside x =

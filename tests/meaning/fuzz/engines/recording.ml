@@ -1,12 +1,6 @@
 type row = { time_ns : int; dt : float option; value : Interp.Value.t; cells : string list }
 type param = { line : string; cell : string; setting : Core.Ir.Global.t * Interp.Value.t }
-
-type t = {
-  shape : Interp.Shape.t;
-  precision : Basis.Real.t;
-  rows : row list;
-  params : param list;
-}
+type t = { shape : Interp.Shape.t; precision : Basis.Real.t; rows : row list; params : param list }
 
 let cells columns shape value =
   List.map2
@@ -67,7 +61,9 @@ let read shape text =
     | Error _ -> failwith "this is no CSV file"
   in
   let is_row (row : Interp.Csv.row) =
-    match row.cells with { text; _ } :: _ -> not (Interp.Recorded_params.is_line text) | [] -> true
+    match row.cells with
+    | { text; _ } :: _ -> not (Interp.Recorded_params.is_line text)
+    | [] -> true
   in
   match List.filter is_row (all []) with
   | [] -> Error "the file is empty"
@@ -98,9 +94,7 @@ let first_rows n t = { t with rows = List.filteri (fun i _ -> i < n) t.rows }
 let without k t = { t with rows = List.filteri (fun i _ -> i <> k) t.rows }
 let quoted cell = if String.contains cell ',' then "\"" ^ cell ^ "\"" else cell
 let line cells = String.concat "," cells ^ "\n"
-
 let stamp ns = Printf.sprintf "%d.%09d" (ns / 1_000_000_000) (ns mod 1_000_000_000)
-
 let header first columns = line (first :: List.map (fun (c : Interp.Shape.column) -> c.name) columns)
 let row first cells = line (first :: List.map quoted cells)
 
@@ -114,7 +108,7 @@ let csv ({ shape; precision; rows; params } as recording) =
     row (Option.fold dt ~none:(stamp time_ns) ~some:(Printf.sprintf "%.17g")) cells
   in
   let head = List.map (fun p -> p.line ^ "\n") params in
-  String.concat "" (head @ header first (Interp.Shape.columns "in" shape) :: List.map row rows)
+  String.concat "" (head @ (header first (Interp.Shape.columns "in" shape) :: List.map row rows))
 
 let trace shape values =
   let columns = Interp.Shape.columns "out" shape in

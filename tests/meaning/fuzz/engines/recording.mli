@@ -1,7 +1,7 @@
 (** Input for a program: its value at some instants.
 
-    Mostly these have times, as in a file for [frobc trace]. Or each has the dt that
-    the program's step is given: any number, of which the language says what it means. *)
+    Mostly these have times, as in a file for [frobc trace]. Or each has the dt that the program's
+    step is given: any number, of which the language says what it means. *)
 
 type row = {
   time_ns : int;
@@ -10,12 +10,12 @@ type row = {
   cells : string list;  (** the value's, in the order of the columns *)
 }
 
-(** A parameter of the program, and its value. *)
 type param = {
   line : string;  (** before the header *)
   cell : string;
   setting : Core.Ir.Global.t * Interp.Value.t;
 }
+(** A parameter of the program, and its value. *)
 
 type t
 
@@ -28,8 +28,8 @@ val make : Interp.Shape.t -> (int * Interp.Value.t) list -> t
 (** Of times in nanoseconds, not falling, and values of this shape. *)
 
 val with_dt : Basis.Real.t -> Interp.Shape.t -> (float * Interp.Value.t) list -> t
-(** Of dts, in seconds and of this precision, and values. With singles it is one for
-    [NAME_step] of a program in single precision. *)
+(** Of dts, in seconds and of this precision, and values. With singles it is one for [NAME_step] of
+    a program in single precision. *)
 
 val read : Interp.Shape.t -> string -> (t, string) result
 (** From CSV as {!csv} writes it. *)

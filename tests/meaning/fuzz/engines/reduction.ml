@@ -21,8 +21,7 @@ let without_some ~separator parts good =
   in
   let rec search parts chunk first =
     let length = List.length parts in
-    if first >= length then
-      if chunk > 1 then search parts (chunk / 2) 0 else parts
+    if first >= length then if chunk > 1 then search parts (chunk / 2) 0 else parts
     else
       let fewer = drop first chunk parts in
       if good (String.concat separator fewer) then search fewer chunk first
@@ -67,13 +66,18 @@ let is_word piece =
   String.length piece > 0
   && String.for_all
        (fun c ->
-         ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c = '.' || c = '_')
+         ('a' <= c && c <= 'z')
+         || ('A' <= c && c <= 'Z')
+         || ('0' <= c && c <= '9')
+         || c = '.' || c = '_')
        piece
 
-let is_keyword piece = List.mem piece [ "if"; "then"; "else"; "case"; "of"; "let"; "in"; "do"; "proc"; "where" ]
+let is_keyword piece =
+  List.mem piece [ "if"; "then"; "else"; "case"; "of"; "let"; "in"; "do"; "proc"; "where" ]
 
 (* What can stand for anything of some type. *)
-let simplest = [ "()"; "0"; "True"; "False"; "NoEvent"; "Nothing"; "1"; "1.5"; "[0]"; "identity"; "never" ]
+let simplest =
+  [ "()"; "0"; "True"; "False"; "NoEvent"; "Nothing"; "1"; "1.5"; "[0]"; "identity"; "never" ]
 
 (* The text before the first [word] outside all brackets. *)
 let before word pieces =
@@ -91,9 +95,7 @@ let without_each joined pieces =
 let instead group =
   let inside = String.sub group 1 (String.length group - 2) in
   let words = split inside [ ' '; ',' ] in
-  let parts =
-    List.filter (fun p -> is_bracketed p || (is_word p && not (is_keyword p))) words
-  in
+  let parts = List.filter (fun p -> is_bracketed p || (is_word p && not (is_keyword p))) words in
   let unannotated =
     match before "::" (split inside [ ' ' ]) with
     | Some pieces -> [ "(" ^ String.concat " " pieces ^ ")" ]

@@ -6,7 +6,10 @@ let ( let* ) = Result.bind
 
 let flags =
   [
-    "-std=c99"; "-O3"; "-ffp-contract=off"; "-fsanitize=address,undefined,float-cast-overflow";
+    "-std=c99";
+    "-O3";
+    "-ffp-contract=off";
+    "-fsanitize=address,undefined,float-cast-overflow";
     "-fno-sanitize-recover=all";
   ]
 
@@ -17,11 +20,20 @@ let host_sources runtime =
   List.map
     (fun file -> runtime / file)
     [
-      "hosts/trace/main.c"; "hosts/common/csv.c"; "hosts/common/load.c";
-      "hosts/common/params.c"; "hosts/common/claims.c"; "hosts/common/frames.c";
+      "hosts/trace/main.c";
+      "hosts/common/csv.c";
+      "hosts/common/load.c";
+      "hosts/common/params.c";
+      "hosts/common/claims.c";
+      "hosts/common/frames.c";
       "hosts/common/packed.c";
-      "hosts/common/seconds.c"; "core/text.c";
-      "core/cell_read.c"; "core/cell_write.c"; "core/frame.c"; "core/trace.c"; "core/console.c";
+      "hosts/common/seconds.c";
+      "core/text.c";
+      "core/cell_read.c";
+      "core/cell_write.c";
+      "core/frame.c";
+      "core/trace.c";
+      "core/console.c";
     ]
 
 let sees (_, text) =

@@ -1,5 +1,5 @@
-(** Generated C as gcc and clang optimize it, with the checks of
-    AddressSanitizer and UndefinedBehaviorSanitizer. Slow: for now and then. *)
+(** Generated C as gcc and clang optimize it, with the checks of AddressSanitizer and
+    UndefinedBehaviorSanitizer. Slow: for now and then. *)
 
 type compiler = Gcc | Clang
 
@@ -12,6 +12,6 @@ val run :
   (string * string) list ->
   Recording.t list ->
   (string list, string) result
-(** [run compiler ~runtime ~folder files recordings]: the traces of the output,
-    of a program's files (names with texts) in the folder. [runtime] holds the
-    sources of the trace host, which is built once for each folder and compiler. *)
+(** [run compiler ~runtime ~folder files recordings]: the traces of the output, of a program's files
+    (names with texts) in the folder. [runtime] holds the sources of the trace host, which is built
+    once for each folder and compiler. *)

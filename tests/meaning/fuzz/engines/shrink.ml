@@ -1,8 +1,4 @@
-type failing = {
-  text : string;
-  outcome : Engines.outcome;
-  recordings : Recording.t list;
-}
+type failing = { text : string; outcome : Engines.outcome; recordings : Recording.t list }
 
 let first_line text = List.hd (String.split_on_char '\n' text)
 
@@ -58,10 +54,9 @@ let program tools engines ~seconds ~first failing =
     &&
     let found = outcome tools engines recordings text in
     alike failing.outcome found
-    && begin
-         best := { text; outcome = found; recordings = enough found recordings };
-         true
-       end
+    &&
+    (best := { text; outcome = found; recordings = enough found recordings };
+     true)
   in
   let good text = (not (String.equal text !best.text)) && accept text !best.recordings in
   let parts split separator =

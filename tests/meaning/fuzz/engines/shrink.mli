@@ -8,6 +8,5 @@ type failing = {
 
 val program :
   Engines.tools -> Engines.c_engine list -> seconds:float -> first:string list -> failing -> failing
-(** A smaller one, with few rows. The first of the texts [first] that fails alike is
-    what the search begins with; if none does, it begins with the program itself. It
-    ends after some time. *)
+(** A smaller one, with few rows. The first of the texts [first] that fails alike is what the search
+    begins with; if none does, it begins with the program itself. It ends after some time. *)

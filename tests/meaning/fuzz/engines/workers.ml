@@ -7,9 +7,7 @@ let start ~folder work i =
   flush_all ();
   match Unix.fork () with
   | 0 ->
-      List.iter
-        (fun signal -> Sys.set_signal signal Sys.Signal_default)
-        [ Sys.sigint; Sys.sigterm ];
+      List.iter (fun signal -> Sys.set_signal signal Sys.Signal_default) [ Sys.sigint; Sys.sigterm ];
       let status =
         match work i ~folder:own with
         | answer ->

@@ -5,8 +5,23 @@ let f = Printf.sprintf
 
 let floats =
   [
-    "0.0"; "(-0.0)"; "1.0"; "(-1.0)"; "0.5"; "(-0.5)"; "1.5"; "2.5"; "(-2.5)"; "3"; "0.1"; "100.0"; "1.0e10";
-    "(-1.0e-10)"; "2147483648.0"; "30[deg]"; "pi";
+    "0.0";
+    "(-0.0)";
+    "1.0";
+    "(-1.0)";
+    "0.5";
+    "(-0.5)";
+    "1.5";
+    "2.5";
+    "(-2.5)";
+    "3";
+    "0.1";
+    "100.0";
+    "1.0e10";
+    "(-1.0e-10)";
+    "2147483648.0";
+    "30[deg]";
+    "pi";
   ]
 
 let odd_floats =
@@ -19,13 +34,30 @@ let in_range : Basis.Real.t -> string -> string = function
       let replaced pattern text = Str.global_replace (Str.regexp_string pattern) text in
       fun program -> replaced "1.0e300" "3.0e38" (replaced "5.0e-324" "1.0e-45" program)
 
-let ints = [ "0"; "1"; "2"; "(-1)"; "(-3)"; "7"; "100"; "65537"; "0x7F"; "0b1010"; "0o17"; "1_000"; "2147483647"; "(-2147483647 - 1)" ]
+let ints =
+  [
+    "0";
+    "1";
+    "2";
+    "(-1)";
+    "(-3)";
+    "7";
+    "100";
+    "65537";
+    "0x7F";
+    "0b1010";
+    "0o17";
+    "1_000";
+    "2147483647";
+    "(-2147483647 - 1)";
+  ]
 
 let measure s u =
   let unit = Type.unit_text u in
   let number number = f "%s[%s]" number unit in
   if chance s.random s.bias.odd_numbers then
-    one_of s.random [ f "(0[%s] / 0.0)" unit; f "(1[%s] / 0.0)" unit; f "(-%s)" (number "0.0"); number "1.0e300" ]
+    one_of s.random
+      [ f "(0[%s] / 0.0)" unit; f "(1[%s] / 0.0)" unit; f "(-%s)" (number "0.0"); number "1.0e300" ]
   else
     let scaled =
       match u with
@@ -34,7 +66,8 @@ let measure s u =
       | { metres = 0; seconds = -1 } -> [ "5[Hz]"; "30[rpm]" ]
       | _ -> [ number "0.5" ]
     in
-    one_of s.random ([ "0"; number "1"; number "2.5"; f "(-%s)" (number "0.1"); number "1.0e10" ] @ scaled)
+    one_of s.random
+      ([ "0"; number "1"; number "2.5"; f "(-%s)" (number "0.1"); number "1.0e10" ] @ scaled)
 
 let annotated text ty = f "(%s :: %s)" text (Type.text ty)
 
@@ -49,11 +82,10 @@ let array elements = f "[%s]" (String.concat ", " elements)
 let rec literal s (ty : Type.t) =
   match ty with
   | Float ->
-      if chance s.random s.bias.odd_numbers then begin
+      if chance s.random s.bias.odd_numbers then (
         let text = one_of s.random odd_floats in
         if String.equal text "(0.0 / 0.0)" then note s "NaN";
-        text
-      end
+        text)
       else one_of s.random floats
   | Measure u -> measure s u
   | Array (n, t) -> array (List.init n (fun _ -> literal s t))

@@ -18,40 +18,115 @@ let words text visit =
   let length = String.length text in
   let rec last test i = if i < length && test text.[i] then last test (i + 1) else i in
   let rec go i =
-    if i < length then begin
+    if i < length then (
       let next =
         if is_letter text.[i] then last is_letter i
         else if is_symbol text.[i] then last is_symbol i
         else i + 1
       in
       visit (String.sub text i (next - i));
-      go next
-    end
+      go next)
   in
   go 0
 
 let syntax =
   [
-    "if"; "case"; "let"; "proc"; "where"; "do"; "data"; "instance"; "param"; "otherwise"; "\\"; "->"; "<-";
-    "-<"; "|"; "@"; "::"; "+"; "-"; "*"; "/"; "**"; "^"; "=="; "/="; "<"; "<="; ">"; ">="; "&&"; "||";
-    "."; "!"; ">>>"; "<<<"; "&&&"; "***"; "["; "{";
+    "if";
+    "case";
+    "let";
+    "proc";
+    "where";
+    "do";
+    "data";
+    "instance";
+    "param";
+    "otherwise";
+    "\\";
+    "->";
+    "<-";
+    "-<";
+    "|";
+    "@";
+    "::";
+    "+";
+    "-";
+    "*";
+    "/";
+    "**";
+    "^";
+    "==";
+    "/=";
+    "<";
+    "<=";
+    ">";
+    ">=";
+    "&&";
+    "||";
+    ".";
+    "!";
+    ">>>";
+    "<<<";
+    "&&&";
+    "***";
+    "[";
+    "{";
   ]
 
 let noted =
   [
-    "array of arrays"; "array of records"; "chain of array functions"; "chain in feedback"; "cascade of modes"; "modes that hand on"; "mode that ends in two ways"; "small root";
-    "array of functions"; "recursion through a switch"; "recursion of a task";
-    "mode with a signal function as parameter"; "mode with a function as parameter";
-    "task with a signal function as parameter"; "task with a function as parameter";
-    "guards and where"; "array of signal functions"; "array of machines"; "switch into the signal function of an event";
-    "switch in a switch"; "event of signal functions"; "local modes that start each other";
+    "array of arrays";
+    "array of records";
+    "chain of array functions";
+    "chain in feedback";
+    "cascade of modes";
+    "modes that hand on";
+    "mode that ends in two ways";
+    "small root";
+    "array of functions";
+    "recursion through a switch";
+    "recursion of a task";
+    "mode with a signal function as parameter";
+    "mode with a function as parameter";
+    "task with a signal function as parameter";
+    "task with a function as parameter";
+    "guards and where";
+    "array of signal functions";
+    "array of machines";
+    "switch into the signal function of an event";
+    "switch in a switch";
+    "event of signal functions";
+    "local modes that start each other";
     "local task that starts itself";
-    "event of functions"; "function out of a signal function"; "function out of a switch";
-    "feedback through delay"; "feedback through integral"; "machine in a circle"; "wide function"; "pair of signals";
-    "instance in a branch or function"; "local function";
-    "section"; "both orders"; "record update"; "record field";
-    "pattern of an array"; "pun in an expression"; "pun in a pattern"; "function by cases"; "tuple section"; "guards that fall through"; "data with parameters";
-    "function chosen at run time"; "assertion"; "test by itself"; "golden trace"; "trial"; "method of a class"; "division by zero"; "NaN"; "unit";
+    "event of functions";
+    "function out of a signal function";
+    "function out of a switch";
+    "feedback through delay";
+    "feedback through integral";
+    "machine in a circle";
+    "wide function";
+    "pair of signals";
+    "instance in a branch or function";
+    "local function";
+    "section";
+    "both orders";
+    "record update";
+    "record field";
+    "pattern of an array";
+    "pun in an expression";
+    "pun in a pattern";
+    "function by cases";
+    "tuple section";
+    "guards that fall through";
+    "data with parameters";
+    "function chosen at run time";
+    "assertion";
+    "test by itself";
+    "golden trace";
+    "trial";
+    "method of a class";
+    "division by zero";
+    "NaN";
+    "unit";
   ]
 
 (* The names whose types stand in the text. *)
@@ -71,12 +146,8 @@ let prelude_names text =
   List.concat_map names (String.split_on_char '\n' text)
 
 let count_words coverage text = words text (note coverage)
-
-let wanted ~prelude =
-  List.sort_uniq String.compare (prelude_names prelude @ syntax @ noted)
-
-let missing ~prelude coverage =
-  List.filter (fun name -> found coverage name = 0) (wanted ~prelude)
+let wanted ~prelude = List.sort_uniq String.compare (prelude_names prelude @ syntax @ noted)
+let missing ~prelude coverage = List.filter (fun name -> found coverage name = 0) (wanted ~prelude)
 
 let text ~prelude coverage =
   let entry name = Printf.sprintf "%s %d" name (found coverage name) in

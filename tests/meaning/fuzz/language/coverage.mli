@@ -14,8 +14,8 @@ val add : t -> t -> unit
 (** To the first. *)
 
 val missing : prelude:string -> t -> string list
-(** What is never there: of the names in the text of the prelude, of the keywords and
-    of what is noted. *)
+(** What is never there: of the names in the text of the prelude, of the keywords and of what is
+    noted. *)
 
 val text : prelude:string -> t -> string
 (** All counts, in lines. *)

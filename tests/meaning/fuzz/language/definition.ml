@@ -10,7 +10,7 @@ let function_ (s : Signal_function.scope) name =
   let inside = Scope.bind (List.concat_map snd patterns) values in
   let head = String.concat " " (name :: List.map fst patterns) in
   let definition =
-    if chance values.random 3 then begin
+    if chance values.random 3 then (
       Scope.note values "guards and where";
       let local = (Scope.fresh values "l", Scope.any_type values) in
       let within = Scope.bind [ local ] inside in
@@ -20,8 +20,7 @@ let function_ (s : Signal_function.scope) name =
         (Expression.expression within 2 result)
         (fst local)
         (Expression.expression inside 2 (snd local))
-        (Type.text (snd local))
-    end
+        (Type.text (snd local)))
     else f "%s = %s" head (Expression.expression inside 3 result)
   in
   let text =
@@ -29,10 +28,11 @@ let function_ (s : Signal_function.scope) name =
       (String.concat " -> " (List.map Type.text (parameters @ [ result ])))
       definition
   in
-  (text, { s with values = { values with functions = (name, parameters, result) :: values.functions } })
+  ( text,
+    { s with values = { values with functions = (name, parameters, result) :: values.functions } }
+  )
 
-let named_parameters values parameters =
-  List.map (fun p -> (Scope.fresh values "p", p)) parameters
+let named_parameters values parameters = List.map (fun p -> (Scope.fresh values "p", p)) parameters
 
 (* Parameters in scope: as values, functions and signal functions. *)
 let bind_parameters (s : Signal_function.scope) named : Signal_function.scope =
@@ -42,7 +42,9 @@ let bind_parameters (s : Signal_function.scope) named : Signal_function.scope =
         match p with Value t -> Some (name, t) | Function _ | Signal_function _ -> None)
   and functions =
     some (fun (name, (p : Signal_function.parameter)) ->
-        match p with Function (a, b) -> Some (name, [ a ], b) | Value _ | Signal_function _ -> None)
+        match p with
+        | Function (a, b) -> Some (name, [ a ], b)
+        | Value _ | Signal_function _ -> None)
   and running =
     some (fun (name, (p : Signal_function.parameter)) ->
         match p with
@@ -108,7 +110,8 @@ let onward (values : Scope.t) another =
   | 0 -> f "if %s then %s else %s" (Expression.expression values 2 Bool) (call ()) (call ())
   | 1 ->
       let t = Type.maybe Int in
-      f "case (%s :: %s) of Nothing -> %s; Just _ -> %s" (Expression.expression values 2 t)
+      f "case (%s :: %s) of Nothing -> %s; Just _ -> %s"
+        (Expression.expression values 2 t)
         (Type.text t) (call ()) (call ())
   | 2 ->
       let x = Scope.fresh values "x" in
@@ -164,13 +167,13 @@ let modes (s : Signal_function.scope) =
     note_brought values "mode" named;
     let later = List.filteri (fun k _ -> k > i) modes in
     let earlier = later = [] || not (chance random 3) in
-    let another values = call inside named values (one_of random (if earlier then modes else later)) in
+    let another values =
+      call inside named values (one_of random (if earlier then modes else later))
+    in
     f "%s%s = %s\n\n"
       (signature name parameters (f "SF %s %s" (Type.text input) (Type.text output)))
       (String.concat " " (name :: List.map fst named))
-      (Reactive.mode
-         (Signal_function.maker inside)
-         ~earlier
+      (Reactive.mode (Signal_function.maker inside) ~earlier
          ~continuation:(fun values -> onward values another)
          2 input output)
   in
@@ -197,7 +200,8 @@ let tasks (s : Signal_function.scope) =
     let first = Task.any_result (Signal_function.maker inside) in
     let text, bound = Pattern.any inside.values first in
     let another values =
-      if chance random 3 then f "return (%s :: %s)" (Expression.expression values 2 result) (Type.text result)
+      if chance random 3 then
+        f "return (%s :: %s)" (Expression.expression values 2 result) (Type.text result)
       else call inside named values (one_of random (if earlier then tasks else later))
     in
     f "%s%s = do\n    %s <- %s\n    %s\n\n"
@@ -220,8 +224,7 @@ let tasks (s : Signal_function.scope) =
       { Signal_function.name = started; parameters; input; output } )
   in
   let runs = List.map run tasks in
-  ( String.concat "" (texts @ List.map fst runs),
-    { s with known = List.map snd runs @ s.known } )
+  (String.concat "" (texts @ List.map fst runs), { s with known = List.map snd runs @ s.known })
 
 (* Of a declared data type, some methods left to their defaults. *)
 let instances (s : Signal_function.scope) ty =

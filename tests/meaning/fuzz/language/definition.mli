@@ -23,5 +23,4 @@ val tasks : Signal_function.scope -> string * Signal_function.scope
 (** Tasks that go on as each other, and signal functions that run them. *)
 
 val instances : Signal_function.scope -> Type.t -> string
-(** Of the shared classes, for a declared type; some methods are left to their
-    defaults. *)
+(** Of the shared classes, for a declared type; some methods are left to their defaults. *)

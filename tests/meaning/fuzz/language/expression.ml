@@ -4,7 +4,6 @@ open Scope
 let f = Printf.sprintf
 let typed = Constant.annotated
 let literal = Constant.literal
-
 let variables_of s ty = List.filter (fun (_, t) -> t = ty) s.variables
 let functions_to s ty = List.filter (fun (_, _, result) -> result = ty) s.functions
 
@@ -39,7 +38,6 @@ let rec expression s fuel ty =
 
 (* Where a value may not be computed, no instance of what remembers may stand. *)
 and elsewhere s = { s with run = (if s.run = None then None else s.senses) }
-
 and unary s fuel name ty = f "(%s %s)" name (expression s fuel ty)
 and binary s fuel name ty = f "(%s %s %s)" name (expression s fuel ty) (expression s fuel ty)
 and infix s fuel operator ty = f "(%s %s %s)" (expression s fuel ty) operator (expression s fuel ty)
@@ -71,15 +69,14 @@ and by_type s fuel (ty : Type.t) =
   | Data data ->
       let c = one_of s.random data.constructors in
       let arguments = List.map (fun (_, t) -> expression s fuel t) c.fields in
-      if Type.is_record data && chance s.random 3 then
+      if Type.is_record data && chance s.random 3 then (
         let name, t = one_of s.random c.fields in
         note s "record update";
         let record = typed (expression s fuel ty) ty and value = expression s fuel t in
-        if chance s.random 4 then begin
+        if chance s.random 4 then (
           note s "pun in an expression";
-          f "(let %s = %s in %s { %s })" name value record name
-        end
-        else f "(%s { %s = %s })" record name value
+          f "(let %s = %s in %s { %s })" name value record name)
+        else f "(%s { %s = %s })" record name value)
       else typed (Constant.construct data c arguments) ty
 
 (* What compilers have rules for: numbers that change nothing, or everything, and one
@@ -87,21 +84,30 @@ and by_type s fuel (ty : Type.t) =
 and by_rule s fuel (ty : Type.t) =
   let point = match ty with Int -> "" | _ -> ".0" in
   let zero = one_of s.random [ "0" ^ point; "0" ^ point; f "(-0%s)" point ] and one = "1" ^ point in
-  if chance s.random 3 then begin
+  if chance s.random 3 then (
     note s "both orders";
     let operator = one_of s.random [ "+"; "-"; "*" ] and outer = one_of s.random [ "-"; "*" ] in
     let a = fresh s "a" and b = fresh s "b" in
     f "((\\%s %s -> (%s %s %s) %s (%s %s %s)) %s %s)" a b a operator b outer b operator a
       (typed (expression s fuel ty) ty)
-      (typed (expression s fuel ty) ty)
-  end
+      (typed (expression s fuel ty) ty))
   else
     let e = typed (expression s fuel ty) ty in
     let same operator number =
       one_of s.random [ f "(%s %s %s)" e operator number; f "(%s %s %s)" number operator e ]
     in
     let limited () = f "(%s %s %s)" (one_of s.random [ "min"; "max" ]) zero e in
-    one_of s.random [ limited (); limited (); same "+" zero; same "+" zero; same "-" zero; same "*" one; same "*" zero; f "(%s - %s)" e e ]
+    one_of s.random
+      [
+        limited ();
+        limited ();
+        same "+" zero;
+        same "+" zero;
+        same "-" zero;
+        same "*" one;
+        same "*" zero;
+        f "(%s - %s)" e e;
+      ]
 
 (* A function of the values of the instant. *)
 and function_ s fuel arguments result =
@@ -112,7 +118,6 @@ and function_ s fuel arguments result =
     (expression (bind (List.concat_map snd patterns) inside) fuel result)
 
 and any_array s = (1 + Random.State.int s.random 4, any_type s)
-
 and some_array s fuel (n, t) = typed (expression s fuel (Array (n, t))) (Array (n, t))
 
 and computed_array s fuel n t =
@@ -123,10 +128,14 @@ and computed_array s fuel n t =
   | 1 -> f "(imap %s %s)" (function_ s fuel [ Int; other ] t) (some_array s fuel (n, other))
   | 2 ->
       let third = any_type s in
-      f "(zipWith %s %s %s)" (function_ s fuel [ other; third ] t) (some_array s fuel (n, other))
+      f "(zipWith %s %s %s)"
+        (function_ s fuel [ other; third ] t)
+        (some_array s fuel (n, other))
         (some_array s fuel (n, third))
   | 3 ->
-      f "(scanl %s %s %s)" (function_ s fuel [ t; other ] t) (expression s fuel t)
+      f "(scanl %s %s %s)"
+        (function_ s fuel [ t; other ] t)
+        (expression s fuel t)
         (some_array s fuel (n, other))
   | 4 -> f "(replace %s %s %s)" (index s fuel) (expression s fuel t) (some_array s fuel (n, t))
   | 5 -> typed (f "generate %s" (function_ s fuel [ Int ] t)) whole
@@ -136,28 +145,37 @@ and computed_array s fuel n t =
   | _ -> parts s fuel whole
 
 and index s fuel =
-  if chance s.random 2 then expression s fuel Int else one_of s.random [ "0"; "1"; "2"; "3"; "(-1)"; "4" ]
+  if chance s.random 2 then expression s fuel Int
+  else one_of s.random [ "0"; "1"; "2"; "3"; "(-1)"; "4" ]
 
 (* What comes out of an array. *)
 and of_array s fuel ty =
   let own = (1 + Random.State.int s.random 4, ty) and ((_, element) as other) = any_array s in
   let key : Type.t =
-    match Random.State.int s.random 4 with 0 -> Int | 1 -> Measure (Type.any_measure s.random) | _ -> Float
+    match Random.State.int s.random 4 with
+    | 0 -> Int
+    | 1 -> Measure (Type.any_measure s.random)
+    | _ -> Float
   in
   match (Random.State.int s.random 8, (ty : Type.t)) with
   | 0, Int -> f "(length %s)" (some_array s fuel other)
   | (0 | 1), Bool ->
-      f "(%s %s %s)" (one_of s.random [ "any"; "all" ]) (function_ s fuel [ element ] Bool)
+      f "(%s %s %s)"
+        (one_of s.random [ "any"; "all" ])
+        (function_ s fuel [ element ] Bool)
         (some_array s fuel other)
   | (0 | 1 | 2), _ ->
-      f "(foldl %s %s %s)" (function_ s fuel [ ty; element ] ty) (expression s fuel ty)
-        (some_array s fuel other)
+      f "(foldl %s %s %s)"
+        (function_ s fuel [ ty; element ] ty)
+        (expression s fuel ty) (some_array s fuel other)
   | 3, _ when chance s.random 3 ->
-      f "(bestBy %s %s %s)" (function_ s fuel [ key; key ] Bool) (function_ s fuel [ ty ] key)
-        (some_array s fuel own)
+      f "(bestBy %s %s %s)"
+        (function_ s fuel [ key; key ] Bool)
+        (function_ s fuel [ ty ] key) (some_array s fuel own)
   | (3 | 4), _ ->
-      f "(%s %s %s)" (one_of s.random [ "minimumBy"; "maximumBy" ]) (function_ s fuel [ ty ] key)
-        (some_array s fuel own)
+      f "(%s %s %s)"
+        (one_of s.random [ "minimumBy"; "maximumBy" ])
+        (function_ s fuel [ ty ] key) (some_array s fuel own)
   | 5, (Float | Measure _ | Int) when chance s.random 2 ->
       let name = if ty = Int || chance s.random 2 then "sum" else "mean" in
       f "(%s %s)" name (some_array s fuel own)
@@ -196,7 +214,8 @@ and event s fuel payload =
   | 1, _ -> f "(tag %s %s)" (any other) (expression s fuel payload)
   | 2, _ -> f "(filterEvent %s %s)" (function_ [ payload ] Bool) (any payload)
   | 3, _ -> f "(gate %s %s)" (any payload) (expression s fuel Bool)
-  | 4, _ -> f "(mergeBy %s %s %s)" (function_ [ payload; payload ] payload) (any payload) (any payload)
+  | 4, _ ->
+      f "(mergeBy %s %s %s)" (function_ [ payload; payload ] payload) (any payload) (any payload)
   | 5, _ -> f "(%s %s %s)" (one_of s.random [ "mergeE"; "mergeR" ]) (any payload) (any payload)
   | _, Tuple [ x; y ] -> f "(pairEvents %s %s)" (any x) (any y)
   | _, _ -> typed (f "Event %s" (expression s fuel payload)) ty
@@ -209,18 +228,43 @@ and nearly_nothing s fuel ty =
       let zero = one_of s.random [ "0.0"; "(-0.0)" ] in
       one_of s.random
         [
-          f "(%s + %s)" e zero; f "(%s + %s)" zero e; f "(%s - %s)" e zero; f "(%s - %s)" zero e;
-          f "(%s * 1.0)" e; f "(1.0 * %s)" e; f "(%s * %s)" e zero; f "(%s / 1.0)" e;
-          f "(%s / %s)" zero e; f "(%s * (-1.0))" e; f "(%s / 2.0)" e; f "(max %s %s)" e zero;
-          f "(max %s %s)" zero e; f "(min %s %s)" e zero; f "(min %s %s)" zero e;
-          f "(max %s (min %s %s))" zero e zero; f "(limit %s %s)" zero e; f "(1.0 / %s)" e;
+          f "(%s + %s)" e zero;
+          f "(%s + %s)" zero e;
+          f "(%s - %s)" e zero;
+          f "(%s - %s)" zero e;
+          f "(%s * 1.0)" e;
+          f "(1.0 * %s)" e;
+          f "(%s * %s)" e zero;
+          f "(%s / 1.0)" e;
+          f "(%s / %s)" zero e;
+          f "(%s * (-1.0))" e;
+          f "(%s / 2.0)" e;
+          f "(max %s %s)" e zero;
+          f "(max %s %s)" zero e;
+          f "(min %s %s)" e zero;
+          f "(min %s %s)" zero e;
+          f "(max %s (min %s %s))" zero e zero;
+          f "(limit %s %s)" zero e;
+          f "(1.0 / %s)" e;
         ]
   | _ ->
       one_of s.random
         [
-          f "(%s + 0)" e; f "(0 - %s)" e; f "(%s * 1)" e; f "(%s * 0)" e; f "(0 * %s)" e;
-          f "(div %s 1)" e; f "(mod %s 1)" e; f "(%s .&. (-1))" e; f "(shiftL %s 32)" e;
-          f "(%s .|. %s)" e e; f "(xor %s %s)" e e; f "(shiftR %s (-1))" e; f "(div 0 %s)" e; f "(%s * (-1))" e; f "(div %s (-1))" e;
+          f "(%s + 0)" e;
+          f "(0 - %s)" e;
+          f "(%s * 1)" e;
+          f "(%s * 0)" e;
+          f "(0 * %s)" e;
+          f "(div %s 1)" e;
+          f "(mod %s 1)" e;
+          f "(%s .&. (-1))" e;
+          f "(shiftL %s 32)" e;
+          f "(%s .|. %s)" e e;
+          f "(xor %s %s)" e e;
+          f "(shiftR %s (-1))" e;
+          f "(div 0 %s)" e;
+          f "(%s * (-1))" e;
+          f "(div %s (-1))" e;
         ]
 
 (* The same two operands both ways round, or an operand with itself. *)
@@ -247,7 +291,10 @@ and float s fuel =
       let ty = Type.Measure (Type.any_measure s.random) in
       f "(%s %s %s)" "atan2" (typed (expression s fuel ty) ty) (expression s fuel ty)
   | 0 | 1 | 2 | 3 -> infix s fuel (one_of s.random [ "+"; "-"; "*"; "/" ]) Float
-  | 4 -> unary s fuel (one_of s.random [ "negate"; "abs"; "signum"; "sqrt"; "floorFloat"; "ceilingFloat" ]) Float
+  | 4 ->
+      unary s fuel
+        (one_of s.random [ "negate"; "abs"; "signum"; "sqrt"; "floorFloat"; "ceilingFloat" ])
+        Float
   | 5 -> extreme s fuel Float
   | 6 ->
       let names = [ "sin"; "cos"; "tan"; "asin"; "acos"; "atan"; "exp"; "log" ] in
@@ -272,10 +319,9 @@ and int s fuel =
   | 0 | 1 | 2 -> infix s fuel (one_of s.random [ "+"; "-"; "*" ]) Int
   | 3 | 4 ->
       let name = one_of s.random [ "div"; "mod" ] in
-      if chance s.random 8 then begin
+      if chance s.random 8 then (
         note s "division by zero";
-        f "(%s %s 0)" name (expression s fuel Int)
-      end
+        f "(%s %s 0)" name (expression s fuel Int))
       else binary s fuel name Int
   | 5 -> unary s fuel (one_of s.random [ "negate"; "abs"; "signum" ]) Int
   | 6 -> extreme s fuel Int
@@ -285,7 +331,9 @@ and int s fuel =
       let name = one_of s.random [ "round"; "floor"; "ceiling"; "truncate" ] in
       if n = 9 && chance s.random 3 then
         let u = Type.any_measure s.random in
-        f "(div (%s %s) 1[%s])" name (typed (expression s fuel (Measure u)) (Measure u)) (Type.unit_text u)
+        f "(div (%s %s) 1[%s])" name
+          (typed (expression s fuel (Measure u)) (Measure u))
+          (Type.unit_text u)
       else unary s fuel name Float
 
 and bool s fuel =
@@ -333,10 +381,9 @@ and case s fuel ty =
   in
   let branches = shortened (Pattern.cover s 2 scrutinized) in
   let text = String.concat "; " (List.map branch branches) in
-  if chance s.random 6 then begin
+  if chance s.random 6 then (
     note s "function by cases";
-    f "((\\case %s) %s)" text value
-  end
+    f "((\\case %s) %s)" text value)
   else f "(case %s of %s)" value text
 
 and let_ s fuel ty =
@@ -373,15 +420,21 @@ and polymorphic s fuel ty =
       overloaded s fuel ty
   | 14 ->
       let first, second = two () in
-      f "(curry %s %s %s)" (lambda s fuel (Tuple [ first; second ]) ty)
-        (typed (e first) first) (typed (e second) second)
+      f "(curry %s %s %s)"
+        (lambda s fuel (Tuple [ first; second ]) ty)
+        (typed (e first) first)
+        (typed (e second) second)
   | 15 ->
       let first, second = two () in
-      f "(uncurry %s (%s, %s))" (function_ s fuel [ first; second ] ty) (typed (e first) first)
+      f "(uncurry %s (%s, %s))"
+        (function_ s fuel [ first; second ] ty)
+        (typed (e first) first)
         (typed (e second) second)
   | 16 ->
       let first, second = two () in
-      f "(flip %s %s %s)" (function_ s fuel [ first; second ] ty) (typed (e second) second)
+      f "(flip %s %s %s)"
+        (function_ s fuel [ first; second ] ty)
+        (typed (e second) second)
         (typed (e first) first)
   | 12 -> f "(fromEvent %s %s)" (e ty) (e (Type.event ty))
   | 0 -> f "(choose %s %s %s)" (e Bool) (e ty) (e ty)
@@ -389,7 +442,9 @@ and polymorphic s fuel ty =
   | 2 -> f "(snd (swap (%s, %s)))" (e ty) (typed (e other) other)
   | 3 -> f "(const %s %s)" (e ty) (typed (e other) other)
   | 4 -> f "(fromMaybe %s %s)" (e ty) (e (Type.maybe ty))
-  | 5 -> f "(maybe %s %s %s)" (e ty) (lambda s fuel other ty) (typed (e (Type.maybe other)) (Type.maybe other))
+  | 5 ->
+      f "(maybe %s %s %s)" (e ty) (lambda s fuel other ty)
+        (typed (e (Type.maybe other)) (Type.maybe other))
   | 6 ->
       let left = any_type s in
       let sum = Type.either left other in
@@ -452,9 +507,7 @@ and array_of_functions s fuel argument ty =
   let inside = elsewhere s in
   let number = fresh s "k" in
   let counted = bind [ (number, Type.Int) ] inside in
-  let written () =
-    Constant.array (List.init n (fun _ -> function_ s fuel [ argument ] ty))
-  in
+  let written () = Constant.array (List.init n (fun _ -> function_ s fuel [ argument ] ty)) in
   let rec made tries =
     match Random.State.int s.random (if tries = 0 then 2 else 5) with
     | 0 | 1 -> written ()
@@ -474,7 +527,8 @@ and array_of_functions s fuel argument ty =
   | 0 -> f "((%s ! %d) %s)" array (Random.State.int s.random n) (value s)
   | 1 ->
       let g = fresh s "g" and last = fresh s "r" in
-      f "(foldl (\\%s %s -> choose (%s == %s) (%s %s) %s) %s %s)" last g last last g (value inside) last
+      f "(foldl (\\%s %s -> choose (%s == %s) (%s %s) %s) %s %s)" last g last last g (value inside)
+        last
         (typed (expression s fuel ty) ty)
         array
   | _ -> f "(at %s %s %s %s)" (index s fuel) (function_ s fuel [ argument ] ty) array (value s)
@@ -487,10 +541,10 @@ and field s fuel ty =
   in
   match List.concat_map fields_of s.declared with
   | [] -> by_type s fuel ty
-  | fields ->
+  | fields -> (
       let record, name = one_of s.random fields in
       let value = typed (expression s fuel record) record in
-      (match record with
+      match record with
       | Data { constructors = [ c ]; _ } when chance s.random 4 ->
           note s "pun in a pattern";
           f "(case %s of %s { %s } -> %s)" value c.name name name

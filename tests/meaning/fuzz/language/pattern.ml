@@ -65,9 +65,10 @@ and one_split s depth parts =
         let here = if i = chosen then cover s (depth - 1) ty else [ any s ty ] in
         let rest = go (i + 1) others in
         List.concat_map
-          (fun (text, bound) ->
-            List.map (fun (texts, more) -> (text :: texts, bound @ more)) rest)
+          (fun (text, bound) -> List.map (fun (texts, more) -> (text :: texts, bound @ more)) rest)
           here
   in
   (* Names are bound once: patterns are made again for each row. *)
-  match parts with [] -> [ ([], []) ] | _ -> go 0 parts
+  match parts with
+  | [] -> [ ([], []) ]
+  | _ -> go 0 parts

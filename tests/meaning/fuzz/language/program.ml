@@ -5,7 +5,13 @@ let f = Printf.sprintf
 let input_type : Type.t =
   Tuple
     [
-      Float; Int; Bool; Type.event Float; Type.maybe (Tuple [ Int; Bool ]); Float; Array (3, Float);
+      Float;
+      Int;
+      Bool;
+      Type.event Float;
+      Type.maybe (Tuple [ Int; Bool ]);
+      Float;
+      Array (3, Float);
       Measure { metres = 1; seconds = 0 };
     ]
 
@@ -48,8 +54,7 @@ let large ~seen ~seed ~random ~prefix ~params ~(bias : Bias.t) number =
     | _ -> Signal_function (any (), any ())
   in
   let rec functions k s =
-    if k = 0 then s
-    else functions (k - 1) (add (Definition.function_ s (Scope.fresh values "f")))
+    if k = 0 then s else functions (k - 1) (add (Definition.function_ s (Scope.fresh values "f")))
   in
   let rec signal_functions k s =
     if k = 0 then s
@@ -60,14 +65,19 @@ let large ~seen ~seed ~random ~prefix ~params ~(bias : Bias.t) number =
         (add
            (Definition.signal_function s ~parameters ~input:(any ())
               ~signals:(Signal_function.any_signals s)
-              ~result:(Computed (any ())) name))
+              ~result:(Computed (any ()))
+              name))
   in
   let s = { Signal_function.values; known = [] } in
   List.iter (fun ty -> Buffer.add_string out (Definition.instances s ty)) (List.rev declared);
-  let s = functions (Random.State.int random 3) { s with values = { values with methods = true } } in
+  let s =
+    functions (Random.State.int random 3) { s with values = { values with methods = true } }
+  in
   let s = if chance random 16 then add (Definition.wide s) else s in
   let s = signal_functions (Random.State.int random 3) s in
-  let s = if chance random (if bias.switches > 5 then 1 else 2) then add (Definition.modes s) else s in
+  let s =
+    if chance random (if bias.switches > 5 then 1 else 2) then add (Definition.modes s) else s
+  in
   let s = if chance random (if bias.tasks > 1 then 2 else 5) then add (Definition.tasks s) else s in
   let signals = Signal_function.any_signals s in
   ignore
@@ -94,7 +104,9 @@ let cascades values prefix =
 let handing_on values prefix =
   let pattern = Pattern.any values input_type in
   let text, start = Handed_on.definitions values ~input:input_type ~pattern in
-  (prefix, f "%s%s%s = proc i -> (%s i)\n\n" text (signature prefix Float) prefix start, [ Type.Float ])
+  ( prefix,
+    f "%s%s%s = proc i -> (%s i)\n\n" text (signature prefix Float) prefix start,
+    [ Type.Float ] )
 
 (* Of the program that is whole: two programs of a batch have none in common. *)
 let params ~seed ~prefix number : (string * Type.t) list * string =
@@ -172,7 +184,6 @@ let running ~seed number name output =
 (* {1 The operator} *)
 
 let is_operated number = number mod 5 = 3
-
 let past = "import Past\n"
 let import = "import Capability (Console, buttonPressed, buttonHeld, knob, toggle, mapClicked)\n"
 
@@ -190,14 +201,16 @@ let operated ~seed number =
       [
         pick [ "x"; dial (); f "if buttonHeld %s c then x else %s" (label "held") (dial ()) ];
         pick [ "n"; f "if toggle %s False c then n else -n" (label "count") ];
-        pick [ "b"; f "toggle %s True c && b" (label "gate"); f "b || buttonHeld %s c" (label "held") ];
+        pick
+          [ "b"; f "toggle %s True c && b" (label "gate"); f "b || buttonHeld %s c" (label "held") ];
         pick [ "e"; f "mergeE (tag (buttonPressed %s c) y) e" (label "go") ];
         "m";
         pick [ "y"; dial () ];
         pick [ "xs"; f "[x, %s, xs ! 1]" (dial ()) ];
         pick
           [
-            "d"; f "knob \"d %d\" (-%s[m]) 9.5[m] 0.0[m] c" number (decimal ());
+            "d";
+            f "knob \"d %d\" (-%s[m]) 9.5[m] 0.0[m] c" number (decimal ());
             "case mapClicked c of\n        Event p -> p.x\n        NoEvent -> d";
           ];
       ]
@@ -205,7 +218,8 @@ let operated ~seed number =
   ( name,
     f
       "dial%d :: Float -> Console -> Float\n\
-       dial%d most c = knob (if most > 1.4 then \"much %d\" else \"little %d\") (-most) most 0.25 c\n\n\
+       dial%d most c = knob (if most > 1.4 then \"much %d\" else \"little %d\") (-most) most 0.25 \
+       c\n\n\
        %s :: Console -> %s -> %s\n\
        %s c (x, n, b, e, m, y, xs, d) =\n\
       \    (%s) where\n\
@@ -222,7 +236,8 @@ let seen ~seed number =
 (* [main], of programs with their numbers and outputs; and whether there is an operator. *)
 let main ~sees ~seed programs =
   let numbers = List.map (fun (number, _, _) -> number) programs in
-  let operating = List.filter is_operated numbers and seeing = List.filter (fun n -> sees && is_seeing n) numbers in
+  let operating = List.filter is_operated numbers
+  and seeing = List.filter (fun n -> sees && is_seeing n) numbers in
   let output =
     match programs with
     | [ (_, _, output) ] -> output
@@ -246,7 +261,7 @@ let main ~sees ~seed programs =
   in
   let operators = List.map (fun number -> snd (operated ~seed number)) operating in
   let eyes = List.map (fun number -> snd (seen ~seed number)) seeing in
-  ( (if operating @ seeing = [] then "" else import) ^ (if seeing = [] then "" else Seeing.imports),
+  ( ((if operating @ seeing = [] then "" else import) ^ if seeing = [] then "" else Seeing.imports),
     String.concat "" (operators @ eyes) ^ text )
 
 (* {1 Tests} *)
@@ -271,7 +286,8 @@ let define ~seen ~seed number =
   ((number, name, signals, run), text ^ definition)
 
 let main_of ~sees ~seed programs =
-  main ~sees ~seed (List.map (fun (number, _, signals, run) -> (number, run, Type.Tuple signals)) programs)
+  main ~sees ~seed
+    (List.map (fun (number, _, signals, run) -> (number, run, Type.Tuple signals)) programs)
 
 let make ?(seen = Coverage.create ()) ?(sees = false) ?(with_tests = true) ~seed ~first ~count () =
   let defined = List.init count (fun i -> define ~seen ~seed (first + i)) in
@@ -291,7 +307,8 @@ let without_claims text =
     let line = String.trim line in
     List.exists (fun word -> String.starts_with ~prefix:word line) [ "assert \""; "assume \"" ]
   in
-  String.concat "\n" (List.filter (fun line -> not (is_claim line)) (String.split_on_char '\n' text))
+  String.concat "\n"
+    (List.filter (fun line -> not (is_claim line)) (String.split_on_char '\n' text))
 
 let observed ~seed ~first ~count =
   let seen = Coverage.create () in

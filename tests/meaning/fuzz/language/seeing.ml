@@ -16,7 +16,8 @@ let angle random = f "%d[deg]" (Random.State.int random 400 - 20)
 let region random =
   let side () = px random in
   if chance random 3 then "(everywhere f.image)"
-  else f "(Region { x = %s, y = %s, width = %s, height = %s })" (side ()) (side ()) (side ()) (side ())
+  else
+    f "(Region { x = %s, y = %s, width = %s, height = %s })" (side ()) (side ()) (side ()) (side ())
 
 let colours random =
   let ends name limit =
@@ -66,8 +67,7 @@ let found random =
   | 8 ->
       f "(findTemplate f.image %s (getPatch f.image %s) %s).place.x / 1[px]" (region random)
         (placement random) (placement random)
-  | 9 ->
-      f "(%s f.image %s).y / 1[px]" (one_of random [ "undistort"; "distort" ]) (point random)
+  | 9 -> f "(%s f.image %s).y / 1[px]" (one_of random [ "undistort"; "distort" ]) (point random)
   | 10 ->
       f "(stereoDepths f.image f.image (Stereo { roi = %s, disparities = %d, window = %d })).known"
         (region random)
@@ -76,7 +76,9 @@ let found random =
   | 11 ->
       one_of random
         [
-          "(lens f.image).k1"; "(lens f.image).focalX / 1[px]"; "bearing (lens f.image) 3.5[px] / 1[rad]";
+          "(lens f.image).k1";
+          "(lens f.image).focalX / 1[px]";
+          "bearing (lens f.image) 3.5[px] / 1[rad]";
         ]
   | _ -> one_of random [ "f.age / 1[s]"; "toFloat f.number" ]
 
@@ -93,19 +95,19 @@ let counted random =
 let followed random =
   let learned k =
     f
-      "switch (proc e -> (%s, learn %s e)) (\\patch -> proc e -> hold %s (mapE (\\f -> (%s)) e)) frame"
+      "switch (proc e -> (%s, learn %s e)) (\\patch -> proc e -> hold %s (mapE (\\f -> (%s)) e)) \
+       frame"
       (share random) (placement random) (share random) k
   in
   match Random.State.int random 8 with
   | 0 -> f "hold %s (mapE (\\f -> %s) frame)" (share random) (found random)
-  | 1 ->
-      learned (f "(matchPatch f.image patch %s).residual" (search random))
+  | 1 -> learned (f "(matchPatch f.image patch %s).residual" (search random))
   | 2 -> f "(blobTracker %s frame).estimate.cx / 1[px]" (colours random)
   | 3 -> f "(edgeTracker %s frame).residual" (segment random)
   | 4 ->
       f
-        "switch (proc e -> (0.0, learn %s e)) (\\patch -> proc e -> (ssdTracker patch %s e).estimate.x / 1[px]) \
-         frame"
+        "switch (proc e -> (0.0, learn %s e)) (\\patch -> proc e -> (ssdTracker patch %s \
+         e).estimate.x / 1[px]) frame"
         (placement random) (placement random)
   | 5 ->
       f "(squareTracker %s %s frame).estimate.scale / 1[px]"
@@ -113,8 +115,8 @@ let followed random =
         (placement random)
   | 6 ->
       f
-        "(smoothTrack 0.1[s] (cornerTracker (Meeting { one = %s, other = %s }) frame)).estimate.one.x / \
-         1[px]"
+        "(smoothTrack 0.1[s] (cornerTracker (Meeting { one = %s, other = %s }) \
+         frame)).estimate.one.x / 1[px]"
         (segment random) (segment random)
   | _ -> f "frameAge frame / 1[s]"
 
@@ -130,13 +132,15 @@ let definition random ~number ~input =
         pick [ "b"; "isEvent frame"; "(b || isEvent frame)" ];
         pick
           [
-            "e"; f "mergeE (mapE (\\f -> %s) frame) e" (found random);
+            "e";
+            f "mergeE (mapE (\\f -> %s) frame) e" (found random);
             f "(case frame of\n        Event f | b -> Event (%s)\n        _ -> e)" (found random);
           ];
         pick
           [
             "m";
-            f "(case frame of\n        Event f -> Just (%s, b)\n        NoEvent -> m)" (counted random);
+            f "(case frame of\n        Event f -> Just (%s, b)\n        NoEvent -> m)"
+              (counted random);
           ];
         pick [ "y"; followed random ];
         f "[x, %s, xs ! 1]" (pick [ of_frame "y" (found random); followed random ]);

@@ -5,12 +5,7 @@ type parameter =
   | Function of Type.t * Type.t
   | Signal_function of Type.t * Type.t
 
-type named = {
-  name : string;
-  parameters : parameter list;
-  input : Type.t;
-  output : Type.t;
-}
+type named = { name : string; parameters : parameter list; input : Type.t; output : Type.t }
 
 let f = Printf.sprintf
 
@@ -59,42 +54,59 @@ and expression s fuel (a : Type.t) (b : Type.t) =
         fun () ->
           one_of random
             [
-              "(integral >>> arr (\\x -> x / 1[s]))"; "(derivative >>> arr (\\x -> x * 1[s]))";
-              "(sine 0.7[Hz])"; "(squareWave 0.3[Hz])"; "(chirp 0.1[Hz] 2[Hz] 3[s])"; "(whiteNoise 1)";
-              "(colouredNoise 0.4[s] 2)"; "(uniformNoise (-3))"; "(lowPass 0.3[s])"; "(movingAverage [1, 2, 1])"; "previous"; "(rateLimit 2[1/s])";
+              "(integral >>> arr (\\x -> x / 1[s]))";
+              "(derivative >>> arr (\\x -> x * 1[s]))";
+              "(sine 0.7[Hz])";
+              "(squareWave 0.3[Hz])";
+              "(chirp 0.1[Hz] 2[Hz] 3[s])";
+              "(whiteNoise 1)";
+              "(colouredNoise 0.4[s] 2)";
+              "(uniformNoise (-3))";
+              "(lowPass 0.3[s])";
+              "(movingAverage [1, 2, 1])";
+              "previous";
+              "(rateLimit 2[1/s])";
             ] );
-      ( (match (a, b) with
-         | Array (n, _), Array (n', _) when n = n' && fuel > 0 -> 10
-         | _ -> 0),
+      ( (match (a, b) with Array (n, _), Array (n', _) when n = n' && fuel > 0 -> 10 | _ -> 0),
         fun () ->
           match (a, b) with
           | Array (_, x), Array (_, y) ->
               f "(mapSF %s :: SF %s %s)" (sub x y) (Type.text a) (Type.text b)
           | _ -> arr () );
       ( (match (a, b) with
-         | Measure u, Measure v when v = { u with seconds = u.seconds + 1 } -> 6
-         | Measure u, Measure v when v = { u with seconds = u.seconds - 1 } -> 6
-         | _ -> 0),
+        | Measure u, Measure v when v = { u with seconds = u.seconds + 1 } -> 6
+        | Measure u, Measure v when v = { u with seconds = u.seconds - 1 } -> 6
+        | _ -> 0),
         fun () ->
           match (a, b) with
           | Measure u, Measure v -> if v.seconds > u.seconds then "integral" else "derivative"
           | _ -> arr () );
       ( (match b with Measure { metres = 0; seconds = 1 } -> 6 | _ -> 0),
         fun () -> one_of random [ "time"; "time"; "stepTime" ] );
-      ( (match (a, b) with Bool, Measure { metres = 0; seconds = 1 } -> 8 | Bool, Float -> 3 | _ -> 0),
+      ( (match (a, b) with
+        | Bool, Measure { metres = 0; seconds = 1 } -> 8
+        | Bool, Float -> 3
+        | _ -> 0),
         fun () ->
           match b with
-          | Float -> one_of random [ "(timeSince >>> arr nanoseconds)"; "(timeSince >>> arr (\\x -> x / 1[s]))" ]
+          | Float ->
+              one_of random
+                [ "(timeSince >>> arr nanoseconds)"; "(timeSince >>> arr (\\x -> x / 1[s]))" ]
           | _ -> "timeSince" );
-      ( (match (a, b) with Float, Bool -> 3 | _ -> 0),
-        fun () -> "(hysteresis (-0.5) 0.5)" );
+      ((match (a, b) with Float, Bool -> 3 | _ -> 0), fun () -> "(hysteresis (-0.5) 0.5)");
       ((match (a, b) with Bool, Bool -> 2 | _ -> 0), fun () -> "(debounce 0.25[s])");
-      ( (match b with Float when s.values.methods && Type.has_instances ~measured:true a -> 4 | _ -> 0),
+      ( (match b with
+        | Float when s.values.methods && Type.has_instances ~measured:true a -> 4
+        | _ -> 0),
         fun () -> f "(smooth :: SF %s Float)" (Type.text a) );
-      ( (if s.values.methods && b = Type.event a && Type.has_instances ~measured:false a then 5 else 0),
-        fun () -> f "((paced :: Float -> SF %s %s) %s)" (Type.text a) (Type.text b) (literal s Float) );
+      ( (if s.values.methods && b = Type.event a && Type.has_instances ~measured:false a then 5
+         else 0),
+        fun () ->
+          f "((paced :: Float -> SF %s %s) %s)" (Type.text a) (Type.text b) (literal s Float) );
       ( (if s.values.methods && a = b && Type.has_instances ~measured:false a then 3 else 0),
-        fun () -> f "((renewing :: %s -> SF %s %s) %s)" (Type.text a) (Type.text a) (Type.text b) (literal s a) );
+        fun () ->
+          f "((renewing :: %s -> SF %s %s) %s)" (Type.text a) (Type.text a) (Type.text b)
+            (literal s a) );
       ( (match b with Float -> 2 | _ -> 0),
         fun () ->
           one_of random
@@ -135,7 +147,9 @@ and expression s fuel (a : Type.t) (b : Type.t) =
             let all = String.concat ", " (List.init n (fun _ -> sub a middle)) in
             let together =
               if Choice.chance random 2 then f "parB [%s]" all
-              else f "arr (\\x -> (generate (const x) :: Array %d (%s))) >>> parZ [%s]" n (Type.text a) all
+              else
+                f "arr (\\x -> (generate (const x) :: Array %d (%s))) >>> parZ [%s]" n (Type.text a)
+                  all
             in
             f "(%s >>> %s)" together (sub (Array (n, middle)) b) );
         ( (if a = b then 1 else 0),
@@ -146,9 +160,7 @@ and expression s fuel (a : Type.t) (b : Type.t) =
         (1, fun () -> f "(twiceOver %s %s)" (sub a b) (sub b b));
         ( (match b with Tuple [ _; _ ] -> 4 | _ -> 0),
           fun () ->
-            match b with
-            | Tuple [ x; y ] -> f "(%s &&& %s)" (sub a x) (sub a y)
-            | _ -> arr () );
+            match b with Tuple [ x; y ] -> f "(%s &&& %s)" (sub a x) (sub a y) | _ -> arr () );
         ( (match (a, b) with Tuple [ _; _ ], Tuple [ _; _ ] -> 8 | _ -> 0),
           fun () ->
             match (a, b) with
@@ -159,9 +171,7 @@ and expression s fuel (a : Type.t) (b : Type.t) =
             | _ -> arr () );
       ]
   in
-  let reactive =
-    Reactive.alternatives (maker s) fuel a b @ Task.alternatives (maker s) fuel a b
-  in
+  let reactive = Reactive.alternatives (maker s) fuel a b @ Task.alternatives (maker s) fuel a b in
   (weighted random (alternatives @ deeper @ reactive)) ()
 
 and maker s =
@@ -211,12 +221,12 @@ and sense signals (values : Scope.t) _ (ty : Type.t) =
   Scope.note values "instance in a branch or function";
   match (ty, List.filter measured signals, of_type ty, of_type Bool) with
   | Float, (_ :: _ as them), _, _ when values.methods && chance values.random 2 ->
-    let x, t = one_of values.random them in
-    f "((smooth :: SF %s Float) %s)" (Type.text t) x
+      let x, t = one_of values.random them in
+      f "((smooth :: SF %s Float) %s)" (Type.text t) x
   | _, _, (_ :: _ as them), (_ :: _ as conditions) when chance values.random 2 ->
-    let x = fst (one_of values.random them) and b = fst (one_of values.random conditions) in
-    let other = Constant.literal values ty in
-    f "((proc (y, b) -> if b then y else %s) (%s, %s))" other x b
+      let x = fst (one_of values.random them) and b = fst (one_of values.random conditions) in
+      let other = Constant.literal values ty in
+      f "((proc (y, b) -> if b then y else %s) (%s, %s))" other x b
   | _, _, (_ :: _ as them), _ -> f "(identity %s)" (fst (one_of values.random them))
   | _ -> f "(constant %s ())" (Constant.literal values ty)
 
@@ -226,11 +236,10 @@ and of_functions s fuel a argument result =
   let values = { s.values with run = None } in
   let text, bound = Pattern.any values a in
   let made values = Expression.lambda (Scope.bind bound values) (min fuel 2) argument result in
-  if chance values.random 2 then begin
+  if chance values.random 2 then (
     Scope.note values "function out of a signal function";
-    f "(arr (\\%s -> %s))" text (made values)
-  end
-  else begin
+    f "(arr (\\%s -> %s))" text (made values))
+  else (
     Scope.note values "function out of a switch";
     let payload = Scope.any_type values in
     let event = Type.event payload in
@@ -240,8 +249,7 @@ and of_functions s fuel a argument result =
       text (made values)
       (Expression.expression (Scope.bind bound values) (min fuel 2) event)
       (Type.text event) brought text
-      (made (Scope.bind more values))
-  end
+      (made (Scope.bind more values)))
 
 (* {1 Procs} *)
 
@@ -282,8 +290,7 @@ let any_equation s ~signals ~later (name, ty) =
       let input = Scope.any_type s.values and late = Scope.any_type s.values in
       f "%s = %s (%s, %s)" name
         (Circle.machine (maker s) input ~late ty)
-        (e 2 input)
-        (typed_expression later 2 late)
+        (e 2 input) (typed_expression later 2 late)
   | 3, _ ->
       let input = Scope.any_type s.values in
       f "%s = %s %s" name (expression s 2 input ty) (e 2 input)
@@ -338,11 +345,10 @@ let chain s ~signals ~shown =
   let equation { Chain.name; text; _ } = f "%s = %s" name text in
   let feedback =
     if not is_fed_back then []
-    else begin
+    else (
       Scope.note values "chain in feedback";
       let last = List.nth bindings (List.length bindings - 1) in
-      [ f "%s = delay %s %s" (fst before) (literal s (snd before)) last.Chain.name ]
-    end
+      [ f "%s = delay %s %s" (fst before) (literal s (snd before)) last.Chain.name ])
   in
   let comes_to (name, ty) =
     f "%s = %s" name (Constant.annotated (Chain.result scope makers bindings ty) ty)
@@ -365,7 +371,9 @@ let claim s signals =
 type output = Computed of Type.t | All_signals
 
 let any_signals s =
-  List.init (2 + s.values.bias.width + Random.State.int s.values.random 5) (fun _ -> Scope.any_type s.values)
+  List.init
+    (2 + s.values.bias.width + Random.State.int s.values.random 5)
+    (fun _ -> Scope.any_type s.values)
 
 let body s ~indent ~input ~signals output =
   let random = s.values.random in
@@ -373,7 +381,9 @@ let body s ~indent ~input ~signals output =
   let fresh start = Scope.fresh s.values start in
   (* Static values and signal functions first: what is run may use them. *)
   let constant = (fresh "k", Scope.any_type s.values) in
-  let constant_text = f "%s = (%s :: %s)" (fst constant) (static s 2 (snd constant)) (Type.text (snd constant)) in
+  let constant_text =
+    f "%s = (%s :: %s)" (fst constant) (static s 2 (snd constant)) (Type.text (snd constant))
+  in
   let s = { s with values = Scope.bind [ constant ] s.values } in
   let local =
     let input = Scope.any_type s.values and output = Scope.any_type s.values in

@@ -1,17 +1,12 @@
-(** Random signal functions: as expressions, and as procs with equations that
-    feed back through [delay] and [integral]. *)
+(** Random signal functions: as expressions, and as procs with equations that feed back through
+    [delay] and [integral]. *)
 
 type parameter =
   | Value of Type.t
   | Function of Type.t * Type.t
   | Signal_function of Type.t * Type.t
 
-type named = {
-  name : string;
-  parameters : parameter list;
-  input : Type.t;
-  output : Type.t;
-}
+type named = { name : string; parameters : parameter list; input : Type.t; output : Type.t }
 
 val parameter_text : parameter -> string
 (** Its type. *)
@@ -27,13 +22,11 @@ val argument : scope -> int -> parameter -> string
 val maker : scope -> Reactive.maker
 
 (** What a proc gives out. *)
-type output =
-  | Computed of Type.t
-  | All_signals  (** so that every equation counts *)
+type output = Computed of Type.t | All_signals  (** so that every equation counts *)
 
 val body : scope -> indent:string -> input:Type.t -> signals:Type.t list -> output -> string
-(** [proc … -> … where …], on several lines, with equations for signals of
-    these types, at least two. *)
+(** [proc … -> … where …], on several lines, with equations for signals of these types, at least
+    two. *)
 
 val any_signals : scope -> Type.t list
 (** The types of some signals. *)

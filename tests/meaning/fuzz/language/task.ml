@@ -36,8 +36,8 @@ let rec task (m : Reactive.maker) ~slow fuel a b (c : Type.t) =
     else
       (3, fun () -> f "(return %s)" (annotated (value m 1 c) c))
       :: ( (if fuel > 0 then 2 else 0),
-           fun () ->
-             f "(untilRight %s)" (m.signal_function m.values (fuel - 1) a (Type.either b c)) )
+           fun () -> f "(untilRight %s)" (m.signal_function m.values (fuel - 1) a (Type.either b c))
+         )
       :: ( (if fuel > 0 then 2 else 0),
            fun () -> f "(ask %s)" (m.signal_function m.values (fuel - 1) a c) )
       :: (if a = c then [ (3, fun () -> "snapT") ] else [])
@@ -55,9 +55,7 @@ let rec task (m : Reactive.maker) ~slow fuel a b (c : Type.t) =
         (6, fun () -> sequence m ~slow fuel a b c);
         (3, fun () -> chosen m ~slow fuel a b c);
         ((if slow then 0 else 2), fun () -> local m fuel a b c);
-        ( 2,
-          fun () ->
-            f "(if %s then %s else %s)" (value m 1 Bool) (sub a b c) (sub a b c) );
+        (2, fun () -> f "(if %s then %s else %s)" (value m 1 Bool) (sub a b c) (sub a b c));
         ( 1,
           fun () ->
             let other = any_result m in
@@ -99,7 +97,9 @@ and local m fuel a b c =
   let before = task m ~slow:(chance values.random 2) (fuel - 1) a b first in
   let last = task m ~slow:false (fuel - 1) a b c in
   Scope.note values "local task that starts itself";
-  f "(let %s %s = (do %s; if %s >= %d then %s else %s (%s + 1)) in (%s (0 :: Int) :: Task %s %s %s))"
+  f
+    "(let %s %s = (do %s; if %s >= %d then %s else %s (%s + 1)) in (%s (0 :: Int) :: Task %s %s \
+     %s))"
     go n before n often last go n go (Type.text a) (Type.text b) (Type.text c)
 
 and side_by_side m ~slow fuel a b c =
@@ -127,7 +127,11 @@ and by_result m ~slow fuel a b (c : Type.t) =
   let observed () =
     match c with
     | Tuple [ result; seen ] ->
-        [ (6, fun () -> f "(withSF %s %s)" (sub a b result) (m.signal_function m.values (fuel - 1) a seen)) ]
+        [
+          ( 6,
+            fun () ->
+              f "(withSF %s %s)" (sub a b result) (m.signal_function m.values (fuel - 1) a seen) );
+        ]
     | _ -> []
   and perhaps () =
     match c with
@@ -137,7 +141,11 @@ and by_result m ~slow fuel a b (c : Type.t) =
         ::
         (* It may not try at all. *)
         (if slow then [] else [ (3, fun () -> f "(retryT %s %s)" (times m) (sub ~slow:true a b c)) ])
-    | Data { constructors = [ { fields = [ (_, result) ]; _ }; { fields = [ (_, reason) ]; name } ]; _ }
+    | Data
+        {
+          constructors = [ { fields = [ (_, result) ]; _ }; { fields = [ (_, reason) ]; name } ];
+          _;
+        }
       when name = "Right" ->
         let stop = m.signal_function m.values (fuel - 1) a (Type.event reason) in
         let stop = if slow then f "(%s >>> notYet)" stop else stop in
@@ -159,12 +167,15 @@ and by_result m ~slow fuel a b (c : Type.t) =
             f "(whileT %s %s)" condition (sub ~slow:true a b (any_result m)) );
         ( 2,
           fun () ->
-            f "(forEachT %s (\\%s -> %s))" (annotated (value m 1 array) array) text
+            f "(forEachT %s (\\%s -> %s))"
+              (annotated (value m 1 array) array)
+              text
               (task (with_values m bound) ~slow:true (fuel - 1) a b (any_result m)) );
         ( 4,
           fun () ->
-            f "(%s %s %s)" (one_of m.values.random [ "whenT"; "unlessT" ]) (value m 1 Bool)
-              (sub a b Type.unit) );
+            f "(%s %s %s)"
+              (one_of m.values.random [ "whenT"; "unlessT" ])
+              (value m 1 Bool) (sub a b Type.unit) );
       ]
   in
   observed () @ perhaps () @ repeated ()
@@ -173,7 +184,12 @@ let alternatives (m : Reactive.maker) fuel a b =
   let weight = m.values.bias.tasks in
   let whole : (int * (unit -> string)) list =
     match (b : Type.t) with
-    | Data { constructors = [ { name = "Left"; fields = [ (_, output) ] }; { fields = [ (_, result) ]; _ } ]; _ } ->
+    | Data
+        {
+          constructors =
+            [ { name = "Left"; fields = [ (_, output) ] }; { fields = [ (_, result) ]; _ } ];
+          _;
+        } ->
         [ (3 * weight, fun () -> f "(runTask %s)" (task m ~slow:false (fuel - 1) a output result)) ]
     | _ -> []
   and followed () =

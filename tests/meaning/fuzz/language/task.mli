@@ -1,8 +1,8 @@
 (** Random tasks. *)
 
 val task : Reactive.maker -> slow:bool -> int -> Type.t -> Type.t -> Type.t -> string
-(** [task m ~slow fuel a b c], of type [Task a b c]. If [slow], it does not end at
-    its first instant, so that it can be repeated. *)
+(** [task m ~slow fuel a b c], of type [Task a b c]. If [slow], it does not end at its first
+    instant, so that it can be repeated. *)
 
 val any_result : Reactive.maker -> Type.t
 (** A type that tasks end with. *)

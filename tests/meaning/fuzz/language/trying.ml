@@ -24,20 +24,30 @@ let wave random =
   | 3 -> f "whiteNoise %d ()" (Random.State.int random 1000)
   | 4 -> f "colouredNoise 0.1[s] %d ()" (Random.State.int random 1000)
   | 5 -> f "uniformNoise %d ()" (Random.State.int random 1000)
-  | _ -> f "(if time () > 0.%d[s] then %s else -%s)" (1 + Random.State.int random 4) (number 0) (number 0)
+  | _ ->
+      f "(if time () > 0.%d[s] then %s else -%s)"
+        (1 + Random.State.int random 4)
+        (number 0) (number 0)
 
 let made_up random =
   let wave () = wave random in
   let event =
     one_of random
       [
-        f "tag (edge (%s > 0.2)) x" (wave ()); "tag (every 0.1[s] ()) y"; "tag (after 0.2[s] ()) 1.5";
+        f "tag (edge (%s > 0.2)) x" (wave ());
+        "tag (every 0.1[s] ()) y";
+        "tag (after 0.2[s] ()) 1.5";
         "filterEvent (\\v -> v > 0.5) (Event x)";
       ]
   in
   [
-    ("x", wave ()); ("y", wave ()); ("n", f "round (3 * (%s))" (wave ())); ("b", f "%s > 0" (wave ()));
-    ("e", event); ("m", "if b then Just (n, x > y) else Nothing"); ("xs", f "[y, %s, x]" (wave ()));
+    ("x", wave ());
+    ("y", wave ());
+    ("n", f "round (3 * (%s))" (wave ()));
+    ("b", f "%s > 0" (wave ()));
+    ("e", event);
+    ("m", "if b then Just (n, x > y) else Nothing");
+    ("xs", f "[y, %s, x]" (wave ()));
     ("d", f "0.5[m] * (%s)" (wave ()));
   ]
 
@@ -61,7 +71,9 @@ let outcome ~answer (s : Scope.t) =
 let observer (s : Scope.t) { name; signals } label =
   let random = s.random in
   let shown = List.mapi (fun k ty -> (f "v%d" k, ty)) signals in
-  let left = match shown with [ (v, _) ] -> v | _ -> f "(%s)" (String.concat ", " (List.map fst shown)) in
+  let left =
+    match shown with [ (v, _) ] -> v | _ -> f "(%s)" (String.concat ", " (List.map fst shown))
+  in
   let made_up = List.map (fun (name, value) -> f "%s = %s" name value) (made_up random) in
   let bound : (string * Type.t) list = [ ("x", Float); ("n", Int); ("b", Bool) ] in
   let seen = Scope.bind (bound @ shown) s in
@@ -103,7 +115,10 @@ let trial (s : Scope.t) label =
   let judge =
     one_of random
       [
-        "neverTouches"; "keepsOff 0.2[m]"; "bothOf neverTouches (endsWithin 9[s])"; "comesFar 1[m] 8[s]";
+        "neverTouches";
+        "keepsOff 0.2[m]";
+        "bothOf neverTouches (endsWithin 9[s])";
+        "comesFar 1[m] 8[s]";
         "arrives 5[s] 10[cm] (Vec2 { x = 1[m], y = -2[m] })";
         f
           "proc t -> verdict (%s) where\n\
@@ -115,7 +130,13 @@ let trial (s : Scope.t) label =
       ]
   in
   let seeds = one_of random [ "1 `to` 3"; "to 7 9"; "holdsWith 0.9 0.95 (1 `to` 100)" ] in
-  f "trial %S = Trial {\n    world = \"room.toml\",\n    lasts = %d[s],\n    seeds = %s,\n    judge = %s }\n\n" label
+  f
+    "trial %S = Trial {\n\
+    \    world = \"room.toml\",\n\
+    \    lasts = %d[s],\n\
+    \    seeds = %s,\n\
+    \    judge = %s }\n\n"
+    label
     (1 + Random.State.int random 9)
     seeds judge
 

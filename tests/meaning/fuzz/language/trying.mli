@@ -8,7 +8,6 @@ type program = {
 
 val imports : string
 
-(** What is said of a program for a time, on an input that is made up. *)
 type observer = {
   label : string;
   seconds : float;
@@ -16,6 +15,7 @@ type observer = {
   claims : (string * string * string) list;  (** [assert] or [assume], a label, an expression *)
   equations : string list;  (** of what these mention *)
 }
+(** What is said of a program for a time, on an input that is made up. *)
 
 val observer : Scope.t -> program -> string -> observer
 (** Of that label. *)
@@ -24,8 +24,8 @@ val test : observer -> string
 (** It as a test. *)
 
 val reference : string -> observer -> string
-(** A signal function of that name, without input, that gives the verdicts: a pair of the
-    judge's, and a tuple of () and those on the claims. *)
+(** A signal function of that name, without input, that gives the verdicts: a pair of the judge's,
+    and a tuple of () and those on the claims. *)
 
 val some : Scope.t -> program -> string
 (** A test, a golden trace or a trial, with files that are not there. *)

@@ -8,7 +8,6 @@ type t =
   | Data of data
 
 and measure = { metres : int; seconds : int }
-
 and data = { head : string; constructors : constructor list }
 and constructor = { name : string; fields : (string * t) list }
 
@@ -39,7 +38,10 @@ let positional name types = { name; fields = List.map (fun t -> ("", t)) types }
 
 let maybe t =
   Data
-    { head = applied "Maybe" [ t ]; constructors = [ positional "Nothing" []; positional "Just" [ t ] ] }
+    {
+      head = applied "Maybe" [ t ];
+      constructors = [ positional "Nothing" []; positional "Just" [ t ] ];
+    }
 
 let event t =
   Data
@@ -95,13 +97,16 @@ let is_record data =
   | [ { fields = (name, _) :: _; _ } ] -> not (String.equal name "")
   | _ -> false
 
-let scalar random =
-  match Random.State.int random 5 with 0 | 1 -> Float | 2 | 3 -> Int | _ -> Bool
+let scalar random = match Random.State.int random 5 with 0 | 1 -> Float | 2 | 3 -> Int | _ -> Bool
 
 let measures =
   [
-    { metres = 1; seconds = 0 }; { metres = 0; seconds = 1 }; { metres = 1; seconds = -1 };
-    { metres = 2; seconds = 0 }; { metres = 1; seconds = -2 }; { metres = 0; seconds = -1 };
+    { metres = 1; seconds = 0 };
+    { metres = 0; seconds = 1 };
+    { metres = 1; seconds = -1 };
+    { metres = 2; seconds = 0 };
+    { metres = 1; seconds = -2 };
+    { metres = 0; seconds = -1 };
   ]
 
 let any_measure random = List.nth measures (Random.State.int random (List.length measures))
@@ -127,7 +132,8 @@ let rec of_depth random ~declared depth =
     | 3 -> maybe (inner ())
     | 4 -> event (inner ())
     | 5 -> either (inner ()) (inner ())
-    | 6 | 7 when declared <> [] -> List.nth declared (Random.State.int random (List.length declared))
+    | (6 | 7) when declared <> [] ->
+        List.nth declared (Random.State.int random (List.length declared))
     | _ -> scalar random
 
 let any random ~declared = of_depth random ~declared 2
@@ -140,7 +146,10 @@ let declare random ~declared name =
   in
   let constructors =
     match Random.State.int random 4 with
-    | 0 -> List.init (2 + Random.State.int random 3) (fun i -> positional (Printf.sprintf "%sE%d" name i) [])
+    | 0 ->
+        List.init
+          (2 + Random.State.int random 3)
+          (fun i -> positional (Printf.sprintf "%sE%d" name i) [])
     | 1 -> [ { name; fields = List.init (1 + Random.State.int random 3) field } ]
     | _ -> List.init (1 + Random.State.int random 3) constructor
   in
@@ -154,6 +163,5 @@ let declaration = function
           name ^ " { " ^ String.concat ", " (List.map field fields) ^ " }"
         else applied name (List.map snd fields)
       in
-      Printf.sprintf "data %s = %s\n" head
-        (String.concat " | " (List.map constructor constructors))
+      Printf.sprintf "data %s = %s\n" head (String.concat " | " (List.map constructor constructors))
   | Float | Measure _ | Int | Bool | Tuple _ | Array _ -> invalid_arg "Type.declaration"

@@ -9,7 +9,8 @@ type t =
   | Array of int * t
   | Data of data
 
-and measure = { metres : int; seconds : int }  (** exponents; not both 0 *)
+and measure = { metres : int; seconds : int }
+(** exponents; not both 0 *)
 
 and data = {
   head : string;  (** as it is written: [Maybe Float], [Shape3] *)
@@ -35,9 +36,10 @@ val unit_text : measure -> string
 (** As it stands between brackets. *)
 
 val either : t -> t -> t
+
 val has_instances : measured:bool -> t -> bool
-(** Of the classes that random programs share: [Measured], else [Renewed].
-    Declared types have both. *)
+(** Of the classes that random programs share: [Measured], else [Renewed]. Declared types have both.
+*)
 
 val is_record : data -> bool
 

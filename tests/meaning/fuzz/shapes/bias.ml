@@ -12,7 +12,18 @@ type t = {
   root : root;
 }
 
-let even = { events = 12; switches = 3; tasks = 1; library = 3; odd_numbers = 20; depth = 0; width = 0; chains = 1; root = Any }
+let even =
+  {
+    events = 12;
+    switches = 3;
+    tasks = 1;
+    library = 3;
+    odd_numbers = 20;
+    depth = 0;
+    width = 0;
+    chains = 1;
+    root = Any;
+  }
 
 let all =
   [|
@@ -29,6 +40,5 @@ let all =
   |]
 
 let count = Array.length all
-
 let alike = 20
 let of_program ~seed number = all.(abs (seed + (number / alike)) mod count)

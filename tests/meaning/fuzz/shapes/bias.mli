@@ -23,8 +23,8 @@ val alike : int
 (** So many programs in a row are of one kind. *)
 
 val of_program : seed:int -> int -> t
-(** Of the program with this number, by turns: even, event-heavy, switch-storms,
-    NaN-heavy, deep, wide, array-heavy, with a small root, cascades of modes, modes that hand on numbers. *)
+(** Of the program with this number, by turns: even, event-heavy, switch-storms, NaN-heavy, deep,
+    wide, array-heavy, with a small root, cascades of modes, modes that hand on numbers. *)
 
 val count : int
 (** How many there are. *)

@@ -1,15 +1,18 @@
 open Choice
 
 let f = Printf.sprintf
-
 let small (values : Scope.t) = string_of_int (Random.State.int values.random 5)
 
 (* What a range of it must not forget: numbers from -infinity to infinity, and NaN. *)
 let unbounded (values : Scope.t) n =
   let part () =
     one_of values.random
-      [ f "toFloat %s" n; f "(toFloat %s / 0)" n; f "(- toFloat %s / 0)" n;
-        f "max 0 (toFloat %s / 0)" n ]
+      [
+        f "toFloat %s" n;
+        f "(toFloat %s / 0)" n;
+        f "(- toFloat %s / 0)" n;
+        f "max 0 (toFloat %s / 0)" n;
+      ]
   in
   f "(%s %s %s)" (part ()) (one_of values.random [ "+"; "-"; "*"; "/" ]) (part ())
 
@@ -71,8 +74,11 @@ let onward static hands ~handed:(n, c) later =
   in
   let next () = if chance inside.random 2 then List.hd later else one_of inside.random later in
   match Random.State.int inside.random 4 with
-  | 0 | 1 when hands = Literals ->
-      f "if %s then %s else %s" (if chance inside.random 2 then c else bool inside) (into (next ())) (into (next ()))
+  | (0 | 1) when hands = Literals ->
+      f "if %s then %s else %s"
+        (if chance inside.random 2 then c else bool inside)
+        (into (next ()))
+        (into (next ()))
   | 0 ->
       (* The longer way may be either. *)
       let then_, else_ =
@@ -103,7 +109,8 @@ let ends (inside : Scope.t) style { number; flag; _ } =
   in
   match Random.State.int inside.random 16 with
   | k when style.paced ->
-      if k < 11 then f "after (0.05[s] + abs (toFloat %s) * 0.1[s]) ()" number else f "edge %s" (bool inside)
+      if k < 11 then f "after (0.05[s] + abs (toFloat %s) * 0.1[s]) ()" number
+      else f "edge %s" (bool inside)
   | 9 | 10 | 11 | 12 -> timed inside number
   | 13 | 14 | 15 -> Remembered.event inside (fun () -> bool inside)
   | 0 -> f "when (%s %s %s)" (bool inside) (one_of inside.random [ "&&"; "||" ]) (asked ())
@@ -123,8 +130,7 @@ let output (inside : Scope.t) k number =
 
 type input = { ty : Type.t; pattern : string; bound : (string * Type.t) list }
 
-let signature name parameters input =
-  f "%s :: %sSF %s Int\n" name parameters (Type.text input.ty)
+let signature name parameters input = f "%s :: %sSF %s Int\n" name parameters (Type.text input.ty)
 
 let switch input style ~static ~shows ~event later =
   let inside = Scope.bind input.bound static in
@@ -154,7 +160,8 @@ let rec define values input style ~machines k = function
       let body =
         if later = [] then lasting input ~inside ~machines k mode.number
         else
-          switch input style ~static ~shows:(output inside k mode.number) ~event:(ends inside style mode) later
+          switch input style ~static ~shows:(output inside k mode.number)
+            ~event:(ends inside style mode) later
       in
       f "%s%s %s %s = %s\n\n"
         (signature mode.name "Int -> Bool -> " input)
@@ -166,11 +173,13 @@ let machine values input ~alone ~machines =
   let modes = modes values in
   let start = Scope.fresh values "s" in
   let style =
-    { hands = (if chance values.random 4 then Literals else Chosen); paced = chance values.random (if alone then 2 else 6) }
+    {
+      hands = (if chance values.random 4 then Literals else Chosen);
+      paced = chance values.random (if alone then 2 else 6);
+    }
   in
   let begins =
-    if chance values.random 2 then
-      f "%s %s %s" (List.hd modes).name (small values) (truth values)
+    if chance values.random 2 then f "%s %s %s" (List.hd modes).name (small values) (truth values)
     else
       let inside = Scope.bind input.bound values in
       let event = if style.paced then "edge" else "when" in
@@ -186,8 +195,8 @@ let for_each values input start =
   let many = Scope.fresh values "s" and whole = Scope.fresh values "i" in
   let wholes = List.init (1 + Random.State.int values.Scope.random 3) (fun _ -> whole) in
   ( many,
-    f "%s%s = proc %s -> foldl (\\a b -> 2 * a + b) 0 (mapSF %s [%s])\n\n" (signature many "" input) many whole
-      start (String.concat ", " wholes) )
+    f "%s%s = proc %s -> foldl (\\a b -> 2 * a + b) 0 (mapSF %s [%s])\n\n" (signature many "" input)
+      many whole start (String.concat ", " wholes) )
 
 let definitions values ~input ~pattern:(pattern, bound) =
   Scope.note values "cascade of modes";

@@ -35,12 +35,15 @@ let or_zero s makers u =
 let lost s makers (a, _) =
   let e = fresh s "e" in
   let number =
-    match variable s Float with Some x -> x | None -> makers.expression { s with run = None } 1 Float
+    match variable s Float with
+    | Some x -> x
+    | None -> makers.expression { s with run = None } 1 Float
   in
   f "map (\\%s -> %s %s sqrt %s) %s" e e (one_of s.random [ "+"; "*" ]) (annotated number Float) a
 
 (* Of the latest more often than of the earlier ones. *)
-let latest s list = one_of s.random (List.filteri (fun k _ -> k = 0 || not (chance s.random 3)) list)
+let latest s list =
+  one_of s.random (List.filteri (fun k _ -> k = 0 || not (chance s.random 3)) list)
 
 (* With their types: a parameter's may be known from nowhere else. *)
 let arrays_of n variables =
@@ -59,7 +62,9 @@ let new_array s makers ~n arrays (t : Type.t) =
     match Random.State.int s.random 13 with
     | 0 | 1 | 2 ->
         of_one (fun (a, u) ->
-            let each = if t = Float && chance s.random 3 then or_zero s makers u else lambda [ u ] t in
+            let each =
+              if t = Float && chance s.random 3 then or_zero s makers u else lambda [ u ] t
+            in
             f "map %s %s" each a)
     | 3 -> of_one (fun (a, u) -> f "imap %s %s" (lambda [ Int; u ] t) a)
     | 4 | 5 | 6 ->
@@ -87,7 +92,9 @@ let fold s makers (a, u) result =
 let fold_of_two s makers (a, u) result =
   let first = fresh s "r" and second = fresh s "r" and e = fresh s "e" in
   let inside = bind [ (e, u); (first, result); (second, result) ] { s with run = None } in
-  let value () = one_of s.random [ first; second; annotated (makers.expression inside 1 result) result ] in
+  let value () =
+    one_of s.random [ first; second; annotated (makers.expression inside 1 result) result ]
+  in
   let two value =
     let x = value () in
     f "(%s, %s)" x (if chance s.random 2 then x else value ())
@@ -102,7 +109,7 @@ let new_value s makers ~n arrays usual : Type.t * string =
   | 7 ->
       let result = one_of s.random usual in
       (Tuple [ result; result ], fold_of_two s makers array result)
-  | 0 | 8 when u = Type.Float && not (chance s.random 3) ->
+  | (0 | 8) when u = Type.Float && not (chance s.random 3) ->
       let name = one_of s.random [ "minimumBy"; "maximumBy" ] in
       let looked_at = if chance s.random 2 then f "(%s)" (lost s makers array) else a in
       let limit = annotated (makers.expression { s with run = None } 0 Float) Float in
@@ -120,7 +127,11 @@ let new_value s makers ~n arrays usual : Type.t * string =
 
 (* Short ones are written out, without a loop. *)
 let size s =
-  let known = List.filter_map (fun (_, (ty : Type.t)) -> match ty with Array (n, _) -> Some n | _ -> None) s.variables in
+  let known =
+    List.filter_map
+      (fun (_, (ty : Type.t)) -> match ty with Array (n, _) -> Some n | _ -> None)
+      s.variables
+  in
   if known <> [] && chance s.random 2 then one_of s.random known
   else one_of s.random [ 2; 3; 4; 5; 6; 7; 12 ]
 
@@ -142,7 +153,9 @@ let make s makers ?last n =
       let ty, text = new_value known makers ~n arrays usual in
       add ty text
   in
-  let near k (_, (ty : Type.t)) = k < 3 || match ty with Array (size, _) -> size = n | _ -> false in
+  let near k (_, (ty : Type.t)) =
+    k < 3 || match ty with Array (size, _) -> size = n | _ -> false
+  in
   go { s with variables = List.filteri near s.variables } [] (3 + Random.State.int s.random 5)
 
 (* {1 What the chain comes to} *)

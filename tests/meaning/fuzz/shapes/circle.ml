@@ -12,7 +12,10 @@ let event (inside : Scope.t) m =
   match Random.State.int inside.random 5 with
   | 0 -> f "after %s ()" (Reactive.time m)
   | 1 -> f "every %s ()" (Reactive.time m)
-  | _ -> f "%s (%s)" (one_of inside.random [ "when"; "edge"; "edgeFrom False" ]) (Expression.expression inside 1 Bool)
+  | _ ->
+      f "%s (%s)"
+        (one_of inside.random [ "when"; "edge"; "edgeFrom False" ])
+        (Expression.expression inside 1 Bool)
 
 (* One mode, and those that come after it. An event that leads on a moment later may
    look at the late input itself. *)
@@ -21,7 +24,9 @@ let rec modes (m : Reactive.maker) a ~late b k =
   let text, bound = Pattern.any m.values a in
   let y = Scope.fresh m.values "y" and before = Scope.fresh m.values "d" in
   let now = Scope.fresh m.values "q" in
-  let inside = Scope.bind ((before, late) :: (now, Type.Float) :: bound) { m.values with run = None } in
+  let inside =
+    Scope.bind ((before, late) :: (now, Type.Float) :: bound) { m.values with run = None }
+  in
   let shown = Expression.expression inside 1 b in
   (* The time shows a step that was made twice. *)
   let proc result =
@@ -37,7 +42,10 @@ let rec modes (m : Reactive.maker) a ~late b k =
     let after = { m with values = Scope.bind [ (name, payload) ] m.values } in
     f "%s (%s) (\\%s -> %s)"
       (if delayed then "dSwitch" else "switch")
-      (proc (f "(%s, mapE (\\_ -> (%s :: %s)) (%s))" shown (Expression.expression inside 1 payload) (Type.text payload) (event asking m)))
+      (proc
+         (f "(%s, mapE (\\_ -> (%s :: %s)) (%s))" shown
+            (Expression.expression inside 1 payload)
+            (Type.text payload) (event asking m)))
       name
       (modes after a ~late b (k - 1))
 

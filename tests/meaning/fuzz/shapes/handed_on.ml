@@ -6,7 +6,8 @@ type mode = { name : string; a : string; b : string }
 
 (* What this program computes of two numbers. *)
 let measure random =
-  let k = one_of random [ "3"; "0.5"; "(-1)"; "0" ] and l = one_of random [ "1"; "2.5"; "(-0.25)" ] in
+  let k = one_of random [ "3"; "0.5"; "(-1)"; "0" ]
+  and l = one_of random [ "1"; "2.5"; "(-0.25)" ] in
   let either x y = if chance random 2 then f "(%s - %s)" x y else f "(%s - %s)" y x in
   let kinds =
     [
@@ -37,12 +38,12 @@ let shows (inside : Scope.t) measure { a; b; _ } =
   | _ -> float inside
 
 let asked (inside : Scope.t) measure { a; b; _ } (x, y) =
-    match Random.State.int inside.random 5 with
-    | 0 -> f "%s < %s" (measure x y) (measure a b)
-    | 1 -> f "%s < 2" (measure x y)
-    | 2 -> f "%s < 1 || %s" (measure x y) (Cascade.bool inside)
-    | 3 -> f "%s < %s" (measure a b) (float inside)
-    | _ -> Cascade.bool inside
+  match Random.State.int inside.random 5 with
+  | 0 -> f "%s < %s" (measure x y) (measure a b)
+  | 1 -> f "%s < 2" (measure x y)
+  | 2 -> f "%s < 1 || %s" (measure x y) (Cascade.bool inside)
+  | 3 -> f "%s < %s" (measure a b) (float inside)
+  | _ -> Cascade.bool inside
 
 (* Work that is worth a branch. *)
 let much (inside : Scope.t) measure { a; b; _ } (x, y) =
@@ -72,7 +73,8 @@ let way ?(keeps = false) (inside : Scope.t) mode later ~edge ~asked ~event_of (x
   let event = f "%s (%s)" (if edge then "edge" else "when") asked in
   ( f "mapE (\\_ -> %s) (%s)" (event_of (f "(%s, %s)" x y)) event,
     f "\\(%s, %s) -> %s %s" p q next.name
-      (if keeps && not (chance inside.random 4) then f "%s %s" p q else handed inside mode (p, q)) )
+      (if keeps && not (chance inside.random 4) then f "%s %s" p q else handed inside mode (p, q))
+  )
 
 let rec define scope (pattern, bound) ~signature measure = function
   | [] -> []
@@ -89,7 +91,7 @@ let rec define scope (pattern, bound) ~signature measure = function
             if chance inside.random 3 then
               let asked = asked inside measure mode values in
               way inside mode later ~edge:(edge ()) ~asked ~event_of:Fun.id values
-            else begin
+            else (
               Scope.note scope "mode that ends in two ways";
               let first_asked =
                 if chance inside.random 3 then asked inside measure mode values
@@ -107,17 +109,20 @@ let rec define scope (pattern, bound) ~signature measure = function
               in
               let edge () = (not also) && edge () in
               let first, to_first =
-                way ~keeps:true inside mode later ~edge:(edge ()) ~asked:first_asked ~event_of:(f "Left %s") values
+                way ~keeps:true inside mode later ~edge:(edge ()) ~asked:first_asked
+                  ~event_of:(f "Left %s") values
               in
               let second, to_second =
-                way inside mode later ~edge:(edge ()) ~asked:second_asked ~event_of:(f "Right %s") others
+                way inside mode later ~edge:(edge ()) ~asked:second_asked ~event_of:(f "Right %s")
+                  others
               in
-              (f "mergeE (%s) (%s)" first second, f "either (%s) (%s)" to_first to_second)
-            end
+              (f "mergeE (%s) (%s)" first second, f "either (%s) (%s)" to_first to_second))
           in
           f "switch (proc %s -> (%s, %s)) (%s)" pattern shows event to_
       in
-      f "%s%s %s %s = %s\n\n" (signature mode.name "Float -> Float -> ") mode.name mode.a mode.b body
+      f "%s%s %s %s = %s\n\n"
+        (signature mode.name "Float -> Float -> ")
+        mode.name mode.a mode.b body
       :: define scope (pattern, bound) ~signature measure later
 
 let definitions values ~input ~pattern =

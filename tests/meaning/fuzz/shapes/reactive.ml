@@ -1,16 +1,15 @@
 open Choice
 
-type maker = {
-  values : Scope.t;
-  signal_function : Scope.t -> int -> Type.t -> Type.t -> string;
-}
+type maker = { values : Scope.t; signal_function : Scope.t -> int -> Type.t -> Type.t -> string }
 
 let f = Printf.sprintf
 let still (values : Scope.t) = { values with run = None }
 
 let time m =
   one_of m.values.random
-    [ "0"; "0.05[s]"; "0.1[s]"; "0.3[s]"; "1[s]"; "(-1[s])"; "(0[s] / 0.0)"; "(1[s] / 0.0)"; "1[us]" ]
+    [
+      "0"; "0.05[s]"; "0.1[s]"; "0.3[s]"; "1[s]"; "(-1[s])"; "(0[s] / 0.0)"; "(1[s] / 0.0)"; "1[us]";
+    ]
 
 let number m = one_of m.values.random [ "0"; "1"; "2"; "3"; "(-1)" ]
 let literal m ty = Constant.literal m.values ty
@@ -53,9 +52,8 @@ let from_event m fuel payload b =
           ( 8,
             fun () ->
               one_of m.values.random
-                [
-                  "once"; "notYet"; f "(takeEvents %s)" (number m); f "(dropEvents %s)" (number m);
-                ] );
+                [ "once"; "notYet"; f "(takeEvents %s)" (number m); f "(dropEvents %s)" (number m) ]
+          );
         ]
 
 let source m fuel (a : Type.t) b payload =
@@ -67,10 +65,11 @@ let source m fuel (a : Type.t) b payload =
       (3, fun () -> tagged (f "%s %s" (one_of m.values.random [ "after"; "every" ]) (time m)));
       ( 3,
         fun () ->
-          f "(%s >>> edgeTag %s)" (m.signal_function m.values (fuel - 1) a Bool) (literal m payload) );
+          f "(%s >>> edgeTag %s)" (m.signal_function m.values (fuel - 1) a Bool) (literal m payload)
+      );
       ( 4,
-        fun () ->
-          f "(sampleEvery %s %s)" (time m) (m.signal_function m.values (fuel - 1) a payload) );
+        fun () -> f "(sampleEvery %s %s)" (time m) (m.signal_function m.values (fuel - 1) a payload)
+      );
     ]
   and by_input =
     match a with
@@ -84,7 +83,8 @@ let source m fuel (a : Type.t) b payload =
         | Some _ | None -> [])
     | Float | Measure _ | Int | Tuple _ | Array _ | Data _ -> []
   in
-  (if a = payload then [ (4, fun () -> f "(change :: SF %s %s)" (Type.text a) (Type.text b)) ] else [])
+  (if a = payload then [ (4, fun () -> f "(change :: SF %s %s)" (Type.text a) (Type.text b)) ]
+   else [])
   @ (if a = Type.maybe payload then [ (6, fun () -> "edgeJust") ] else [])
   @ by_input @ any
 
@@ -100,9 +100,7 @@ let accumulated_functions m fuel a b =
   let text, bound = Pattern.any values a in
   let payload = Scope.any_type values in
   let inside = Scope.bind bound values in
-  f "(proc %s -> %s %s (mapE %s (%s :: %s)))" text
-    (one_of m.values.random names)
-    (literal m b)
+  f "(proc %s -> %s %s (mapE %s (%s :: %s)))" text (one_of m.values.random names) (literal m b)
     (lambda m ~more:bound [ payload; b ] fuel b)
     (Expression.expression inside fuel (Type.event payload))
     (Type.text (Type.event payload))
@@ -139,8 +137,7 @@ let ending m ~slow fuel a b payload =
   let body =
     if chance m.values.random 3 then
       m.signal_function m.values fuel a (Tuple [ b; Type.event payload ])
-    else
-      f "(%s &&& %s)" (m.signal_function m.values (fuel - 1) a b) (lively m (fuel - 1) a payload)
+    else f "(%s &&& %s)" (m.signal_function m.values (fuel - 1) a b) (lively m (fuel - 1) a payload)
   in
   if slow then f "(%s >>> second notYet)" body else body
 
@@ -179,7 +176,9 @@ let rec cascade m ?latest fuel a b =
     if chance random 3 then ("", n, handed)
     else
       let k = Scope.fresh m.values "k" in
-      (f "let %s = %s in " k (Cascade.one_of_few ~by:c handed), k, Scope.bind [ (k, Type.Int) ] handed)
+      ( f "let %s = %s in " k (Cascade.one_of_few ~by:c handed),
+        k,
+        Scope.bind [ (k, Type.Int) ] handed )
   in
   let after =
     if fuel > 0 && not (chance random 3) then cascade { m with values } ~latest (fuel - 1) a b
@@ -227,7 +226,8 @@ let ticks m =
   match Random.State.int m.values.random 3 with
   | 0 -> f "(ticks %s)" (Expression.expression (still m.values) 1 Type.Float)
   | 1 -> f "(ticks (nanoseconds %s))" (time m)
-  | _ -> f "(ticks %s)" (one_of m.values.random [ "200000000.5"; "0.9"; "1"; "1000000000000000000.0" ])
+  | _ ->
+      f "(ticks %s)" (one_of m.values.random [ "200000000.5"; "0.9"; "1"; "1000000000000000000.0" ])
 
 (* What comes after is the event's value. *)
 let brought m fuel a b =
@@ -242,7 +242,8 @@ let brought m fuel a b =
     (Expression.expression inside 1 b)
     pattern
     (m.signal_function (Scope.bind more inside) (fuel - 1) a b)
-    (lively m (fuel - 1) a payload) whole after after
+    (lively m (fuel - 1) a payload)
+    whole after after
 
 let parenthesized ty text = f "(%s :: %s)" text (Type.text ty)
 
@@ -274,8 +275,7 @@ let replaced m fuel a b =
 
 let initially m fuel a b =
   let text, bound = Pattern.any m.values a in
-  f "(initially (\\%s -> %s))" text
-    (m.signal_function (Scope.bind bound m.values) (fuel - 1) a b)
+  f "(initially (\\%s -> %s))" text (m.signal_function (Scope.bind bound m.values) (fuel - 1) a b)
 
 (* Ways through an event on the way, where the types leave few. *)
 let composed m fuel a (b : Type.t) =
@@ -317,7 +317,8 @@ let alternatives m fuel a b =
   let events =
     (match Type.event_payload b with Some payload -> source m fuel a b payload | None -> [])
     @ (match Type.event_payload a with Some payload -> from_event m fuel payload b | None -> [])
-    @ composed m fuel a b @ [ (1, fun () -> accumulated_functions m fuel a b) ]
+    @ composed m fuel a b
+    @ [ (1, fun () -> accumulated_functions m fuel a b) ]
     @
     match a with
     | Tuple [ x; (Float | Measure _ | Int) ] when x = b ->

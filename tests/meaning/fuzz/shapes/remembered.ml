@@ -9,4 +9,6 @@ let event (values : Scope.t) condition =
   let either text = one_of random [ text; f "not (%s)" text ] in
   let a, b = (either now, either before) in
   let a, b = if chance random 4 then (b, a) else (a, b) in
-  f "let %s = (%s :: Bool) in when (%s %s %s)" now (condition ()) a (one_of random [ "&&"; "||"; "&&"; "||"; "/=" ]) b
+  f "let %s = (%s :: Bool) in when (%s %s %s)" now (condition ()) a
+    (one_of random [ "&&"; "||"; "&&"; "||"; "/=" ])
+    b

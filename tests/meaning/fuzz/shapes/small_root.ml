@@ -4,7 +4,9 @@ let f = Printf.sprintf
 
 (* Mostly known when the program starts, and different later. *)
 let rec turn_of (inside : Scope.t) =
-  let before ty = f "delay %s %s" (Constant.literal inside ty) (Expression.expression inside 0 ty) in
+  let before ty =
+    f "delay %s %s" (Constant.literal inside ty) (Expression.expression inside 0 ty)
+  in
   match Random.State.int inside.random 10 with
   | 0 | 1 -> "atStart ()"
   | 2 | 3 | 4 -> f "(atStart () || %s)" (turn_of inside)

@@ -2,6 +2,7 @@ open Choice
 
 let f = Printf.sprintf
 let output : Type.t = Tuple [ Int; Float; Bool ]
+
 (* All of them in one expression. *)
 let joined random operators names =
   let join text x = f "(%s %s %s)" text (one_of random operators) x in
@@ -15,12 +16,20 @@ let definition (values : Scope.t) name =
       (7 + Random.State.int random 3)
       (fun _ ->
         let one (ty : Type.t) = (Scope.fresh values "u", ty) in
-        [ one Int; one Float; one Bool; one (one_of random [ Type.Int; Float; Bool ]); one Type.Float ])
+        [
+          one Int;
+          one Float;
+          one Bool;
+          one (one_of random [ Type.Int; Float; Bool ]);
+          one Type.Float;
+        ])
   in
   let input = Type.Tuple (List.map (fun group -> Type.Tuple (List.map snd group)) groups) in
   let tuple names = f "(%s)" (String.concat ", " names) in
   let pattern = tuple (List.map (fun group -> tuple (List.map fst group)) groups) in
-  let all ty = List.filter_map (fun (x, t) -> if t = ty then Some x else None) (List.concat groups) in
+  let all ty =
+    List.filter_map (fun (x, t) -> if t = ty then Some x else None) (List.concat groups)
+  in
   let number = joined random [ "+"; "-"; "*"; "`min`" ] (shuffled random (all Int)) in
   let float = joined random [ "+"; "-"; "`max`" ] (shuffled random (all Float)) in
   let truth = joined random [ "&&"; "||"; "/=" ] (shuffled random (all Bool)) in
@@ -28,8 +37,8 @@ let definition (values : Scope.t) name =
   let number = if chance random 2 then number else f "delay 0 %s" number in
   let truth = if chance random 2 then truth else f "%s /= (%s > 2)" truth (List.hd (all Int)) in
   Scope.note values "wide function";
-  ( f "%s :: SF %s %s\n%s = proc %s -> (%s, %s, %s)\n\n" name (Type.text input) (Type.text output) name
-      pattern number float truth,
+  ( f "%s :: SF %s %s\n%s = proc %s -> (%s, %s, %s)\n\n" name (Type.text input) (Type.text output)
+      name pattern number float truth,
     input )
 
 let part (values : Scope.t) (ty : Type.t) ~call =

@@ -47,14 +47,9 @@ static size_t garble(uint64_t *seed, unsigned rate, uint8_t byte, uint8_t *out)
         return 1;
     }
     switch (random_below(seed, 4)) {
-    case 0:
-        out[0] = (uint8_t)(byte ^ 1u << random_below(seed, 8));
-        return 1;
-    case 1:
-        return 0;
-    case 2:
-        out[0] = out[1] = byte;
-        return 2;
+    case 0: out[0] = (uint8_t)(byte ^ 1u << random_below(seed, 8)); return 1;
+    case 1: return 0;
+    case 2: out[0] = out[1] = byte; return 2;
     default:
         out[0] = byte;
         out[1] = (uint8_t)random_below(seed, 256);

@@ -89,7 +89,8 @@ void fuzz_check(const uint8_t *bytes, size_t count)
     memset(&receiver, 0, sizeof receiver);
     while (fed < count) {
         size_t portion = 1 + random_below(&seed, 300);
-        size_t used = frob_p2os_feed(&receiver, bytes + fed, portion < count - fed ? portion : count - fed);
+        size_t used =
+            frob_p2os_feed(&receiver, bytes + fed, portion < count - fed ? portion : count - fed);
         if (used == 0)
             fuzz_fail("the receiver takes nothing");
         /* What began longer ago than the longest packet has been whole before. */
@@ -101,7 +102,8 @@ void fuzz_check(const uint8_t *bytes, size_t count)
         while (frob_p2os_next(&receiver, &packet)) {
             if (!next_packet(bytes, fed, from, behind, &at, &end))
                 fuzz_fail("a packet is found where there is none");
-            if (packet.length != end - at - 5 || memcmp(packet.body, bytes + at + 3, packet.length) != 0)
+            if (packet.length != end - at - 5 ||
+                memcmp(packet.body, bytes + at + 3, packet.length) != 0)
                 fuzz_fail("a packet is not what was sent");
             from = end;
             behind = true;

@@ -41,7 +41,8 @@ with tempfile.TemporaryDirectory() as folder:
     if missing:
         sys.exit("the extension lacks " + ", ".join(missing))
     run = subprocess.run(
-        ["node", "-e", STAND_IN, str(extension / manifest["main"])], capture_output=True, text=True)
+        ["node", "-e", STAND_IN, str(extension / manifest["main"])], capture_output=True, text=True
+    )
     if run.returncode != 0:
         sys.exit("the bundle does not run: " + run.stderr)
     commands = sorted(command["command"] for command in contributes["commands"])

@@ -15,9 +15,12 @@ const largePixels = 3;
 
 /** What is said of a frame that a recording names, and does not have. */
 function loss({ number, k, changed }: NonNullable<Picture["lost"]>): string {
-  return `frame ${number}, of instant ${k}, ` +
-    (changed ? "is not what was recorded: its file has been changed"
-             : "is missing: it is not in the folder beside the recording");
+  return (
+    `frame ${number}, of instant ${k}, ` +
+    (changed
+      ? "is not what was recorded: its file has been changed"
+      : "is missing: it is not in the folder beside the recording")
+  );
 }
 
 export function startCamera(store: Store, host: HTMLElement): void {
@@ -34,7 +37,9 @@ export function startCamera(store: Store, host: HTMLElement): void {
   host.append(canvas, note);
   let picture: Picture | null = null;
   /** Of the page for one of the image; where the middle of its first pixel is. */
-  let scale = 1, left = 0, top = 0;
+  let scale = 1,
+    left = 0,
+    top = 0;
   let pointer: Point | null = null;
 
   const ask = () => {
@@ -61,13 +66,20 @@ export function startCamera(store: Store, host: HTMLElement): void {
   };
   /** What is seen there, as a program has it. */
   const under = ({ width = 0, height = 0, by = 1 }: Picture, [px, py]: Point): string | null => {
-    const x = Math.round((px - left) / scale), y = Math.round((py - top) / scale);
+    const x = Math.round((px - left) / scale),
+      y = Math.round((py - top) / scale);
     if (x < 0 || y < 0 || x >= width || y >= height) return null;
-    const [red = 0, green = 0, blue = 0] =
-      image.getImageData(Math.floor(x / by), Math.floor(y / by), 1, 1).data;
+    const [red = 0, green = 0, blue = 0] = image.getImageData(
+      Math.floor(x / by),
+      Math.floor(y / by),
+      1,
+      1,
+    ).data;
     const { hue, saturation, value } = hueSaturationValue(red, green, blue);
-    return `x ${x}, y ${y} px: hue ${hue.toFixed(0)}°, saturation ${saturation.toFixed(2)}, ` +
-      `value ${value.toFixed(2)}`;
+    return (
+      `x ${x}, y ${y} px: hue ${hue.toFixed(0)}°, saturation ${saturation.toFixed(2)}, ` +
+      `value ${value.toFixed(2)}`
+    );
   };
 
   const say = (text: string, width: number, height: number) => {
@@ -82,7 +94,8 @@ export function startCamera(store: Store, host: HTMLElement): void {
       else lines.push(word);
     }
     lines.forEach((line, i) =>
-      context.fillText(line, width / 2, height / 2 + 18 * (i - (lines.length - 1) / 2)));
+      context.fillText(line, width / 2, height / 2 + 18 * (i - (lines.length - 1) / 2)),
+    );
     context.textAlign = "start";
   };
 
@@ -97,7 +110,8 @@ export function startCamera(store: Store, host: HTMLElement): void {
       return;
     }
     scale = Math.min(width / picture.width, height / picture.height);
-    const across = picture.width * scale, down = picture.height * scale;
+    const across = picture.width * scale,
+      down = picture.height * scale;
     left = (width - across) / 2 + scale / 2;
     top = (height - down) / 2 + scale / 2;
     context.imageSmoothingEnabled = scale < largePixels;

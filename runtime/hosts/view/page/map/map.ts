@@ -22,7 +22,8 @@ interface Pose {
 
 /** A pose that is seen from another, in that other's frame. */
 function within(frame: Pose, pose: Pose): Pose {
-  const cos = Math.cos(frame.heading), sin = Math.sin(frame.heading);
+  const cos = Math.cos(frame.heading),
+    sin = Math.sin(frame.heading);
   return {
     x: frame.x + cos * pose.x - sin * pose.y,
     y: frame.y + sin * pose.x + cos * pose.y,
@@ -67,11 +68,15 @@ export function startMap(store: Store, host: HTMLElement): void {
 
   const fit = () => {
     const lines = [...(world?.walls ?? []), ...(world?.lines ?? [])];
-    const all: Point[] = [[start.x, start.y], ...drawnWithin,
-                          ...shownTracks().flatMap((track) => track.points),
-                          ...(world?.solids ?? []).flat(),
-                          ...lines.flatMap((line) => line.points)];
-    const xs = all.map((p) => p[0]), ys = all.map((p) => p[1]);
+    const all: Point[] = [
+      [start.x, start.y],
+      ...drawnWithin,
+      ...shownTracks().flatMap((track) => track.points),
+      ...(world?.solids ?? []).flat(),
+      ...lines.flatMap((line) => line.points),
+    ];
+    const xs = all.map((p) => p[0]),
+      ys = all.map((p) => p[1]);
     const lowest = (numbers: number[]) => numbers.reduce((a, b) => Math.min(a, b)) - margin;
     const highest = (numbers: number[]) => numbers.reduce((a, b) => Math.max(a, b)) + margin;
     const least: Point = [lowest(xs), lowest(ys)];
@@ -146,8 +151,10 @@ export function startMap(store: Store, host: HTMLElement): void {
       const range = Number(cells[sonars[k] ?? -1] || NaN);
       if (!(range > 0)) return;
       const from = within(pose, sonar);
-      const to: Point = [from.x + range * Math.cos(from.heading),
-                         from.y + range * Math.sin(from.heading)];
+      const to: Point = [
+        from.x + range * Math.cos(from.heading),
+        from.y + range * Math.sin(from.heading),
+      ];
       line([[from.x, from.y], to], colour("mark"), 1);
       disc(to, 3, colour("mark"));
     });
@@ -178,17 +185,23 @@ export function startMap(store: Store, host: HTMLElement): void {
   /** What the program draws, around where it is by odometry or, on the robot, where that is. */
   const marksOf = (instant: Instant, robotIs: Pose) => {
     const { marks: drawn, readings } = readMarks(marks.map((i) => instant.cells[i] ?? ""));
-    const placed = drawn.filter(({ frame }) => frame !== "image").map(({ frame, colour, shape }) => {
-      const place = (p: Point): Point => {
-        const at = within(frame === "robot" ? robotIs : start, { x: p[0], y: p[1], heading: 0 });
-        return [at.x, at.y];
-      };
-      return { colour, shape: moved(shape, place) };
-    });
+    const placed = drawn
+      .filter(({ frame }) => frame !== "image")
+      .map(({ frame, colour, shape }) => {
+        const place = (p: Point): Point => {
+          const at = within(frame === "robot" ? robotIs : start, { x: p[0], y: p[1], heading: 0 });
+          return [at.x, at.y];
+        };
+        return { colour, shape: moved(shape, place) };
+      });
     const all = [...drawnWithin, ...placed.flatMap(({ shape }) => points(shape))];
     if (placed.length > 0) {
-      const xs = all.map((p) => p[0]), ys = all.map((p) => p[1]);
-      drawnWithin = [[Math.min(...xs), Math.min(...ys)], [Math.max(...xs), Math.max(...ys)]];
+      const xs = all.map((p) => p[0]),
+        ys = all.map((p) => p[1]);
+      drawnWithin = [
+        [Math.min(...xs), Math.min(...ys)],
+        [Math.max(...xs), Math.max(...ys)],
+      ];
     }
     return { placed, readings };
   };
@@ -203,8 +216,8 @@ export function startMap(store: Store, host: HTMLElement): void {
     const pose = instant && poseAt(instant.cells);
     const [truly] = instant?.truth ?? [];
     const robotIs = truly ? { x: truly[0], y: truly[1], heading: truly[2] } : pose;
-    const { placed, readings } = instant && robotIs
-      ? marksOf(instant, robotIs) : { placed: [], readings: [] };
+    const { placed, readings } =
+      instant && robotIs ? marksOf(instant, robotIs) : { placed: [], readings: [] };
     fit();
     if (world) drawWorld(world);
     if (clicked) drawCross(clicked);
@@ -248,30 +261,43 @@ export function startMap(store: Store, host: HTMLElement): void {
     believed.extend(pose.x, pose.y, instant.time);
   };
 
-  const inWorld = (points: Path["points"]): Point[] => points.map(([, px, py]) => {
-    const pose = within(start, { x: px ?? 0, y: py ?? 0, heading: 0 });
-    return [pose.x, pose.y];
-  });
-  const load = () => store.path(x, y, pathPoints, (answer: Path) => {
-    believed.set(inWorld(answer.points), answer.points.map(([time]) => time));
-    otherPath = inWorld(answer.others ?? []);
-    draw();
-  });
+  const inWorld = (points: Path["points"]): Point[] =>
+    points.map(([, px, py]) => {
+      const pose = within(start, { x: px ?? 0, y: py ?? 0, heading: 0 });
+      return [pose.x, pose.y];
+    });
+  const load = () =>
+    store.path(x, y, pathPoints, (answer: Path) => {
+      believed.set(
+        inWorld(answer.points),
+        answer.points.map(([time]) => time),
+      );
+      otherPath = inWorld(answer.others ?? []);
+      draw();
+    });
   load();
   store.on("what-if", load);
   store.on("extent", () => {
     const { newest } = store;
     if (!newest) return;
     // Of what was before this page, once.
-    if (ways.size === 0) newest.truth?.forEach((_, i) => store.way(i, pathPoints, (way: Way) =>
-      ways.get(i)?.set(way.points.map(([, px, py]) => [px, py]),
-                       way.points.map(([time]) => time))));
+    if (ways.size === 0)
+      newest.truth?.forEach((_, i) =>
+        store.way(i, pathPoints, (way: Way) =>
+          ways.get(i)?.set(
+            way.points.map(([, px, py]) => [px, py]),
+            way.points.map(([time]) => time),
+          ),
+        ),
+      );
     grow(newest);
   });
   /** Where the program has its origin: where odometry began. */
   const byOdometry = ([px, py]: Point): Point => {
-    const cos = Math.cos(start.heading), sin = Math.sin(start.heading);
-    const dx = px - start.x, dy = py - start.y;
+    const cos = Math.cos(start.heading),
+      sin = Math.sin(start.heading);
+    const dx = px - start.x,
+      dy = py - start.y;
     return [cos * dx + sin * dy, cos * dy - sin * dx];
   };
   canvas.addEventListener("click", (event) => {
@@ -283,7 +309,8 @@ export function startMap(store: Store, host: HTMLElement): void {
     }
     const distance = ([px, py]: Point) => Math.hypot(px - event.offsetX, py - event.offsetY);
     const { points, times } = ways.get(0) ?? believed;
-    const nearest = points.map((p, i) => ({ i, d: distance(toPixel(p)) }))
+    const nearest = points
+      .map((p, i) => ({ i, d: distance(toPixel(p)) }))
       .reduce((a, b) => (b.d < a.d ? b : a), { i: 0, d: Infinity });
     store.goToTime(times[nearest.i] ?? store.program.start);
   });

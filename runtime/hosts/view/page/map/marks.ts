@@ -95,7 +95,8 @@ function point(value: Value | undefined): Point {
 }
 
 function box([x, y]: Point, heading: number, length: number, width: number): Point[] {
-  const cos = Math.cos(heading), sin = Math.sin(heading);
+  const cos = Math.cos(heading),
+    sin = Math.sin(heading);
   const corner = (along: number, across: number): Point => [
     x + along * length * cos - across * width * sin,
     y + along * length * sin + across * width * cos,
@@ -107,48 +108,75 @@ function shape(value: Value | undefined): Shape | null {
   if (typeof value !== "object") return null;
   const [a, b, c, d] = value.parts;
   switch (value.name) {
-    case "Line": return { is: "line", from: point(a), to: point(b) };
-    case "Arrow": return { is: "arrow", from: point(a), to: point(b) };
-    case "Circle": return { is: "circle", middle: point(a), radius: real(b) };
-    case "Box": return { is: "box", corners: box(point(a), real(b), real(c), real(d)) };
-    case "Cross": return { is: "cross", at: point(a) };
-    case "Label": return { is: "label", at: point(a), text: typeof b === "string" ? b : "" };
-    default: return null;
+    case "Line":
+      return { is: "line", from: point(a), to: point(b) };
+    case "Arrow":
+      return { is: "arrow", from: point(a), to: point(b) };
+    case "Circle":
+      return { is: "circle", middle: point(a), radius: real(b) };
+    case "Box":
+      return { is: "box", corners: box(point(a), real(b), real(c), real(d)) };
+    case "Cross":
+      return { is: "cross", at: point(a) };
+    case "Label":
+      return { is: "label", at: point(a), text: typeof b === "string" ? b : "" };
+    default:
+      return null;
   }
 }
 
 /** Its points in the plane. */
 export function points(shape: Shape): readonly Point[] {
   switch (shape.is) {
-    case "line": case "arrow": return [shape.from, shape.to];
-    case "circle": return [[shape.middle[0] - shape.radius, shape.middle[1] - shape.radius],
-                           [shape.middle[0] + shape.radius, shape.middle[1] + shape.radius]];
-    case "box": return shape.corners;
-    case "cross": case "label": return [shape.at];
+    case "line":
+    case "arrow":
+      return [shape.from, shape.to];
+    case "circle":
+      return [
+        [shape.middle[0] - shape.radius, shape.middle[1] - shape.radius],
+        [shape.middle[0] + shape.radius, shape.middle[1] + shape.radius],
+      ];
+    case "box":
+      return shape.corners;
+    case "cross":
+    case "label":
+      return [shape.at];
   }
 }
 
 /** The same with its points moved, angles and lengths being kept. */
 export function moved(shape: Shape, move: (p: Point) => Point): Shape {
   switch (shape.is) {
-    case "line": case "arrow": return { ...shape, from: move(shape.from), to: move(shape.to) };
-    case "circle": return { ...shape, middle: move(shape.middle) };
-    case "box": return { ...shape, corners: shape.corners.map(move) };
-    case "cross": case "label": return { ...shape, at: move(shape.at) };
+    case "line":
+    case "arrow":
+      return { ...shape, from: move(shape.from), to: move(shape.to) };
+    case "circle":
+      return { ...shape, middle: move(shape.middle) };
+    case "box":
+      return { ...shape, corners: shape.corners.map(move) };
+    case "cross":
+    case "label":
+      return { ...shape, at: move(shape.at) };
   }
 }
 
 /** The numbers of the signals that are marks. */
 export function markSignals(signals: readonly Signal[]): number[] {
-  return signals.flatMap((signal, i) => (/^probe\.draw(\.\d+)?\[\d+\]$/.test(signal.name) ? [i] : []));
+  return signals.flatMap((signal, i) =>
+    /^probe\.draw(\.\d+)?\[\d+\]$/.test(signal.name) ? [i] : [],
+  );
 }
 
-const frames: Readonly<Record<string, Mark["frame"]>> =
-  { InWorld: "world", OnRobot: "robot", InImage: "image" };
+const frames: Readonly<Record<string, Mark["frame"]>> = {
+  InWorld: "world",
+  OnRobot: "robot",
+  InImage: "image",
+};
 
 /** What the cells say; what is no place in the plane is left out. */
 export function readMarks(cells: readonly string[]): { marks: Mark[]; readings: Reading[] } {
-  const marks: Mark[] = [], readings: Reading[] = [];
+  const marks: Mark[] = [],
+    readings: Reading[] = [];
   for (const cell of cells) {
     if (cell === "") continue;
     const value = new Reader(tokens(cell)).whole();
@@ -168,15 +196,24 @@ export function readMarks(cells: readonly string[]): { marks: Mark[]; readings: 
 
 // Okabe's and Ito's, on light and on dark ground.
 const colours: Readonly<Record<string, readonly [string, string]>> = {
-  Red: ["#d03b00", "#ff7043"], Orange: ["#c98500", "#e69f00"], Yellow: ["#a39200", "#f0e442"],
-  Green: ["#009e73", "#00c08b"], Blue: ["#0072b2", "#56b4e9"], Purple: ["#b0558a", "#e69ac4"],
+  Red: ["#d03b00", "#ff7043"],
+  Orange: ["#c98500", "#e69f00"],
+  Yellow: ["#a39200", "#f0e442"],
+  Green: ["#009e73", "#00c08b"],
+  Blue: ["#0072b2", "#56b4e9"],
+  Purple: ["#b0558a", "#e69ac4"],
   Grey: ["#6b7280", "#9aa3af"],
 };
 
 /** In pixels: on the map, or on an image, where each has dark edges, whatever is behind it. */
-export function drawShape(context: CanvasRenderingContext2D, shape: Shape, name: string,
-                          toPixel: (p: Point) => Point, scale: number,
-                          on: "map" | "image" = "map"): void {
+export function drawShape(
+  context: CanvasRenderingContext2D,
+  shape: Shape,
+  name: string,
+  toPixel: (p: Point) => Point,
+  scale: number,
+  on: "map" | "image" = "map",
+): void {
   const isOnImage = on === "image";
   const tint = colours[name]?.[isDark() || isOnImage ? 1 : 0] ?? "gray";
   const stroke = (width: number) => {
@@ -204,7 +241,10 @@ export function drawShape(context: CanvasRenderingContext2D, shape: Shape, name:
         const angle = Math.atan2(v - y, u - x);
         for (const side of [-1, 1]) {
           context.moveTo(u, v);
-          context.lineTo(u - 9 * Math.cos(angle + side * 0.45), v - 9 * Math.sin(angle + side * 0.45));
+          context.lineTo(
+            u - 9 * Math.cos(angle + side * 0.45),
+            v - 9 * Math.sin(angle + side * 0.45),
+          );
         }
       }
       break;
@@ -242,11 +282,14 @@ export function readingsList(host: HTMLElement): (readings: readonly Reading[]) 
   host.append(list);
   return (readings) => {
     list.hidden = readings.length === 0;
-    list.replaceChildren(...readings.flatMap(({ name, value }) => {
-      const term = document.createElement("dt"), number = document.createElement("dd");
-      term.textContent = name;
-      number.textContent = value;
-      return [term, number];
-    }));
+    list.replaceChildren(
+      ...readings.flatMap(({ name, value }) => {
+        const term = document.createElement("dt"),
+          number = document.createElement("dd");
+        term.textContent = name;
+        number.textContent = value;
+        return [term, number];
+      }),
+    );
   };
 }

@@ -15,7 +15,10 @@ type Table = Map<string, Value>;
 
 /** The text without comments; none of our files has a `#` in a string. */
 function withoutComments(text: string): string {
-  return text.split("\n").map((line) => line.replace(/#.*$/, "")).join("\n");
+  return text
+    .split("\n")
+    .map((line) => line.replace(/#.*$/, ""))
+    .join("\n");
 }
 
 function parseValue(text: string): Value {
@@ -27,7 +30,9 @@ function parseValue(text: string): Value {
 const tableName = String.raw`\[\[?\s*(\w+)\s*\]\]?\s*$`;
 const nextEntry = String.raw`\s*(?:\w+\s*=|\[\[?\s*\w+\s*\])`;
 const entry = new RegExp(
-  String.raw`^\s*${tableName}|^\s*(\w+)\s*=\s*((?:(?!^${nextEntry}).*\n?)+)`, "gm");
+  String.raw`^\s*${tableName}|^\s*(\w+)\s*=\s*((?:(?!^${nextEntry}).*\n?)+)`,
+  "gm",
+);
 
 /** All tables by name, in order; what is no value is left out. */
 function tables(text: string): Map<string, Table[]> {
@@ -82,13 +87,20 @@ export function readWorld(text: string): World {
   const of = (name: string) => all.get(name) ?? [];
   const [start] = of("start");
   return {
-    start: { x: number(start, "x", 0), y: number(start, "y", 0),
-             heading: (number(start, "heading_deg", 0) * Math.PI) / 180 },
-    walls: of("wall").map((wall) => ({ points: points(wall),
-                                       thickness: number(wall, "thickness", 0.1) })),
+    start: {
+      x: number(start, "x", 0),
+      y: number(start, "y", 0),
+      heading: (number(start, "heading_deg", 0) * Math.PI) / 180,
+    },
+    walls: of("wall").map((wall) => ({
+      points: points(wall),
+      thickness: number(wall, "thickness", 0.1),
+    })),
     solids: [...of("polygon").map(points), ...of("box").map(box)],
-    circles: of("circle").map((circle) => ({ center: point(circle.get("center")),
-                                             radius: number(circle, "radius", 0) })),
+    circles: of("circle").map((circle) => ({
+      center: point(circle.get("center")),
+      radius: number(circle, "radius", 0),
+    })),
     lines: of("tape").map((tape) => ({ points: points(tape), width: number(tape, "width", 0.05) })),
   };
 }

@@ -29,7 +29,9 @@ function button(control: Control, press: () => void): Shown {
 function toggle(control: Control, touch: (x: number) => void): Shown {
   const host = document.createElement("button");
   let on = control.first !== 0;
-  const draw = () => { host.ariaChecked = String(on); };
+  const draw = () => {
+    host.ariaChecked = String(on);
+  };
   host.role = "switch";
   host.textContent = control.label;
   host.onclick = () => {
@@ -38,7 +40,14 @@ function toggle(control: Control, touch: (x: number) => void): Shown {
     draw();
   };
   draw();
-  return { host, show: (cell) => { on = cell === "true"; draw(); }, release: nothing };
+  return {
+    host,
+    show: (cell) => {
+      on = cell === "true";
+      draw();
+    },
+    release: nothing,
+  };
 }
 
 function holdButton(control: Control, hold: (x: number) => void): Shown {
@@ -122,15 +131,23 @@ export function startConsole(store: Store, host: HTMLElement): void {
   const shown = store.program.console.map((control, number) => {
     const touch = (x: number) => store.command(`touch ${number} ${x} 0`);
     switch (control.kind) {
-      case "button": return button(control, () => touch(1));
-      case "hold": return holdButton(control, (x) => store.command(`hold ${number} ${x}`));
-      case "knob": return knob(control, touch);
-      case "toggle": return toggle(control, touch);
-      case "map": case "camera": return text(control);
+      case "button":
+        return button(control, () => touch(1));
+      case "hold":
+        return holdButton(control, (x) => store.command(`hold ${number} ${x}`));
+      case "knob":
+        return knob(control, touch);
+      case "toggle":
+        return toggle(control, touch);
+      case "map":
+      case "camera":
+        return text(control);
     }
   });
   const isAsked = store.program.console.some(({ kind }) => kind !== "camera");
-  const releaseAll = () => { for (const each of shown) each.release(); };
+  const releaseAll = () => {
+    for (const each of shown) each.release();
+  };
   host.append(...shown.map((each) => each.host));
 
   // What is in the program's input counts, whoever did it; but not while that is on its way.
@@ -147,10 +164,15 @@ export function startConsole(store: Store, host: HTMLElement): void {
   const note = document.createElement("p");
   note.textContent = "This robot is only looked at. --view=control lets a page operate it.";
   const show = () => {
-    const { operates, program: { live }, run } = store;
+    const {
+      operates,
+      program: { live },
+      run,
+    } = store;
     const isLookedAt = live && run !== null && !run.sends;
-    shown.forEach((each, i) =>
-      { each.host.hidden = !operates || store.program.console[i]?.kind === "camera"; });
+    shown.forEach((each, i) => {
+      each.host.hidden = !operates || store.program.console[i]?.kind === "camera";
+    });
     if (isLookedAt) host.prepend(note);
     else note.remove();
     host.hidden = !isAsked || !(operates || isLookedAt);

@@ -6,7 +6,10 @@ const speeds = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
 
 /** What a terminal sends for keys that are no characters. */
 const codes: Readonly<Record<string, number>> = {
-  Enter: 10, Backspace: 127, Tab: 9, Delete: 127,
+  Enter: 10,
+  Backspace: 127,
+  Tab: 9,
+  Delete: 127,
 };
 
 function element<T extends HTMLElement>(id: string): T {
@@ -40,8 +43,9 @@ export function startLive(store: Store): void {
   const type = element<HTMLInputElement>("type");
   const operate = element("operate");
   const stop = element<HTMLButtonElement>("stop");
-  const takesKeys = store.program.sources.some((source) =>
-    !source.library && source.text.includes("keyPressed"));
+  const takesKeys = store.program.sources.some(
+    (source) => !source.library && source.text.includes("keyPressed"),
+  );
   const isLive = store.program.live;
 
   for (const each of speeds) speed.append(new Option(`${each}×`, String(each)));

@@ -32,15 +32,19 @@ function inShort(claims: readonly Claim[], isLive: boolean): string {
  *  it; round to the other end where there is none. */
 function nextOf(times: readonly number[], now: number, isForward: boolean): number | undefined {
   const sorted = [...new Set(times)].sort((a, b) => a - b);
-  return isForward ? sorted.find((t) => t > now) ?? sorted[0]
-    : sorted.filter((t) => t < now).pop() ?? sorted[sorted.length - 1];
+  return isForward
+    ? (sorted.find((t) => t > now) ?? sorted[0])
+    : (sorted.filter((t) => t < now).pop() ?? sorted[sorted.length - 1]);
 }
 
 const starts = ({ times }: Claim) => times.filter((_, i) => i % 2 === 0);
 
 /** Goes on to where any assertion or assumption next begins to be violated, or back. */
-export function goToViolation(store: Store, isForward: boolean,
-                              claims: readonly Claim[] = store.claims): void {
+export function goToViolation(
+  store: Store,
+  isForward: boolean,
+  claims: readonly Claim[] = store.claims,
+): void {
   const to = nextOf(claims.flatMap(starts), store.instant?.time ?? 0, isForward);
   if (to !== undefined) store.goToTime(to);
 }
@@ -51,8 +55,12 @@ interface Row {
   readonly now: HTMLElement;
 }
 
-export function startClaims(store: Store, host: HTMLElement, short: HTMLButtonElement,
-                            filter: HTMLInputElement): void {
+export function startClaims(
+  store: Store,
+  host: HTMLElement,
+  short: HTMLButtonElement,
+  filter: HTMLInputElement,
+): void {
   const rows: Row[] = [];
   let asked = 0;
 
@@ -75,20 +83,22 @@ export function startClaims(store: Store, host: HTMLElement, short: HTMLButtonEl
   /** Of the edited program only what is other. */
   const textOf = ({ fate, other }: Claim): string => {
     const text = store.program.live
-      ? fate.text.replace(" at the end", "").replace(/^held$/, "held so far") : fate.text;
+      ? fate.text.replace(" at the end", "").replace(/^held$/, "held so far")
+      : fate.text;
     if (other === undefined) return text;
     const edited = other === null ? "not there" : other.text;
     return edited === text ? text : `${text} → ${edited}`;
   };
 
   /** The verdict at the instant that is shown. */
-  const showNow = () => store.claims.forEach(({ signal }, at) => {
-    const cell = store.instant?.cells[signal] ?? "";
-    const { now } = rows[at] ?? {};
-    if (!now || now.dataset["verdict"] === cell) return;
-    now.dataset["verdict"] = cell;
-    now.title = cell === "" ? "" : `now: ${cell}`;
-  });
+  const showNow = () =>
+    store.claims.forEach(({ signal }, at) => {
+      const cell = store.instant?.cells[signal] ?? "";
+      const { now } = rows[at] ?? {};
+      if (!now || now.dataset["verdict"] === cell) return;
+      now.dataset["verdict"] = cell;
+      now.title = cell === "" ? "" : `now: ${cell}`;
+    });
 
   const show = () => {
     const { claims } = store;
@@ -120,7 +130,9 @@ export function startClaims(store: Store, host: HTMLElement, short: HTMLButtonEl
   short.onclick = () => goToViolation(store, true);
   filter.addEventListener("input", () => {
     const wanted = filter.value.trim().toLowerCase();
-    rows.forEach(({ row }) => { row.hidden = !row.title.toLowerCase().includes(wanted); });
+    rows.forEach(({ row }) => {
+      row.hidden = !row.title.toLowerCase().includes(wanted);
+    });
   });
   store.on("claims", show);
   store.on("instant", showNow);

@@ -33,7 +33,9 @@ function inOrder(signal: Signal, transitions: readonly Transition[]): number[] {
     }
   };
   visit(before);
-  signal.names.forEach((_, mode) => { if (!order.includes(mode)) order.push(mode); });
+  signal.names.forEach((_, mode) => {
+    if (!order.includes(mode)) order.push(mode);
+  });
   return order;
 }
 
@@ -52,9 +54,13 @@ interface Edge {
 }
 
 /** Edges by the places of their ends; each in the first lane that is free along it. */
-function edges(transitions: readonly Transition[], order: readonly number[], isDown: boolean):
-    Edge[] {
-  const places = transitions.filter(({ from }) => from >= 0)
+function edges(
+  transitions: readonly Transition[],
+  order: readonly number[],
+  isDown: boolean,
+): Edge[] {
+  const places = transitions
+    .filter(({ from }) => from >= 0)
     .map(({ from, to }) => ({ from: order.indexOf(from), to: order.indexOf(to) }))
     .filter(({ from, to }) => (isDown ? to > from + 1 : to <= from))
     .filter((a, i, all) => all.findIndex((b) => b.from === a.from && b.to === a.to) === i)
@@ -86,8 +92,11 @@ class Diagram {
   private readonly up: Edge[];
   private readonly transitions: readonly Transition[];
 
-  constructor(private readonly store: Store, private readonly signal: Signal,
-              private readonly number: number) {
+  constructor(
+    private readonly store: Store,
+    private readonly signal: Signal,
+    private readonly number: number,
+  ) {
     this.transitions = signal.transitions ?? [];
     this.order = inOrder(signal, this.transitions);
     this.down = edges(this.transitions, this.order, true);
@@ -112,13 +121,19 @@ class Diagram {
     const pill = document.createElement("button");
     pill.textContent = name;
     pill.title = `Go to when ${name} next begins`;
-    pill.onclick = () => this.store.find(`${this.signal.name} == ${name}`, (found) => {
-      const to = found.after ?? found.first;
-      if (to !== null && to !== undefined) this.store.goTo(to);
-    });
+    pill.onclick = () =>
+      this.store.find(`${this.signal.name} == ${name}`, (found) => {
+        const to = found.after ?? found.first;
+        if (to !== null && to !== undefined) this.store.goTo(to);
+      });
     this.pills.set(mode, pill);
-    const waits = [...new Set(this.transitions
-      .filter(({ from, label }) => from === mode && label !== "").map(({ label }) => label))];
+    const waits = [
+      ...new Set(
+        this.transitions
+          .filter(({ from, label }) => from === mode && label !== "")
+          .map(({ label }) => label),
+      ),
+    ];
     const note = document.createElement("small");
     note.textContent = waits.join(", ");
     note.title = waits.length > 0 ? `It is left by ${waits.join(", ")}` : "";
@@ -133,7 +148,8 @@ class Diagram {
   private light(): void {
     const running = this.store.instant?.cells[this.number];
     this.pills.forEach((pill, mode) =>
-      pill.classList.toggle("running", this.signal.names[mode] === running));
+      pill.classList.toggle("running", this.signal.names[mode] === running),
+    );
   }
 
   private middle(place: number): number {
@@ -150,31 +166,38 @@ class Diagram {
     const outer = Math.max(...this.order.map((_, place) => right(place))) + 4;
     const beside = outer + this.margin(this.down) + 4;
     for (const note of this.element.querySelectorAll("small")) note.style.left = `${beside}px`;
-    const tip = (x: number, y: number, dx: number, dy: number) => dx !== 0
-      ? `M${x + dx * head},${y - head}L${x},${y}L${x + dx * head},${y + head}`
-      : `M${x - head},${y + dy * head}L${x},${y}L${x + head},${y + dy * head}`;
+    const tip = (x: number, y: number, dx: number, dy: number) =>
+      dx !== 0
+        ? `M${x + dx * head},${y - head}L${x},${y}L${x + dx * head},${y + head}`
+        : `M${x - head},${y + dy * head}L${x},${y}L${x + head},${y + dy * head}`;
     const all: SVGPathElement[] = [];
-    const draw = (line: string, arrow: string) =>
-      all.push(path(line, "edge"), path(arrow, "edge"));
+    const draw = (line: string, arrow: string) => all.push(path(line, "edge"), path(arrow, "edge"));
     for (const { from, to } of this.transitions) {
-      const a = this.order.indexOf(from), b = this.order.indexOf(to);
+      const a = this.order.indexOf(from),
+        b = this.order.indexOf(to);
       if (from >= 0 && b === a + 1) {
-        const x = left + 14, y = this.middle(b) - height / 2 - 1;
+        const x = left + 14,
+          y = this.middle(b) - height / 2 - 1;
         draw(`M${x},${this.middle(a) + height / 2}V${y}`, tip(x, y, 0, -1));
       } else if (from === before || from === any) {
-        const x = left - 1, y = this.middle(b) + (from === any ? 5 : -4);
+        const x = left - 1,
+          y = this.middle(b) + (from === any ? 5 : -4);
         draw(`M${x - 9},${y}H${x}`, tip(x, y, -1, 0));
         if (from === before) all.push(path(`M${x - 9},${y}h0`, "start"));
       }
     }
     for (const { from, to, lane: at } of this.down) {
-      const x = outer + (at + 1) * lane, a = this.middle(from) + 3, b = this.middle(to) - 3;
+      const x = outer + (at + 1) * lane,
+        a = this.middle(from) + 3,
+        b = this.middle(to) - 3;
       const end = right(to) + 1;
       const start = `M${right(from)},${a}H${x - 4}Q${x},${a} ${x},${a + 4}`;
       draw(`${start}V${b - 4}Q${x},${b} ${x - 4},${b}H${end}`, tip(end, b, 1, 0));
     }
     for (const { from, to, lane: at } of this.up) {
-      const x = left - 6 - (at + 1) * lane, a = this.middle(from) - 3, b = this.middle(to) + 4;
+      const x = left - 6 - (at + 1) * lane,
+        a = this.middle(from) - 3,
+        b = this.middle(to) + 4;
       const end = left - 1;
       if (from === to) {
         const c = a + 7;

@@ -63,7 +63,8 @@ class Strip {
     const [min, max] = this.times();
     this.plot?.setScale("x", { min, max });
     this.store.series(this.number, from, to, this.place.clientWidth - axisWidth, (series) =>
-      this.show(series));
+      this.show(series),
+    );
   }
 
   private show(series: Series): void {
@@ -71,7 +72,8 @@ class Strip {
     if (isLate && !this.store.following) return;
     this.values = series.values;
     this.others = series.others ?? [];
-    this.data = series.others ? [series.times, series.values, series.others]
+    this.data = series.others
+      ? [series.times, series.values, series.others]
       : [series.times, series.values];
     this.isEmpty = series.values.every((value) => value === null);
     if (this.plot && !this.isEmpty && this.plot.series.length === this.data.length)
@@ -102,9 +104,11 @@ class Strip {
     const hasOthers = series.others !== undefined;
     const isOther = hasOthers !== this.others.length > 0;
     this.values = joined(this.values, series.values);
-    this.others = hasOthers ? joined(isOther ? this.values.map(() => null) : this.others,
-                                     series.others) : [];
-    this.data = hasOthers ? [times.slice(first), this.values, this.others]
+    this.others = hasOthers
+      ? joined(isOther ? this.values.map(() => null) : this.others, series.others)
+      : [];
+    this.data = hasOthers
+      ? [times.slice(first), this.values, this.others]
       : [times.slice(first), this.values];
     const wasEmpty = this.isEmpty;
     this.isEmpty = this.values.every((value) => value === null);
@@ -148,7 +152,8 @@ class Strip {
       stroke,
       width: 1.5,
       spanGaps: false,
-      ...(isEvent ? { paths: () => null, points: { show: true, size: 5, fill: stroke } }
+      ...(isEvent
+        ? { paths: () => null, points: { show: true, size: 5, fill: stroke } }
         : { paths: uPlot.paths.stepped?.({ align: 1 }) ?? (() => null), points: { show: false } }),
     });
     return {
@@ -164,27 +169,48 @@ class Strip {
       },
       scales: {
         x: { time: false, range: () => this.times() },
-        y: low ? { range: [-0.15, top + 0.15] } : {
-          range: () => around([...this.values, ...this.others]) },
+        y: low
+          ? { range: [-0.15, top + 0.15] }
+          : {
+              range: () => around([...this.values, ...this.others]),
+            },
       },
       axes: [
-        { ...axis, size: 20, gap: 2, space: 70, values: (_plot, splits) =>
-            splits.map((x) => `${formatNumber(x)} s`) },
-        { ...axis, size: axisWidth, gap: 4, space: 24,
-          ...(this.isEmpty ? { splits: () => [] }
-            : low ? { splits: () => Array.from({ length: top + 1 }, (_, i) => i),
-                      values: (_plot: uPlot, splits: number[]) =>
-                        splits.map((x) => shorten(formatPoint(signal, x))) }
-            // Not where the names of times begin.
-            : { values: (plot: uPlot, splits: number[]) => {
-                  const { min = 0, max = 1 } = plot.scales["y"] ?? {};
-                  return splits.map((x) => x < min + 0.07 * (max - min) ? "" : formatNumber(x));
-                } }) },
+        {
+          ...axis,
+          size: 20,
+          gap: 2,
+          space: 70,
+          values: (_plot, splits) => splits.map((x) => `${formatNumber(x)} s`),
+        },
+        {
+          ...axis,
+          size: axisWidth,
+          gap: 4,
+          space: 24,
+          ...(this.isEmpty
+            ? { splits: () => [] }
+            : low
+              ? {
+                  splits: () => Array.from({ length: top + 1 }, (_, i) => i),
+                  values: (_plot: uPlot, splits: number[]) =>
+                    splits.map((x) => shorten(formatPoint(signal, x))),
+                }
+              : // Not where the names of times begin.
+                {
+                  values: (plot: uPlot, splits: number[]) => {
+                    const { min = 0, max = 1 } = plot.scales["y"] ?? {};
+                    return splits.map((x) => (x < min + 0.07 * (max - min) ? "" : formatNumber(x)));
+                  },
+                }),
+        },
       ],
       series: [
         {},
-        { ...drawn(lineColour(this.index)),
-          ...(low ? { fill: `${lineColour(this.index)}22`, fillTo: -0.15 } : {}) },
+        {
+          ...drawn(lineColour(this.index)),
+          ...(low ? { fill: `${lineColour(this.index)}22`, fillTo: -0.15 } : {}),
+        },
         ...(this.data.length > 2 ? [{ ...drawn(colour("text")), dash: [5, 4] }] : []),
       ],
       hooks: {
@@ -200,8 +226,10 @@ class Strip {
     plot.over.addEventListener("click", (event) => {
       if (plot.select.width > 2) return;
       const seconds = plot.posToVal(event.offsetX, "x");
-      this.store.goToTime(seconds, event.shiftKey
-        ? () => this.store.setMark(this.store.instant) : undefined);
+      this.store.goToTime(
+        seconds,
+        event.shiftKey ? () => this.store.setMark(this.store.instant) : undefined,
+      );
     });
     plot.over.addEventListener("dblclick", () => this.store.showAll());
   }
@@ -209,7 +237,8 @@ class Strip {
   private zoom(plot: uPlot): void {
     const { left, width } = plot.select;
     if (width <= 2) return;
-    const from = plot.posToVal(left, "x"), to = plot.posToVal(left + width, "x");
+    const from = plot.posToVal(left, "x"),
+      to = plot.posToVal(left + width, "x");
     plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
     this.store.setRange(from, to);
   }
@@ -241,7 +270,10 @@ class Strip {
   /** A mark at the edge, where a value is beyond what is shown. */
   private drawBeyond(plot: uPlot): void {
     const { min, max } = plot.scales["y"] ?? {};
-    const { ctx, bbox: { top, height } } = plot;
+    const {
+      ctx,
+      bbox: { top, height },
+    } = plot;
     if (min === undefined || max === undefined) return;
     const size = 5 * devicePixelRatio;
     ctx.fillStyle = colour("mark");
@@ -268,7 +300,7 @@ class Strip {
     this.element.classList.toggle("pointed", typeof pointed === "number");
     if (plot && typeof pointed === "number") {
       this.value.textContent = formatPoint(signal, this.heldAt(plot));
-      this.apart.textContent = `at ${(plot.posToVal(plot.cursor.left ?? 0, "x")).toFixed(3)} s`;
+      this.apart.textContent = `at ${plot.posToVal(plot.cursor.left ?? 0, "x").toFixed(3)} s`;
       return;
     }
     this.value.textContent = formatCell(signal, cell);
@@ -285,8 +317,7 @@ class Strip {
   }
 
   resize(): void {
-    this.plot?.setSize({ width: Math.max(100, this.place.clientWidth),
-                         height: this.plot.height });
+    this.plot?.setSize({ width: Math.max(100, this.place.clientWidth), height: this.plot.height });
   }
 
   end(): void {
@@ -305,10 +336,11 @@ function around(values: readonly (number | null)[]): [number, number] {
   const out = last < 20 ? 0 : Math.max(1, Math.round(0.003 * last));
   const most = at(last - out) - at(out);
   const isFar = most > 0 && at(last) - at(0) > 10 * most;
-  const isNear = (x: number) => !isFar ||
-    (x >= at(out) - 1.5 * most && x <= at(last - out) + 1.5 * most);
+  const isNear = (x: number) =>
+    !isFar || (x >= at(out) - 1.5 * most && x <= at(last - out) + 1.5 * most);
   const near = sorted.filter(isNear);
-  const least = near[0] ?? 0, greatest = near[near.length - 1] ?? 0;
+  const least = near[0] ?? 0,
+    greatest = near[near.length - 1] ?? 0;
   const margin = greatest > least ? (greatest - least) * 0.08 : Math.abs(greatest) * 0.1 || 1;
   return [least - margin, greatest + margin];
 }
@@ -342,11 +374,23 @@ export function startPlots(store: Store, host: HTMLElement): void {
   };
   const all = (act: (strip: Strip) => void) => () => strips.forEach(act);
   store.on("plotted", arrange);
-  store.on("range", all((strip) => strip.load()));
-  store.on("what-if", all((strip) => strip.load()));
-  store.on("instant", all((strip) => (store.following ? strip.readOut() : strip.redraw())));
+  store.on(
+    "range",
+    all((strip) => strip.load()),
+  );
+  store.on(
+    "what-if",
+    all((strip) => strip.load()),
+  );
+  store.on(
+    "instant",
+    all((strip) => (store.following ? strip.readOut() : strip.redraw())),
+  );
   store.on("extent", () => store.following && strips.forEach((strip) => strip.grow()));
-  store.on("mark", all((strip) => strip.redraw()));
+  store.on(
+    "mark",
+    all((strip) => strip.redraw()),
+  );
   onTheme(all((strip) => strip.build()));
   new ResizeObserver(all((strip) => strip.resize())).observe(host);
   arrange();

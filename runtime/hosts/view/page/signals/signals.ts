@@ -7,12 +7,16 @@ import { formatCell, isNothing } from "../values";
 const titles = { input: "Input", output: "Output", probe: "Inside", mode: "Modes" } as const;
 
 export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputElement): void {
-  const rows: { row: HTMLButtonElement; value: HTMLElement; signal: Signal; cell: string | null }[] =
-    [];
+  const rows: {
+    row: HTMLButtonElement;
+    value: HTMLElement;
+    signal: Signal;
+    cell: string | null;
+  }[] = [];
   const groups: HTMLElement[] = [];
   const modes = new Set(modeSignals(store.program));
-  const sideOf = (signal: Signal, number: number) => modes.has(number) ? "mode"
-    : signal.side === "mode" ? null : signal.side;
+  const sideOf = (signal: Signal, number: number) =>
+    modes.has(number) ? "mode" : signal.side === "mode" ? null : signal.side;
   for (const side of ["output", "mode", "probe", "input"] as const) {
     const group = document.createElement("section");
     const title = document.createElement("h2");
@@ -23,8 +27,8 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
       const row = document.createElement("button");
       const name = document.createElement("span");
       const value = document.createElement("output");
-      name.textContent = side === "mode" ? machineName(signal)
-        : signal.name.replace(/^(in|out|probe)\./, "");
+      name.textContent =
+        side === "mode" ? machineName(signal) : signal.name.replace(/^(in|out|probe)\./, "");
       row.title = signal.name;
       value.append("");
       row.append(name, value);
@@ -37,21 +41,25 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
   }
   list.append(...groups);
 
-  const showValues = () => rows.forEach((shown, number) => {
-    const { row, value, signal } = shown;
-    const cell = store.instant?.cells[number] ?? "";
-    if (cell === shown.cell) return;
-    shown.cell = cell;
-    // In the node that is there: new ones many times a second would leave much behind.
-    (value.firstChild as Text).data = formatCell(signal, cell);
-    value.title = cell;
-    row.classList.toggle("nothing", isNothing(signal, cell));
-  });
-  const showPlotted = () => rows.forEach(({ row }, number) => {
-    row.ariaPressed = String(store.plotted.includes(number));
-  });
-  const matching = () => rows.filter(({ signal }) =>
-    signal.name.toLowerCase().includes(filter.value.trim().toLowerCase()));
+  const showValues = () =>
+    rows.forEach((shown, number) => {
+      const { row, value, signal } = shown;
+      const cell = store.instant?.cells[number] ?? "";
+      if (cell === shown.cell) return;
+      shown.cell = cell;
+      // In the node that is there: new ones many times a second would leave much behind.
+      (value.firstChild as Text).data = formatCell(signal, cell);
+      value.title = cell;
+      row.classList.toggle("nothing", isNothing(signal, cell));
+    });
+  const showPlotted = () =>
+    rows.forEach(({ row }, number) => {
+      row.ariaPressed = String(store.plotted.includes(number));
+    });
+  const matching = () =>
+    rows.filter(({ signal }) =>
+      signal.name.toLowerCase().includes(filter.value.trim().toLowerCase()),
+    );
   filter.oninput = () => {
     const shown = new Set(matching().map(({ row }) => row));
     rows.forEach(({ row }, number) => {

@@ -1,9 +1,31 @@
 // Frob's words, for colours.
 import { StreamLanguage, type StringStream } from "@codemirror/language";
 
-const words = new Set(["case", "class", "data", "deriving", "do", "else", "foreign", "if", "import",
-  "in", "infix", "infixl", "infixr", "instance", "let", "module", "of", "param", "proc", "then",
-  "type", "unit", "where"]);
+const words = new Set([
+  "case",
+  "class",
+  "data",
+  "deriving",
+  "do",
+  "else",
+  "foreign",
+  "if",
+  "import",
+  "in",
+  "infix",
+  "infixl",
+  "infixr",
+  "instance",
+  "let",
+  "module",
+  "of",
+  "param",
+  "proc",
+  "then",
+  "type",
+  "unit",
+  "where",
+]);
 
 interface State {
   /** How deep in comments that nest. */

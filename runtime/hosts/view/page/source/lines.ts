@@ -84,15 +84,19 @@ export class Lines {
     const { instant, program } = this.store;
     const members = this.members.get(instance) ?? [];
     const isThere = (number: number) => (instant?.cells[number] ?? "") !== "";
-    return members.some(isThere) ||
-      members.every((number) => program.signals[number]?.kind === "event");
+    return (
+      members.some(isThere) || members.every((number) => program.signals[number]?.kind === "event")
+    );
   }
 
   /** The instance that was chosen, or else the first that runs. */
   private shown(instances: Instances): number {
     const chosen = this.chosen.get(Lines.key(instances));
     if (chosen !== undefined) return chosen;
-    return Math.max(0, [...instances.keys()].findIndex((name) => this.runs(name)));
+    return Math.max(
+      0,
+      [...instances.keys()].findIndex((name) => this.runs(name)),
+    );
   }
 
   values(file: string, line: number): LineValues | null {
@@ -105,13 +109,17 @@ export class Lines {
       const signal = program.signals[number];
       const cell = instant?.cells[number] ?? "";
       const other = instant?.others?.[number] ?? cell;
-      return signal ? [{
-        number,
-        name: signal.own,
-        value: formatCell(signal, cell),
-        other: other === cell ? null : formatCell(signal, other),
-        isPlotted: plotted.includes(number),
-      }] : [];
+      return signal
+        ? [
+            {
+              number,
+              name: signal.own,
+              value: formatCell(signal, cell),
+              other: other === cell ? null : formatCell(signal, other),
+              isPlotted: plotted.includes(number),
+            },
+          ]
+        : [];
     });
     return {
       chips,

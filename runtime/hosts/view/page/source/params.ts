@@ -22,7 +22,9 @@ export class ParamFields {
       field.inputMode = "decimal";
       field.autocomplete = "off";
       field.title = `${param.name} was ${param.value} in this run, and is ${param.first} by default`;
-      field.onkeydown = (event) => { if (event.key === "Enter") run(); };
+      field.onkeydown = (event) => {
+        if (event.key === "Enter") run();
+      };
       field.oninput = () => this.mark(param, field);
       unit.textContent = isTruth || param.unit === "1" ? "" : param.unit;
       label.append(param.name, field, unit);
@@ -43,7 +45,8 @@ export class ParamFields {
 
   /** What is set otherwise than in the run, as NAME=VALUE. */
   changed(): string[] {
-    return [...this.fields].filter(([param, field]) => this.of(param, field) !== bare(param.value))
+    return [...this.fields]
+      .filter(([param, field]) => this.of(param, field) !== bare(param.value))
       .map(([param, field]) => `${param.name}=${this.of(param, field)}`);
   }
 
@@ -52,7 +55,6 @@ export class ParamFields {
   }
 
   private mark(param: Param, field: HTMLInputElement): void {
-    field.parentElement?.classList.toggle("changed",
-                                          this.of(param, field) !== bare(param.value));
+    field.parentElement?.classList.toggle("changed", this.of(param, field) !== bare(param.value));
   }
 }

@@ -1,9 +1,20 @@
 // The program's source, read-only, with the values of the instant at the ends of its lines.
 import { HighlightStyle, syntaxHighlighting } from "@codemirror/language";
-import { Compartment, EditorState, StateEffect, StateField, type Extension } from
-  "@codemirror/state";
-import { Decoration, EditorView, keymap, lineNumbers, WidgetType, type DecorationSet } from
-  "@codemirror/view";
+import {
+  Compartment,
+  EditorState,
+  StateEffect,
+  StateField,
+  type Extension,
+} from "@codemirror/state";
+import {
+  Decoration,
+  EditorView,
+  keymap,
+  lineNumbers,
+  WidgetType,
+  type DecorationSet,
+} from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import { history, historyKeymap, standardKeymap } from "@codemirror/commands";
 import { frob } from "./frob_language";
@@ -128,8 +139,10 @@ const show = StateEffect.define<DecorationSet>();
 const shown = StateField.define<DecorationSet>({
   create: () => Decoration.none,
   update: (before, change) =>
-    change.effects.reduce((now, effect) => (effect.is(show) ? effect.value : now),
-                          before.map(change.changes)),
+    change.effects.reduce(
+      (now, effect) => (effect.is(show) ? effect.value : now),
+      before.map(change.changes),
+    ),
   provide: (field) => EditorView.decorations.from(field),
 });
 
@@ -176,7 +189,10 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
   };
   /** The first and the last line that may be seen. */
   const inView = (): [number, number] => {
-    const { state: { doc }, viewport: { from, to } } = view;
+    const {
+      state: { doc },
+      viewport: { from, to },
+    } = view;
     return [doc.lineAt(from).number, doc.lineAt(to).number];
   };
   let covered: [number, number] = [1, 0];
@@ -202,7 +218,8 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     for (let line = place?.line ?? 1; place?.file === name && line <= place.last; line++)
       if (line <= doc.lines) marks.push(asked.range(doc.line(line).from));
     view.dispatch({
-      effects: show.of(hasItsLines() ? Decoration.set(marks, true) : Decoration.none) });
+      effects: show.of(hasItsLines() ? Decoration.set(marks, true) : Decoration.none),
+    });
   };
 
   const select = (source: Source | undefined) => {
@@ -216,16 +233,38 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
   const showFirst = () => {
     const line = current ? lines.first(current.name) : 1;
     if (store.isEditing || line < farDown || line > view.state.doc.lines) return;
-    view.dispatch({ effects: EditorView.scrollIntoView(view.state.doc.line(line).from,
-                                                       { y: "start", yMargin: 110 }) });
+    view.dispatch({
+      effects: EditorView.scrollIntoView(view.state.doc.line(line).from, {
+        y: "start",
+        yMargin: 110,
+      }),
+    });
   };
   const bar = new WhatIfBar(store, {
     begin: () => {
       select(sources[0]);
       const keys = keymap.of([
-        { key: "Mod-Enter", run: () => { bar.run("what-if"); return true; } },
-        { key: "Mod-Shift-Enter", run: () => { bar.run("drive"); return true; } },
-        { key: "Escape", run: () => { bar.discard(); return true; } },
+        {
+          key: "Mod-Enter",
+          run: () => {
+            bar.run("what-if");
+            return true;
+          },
+        },
+        {
+          key: "Mod-Shift-Enter",
+          run: () => {
+            bar.run("drive");
+            return true;
+          },
+        },
+        {
+          key: "Escape",
+          run: () => {
+            bar.discard();
+            return true;
+          },
+        },
         ...standardKeymap,
         ...historyKeymap,
       ]);
@@ -260,8 +299,12 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
       select(sources.find((source) => source.name === place.file) ?? current);
     update();
     if (place && place.file === current?.name && place.line <= view.state.doc.lines)
-      view.dispatch({ effects: EditorView.scrollIntoView(view.state.doc.line(place.line).from,
-                                                         { y: "nearest", yMargin: 40 }) });
+      view.dispatch({
+        effects: EditorView.scrollIntoView(view.state.doc.line(place.line).from, {
+          y: "nearest",
+          yMargin: 40,
+        }),
+      });
   });
   return why;
 }

@@ -39,12 +39,14 @@ export class WhatIfBar {
     const buttons = document.createElement("div");
     buttons.append(
       press("Run", "Run it on the same inputs (Ctrl Enter)", () => this.run("what-if")),
-      press("Drive again", "Run it in the simulator, from the start (Ctrl Shift Enter)",
-            () => this.run("drive")),
+      press("Drive again", "Run it in the simulator, from the start (Ctrl Shift Enter)", () =>
+        this.run("drive"),
+      ),
       press("Discard", "Back to the program as it was (Escape)", () => this.discard()),
     );
     const hint = document.createElement("p");
-    hint.textContent = "Run: on the inputs as recorded; the world does not answer. " +
+    hint.textContent =
+      "Run: on the inputs as recorded; the world does not answer. " +
       "Drive again: in the simulator, from the start.";
     this.element.className = "what-if";
     this.element.append(buttons, hint, this.params.element, this.said);
@@ -93,7 +95,6 @@ export class WhatIfBar {
     else if (first === undefined)
       this.said.textContent = `${where}Its outputs are the same, at all instants.`;
     else
-      this.said.textContent =
-        `${where}Its outputs differ from instant ${first} on, first in ${signal ?? ""}.`;
+      this.said.textContent = `${where}Its outputs differ from instant ${first} on, first in ${signal ?? ""}.`;
   }
 }

@@ -87,7 +87,9 @@ export class WhyPanel {
     const last = this.way.at(-1);
     if (!last) return;
     this.isMoving = true;
-    this.store.goTo(last.k, () => { this.isMoving = false; });
+    this.store.goTo(last.k, () => {
+      this.isMoving = false;
+    });
     this.store.askWhy(last.signal, last.k);
   }
 
@@ -134,7 +136,7 @@ export class WhyPanel {
       return;
     }
     const signal = this.signal(why.signal);
-    const cell = store.instant?.k === why.k ? store.instant.cells[why.signal] ?? "" : "";
+    const cell = store.instant?.k === why.k ? (store.instant.cells[why.signal] ?? "") : "";
     const value = span("value", `= ${formatCell(signal, cell) || "–"}`);
     head.append(span("name", plainName(signal)), value, this.since(why), close);
     this.element.append(...this.equation(why), this.sources(why.sources, signal, why.k));
@@ -146,11 +148,14 @@ export class WhyPanel {
   private since({ since, k }: Why): HTMLElement {
     if (since.k === k && !since.longer) return span("hint", "since this instant");
     const { longer } = since;
-    const made = button(`since instant ${since.k}${longer ? " or longer" : ""}`,
-      longer ? "As far as it was looked" : "Go to where it became so", () => {
+    const made = button(
+      `since instant ${since.k}${longer ? " or longer" : ""}`,
+      longer ? "As far as it was looked" : "Go to where it became so",
+      () => {
         this.way.push({ signal: this.way.at(-1)?.signal ?? 0, k: since.k });
         this.load();
-      });
+      },
+    );
     made.className = "since";
     return made;
   }
@@ -161,30 +166,45 @@ export class WhyPanel {
     if (!source) return [];
     const all = source.text.split("\n").slice(place.line - 1, place.last);
     const lines = all.slice(0, mostLines);
-    const indent = Math.min(...lines.filter((line) => line.trim() !== "")
-      .map((line) => line.length - line.trimStart().length));
+    const indent = Math.min(
+      ...lines
+        .filter((line) => line.trim() !== "")
+        .map((line) => line.length - line.trimStart().length),
+    );
     const text = document.createElement("pre");
-    text.textContent = lines.map((line) => line.slice(indent)).join("\n") +
-      (all.length > mostLines ? "\n…" : "");
+    text.textContent =
+      lines.map((line) => line.slice(indent)).join("\n") + (all.length > mostLines ? "\n…" : "");
     text.title = `${place.file}, line ${place.line}`;
     return [text];
   }
 
   private sources(sources: readonly Origin[], of: Signal, k: number): HTMLElement {
     const list = document.createElement("ul");
-    list.append(...sources.map((source) => {
-      const signal = this.signal(source.signal);
-      const name = signal.instance !== "" && signal.instance === of.instance ? signal.own
-        : plainName(signal);
-      const made = button("", `Why is ${name} so?`, () => this.step(source.signal, source.k));
-      made.append(span("name", name), span("value", formatCell(signal, source.cell) || "–"),
-                  span("when", source.k === k ? ""
-                    : k - source.k === 1 ? "one instant earlier"
-                    : `instant ${source.k} · ${formatTime(source.time)}`));
-      const item = document.createElement("li");
-      item.append(made);
-      return item;
-    }));
+    list.append(
+      ...sources.map((source) => {
+        const signal = this.signal(source.signal);
+        const name =
+          signal.instance !== "" && signal.instance === of.instance
+            ? signal.own
+            : plainName(signal);
+        const made = button("", `Why is ${name} so?`, () => this.step(source.signal, source.k));
+        made.append(
+          span("name", name),
+          span("value", formatCell(signal, source.cell) || "–"),
+          span(
+            "when",
+            source.k === k
+              ? ""
+              : k - source.k === 1
+                ? "one instant earlier"
+                : `instant ${source.k} · ${formatTime(source.time)}`,
+          ),
+        );
+        const item = document.createElement("li");
+        item.append(made);
+        return item;
+      }),
+    );
     return list;
   }
 
@@ -192,9 +212,14 @@ export class WhyPanel {
     const place = document.createElement("div");
     place.className = "switch";
     const head = document.createElement("p");
-    head.append(`${change.from} → ${change.to}`,
-      span("when", `instant ${change.k} · ${formatTime(change.time)}` +
-        (change.label === "" ? "" : `, by ${change.label}`)));
+    head.append(
+      `${change.from} → ${change.to}`,
+      span(
+        "when",
+        `instant ${change.k} · ${formatTime(change.time)}` +
+          (change.label === "" ? "" : `, by ${change.label}`),
+      ),
+    );
     place.append(head, ...this.equation(change), this.sources(change.sources, of, change.k));
     return place;
   }

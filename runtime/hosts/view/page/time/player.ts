@@ -52,8 +52,7 @@ export class Player {
     if (this.seconds >= store.program.end) {
       this.toggle();
       store.follow();
-    }
-    else requestAnimationFrame((next) => this.advance(next));
+    } else requestAnimationFrame((next) => this.advance(next));
   }
 
   /** Of a run that goes on, the newest instant, whatever comes. */
@@ -83,6 +82,7 @@ export class Player {
     element("now").textContent =
       `instant ${instant.k}  ·  ${formatTime(instant.time)}  ·  dt ${formatNumber(instant.dt)} s`;
     element("apart").textContent = mark
-      ? `Δ ${instant.k - mark.k} instants  ·  ${formatTime(instant.time - mark.time)}` : "";
+      ? `Δ ${instant.k - mark.k} instants  ·  ${formatTime(instant.time - mark.time)}`
+      : "";
   }
 }

@@ -2,8 +2,13 @@
 import type { Found } from "../protocol";
 import type { Store } from "../store";
 
-export function startSearch(store: Store, field: HTMLInputElement, said: HTMLElement,
-                            before: HTMLButtonElement, after: HTMLButtonElement): void {
+export function startSearch(
+  store: Store,
+  field: HTMLInputElement,
+  said: HTMLElement,
+  before: HTMLButtonElement,
+  after: HTMLButtonElement,
+): void {
   let searched = "";
 
   const show = (found: Found, go: "first" | "before" | "after") => {
@@ -13,8 +18,10 @@ export function startSearch(store: Store, field: HTMLInputElement, said: HTMLEle
     else if (found.count === 0) said.textContent = "never";
     else {
       const times = found.count === 1 ? "once" : `${found.count} times`;
-      said.textContent = to !== null && to !== undefined ? times
-        : `${times}, none ${go === "before" ? "before" : "after"} this`;
+      said.textContent =
+        to !== null && to !== undefined
+          ? times
+          : `${times}, none ${go === "before" ? "before" : "after"} this`;
     }
     store.setSpans(found.spans ?? []);
     if (to !== null && to !== undefined) store.goTo(to);

@@ -163,10 +163,12 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   let asked = 0;
   const askForBands = () => {
     asked = performance.now();
-    modes.forEach((number) => store.series(number, program.start, program.end, width, (series) => {
-      bands.set(number, series);
-      draw();
-    }));
+    modes.forEach((number) =>
+      store.series(number, program.start, program.end, width, (series) => {
+        bands.set(number, series);
+        draw();
+      }),
+    );
   };
   new ResizeObserver(() => {
     width = host.clientWidth;

@@ -8,7 +8,7 @@ static const double pi = 3.14159265358979323846;
 static const double theta_max = 50 * (3.14159265358979323846 / 180);
 static const double look = 15 * (3.14159265358979323846 / 180);
 static const double turn_max = 60 * (3.14159265358979323846 / 180);
-static const struct place goal = {3.0, 1.0};
+static const struct place goal = { 3.0, 1.0 };
 static const double radius = 0.15, keep = 0.3, room = 0.15;
 static const int64_t leave_ns = 5000000000, arrived_ns = 1000000000, failed_ns = 2000000000;
 

@@ -54,24 +54,24 @@ typedef double bench_time;
 #define BENCH_STEP(program) program##_step
 #endif
 
-#define BENCH(program)                                                              \
-    static struct program##_input input[INSTANTS];                                  \
-    static bench_time dt[INSTANTS];                                                 \
-    static void make_input(size_t i);                                               \
-    int main(void)                                                                  \
-    {                                                                               \
-        static struct program##_state state;                                        \
-        static struct program##_output output;                                      \
-        for (size_t i = 0; i < INSTANTS; i++) {                                     \
-            dt[i] = BENCH_TIME((int64_t)(19e6 + 2e6 * bench_random()));             \
-            make_input(i);                                                          \
-        }                                                                           \
-        program##_reset(&state);                                                    \
-        ticks_start();                                                              \
-        for (size_t i = 0; i < INSTANTS; i++)                                       \
-            BENCH_STEP(program)(&state, dt[i], &input[i], &output);                 \
-        printf("%.1f\n", (double)ticks_passed() * TICK_NS / INSTANTS);              \
-        return 0;                                                                   \
+#define BENCH(program)                                                  \
+    static struct program##_input input[INSTANTS];                      \
+    static bench_time dt[INSTANTS];                                     \
+    static void make_input(size_t i);                                   \
+    int main(void)                                                      \
+    {                                                                   \
+        static struct program##_state state;                            \
+        static struct program##_output output;                          \
+        for (size_t i = 0; i < INSTANTS; i++) {                         \
+            dt[i] = BENCH_TIME((int64_t)(19e6 + 2e6 * bench_random())); \
+            make_input(i);                                              \
+        }                                                               \
+        program##_reset(&state);                                        \
+        ticks_start();                                                  \
+        for (size_t i = 0; i < INSTANTS; i++)                           \
+            BENCH_STEP(program)(&state, dt[i], &input[i], &output);     \
+        printf("%.1f\n", (double)ticks_passed() * TICK_NS / INSTANTS);  \
+        return 0;                                                       \
     }
 
 #endif

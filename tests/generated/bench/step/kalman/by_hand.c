@@ -19,8 +19,8 @@ void by_hand_step(struct by_hand *self, double dt, const struct kalman_input *in
     const double went = in->went, turned = in->turned;
     double offset = self->offset + went * self->heading;
     double heading = self->heading + turned;
-    double var_offset = self->var_offset + 2.0 * went * self->covariance
-                        + went * went * self->var_heading + 0.0001 * fabs(went);
+    double var_offset = self->var_offset + 2.0 * went * self->covariance +
+                        went * went * self->var_heading + 0.0001 * fabs(went);
     double covariance = self->covariance + went * self->var_heading;
     double var_heading = self->var_heading + 0.01 * fabs(turned) + 0.001 * fabs(went);
     const double surprise = in->wall - offset;

@@ -5,7 +5,7 @@
 #include "kalman.h"
 
 struct by_hand {
-    double offset, heading;                    /* the estimate */
+    double offset, heading;                     /* the estimate */
     double var_offset, covariance, var_heading; /* and its covariances */
 };
 

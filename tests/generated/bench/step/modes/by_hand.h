@@ -8,12 +8,12 @@
 enum by_hand_mode { FOLLOW, BACK_UP, TURN };
 
 struct by_hand {
-    double side_before;     /* one instant ago */
-    double side_slope;      /* the last one, kept while time stands still */
-    int64_t backing_ns;     /* since the bump */
-    uint8_t mode;           /* an enum by_hand_mode */
+    double side_before; /* one instant ago */
+    double side_slope;  /* the last one, kept while time stands still */
+    int64_t backing_ns; /* since the bump */
+    uint8_t mode;       /* an enum by_hand_mode */
     bool started;
-    bool condition_before;  /* what ends the mode, one instant ago */
+    bool condition_before; /* what ends the mode, one instant ago */
 };
 
 void by_hand_reset(struct by_hand *self);

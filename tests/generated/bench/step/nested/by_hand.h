@@ -6,13 +6,13 @@
 #include "nested.h"
 
 struct by_hand {
-    double speed;      /* while accelerating */
-    int64_t since_ns;  /* the start of the drive or turn */
+    double speed;     /* while accelerating */
+    int64_t since_ns; /* the start of the drive or turn */
     bool started;
     bool working;
     bool turning;
     bool slow;
-    bool duty_before;  /* each of these: what may end a mode, one instant ago */
+    bool duty_before; /* each of these: what may end a mode, one instant ago */
     bool close_before;
     bool near_before;
     bool free_before;

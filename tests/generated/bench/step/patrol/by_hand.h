@@ -8,10 +8,10 @@
 enum by_hand_state { FOLLOW, BACK_UP, WAIT, TURN };
 
 struct by_hand {
-    int64_t since_ns;       /* the state's start, where that matters */
-    uint8_t state;          /* an enum by_hand_state */
+    int64_t since_ns; /* the state's start, where that matters */
+    uint8_t state;    /* an enum by_hand_state */
     bool started;
-    bool condition_before;  /* what ends the state, one instant ago */
+    bool condition_before; /* what ends the state, one instant ago */
 };
 
 void by_hand_reset(struct by_hand *self);
