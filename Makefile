@@ -1,98 +1,114 @@
-# Frob: `make run` drives a robot in the simulator, `make test` tests it all.
-# Both install what is missing first, and say so.
+# Frob: `make run` drives a robot in the simulator, and `make test` runs all tests. Both first
+# install any missing packages and list them.
 
-# What a Debian machine needs, by package.
+# The Debian packages that every build needs.
 PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
   libalcotest-ocaml-dev libqcheck-ocaml-dev libbox2d-dev libtomlplusplus-dev \
   libcairo2-dev libmpfr-dev pkg-config gcc g++ clang libclang-rt-dev \
   libtcc-dev tcc libwebsockets-dev
 
-# What only `make test` needs: a browser, and another client, for the page of `frobc view`;
-# editors for `frobc lsp`; what makes the Debian package, and judges it; numpy and pandas for
-# the Python package; JPEG for cameras; compressed recordings.
+# Packages that only `make test` needs: a browser and another client for the page of `frobc view`;
+# editors for `frobc lsp`; tools that build and check the Debian package; numpy and pandas for the
+# Python package; JPEG for cameras; compression for recordings; MISRA C.
 TEST_PACKAGES = chromium chromium-driver fonts-dejavu-core python3-selenium python3-websockets \
   neovim emacs-nox elpa-eglot libapriltag-dev dpkg-dev lintian python3-numpy python3-pandas \
-  libturbojpeg0 zstd
+  libturbojpeg0 zstd cppcheck
 
-# What only `make matrix` needs: compilers and emulators of other machines.
+# Packages that only `make matrix` needs: compilers and emulators for other machines.
 MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \
   gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user valgrind \
   gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
   arduino-core-avr gcc-avr avr-libc
 
-# What only `make bench` needs, and what other tools it compares with, where they
-# can be had.
+# Packages that only `make bench` needs, and the tools it compares with, where Debian has them.
 BENCH_PACKAGES = valgrind gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
   libapriltag-dev libturbojpeg0 python3
 COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev python3-opencv python3-numpy python3-pip
 
-# What only `make site` and `make pictures` need; mkdocs itself comes from PyPI, see
+# Packages that only `make site` and `make pictures` need; mkdocs itself comes from PyPI, see
 # docs/site/requirements.txt.
 SITE_PACKAGES = python3-venv
 PICTURE_PACKAGES = imagemagick chromium chromium-driver fonts-dejavu-core python3-selenium
 
-# What only `make deb` needs.
+# Packages that only `make deb` needs.
 DEB_PACKAGES = dpkg-dev lintian
 
-# What only `make photographs` needs; it takes pictures from three packages besides.
+# Packages that only `make photographs` needs; it also takes pictures from three other packages.
 PHOTOGRAPH_PACKAGES = python3-opencv python3-numpy python3-pip libapriltag-dev
 
-# What only `make prove` needs; the second does without the first where Debian has none, as 13.
+# Packages that only `make prove` needs. On systems without the first one, such as Debian 13, it
+# runs with the second one alone.
 ANALYSIS_PACKAGES = frama-c-base
 PROVE_PACKAGES = cppcheck
 
-# What only `make wheel` and `make python` need; they take the rest from PyPI.
+# Packages that only `make wheel` and `make python` need; they get everything else from PyPI.
 WHEEL_PACKAGES = python3 python3-venv
 
-# What only `make slurm` needs.
+# Packages that only `make slurm` needs.
 SLURM_PACKAGES = slurmctld slurmd slurm-client
 
-# What only `make rtamt` and `make falsify` need; they take the rest from PyPI.
+# Packages that only `make rtamt` and `make falsify` need; they get everything else from PyPI.
 RTAMT_PACKAGES = python3 python3-venv
 
-# What only `make mcap` needs; it takes the packages mcap and @mcap/core from PyPI and npm besides.
+# Packages that only `make mcap` needs; it also gets the packages mcap and @mcap/core from PyPI and
+# npm.
 MCAP_PACKAGES = python3 python3-venv
 
-# What only `make fuzz-frontend` needs.
+# Packages that only `make fuzz-frontend` needs.
 AFL_PACKAGES = afl++
 
-# For `make matrix` and `make prove`: the examples, with a robot for those that leave it open.
-EXAMPLES = $(wildcard examples/*/[a-z]*.frob)
+# For `make matrix` and `make prove`: the examples, each with a robot if it leaves the robot open.
+EXAMPLES = $(filter-out %.test.frob,$(wildcard examples/*/[a-z]*.frob))
 FOR_A_ROBOT = sed 's|.*/light_seek.frob|&:examples/light_seek/Moth.frob|; s|.*/line_follow.frob|&:create|; s|.*/safe_stick.frob|&:pioneer|; s|.*/teleop/.*|&:pioneer|; s|.*/clicked.frob|&:pioneer|'
 
-# For `make prove`: which programs.
+# For `make prove`: the programs to prove.
 PROGRAMS ?= $(shell printf '%s\n' $(EXAMPLES) | $(FOR_A_ROBOT))
 
-# Calls between modules are direct, as in what opam builds, so that frobc takes 4 % fewer
-# instructions than with dune's dev profile (10,000 generated lines, by callgrind); warnings
-# are errors all the same (see dune).
+# The optimized profile makes direct calls between modules, as opam builds do. frobc then takes 4 %
+# fewer instructions than with dune's dev profile (10,000 generated lines, counted by callgrind).
+# Warnings are still errors (see dune).
 export DUNE_PROFILE ?= optimized
 
 PREFIX ?= /usr/local
 FROBC = _build/install/default/bin/frobc
 OUT = _build/run
 
-# For `make fuzz`: how many random programs, and from which seed.
+# For `make fuzz`: number of random programs, and the seed.
 N ?= 1000
 SEED ?= $(shell date +%s)
 
-# For `make mutants`: within how many random programs each fault is to be found, and
-# which faults of tests/meaning/mutants/list, by number; none: all.
+# For `make mutants`: the number of random programs within which each fault must be found, and the
+# numbers of the faults in tests/meaning/mutants/list; the default is all faults.
 MUTANT_PROGRAMS ?= 10000
 MUTANTS ?=
 
-# For `make seeds`: how many seeds for each example and robot; for `make soak`:
-# how many seeds for each robot.
+# For `make seeds`: number of seeds for each example and robot. For `make soak`: number of seeds for
+# each robot.
 SEEDS ?= 100
 
-# For how long `make fuzz-frontend` runs, and each robot of `make soak` is driven.
+# For `make elementary`: tests one float in STEP. For `make falsify`: number of searches for each
+# requirement.
+STEP ?= 1
+TRIES ?= 10
+
+# For `make pictures`: the pages whose pictures to make, and the folder that stands in for the
+# project's top folder, so that the pictures go to its docs/.
+PAGES ?= $(wildcard docs/tutorial/*.md docs/how-to/*.md)
+PICTURES ?= .
+
+# With `SHORT=1`, `make bench` measures as little as possible, and `make seeds` skips the parts that
+# take minutes of real time. This only checks that the targets work; `make targets` runs all of them
+# in this short form.
+export SHORT ?=
+
+# How long `make fuzz-frontend` runs, and how long `make soak` drives each robot, in seconds.
 fuzz-frontend: SECONDS ?= 600
 soak: SECONDS ?= 3600
 
-# For `make fuzz-drivers`: how many bytes for each wire format.
+# For `make fuzz-drivers`: number of bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install deb clean rtamt falsify mcap wheel python slurm
+.PHONY: all setup run test fmt targets test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install kills deb clean rtamt falsify mcap wheel python slurm
 
 all: setup
 	dune build @install
@@ -110,21 +126,31 @@ test: setup
 	@sh tests/setup.sh $(TEST_PACKAGES)
 	@sh tests/run.sh
 
-# The language server, the grammar and the extension under clients and tools of others, from PyPI
-# and npm; what cannot be had is left out, with a word.
+# Formats all sources, after installing the formatters in _build/formatters; see tests/formatters.
+fmt:
+	@sh tests/formatters/install.sh; status=$$?; sh tests/formatters/format.sh && exit $$status
+
+# Runs every other target in its short form (see tests/targets.sh). Takes about an hour and installs
+# many packages. `TARGETS="bench prove"` runs only these.
+TARGETS ?=
+targets:
+	@sh tests/targets.sh $(TARGETS)
+
+# Tests the language server, the grammar and the extension with third-party clients and tools from
+# PyPI and npm. Skips tools that are not available, with a message.
 test-clients: all
 	@sh tests/setup.sh $(SITE_PACKAGES)
 	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh tests/users/editors/clients/run.sh _build/clients
 
-# The extension for Visual Studio Code, in _build/vsix; with npm, which users need not have.
+# Builds the extension for Visual Studio Code in _build/vsix; requires npm, which users do not need.
 vsix:
 	@sh compiler/editors/vscode/build.sh _build/vsix
 
-# The page of `frobc view` anew from its sources; with npm, which users need not have.
+# Rebuilds the page of `frobc view` from its sources; requires npm, which users do not need.
 page:
 	@sh runtime/hosts/view/page/build.sh _build/page runtime/hosts/view/page/bundle
 
-# The documentation as a site to read and search in, in _build/site.
+# Builds the documentation as a searchable site in _build/site.
 site: export NO_MKDOCS_2_WARNING = 1
 site: all
 	@sh tests/setup.sh $(SITE_PACKAGES)
@@ -134,43 +160,45 @@ site: all
 	@_build/site-tools/bin/mkdocs build --quiet --config-file docs/site/mkdocs.yml
 	@echo "the site: _build/site/index.html"
 
-# The pictures that the pages of docs/ show of their programs' runs, anew; and those of the page
-# of `frobc view` for programs that see.
+# Makes new pictures of the programs' runs for the pages of docs/, and of the page of `frobc view`
+# for programs with cameras.
 pictures: all
 	@sh tests/setup.sh $(PICTURE_PACKAGES)
-	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh docs/site/pictures.sh docs/tutorial/*.md $(wildcard docs/how-to/*.md)
-	@/usr/bin/python3 -B docs/site/page_pictures.py $(FROBC) .
+	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH PICTURES=$(PICTURES) sh docs/site/pictures.sh $(PAGES)
+	@/usr/bin/python3 -B docs/site/page_pictures.py $(FROBC) . $(PICTURES)
 
 fuzz: all
 	@dune build tests/meaning/fuzz/main.exe
 	@_build/default/tests/meaning/fuzz/main.exe --count $(N) --seed $(SEED) --jobs $$(nproc) --sanitize-every 50
 
-# The formatter's laws on random programs with comments sprinkled in.
+# Checks the formatter's laws on random programs with comments inserted.
 fuzz-format: N = 10000
 fuzz-format: setup
 	@dune build ./tests/users/format/of_random_programs.exe
 	@_build/default/tests/users/format/of_random_programs.exe $(N) $(SEED)
 
-# The language server on random edits of the examples.
+# Tests the language server with random edits of the examples.
 fuzz-lsp: N = 10000
 fuzz-lsp: all
 	@cd _build && PATH=$(CURDIR)/_build/install/default/bin:$$PATH PYTHONPATH=$(CURDIR)/tests/users/lsp \
 	  python3 $(CURDIR)/tests/users/lsp/random_edits.py $(SEED) $(N) $(CURDIR)/examples/*/*.frob
 
-# Deliberate faults in the compiler: the random programs must find each. With direct calls
-# between modules each fault would ask for all that depends on its module to be built again.
+# Plants deliberate faults in the compiler; the random programs must find each of them. Uses dune's
+# dev profile, because with direct calls between modules dune would rebuild every module that
+# depends on the changed one.
 mutants: DUNE_PROFILE = dev
 mutants: setup
 	@sh tests/meaning/mutants/run.sh $(MUTANT_PROGRAMS) 1 $(MUTANTS)
 
-# The compiler on bytes that are nearly programs, in a build that afl-fuzz can watch.
+# Fuzzes the compiler with damaged programs, in a build instrumented for afl-fuzz.
 fuzz-frontend: setup
 	@sh tests/setup.sh $(AFL_PACKAGES)
 	@mkdir -p $(CURDIR)/_build
 	@OCAMLPARAM='_,afl-instrument=1' dune build --build-dir $(CURDIR)/_build/afl ./tests/users/frontend/harness.exe
 	@sh tests/users/frontend/run.sh $(CURDIR)/_build/afl/default/tests/users/frontend/harness.exe $(CURDIR)/stdlib $(SECONDS)
 
-# Deliberate faults in the examples: their trials should find each; which they do not is told.
+# Plants deliberate faults in the examples, whose trials should find them, and lists those that they
+# miss.
 faults: N = 200
 faults: SEED = 1
 faults: all
@@ -181,37 +209,36 @@ fuzz-drivers: setup
 	@dune build ./tests/robots/wire/fuzz/fuzz_scout ./tests/robots/wire/fuzz/fuzz_create ./tests/robots/wire/fuzz/fuzz_pioneer
 	@sh tests/robots/wire/fuzz/run.sh _build/default/tests/robots/wire/fuzz $(BYTES) $(SEED) scout create pioneer
 
-# The examples with many seeds of noise, in the simulator and through each robot's
-# driver and line, and BUG in real time behind each line: what a minute is too short
-# for in `make test`.
+# Runs the examples with many seeds of noise, in the simulator and through each robot's driver and
+# line, and BUG in real time behind each line. This takes too long for `make test`.
 seeds: all
 	@dune build ./tests/robots/line/frob-line
 	@sh tests/robots/line/seeds.sh $(CURDIR)/$(FROBC) _build/default/tests/robots/line/frob-line examples $(SEEDS)
-	@sh tests/robots/robot/bug.sh $(CURDIR)/$(FROBC) $(CURDIR)/examples
+	@test -n "$(SHORT)" || sh tests/robots/robot/bug.sh $(CURDIR)/$(FROBC) $(CURDIR)/examples
 	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh tests/robots/run/all_seeds.sh $(SEEDS)
 
-# The module Past beside RTAMT, from PyPI, in an environment of its own.
+# Compares the module Past with RTAMT, which it installs from PyPI in a virtual environment.
 rtamt: N = 1000
 rtamt: all
 	@sh tests/setup.sh $(RTAMT_PACKAGES)
 	@test -x _build/rtamt/bin/python || { python3 -m venv _build/rtamt && _build/rtamt/bin/pip install --quiet rtamt==0.4.10; }
 	@_build/rtamt/bin/python tests/meaning/rtamt/agree.py $(CURDIR)/$(FROBC) $(N) $(SEED)
 
-# Recordings as MCAP, read by the packages of those who made the format, from PyPI and npm.
+# Reads recordings in MCAP format with the packages of the format's authors, from PyPI and npm.
 mcap: all
 	@sh tests/setup.sh $(MCAP_PACKAGES)
 	@sh tests/users/convert/readers/run.sh $(CURDIR)/$(FROBC) _build/mcap
 
-# Searches for runs that break the requirements of a benchmark, beside another tool: with the
-# libraries from PyPI.
+# Searches for violations of a benchmark's requirements, and compares with another tool; the
+# libraries come from PyPI.
 falsify: all
 	@sh tests/setup.sh $(RTAMT_PACKAGES)
 	@test -x _build/falsify/bin/python || { python3 -m venv _build/falsify && _build/falsify/bin/pip install --quiet numpy cma==4.5.0 psy-taliro==3.2.0; }
 	@FROBC=$(CURDIR)/$(FROBC) PYTHONPATH=runtime/python PYTHONDONTWRITEBYTECODE=1 _build/falsify/bin/python \
-	  tests/users/python/chasing_cars.py examples/chasing_cars/chasing_cars.frob
+	  tests/users/python/chasing_cars.py examples/chasing_cars/chasing_cars.frob $(TRIES)
 
-# The Python package with frobc and its hosts, in _build/wheel; and that wheel tried in
-# virtual environments, with what it works with. Both take tools from PyPI.
+# Builds the Python package with frobc and its hosts in _build/wheel; and tests this wheel in
+# virtual environments, with its optional packages. Both get tools from PyPI.
 wheel: all
 	@sh tests/setup.sh $(WHEEL_PACKAGES)
 	@sh runtime/python/wheel.sh $(CURDIR)/_build
@@ -219,7 +246,7 @@ wheel: all
 python: wheel
 	@sh tests/users/python/venv.sh $(CURDIR)/_build
 
-# A sweep as an array of jobs under Slurm, whose daemons run here while it lasts.
+# Runs a sweep as an array of jobs under Slurm, whose daemons run on this machine meanwhile.
 slurm: all
 	@sh tests/setup.sh $(SLURM_PACKAGES)
 	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh tests/robots/sweep/slurm.sh _build/slurm
@@ -234,19 +261,25 @@ matrix: all
 	@sh tests/generated/matrix/shared_stack.sh
 	@sh tests/generated/targets/run.sh
 
-# The elementary functions of single precision on every float; of two arguments, on as
-# many pairs. An hour's work for two processors.
+# Tests the single-precision elementary functions on every float, and those of two arguments on as
+# many pairs. Takes about an hour on two processors.
 elementary: setup
 	@dune build ./tests/generated/elementary/single_errors_fast
 	@echo exp log sin cos tan asin acos atan pow atan2 hypot | tr ' ' '\n' | \
-	  xargs -P $$(nproc) -n 1 _build/default/tests/generated/elementary/single_errors_fast 1
+	  xargs -P $$(nproc) -n 1 _build/default/tests/generated/elementary/single_errors_fast $(STEP)
 
-# No undefined behaviour in the C of the examples, and a clamp that holds, by static
-# analysis; and what MISRA C says.
+# Proves by static analysis that the C of the examples has no undefined behaviour and that the clamp
+# works; also checks the C against MISRA C.
 prove: all
 	@sh tests/setup.sh $(PROVE_PACKAGES)
 	@sh tests/setup.sh $(ANALYSIS_PACKAGES) || ! apt-cache show $(ANALYSIS_PACKAGES) 2>/dev/null | grep -q .
 	@sh tests/generated/prove/run.sh $(CURDIR)/$(FROBC) runtime docs/generated-c.md $(PROGRAMS)
+
+# Kills processes of runs on served robots at random: KILLS times on each robot.
+KILLS ?= 200
+
+kills: all
+	@cd tests/robots/kills && python3 -B kills.py $(CURDIR)/$(FROBC) $(KILLS) $(SEED)
 
 soak: setup
 	@dune build ./tests/robots/faults/soak
@@ -257,8 +290,9 @@ bench: all
 	-@sh tests/setup.sh $(COMPARED_PACKAGES)
 	@sh tests/generated/bench/run.sh
 
-# The kernels of vision on photographs, beside OpenCV and what is known of what is on them: from
-# scikit-image (PyPI), opencv-doc and visp-images-data (Debian), fetched, and not installed.
+# Tests the vision kernels on photographs, against OpenCV and ground truth. The photographs come
+# from scikit-image (PyPI), opencv-doc and visp-images-data (Debian), which are downloaded but not
+# installed.
 photographs: setup
 	@sh tests/setup.sh $(PHOTOGRAPH_PACKAGES)
 	@sh tests/generated/photographs/run.sh _build/photographs
@@ -269,7 +303,7 @@ install: setup
 	sh compiler/package/documents.sh $(PREFIX)/share/doc/frobc
 	@echo "installed: $(PREFIX)/bin/frobc, with its documentation in $(PREFIX)/share/doc/frobc"
 
-# A Debian package of the same, in _build/deb.
+# Builds a Debian package in _build/deb.
 deb: all
 	@sh tests/setup.sh $(DEB_PACKAGES)
 	@sh compiler/package/deb.sh _build/install/default _build/deb

@@ -15,7 +15,7 @@
 
 using namespace frob::sim;
 
-// The user's own robot, if it is one.
+// A user-defined robot: its body, and the robot kind made from it.
 struct Own {
     explicit Own(const frob_body &table) : body(table), kind(own_robot_kind(body)) {}
 
@@ -28,31 +28,27 @@ struct frob_sim {
     Simulation simulation;
 };
 
-namespace
-{
+namespace {
 
-void say(char *message, std::size_t room, const std::string &text)
-{
+void say(char *message, std::size_t room, const std::string &text) {
     std::snprintf(message, room, "%s", text.c_str());
 }
 
 } // namespace
 
 frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *settings, char *message,
-                        std::size_t room)
-{
+                        std::size_t room) {
     try {
         auto own = settings->body != nullptr ? std::make_unique<Own>(*settings->body) : nullptr;
         if (!own && settings->robot != nullptr && robot_kind(settings->robot) == nullptr) {
             say(message, room,
                 std::string("there is no simulated ") + settings->robot +
-                    "; the body of a robot of your own is `frob_" + settings->robot +
-                    "_body`, in a C file that is given with `--with`");
+                    "; for your own robot, define its body `frob_" + settings->robot +
+                    "_body` in a C file, and add the file with `--with`");
             return nullptr;
         }
         Scene scene = read_world_file(world_file);
-        if (scene.robot.empty() && settings->robot != nullptr)
-            scene.robot = settings->robot;
+        if (scene.robot.empty() && settings->robot != nullptr) scene.robot = settings->robot;
         if (settings->robot != nullptr && scene.robot != settings->robot) {
             say(message, room,
                 std::string(world_file) + ": this world is for " + scene.robot + ", not for " +
@@ -60,14 +56,14 @@ frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *setting
             return nullptr;
         }
         if (settings->wall_distance_m > 0.0) {
-            if (!scene.measure)
-                scene.measure.emplace();
+            if (!scene.measure) scene.measure.emplace();
             scene.measure->what = MeasureSettings::What::wall;
             scene.measure->distance = settings->wall_distance_m;
         }
+        scene.drive.behind_wire = settings->served != 0;
         const RobotKind *kind = own ? &own->kind : nullptr;
-        return new frob_sim{ std::move(own),
-                             { std::move(scene), settings->seed, settings->picture != 0, kind } };
+        return new frob_sim{std::move(own),
+                            {std::move(scene), settings->seed, settings->picture != 0, kind}};
     } catch (const WorldFileError &error) {
         say(message, room, error.what());
     } catch (const std::exception &error) {
@@ -76,23 +72,13 @@ frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *setting
     return nullptr;
 }
 
-void frob_sim_close(frob_sim *sim)
-{
-    delete sim;
-}
+void frob_sim_close(frob_sim *sim) { delete sim; }
 
-std::size_t frob_sim_input_size(const frob_sim *sim)
-{
-    return sim->simulation.kind().input_size;
-}
+std::size_t frob_sim_input_size(const frob_sim *sim) { return sim->simulation.kind().input_size; }
 
-std::size_t frob_sim_output_size(const frob_sim *sim)
-{
-    return sim->simulation.kind().output_size;
-}
+std::size_t frob_sim_output_size(const frob_sim *sim) { return sim->simulation.kind().output_size; }
 
-const char *frob_sim_world_robot(const char *world_file, char *message, std::size_t room)
-{
+const char *frob_sim_world_robot(const char *world_file, char *message, std::size_t room) {
     try {
         const Scene scene = read_world_file(world_file);
         return scene.robot.empty() ? "" : robot_kind(scene.robot)->name;
@@ -102,8 +88,7 @@ const char *frob_sim_world_robot(const char *world_file, char *message, std::siz
     }
 }
 
-int frob_sim_read_plan(const char *plan_file, char **text)
-{
+int frob_sim_read_plan(const char *plan_file, char **text) {
     std::string said;
     bool ok = true;
     try {
@@ -113,78 +98,83 @@ int frob_sim_read_plan(const char *plan_file, char **text)
         ok = false;
     }
     *text = static_cast<char *>(std::malloc(said.size() + 1));
-    if (*text != nullptr)
-        std::memcpy(*text, said.c_str(), said.size() + 1);
+    if (*text != nullptr) std::memcpy(*text, said.c_str(), said.size() + 1);
     return ok ? 1 : 0;
 }
 
-std::size_t frob_sim_robots(const frob_sim *sim)
-{
-    return sim->simulation.robots();
-}
+std::size_t frob_sim_robots(const frob_sim *sim) { return sim->simulation.robots(); }
 
-void frob_sim_advance(frob_sim *sim, std::int64_t time_ns)
-{
-    sim->simulation.advance(time_ns);
-}
+void frob_sim_advance(frob_sim *sim, std::int64_t time_ns) { sim->simulation.advance(time_ns); }
 
-void frob_sim_read(frob_sim *sim, void *input)
-{
-    frob_sim_read_robot(sim, 0, input);
-}
+void frob_sim_read(frob_sim *sim, void *input) { frob_sim_read_robot(sim, 0, input); }
 
-void frob_sim_read_robot(frob_sim *sim, std::size_t robot, void *input)
-{
+void frob_sim_read_robot(frob_sim *sim, std::size_t robot, void *input) {
     sim->simulation.read(input, robot);
 }
 
-int frob_sim_look_through(frob_sim *sim, const char *camera)
-{
+int frob_sim_look_through(frob_sim *sim, const char *camera) {
     const auto number = sim->simulation.look_through(camera);
     return number ? static_cast<int>(*number) : -1;
 }
 
-const char *frob_sim_camera_name(const frob_sim *sim, std::size_t number)
-{
+const char *frob_sim_camera_name(const frob_sim *sim, std::size_t number) {
     const auto &cameras = sim->simulation.scene().cameras;
     return number < cameras.size() ? cameras[number].name.c_str() : nullptr;
 }
 
-const frob_image *frob_sim_frame(frob_sim *sim, std::size_t robot, int camera, std::int64_t time_ns)
-{
+const frob_image *frob_sim_frame(frob_sim *sim, std::size_t robot, int camera,
+                                 std::int64_t time_ns) {
     return sim->simulation.newest_frame(time_ns, static_cast<std::size_t>(camera), robot);
 }
 
-void frob_sim_command(frob_sim *sim, std::int64_t time_ns, const void *output)
-{
+void frob_sim_command(frob_sim *sim, std::int64_t time_ns, const void *output) {
     frob_sim_command_robot(sim, 0, time_ns, output);
 }
 
 void frob_sim_command_robot(frob_sim *sim, std::size_t robot, std::int64_t time_ns,
-                            const void *output)
-{
+                            const void *output) {
     sim->simulation.command(time_ns, output, robot);
 }
 
-frob_sim_place frob_sim_place_robot(const frob_sim *sim, std::size_t robot)
-{
-    const Pose pose = sim->simulation.body(robot).pose();
-    const bool touches = !sim->simulation.robot(robot).contacts().points().empty();
-    return { pose.position.x, pose.position.y, pose.heading, touches ? 1 : 0 };
+int frob_sim_is_away(const frob_sim *sim, std::int64_t time_ns) {
+    const OutageSettings &outage = sim->simulation.scene().outage;
+    const auto ns = [](double seconds) { return std::llround(seconds * 1e9); };
+    if (outage.lasts <= 0.0 || time_ns < ns(outage.from)) return 0;
+    const std::int64_t since = time_ns - ns(outage.from);
+    return (outage.every > 0.0 ? since % ns(outage.every) : since) < ns(outage.lasts) ? 1 : 0;
 }
 
-double frob_sim_clearance_robot(const frob_sim *sim, std::size_t robot)
-{
+frob_sim_place frob_sim_place_robot(const frob_sim *sim, std::size_t robot) {
+    const Pose pose = sim->simulation.body(robot).pose();
+    return {pose.position.x, pose.position.y, pose.heading, sim->simulation.touched(robot) ? 1 : 0};
+}
+
+double frob_sim_clearance_robot(const frob_sim *sim, std::size_t robot) {
     return clearance(sim->simulation.scene(), sim->simulation.body(robot).pose().position);
 }
 
-frob_sim_summary frob_sim_summarize(const frob_sim *sim)
-{
+int frob_sim_collision_robot(const frob_sim *sim, std::size_t robot, std::size_t number,
+                             frob_sim_collision *collision) {
+    const auto &collisions = sim->simulation.collisions(robot);
+    if (number >= collisions.size()) return 0;
+    const Collision &one = collisions[number];
+    *collision = {static_cast<double>(one.time_ns) * 1e-9, one.where.x, one.where.y, one.clearance,
+                  one.with.c_str()};
+    return 1;
+}
+
+void frob_sim_describe_collision(const frob_sim_collision *collision, char *text,
+                                 std::size_t room) {
+    std::snprintf(text, room, "collision at %.3f s: %s, x %.3f m, y %.3f m, clearance %.3f m",
+                  collision->time_s, collision->with, collision->x_m, collision->y_m,
+                  collision->clearance_m);
+}
+
+frob_sim_summary frob_sim_summarize(const frob_sim *sim) {
     return frob_sim_summarize_robot(sim, 0);
 }
 
-frob_sim_summary frob_sim_summarize_robot(const frob_sim *sim, std::size_t robot)
-{
+frob_sim_summary frob_sim_summarize_robot(const frob_sim *sim, std::size_t robot) {
     const Simulation &simulation = sim->simulation;
     frob_sim_summary summary{};
     summary.time_s = static_cast<double>(simulation.time_ns()) * 1e-9;
@@ -213,8 +203,7 @@ frob_sim_summary frob_sim_summarize_robot(const frob_sim *sim, std::size_t robot
     return summary;
 }
 
-int frob_sim_picture(const frob_sim *sim, const char *file, char *message, std::size_t room)
-{
+int frob_sim_picture(const frob_sim *sim, const char *file, char *message, std::size_t room) {
     try {
         draw_picture(sim->simulation, file);
         return 1;

@@ -1,8 +1,8 @@
 /* sim.h -- the simulator, for hosts written in C.
  *
- * One simulation is one world file and the robots in it. The host owns
- * time: it says up to when the physics should run, reads the sensors, steps
- * the controller, and passes on the command.
+ * One simulation is one world file and the robots in it. The host controls time: in each round
+ * it says how far to run the physics, reads the sensors, steps the controller, and passes on the
+ * command.
  *
  *   struct frob_sim *sim = frob_sim_open("world.toml", &settings, message, sizeof message);
  *   for (each instant at time t) {
@@ -12,9 +12,9 @@
  *       frob_sim_command(sim, t, &output);
  *   }
  *
- * Times are nanoseconds since the start. The same world, seed and commands at
- * the same times give the same readings, bit for bit. Simulations share
- * nothing; one thread at a time may use one. */
+ * Times are nanoseconds since the start. The same world, seed, and commands at the same times
+ * produce the same readings, bit for bit. Simulations share no data, so different threads may
+ * use different simulations; only one thread at a time may use a given one. */
 #ifndef FROB_SIM_H
 #define FROB_SIM_H
 
@@ -30,64 +30,78 @@ struct frob_image; /* <frob/image.h> */
 struct frob_body;  /* <frob/body.h> */
 
 struct frob_sim_settings {
-    const char *robot; /* "pioneer", …: what the host can talk to; NULL: any */
-    uint64_t seed;     /* of all noise */
-    double
-        wall_distance_m; /* measures a wall, with this for `distance` of the world file's [measure]; 0: as it says */
-    int picture;                  /* whether to keep what frob_sim_picture shows */
-    const struct frob_body *body; /* of a robot of the user's own, which is `robot`; else NULL */
+    const char *robot; /* the robot that the host supports ("pioneer", …); NULL: any */
+    uint64_t seed;     /* seed of all noise */
+    /* If positive: measure the distance from a wall, and use this in place of `distance` in the
+     * world file's [measure]. 0: measure what the world file says. */
+    double wall_distance_m;
+    int picture; /* nonzero: record the data that frob_sim_picture draws */
+    /* The body of a user-defined robot, which `robot` names; else NULL. */
+    const struct frob_body *body;
+    /* Nonzero: commands come from a firmware, which has already rounded them to whole steps. 0:
+     * the simulator rounds them as the robot's driver does, see drivers/steps.h. */
+    int served;
 };
 
-/* Reads a world file. NULL on failure; `message` then holds a line for each
- * mistake, `FILE:LINE:COLUMN: …`, as far as there is room. */
+/* Reads a world file. Returns NULL on failure; `message` then holds one line for each mistake,
+ * `FILE:LINE:COLUMN: …`, cut off at `room` bytes. */
 struct frob_sim *frob_sim_open(const char *world_file, const struct frob_sim_settings *settings,
                                char *message, size_t room);
 void frob_sim_close(struct frob_sim *sim);
 
-/* The sizes of the structs of the robot (the world's if that names one, else the
- * settings', else a pioneer), which its header <frob/ROBOT.h> declares. */
+/* Sizes of the robot's input and output structs, which its header <frob/ROBOT.h> declares. The
+ * robot is the one that the world file names, else the one in the settings, else a pioneer. */
 size_t frob_sim_input_size(const struct frob_sim *sim);
 size_t frob_sim_output_size(const struct frob_sim *sim);
 
-/* The robot that a world file names: an empty text if it leaves it open. NULL
- * on failure, with a `message` as above. */
+/* Returns the robot that a world file names, or "" if it names none. Returns NULL on failure and
+ * writes `message` as frob_sim_open does. */
 const char *frob_sim_world_robot(const char *world_file, char *message, size_t room);
 
-/* What a plan of a sweep says, in lines (plan/plan_file.h); or 0, and a line for each mistake.
- * The text is to be freed; NULL without memory. */
+/* Reads the plan of a sweep. Sets `text` to the plan's contents, one line for each item (the
+ * format is in plan/plan_file.h), and returns 1; if the plan has mistakes, sets it to one line
+ * for each mistake and returns 0. The caller frees the text, which is NULL if memory runs out. */
 int frob_sim_read_plan(const char *plan_file, char **text);
 
-/* How many robots there are, all of that kind, numbered from 0 in the order of
- * the world file. What takes no number is about robot 0, in a world of several too. */
+/* Number of robots in the world, all of the same kind. They are numbered from 0 in the order of
+ * the world file. Functions without a robot number refer to robot 0. */
 size_t frob_sim_robots(const struct frob_sim *sim);
 
-/* Runs the physics up to this time, which must not go back. Its step is 5 ms;
- * it stops at the last step that does not go beyond. */
+/* Runs the physics up to this time, which must not be earlier than in the previous call. The
+ * physics runs in steps of 5 ms; it stops at the last step that is not later than this time. */
 void frob_sim_advance(struct frob_sim *sim, int64_t time_ns);
 
-/* The sensors, as the robot's input struct. An echo is an event of the first reading after it arrived. */
+/* Reads the sensors into the robot's input struct. An echo is an event in the first reading
+ * after it arrived. */
 void frob_sim_read(struct frob_sim *sim, void *input);
 void frob_sim_read_robot(struct frob_sim *sim, size_t robot, void *input);
 
-/* Begins to look through the camera that the world calls so, of all robots, before the physics
- * runs. Its number, or -1 if there is none in the world. */
+/* Opens the camera of this name on all robots; call it before the physics runs. Returns the
+ * camera's number, or -1 if the world has no camera of this name. */
 int frob_sim_look_through(struct frob_sim *sim, const char *camera);
 
-/* The name of the world's camera of this number, from 0; NULL if there are not so many. */
+/* Name of the world's camera with this number, counted from 0; NULL if there is no such camera. */
 const char *frob_sim_camera_name(const struct frob_sim *sim, size_t number);
 
-/* The newest frame of a robot's camera that has arrived by this time, once; NULL if there is none
- * that was not given before. It stays until the next call for the same camera. */
+/* Returns the newest frame of a robot's camera that has arrived by this time, or NULL if no
+ * frame has arrived since the last call. The frame is valid until the next call for the same
+ * camera. */
 const struct frob_image *frob_sim_frame(struct frob_sim *sim, size_t robot, int camera,
                                         int64_t time_ns);
 
-/* What the robot does from now on, as its output struct: limited to what it can do, and rest if any
- * of it is NaN. `time_ns` is the controller's instant, for the record. */
+/* Commands the robot with its output struct until the next command. The simulator limits the
+ * values to what the robot can do, and stops the robot if any of them is NaN. `time_ns` is the
+ * controller's instant, for the record. */
 void frob_sim_command(struct frob_sim *sim, int64_t time_ns, const void *output);
 void frob_sim_command_robot(struct frob_sim *sim, size_t robot, int64_t time_ns,
                             const void *output);
 
-/* Where a robot really is, in the world, and whether something touches it. */
+/* Whether the host has lost its robots at this time, as the world's [outage] says. The host then
+ * skips the program's step and commands a stop. */
+int frob_sim_is_away(const struct frob_sim *sim, int64_t time_ns);
+
+/* The true pose of a robot in the world, and whether it has touched an object since the advance
+ * before the last one. */
 struct frob_sim_place {
     double x_m, y_m, heading_rad;
     int touches;
@@ -95,35 +109,58 @@ struct frob_sim_place {
 
 struct frob_sim_place frob_sim_place_robot(const struct frob_sim *sim, size_t robot);
 
-/* How far the middle of a robot is from the nearest wall, polygon or post; infinite in an
+/* Distance from the centre of a robot to the nearest wall, polygon, post or cone; infinite in an
  * empty world. */
 double frob_sim_clearance_robot(const struct frob_sim *sim, size_t robot);
 
 struct frob_sim_summary {
-    double time_s;           /* simulated */
-    double distance_m;       /* along the path */
-    int collisions;          /* with what stands fast, and with other robots */
-    double odometry_error_m; /* between where the robot is and believes to be */
-    int measured;            /* the world file says to measure the distance from a wall: */
-    double wall_distance_m;  /* that the robot should keep */
-    double mean_error_m;     /* since it settled; NaN if it has not */
+    double time_s;     /* simulated time */
+    double distance_m; /* distance along the path */
+    /* Number of collisions with fixed objects, boxes, balls and other robots. A collision ends
+     * when the robot has touched nothing for half a second. */
+    int collisions;
+    double odometry_error_m; /* distance between the robot's true position and its odometry */
+    int measured;            /* nonzero if the world file says to measure the distance from a
+                                wall: */
+    double wall_distance_m;  /* the distance that the robot should keep */
+    double mean_error_m;     /* mean error since the robot settled; NaN if it has not settled */
     double largest_error_m;
-    int tape_measured;  /* or that from the middle of tape on the floor: */
-    double mean_tape_m; /* since it settled; NaN if it has not */
+    int tape_measured;  /* nonzero if it says to measure the distance from the middle of tape on
+                           the floor: */
+    double mean_tape_m; /* mean distance since the robot settled; NaN if it has not settled */
     double largest_tape_m;
-    double tape_way_m;      /* come along the tape, in the order of its points */
-    int ball_measured;      /* or the distance from a ball: */
-    double ball_distance_m; /* that the robot should keep */
-    double mean_ball_m;     /* error since it settled; NaN if it has not */
+    double tape_way_m;      /* distance travelled along the tape, in the order of its points */
+    int ball_measured;      /* nonzero if it says to measure the distance from a ball: */
+    double ball_distance_m; /* the distance that the robot should keep */
+    double mean_ball_m;     /* mean error since the robot settled; NaN if it has not settled */
     double largest_ball_m;
 };
 
 struct frob_sim_summary frob_sim_summarize(const struct frob_sim *sim);
 struct frob_sim_summary frob_sim_summarize_robot(const struct frob_sim *sim, size_t robot);
 
-/* Draws the world, the paths, and the signals of robot 0. The file's name ends in .svg or
- * .png. Returns 1, or 0 with a line in `message`. Without `picture` in the
- * settings there is no path and no signal to be drawn. */
+/* The beginning of a collision. */
+struct frob_sim_collision {
+    double time_s;
+    double x_m, y_m;    /* place in the world */
+    double clearance_m; /* frob_sim_clearance_robot at that time */
+    /* The object, for display: "the wall (room.toml, line 12)". Valid until the next advance. */
+    const char *with;
+};
+
+/* Reads a robot's collision with this number, counted from 0. Returns false if there is no such
+ * collision; only the first five are kept. */
+int frob_sim_collision_robot(const struct frob_sim *sim, size_t robot, size_t number,
+                             struct frob_sim_collision *collision);
+
+/* Formats a collision as a summary line without a newline: "collision at 3.215 s: the wall
+ * (room.toml, line 12), x 1.203 m, y 0.000 m, clearance 0.190 m". */
+void frob_sim_describe_collision(const struct frob_sim_collision *collision, char *text,
+                                 size_t room);
+
+/* Draws the world, the paths of the robots, and the signals of robot 0. The file name must end
+ * in .svg or .png. Returns 1, or 0 with a line in `message`. Paths and signals are drawn only if
+ * `picture` was set in the settings. */
 int frob_sim_picture(const struct frob_sim *sim, const char *file, char *message, size_t room);
 
 #ifdef __cplusplus

@@ -7,18 +7,17 @@
 
 #include "world_file.h"
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
-const RobotKind &kind_of(const Scene &scene)
-{
+// Number of collisions to keep for each robot; all are counted.
+constexpr std::size_t most_collisions = 5;
+
+const RobotKind &kind_of(const Scene &scene) {
     return scene.robot.empty() ? robot_kinds().front() : *robot_kind(scene.robot);
 }
 
-std::string called(std::size_t robot, std::size_t robots)
-{
+std::string called(std::size_t robot, std::size_t robots) {
     return robots == 1 ? "the robot" : "robot " + std::to_string(robot + 1);
 }
 
@@ -26,20 +25,20 @@ std::string called(std::size_t robot, std::size_t robots)
 
 Simulation::Simulation(Scene scene, std::uint64_t seed, bool keeps_samples, const RobotKind *own)
     : scene_(std::move(scene)), kind_(own ? *own : kind_of(scene_)),
-      world_(scene_, kind_.chassis()), seed_(seed)
-{
+      world_(scene_, kind_.chassis()), seed_(seed) {
     for (std::size_t k = 0; k < scene_.starts.size(); ++k) {
         if (body(k).overlaps())
             throw WorldFileError(scene_.starts[k].place + ": " + called(k, scene_.starts.size()) +
-                                 " would start inside a wall or another thing");
-        members_.push_back({ kind_.make(scene_, Noise::seed_of_robot(seed, k)),
-                             Recorder(keeps_samples),
-                             std::nullopt,
-                             std::nullopt,
-                             std::nullopt,
-                             {} });
-        if (!scene_.measure)
-            continue;
+                                 " starts inside a wall or another object");
+        members_.push_back({kind_.make(scene_, Noise::seed_of_robot(seed, k)),
+                            Recorder(keeps_samples),
+                            std::nullopt,
+                            std::nullopt,
+                            std::nullopt,
+                            {},
+                            {},
+                            false});
+        if (!scene_.measure) continue;
         if (scene_.measure->what == MeasureSettings::What::tape)
             members_.back().tape_distance.emplace(scene_, *scene_.measure);
         else if (scene_.measure->what == MeasureSettings::What::ball)
@@ -47,54 +46,57 @@ Simulation::Simulation(Scene scene, std::uint64_t seed, bool keeps_samples, cons
         else
             members_.back().wall_distance.emplace(scene_, kind_.chassis(), *scene_.measure);
     }
-    for (std::size_t k = 0; k < members_.size(); ++k)
-        members_[k].robot->sense(0, body(k));
+    for (std::size_t k = 0; k < members_.size(); ++k) members_[k].robot->sense(0, body(k));
 }
 
-void Simulation::advance(std::int64_t time_ns)
-{
+void Simulation::advance(std::int64_t time_ns) {
     std::vector<Body> &bodies = world_.robots();
+    if (time_ns_ + step_ns <= time_ns)
+        for (Member &member : members_) member.touched = false;
     while (time_ns_ + step_ns <= time_ns) {
-        for (std::size_t k = 0; k < bodies.size(); ++k)
-            members_[k].robot->push(bodies[k]);
+        for (std::size_t k = 0; k < bodies.size(); ++k) members_[k].robot->push(bodies[k]);
         world_.step();
         time_ns_ += step_ns;
-        for (std::size_t k = 0; k < bodies.size(); ++k)
+        for (std::size_t k = 0; k < bodies.size(); ++k) {
             members_[k].robot->sense(time_ns_, bodies[k]);
-        if (scenery_)
-            take_frames();
+            watch(members_[k], bodies[k]);
+        }
+        if (scenery_) take_frames();
     }
 }
 
-// Where everything is, for all frames that are taken at this step.
-void Simulation::take_frames()
-{
+void Simulation::watch(Member &member, const Body &body) {
+    const Contacts &contacts = member.robot->contacts();
+    if (!contacts.points().empty()) member.touched = true;
+    if (contacts.begun() && member.collisions.size() < most_collisions)
+        member.collisions.push_back({time_ns_, world_.name_of(*contacts.begun()->with),
+                                     contacts.begun()->where,
+                                     clearance(scene_, body.pose().position)});
+}
+
+// Takes all frames that are due at this step. They share one record of where everything is.
+void Simulation::take_frames() {
     std::shared_ptr<const Moment> moment;
     for (Member &member : members_) {
         for (Camera &camera : member.cameras) {
-            if (!camera.is_due(time_ns_))
-                continue;
+            if (!camera.is_due(time_ns_)) continue;
             if (!moment) {
                 std::vector<Pose> poses;
-                for (const Body &body : world_.robots())
-                    poses.push_back(body.pose());
+                for (const Body &body : world_.robots()) poses.push_back(body.pose());
                 moment = std::make_shared<const Moment>(
-                    Moment{ std::move(poses), world_.box_poses(), world_.ball_places() });
+                    Moment{std::move(poses), world_.box_poses(), world_.ball_places()});
             }
             camera.take(time_ns_, moment);
         }
     }
 }
 
-std::optional<std::size_t> Simulation::look_through(const std::string &name)
-{
+std::optional<std::size_t> Simulation::look_through(const std::string &name) {
     for (std::size_t i = 0; i < scene_.cameras.size(); ++i) {
         const CameraSettings &settings = scene_.cameras[i];
-        if (settings.name != name)
-            continue;
-        if (!scenery_)
-            scenery_ = std::make_unique<Scenery>(scene_, kind_.chassis());
-        // Each has noise of its own.
+        if (settings.name != name) continue;
+        if (!scenery_) scenery_ = std::make_unique<Scenery>(scene_, kind_.chassis());
+        // Each camera has its own noise.
         for (std::size_t k = 0; k < members_.size(); ++k) {
             const auto seed_of = [&](std::size_t camera) {
                 return Noise(Noise::seed_of_robot(seed_, k), Robot::camera_stream + camera).bits();
@@ -108,31 +110,25 @@ std::optional<std::size_t> Simulation::look_through(const std::string &name)
     return std::nullopt;
 }
 
-void Simulation::read(void *input, std::size_t robot)
-{
+void Simulation::read(void *input, std::size_t robot) {
     members_[robot].robot->read(time_ns_, input);
 }
 
-Pose Simulation::believed(std::size_t robot) const
-{
+Pose Simulation::believed(std::size_t robot) const {
     return from_frame(scene_.starts[robot].pose, members_[robot].robot->odometry().pose());
 }
 
-double Simulation::measure(Member &member, std::int64_t time_ns, const Pose &pose)
-{
-    if (member.wall_distance)
-        return member.wall_distance->observe(time_ns, pose);
-    if (member.tape_distance)
-        return member.tape_distance->observe(time_ns, pose);
+double Simulation::measure(Member &member, std::int64_t time_ns, const Pose &pose) {
+    if (member.wall_distance) return member.wall_distance->observe(time_ns, pose);
+    if (member.tape_distance) return member.tape_distance->observe(time_ns, pose);
     if (member.ball_distance)
         return member.ball_distance->observe(time_ns, pose, world_.ball_places());
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-void Simulation::command(std::int64_t time_ns, const void *output, std::size_t robot)
-{
+void Simulation::command(std::int64_t time_ns, const void *output, std::size_t robot) {
     Member &member = members_[robot];
-    member.robot->command(output);
+    member.robot->command(time_ns, output);
     const Pose pose = body(robot).pose();
     const double distance = measure(member, time_ns, pose);
     member.recorder.arrive(pose.position);
@@ -146,7 +142,7 @@ void Simulation::command(std::int64_t time_ns, const void *output, std::size_t r
     sample.time_ns = time_ns;
     sample.pose = pose;
     sample.believed = believed(robot);
-    sample.forward = dot({ static_cast<double>(velocity.x), static_cast<double>(velocity.y) },
+    sample.forward = dot({static_cast<double>(velocity.x), static_cast<double>(velocity.y)},
                          direction(pose.heading));
     sample.turn = static_cast<double>(rigid.GetAngularVelocity());
     sample.commanded_forward = member.robot->drive().commanded_forward();

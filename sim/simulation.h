@@ -1,8 +1,10 @@
-// A world and the robots in it, through time.
+// The simulation: a world, its robots, and the measurements of their runs.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "ball_distance.h"
 #include "camera.h"
@@ -12,54 +14,62 @@
 #include "wall_distance.h"
 #include "world.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// One of the robots, and what is known of its run.
+// The beginning of a robot's collision.
+struct Collision {
+    std::int64_t time_ns;
+    std::string with; // the object, for display
+    Vec where;        // in world coordinates
+    double clearance; // from the robot's centre to the nearest fixed object, at that time
+};
+
+// One robot, and the record of its run.
 struct Member {
     std::unique_ptr<Robot> robot;
     Recorder recorder;
-    std::optional<WallDistance> wall_distance; // as the world says what to measure
+    std::optional<WallDistance> wall_distance; // present if the world says to measure this
     std::optional<TapeDistance> tape_distance;
     std::optional<BallDistance> ball_distance;
-    std::vector<Camera> cameras; // those that are looked through
+    std::vector<Camera> cameras;       // the opened cameras
+    std::vector<Collision> collisions; // the first few
+    bool touched = false;              // whether the robot touched anything during the last call of
+                                       // `advance` that made a step
 };
 
-class Simulation
-{
+class Simulation {
   public:
-    // Throws WorldFileError if a robot starts inside something. Samples are
-    // for a picture; without one they need not be kept.
-    // The robot is the scene's, or the user's own, which must stay.
+    // Throws WorldFileError if a robot starts inside an object. `keeps_samples`: keep the samples
+    // that a picture needs. The robot is `own` if it is given, else the one that the scene names;
+    // `own` must outlive the simulation.
     Simulation(Scene scene, std::uint64_t seed, bool keeps_samples = true,
                const RobotKind *own = nullptr);
 
     Simulation(const Simulation &) = delete;
     Simulation &operator=(const Simulation &) = delete;
 
-    // Runs the physics up to this time since the start. The physics has steps
-    // of its own: it stops at the last one that does not go beyond.
+    // Runs the physics up to this time since the start. The physics has steps of its own: it stops
+    // at the last step that is not later than this time.
     void advance(std::int64_t time_ns);
 
-    // An instant of a robot's controller: the sensors, and then what it
-    // commands. The structs are those of the robot's header.
+    // One instant of a robot's controller: read the sensors, then command. The structs are those of
+    // the robot's header.
     void read(void *input, std::size_t robot = 0);
     void command(std::int64_t time_ns, const void *output, std::size_t robot = 0);
 
-    // Begins to look through the camera of this name, of all robots, before the physics runs.
-    // Its number; none if the world has no such camera.
+    // Opens the camera of this name on all robots; call it before the physics runs. Returns the
+    // camera's number, or no value if the world has no such camera.
     std::optional<std::size_t> look_through(const std::string &name);
 
-    // The newest frame that has arrived by now, once, of a robot's camera of this number; nullptr
-    // if there is none. Good until the next call for the same camera.
-    const frob_image *newest_frame(std::int64_t now_ns, std::size_t camera, std::size_t robot = 0)
-    {
+    // Returns the newest frame that has arrived from a robot's camera by now, or nullptr if none
+    // has arrived since the last call. Valid until the next call for the same camera.
+    const frob_image *newest_frame(std::int64_t now_ns, std::size_t camera, std::size_t robot = 0) {
         return members_[robot].cameras[camera].newest(now_ns);
     }
 
-    // What that frame really shows. It must have been given.
-    Truth frame_truth(std::size_t camera, std::size_t robot = 0)
-    {
+    // Ground truth of the frame that `newest_frame` returned last for this camera; there must be
+    // one.
+    Truth frame_truth(std::size_t camera, std::size_t robot = 0) {
         return members_[robot].cameras[camera].truth();
     }
 
@@ -73,41 +83,44 @@ class Simulation
     std::size_t robots() const { return members_.size(); }
     const Body &body(std::size_t robot = 0) const { return world_.robots()[robot]; }
     const Robot &robot(std::size_t robot = 0) const { return *members_[robot].robot; }
+    const std::vector<Collision> &collisions(std::size_t robot = 0) const {
+        return members_[robot].collisions;
+    }
+    // Whether the robot has touched an object since the previous instant.
+    bool touched(std::size_t robot = 0) const { return members_[robot].touched; }
     const Recorder &recorder(std::size_t robot = 0) const { return members_[robot].recorder; }
-    const std::optional<WallDistance> &wall_distance(std::size_t robot = 0) const
-    {
+    const std::optional<WallDistance> &wall_distance(std::size_t robot = 0) const {
         return members_[robot].wall_distance;
     }
-    const std::optional<TapeDistance> &tape_distance(std::size_t robot = 0) const
-    {
+    const std::optional<TapeDistance> &tape_distance(std::size_t robot = 0) const {
         return members_[robot].tape_distance;
     }
 
-    const std::optional<BallDistance> &ball_distance(std::size_t robot = 0) const
-    {
+    const std::optional<BallDistance> &ball_distance(std::size_t robot = 0) const {
         return members_[robot].ball_distance;
     }
 
-    // The last frame of the first camera that a robot's program was given; nullptr without one.
-    const frob_image *last_frame(std::size_t robot = 0) const
-    {
+    // The last frame that was delivered from the robot's first camera; nullptr if there is none.
+    const frob_image *last_frame(std::size_t robot = 0) const {
         const std::vector<Camera> &cameras = members_[robot].cameras;
         return cameras.empty() ? nullptr : cameras.front().last();
     }
 
-    // Where a robot believes to be, by odometry that began at its true start.
+    // The robot's estimate of its pose, by odometry that started at its true pose.
     Pose believed(std::size_t robot = 0) const;
 
   private:
     Scene scene_;
     const RobotKind &kind_;
     World world_;
-    // Of what the world says to measure; NaN if it says nothing.
+    // Updates the quantity that the world says to measure and returns its value; NaN if it says to
+    // measure nothing.
     double measure(Member &member, std::int64_t time_ns, const Pose &pose);
     void take_frames();
+    void watch(Member &member, const Body &body);
 
     std::uint64_t seed_;
-    std::unique_ptr<Scenery> scenery_; // if a camera is looked through
+    std::unique_ptr<Scenery> scenery_; // present if a camera has been opened
     std::vector<Member> members_;
     std::int64_t time_ns_ = 0;
 };

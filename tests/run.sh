@@ -1,16 +1,19 @@
 #!/bin/sh
-# Runs every test and counts: the last line is `N passed, M failed`.
+# Runs every test and counts the results: the last line is `N passed, M failed`.
 #
-# Alcotest suites and C programs say themselves how many checks passed; cram
-# files and golden files are one test each, and dune shows those that fail. What failed is
-# named once more at the end, where it is seen.
+# Alcotest suites and C programs print how many checks passed. Each cram file and golden file counts
+# as one test; dune shows those that fail. At the end the script names all failures again.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 
-dune build @install @runtest --force >"$log" 2>&1
+# Use one more job than processors, because real-time tests mostly wait.
+# If the caller ignores SIGPIPE, as some services do, `yes | head` would print an error in tests.
+env --default-signal=PIPE \
+    dune build -j $(($(nproc) + 1)) @install @runtest --force >"$log" 2>&1
 status=$?
+sh tests/formatters/format.sh --check >>"$log" 2>&1
 cat "$log"
 
 cram=$(find tests -name '*.t' | wc -l)
@@ -26,14 +29,22 @@ awk -v files=$((cram + golden)) -v status="$status" '
         passed += run - wrong
         failed += wrong
     }
-    # A golden or cram file that differs.
+    # A golden or cram file differs.
     /^File "[^"]*", line 1, characters 0-0:$/ {
         if (!($2 in differs)) { differs[$2] = 1; broken++; bad[++bads] = $2 " differs" }
     }
     END {
         passed += files - broken
         failed += broken
-        if (status != 0 && failed == 0) failed = 1
+        # dune ends with 1 if a test fails. With any other status it did not run all of them.
+        if (status > 1) {
+            failed++
+            bad[++bads] = "dune ended with status " status ", so some tests did not run"
+        }
+        if (status != 0 && failed == 0) {
+            failed = 1
+            bad[++bads] = "dune exited with " status " and named no test"
+        }
         for (i = 1; i <= bads && failed > 0; i++)
             if (!(bad[i] in told)) { told[bad[i]] = 1; print "failed: " bad[i] }
         printf "%d passed, %d failed\n", passed, failed

@@ -15,7 +15,7 @@ let keywords =
 
 let is_keyword = String_table.mem keywords
 
-(* Keywords of later C++ too. *)
+(* Includes keywords of later C++ standards. *)
 let taken =
   words
     "char8_t co_await co_return co_yield concept consteval constinit import module override \

@@ -1,21 +1,21 @@
-(** Names that C and C++ have already, or that their headers may give to macros, types and
-    functions. *)
+(** Names that C and C++ reserve, or that their headers may define as macros, types and functions.
+*)
 
 val is_keyword : string -> bool
-(** Of C99 or C++17: generated C is both. *)
+(** A keyword of C99 or C++17, because generated C must compile as both. *)
 
 val is_taken : string -> bool
-(** Keywords, and what compilers and the headers [<math.h>], [<stdint.h>] and [<stdbool.h>] may
-    define as a macro or a type; nothing can be called so. *)
+(** A keyword, or a name that a compiler or the headers [<math.h>], [<stdint.h>] and [<stdbool.h>]
+    may define as a macro or a type. Generated code cannot use such a name for anything. *)
 
 val is_macro_like : string -> bool
-(** [FP_NAN], [M_PI], [INT32_MAX]… *)
+(** For example [FP_NAN], [M_PI] or [INT32_MAX]. *)
 
 val is_function : string -> bool
-(** Declared by those headers, or the runtime's; a member of a struct may be called so. *)
+(** A function declared in those headers or in the runtime. A struct member may have such a name. *)
 
 val is_pure : string -> bool
-(** A function of [<math.h>] whose result rests on its arguments alone: a program may import it
-    without a file that has it. *)
+(** A function of [<math.h>] whose result depends only on its arguments. A program may import it
+    without providing a source file. *)
 
 val pure : string list

@@ -20,7 +20,7 @@ let rec once = function
 
 let longest_shown = 12
 
-(* Of [a; b; a; b] the first two. *)
+(* The shortest period of the list: [a; b] for [a; b; a; b]. *)
 let period names =
   let names = Array.of_list names in
   let n = Array.length names in

@@ -1,14 +1,14 @@
-(** Several things in a sentence. *)
+(** Formats lists as part of a sentence. *)
 
 val all : string list -> string
-(** [a], [a and b], [a, b and c]. *)
+(** [a], [a and b], or [a, b and c]. *)
 
 val one_of : string list -> string
-(** [a], [a or b], [a, b or c]. *)
+(** [a], [a or b], or [a, b or c]. *)
 
 val some : string list -> more:int -> string
-(** [a, b and 2 more]; without more as {!all}. *)
+(** [a, b and 2 more]; like {!all} if [more] is 0. *)
 
 val circle : string list -> string
-(** [`a → b → a`] of [a; b]; of a circle too long to read, the beginning and the end. What comes
-    again is shown once. *)
+(** [`a → b → a`] for [a; b]. Only the beginning and the end of a very long cycle are shown.
+    Repetitions are shown once. *)

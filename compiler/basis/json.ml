@@ -37,6 +37,8 @@ let rec add buffer = function
   | Null -> Buffer.add_string buffer "null"
   | Bool b -> Buffer.add_string buffer (string_of_bool b)
   | Int n -> Buffer.add_string buffer (string_of_int n)
+  (* JSON cannot represent NaN or infinity. *)
+  | Float x when not (Float.is_finite x) -> Buffer.add_string buffer "null"
   | Float x ->
       let short = Printf.sprintf "%.15g" x in
       let exact = if float_of_string short = x then short else Printf.sprintf "%.17g" x in

@@ -1,11 +1,11 @@
-(** JSON as we write it: one line, the members of objects in the given order. *)
+(** Writes JSON on one line, with object members in the given order. *)
 
 type t =
   | Null
   | Bool of bool
   | Int of int
-  | Float of float  (** finite *)
-  | String of string  (** bytes that are no UTF-8 become [U+FFFD] *)
+  | Float of float  (** [null] if it is not finite *)
+  | String of string  (** invalid UTF-8 becomes [U+FFFD] *)
   | List of t list
   | Object of (string * t) list
 

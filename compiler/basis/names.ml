@@ -1,4 +1,4 @@
-(* For each name given out, the number to try next when it is wanted again. *)
+(* For each name handed out, the suffix to try when it is requested again. *)
 type t = int String_table.t
 
 let create () = String_table.create 64

@@ -1,4 +1,5 @@
-(** Names that must differ: the first user of a name has it as it is, later ones get [_2], [_3]… *)
+(** Generates unique names: the first request for a name gets it unchanged, later ones get the
+    suffix [_2], [_3]… *)
 
 type t
 

@@ -1,12 +1,13 @@
-(** Passes over a program, as rows of a table. *)
+(** Passes over a program, for tables of passes. *)
 
 type 'program t = {
   name : string;
   program : 'program -> 'program;
-  reason : string;  (** of its place among the others *)
+  reason : string;  (** why the pass is at this place in the table *)
 }
 
 val make : string -> ('program -> 'program) -> string -> 'program t
 
 val run : ('program t -> 'program -> unit) -> 'program -> 'program t -> 'program
-(** The program that the pass makes of this one, after which the function is called. *)
+(** Applies the pass and calls the function with the pass and the resulting program, which it also
+    returns. *)

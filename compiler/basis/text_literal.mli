@@ -1,4 +1,4 @@
-(** Texts as the language writes them. *)
+(** String literals in Frob syntax. *)
 
 val written : string -> string
-(** In quotes, with a backslash before what needs one. *)
+(** The text in quotes, with a backslash before each character that requires one. *)

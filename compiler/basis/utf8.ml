@@ -19,7 +19,7 @@ let eight_high_bits = 0x8080_8080_8080_8080L
 
 let first_error text =
   let n = String.length text in
-  (* Programs are nearly all ASCII, which eight bytes at a time are looked through. *)
+  (* Programs are almost entirely ASCII, so this checks eight bytes at a time. *)
   let rec go i =
     if i + 8 <= n && Int64.equal (Int64.logand (String.get_int64_ne text i) eight_high_bits) 0L then
       go (i + 8)

@@ -8,10 +8,10 @@ type t = {
   foreign : foreign;
 }
 
-and foreign = { calls : string list; folders : string list }
+and foreign = { calls : string list; headers : Flow.Ir.header list }
 
-let program ?own ?batch (program : Step.Ir.program) =
-  let files = Of_step.program ?own ?batch program in
+let program ?own ?units ?named ?batch ?banner (program : Step.Ir.program) =
+  let files = Of_step.program ?own ?units ?named ?batch ?banner program in
   {
     header = Print.file files.header;
     source = Print.file files.source;
@@ -29,9 +29,7 @@ let program ?own ?batch (program : Step.Ir.program) =
             (fun (node : Step.Ir.node) ->
               Option.map (fun (f : Flow.Ir.foreign) -> f.import.symbol) node.foreign)
             (Array.to_list program.nodes);
-        folders =
-          List.sort_uniq String.compare
-            (List.map (fun (h : Flow.Ir.header) -> h.folder) program.headers);
+        headers = List.sort_uniq compare program.headers;
       };
   }
 

@@ -4,25 +4,34 @@ type t = {
   header : string;  (** NAME.h *)
   source : string;  (** NAME.c *)
   host_table : string option;
-      (** NAME_host.c, for hosts only; none of a program with a foreign type in its input or output,
-          which no host knows *)
-  robot : string option;  (** the name of the robot that it is a program for *)
+      (** NAME_host.c, which only hosts need; [None] for a program with a foreign type in its input
+          or output, which hosts do not know *)
+  robot : string option;  (** the name of the program's robot, if it has one *)
   robot_header : (string * string) option;
-      (** name and text of the header of a user's own robot, which [header] includes; made from the
-          robot's module ({!Interface_header}) and so not here *)
-  cameras : string list;  (** the labels of those through which it looks *)
+      (** name and text of the header of a robot of the user's own, which [header] includes. It is
+          generated from the robot's module ({!Interface_header}), not here *)
+  cameras : string list;  (** labels of the cameras that the program uses *)
   foreign : foreign;
 }
 
 and foreign = {
-  calls : string list;  (** what the program calls, as in [foreign] declarations *)
-  folders : string list;  (** where the headers are that it includes *)
+  calls : string list;  (** the C functions named by [foreign] declarations *)
+  headers : Flow.Ir.header list;  (** the headers named by [foreign include] declarations *)
 }
-(** What the user's C adds to a build. *)
+(** The user's C code that a build needs. *)
 
-val program : ?own:Robot.t -> ?batch:bool -> Step.Ir.program -> t
-(** [own]: the user's own robot, if the program is for one; [batch]: with the function that takes
-    many steps ({!Batch}). *)
+val program :
+  ?own:Robot.t ->
+  ?units:Units.t ->
+  ?named:Named_constants.t ->
+  ?batch:bool ->
+  ?banner:string list ->
+  Step.Ir.program ->
+  t
+(** [own]: the robot of the user's own, if the program is for one. [units]: for the comments of
+    members; {!Units.none} by default. [named]: the constants that keep their names;
+    {!Named_constants.none} by default. [batch]: adds the function that takes many steps ({!Batch}).
+    [banner]: lines for the comment at the top of the header and the source. *)
 
 val print : Format.formatter -> t -> unit
-(** The header, then the source. *)
+(** Prints the header, then the source. *)

@@ -1,11 +1,11 @@
 let included =
   "#include <frob/step.h> /* in share/frobc/include; `--standalone` puts it in here */\n"
 
-(* {1 C in pieces} *)
+(* {1 Pieces of C} *)
 
 let is_word = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' -> true | _ -> false
 
-(* The text with [word] of each identifier and [comment] of each comment. *)
+(* Rewrites a text: applies [word] to each identifier and [comment] to each comment. *)
 let rewritten ~word ~comment text =
   let out = Buffer.create (String.length text) and n = String.length text in
   let rec word_end k = if k < n && is_word text.[k] then word_end (k + 1) else k in
@@ -39,13 +39,14 @@ let identifiers text =
 
 type piece = {
   text : string;
-  code : string;  (** without comments *)
+  code : string;  (** the text without comments *)
   defines : string option;
   is_function : bool;
 }
 
-(* What it defines: a macro, or the first name of ours in a condition; else what stands
-   before the value, the parameters or the members. *)
+(* A piece with the name that it defines: a macro, or the first name that starts with FROB_ in a
+   condition; for other definitions, the last name before the value, the parameters or the
+   members. *)
 let piece text =
   let code = code text in
   let before c = Option.value (String.index_opt code c) ~default:(String.length code) in
@@ -63,7 +64,7 @@ let piece text =
   in
   { text; code; defines; is_function = (not is_directive) && before '(' < value }
 
-(* Definitions stand between blank lines; within their braces there may be more of these. *)
+(* Splits a text at blank lines outside of braces. *)
 let pieces text =
   let depth text =
     let count sum = function '{' -> sum + 1 | '}' -> sum - 1 | _ -> sum in
@@ -80,12 +81,12 @@ let has_word word piece = List.mem word (identifiers piece.code)
 let step = lazy (List.partition (has_word "error") (pieces Step_header.text))
 let names () = List.filter_map (fun piece -> piece.defines) (snd (Lazy.force step))
 
-(* {1 Into one file} *)
+(* {1 Standalone files} *)
 
 let included_file line =
   match String.split_on_char '"' line with [ "#include "; file; "" ] -> Some file | _ -> None
 
-(* Of one precision, each file after what it includes. *)
+(* The pieces of the files for one precision. Each file comes after those it includes. *)
 let elementary_pieces ~(real : Basis.Real.t) files =
   let is_single (file, _) = String.starts_with ~prefix:"single" file in
   let files = List.filter (fun f -> is_single f = (real = Single)) (List.sort compare files) in
@@ -100,7 +101,8 @@ let elementary_pieces ~(real : Basis.Real.t) files =
   let all = List.rev (List.fold_left visit [] (List.map fst sources)) in
   List.filter (fun p -> not (has_word "include" p || has_word "ifndef" p)) (List.concat_map snd all)
 
-(* Functions static, and all with names that no program has. *)
+(* Makes functions static, and adds a prefix to all names so that they do not clash with the
+   program's. *)
 let own pieces =
   let defined = List.filter_map (fun p -> p.defines) pieces in
   let rename name =
@@ -123,7 +125,7 @@ let own pieces =
   in
   List.map renamed pieces
 
-(* The pieces that a text needs, and what these need. *)
+(* The pieces that a text needs, directly or through other pieces. *)
 let needed pieces text =
   let wanted = Hashtbl.create 64 and taken = Hashtbl.create 16 in
   let want text = List.iter (fun name -> Hashtbl.replace wanted name ()) (identifiers text) in
@@ -142,7 +144,7 @@ let needed pieces text =
 
 let prototype p = String.trim (List.hd (String.split_on_char '{' p.code)) ^ ";\n"
 
-(* Of the source, what stands before its include and after it. *)
+(* The parts of the source before and after its include directive. *)
 let around_include source =
   let n = String.length included in
   let rec from k =

@@ -1,13 +1,14 @@
-(** The C that generated code calls: [runtime/include/frob/step.h], whose text comes along in the
-    compiler, and the elementary functions of the runtime. *)
+(** The C functions that generated code calls: [runtime/include/frob/step.h], whose text is embedded
+    in the compiler, and the elementary functions of the runtime. *)
 
 val included : string
 (** The line that includes [step.h]. *)
 
 val names : unit -> string list
-(** Those that [step.h] defines. *)
+(** The names that [step.h] defines. *)
 
 val standalone : real:Basis.Real.t -> elementary:(string * string) list -> string -> string
-(** The text of a source, with what it calls, and what that calls in turn, in place of the line
-    {!included} and at its end; so it needs only C's own headers. [elementary]: names and texts of
-    the files of [runtime/elementary]. All that comes in is static, its names begin with [frob_]. *)
+(** Makes a source independent of all files except C's own headers: replaces the line {!included} by
+    the definitions that the source needs, directly or indirectly, and appends elementary functions
+    at the end. [elementary]: names and texts of the files in [runtime/elementary]. All added
+    functions are static, and their names start with [frob_]. *)

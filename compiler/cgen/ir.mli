@@ -1,8 +1,7 @@
-(** C: the part of C99 that we emit, which is also C++17.
+(** C: the subset of C99 that the compiler generates, which is also valid C++17.
 
-    Always true: names are C identifiers, different from each other where C asks for it; expressions
-    have no side effects except through [Call]; every conversion that loses something is an explicit
-    [Cast]. *)
+    Invariants: names are C identifiers, and unique where C requires it; expressions have no side
+    effects except through [Call]; every lossy conversion is an explicit [Cast]. *)
 
 type ty =
   | Void
@@ -12,14 +11,14 @@ type ty =
   | Int64
   | Real of Basis.Real.t
   | Struct of string
-  | Named of string  (** as the user's C calls it: [struct frame], or a [typedef] *)
-  | Members of member list  (** a struct without a name, inside another *)
-  | Union of member list  (** likewise *)
-  | Array of ty * int  (** only of a member *)
+  | Named of string  (** a type named in the user's C: [struct frame], or a [typedef] *)
+  | Members of member list  (** an anonymous struct inside another one *)
+  | Union of member list  (** an anonymous union *)
+  | Array of ty * int  (** only for members *)
   | Pointer of ty
   | Pointer_to_const of ty
 
-and member = { name : string; ty : ty; comment : string  (** or [""] *) }
+and member = { name : string; ty : ty; comment : string  (** [""] if none *) }
 
 type unary = Negate | Not | Address | Dereference
 
@@ -53,26 +52,30 @@ type expr =
   | Aggregate of expr list  (** [{a, b}], only as an initial value *)
   | Cast of ty * expr
 
-type statement = { desc : statement_desc; comment : string  (** or [""] *) }
+type statement = { desc : statement_desc; comment : string  (** [""] if none *) }
 
 and statement_desc =
   | Constant of { ty : ty; name : string; value : expr }
-  | Table of { ty : ty; name : string; value : expr }  (** made of literals, once for all *)
-  | Variables of { ty : ty; names : string list }  (** without values yet *)
+  | Table of { ty : ty; name : string; value : expr }
+      (** a static constant that consists of literals *)
+  | Variables of { ty : ty; names : string list }  (** variables without initial values *)
   | Variable of { ty : ty; name : string; value : expr }
-  | Initialize of { ty : ty; name : string; values : expr list }  (** a struct, member by member *)
+  | Initialize of { ty : ty; name : string; values : expr list }
+      (** a struct with values for all its members *)
   | Assign of expr * expr
   | Add_to of expr * expr  (** [a += b] *)
   | Do of expr
   | If of { condition : expr; then_ : statement list; else_ : statement list }
   | Switch of { value : expr; cases : (string * statement list) list }
-      (** by constants, each once; the last one is the default *)
-  | For of { index : string; count : int; body : statement list }  (** an Int32, from 0 *)
+      (** each constant occurs once; the last case is the default *)
+  | For of { index : string; count : int; body : statement list }
+      (** the index is an Int32 that starts at 0 *)
   | Repeat of { rounds : string; most : int; body : statement list }
-      (** at least once, again at its end or a [Continue], but not more than so often: [rounds] is
-          an Int32, declared before as 0 *)
-  | Continue  (** of the [For] or [Repeat] around it: the next round, if there is one *)
-  | Break  (** out of the [For] or [Repeat] around it; not in a [Switch] *)
+      (** a [do] loop: runs the body once, and again after its end or a [Continue], at most [most]
+          times in total. [rounds] is an Int32 variable, declared before as 0 *)
+  | Continue
+      (** continues the enclosing [For] or [Repeat] with the next iteration, if there is one *)
+  | Break  (** leaves the enclosing [For] or [Repeat]; not allowed in a [Switch] *)
   | Return of expr
 
 type linkage = External | Static | Static_inline
@@ -83,21 +86,21 @@ type function_ = {
   name : string;
   parameters : (ty * string) list;
   body : statement list;
-  comment : string;  (** or [""] *)
+  comment : string;  (** [""] if none *)
 }
 
 type declaration =
   | Struct_definition of {
       name : string;
       overlaid : bool;
-          (** its memory may have been that of another struct: compilers must not take accesses to
-              the two for independent *)
+          (** its memory may overlap with another struct, so compilers must not assume that accesses
+              to the two are independent *)
       members : member list;
       comment : string;
     }
-  | Constants of { names : string list; comment : string }  (** an enumeration, from 0 *)
-  | Prototype of function_  (** without its body *)
+  | Constants of { names : string list; comment : string }  (** an enumeration that starts at 0 *)
+  | Prototype of function_  (** the function without its body *)
   | Function of function_
-  | Text of string  (** lines of C of our own: directives, comments *)
+  | Text of string  (** lines of C text: directives, comments *)
 
 type file = declaration list

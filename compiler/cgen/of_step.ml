@@ -19,8 +19,9 @@ let state_comment (v : V.t) (field : M.field) =
     | State_of k | States_of { node = k; _ } -> v.program.nodes.(k).origin
   in
   let line = string_of_int (Basis.Span.line field.span.start) in
-  let file = Basis.Printable.name (Filename.basename field.span.file) in
-  String.concat "" [ what; " at "; file; ":"; line ]
+  let file = Basis.C_string.comment (Filename.basename field.span.file) in
+  let unit_ = match v.units.field field with "" -> "" | unit_ -> unit_ ^ ", " in
+  String.concat "" [ unit_; what; " at "; file; ":"; line ]
 
 let rec last = function [] -> "" | [ name ] -> name | _ :: rest -> last rest
 
@@ -52,10 +53,9 @@ let mode_numbers (v : V.t) k (node : M.node) =
       let names = List.map (fun (m : V.mode) -> m.constant) (Array.to_list v.nodes.(k).modes) in
       [ Ir.Constants { names; comment = "the modes of " ^ node.origin } ]
 
-(* Modes that exclude each other share memory in a union, and each is stepped
-   through a pointer to its own struct. gcc takes accesses through pointers to
-   different structs for independent, and then reads what the mode before left
-   (seen with gcc 12 -O2), unless the structs say otherwise. *)
+(* Modes that exclude each other share memory in a union, and the step of each receives a pointer to
+   its own struct. gcc assumes that pointers to different structs do not alias, and then reads
+   values that the previous mode left (seen with gcc 12 -O2), unless the structs are marked. *)
 let overlaid =
   {|/* Modes that exclude each other share memory. */
 #ifndef FROB_OVERLAID
@@ -85,8 +85,8 @@ let states (v : V.t) =
   in
   List.concat (List.mapi struct_of (Array.to_list v.program.nodes))
 
-(* A robot's own are in its header. *)
-let types (v : V.t) =
+(* Types of a robot are in the robot's header. *)
+let definitions (v : V.t) =
   let ours : Value_types.owner -> bool = function
     | Program | Foreign_code -> true
     | Robot -> false
@@ -104,7 +104,7 @@ let foreign_headers (v : V.t) =
   List.sort_uniq String.compare
     (List.map (fun (h : Flow.Ir.header) -> Printf.sprintf "\"%s\"" h.header) v.program.headers)
 
-(* Structs of which only addresses are passed need not be known. *)
+(* Structs that are only passed by address may be incomplete types. *)
 let foreign_structs (v : V.t) =
   let imported (f : Flow.Ir.import) = f.result :: f.arguments in
   let shapes = v.program.input :: v.program.output :: List.concat_map imported v.program.imports in
@@ -117,8 +117,8 @@ let foreign_structs (v : V.t) =
   | [] -> []
   | all -> [ Ir.Text (String.concat "" all) ]
 
-(* A program is a component too: its header stands for what a program that imports it
-   would define. *)
+(* A program may also be used as a component of another program. Its header then replaces the
+   definitions that the importing program would generate. *)
 let own_records (v : V.t) =
   let mark (d : Ir.declaration) =
     match d with
@@ -137,7 +137,8 @@ let foreign_records (v : V.t) =
       match d with Struct_definition { name; _ } -> Value_types.once name [ d ] | d -> [ d ])
     v.foreign_records
 
-(* What C's own headers declare, in C++ with promises that we cannot repeat. *)
+(* Functions of C's own headers are not declared again, because C++ headers declare them with
+   exception specifications that would not match. *)
 let declared_by_math =
   String.split_on_char ' '
     "acos asin atan atan2 cos sin tan acosh asinh atanh cosh sinh tanh exp exp2 expm1 log log10 \
@@ -152,7 +153,7 @@ let foreign_prototypes (v : V.t) =
   | [] -> []
   | all -> Ir.Text "/* What is imported. */\n" :: List.map (fun p -> Ir.Prototype p) all
 
-(* Stand for foreign values that are not there. *)
+(* Variables whose addresses are placeholders for missing foreign values. *)
 let absent (v : V.t) =
   let add (f : Flow.Ir.foreign_type) name all = (name, f.c_type) :: all in
   let variables = Hashtbl.fold add v.absent [] in
@@ -160,12 +161,62 @@ let absent (v : V.t) =
     (fun (name, c_type) -> Ir.Text (Printf.sprintf "static %s %s;\n" c_type name))
     (List.sort compare variables)
 
+(* In the order of the source. *)
+let constants (v : V.t) =
+  let order ((a : Named_constants.constant), _) ((b : Named_constants.constant), _) =
+    Basis.Span.compare a.place b.place
+  in
+  let definition (constant, (name, x)) =
+    Named_constants.definition ~program:v.program.name v.program.real constant ~name x
+  in
+  match List.sort order (List.of_seq (Hashtbl.to_seq v.constants)) with
+  | [] -> []
+  | all -> [ Ir.Text (String.concat "" (List.map definition all)) ]
+
 let params (v : V.t) text =
   List.map (fun params -> Ir.Text (text params v.program)) (Option.to_list v.params)
 
 let includes headers = String.concat "" (List.map (Printf.sprintf "#include %s\n") headers)
 
-let header (v : V.t) (functions : Ir.function_ list) ~(batch : Batch.t option) : Ir.file =
+(* The type declarations of the header, and the types that only the functions use. *)
+type types = {
+  types : Ir.declaration list;
+  records : Ir.declaration list;
+  prototypes : Ir.declaration list;
+  states : Ir.declaration list;
+  of_source : Ir.declaration list;
+}
+
+let types_of (v : V.t) (functions : Ir.function_ list) =
+  let records = foreign_records v @ own_records v in
+  let prototypes = foreign_prototypes v in
+  let states = states v in
+  let interface = List.concat [ records; prototypes; states ] in
+  let from = Mentioned.structs interface in
+  let in_header, others = Value_types.reached (definitions v) ~from in
+  let from = Mentioned.structs (List.map (fun f -> Ir.Function f) functions) in
+  let in_source, _ = Value_types.reached others ~from in
+  let types = Value_types.declarations in_header in
+  { types; records; prototypes; states; of_source = Value_types.declarations in_source }
+
+(* The names of files may contain what begins or ends a comment. *)
+let without_marks text =
+  let after c = function
+    | '/' when c = '*' -> " /"
+    | '*' when c = '/' -> " *"
+    | d -> String.make 1 d
+  in
+  let text' = " " ^ text in
+  String.concat "" (List.init (String.length text) (fun i -> after text'.[i] text.[i]))
+
+(* The following lines of a comment that is open. *)
+let comment_lines = function
+  | [] -> ""
+  | lines ->
+      "\n *" ^ String.concat "" (List.map (fun line -> "\n * " ^ without_marks line) lines) ^ "\n"
+
+let header (v : V.t) { types; records; prototypes; states; of_source = _ }
+    (functions : Ir.function_ list) ~banner ~(batch : Batch.t option) : Ir.file =
   let guard = String.uppercase_ascii v.name ^ "_H" in
   let exact =
     match v.program.real with
@@ -179,27 +230,26 @@ let header (v : V.t) (functions : Ir.function_ list) ~(batch : Batch.t option) :
         Ir.Text
           (Printf.sprintf
              "/* %s.h -- generated by frobc. The caller owns the state and calls %s_reset\n\
-             \ * once, then %s_step at each instant with the seconds since the last%s. */\n\
+             \ * once, then %s_step at each instant with the seconds since the last%s.%s */\n\
               #ifndef %s\n\
               #define %s\n"
-             v.program.name v.name v.name exact guard guard);
+             v.program.name v.name v.name exact (comment_lines banner) guard guard);
         Text (includes (robots @ [ "<stdbool.h>"; "<stdint.h>" ] @ foreign_headers v));
         Text "#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
       ];
       foreign_structs v;
-      types v;
-      foreign_records v;
-      own_records v;
+      types;
+      records;
       (if V.has_modes v then [ Text overlaid ] else []);
-      foreign_prototypes v;
+      prototypes;
       params v Param_struct.definition;
-      states v;
+      states;
       List.map (fun (f : Ir.function_) -> Ir.Prototype { f with comment = "" }) functions;
       List.map (fun (b : Batch.t) -> Ir.Text b.prototype) (Option.to_list batch);
       [ Text "#ifdef __cplusplus\n}\n#endif\n#endif\n" ];
     ]
 
-(* A definition is named above the first of its functions. *)
+(* The comment with the definition's name appears only above its first function. *)
 let named_once functions =
   let name last (f : Ir.function_) =
     if String.equal f.comment last then (last, { f with comment = "" })
@@ -207,11 +257,11 @@ let named_once functions =
   in
   snd (List.fold_left_map name "" functions)
 
-let program ?own ?(batch = false) (program : M.program) =
-  let v = V.of_program ?own program in
+let program ?own ?units ?named ?(batch = false) ?(banner = []) (program : M.program) =
+  let v = V.of_program ?own ?units ?named program in
   let batch = if batch then Some (Batch.of_program v) else None in
   let root = Array.length program.nodes - 1 in
-  (* A function, after the helpers that it is the first to call. *)
+  (* A function, preceded by the helpers that it is the first to call. *)
   let made make =
     let functions = make () in
     V.take_pending v @ functions
@@ -226,6 +276,7 @@ let program ?own ?(batch = false) (program : M.program) =
   in
   let functions = List.concat (List.init (root + 1) of_node) in
   let interface = List.filter (fun (f : Ir.function_) -> f.linkage = External) functions in
+  let types = types_of v functions in
   let source =
     List.concat
       [
@@ -233,12 +284,14 @@ let program ?own ?(batch = false) (program : M.program) =
           Ir.Text
             (String.concat ""
                [
-                 Printf.sprintf "/* %s.c -- generated by frobc. */\n#include \"%s.h\"\n"
-                   program.name program.name;
+                 Printf.sprintf "/* %s.c -- generated by frobc.%s */\n#include \"%s.h\"\n"
+                   program.name (comment_lines banner) program.name;
                  (match program.real with Double -> "" | Single -> "#define FROB_SINGLE\n");
                  Helpers.included;
                ]);
         ];
+        types.of_source;
+        constants v;
         absent v;
         params v Param_struct.values;
         List.map (fun f -> Ir.Function f) functions;
@@ -247,7 +300,7 @@ let program ?own ?(batch = false) (program : M.program) =
   in
   {
     name = v.name;
-    header = header v interface ~batch;
+    header = header v types interface ~banner ~batch;
     source;
     input = v.input;
     output = v.output;

@@ -1,8 +1,8 @@
-(** From state, reset and step to C: names, structs, and the order of the two files. The root's
-    functions are the program's; every other node has its own, static ones. *)
+(** Translates Step to C: chooses names and structs, and arranges both files. The root's functions
+    are the program's; all other nodes have static functions. *)
 
 type t = {
-  name : string;  (** as C has it *)
+  name : string;  (** name in C *)
   header : Ir.file;
   source : Ir.file;
   input : Interface.t;
@@ -12,5 +12,14 @@ type t = {
   machines : Machine_table.t list;
 }
 
-val program : ?own:Robot.t -> ?batch:bool -> Step.Ir.program -> t
-(** [batch]: with {!Batch} too; without unless said. *)
+val program :
+  ?own:Robot.t ->
+  ?units:Units.t ->
+  ?named:Named_constants.t ->
+  ?batch:bool ->
+  ?banner:string list ->
+  Step.Ir.program ->
+  t
+(** [units]: for the comments of members; {!Units.none} by default. [named]: the constants that keep
+    their names; {!Named_constants.none} by default. [batch]: also generates {!Batch}; false by
+    default. [banner]: lines for the comment at the top of both files. *)

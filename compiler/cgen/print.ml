@@ -1,6 +1,6 @@
 open Ir
 
-(* One table of precedence, as in the C standard, 6.5: higher binds tighter. *)
+(* Operator precedence as in the C standard, 6.5. Higher numbers bind tighter. *)
 let postfix = 15
 let prefix = 14
 let conditional = 3
@@ -27,16 +27,15 @@ let symbol = function
   | And -> "&&"
   | Or -> "||"
 
-(* Operands that need no parentheses on the left and on the right. Where C
-   would parse [a < b == c] or [a && b || c] readers and -Wparentheses do not
-   want to. *)
+(* The levels of operands that need no parentheses, on the left and on the right. C would accept [a
+   < b == c] and [a && b || c], but these confuse readers and cause warnings with -Wparentheses. *)
 let operand_levels operator =
   match operator with
   | Times | Over | Remainder | Plus | Minus -> (level operator, level operator + 1)
   | Less | Less_equal | Greater | Equal | Not_equal -> (11, 11)
   | And | Or -> (level operator, level operator)
 
-(* [1e+09] as [1e9] *)
+(* Writes [1e+09] as [1e9]. *)
 let tidy_exponent text =
   match String.index_opt text 'e' with
   | None -> text
@@ -86,13 +85,13 @@ let rec declarator ty name =
   | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Members _ | Union _ ->
       ty_name ty ^ " " ^ name
 
-(* [const T x], [T *const x] *)
+(* [const T x], or [T *const x] for pointers. *)
 let constant ty name =
   match ty with
   | Pointer _ | Pointer_to_const _ -> ty_name ty ^ "const " ^ name
   | _ -> "const " ^ declarator ty name
 
-(* Several variables of one type: each pointer has its star. *)
+(* Declares several variables of one type. Each pointer needs its own star. *)
 let variables ty names =
   let separator = match ty with Pointer _ | Pointer_to_const _ -> ",\001*" | _ -> ",\001" in
   declarator ty (String.concat separator names)
@@ -106,9 +105,11 @@ let precedence = function
   | Binary (operator, _, _) -> level operator
   | Conditional _ -> conditional
 
-(* A character below this one stands for a space where a long line may be
-   broken: the smaller, the nearer to the root of the expression. *)
-let deepest = 8
+(* A control character represents a space at which a long line may be broken. The smaller the
+   character, the closer it is to the root of the expression. The smallest one follows the [=] of an
+   assignment. *)
+let deepest = 31
+let after_equals = "\000"
 let is_soft c = Char.code c <= deepest
 let soft b ~depth = Buffer.add_char b (Char.chr (min depth deepest))
 
@@ -128,7 +129,7 @@ and bare b ~depth e =
   | Float (real, x) -> add (float_literal real x)
   | Unary (operator, e) ->
       add (match operator with Negate -> "-" | Not -> "!" | Address -> "&" | Dereference -> "*");
-      (* Never two minus signs together. *)
+      (* Avoids two adjacent minus signs. *)
       let at =
         match (operator, e) with
         | Negate, (Unary (Negate, _) | Float _ | Integer _) -> postfix
@@ -149,6 +150,7 @@ and bare b ~depth e =
       add (symbol operator);
       add " ";
       logical b ~depth:(depth + 1) operator ~at:at_right right
+  | Conditional (_, _, Conditional _) -> choices b ~depth e
   | Conditional (c, x, y) ->
       expr b ~depth:(depth + 1) ~at:(conditional + 1) c;
       soft b ~depth;
@@ -156,7 +158,7 @@ and bare b ~depth e =
       expr b ~depth:(depth + 1) ~at:(conditional + 1) x;
       soft b ~depth;
       add ": ";
-      expr b ~depth ~at:conditional y
+      expr b ~depth:(depth + 1) ~at:conditional y
   | Call (name, arguments) ->
       add name;
       add "(";
@@ -180,6 +182,19 @@ and bare b ~depth e =
       add "->";
       add name
 
+(* A chain of conditional expressions has one line for each condition and value. *)
+and choices b ~depth e =
+  match e with
+  | Conditional (c, x, y) ->
+      expr b ~depth:(depth + 2) ~at:(conditional + 1) c;
+      soft b ~depth:(depth + 1);
+      Buffer.add_string b "? ";
+      expr b ~depth:(depth + 2) ~at:(conditional + 1) x;
+      soft b ~depth;
+      Buffer.add_string b ": ";
+      choices b ~depth y
+  | e -> expr b ~depth:(depth + 1) ~at:conditional e
+
 and separated b ~depth values =
   List.iteri
     (fun k e ->
@@ -189,15 +204,15 @@ and separated b ~depth values =
       expr b ~depth:(depth + 1) ~at:0 e)
     values
 
-(* [a && b] inside [||] in parentheses, as compilers advise. *)
+(* Adds parentheses around [a && b] inside [||], as compilers recommend. *)
 and logical b ~depth operator ~at e =
   match (operator, e) with
   | Or, Binary (And, _, _) -> expr b ~depth ~at:postfix e
   | _, _ -> expr b ~depth ~at e
 
-let with_breaks e =
+let with_breaks ?(depth = 1) e =
   let b = Buffer.create 64 in
-  expr b ~depth:1 ~at:0 e;
+  expr b ~depth ~at:0 e;
   Buffer.contents b
 
 let add_flat out text =
@@ -208,33 +223,61 @@ let add_flat out text =
 let width = 96
 let comment_column = 60
 
-(* The text in pieces, cut at its soft spaces nearest to the root. *)
-let pieces text =
-  let outermost =
-    String.fold_left (fun least c -> if is_soft c then min least c else least) '\255' text
-  in
-  String.split_on_char outermost text
+let outermost text =
+  String.fold_left (fun least c -> if is_soft c then min least c else least) '\255' text
 
-(* Writes a text that is too long for one line, and returns the column where
-   it ends: fills lines with pieces, and cuts those that fill more than one. *)
+(* Splits the text at the soft spaces closest to the root. *)
+let pieces text = String.split_on_char (outermost text) text
+let fits column text = column + String.length text <= width
+let is_comma piece = String.ends_with ~suffix:"," piece
+let is_choice piece = String.starts_with ~prefix:": " piece
+
+(* Writes a text that is too long for one line, and returns the column where it ends. Pieces that
+   end with commas, and operators of one level, are packed into lines. But each operator starts a
+   new line if one of its operands needs more than one line; otherwise, the looser operator would be
+   harder to see than the tighter ones at which the operand is broken. Both parts of a conditional
+   expression start new lines, too. *)
 let rec fill out ~indent ~column text =
-  let fits column text = column + String.length text <= width in
   if fits column text || not (String.exists is_soft text) then (
     add_flat out text;
     column + String.length text)
   else
-    let next column piece =
-      if fits (column + 1) piece then (
-        Buffer.add_char out ' ';
-        add_flat out piece;
-        column + 1 + String.length piece)
-      else (
-        Buffer.add_string out ("\n" ^ String.make indent ' ');
-        fill out ~indent:(indent + 4) ~column:indent piece)
-    in
     match pieces text with
     | [] -> column
-    | first :: rest -> List.fold_left next (fill out ~indent ~column first) rest
+    | [ target; value ] when outermost text = after_equals.[0] ->
+        assigned out ~indent ~column:(fill out ~indent ~column target) value
+    | first :: rest when is_comma first ->
+        let column = fill out ~indent ~column first in
+        List.fold_left (fun column piece -> next out ~indent ~column piece) column rest
+    | first :: rest ->
+        let is_broken = List.exists is_choice rest || not (List.for_all (fits indent) rest) in
+        let operand (column, is_broken) piece =
+          if is_broken then (new_line out ~indent piece, true)
+          else (next out ~indent ~column piece, false)
+        in
+        let is_broken = is_broken || not (fits column first) in
+        let column = fill out ~indent:(indent + 4) ~column first in
+        fst (List.fold_left operand (column, is_broken) rest)
+
+and next out ~indent ~column piece =
+  if fits (column + 1) piece then (
+    Buffer.add_char out ' ';
+    add_flat out piece;
+    column + 1 + String.length piece)
+  else new_line out ~indent piece
+
+and new_line out ~indent piece =
+  Buffer.add_string out ("\n" ^ String.make indent ' ');
+  fill out ~indent:(indent + 4) ~column:indent piece
+
+(* The value starts a new line if its first operand does not fit after the [=]. *)
+and assigned out ~indent ~column value =
+  let first = List.hd (pieces value) in
+  let is_call = (not (String.exists is_soft value)) || is_comma first in
+  if is_call || fits (column + 1) first then (
+    Buffer.add_char out ' ';
+    fill out ~indent ~column:(column + 1) value)
+  else new_line out ~indent value
 
 let line out ~indent ?(column = comment_column) ?(comment = "") text =
   Buffer.add_string out (String.make indent ' ');
@@ -258,16 +301,18 @@ let rec continues = function
 
 let rec statement out ~indent { desc; comment } =
   let put text = line out ~indent ~comment text in
+  let assign target operator value =
+    put (String.concat "" [ target; " "; operator; after_equals; with_breaks value; ";" ])
+  in
   match desc with
-  | Constant { ty; name; value } -> put (constant ty name ^ " = " ^ with_breaks value ^ ";")
-  | Table { ty; name; value } ->
-      put ("static const " ^ declarator ty name ^ " = " ^ with_breaks value ^ ";")
+  | Constant { ty; name; value } -> assign (constant ty name) "=" value
+  | Table { ty; name; value } -> assign ("static const " ^ declarator ty name) "=" value
   | Variables { ty; names } -> put (variables ty names ^ ";")
-  | Variable { ty; name; value } -> put (declarator ty name ^ " = " ^ with_breaks value ^ ";")
+  | Variable { ty; name; value } -> assign (declarator ty name) "=" value
   | Initialize { ty; name; values } ->
-      put (declarator ty name ^ " = {" ^ commas (List.map with_breaks values) ^ "};")
-  | Assign (place, value) -> put (with_breaks place ^ " = " ^ with_breaks value ^ ";")
-  | Add_to (place, value) -> put (with_breaks place ^ " += " ^ with_breaks value ^ ";")
+      put (declarator ty name ^ " = {" ^ commas (List.map (with_breaks ~depth:2) values) ^ "};")
+  | Assign (place, value) -> assign (with_breaks place) "=" value
+  | Add_to (place, value) -> assign (with_breaks place) "+=" value
   | Do e -> put (with_breaks e ^ ";")
   | Return e -> put ("return " ^ with_breaks e ^ ";")
   | If { condition; then_; else_ } ->
@@ -377,7 +422,8 @@ let declaration out = function
       line out ~indent:0 "}"
 
 let file declarations =
-  (* A buffer for all of a large program would be copied again and again as it grows. *)
+  (* Prints each declaration separately, because a buffer for a large program would be copied
+     repeatedly while it grows. *)
   let out = Buffer.create 4096 in
   let text d =
     Buffer.clear out;

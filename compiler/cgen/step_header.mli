@@ -1,3 +1,3 @@
-(** [runtime/include/frob/step.h], as it was when the compiler was built. *)
+(** The text of [runtime/include/frob/step.h] when the compiler was built. *)
 
 val text : string

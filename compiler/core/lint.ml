@@ -3,11 +3,11 @@ open Ir
 
 type scope = {
   data : (Global.t, Ir.data) Hashtbl.t;
-  fields : (Global.t, (string * ty) list array) Hashtbl.t;  (** by constructor *)
+  fields : (Global.t, (string * ty) list array) Hashtbl.t;  (** fields by constructor *)
   globals : (Global.t, variable list * ty) Hashtbl.t;
   foreign : (Primitive.foreign * ty) list;
-  bound : (int, unit) Hashtbl.t;  (** every variable met so far *)
-  locals : (int, ty) Hashtbl.t;  (** those in scope *)
+  bound : (int, unit) Hashtbl.t;  (** all variables bound so far *)
+  locals : (int, ty) Hashtbl.t;  (** variables in scope *)
   parameters : (int, unit) Hashtbl.t;  (** type variables in scope *)
 }
 
@@ -91,106 +91,135 @@ let leave s ({ local; _ } : binder) = Hashtbl.remove s.locals local.id
 
 (* {1 Expressions} *)
 
+let is (e : expr) found = agree e.span ~expected:e.ty ~found
+
+let local s (e : expr) (x : Local.t) =
+  match Hashtbl.find_opt s.locals x.id with
+  | Some ty -> is e ty
+  | None -> fail e.span "`%s` (%d) is not in scope" x.name x.id
+
+let global s (e : expr) (g : Global.t) types =
+  match Hashtbl.find_opt s.globals g with
+  | Some scheme -> is e (instantiate s e.span scheme types)
+  | None -> fail e.span "`%s.%s` is not defined" g.module_ g.name
+
+let primitive s (e : expr) p types =
+  List.iter (closed s e.span) types;
+  match (Signature.of_primitive p types, p) with
+  | Some ty, _ -> is e ty
+  | None, Foreign f when types = [] -> (
+      match List.assoc_opt f s.foreign with
+      | Some ty -> is e ty
+      | None -> fail e.span "`%s` is not imported" f.foreign_name)
+  | None, _ ->
+      fail e.span "primitive `%s` has %d type arguments" (Primitive.name p) (List.length types)
+
+let method_ s (e : expr) ty types =
+  List.iter (closed s e.span) (ty :: types);
+  match ty with
+  | Variable _ -> ()
+  | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
+  | Size _ ->
+      fail e.span "a method of the known type %a" Print.ty ty
+
+let number (e : expr) =
+  match e.ty with
+  | Int | Float | Variable _ -> ()
+  | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _ | Size _ ->
+      fail e.span "a number of type %a" Print.ty e.ty
+
+let application (e : expr) (f : expr) (a : expr) =
+  match f.ty with
+  | Function (parameter, result) ->
+      agree a.span ~expected:parameter ~found:a.ty;
+      is e result
+  | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ | Array _
+  | Size _ ->
+      fail f.span "a value of type %a is applied" Print.ty f.ty
+
+let array (e : expr) elements =
+  match e.ty with
+  | Array (Size n, element) when n = List.length elements ->
+      List.iter (fun (a : expr) -> agree a.span ~expected:element ~found:a.ty) elements
+  | _ -> fail e.span "an array of %d of type %a" (List.length elements) Print.ty e.ty
+
+let index (e : expr) (array : expr) k =
+  match array.ty with
+  | Array (Size n, _) when k < 0 || k >= n -> fail e.span "element %d of an array of %d" k n
+  | Array (_, element) -> is e element
+  | _ -> fail e.span "element %d of a value of type %a" k Print.ty array.ty
+
+let component (e : expr) (value : expr) index =
+  match value.ty with
+  | Tuple types when index >= 0 && index < List.length types -> is e (List.nth types index)
+  | _ -> fail e.span "component %d of a value of type %a" index Print.ty value.ty
+
+let construct s (e : expr) (data : Global.t) constructor arguments =
+  (match e.ty with
+  | Data (tycon, _) when tycon = data -> ()
+  | _ -> fail e.span "a `%s` of type %a" data.name Print.ty e.ty);
+  let fields = field_types s e.span e.ty constructor in
+  if List.compare_lengths fields arguments <> 0 then
+    fail e.span "%d arguments for %d fields" (List.length arguments) (List.length fields);
+  List.iter2 (fun field (a : expr) -> agree a.span ~expected:field ~found:a.ty) fields arguments
+
+let payload s (e : expr) (value : expr) constructor field =
+  match List.nth_opt (field_types s e.span value.ty constructor) field with
+  | Some ty -> is e ty
+  | None -> fail e.span "constructor %d has no field %d" constructor field
+
 let rec expr s (e : expr) =
   closed s e.span e.ty;
-  let is found = agree e.span ~expected:e.ty ~found in
   match e.desc with
-  | Local x -> (
-      match Hashtbl.find_opt s.locals x.id with
-      | Some ty -> is ty
-      | None -> fail e.span "`%s` (%d) is not in scope" x.name x.id)
-  | Global (g, types) -> (
-      match Hashtbl.find_opt s.globals g with
-      | Some scheme -> is (instantiate s e.span scheme types)
-      | None -> fail e.span "`%s.%s` is not defined" g.module_ g.name)
-  | Primitive (p, types) -> (
-      List.iter (closed s e.span) types;
-      match (Signature.of_primitive p types, p) with
-      | Some ty, _ -> is ty
-      | None, Foreign f when types = [] -> (
-          match List.assoc_opt f s.foreign with
-          | Some ty -> is ty
-          | None -> fail e.span "`%s` is not imported" f.foreign_name)
-      | None, _ ->
-          fail e.span "primitive `%s` has %d type arguments" (Primitive.name p) (List.length types))
-  | Method { ty; types; _ } -> (
-      List.iter (closed s e.span) (ty :: types);
-      match ty with
-      | Variable _ -> ()
-      | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
-      | Size _ ->
-          fail e.span "a method of the known type %a" Print.ty ty)
-  | Number _ -> (
-      match e.ty with
-      | Int | Float | Variable _ -> ()
-      | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _ | Size _ ->
-          fail e.span "a number of type %a" Print.ty e.ty)
-  | Boolean _ -> is Bool
-  | String _ -> is String
+  | Local x -> local s e x
+  | Global (g, types) -> global s e g types
+  | Primitive (p, types) -> primitive s e p types
+  | Method { ty; types; _ } -> method_ s e ty types
+  | Number _ -> number e
+  | Boolean _ -> is e Bool
+  | String _ -> is e String
   | Lambda (b, body) ->
       enter s b;
       expr s body;
       leave s b;
-      is (Function (b.ty, body.ty))
-  | Apply (f, a) -> (
+      is e (Function (b.ty, body.ty))
+  | Apply (f, a) ->
       expr s f;
       expr s a;
-      match f.ty with
-      | Function (parameter, result) ->
-          agree a.span ~expected:parameter ~found:a.ty;
-          is result
-      | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ | Array _
-      | Size _ ->
-          fail f.span "a value of type %a is applied" Print.ty f.ty)
+      application e f a
   | Let _ -> lets s e.ty [] e
   | Tuple parts ->
       List.iter (expr s) parts;
-      is (Tuple (Long_list.map (fun (e : expr) -> e.ty) parts))
-  | Array elements -> (
+      is e (Tuple (Long_list.map (fun (e : expr) -> e.ty) parts))
+  | Array elements ->
       List.iter (expr s) elements;
-      match e.ty with
-      | Array (Size n, element) when n = List.length elements ->
-          List.iter (fun (a : expr) -> agree a.span ~expected:element ~found:a.ty) elements
-      | _ -> fail e.span "an array of %d of type %a" (List.length elements) Print.ty e.ty)
-  | Index (array, k) -> (
+      array e elements
+  | Index (array, k) ->
       expr s array;
-      match array.ty with
-      | Array (Size n, _) when k < 0 || k >= n -> fail e.span "element %d of an array of %d" k n
-      | Array (_, element) -> is element
-      | _ -> fail e.span "element %d of a value of type %a" k Print.ty array.ty)
-  | Component (value, index) -> (
+      index e array k
+  | Component (value, index) ->
       expr s value;
-      match value.ty with
-      | Tuple types when index >= 0 && index < List.length types -> is (List.nth types index)
-      | _ -> fail e.span "component %d of a value of type %a" index Print.ty value.ty)
+      component e value index
   | Construct { data; constructor; arguments } ->
       List.iter (expr s) arguments;
-      (match e.ty with
-      | Data (tycon, _) when tycon = data -> ()
-      | _ -> fail e.span "a `%s` of type %a" data.name Print.ty e.ty);
-      let fields = field_types s e.span e.ty constructor in
-      if List.compare_lengths fields arguments <> 0 then
-        fail e.span "%d arguments for %d fields" (List.length arguments) (List.length fields);
-      List.iter2 (fun field (a : expr) -> agree a.span ~expected:field ~found:a.ty) fields arguments
+      construct s e data constructor arguments
   | Is_constructor (value, constructor) ->
       expr s value;
       ignore (field_types s e.span value.ty constructor);
-      is Bool
-  | Payload { value; constructor; field } -> (
+      is e Bool
+  | Payload { value; constructor; field } ->
       expr s value;
-      match List.nth_opt (field_types s e.span value.ty constructor) field with
-      | Some ty -> is ty
-      | None -> fail e.span "constructor %d has no field %d" constructor field)
+      payload s e value constructor field
   | If (condition, a, b) ->
       expr s condition;
       agree condition.span ~expected:Bool ~found:condition.ty;
       expr s a;
-      is a.ty;
+      is e a.ty;
       expr s b;
-      is b.ty
-  | Proc p -> is (proc s p)
+      is e b.ty
+  | Proc p -> is e (proc s p)
 
-(* A chain of bindings is as long as a program: it must not nest here. *)
+(* A chain of bindings may be as long as the program, so this loop is tail-recursive. *)
 and lets s ty entered (e : expr) =
   match e.desc with
   | Let { binder; value; body } ->

@@ -1,9 +1,8 @@
-(** Checks what {!Ir} promises: scopes, one binding for each variable, and types, by a full type
-    check of every expression; types closed over the type parameters in scope; constructors and
-    fields that exist.
+(** Checks the invariants of {!Ir}: each variable is bound once and used in scope; every expression
+    is well typed; types mention only the type parameters in scope; constructors and fields exist.
 
-    Not checked: that a payload's constructor was tested, and that no function calls itself (the
-    specializer reports those). *)
+    Not checked: that the constructor of a payload was tested, and that functions are not recursive
+    (the specializer reports these). *)
 
 val program : Ir.program -> unit
-(** Raises {!Basis.Diagnostic.Bug}. *)
+(** @raise Basis.Diagnostic.Bug if an invariant is violated *)

@@ -54,7 +54,8 @@ let foreign (f : T.foreign) : Ir.foreign =
     values = List.map value f.values;
   }
 
-(* Of several of one name only that of the main module is called by it alone. *)
+(* If several parameters share a name, only that of the main module is labelled without its module.
+   *)
 let params (p : T.program) =
   let label (param : T.param) =
     let namesake (q : T.param) = String.equal q.param.name param.param.name in

@@ -1,7 +1,8 @@
-(** Typed into Core.
+(** Translates Typed to Core.
 
-    Takes for granted that levels and patterns were checked without an error. Afterwards there are
-    no units, patterns, guards and records, and each run of a signal function is an equation of a
-    proc. Linear in the program's size; primitives lose their declarations, for Core knows them. *)
+    Requires a program in which levels and patterns have been checked without errors. The result has
+    no units, patterns, guards or records, and each run of a signal function is an equation of a
+    proc. Declarations of primitives are dropped, because Core knows them. Linear in the size of the
+    program. *)
 
 val program : Typing.Ir.program -> Ir.program

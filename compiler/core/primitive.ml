@@ -94,7 +94,7 @@ and foreign = {
 
 and foreign_kind = Stateless of int | Stateful
 
-(* name in the library, meaning, number of arguments *)
+(* name in the library, primitive, number of arguments *)
 let table =
   [
     ("+", Add, 2);
@@ -150,7 +150,7 @@ let table =
     ("zipWith", Zip_with, 3);
     ("foldl", Foldl, 3);
     ("scanl", Scanl, 3);
-    (* Of a signal function, the static arguments count, not the signal. *)
+    (* for a signal function: the number of static arguments, without the signal *)
     ("delay", Delay, 1);
     ("time", Time, 0);
     ("timeSince", Time_since, 0);
@@ -186,7 +186,7 @@ let table =
     ("together", Together, 2);
   ]
 
-(* To look up; nothing is added later. *)
+(* Lookup tables, which are never modified. *)
 let by_name =
   Basis.String_table.of_seq (Seq.map (fun (name, t, _) -> (name, t)) (List.to_seq table))
 

@@ -1,8 +1,8 @@
-(** The one table of what the language has built in.
+(** The table of built-in primitives.
 
-    A primitive is declared with its type in the standard library
-    ([primitive sin :: Float -> Float]) and has its row here; its meaning is given by {!Specialize}
-    (and by the interpreter). *)
+    Each primitive is declared with its type in the standard library
+    ([primitive sin :: Float -> Float]) and has a row here. {!Specialize} defines its meaning, and
+    so does the interpreter. *)
 
 type t =
   (* on numbers of any representation *)
@@ -15,7 +15,7 @@ type t =
   (* on Float *)
   | Divide
   | Power  (** [**] *)
-  | Power_literal of int  (** [e ^ k]; not declared: the syntax makes it *)
+  | Power_literal of int  (** [e ^ k]; not declared in the library, but created by the syntax *)
   | Elementary of elementary
   (* on Int *)
   | Div
@@ -61,7 +61,7 @@ type t =
   | Delayed_switch
   | Recurring_switch
   | Delayed_recurring_switch
-  | Map_sf  (** one for each element of an array *)
+  | Map_sf  (** runs a signal function for each element of an array *)
   | Parallel  (** [parZ] *)
   | Initially
   | On_event
@@ -69,31 +69,31 @@ type t =
   | Make_task
   | Until_right
   | Return
-  | Sequence  (** [do]: a task, and the function that gives the task after it *)
+  | Sequence  (** [do]: a task, and the function that returns the next task *)
   | Run_task
   (* programs *)
   | Reactimate  (** [SF i o -> Program i o] *)
-  | Ending  (** tells the host of the program when it has ended, and with what *)
-  (* what stands on an operator's console, by its label; see {!Console} *)
+  | Ending  (** reports to the program's host whether it has ended, and with which result *)
+  (* controls of the operator's console, by label; see {!Console} *)
   | Console of console
-  (* drawings, as the library's module Display has them *)
+  (* drawings of the library's module Display *)
   | Text_of
   | Blank
   | Drawn
   | Together
-  (* declared by programs *)
-  | Foreign of foreign  (** in C *)
+  (* declared by the program *)
+  | Foreign of foreign  (** C code *)
 
-(** The runtime's elementary functions ([frob/elementary.h]), and those that IEEE 754 defines to the
-    last bit: [Sqrt], the whole number next below or above, as a Float (C's [floor] and [ceil]), and
-    whole nanoseconds. *)
+(** The runtime's elementary functions ([frob/elementary.h]), and functions that IEEE 754 defines
+    exactly: [Sqrt], rounding down or up to an integer as a Float (C's [floor] and [ceil]), and
+    conversion to whole nanoseconds. *)
 and elementary =
   | Sqrt
   | Floor_float
   | Ceiling_float
   | Nanoseconds
-      (** of seconds, of the precision of Float: 10⁹ times as many, rounded to a whole number,
-          halves to even; of negative ones 0, of NaN NaN *)
+      (** converts seconds, in the precision of Float, to nanoseconds, rounded to an integer, ties
+          to even; 0 for a negative number, NaN for NaN *)
   | Hypot
   | Exp
   | Log
@@ -105,33 +105,34 @@ and elementary =
   | Atan
   | Atan2
 
-(** What it takes: a label, but for [Map], of which there is one; the limits and the first position
-    of a knob, the first of a toggle; and the console. *)
+(** Arguments: a label, except for [Map], of which there is only one; for a knob its limits and
+    initial value, for a toggle its initial position; and the console. *)
 and console = Button | Hold | Knob | Toggle | Map | Camera | Tags
 
-(** A shift by a negative number goes the other way; one by 32 or more is what as many by one are.
-    To the right the sign stays. *)
+(** A shift by a negative number shifts in the other direction. A shift by 32 or more equals that
+    many shifts by one. Shifting right preserves the sign. *)
 and bitwise = Bit_and | Bit_or | Bit_xor | Shift_left | Shift_right
 
 and foreign = {
   module_ : string;
-  foreign_name : string;  (** in the program *)
-  symbol : string;  (** in C *)
+  foreign_name : string;  (** its name in the program *)
+  symbol : string;  (** its name in C *)
   kind : foreign_kind;
-  span : Basis.Span.t;  (** of its declaration *)
+  span : Basis.Span.t;  (** the span of its declaration *)
 }
-(** C code of the user's. *)
+(** The user's own C code. *)
 
 and foreign_kind =
-  | Stateless of int  (** a function of so many arguments, at least one *)
+  | Stateless of int  (** a function with this number of arguments, at least one *)
   | Stateful  (** a signal function *)
 
 val of_name : string -> t option
-(** By the name in the library's declaration. *)
+(** Finds a primitive by the name declared in the library. *)
 
 val name : t -> string
 
 val key : t -> string
-(** Different for different primitives: one in C may have the name of any. *)
+(** A key that is unique for each primitive. The name is not, because a foreign primitive may have
+    the same name as another one. *)
 
 val arity : t -> int

@@ -1,14 +1,14 @@
 open Basis
 open Ir
 
-(* Strings are put out one by one and not by [fprintf "%a"], which needs much
-   stack: expressions are ten thousand deep. *)
+(* Strings are printed one by one instead of by [fprintf "%a"], which needs much more stack:
+   expressions may be nested ten thousand deep. *)
 type context = {
   out : Format.formatter;
-  qualifies : Global.t -> bool;  (** is the name written with its module? *)
+  qualifies : Global.t -> bool;  (** is this name printed with its module? *)
   data : (Global.t, Ir.data) Hashtbl.t;
-  names : (int, string) Hashtbl.t;  (** of the definition's variables *)
-  uses : (string, int) Hashtbl.t;  (** how many of them have a name *)
+  names : (int, string) Hashtbl.t;  (** names of the definition's variables, by id *)
+  uses : (string, int) Hashtbl.t;  (** number of variables with each name *)
 }
 
 let put c text = Format.pp_print_string c.out text
@@ -59,7 +59,7 @@ let local c (x : Local.t) =
 
 (* {1 Types} *)
 
-(* 0 anywhere, 1 left of an arrow, 2 argument of a type constructor *)
+(* Context: 0 anywhere, 1 left of an arrow, 2 argument of a type constructor. *)
 let rec type_ c level = function
   | Variable v -> put c v.name
   | Bool -> put c "Bool"
@@ -119,11 +119,11 @@ let constructor c (ty : ty) index =
 let is_conjunction (e : expr) =
   match e.desc with If (_, _, { desc = Boolean false; _ }) -> true | _ -> false
 
-(* Better not on one line with what is around it. *)
+(* Is the expression clearer on lines of its own? *)
 let is_block (e : expr) =
   match e.desc with Let _ -> true | If _ -> not (is_conjunction e) | _ -> false
 
-(* 0 anywhere, 1 operand or function, 2 argument *)
+(* Context: 0 anywhere, 1 operand or function, 2 argument. *)
 let rec expr c level (e : expr) =
   match e.desc with
   | Local x -> put c (local c x)
@@ -260,7 +260,7 @@ and lambda c (e : expr) =
       space c;
       expr c 0 e
 
-(* A chain of bindings is as long as a program: no recursion but the tail's. *)
+(* A chain of bindings may be as long as the program, so this loop is tail-recursive. *)
 and lets c (e : expr) =
   match e.desc with
   | Let { binder = b; value; body } ->
@@ -360,7 +360,7 @@ let definition c (d : definition) =
   close c;
   cut c
 
-(* [frontDistance = frontDistance@Big] *)
+(* Prints [frontDistance = frontDistance@Big]. *)
 let instance c (i : instance) =
   cut c;
   Format.pp_open_vbox c.out 2;
@@ -376,7 +376,8 @@ let instance c (i : instance) =
   close c;
   cut c
 
-(* By the module of what it gives; one that gives nothing by its class. *)
+(* An instance belongs to the module of the methods it defines, or, if it defines none, to its
+   class's module. *)
 let belongs_to own (i : instance) =
   let given (_, implementation) =
     match implementation with Given g -> Some g | Default _ -> None

@@ -1,7 +1,7 @@
-(** The types of the primitives, after erasure of units. *)
+(** The types of the primitives, after units are erased. *)
 
 val of_primitive : Primitive.t -> Ir.ty list -> Ir.ty option
-(** At these type arguments; [None] if they are not as many as it takes. *)
+(** The primitive's type at these type arguments; [None] if their number is wrong. *)
 
 val event : Ir.ty -> Ir.ty
 (** [Event a] *)
@@ -10,16 +10,16 @@ val either : Ir.ty -> Ir.ty -> Ir.ty
 (** [Either a b] *)
 
 val frame : Ir.ty
-(** [Frame], of the library's module Vision *)
+(** [Frame] of the library's module Vision *)
 
 val tag_frame : Ir.ty
-(** [TagFrame], of the library's module Tags *)
+(** [TagFrame] of the library's module Tags *)
 
-(** {1 Of the library's module Display} *)
+(** {1 Types and functions of the library's module Display} *)
 
 val mark : Ir.ty
 val text : Ir.ty
 val drawing : Ir.ty
 
 val reading : Ir.Global.t
-(** The function that [number] becomes, of the unit as a text first. *)
+(** The function that [number] is translated to. Its first argument is the unit, as a string. *)

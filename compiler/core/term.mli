@@ -1,4 +1,4 @@
-(** Core expressions by their construction: each with the type it must have. *)
+(** Smart constructors for Core expressions, which compute the types. *)
 
 open Basis
 
@@ -8,28 +8,28 @@ val variable : Ir.binder -> Span.t -> Ir.expr
 (** A use of a monomorphic variable. *)
 
 val apply : Ir.expr -> Ir.expr -> Ir.ty -> Span.t -> Ir.expr
-(** The type and the place are those of the result. *)
+(** An application; the type and the span are those of the result. *)
 
 val not_ : Ir.expr -> Ir.expr
 
 val conjunction : Ir.expr -> Ir.expr -> Ir.expr
-(** The second only where the first holds, so it may take for granted what the first has tested. *)
+(** The second operand is evaluated only if the first holds, so it may rely on what the first has
+    tested. *)
 
 val if_ : Ir.expr -> Ir.expr -> Ir.expr -> Span.t -> Ir.expr
-(** Of a negation it exchanges the branches. *)
+(** A conditional. If the condition is a negation, removes it and swaps the branches. *)
 
 val equal : Ir.expr -> Ir.expr -> Ir.expr
-(** By the primitive, at the type of the first. *)
+(** Equality at the type of the first operand. *)
 
 val let_ : Ir.binder -> Ir.expr -> Ir.expr -> Ir.expr
 
 val is_trivial : Ir.expr -> bool
-(** As good twice as once: a variable, a constant, or the call of a nullary function; binds nothing.
-*)
+(** May the expression be duplicated? True for a variable, a constant, or the call of a nullary
+    function. It binds no variables. *)
 
 val parts : Ir.expr -> Ir.expr list
-(** The expressions in it, in the order of the text; those of a proc's equations before its output.
-*)
+(** The direct subexpressions, in source order; a proc's equations come before its output. *)
 
 val with_parts : (Ir.expr -> Ir.expr) -> Ir.expr -> Ir.expr_desc
-(** The expression with other {!parts}, made in their order. *)
+(** Replaces the {!parts} of the expression by their images, computed in order. *)

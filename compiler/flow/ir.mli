@@ -1,15 +1,15 @@
 (** Flow: the program as first-order nodes of equations over signals.
 
-    No longer there: types other than Bool, Int, Float, sums and arrays of these; functions, tuples,
-    records and signal functions as values. A tuple or record is the list of its leaves, in order; a
-    sum value is one leaf; an array of tuples or records is one array for each leaf of its elements.
+    Eliminated in this language: types other than Bool, Int, Float, sums and arrays of these;
+    functions, tuples, records and signal functions as values. A tuple or record is the list of its
+    leaves, in order. A sum value is one leaf. An array of tuples or records is one array for each
+    leaf of its elements.
 
-    Always true (see {!Lint}): a signal has exactly one equation, in the node that owns it; a node's
-    callees come before it in [program.nodes]; all operations are total, so an equation may be
-    computed although nothing needs it, or not at all although something might have; state lives
-    only in [Delay], [Instance], [Integrate]-like equations and machines; a mode belongs to one
-    machine. Order of equations has no meaning; they may be mutually recursive ({!Causality}
-    checks). *)
+    Invariants (see {!Lint}): a signal has exactly one equation, in the node that owns it; callees
+    precede their callers in [program.nodes]; all operations are total, so an equation may be
+    computed without being needed, or be skipped if its value is not needed; state is only in
+    [Delay], [Instance], [Integrate]-like equations and machines; a mode belongs to one machine. The
+    order of equations has no meaning; they may be mutually recursive ({!Causality} checks them). *)
 
 open Basis
 
@@ -22,17 +22,17 @@ type ty =
   | Foreign of foreign_type
 
 and foreign_type = {
-  foreign_name : string;  (** in the program *)
+  foreign_name : string;  (** name in the program *)
   c_type : string;
   copyable : bool;
-      (** if not, there is only the address of a value, good for the instant: it is never in a state
-      *)
+      (** if false, a value exists only as an address that is valid for the instant, so it is never
+          stored in a state *)
 }
-(** A type of the user's C. *)
+(** A type of the user's C code. *)
 
 type sum = {
-  name : string;  (** as the programmer would write the type: [Maybe Float] *)
-  module_ : string;  (** where its data type is declared *)
+  name : string;  (** the type as the programmer would write it: [Maybe Float] *)
+  module_ : string;  (** module that declares the data type *)
   constructors : sum_constructor list;
 }
 (** Data types with more than one constructor, at closed types. *)
@@ -42,33 +42,34 @@ and sum_constructor = {
   fields : (string * shape) list;  (** the name is [""] if positional *)
 }
 
-(** How a value of the source language is made of leaves. *)
+(** The structure of a source-language value as leaves. *)
 and shape =
-  | Leaf of ty  (** no array *)
+  | Leaf of ty  (** not an array *)
   | Product of product
   | Repeated of int * shape  (** an array *)
 
 and product = {
-  product_name : string;  (** [""] for a tuple, else the record's type *)
+  product_name : string;  (** [""] for a tuple, otherwise the record's type *)
   product_module : string;
   constructor : string;  (** [""] for a tuple *)
-  record : bool;  (** the constructor's fields have names *)
+  record : bool;  (** whether the constructor's fields have names *)
   parts : (string * shape) list;  (** field names; [""] for components and positional fields *)
 }
 
 type signal = {
   id : int;  (** unique in the program *)
   name : string;
-      (** the programmer's name, with a path for leaves ([v], [pose.x]); [""] for what has none *)
+      (** the programmer's name, with a path for leaves ([v], [pose.x]); [""] if it has none *)
   ty : ty;
-  group : int;  (** equal for the leaves that causality judges as one; usually [id] *)
+  group : int;
+      (** equal for leaves that the causality check treats as one; usually equal to [id] *)
   span : Span.t;  (** where the programmer wrote it; never a dummy *)
 }
 
 type atom = Signal of signal | Bool of bool | Int of int32 | Float of float
 
 type operator =
-  (* on Int or Float, by the type of the arguments; [Equal] on Bool too *)
+  (* on Int or Float, depending on the arguments; [Equal] also on Bool *)
   | Add
   | Subtract
   | Multiply
@@ -78,23 +79,23 @@ type operator =
   | Equal
   | Less
   | Less_equal
-  | Minimum  (** NaN if either is; else the first of two equal ones *)
+  | Minimum  (** NaN if either argument is NaN; the first argument if both are equal *)
   | Maximum
-  (* Float *)
+  (* on Float *)
   | Divide
   | Pow  (** the runtime's [pow] *)
   | Elementary of Core.Primitive.elementary
-  (* Int *)
+  (* on Int *)
   | Div
   | Mod
   | Bitwise of Core.Primitive.bitwise
-  (* conversions, saturating *)
+  (* saturating conversions *)
   | To_float
   | Round
   | Floor
   | Ceiling
   | Truncate
-  (* Bool *)
+  (* on Bool *)
   | Not
   | And
   | Or
@@ -105,50 +106,51 @@ and rhs =
   | Copy of atom
   | Op of operator * atom list
   | If of { condition : atom; then_ : atom; else_ : atom }
-      (** Any of the branches may be left uncomputed where not needed. *)
+      (** A branch that is not needed may be skipped. *)
   | Construct of { constructor : int; payload : atom list }
       (** payload: all leaves of all fields, in order *)
   | Is_constructor of atom * int
   | Payload of { value : atom; constructor : int; leaf : int }
-      (** unspecified, but harmless, if [value] has another constructor *)
+      (** the result is unspecified, but harmless, if [value] has another constructor *)
   | Delay of { init : atom; next : atom }
-      (** [init] at the first instant, then [next] as it was one instant ago; [init] is static *)
-  | Elements of atom list  (** an array written out *)
+      (** [init] in the first instant, then the previous value of [next]; [init] is static *)
+  | Elements of atom list  (** an array with these elements *)
   | Fill of atom  (** an array of equal elements *)
-  | Index of atom * int  (** inside the array *)
-  | At of { array : atom; index : atom; default : atom }  (** [default] outside the array *)
+  | Index of atom * int  (** the index is inside the array *)
+  | At of { array : atom; index : atom; default : atom }
+      (** [default] if the index is outside the array *)
   | Replace of { array : atom; index : atom; value : atom }
-      (** the same array with one other element; unchanged if outside *)
-  | Param of int  (** of [program.params]: always the same in a run *)
-  | Absent  (** a foreign value that is not there, which nothing looks at *)
+      (** the array with one element replaced; unchanged if the index is outside *)
+  | Param of int  (** an element of [program.params], which is constant during a run *)
+  | Absent  (** a placeholder for a missing foreign value, which is never read *)
   | Time of { restart : atom }
-      (** local time, and 0 where [restart] holds and from then on the time since: seconds, a Float.
-          What is kept is nanoseconds, so a program that asks for these ([Elementary Nanoseconds])
-          gets them without a way back *)
-  | Step_time  (** seconds since the instant before, and 0 at the first *)
+      (** local time in seconds, a Float. Starts again at 0 whenever [restart] holds. The state
+          contains nanoseconds, so a program that needs these ([Elementary Nanoseconds]) gets them
+          without a conversion *)
+  | Step_time  (** seconds since the previous instant; 0 in the first instant *)
   | Ticks of atom
-      (** of a static number of nanoseconds, a whole one (a fraction is dropped): does it or a
-          multiple of it lie between this local time and the one an instant ago, which does not
-          count? Always if less than 1, never if NaN *)
-  | Integral of atom  (** 0, then adds dt times the argument as it was one instant ago *)
+      (** true if a multiple of this static number of nanoseconds lies after the local time of the
+          previous instant and not after the current one. A fraction of the number is dropped.
+          Always true below 1, never for NaN *)
+  | Integral of atom
+      (** 0 in the first instant, then adds dt times the previous value of the argument *)
   | Derivative of atom
 
 type instance = {
   node : int;  (** index into [program.nodes] *)
-  name : string;  (** of the state field; unique in the node *)
-  statics : atom list;  (** for the node's [statics] *)
-  inputs : atom list;  (** for the node's [inputs] *)
+  name : string;  (** name of the state field; unique in the node *)
+  statics : atom list;  (** arguments for the node's [statics] *)
+  inputs : atom list;  (** arguments for the node's [inputs] *)
   outputs : signal list;
-      (** defined here; for the node's [outputs]. Of a loop: first the accumulators as they are at
-          the end, then arrays of the others *)
+      (** signals defined here, one for each of the node's [outputs]. For a loop: first the final
+          values of the accumulators, then arrays of the other outputs *)
   loop : loop option;
   trials : trial list;
-      (** for outputs that are known before all inputs, on which they do not depend; none of a loop
-      *)
+      (** trial steps for outputs that do not depend on all inputs; never for a loop *)
   span : Span.t;
 }
-(** A private copy of a node's state, or a call if the node has none; with a loop, as many of them
-    as the loop counts, one after the other. *)
+(** An instance of a node with its own state, or a call if the node has no state. A loop makes as
+    many instances as it has iterations, and runs them one after another. *)
 
 and loop = {
   count : int;  (** at least 1 *)
@@ -157,146 +159,150 @@ and loop = {
 
 and argument =
   | Accumulator
-      (** the first time as given, then the node's output of the same number; accumulators come
-          first *)
-  | Element  (** each time the next of the array given *)
-  | Same  (** each time as given *)
-  | Counter  (** an Int: as given, then one more each time *)
+      (** the given value in the first iteration, then the node's output with the same index;
+          accumulators come first *)
+  | Element  (** the next element of the given array in each iteration *)
+  | Same  (** the same value in each iteration *)
+  | Counter  (** an Int that increases by one in each iteration, starting with the given value *)
 
 and trial = {
   gives : signal list;  (** some of the instance's outputs, in order *)
-  given : atom option list;  (** for its inputs; [None]: any value would do *)
+  given : atom option list;  (** for each input; [None] if the input does not matter *)
 }
-(** A step of the instance that gives some of its outputs, and leaves its state as it is. Not every
-    part of a program can be taken apart so that outputs come first: modes of a machine, for one. *)
+(** A trial step: computes some outputs of the instance and leaves its state unchanged. It is needed
+    where outputs must be known before all inputs are, and the node cannot be split, for example
+    because it has a machine. *)
 
 type kind =
-  | Function  (** no state: equations are operations, instances functions *)
+  | Function  (** stateless: equations are operations, instances are functions *)
   | Signal_function
 
 type import = {
-  symbol : string;  (** its name in C, or what its names begin with *)
+  symbol : string;  (** its name in C, or the prefix of its names *)
   kind : kind;
-  arguments : shape list;  (** one for a signal function *)
+  arguments : shape list;  (** a single one for a signal function *)
   result : shape;
 }
-(** What is imported from the user's C, whether the program runs it or not. *)
+(** An import from the user's C code, whether the program runs it or not. *)
 
 type foreign = {
-  import : import;  (** [inputs] are the leaves of its arguments *)
-  results : signal list;  (** defined here: the leaves of its result *)
+  import : import;  (** the node's [inputs] are the leaves of its arguments *)
+  results : signal list;  (** signals defined here: the leaves of its result *)
 }
-(** A node that is C code of the user's: it has no equations, instances or machine, and each result
-    needs all inputs. *)
+(** A node implemented by the user's C code. It has no equations, instances or machine, and each
+    result needs all inputs. *)
 
 type transition = {
   occurs : atom;
   target : int;  (** index into the machine's [modes] *)
-  arguments : atom list;  (** for the statics of the target's node *)
-  delayed : bool;  (** at this instant the output is still that of the mode that is left *)
+  arguments : atom list;  (** arguments for the statics of the target's node *)
+  delayed : bool;  (** if true, the output in this instant is still that of the mode that is left *)
   at_entry : at_entry;
   by : follower;
   span : Span.t;
 }
-(** From a running mode of a machine to the next. *)
+(** A transition from a running mode of a machine to the next mode. *)
 
-(** The definition that says what comes next, for messages. *)
+(** The definition that determines the next mode, for messages. *)
 and follower =
-  | Continuation of string  (** of a switch *)
-  | Statement of string  (** after a task that ends *)
+  | Continuation of string  (** continuation of a switch *)
+  | Statement of string  (** statement after a task *)
 
-(** Whether a mode's transition may occur at the mode's own first instant, which
-    {!Instantaneous_loops} finds out. *)
+(** Whether a mode's transition may occur in the mode's own first instant, which
+    {!Instantaneous_loops} determines. *)
 and at_entry =
   | Possible
   | Impossible of (string * Span.t) option
-      (** the signal function that has no event there, as far as it is known, and where it runs *)
+      (** the signal function that causes it to wait, if known, and its place *)
 
 type machine = {
   modes : int list;
-      (** nodes before this one, with [inputs] and [outputs] as the machine, and with [transitions];
-          a mode's statics are its parameters *)
-  start : transition list;  (** static, of the node's own signals; the last one is unconditional *)
+      (** nodes before this one, with the same [inputs] and [outputs] as the machine, and with
+          [transitions]; the statics of a mode are its parameters *)
+  start : transition list;
+      (** on static signals of this node; the last transition is unconditional *)
   active : atom option;
-      (** if given, the machine has its instants where it holds, dt being the time since its own
-          last one, and unspecified outputs elsewhere *)
-  controls : transition list;  (** of the node's own signals *)
+      (** if present, the machine only runs in the instants in which this holds. dt is then the time
+          since its own previous instant; at other instants its outputs are unspecified *)
+  controls : transition list;  (** on signals of this node *)
   inputs : atom list;
-  outputs : signal list;  (** defined here *)
-  steps : int;  (** at most so many modes are stepped in one instant *)
+  outputs : signal list;  (** signals defined here *)
+  steps : int;  (** maximum number of modes that run in one instant *)
   span : Span.t;
 }
-(** One of several signal functions at a time: a node's state is that of the mode that runs, and
-    nothing is left over of the one before.
+(** One of several signal functions at a time. The state is that of the running mode; nothing
+    remains of previous modes.
 
-    One instant: of the first of [controls] that occurs, if not delayed, the target is entered; then
-    the running mode is stepped. While one of its own transitions occurs (the first counts) its
-    target is entered and stepped; a delayed control comes after that. A mode is entered with its
-    parameters assigned all at once, its local time 0; what it outputs after a delayed transition is
-    dropped, its events count. *)
+    In each instant, the first of [controls] that occurs, if it is not delayed, enters its target.
+    Then the running mode takes a step. While one of its own transitions occurs (the first one in
+    the list counts), the target is entered and takes a step. A delayed control comes after that.
+    When a mode is entered, all its parameters are assigned at once, and its local time starts at 0.
+    After a delayed transition, the outputs of the new mode are dropped, but its events count. *)
 
 type node = {
   name : string;  (** from the source; unique in the program *)
-  origin : string;  (** the definition as the programmer knows it *)
+  origin : string;  (** name of the definition in the source *)
   kind : kind;
-  statics : signal list;  (** known when the node starts, and fixed *)
+  statics : signal list;  (** known when the node starts, and constant from then on *)
   inputs : signal list;
   outputs : (string * atom) list;  (** name and value of each leaf *)
   equations : equation list;
   instances : instance list;
   foreign : foreign option;
   machine : machine option;
-      (** if there is one, it is all the state there is: the equations are operations, the instances
+      (** if present, it is all the state of the node: the equations are operations, the instances
           functions *)
   transitions : transition list;
-      (** of a mode of a machine, the first that occurs counts; else none *)
+      (** for a mode of a machine; the first one that occurs is taken. Otherwise empty *)
   span : Span.t;
   file : string;
 }
 
 type param = {
-  label : string;  (** what it is called outside of the program: its name, or [M.name] *)
+  label : string;  (** its name for users: the plain name, or [M.name] *)
   param_ty : ty;  (** [Bool], [Int] or [Float] *)
-  unit_ : string;  (** as it is written in brackets; [""] of a [Bool] *)
-  default : atom;  (** which nothing but a run may rest on *)
+  unit_ : string;  (** as written in brackets; [""] for a [Bool] *)
+  default : atom;
+      (** the default value. It may be overridden, so it must not be treated as a constant *)
   doc : string option;
   declared : Span.t;
 }
-(** What is fixed when a run starts. *)
+(** A parameter that is fixed when a run starts. *)
 
 type claim = {
-  column : string;  (** among the [probes] *)
+  column : string;  (** one of the [probes] *)
   is_assumption : bool;
   label : string;
-  shown : bool;  (** as a column of traces, like other probes *)
+  shown : bool;  (** whether it is a column of traces, like other probes *)
   claimed_at : Span.t;
-  margin : string option;  (** how nearly it holds, by other [probes]: see {!Core.Formula} *)
+  margin : string option;
+      (** the margin by which it holds, as a formula over other [probes]; see {!Core.Formula} *)
 }
-(** An assertion of the program that is watched. *)
+(** An assertion of the program that is checked. *)
 
-type header = { header : string; folder : string  (** its path is from there *) }
+type header = { header : string; folder : string  (** folder to which its path is relative *) }
 
 type program = {
-  name : string;  (** of the C files *)
-  real : Real.t;  (** the precision of [Float]; each [atom] of that type has it *)
+  name : string;  (** base name of the C files *)
+  real : Real.t;  (** the precision of [Float]; each Float atom is rounded to it *)
   sums : sum array;
   nodes : node array;  (** callees before callers; the last is the root *)
   next_id : int;
-      (** larger than every signal's id and group; ids are given one after the other, so a table by
-          id may be an array of this size *)
-  imports : import list;  (** each of the user's C once, by symbol *)
-  headers : header list;  (** of the user's C *)
-  input : shape;  (** of the root's inputs *)
+      (** larger than every signal's id and group. Ids are consecutive, so a table indexed by id may
+          be an array of this size *)
+  imports : import list;  (** imports from the user's C, each once, by symbol *)
+  headers : header list;  (** headers of the user's C *)
+  input : shape;  (** the root's inputs *)
   console : Core.Ir.control list;
-      (** what stands on the operator's console: the parts of a record somewhere in [input] *)
+      (** the controls on the operator's console, which is a record somewhere in [input] *)
   output : shape;
   ends : bool;
-      (** the last part of the output is an event, at and after the end of the program: what it has
-          ended with *)
+      (** if true, the last part of the output is an event with the program's result, which occurs
+          when the program ends and in all later instants *)
   probes : (string * shape) list;
-      (** inner signals to be seen, by what they are called: the root gives their leaves after those
-          of [output] *)
-  claims : claim list;  (** those of [probes] that are verdicts on assertions *)
-  marks : int;  (** so many can be drawn in an instant, whether or not they are to be seen *)
+      (** inner signals to show, with their names: the root returns their leaves after those of
+          [output] *)
+  claims : claim list;  (** the [probes] that are verdicts of assertions *)
+  marks : int;  (** maximum number of marks drawn in an instant, whether they are shown or not *)
   params : param list;
 }

@@ -4,7 +4,7 @@ let bug format = Diagnostic.bug ~stage:"Flow.Lint" format
 
 type scope = {
   program : Ir.program;
-  index : int; (* of the node *)
+  index : int; (* index of the node *)
   node : Ir.node;
   defined : (int, Ir.signal) Hashtbl.t;
 }
@@ -36,7 +36,7 @@ let expect scope what (expected : Ir.ty) (found : Ir.ty) =
     bug "%s in `%s` is a %s where a %s is needed" what scope.node.name (show scope found)
       (show scope expected)
 
-(* The payload's leaf types. *)
+(* The types of the payload's leaves. *)
 let payload scope (ty : Ir.ty) index =
   match ty with
   | Bool | Int | Float | Array _ | Foreign _ ->
@@ -63,7 +63,7 @@ let check_all scope what expected atoms =
 let stateful scope what =
   if scope.node.kind = Function then bug "the function `%s` has a %s" scope.node.name what
 
-(* What a state may hold. *)
+(* Checks that a state may hold values of this type. *)
 let lasting scope ty =
   match Shape.of_the_instant scope.program.sums ty with
   | Some f -> bug "a `%s` outlives the instant in `%s`" f.foreign_name scope.node.name
@@ -155,7 +155,7 @@ let equation scope (eq : Ir.equation) =
 let signal_types = List.map (fun (s : Ir.signal) -> s.ty)
 let output_type (_, atom) = Operands.ty atom
 
-(* The types that a loop takes and gives, from those of its node. *)
+(* The input and output types of a loop, from those of its node. *)
 let loop scope (i : Ir.instance) (l : Ir.loop) inputs outputs =
   let taken (argument : Ir.argument) (ty : Ir.ty) : Ir.ty =
     match argument with
@@ -186,7 +186,7 @@ let instance scope names (i : Ir.instance) =
   if callee.kind = Signal_function then stateful scope "signal function";
   check_all scope "a static" (signal_types callee.statics) i.statics;
   List.iter (lasting scope) (signal_types callee.statics);
-  (* A node's outputs may be constants; their types are those of the callee's. *)
+  (* A node's outputs may be constants; their types are the callee's. *)
   let inputs = signal_types callee.inputs and outputs = List.map output_type callee.outputs in
   let inputs, outputs =
     match i.loop with
@@ -214,7 +214,7 @@ let transition scope (modes : Ir.node array) (t : Ir.transition) =
   check_all scope "a parameter of a mode" (signal_types modes.(t.target).statics) t.arguments;
   List.iter (lasting scope) (signal_types modes.(t.target).statics)
 
-(* [modes_of]: for each node so far the modes of the machine it belongs to. *)
+(* [modes_of]: for each preceding node that is a mode, the modes of its machine. *)
 let machine scope modes_of (m : Ir.machine) =
   let modes =
     List.map
@@ -280,7 +280,7 @@ let node program owners names modes_of index (node : Ir.node) =
   Option.iter (machine scope modes_of) node.machine;
   scope
 
-(* Transitions lead to modes that may come later. *)
+(* Transitions may lead to modes that come later in the program. *)
 let transitions modes_of (index, scope) =
   match (Hashtbl.find_opt modes_of index, scope.node.transitions) with
   | None, [] -> ()

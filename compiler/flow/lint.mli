@@ -1,4 +1,4 @@
-(** Checks what {!Ir} promises: one equation for each signal, in the node that uses it; callees
+(** Checks the invariants of {!Ir}: one equation for each signal, in the node that uses it; callees
     before callers; types of operations and instances; constructors that exist; functions without
     state; unique names. *)
 

@@ -1,12 +1,12 @@
-(** Flow as text, for dumps: the nodes in their order.
+(** Prints Flow for dumps, node by node.
 
-    A signal is shown by the programmer's name; of several with one name in a node the later ones
-    get a number, and what has no name is [_1], [_2]…, so that the text does not depend on the rest
-    of the program. *)
+    A signal is printed with the programmer's name. If several signals of a node have the same name,
+    the later ones are numbered. Signals without a name are [_1], [_2]…, so the text of a node does
+    not depend on the rest of the program. *)
 
 val program : Format.formatter -> Ir.program -> unit
 val ty : Ir.sum array -> Ir.ty -> string
 val float : float -> string
 
 val operator : Ir.operator -> string
-(** As the source language has it: [+], [min]. *)
+(** The operator in source syntax: [+], [min]. *)

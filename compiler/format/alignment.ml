@@ -1,20 +1,21 @@
 open Syntax.Grammar
 
-(* What a line is in its list. *)
+(* The role of a line within its block or list. *)
 type role = Item | Element | Guard
 
 type line = {
   frame : int;
   role : role;
   sign : Syntax.Grammar.token;
-  at : int;  (** the sign's index *)
-  wanted : int;  (** its column without more blanks, from the line's first word *)
-  written : int;  (** the column at which it stood *)
-  padded : bool;  (** with more than one blank *)
+  at : int;  (** index of the sign *)
+  wanted : int;
+      (** column of the sign without additional blanks, counted from the line's first word *)
+  written : int;  (** column of the sign in the source *)
+  padded : bool;  (** whether several blanks precede the sign *)
   line : int;
 }
 
-(* So much longer than the others in a group may the left side of one be that joins them. *)
+(* A line joins an aligned group only if this moves the group's column by at most this much. *)
 let most_joining = 8
 
 let is_sign ~(role : role) ~of_cases = function
@@ -22,7 +23,7 @@ let is_sign ~(role : role) ~of_cases = function
   | EQUAL | DOUBLE_COLON | LEFT_ARROW -> true
   | _ -> false
 
-(* The line from a word on, if a sign is in it. *)
+(* Finds the sign of the line that starts with this word, if there is one. *)
 let line_from (words : Word.t array) first =
   let n = Array.length words in
   let w = words.(first) in
@@ -59,7 +60,7 @@ let line_from (words : Word.t array) first =
     in
     match (role, w.item) with Item, false -> None | _ -> go first 0
 
-(* Whether several stand at a column, one of them by blanks. *)
+(* Whether several signs are in a line's column, at least one of them moved there by blanks. *)
 let shared group =
   let columns = Hashtbl.create 16 in
   let count line =
@@ -75,7 +76,7 @@ let shared group =
 let align (words : Word.t array) group =
   let aligned, others = List.partition (shared group) group in
   let most = List.fold_left (fun most line -> max most line.wanted) 0 aligned in
-  (* in order of their lengths each may make room for the next *)
+  (* The shortest line comes first, since each line that joins may make room for the next. *)
   let others = List.sort (fun a b -> Int.compare a.wanted b.wanted) others in
   let join (most, aligned) line =
     if line.wanted <= most + most_joining then (max most line.wanted, line :: aligned)
@@ -90,7 +91,7 @@ let align (words : Word.t array) group =
       aligned
 
 let set (words : Word.t array) =
-  (* the group of each frame that goes on, last line first *)
+  (* the current group of each frame, last line first *)
   let groups = Hashtbl.create 64 in
   let blank = ref 0 in
   let finish frame =

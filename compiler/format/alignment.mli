@@ -1,7 +1,7 @@
-(** Columns of [=], [->], [<-] and [::] that are made of lines below each other.
+(** Keeps [=], [->], [<-] and [::] of neighboring lines aligned.
 
-    Where the author has put those of neighbouring equations (branches, statements, fields) under
-    each other by blanks, they stay so, and others of the same group come along. *)
+    If the author has aligned these signs in neighboring equations, branches, statements or fields,
+    they stay aligned, and other lines of the same group are aligned with them. *)
 
 val set : Word.t array -> unit
-(** Adds to [gap]; see {!Spacing}. *)
+(** Increases [gap] (see {!Spacing}). *)

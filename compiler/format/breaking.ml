@@ -4,8 +4,8 @@ let most = 100
 
 (* {1 Operators} *)
 
-(* How loosely: that of smaller cost is broken at first. Parts of numbers and
-   names are not torn apart. *)
+(* The cost of a break at an operator. The line is broken at the lowest cost, so loosely binding
+   operators cost less. Breaks inside numbers and names cost [tight], which forbids them. *)
 let tight = 1000
 
 let cost_of_operator = function
@@ -46,12 +46,13 @@ let starts_operand (token : Syntax.Grammar.token) =
 
 (* {1 Structure of a line} *)
 
-(* Less than this is hardly worth a line. *)
+(* Minimum width of the part after a break; less is hardly worth a line. *)
 let least_rest = 12
 let is_opener = function LPAREN | LBRACKET | LBRACE -> true | _ -> false
 let is_closer = function RPAREN | RBRACKET | RBRACE -> true | _ -> false
 
-(* A function as the last argument: the line is broken in it and not before it. *)
+(* Whether the word opens a function that is the last argument. Such a line is broken inside the
+   function, not before it. *)
 let hugs (words : Word.t array) ~last k =
   words.(k).token.token = LPAREN && k < last
   && words.(k - 1).token.token <> RPAREN
@@ -66,7 +67,7 @@ let hugs (words : Word.t array) ~last k =
   in
   words.(k).partner > last || only_ends words.(k).partner
 
-(* A list or tuple, behind which hardly anything comes. *)
+(* Whether the word opens a list or tuple with almost nothing after it. *)
 let spans (words : Word.t array) ~last k =
   let w = words.(k) in
   is_opener w.token.token && w.partner > k && w.partner <= last
@@ -82,13 +83,13 @@ let spans (words : Word.t array) ~last k =
   in
   little (w.partner + 1) 0
 
-(* Of a part of the line: how deep it is, and whether an operator stands in it. *)
+(* A part of the line: its depth, and whether it contains operators. *)
 type part = { depth : int; mutable operators : bool }
 
 let depth_cost = 50
 
-(* The part of the line around each word up to one: what is between brackets, and behind
-   [if], [proc] and the like, is one level deeper. *)
+(* Computes the part of the line that contains each word up to [until]. The text between brackets,
+   and after [if], [proc] and similar keywords, is nested one level deeper. *)
 let parts (words : Word.t array) ~first ~until ~last =
   let whole = { depth = 0; operators = false } in
   let found = Array.make (until - first + 1) whole in
@@ -136,7 +137,7 @@ let parts (words : Word.t array) ~first ~until ~last =
 
 (* {1 Where to break} *)
 
-(* What it costs to break before a word; none if the line cannot be broken there. *)
+(* The cost of a break before a word; [None] if the line cannot be broken there. *)
 let cost (words : Word.t array) ~first ~last (part : part) k =
   let w = words.(k) and before = words.(k - 1) in
   let kind =
@@ -174,7 +175,8 @@ let of_a_short_rest = 20
 let of_a_long_rest = 25
 let least_gain = 4
 
-(* The best word up to one to break before; [columns] has the columns up to it. *)
+(* The word up to [until] with the cheapest break before it. [columns] has the columns of the words
+   up to [until]. *)
 let best words ~first ~until ~last ~outer ~inner ~stop (columns : int array) =
   let parts = parts words ~first ~until ~last in
   let better k best =
@@ -206,8 +208,8 @@ let best words ~first ~until ~last ~outer ~inner ~stop (columns : int array) =
 
 (* {1 Lists} *)
 
-(* A list at the beginning of a line: as many elements on a line as there is room for,
-   each line with a comma in front, and the bracket's end below. *)
+(* Breaks a list that starts a line: each line takes as many elements as fit, continuation lines
+   start with a comma, and the closing bracket has a line of its own. *)
 let list (words : Word.t array) ~first ~column =
   let opener = words.(first) and close = words.(first).partner in
   let inside = words.(first + 1).frame in
@@ -222,7 +224,7 @@ let list (words : Word.t array) ~first ~column =
   in
   let rec fill k at =
     if k < close then
-      (* a comma *)
+      (* the element, with 1 column for the comma *)
       let next, width = element (k + 1) 1 in
       if at + width > most then (
         words.(k).starts <- true;
@@ -232,8 +234,8 @@ let list (words : Word.t array) ~first ~column =
   let next, width = element (first + 1) 1 in
   fill next (column + width)
 
-(* Only so much of a line is looked at that a place to break is sure to be in it, if there is
-   one: a line may be the whole of a program that something has written. *)
+(* Examines only a window of the line at a time, and enlarges it until a break is found. Generated
+   programs may consist of one very long line. *)
 let rec within (words : Word.t array) ~first ~last ~column ~outer ~inner window =
   let columns = Array.make (min (last - first) window + 1) column in
   let until = first + Array.length columns - 1 in

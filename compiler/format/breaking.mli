@@ -1,9 +1,10 @@
-(** Lines that are too long are broken where a reader would: at what binds least. *)
+(** Breaks lines that are too long, at the loosest-binding operator. *)
 
 val most : int
-(** Characters of a line. *)
+(** Maximum number of characters in a line. *)
 
 val line : Word.t array -> first:int -> last:int -> column:int -> outer:int -> inner:int -> unit
-(** The line of these words stands at [column]. If it is too long, sets [starts] of one of them, or
-    of more; the rest then is a line to be looked at in its turn. A continuation of the line stands
-    at the column [outer], or at [inner] within brackets that it opens. *)
+(** Considers the line of these words, which starts at [column]. If it is too long, sets [starts] of
+    one or more words. The rest is then a new line, which the caller must consider next.
+    Continuation lines start at the column [outer], or at [inner] if they are inside brackets that
+    this line opens. *)

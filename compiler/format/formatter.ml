@@ -5,7 +5,7 @@ let once ~break (read : Reading.t) =
   Alignment.set read.words;
   Writing.text read (Indentation.lines ~break read.words)
 
-(* Alignments may make room for others: it is done when nothing changes any more. *)
+(* One alignment may make room for another, so formatting is repeated until nothing changes. *)
 let most_rounds = 4
 
 let rec rounds ~break n original text =
@@ -28,13 +28,14 @@ let without_tabs text =
   else text
 
 let text sink ~file text =
+  let as_before after = Formatted (Basis.Line_ends.write (Basis.Line_ends.of_text text) after) in
   let text = without_tabs text in
   match Syntax.Parse.program sink ~file text with
   | None -> Broken
   | Some _ -> (
       match formatted ~break:true text with
-      | Ok text -> Formatted text
+      | Ok text -> as_before text
       | Error _ -> (
           match formatted ~break:false text with
-          | Ok text -> Formatted text
+          | Ok text -> as_before text
           | Error law -> Refused law))

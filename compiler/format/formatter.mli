@@ -1,16 +1,17 @@
-(** `frobc format`: a program as this project writes programs.
+(** `frobc format`: formats a program in the style of this project.
 
-    Lines stay where the author broke them if they are not too long. From the program's words
-    ({!Reading}) come the blanks between them ({!Spacing}, {!Alignment}), the breaks of long lines
-    ({!Breaking}), each line's column ({!Indentation}), and with the comments its text ({!Writing}).
-    What comes out is checked against the {!Laws} each time. *)
+    Keeps the author's line breaks in lines that are not too long. The program is split into words
+    ({!Reading}). Then follow the blanks between them ({!Spacing}, {!Alignment}), breaks of long
+    lines ({!Breaking}), the column of each line ({!Indentation}), and the text with its comments
+    ({!Writing}). Each result is checked against the {!Laws}. *)
 
 open Basis
 
 type result =
   | Formatted of string
-  | Broken  (** no program: the sink knows why *)
-  | Refused of Laws.t  (** the formatter is at fault *)
+  | Broken  (** the text is not a program; the sink contains the errors *)
+  | Refused of Laws.t  (** the formatter has a bug: its result breaks this law *)
 
 val text : Diagnostic.sink -> file:string -> string -> result
-(** [text sink ~file text]: [file] is the name to show. Takes any bytes. *)
+(** [text sink ~file text]: [file] is the name for messages. Accepts any bytes. All lines get the
+    same line end as the first line. *)

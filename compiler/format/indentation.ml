@@ -2,40 +2,45 @@ open Syntax.Grammar
 
 type t = { columns : int array; ended : (int * int) list array }
 
-(* Of a block from what opens it, and of a line from the one that it continues. *)
+(* Indentation of a block relative to the line that opens it, and of a continuation line. *)
 let step = 4
 
-(* Of [then], [else] and [where] on lines of their own. *)
+(* Indentation of [then], [else] and [where] on lines of their own. *)
 let half_step = 2
 
 type bracket = {
   column : int;
-  first : bool;  (** on its line *)
-  mutable content : int option;  (** the column of what comes behind it on its line *)
-  mutable element : int option;  (** of the last element that was first on its line *)
+  first : bool;  (** whether the bracket is the first word on its line *)
+  mutable content : int option;  (** the column of the word after it on the same line *)
+  mutable element : int option;  (** the column of the last element that starts a line *)
   is_record : bool;
   commas_first : bool;
 }
 
 type kind =
   | Block of { mutable column : int option; mutable written : int; in_ : int option }
-      (** [in_]: the column of the [let] that opened it, if that was first on its line *)
+      (** [in_]: the column of the [let] that opened the block, if it is the first word on its line
+      *)
   | Bracket of bracket
   | If of { then_ : int; blocks : int; mutable else_ : int }
-      (** the columns of [then] and [else], and of the line to which blocks in them count *)
+      (** the columns of [then] and [else], and of the line relative to which blocks inside them are
+          indented *)
   | Else
 
 type frame = {
   kind : kind;
-  mutable base : int;  (** the column of the line that lines in it continue *)
-  mutable bar : (int * int) option;  (** the last [|], or a [=] of data: as for [ended] *)
+  mutable base : int;  (** the column of the line that lines in this frame continue *)
+  mutable bar : (int * int) option;
+      (** columns of the last [|], or of the [=] of a data declaration, in the source and in the
+          result *)
 }
 
 type state = {
   mutable stack : frame list;
-  mutable line : int;  (** the column of this line *)
-  mutable base : int;  (** to which blocks and brackets that it opens count *)
-  mutable opened_by : int;  (** the word that opens the next block *)
+  mutable line : int;  (** the column of the current line *)
+  mutable base : int;
+      (** the column relative to which blocks and brackets opened on this line are indented *)
+  mutable opened_by : int;  (** the index of the word that opens the next block *)
   mutable let_ : int option;  (** the column of that word if it is a [let] *)
 }
 
@@ -54,13 +59,13 @@ let rec pop_until state found =
 let is_block = function Block _ -> true | Bracket _ | If _ | Else -> false
 let is_closed_by_comma = function If _ | Else -> true | Block _ | Bracket _ -> false
 
-(* The innermost frame that is no choice. *)
+(* The innermost frame that is not an [if]. *)
 let rec around = function
   | { kind = If _ | Else; _ } :: rest -> around rest
   | frame :: _ -> frame
   | [] -> file ()
 
-(* What ends before a word; gives the last frame that did, and the blocks. *)
+(* Closes the frames that end before a word. Returns the last one, and the columns of the blocks. *)
 let close state (w : Word.t) =
   let last = ref None and blocks = ref [] in
   let take () =
@@ -90,8 +95,8 @@ let close state (w : Word.t) =
 
 (* {1 The column of a line} *)
 
-(* To which a [where] counts: where there is one, to the element of a list or record that it is
-   in. *)
+(* The column relative to which a [where] is indented: inside a list or record, that of the current
+   element, if it starts a line. *)
 let base_of_where (frame : frame) =
   match frame.kind with
   | Bracket { element = Some column; _ } -> column
@@ -110,7 +115,7 @@ let begins_element (words : Word.t array) i =
   | COMMA | LPAREN | LBRACKET | LBRACE | UNIT_BRACKET -> true
   | _ -> false
 
-(* What begins a line within brackets: an element of a list, or the rest of one. *)
+(* The column of a line inside brackets, which starts an element of a list or continues one. *)
 let in_bracket (bracket : bracket) ~base ~begins =
   match (begins, bracket.content, bracket.element) with
   | true, Some column, _ -> column

@@ -1,12 +1,13 @@
-(** The column of each line, from what it continues or in what block it stands. *)
+(** Computes the column of each line, from the line that it continues or the block that contains it.
+*)
 
 type t = {
-  columns : int array;  (** of the words that start a line *)
+  columns : int array;  (** columns of the words that start a line *)
   ended : (int * int) list array;
-      (** of the blocks that end before a word, innermost first, and of the one that it is in: the
-          column at which their items stood, and that at which they stand now; one more for the end
-          of the file *)
+      (** for each word, the blocks that end before it, innermost first, and the block that contains
+          it: the column of their items in the source, and in the result. One more element for the
+          end of the file *)
 }
 
 val lines : break:bool -> Word.t array -> t
-(** With [break], too long lines are broken first; see {!Breaking}. *)
+(** If [break] is true, long lines are broken first (see {!Breaking}). *)

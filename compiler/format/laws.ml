@@ -1,6 +1,7 @@
 type t = Tree | Comments | Rest
 
-(* A comment without the blanks that end its lines, which a definition's documentation is. *)
+(* A comment without trailing blanks on its lines. Comments may be the documentation of definitions,
+   so the text must stay the same otherwise. *)
 let documentation text =
   String.split_on_char '\n' text |> List.map Reading.without_trailing_blanks |> String.concat "\n"
 
@@ -32,6 +33,6 @@ let broken (a : Reading.t) (b : Reading.t) =
   else None
 
 let name = function
-  | Tree -> "the program would be another"
+  | Tree -> "the program would be different"
   | Comments -> "a comment would be lost"
-  | Rest -> "it would change again the next time"
+  | Rest -> "formatting it again would change it again"

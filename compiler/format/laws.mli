@@ -1,11 +1,12 @@
-(** What the formatter promises of its result. *)
+(** The properties that the formatter guarantees. *)
 
 type t =
-  | Tree  (** the program is the same *)
-  | Comments  (** they are the same, in the same order *)
-  | Rest  (** formatted again it stays as it is *)
+  | Tree  (** the result parses to the same program *)
+  | Comments  (** the result has the same comments in the same order *)
+  | Rest  (** the result does not change when it is formatted again *)
 
 val broken : Reading.t -> Reading.t -> t option
-(** Which law this result of a program breaks; never {!Rest}, which asks for another run. *)
+(** The law that a result breaks, given the program before and after. Never {!Rest}, which requires
+    another run of the formatter. *)
 
 val name : t -> string

@@ -31,7 +31,8 @@ let trimmed comment =
     String.split_on_char '\n' comment |> List.map without_trailing_blanks |> String.concat "\n"
   else without_trailing_blanks comment
 
-(* Behind the end of the line, or of the comment with all that are nested in it. *)
+(* The offset after a comment: the end of the line, or the end of a block comment including nested
+   ones. *)
 let comment_stop text at =
   let n = String.length text in
   if text.[at] = '-' then
@@ -47,13 +48,14 @@ let comment_stop text at =
     in
     go 1 (at + 2)
 
-(* Where the reader is in the text. *)
+(* The reader's position in the text. *)
 type place = {
   mutable line : int;
-  mutable counted : int;  (** an offset of this line, and how many characters stand before it *)
+  mutable counted : int;
+      (** an offset on this line; [characters] is the number of characters before it *)
   mutable characters : int;
-  mutable fresh : bool;  (** nothing yet on this line *)
-  mutable blank_before : bool;  (** the line above is empty *)
+  mutable fresh : bool;  (** nothing has been read on this line yet *)
+  mutable blank_before : bool;  (** the previous line is empty *)
 }
 
 let newline place at =
@@ -68,7 +70,7 @@ let column place text at =
   place.counted <- at;
   place.characters
 
-(* The comments from one offset to another, where there is nothing else but blanks. *)
+(* The comments between two offsets, where the text contains only comments and blanks. *)
 let comments place text start stop =
   let found = ref [] and at = ref start in
   while !at < stop do
@@ -98,18 +100,18 @@ let comments place text start stop =
 
 (* {1 Structure} *)
 
-(* What layout made before a token of the text. *)
+(* The layout tokens that were inserted before a token. *)
 type made = { mutable closes : int; mutable opens : bool; mutable item : bool }
 
-(* What is open. *)
+(* An open block or bracket. *)
 type frame = { number : int; cases : bool; units : bool; opener : int; mutable types : bool }
 
 type state = {
   mutable stack : frame list;
   mutable frames : int;
-  mutable unit_declaration : bool;  (** this item is one, and its [=] has come *)
+  mutable unit_declaration : bool;  (** inside a unit declaration, after its [=] *)
   mutable quoted : bool;  (** between backticks *)
-  mutable operand : bool;  (** an operand ends here, so a minus sign has two *)
+  mutable operand : bool;  (** the previous word ends an operand, so a minus sign here is binary *)
 }
 
 let top () = { number = 0; cases = false; units = false; opener = -1; types = false }
@@ -144,7 +146,7 @@ let layout_of text =
   in
   go []
 
-(* Between two ends of items that follow each other is nothing. *)
+(* Removes repeated separators, which enclose empty items. *)
 let without_empty_items (tokens : Layout.token array) =
   let add found (t : Layout.token) =
     match (t.token, found) with
@@ -179,7 +181,7 @@ let text text =
     from := stop;
     place.fresh <- false;
     place.blank_before <- false;
-    (* what layout made before it; it has no token for a semicolon *)
+    (* collects the layout tokens before this word; words do not include semicolons *)
     let made = { closes = 0; opens = false; item = index = 0 } in
     let rec take () =
       let token : Layout.token = laid_out.(!next) in

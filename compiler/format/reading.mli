@@ -1,16 +1,16 @@
-(** Text to {!Word}s.
+(** Converts text to {!Word}s.
 
-    The text has to be that of a program that {!Syntax.Parse} accepts. *)
+    The text must be a program that {!Syntax.Parse} accepts. *)
 
 type t = {
   words : Word.t array;
-  last : Word.comment list;  (** after the last word *)
+  last : Word.comment list;  (** comments after the last word *)
   layout : (Syntax.Grammar.token * bool) array;
-      (** all that the grammar is given but empty items, and whether layout made it: two texts for
-          which these are equal are parsed to the same tree *)
+      (** all tokens passed to the grammar except empty items, each with whether layout inserted it:
+          two texts with equal lists parse to the same tree *)
 }
 
 val text : string -> t
 
 val without_trailing_blanks : string -> string
-(** Of a line. *)
+(** Expects a single line. *)

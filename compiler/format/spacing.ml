@@ -1,12 +1,13 @@
 open Syntax.Grammar
 
-(* Lists whose lines begin with commas have a blank for each comma: [( a], [, b]. *)
+(* Blanks inside brackets. In lists whose lines start with commas, elements are aligned: [( a], [,
+   b]. *)
 let within (w : Word.t) =
   match w.token.token with LBRACE | RBRACE -> 1 | _ -> if w.commas_first then 1 else 0
 
 let is_sign = function SLASH | STAR | CARET | MINUS -> true | _ -> false
 
-(* Units are written tight: [m/s^2], [1/(m s)]. *)
+(* Units are written without blanks around operators: [m/s^2], [1/(m s)]. *)
 let in_unit (a : Word.t) (b : Word.t) =
   match (a.token.token, b.token.token) with
   | (EQUAL | COMMA), _ | _, EQUAL -> 1
@@ -20,7 +21,7 @@ let between (a : Word.t) (b : Word.t) =
   | (AT | BACKSLASH), _ -> 0
   | BACKTICK, _ when not a.in_quotes -> 0
   | _, BACKTICK when b.in_quotes -> 0
-  (* two minus signs make a comment *)
+  (* without a blank they would start a comment *)
   | MINUS, MINUS -> 1
   | MINUS, _ when a.prefix -> 0
   | _ when a.in_unit && b.in_unit -> in_unit a b

@@ -1,4 +1,4 @@
-(** The blanks between two words of a line: one, or none. *)
+(** Decides if there is a blank between two words of a line. *)
 
 val set : Word.t array -> unit
-(** Sets [gap] of all words, as if no line began with any of them. *)
+(** Sets [gap] of all words, as if they were all on one line. *)

@@ -20,7 +20,7 @@ let with_stops width text =
 
 let parses text = Syntax.Parse.program (Basis.Diagnostic.sink ()) ~file:"" text <> None
 
-(* Is a tab part of what somebody has written between quotes? *)
+(* Whether a string literal contains a tab. *)
 let in_quotes text =
   let lexer = Syntax.Lexer.create (Basis.Diagnostic.sink ()) ~file:"" text in
   let rec go () =

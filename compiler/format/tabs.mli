@@ -1,5 +1,5 @@
-(** Tabs, which the language does not allow, for indentation counts. *)
+(** Replaces tabs, which the language forbids because indentation is significant. *)
 
 val expanded : string -> string option
-(** The text with blanks for tabs, as wide as editors show them, if it is the same program whether
-    they are 4 or 8 wide, and no text of it has one. *)
+(** Replaces tabs by blanks. Succeeds only if the text is the same program for tab stops of 4 and 8
+    columns, and no string literal contains a tab. *)

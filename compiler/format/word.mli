@@ -1,39 +1,39 @@
-(** What a program is to the formatter: its words as they were written, in order, with the comments
-    between them and what layout made of their places.
+(** The formatter's view of a program: its words in source order, with the comments between them and
+    the layout information.
 
-    Always true: [comments] stand between the word before and this one; [partner] of a bracket is
-    the bracket that goes with it. Lines count from 1, columns from 0 and in characters. *)
+    Invariants: the [comments] of a word are between the previous word and this one; the [partner]
+    of a bracket is the matching bracket. Lines count from 1, columns from 0 and in characters. *)
 
 type comment = {
-  text : string;  (** without trailing blanks; of several lines if it is [{- … -}] *)
+  text : string;  (** without trailing blanks; may have several lines if it is [{- … -}] *)
   line : int;
   last_line : int;
   column : int;
-  own_line : bool;  (** nothing but blanks before it on its line *)
-  blank_before : bool;  (** an empty line or more right above it *)
+  own_line : bool;  (** only blanks precede it on its line *)
+  blank_before : bool;  (** at least one empty line directly above *)
 }
 
 type t = {
   token : Syntax.Lexer.token;
   text : string;
-  width : int;  (** characters *)
+  width : int;  (** in characters *)
   line : int;
   column : int;
   comments : comment list;
-  blank_before : bool;  (** an empty line or more right above it, where it is first on its line *)
-  closes : int;  (** so many blocks end before it *)
-  opens : bool;  (** it is the first of a block *)
-  item : bool;  (** it is the first of an item of a block, or of the file *)
+  blank_before : bool;  (** at least one empty line directly above, for the first word of a line *)
+  closes : int;  (** number of blocks that end before it *)
+  opens : bool;  (** whether it is the first word of a block *)
+  item : bool;  (** whether it is the first word of an item of a block or of the file *)
   frame : int;
-      (** what it stands in, a block or brackets: a number, 0 for the file. A bracket stands outside
-          of what it encloses. *)
-  mutable partner : int;  (** of a bracket: the index of the other one; else -1 *)
-  of_cases : bool;  (** it stands directly in a block of branches *)
-  in_unit : bool;  (** within the brackets of units, or on the right side of [unit u = …] *)
-  prefix : bool;  (** a minus sign of one operand *)
-  in_quotes : bool;  (** the name between backticks, or the closing one *)
+      (** number of the block or bracket pair that contains it; 0 for the file. A bracket is outside
+          of the pair that it belongs to *)
+  mutable partner : int;  (** for a bracket, the index of the matching one; otherwise -1 *)
+  of_cases : bool;  (** directly inside a block of branches *)
+  in_unit : bool;  (** in the brackets of a unit, or on the right-hand side of [unit u = …] *)
+  prefix : bool;  (** a unary minus sign *)
+  in_quotes : bool;  (** the name between backticks, or the closing backtick *)
   in_type : bool;
-  mutable commas_first : bool;  (** a bracket of a list whose lines begin with commas *)
-  mutable starts : bool;  (** a line of the result *)
-  mutable gap : int;  (** blanks before it, where it does not start a line *)
+  mutable commas_first : bool;  (** a bracket of a list whose lines start with commas *)
+  mutable starts : bool;  (** starts a line of the result *)
+  mutable gap : int;  (** number of blanks before it if it does not start a line *)
 }

@@ -1,17 +1,17 @@
-(* A comment behind the words of a line, or below one that is. *)
+(* A comment at the end of a line, or its continuation on the next line. *)
 type behind = {
   comment : string;
-  written : int;  (** the column at which it stood *)
-  distance : int;  (** from the words before it, there *)
-  line : int;  (** the last of the text's lines that it stood on *)
+  written : int;  (** its column in the source *)
+  distance : int;  (** its distance from the preceding word in the source *)
+  line : int;  (** its last line in the source *)
 }
 
 type line = {
   blank_before : bool;
   column : int;
-  shift : int;  (** by how much the line has moved to the right *)
+  shift : int;  (** number of columns by which the line was moved to the right *)
   words : string;
-  width : int;  (** of the words *)
+  width : int;  (** width of [words] *)
   behind : behind option;
 }
 
@@ -21,10 +21,10 @@ let stop line = line.column + line.width
 (* {1 Lines} *)
 
 type state = {
-  mutable done_ : line list;  (** last one first *)
+  mutable done_ : line list;  (** finished lines, last one first *)
   mutable now : line option;
-  buffer : Buffer.t;  (** the words of this line *)
-  mutable so_far : int;  (** their width *)
+  buffer : Buffer.t;  (** the words of the current line *)
+  mutable so_far : int;  (** width of these words *)
   mutable last : Word.t option;
 }
 
@@ -54,8 +54,8 @@ let characters text =
   String.iter (fun c -> if not (Basis.Utf8.is_continuation c) then incr n) text;
   !n
 
-(* The column of a comment on a line of its own: as what comes below it, or as the block
-   whose items it stood under. *)
+(* The column of a comment on a line of its own: that of the next line if they had the same column
+   in the source, or otherwise that of the block with whose items it was aligned. *)
 let column_of (c : Word.comment) ~below ~ended =
   match below with
   | Some (written, column) when written = c.column -> column
@@ -69,7 +69,8 @@ let column_of (c : Word.comment) ~below ~ended =
           | None, Some (_, column) -> column
           | None, None -> 0))
 
-(* A comment behind words, and those right below it at its column. *)
+(* Whether a comment continues the one at the end of the previous line: it is directly below, in the
+   same column. *)
 let goes_on state (c : Word.comment) =
   match (state.now, state.done_) with
   | Some { behind = Some b; _ }, _ | None, { behind = Some b; _ } :: _ ->
@@ -119,10 +120,10 @@ let lines (read : Reading.t) (placed : Indentation.t) =
   finish state;
   Array.of_list (List.rev state.done_)
 
-(* {1 Comments behind lines} *)
+(* {1 Comments at the ends of lines} *)
 
-(* From the first line of each group, in which they stood below each other, the number of
-   its lines; 0 for others. *)
+(* Groups comments that were aligned in the source: for each line, the index of the first line of
+   its group, or -1. *)
 let groups lines =
   let n = Array.length lines in
   let written i = Option.map (fun b -> b.written) lines.(i).behind in
@@ -137,7 +138,8 @@ let groups lines =
 
 let least_distance = 2
 
-(* By so many columns may a comment be off that comes to others. *)
+(* A single comment is aligned with a neighboring group if this moves it by at most this many
+   columns. *)
 let most_joining = 6
 
 let column_of_group lines members =
@@ -157,8 +159,8 @@ let column_of_group lines members =
         ((behind (List.hd members)).written + first.shift)
         of_words
 
-(* The column of each comment behind a line. Where several stand below each other, one
-   beside them that does not comes to them if there is room. *)
+(* The column of each comment at the end of a line. A single comment next to an aligned group is
+   aligned with it, if there is room. *)
 let columns lines =
   let n = Array.length lines in
   let group = groups lines in

@@ -1,3 +1,3 @@
-(** Words with their columns to text: here the comments find their places. *)
+(** Converts words and their columns to text, and places the comments. *)
 
 val text : Reading.t -> Indentation.t -> string

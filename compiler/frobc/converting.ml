@@ -3,12 +3,12 @@ open Options
 
 let convert =
   let from =
-    let doc = "What is there: a recording, or MCAP that $(tname) has made of one." in
+    let doc = "The file to convert: a recording, or an MCAP file written by $(tname)." in
     Arg.(required & pos 0 (some string) None & info [] ~docv:"FROM" ~doc)
   in
   let into =
     let doc =
-      "What is to be: $(b,.mcap), or a recording, $(b,.csv), $(b,.csv.gz) or $(b,.csv.zst)."
+      "The file to write: $(b,.mcap), or a recording, $(b,.csv), $(b,.csv.gz) or $(b,.csv.zst)."
     in
     Arg.(required & pos 1 (some string) None & info [] ~docv:"TO" ~doc)
   in
@@ -16,22 +16,23 @@ let convert =
     [
       `S Manpage.s_description;
       `P
-        "MCAP is what Foxglove, PlotJuggler and other tools for robots show. All values are in it, \
-         for plots: topics $(b,/in), $(b,/out) and $(b,/probe), in JSON. Besides, in space: \
-         $(b,/pose/...), what has a position and a heading; $(b,/tf), the robot by odometry; \
-         $(b,/ranges), the cones of its sonars' echoes. And $(b,/image/...), the frames of \
-         cameras.";
+        "Foxglove, PlotJuggler and other robot tools display MCAP files. The file contains all \
+         values for plots, as JSON in the topics $(b,/in), $(b,/out) and $(b,/probe). For a view \
+         in space, it contains $(b,/pose/...), every value with a position and a heading; \
+         $(b,/tf), the robot's pose by odometry; $(b,/ranges), the cones of the sonar echoes; and \
+         $(b,/image/...), the camera frames.";
       `P
-        "The recording itself is in it too, with the frames; so $(tname) can make the same files \
-         of it again, byte for byte. It makes none of MCAP that others have written.";
+        "It also contains the recording itself with its frames, so that $(tname) can restore the \
+         same files, byte for byte. $(tname) cannot convert MCAP files that other programs have \
+         written.";
       `P
-        "From one recording to another it changes the compression. Of an archive that is cut off \
-         or damaged the rows that are whole are converted, with a warning.";
+        "If both files are recordings, $(tname) changes the compression. From a truncated or \
+         damaged archive, it converts the complete rows and prints a warning.";
       `Pre
         "frobc run program.frob --for 60s --record run.csv.gz\n\
          $(tname) run.csv.gz run.mcap\n\
          $(tname) run.mcap again.csv";
     ]
   in
-  command "convert" ~man ~doc:"recordings as MCAP, for Foxglove and PlotJuggler, and back"
-    Term.(const Driver.Convert.run $ from $ into)
+  command "convert" ~man ~doc:"convert recordings to MCAP for Foxglove and PlotJuggler, and back"
+    Term.(const Tools.Convert.run $ dialect $ from $ into)

@@ -1,4 +1,4 @@
-(** The command that converts recordings: its arguments and texts. *)
+(** The command that converts recordings: its arguments and help text. *)
 
 open Cmdliner
 

@@ -1,76 +1,79 @@
 open Cmdliner
 open Options
-module Falsification = Driver.Falsification
+module Falsification = Tools.Falsification
 
 let several name ~docv ~doc = Arg.(value & opt_all string [] & info [ name ] ~docv ~doc)
 
 let params =
   several "param" ~docv:"NAME=\"LOW to HIGH\""
     ~doc:
-      "Search over this parameter of the program, as in $(b,--param 'kTurn=2[1/m] to 8[1/m]'). May \
-       be given several times."
+      "Search over this parameter of the program, as in $(b,--param 'kTurn=2[1/m] to 8[1/m]'). Can \
+       be repeated."
 
 let inputs =
   several "input" ~docv:"NAME=\"LOW to HIGH\""
     ~doc:
-      "Search over this input, a column as in a trace, in base units: $(b,--input 'in.speed=0 to \
-       1'). With one value, $(b,in.speed=0.5), it has that all the time. All inputs have to be \
-       given."
+      "Search over this input, named like a column of a trace, in base units: $(b,--input \
+       'in.speed=0 to 1'). With a single value, as in $(b,in.speed=0.5), the input is constant. \
+       Give every input of the program."
 
 let disturbances =
   several "disturbance" ~docv:"TABLE.KEY=\"LOW to HIGH\""
     ~doc:
-      "Of a program that drives a robot: search over this number of the world file, as in \
-       $(b,--disturbance 'sonar.noise=0 to 0.05') or $(b,--disturbance 'start.x=1 to 2'). May be \
-       given several times."
+      "For robot programs: search over this number of the world file, as in $(b,--disturbance \
+       'sonar.noise=0 to 0.05') or $(b,--disturbance 'start.x=1 to 2'). Can be repeated."
 
 let seeds =
-  let doc = "Likewise: search over these seeds of the world's noise, as $(b,1 to 100)." in
+  let doc =
+    "For robot programs: search over these seeds of the world's noise, as in $(b,1 to 100)."
+  in
   Arg.(value & opt (some string) None & info [ "seeds" ] ~docv:"LOW to HIGH" ~doc)
 
 let world =
-  let doc = "Likewise: its world. The default is that of $(b,frobc run)." in
+  let doc = "For robot programs: the world. The default is the same as for $(b,frobc run)." in
   Arg.(value & opt (some string) None & info [ "world" ] ~docv:"WORLD.toml" ~doc)
 
-let duration =
-  Arg.(value & opt time_span 60. & info [ "for" ] ~docv:"TIME" ~doc:"How long a run is.")
-
-let rate = Arg.(value & opt float 50. & info [ "rate" ] ~docv:"HZ" ~doc:"Instants a second.")
+let duration = Arg.(value & opt time_span 60. & info [ "for" ] ~docv:"TIME" ~doc:"Length of a run.")
+let rate = Arg.(value & opt float 50. & info [ "rate" ] ~docv:"HZ" ~doc:"Instants per second.")
 
 let check_rate =
   let doc =
-    "Judge what is found once more with so many instants a second, and let it count only if it is \
-     violated there too: for programs that are models of something continuous."
+    "Run each violation that is found again with this many instants per second, and report it only \
+     if the assertion is violated there too. Useful for programs that model something continuous."
   in
   Arg.(value & opt (some float) None & info [ "check-rate" ] ~docv:"HZ" ~doc)
 
 let points =
-  let doc = "So many values in a run, at equal distances, of each input." in
+  let doc = "Number of values, at equal intervals, that each input takes in a run." in
   Arg.(value & opt int 10 & info [ "points" ] ~docv:"N" ~doc)
 
 let linear =
-  let doc = "Between these values inputs change evenly, instead of all at once." in
+  let doc =
+    "Interpolate each input linearly between these values instead of changing it in steps."
+  in
   Arg.(value & flag & info [ "linear" ] ~doc)
 
-let only = several "only" ~docv:"LABEL" ~doc:"Only this assertion; may be given several times."
+let only = several "only" ~docv:"LABEL" ~doc:"Check only this assertion. Can be repeated."
 
 let runs =
-  Arg.(value & opt int 1000 & info [ "runs" ] ~docv:"N" ~doc:"At most so many for an assertion.")
+  Arg.(
+    value & opt int 1000
+    & info [ "runs" ] ~docv:"N" ~doc:"Maximum number of runs for each assertion.")
 
 let seed =
-  let doc = "Of the search; the same seed finds the same." in
+  let doc = "Seed of the search; the same seed leads to the same result." in
   Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc)
 
 let method_ =
   let doc =
-    "$(b,cma), CMA-ES, which needs the Python package cma; or $(b,random), which is blind and \
-     needs nothing."
+    "$(b,cma) for CMA-ES, which needs the Python package cma, or $(b,random) for random search, \
+     which needs no package."
   in
   let all = [ ("cma", "cma"); ("random", "random") ] in
   Arg.(value & opt (enum all) "cma" & info [ "method" ] ~docv:"METHOD" ~doc)
 
 let keep =
-  let doc = "The folder for the inputs of runs that are found." in
+  let doc = "Folder in which to save the inputs of violating runs." in
   Arg.(value & opt string "falsified" & info [ "keep" ] ~docv:"DIR" ~doc)
 
 let falsify =
@@ -100,20 +103,21 @@ let falsify =
     [
       `S Manpage.s_description;
       `P
-        "Looks for a run in which an assertion of the program is violated, over ranges of its \
-         parameters and inputs. How nearly the assertion held guides the search: by how much a \
-         comparison held, and of several the one that decides.";
+        "Searches given ranges of parameters and inputs for a run that violates an assertion of \
+         the program. The search is guided by how close a run comes to a violation: by the \
+         difference between both sides of a comparison, and for several comparisons by the one \
+         that determines the result.";
       `P
-        "A program that drives a robot does so in the simulator. There it is searched over \
-         parameters, disturbances and seeds, and it is an assertion too that the robot touches \
-         nothing.";
+        "Robot programs run in the simulator. For them, the search varies parameters, disturbances \
+         and seeds, and also looks for collisions.";
       `P
-        "A line for each assertion, and for each that was violated the command that shows the run. \
-         The exit status is 1 if there is one. That none was found proves nothing.";
-      `P "Needs Python with the package frob and numpy, and for $(b,--method cma) the package cma.";
+        "Prints a line for each assertion, and for each violated one the command that shows the \
+         run. The exit status is 1 if an assertion was violated. If no violation was found, that \
+         does not prove that there is none.";
+      `P "Needs Python with the packages frob and numpy, and for $(b,--method cma) also cma.";
     ]
   in
-  command "falsify" ~man ~doc:"look for a run in which an assertion is violated"
+  command "falsify" ~man ~doc:"search for a run that violates an assertion"
     Term.(
       const run $ general $ entry $ sources $ params $ inputs $ disturbances $ seeds $ world
       $ duration $ rate $ check_rate $ points $ linear $ only $ runs $ seed $ method_ $ keep $ file)

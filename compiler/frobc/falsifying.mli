@@ -1,3 +1,3 @@
-(** [frobc falsify]: see {!Driver.Falsification}. *)
+(** [frobc falsify]: see {!Tools.Falsification}. *)
 
 val falsify : int Cmdliner.Cmd.t

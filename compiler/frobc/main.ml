@@ -1,51 +1,53 @@
-(* The command line of frobc. What the commands do is in {!Driver};
-   here are only their options and texts. *)
+(* The command line of frobc: options and help texts. {!Tools} implements the commands. *)
 
 open Cmdliner
 open Options
-module Commands = Driver.Commands
-module General = Driver.General
+module Commands = Tools.Commands
+module Reporting = Build.Reporting
 
 (* {1 Commands} *)
 
 let check =
-  command "check" ~doc:"say what is wrong with programs or modules; nothing is written"
+  command "check" ~doc:"check programs or modules for mistakes without writing any files"
     Term.(const Commands.check $ general $ files)
 
 let format =
   let check =
     let doc =
-      "Write nothing; print the files that would change, each with its first line that would, and \
-       exit with 1 if there are any."
+      "Write nothing. Print the name of each file that would change and its first line that would \
+       change, and exit with status 1 if there are any."
     in
     Arg.(value & flag & info [ "check" ] ~doc)
   in
   let files =
-    let doc = "A $(b,.frob) file; $(b,-) is standard input, which goes to standard output." in
+    let doc =
+      "A $(b,.frob) file. With $(b,-), format standard input and write the result to standard \
+       output."
+    in
     Arg.(non_empty & pos_all string [] & info [] ~docv:"FILE" ~doc)
   in
   let man =
     [
       `S Manpage.s_description;
       `P
-        "Blanks, indentation and empty lines come to be as in the library and the examples. Lines \
-         stay where they are broken, and are broken where they have more than 100 characters; what \
-         is aligned by blanks stays so. Nothing else changes: each result is checked to be the \
-         same program with the same comments. A file that is no program stays as it is.";
+        "Formats spaces, indentation and empty lines in the style of the library and the examples. \
+         Existing line breaks stay, lines of more than 100 characters are broken, and columns that \
+         are aligned by spaces stay aligned. Nothing else changes: $(tname) checks that the result \
+         is the same program with the same comments. A file with syntax errors is left unchanged.";
     ]
   in
-  command "format" ~man ~doc:"write programs as the library is written, in place"
-    Term.(const (fun check files -> Driver.Format_files.run ~check files) $ check $ files)
+  command "format" ~man ~doc:"format programs in place, in the style of the library"
+    Term.(const (fun check files -> Tools.Format_files.run ~check files) $ check $ files)
 
 let fix =
   let diff =
-    let doc = "Write nothing; print what would change, as $(b,diff -u) does." in
+    let doc = "Write nothing; print the changes in the format of $(b,diff -u)." in
     Arg.(value & flag & info [ "diff" ] ~doc)
   in
   let all =
     let doc =
-      "Make all fixes, also those that may not be what you meant; of several for one place the \
-       first."
+      "Apply all fixes, including those that may not be what you meant. If there are several for \
+       one place, apply the first."
     in
     Arg.(value & flag & info [ "all" ] ~doc)
   in
@@ -53,16 +55,16 @@ let fix =
     [
       `S Manpage.s_description;
       `P
-        "Many messages of the compiler say what to write instead. Where nothing else can have been \
-         meant, $(tname) writes it, looks at the program again, and so on, and prints each fix \
-         that it made. What is left to do by hand is printed as $(b,frobc check) does.";
-      `P "An editor offers all fixes where they belong: see $(b,frobc lsp).";
+        "Many compiler messages contain a fix. If there is only one likely fix, $(tname) applies \
+         it and checks the program again, until no such fix is left. It prints each fix that it \
+         applied, and then the remaining messages, as $(b,frobc check) does.";
+      `P "Editors offer all fixes at their places: see $(b,frobc lsp).";
     ]
   in
-  command "fix" ~man ~doc:"mend what messages say how to mend, in place"
+  command "fix" ~man ~doc:"apply the fixes that messages suggest, in place"
     Term.(
       const (fun general diff all files ->
-          Driver.Fix_files.(run general ~diff (if all then All else Safe)) files)
+          Tools.Fix_files.(run general ~diff (if all then All else Safe)) files)
       $ general $ diff $ all $ files)
 
 let compile =
@@ -72,76 +74,74 @@ let compile =
   in
   let batch =
     let doc =
-      "With a function NAME_steps that takes many steps in one call, for replay and simulation."
+      "Add a function NAME_steps that runs many steps in one call, for replay and simulation."
     in
     Arg.(value & flag & info [ "batch" ] ~doc)
   in
   let standalone =
     let doc =
-      "Put into the two files what they need of frobc's own headers and sources, so that they \
-       compile anywhere by themselves."
+      "Include the parts of frobc's headers and sources that the two files need, so that they \
+       compile without frobc's folders."
     in
     Arg.(value & flag & info [ "standalone" ] ~doc)
   in
   let run general entry batch standalone folder file =
     Commands.compile general entry ~batch ~standalone folder file
   in
-  command "compile" ~doc:"translate a program to C: NAME.c and NAME.h"
+  command "compile" ~doc:"translate a program to C, into NAME.c and NAME.h"
     Term.(const run $ not_judging general $ entry $ batch $ standalone $ folder $ file)
 
 let build =
   let output =
-    let doc = "Where to write it; without it, the program's name." in
+    let doc = "Output file. The default is the program's name." in
     Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"EXE" ~doc)
   in
   let shared =
     let doc =
-      "Make a shared object instead, for hosts of this machine that load programs: with the \
-       program's table, and a function NAME_steps that takes many steps in one call."
+      "Build a shared object instead, for hosts on this machine that load programs. It contains \
+       the program's table and a function NAME_steps that runs many steps in one call."
     in
     Arg.(value & flag & info [ "shared" ] ~doc)
   in
   let target =
     let describe name =
-      let meaning = Option.fold ~none:"" ~some:Driver.Target.meaning (Driver.Target.of_name name) in
+      let meaning = Option.fold ~none:"" ~some:Build.Target.meaning (Build.Target.of_name name) in
       Printf.sprintf "$(b,%s) (%s)" name meaning
     in
     let doc =
-      "The machine to build for: "
-      ^ String.concat "; " (List.map describe Driver.Target.names)
-      ^ "."
+      "The machine to build for: " ^ String.concat "; " (List.map describe Build.Target.names) ^ "."
     in
     Arg.(value & opt string "host" & info [ "target" ] ~docv:"TARGET" ~doc)
   in
-  command "build" ~doc:"the executable that $(b,run --device) would start"
+  command "build" ~doc:"build the executable that $(b,run --device) would start"
     Term.(
       const (fun general entry sources target shared output file ->
           if shared && target <> "host" then
-            Driver.General.wrong_use "--shared is for this machine, without --target"
-          else if shared then Driver.Real_robot.library general ~entry ~sources ~output file
-          else Driver.Real_robot.build general ~entry ~sources ~target ~output file)
+            Reporting.wrong_use "--shared only works for this machine: remove --target"
+          else if shared then Tools.Real_robot.library general ~entry ~sources ~output file
+          else Tools.Real_robot.build general ~entry ~sources ~target ~output file)
       $ not_judging general $ entry $ sources $ target $ shared $ output $ file)
 
 let export =
   let folder =
     let doc =
-      "Write a library folder for PlatformIO: library.json, the C in $(b,src), and a main program \
-       for boards with the Arduino framework in $(b,examples), in a folder of the program's name."
+      "Write a library folder for PlatformIO, named after the program: library.json, the C code in \
+       $(b,src), and in $(b,examples) a main program for boards with the Arduino framework."
     in
     Arg.(required & opt (some string) None & info [ "platformio" ] ~docv:"DIR" ~doc)
   in
-  command "export" ~doc:"a robot program as a library for other build tools"
+  command "export" ~doc:"export a robot program as a library for other build tools"
     Term.(
       const (fun general entry sources folder file ->
-          Driver.Export.platformio general ~entry ~sources ~folder file)
+          Tools.Export.platformio general ~entry ~sources ~folder file)
       $ general $ entry $ sources $ folder $ file)
 
 let report =
   let states =
-    let doc = "Instead of that the switches and tasks as a state diagram, for Graphviz." in
+    let doc = "Print the switches and tasks as a state diagram for Graphviz instead." in
     Arg.(value & flag & info [ "states" ] ~doc)
   in
-  command "report" ~doc:"memory, operations and stack of a step, stated before it runs"
+  command "report" ~doc:"show the memory, operations and stack that a step needs"
     Term.(
       const (fun general entry states file -> Commands.report general ~entry ~states file)
       $ general $ entry $ states $ file)
@@ -152,9 +152,9 @@ let header =
       required
       & pos 0 (some string) None
       & info [] ~docv:"ROBOT"
-          ~doc:("The robot: " ^ robot_names ^ ", or the file of the module of one of your own."))
+          ~doc:("The robot: " ^ robot_names ^ ", or the file of the module of your own robot."))
   in
-  command "header" ~doc:"the C header with a robot's input and output types"
+  command "header" ~doc:"write the C header with a robot's input and output types"
     Term.(const Commands.header $ robot)
 
 let selftest =
@@ -162,35 +162,35 @@ let selftest =
   let cc =
     some [ "cc" ] ~docv:"CC"
       ~doc:
-        "The C compiler, a command, perhaps with options. Without it: that of the environment \
+        "The command of the C compiler, with options if you like. The default is the environment \
          variable $(b,CC), or $(b,cc)."
   in
   let cflags =
     some [ "cflags" ] ~docv:"FLAGS"
       ~doc:
         (Printf.sprintf
-           "Its options, separated by spaces, for compiling and for linking. Without them: $(b,%s)."
-           (String.concat " " Driver.Toolchain.flags))
+           "Options for compiling and linking, separated by spaces. The default is $(b,%s)."
+           (String.concat " " Build.Toolchain.flags))
   in
   let runner =
     some [ "runner" ] ~docv:"COMMAND"
-      ~doc:"What runs the programs that a cross compiler makes, such as $(b,qemu-aarch64)."
+      ~doc:"Command that runs the programs of a cross compiler, such as $(b,qemu-aarch64)."
   in
   let man =
     [
       `S Manpage.s_description;
       `P
-        "Compiles programs that together have every construct of the C that frobc writes, runs \
-         them, and compares their outputs with those of the reference interpreter, bit for bit. \
-         Prints a line for each of them and the verdict. What is wrong is said on standard error: \
-         numbers that are not IEEE 754's (contraction, $(b,-ffast-math), other rounding), code \
-         that does not compile, outputs that differ, and what the compiler warns of.";
+        "Compiles and runs programs that together contain every construct of generated C, and \
+         compares their outputs with those of the reference interpreter, bit for bit. Prints a \
+         line for each program and the verdict. Standard error lists the faults: arithmetic that \
+         does not follow IEEE 754 (contraction, $(b,-ffast-math), another rounding mode), code \
+         that does not compile, outputs that differ, and compiler warnings.";
       `P
-        "The exit status is 0 if the compiler is fit, 1 if it is not, and 2 if it could not be \
-         tried.";
+        "The exit status is 0 if the compiler is fit for generated C, 1 if it is not, and 2 if it \
+         could not be tested.";
       `P
-        "A compiler for another machine needs an emulator that runs its programs, one for a board \
-         also a library that prints through it:";
+        "A compiler for another machine needs an emulator that runs its programs. A compiler for a \
+         board also needs a library that prints through the emulator:";
       `Pre
         "frobc selftest --cc aarch64-linux-gnu-gcc \\\\\n\
         \  --cflags \"-O2 -ffp-contract=off -static\" --runner qemu-aarch64\n\
@@ -198,16 +198,16 @@ let selftest =
         \  --cflags \"-O2 -ffp-contract=off --specs=rdimon.specs\" --runner qemu-arm";
     ]
   in
-  command "selftest" ~man ~doc:"whether a C compiler, with its options, is fit for generated C"
+  command "selftest" ~man ~doc:"check that your C compiler handles generated C correctly"
     Term.(
-      const (fun cc cflags runner real -> Driver.Selftest.run { cc; cflags; runner; real })
+      const (fun cc cflags runner real -> Tools.Selftest.run { cc; cflags; runner; real })
       $ cc $ cflags $ runner $ real)
 
 let new_project =
   let folder =
     let doc =
-      "The folder to make, as in $(b,rover) or $(b,robots/rover): letters, digits, $(b,_) and \
-       $(b,-). The program in it is called so too."
+      "The folder to create, as in $(b,rover) or $(b,robots/rover). Its name, which is also the \
+       name of the program, consists of letters, digits, $(b,_) and $(b,-)."
     in
     Arg.(required & pos 0 (some string) None & info [] ~docv:"NAME" ~doc)
   in
@@ -215,13 +215,13 @@ let new_project =
     [
       `S Manpage.s_description;
       `P
-        "Makes a project to begin with: a program that drives about and touches nothing, with \
-         trials that say so; a world; a README with the commands that there are; and what editors \
-         are to know. A folder that is there already stays as it is.";
+        "Creates a project to start from: a program that drives around and touches nothing, trials \
+         that check this, a world, a README with the commands to use, and settings for editors. \
+         $(tname) does not change an existing folder.";
     ]
   in
-  command "new" ~man ~doc:"a folder with a program, its world and its trials, to begin with"
-    Term.(const Driver.New_project.run $ folder)
+  command "new" ~man ~doc:"create a project with a program, its world and its trials"
+    Term.(const Tools.New_project.run $ folder)
 
 let explain =
   let code =
@@ -230,29 +230,29 @@ let explain =
       & pos 0 (some string) None
       & info [] ~docv:"CODE" ~doc:"The code of a diagnostic, such as $(b,E0401).")
   in
-  command "explain" ~doc:"what a diagnostic means, with an example and its cure"
+  command "explain" ~doc:"explain a diagnostic, with an example and its fix"
     Term.(const Commands.explain $ code)
 
 let lsp =
   let stdio =
-    let doc = "Standard input and output, as without it: some editors say so." in
+    let doc = "Use standard input and output. This is the default; some editors pass the option." in
     Arg.(value & flag & info [ "stdio" ] ~doc)
   in
   let man =
     [
       `S Manpage.s_description;
       `P
-        "An editor starts this and asks it about programs: messages while you type, types, \
-         definitions, completion, renaming, and so on, by the Language Server Protocol. How to set \
-         up an editor is told in docs/editors.md.";
+        "A language server for editors: it reports messages while you type, and provides types, \
+         definitions, completion, renaming and more by the Language Server Protocol. \
+         docs/editors.md describes how to set up an editor.";
     ]
   in
-  command "lsp" ~man ~doc:"the compiler in an editor"
+  command "lsp" ~man ~doc:"run the language server for editors"
     Term.(const (fun (_ : bool) -> Language_server.Server.run ()) $ stdio)
 
 let help names =
   let topic =
-    let doc = "The command; without it, frobc as a whole." in
+    let doc = "The command. Without it, the help of frobc itself." in
     Arg.(value & pos 0 (some string) None & info [] ~docv:"COMMAND" ~doc)
   in
   let show = function
@@ -263,7 +263,7 @@ let help names =
               (String.concat ", " names) )
     | topic -> `Help (`Auto, topic)
   in
-  command "help" ~doc:"what a command does, and its options" Term.(ret (const show $ topic))
+  command "help" ~doc:"show what a command does and its options" Term.(ret (const show $ topic))
 
 let commands =
   let all =
@@ -298,30 +298,37 @@ let main =
     [
       `S Manpage.s_description;
       `P
-        "In Frob time is implicit and behaviour is written as equations. $(tname) type-checks a \
-         program and turns it into C: no heap, no recursion, memory and time known in advance.";
+        "In Frob, time is implicit and behaviour is written as equations. $(tname) type-checks a \
+         program and translates it to C without heap or recursion, whose memory and time are known \
+         in advance.";
       `P
-        "$(b,frobc new rover) makes a project to begin with. $(b,frobc help COMMAND) tells more of \
-         a command, and $(b,frobc explain CODE) of a message.";
+        "Every command writes only its results to standard output. Errors, warnings and progress \
+         go to standard error.";
+      `P
+        "Start with $(b,frobc new rover), which creates a project. $(b,frobc help COMMAND) \
+         describes a command, and $(b,frobc explain CODE) a message.";
       `S Manpage.s_see_also;
       `P
-        "The documentation: a tutorial, pages for single jobs, the language, in share/doc/frobc of \
-         an installation.";
+        "The documentation is in share/doc/frobc of an installation: a tutorial, how-to pages and \
+         the language reference.";
     ]
   in
-  Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits) commands
+  Cmd.group (Cmd.info "frobc" ~version:Build.Version.number ~doc ~man ~exits) commands
 
-(* A compilation is short, and what outlives the minor heap mostly lives to the
-   end: marking finds little to free. Without it large programs take a tenth less
-   work (and 0.6 GB for 100,000 lines; to free the front end's trees when only Flow is
-   wanted would make that 0.5 GB, and take more time than it saves). In a small heap there
-   would be marking all the same, as it is done in proportion to what share of the
-   heap is new: so the heap grows by 32 MB at a time, of which only what is used is
-   real memory. Where hardly anything is freed there is no use in looking for the
-   block that fits best (policy 2, the default) either: policy 0 takes the next one;
-   nor in moving blocks together (never, with so large an overhead). Nor does the
-   buffer of each file that was read ask for marking (the ratio of such memory).
-   The minor heap stays as it is: a larger one leaves the processor's cache. *)
+(* Disables most of the major garbage collection. A compilation is short, and what survives the
+   minor heap mostly lives until the end, so marking finds little to free. Without marking, large
+   programs take a tenth less time, at the cost of 0.6 GB for 100,000 lines. (Freeing the front
+   end's trees after Flow would reduce that to 0.5 GB, but take more time than it saves.)
+
+   - [space_overhead]: marking is in proportion to the share of the heap that is new, so it would
+     still happen in a small heap.
+   - Heap increment: therefore the heap grows by 32 MB at a time, of which only the used part
+     occupies real memory.
+   - Allocation policy: best fit (2, the default) is not worth it if hardly anything is freed; next
+     fit (0) is faster.
+   - [max_overhead]: disables compaction.
+   - Custom memory: file buffers do not trigger marking.
+   - The minor heap keeps its size, because a larger one does not fit into the processor's cache. *)
 let collect_seldom () =
   Gc.set
     {
@@ -333,7 +340,7 @@ let collect_seldom () =
       custom_major_ratio = 1_000_000;
     }
 
-(* The flags of a C compiler begin as options do: `--cflags -O2`. *)
+(* The flags of a C compiler look like options: `--cflags -O2`. *)
 let rec with_flags = function
   | "--cflags" :: flags :: rest -> ("--cflags=" ^ flags) :: with_flags rest
   | argument :: rest -> argument :: with_flags rest
@@ -341,24 +348,38 @@ let rec with_flags = function
 
 let argv = Array.of_list (with_flags (Array.to_list Sys.argv))
 
+(* Escapes control characters in text from the command line before printing it. *)
+let messages =
+  let put text from length = prerr_string (Basis.Printable.text (String.sub text from length)) in
+  (* If standard error is closed, drop the messages. *)
+  let flush () = try flush stderr with Sys_error _ -> () in
+  Format.make_formatter put flush
+
+(* 200,000 branches of a `case` need more than the usual 8 MB, because some passes recurse along
+   lists. A larger stack would be slow: each minor collection scans the whole stack, so a function
+   that recurses until the stack is full takes time quadratic in the stack's size. *)
+let largest_stack = 1 lsl 25
+
 let () =
+  Build.Child.end_with_parent ();
+  Build.Child.allow_stack largest_stack;
   collect_seldom ();
-  Driver.Streams.keep_numbers ();
+  Build.Streams.keep_numbers ();
   let status =
-    match Cmd.eval_value ~catch:false ~argv main with
+    match Cmd.eval_value ~err:messages ~catch:false ~argv main with
     | Ok (`Ok status) -> status
-    | Ok (`Version | `Help) -> Driver.Exit_status.ok
-    | Error (`Parse | `Term) -> Driver.Exit_status.wrong_use
-    | Error `Exn -> Driver.Exit_status.bug
-    | exception exn when Driver.Streams.output_fault () = None -> General.report_exception exn
-    | exception _ -> Driver.Exit_status.wrong_use
+    | Ok (`Version | `Help) -> Build.Exit_status.ok
+    | Error (`Parse | `Term) -> Build.Exit_status.wrong_use
+    | Error `Exn -> Build.Exit_status.bug
+    | exception exn when Build.Streams.output_fault () = None -> Reporting.report_exception exn
+    | exception _ -> Build.Exit_status.wrong_use
   in
   let status =
-    match Driver.Streams.output_fault () with
+    match Build.Streams.output_fault () with
     | None -> status
     | Some reason ->
         Printf.eprintf "error: cannot write standard output: %s\n" reason;
-        if status = Driver.Exit_status.ok then Driver.Exit_status.wrong_use else status
+        if status = Build.Exit_status.ok then Build.Exit_status.wrong_use else status
   in
-  Driver.Streams.drop_unwritable ();
+  Build.Streams.drop_unwritable ();
   exit status

@@ -1,5 +1,6 @@
-# man.sh FROBC PAGE…: the pages of man, frobc.1 and frobc-COMMAND.1: what --help says.
-# Cmdliner writes -, . and ' by number, which whatis does not read.
+# man.sh FROBC PAGE…: writes the manual pages frobc.1 and frobc-COMMAND.1 from --help. Cmdliner
+# writes the characters -, . and ' as numeric escapes, which whatis cannot read, so they are
+# replaced.
 set -eu
 frobc=$1
 shift

@@ -1,12 +1,12 @@
-(** What several commands take on the command line. *)
+(** Arguments and options that several commands share. *)
 
 open Cmdliner
-module General := Driver.General
+module Common_options := Build.Common_options
 
 val exits : Cmd.Exit.info list
 
 val command : string -> doc:string -> ?man:Manpage.block list -> int Term.t -> int Cmd.t
-(** With the statuses with which all commands exit. *)
+(** Adds the exit statuses that all commands share. *)
 
 (** {1 Arguments} *)
 
@@ -14,31 +14,35 @@ val file : string Term.t
 val files : string list Term.t
 
 val entry : string Term.t
-(** [--entry] *)
+(** The option [--entry]. *)
 
 val sources : string list Term.t
-(** [--with]: the user's own C *)
+(** The option [--with]: the user's own C files. *)
 
 val real : Basis.Real.t Term.t
 
 val robot_names : string
-(** Of the library, for a manual page. *)
+(** The robots in the library, for a manual page. *)
 
 val time_span : float Arg.conv
-(** [1.5s], [2min]: in seconds. *)
+(** A time such as [1.5s] or [2min], converted to seconds. *)
 
 (** {1 General options} *)
 
-val general : General.t Term.t
+val general : Common_options.t Term.t
 
-val probed : General.t Term.t
-(** With [--probe]. *)
+val probed : Common_options.t Term.t
+(** General options and [--probe]. *)
 
-val judging : General.t Term.t -> General.t Term.t
-(** With [--asserts]: of a command that runs a program. *)
+val judging : Common_options.t Term.t -> Common_options.t Term.t
+(** Adds [--asserts], for a command that runs a program. *)
 
-val not_judging : General.t Term.t -> General.t Term.t
-(** With [--asserts]: of one that only compiles it. *)
+val not_judging : Common_options.t Term.t -> Common_options.t Term.t
+(** Adds [--asserts], for a command that only compiles a program. *)
 
-val with_params : General.t Term.t -> General.t Term.t
-(** With [--param]. *)
+val with_params : Common_options.t Term.t -> Common_options.t Term.t
+(** Adds [--param]. *)
+
+val dialect : Interp.Dialect.t Term.t
+(** The options [--separator], [--decimal-comma], [--time-column] and [--column], for commands that
+    read a recording. *)

@@ -1,266 +1,200 @@
 open Cmdliner
 open Options
-module Simulating = Driver.Simulating
-module Tracing = Driver.Tracing
-module Viewing = Driver.Viewing
-module General = Driver.General
+module Simulating = Tools.Simulating
+module Tracing = Tools.Tracing
+module Viewing = Tools.Viewing
+module Reporting = Build.Reporting
 
 let trace =
   let input =
     let doc =
-      "The recorded input, CSV with a header, perhaps compressed ($(b,.csv.gz), $(b,.csv.zst)); \
-       $(b,-) is standard input."
+      "The recorded input: CSV with a header, which may be compressed ($(b,.csv.gz), \
+       $(b,.csv.zst)). $(b,-) is standard input."
     in
     Arg.(value & opt (some string) None & info [ "input" ] ~docv:"IN.csv" ~doc)
   in
   let output =
-    let doc = "Where the output goes, instead of standard output." in
+    let doc = "Output file. The default is standard output." in
     Arg.(value & opt (some string) None & info [ "output" ] ~docv:"OUT.csv" ~doc)
   in
   let engine =
     let doc =
-      "What runs the program: $(b,c), the compiled C, or $(b,interp), the reference interpreter. \
-       Both give the same output."
+      "How to run the program: $(b,c) compiles it to C, $(b,interp) uses the reference \
+       interpreter. The output is the same."
     in
     let engines = [ ("c", Tracing.C); ("interp", Tracing.Interpreter) ] in
     Arg.(value & opt (enum engines) Tracing.C & info [ "engine" ] ~docv:"ENGINE" ~doc)
   in
   let modes =
     let doc =
-      "Add a column for each machine of switches or tasks, $(b,mode.NAME), with the name of the \
-       mode that runs after the instant."
+      "Add a column $(b,mode.NAME) for each state machine of switches or tasks, with the name of \
+       its mode after the instant."
     in
     Arg.(value & flag & info [ "modes" ] ~doc)
   in
   let picture =
     let doc =
-      "Draw the columns of the output, inner signals too, over the time, instead of printing them."
+      "Draw the columns of the output, including inner signals, over time instead of printing them."
     in
     Arg.(value & opt (some string) None & info [ "picture" ] ~docv:"P.svg" ~doc)
   in
-  let run general entry sources modes input output picture engine file =
-    Tracing.trace general engine ~entry ~sources ~modes ~input ~output ~picture file
+  let run general dialect entry sources modes input output picture engine file =
+    Tracing.trace general engine ~dialect ~entry ~sources ~modes ~input ~output ~picture file
   in
   let man =
     [
       `S Manpage.s_description;
       `P
-        "The input is CSV. Its first line names the columns: $(b,time), the seconds of each \
-         instant, and one for each part of the program's input: $(b,in) for a single value, \
-         $(b,in.1) and $(b,in.2) for a pair, $(b,in.heading) for the field of a record. With \
-         another header the right one is shown.";
+        "The input is CSV. Its first line names the columns: $(b,time) for the time of each \
+         instant in seconds, and one column for each part of the program's input: $(b,in) for a \
+         single value, $(b,in.1) and $(b,in.2) for a pair, $(b,in.heading) for the field of a \
+         record. If the header is wrong, the message shows the right one.";
       `P
-        "Numbers are in units of scale 1 (m, s, rad); truth is $(b,true) or $(b,false); other data \
-         is written as in a program, as $(b,At 0.5). The cell of an event is empty where it does \
-         not occur. The output has the columns $(b,time) and $(b,out); an input may have them too, \
-         as a recording of $(b,frobc run) does, and they are not read.";
+        "Numbers are in base units (m, s, rad); a Bool is $(b,true) or $(b,false); other data is \
+         written as in a program, such as $(b,At 0.5). The cell of an event is empty when the \
+         event does not occur. The output has the columns $(b,time) and $(b,out). If the input has \
+         $(b,out) columns too, like a recording of $(b,frobc run), they are ignored.";
     ]
   in
   command "trace" ~man ~doc:"run a signal function on recorded input"
     Term.(
       const run
       $ judging (with_params probed)
-      $ entry $ sources $ modes $ input $ output $ picture $ engine $ file)
+      $ dialect $ entry $ sources $ modes $ input $ output $ picture $ engine $ file)
+
+(* Options of `frobc run`. Those of hosts are in three groups: for all hosts, for the simulator only,
+   and for robots only. *)
+
+let some_string name ~docv ~doc = Arg.(value & opt (some string) None & info [ name ] ~docv ~doc)
+
+let for_hosts =
+  Host_option.
+    [
+      time_span "for" ~docv:"TIME"
+        ~doc:
+          "How long to run, as in $(b,60s), $(b,500ms) or $(b,2min). The default is one minute in \
+           the simulator; on a robot, the run continues until you stop it.";
+      one Arg.float ~print:(Printf.sprintf "%.9g") ~absent:"50." "rate" ~docv:"HZ"
+        ~doc:"Steps of the controller per second.";
+      flag "exit-when-done" ~doc:"Stop when the program's task has ended, even if time is left.";
+      flag "console" ~doc:"Pass typed keys to the program, one at each instant.";
+    ]
+
+let realtime =
+  Host_option.flag "realtime" ~doc:"Run the simulator in real time, as a robot always does."
+
+let for_simulator =
+  Host_option.
+    [
+      one Arg.int ~absent:"1" "seed" ~docv:"N"
+        ~doc:"Seed of all noise: the same seed gives the same run.";
+      flag "strict" ~doc:"End with status 4 when the robot hits something.";
+    ]
+
+let for_robots =
+  Host_option.
+    [
+      time_span "patience" ~docv:"TIME"
+        ~doc:
+          "With $(b,--device): stop the robot if the newest reading is older than this or if a \
+           step takes longer (200ms).";
+      time_span "reconnect" ~docv:"TIME"
+        ~doc:"With $(b,--device): how long to wait for a lost robot to come back (30s).";
+      many "set" ~docv:"NAME=VALUE"
+        ~doc:
+          "With $(b,--device): change a setting of the robot's driver or of a camera, as in \
+           $(b,camera.up=0.3). An unknown setting lists all settings.";
+      many "camera" ~docv:"SOURCE"
+        ~doc:
+          "With $(b,--device): the source of the camera's frames. This is a device \
+           ($(b,/dev/video0)); an MJPEG stream ($(b,http://HOST:PORT/PATH)); a folder of pictures; \
+           or a pipe or file of pictures (PPM, PGM, JPEG) or of raw frames, whose \
+           $(b,camera.width) and $(b,camera.height) you set by $(b,--set). If the program has \
+           several cameras, give $(b,LABEL=SOURCE) for each.";
+      one Arg.int "priority" ~docv:"N"
+        ~doc:"With $(b,--device): run with this real-time priority, 1 to 99.";
+      flag "lock-memory"
+        ~doc:"With $(b,--device): keep the program's memory from being swapped out.";
+    ]
+
+let look =
+  let parts = [ ("print", `Print); ("control", `Control) ] in
+  let doc =
+    "Show the run live on a page with all signals, in real time; without $(b,--for), the run \
+     continues until you stop it. Prints the address of the page, and opens a browser if there is \
+     a desktop. $(b,--view=print) does not open a browser. $(b,--view=control) lets viewers send \
+     events to a real robot; otherwise they can only stop it. $(b,--view=print,control) does both."
+  in
+  let make = function
+    | None -> None
+    | Some parts ->
+        Some { Viewing.browser = not (List.mem `Print parts); control = List.mem `Control parts }
+  in
+  Term.(
+    const make
+    $ Arg.(
+        value
+        & opt ~vopt:(Some []) (some (list (enum parts))) None
+        & info [ "view" ] ~docv:"HOW" ~doc))
 
 let run =
-  let some_string names ~docv ~doc = Arg.(value & opt (some string) None & info names ~docv ~doc) in
   let world =
-    some_string [ "world" ] ~docv:"WORLD.toml"
+    some_string "world" ~docv:"WORLD.toml"
       ~doc:
-        "The world to drive in. Without it: $(b,world.toml) beside the program, or else the room \
-         that comes with frobc."
-  in
-  let duration =
-    let doc =
-      "How long to run, as $(b,60s), $(b,500ms), $(b,2min). Without it: a minute in the simulator, \
-       and until it is ended on a robot."
-    in
-    Arg.(value & opt (some time_span) None & info [ "for" ] ~docv:"TIME" ~doc)
-  in
-  let rate =
-    let doc = "Steps of the controller per second." in
-    Arg.(value & opt float 50. & info [ "rate" ] ~docv:"HZ" ~doc)
-  in
-  let seed =
-    let doc = "Seed of all noise: the same seed gives the same run." in
-    Arg.(value & opt (some int) None & info [ "seed" ] ~docv:"N" ~doc ~absent:"1")
-  in
-  let realtime =
-    let doc = "Run no faster than the clock on the wall, as a robot does in any case." in
-    Arg.(value & flag & info [ "realtime" ] ~doc)
+        "The world to drive in: a file in this folder or in the program's folder, or the name of a \
+         world that comes with frobc. The default is $(b,world.toml) in the program's folder, or \
+         the room that comes with frobc if there is no such file."
   in
   let record =
-    some_string [ "record" ] ~docv:"LOG.csv"
+    some_string "record" ~docv:"LOG.csv"
       ~doc:
-        "Write every instant's input and output, in the format of $(b,frobc trace); compressed, if \
-         the name ends in $(b,.gz) or $(b,.zst)."
+        "Write the input and output of every instant, in the format of $(b,frobc trace). The file \
+         is compressed if its name ends in $(b,.gz) or $(b,.zst)."
   in
   let picture =
-    some_string [ "picture" ] ~docv:"P.svg|P.png"
-      ~doc:"Draw the world, the path driven and the signals."
-  in
-  let strict =
-    Arg.(value & flag & info [ "strict" ] ~doc:"End with status 4 when the robot hits something.")
-  in
-  let exit_when_done =
-    Arg.(
-      value & flag
-      & info [ "exit-when-done" ]
-          ~doc:"End when the program's task has ended, and not after the time that is set.")
-  in
-  let console =
-    let doc = "Give the keys that are typed to the program, one at each instant." in
-    Arg.(value & flag & info [ "console" ] ~doc)
-  in
-  let look =
-    let parts = [ ("print", `Print); ("control", `Control) ] in
-    let doc =
-      "Show the run while it goes on, on a page with all signals, in real time; without $(b,--for) \
-       until it is stopped. Prints the page's address and opens a browser, if there is a desktop. \
-       $(b,--view=print): opens none. $(b,--view=control): pages may send events to a real robot, \
-       too, and not only stop it. $(b,--view=print,control): both."
-    in
-    let make = function
-      | None -> None
-      | Some parts ->
-          Some { Viewing.browser = not (List.mem `Print parts); control = List.mem `Control parts }
-    in
-    Term.(
-      const make
-      $ Arg.(
-          value
-          & opt ~vopt:(Some []) (some (list (enum parts))) None
-          & info [ "view" ] ~docv:"HOW" ~doc))
+    some_string "picture" ~docv:"P.svg|P.png"
+      ~doc:"Draw the world, the robot's path and the signals."
   in
   let device =
-    some_string [ "device" ] ~docv:"DEV"
+    some_string "device" ~docv:"DEV"
       ~doc:
-        "Run on the robot behind this serial line (a path, best one below $(b,/dev/serial/by-id)) \
-         or this address ($(b,tcp:HOST:PORT)) instead of in the simulator."
+        "Run on the robot at this serial port (a path, preferably in $(b,/dev/serial/by-id)) or \
+         this address ($(b,tcp:HOST:PORT)) instead of in the simulator."
   in
-  let span name ~doc = Arg.(value & opt (some time_span) None & info [ name ] ~docv:"TIME" ~doc) in
-  let patience =
-    span "patience"
-      ~doc:
-        "With $(b,--device): how old the newest reading may be, and how long a step may take, \
-         before the robot is stopped (200ms)."
-  in
-  let reconnect =
-    span "reconnect" ~doc:"With $(b,--device): how long to wait for a robot that was lost (30s)."
-  in
-  let settings =
-    let doc =
-      "With $(b,--device): change a setting of the robot's driver, or of a camera, as \
-       $(b,camera.up=0.3); a wrong one lists them all."
-    in
-    Arg.(value & opt_all string [] & info [ "set" ] ~docv:"NAME=VALUE" ~doc)
-  in
-  let cameras =
-    let doc =
-      "With $(b,--device): where the frames of the program's camera come from. A device \
-       ($(b,/dev/video0)); a stream of MJPEG ($(b,http://HOST:PORT/PATH)); a folder of pictures; a \
-       pipe or a file of pictures (PPM, PGM, JPEG), or of raw frames whose $(b,camera.width) and \
-       $(b,camera.height) are set by $(b,--set). Of a program with several cameras: \
-       $(b,LABEL=SOURCE), for each."
-    in
-    Arg.(value & opt_all string [] & info [ "camera" ] ~docv:"SOURCE" ~doc)
-  in
-  let priority =
-    let doc = "With $(b,--device): run with this real-time priority, 1 to 99." in
-    Arg.(value & opt (some int) None & info [ "priority" ] ~docv:"N" ~doc)
-  in
-  let lock_memory =
-    let doc = "With $(b,--device): keep the program's memory from being swapped out." in
-    Arg.(value & flag & info [ "lock-memory" ] ~doc)
-  in
-  let on_robot device duration rate record patience reconnect settings cameras priority lock_memory
-      exit_when_done console look =
-    match device with
-    | Some device ->
-        Ok
-          {
-            Driver.Real_robot.device;
-            duration;
-            rate;
-            record;
-            patience;
-            reconnect;
-            settings;
-            cameras;
-            priority;
-            lock_memory;
-            exit_when_done;
-            console;
-            look;
-          }
-    | None ->
-        let given name option = if option then Some name else None in
-        Error
-          (List.filter_map Fun.id
-             [
-               given "--patience" (patience <> None);
-               given "--reconnect" (reconnect <> None);
-               given "--set" (settings <> []);
-               given "--camera" (cameras <> []);
-               given "--priority" (priority <> None);
-               given "--lock-memory" lock_memory;
-             ])
-  in
-  let on_robot =
-    Term.(
-      const on_robot $ device $ duration $ rate $ record $ patience $ reconnect $ settings $ cameras
-      $ priority $ lock_memory $ exit_when_done $ console $ look)
-  in
-  let make general entry sources on_robot world duration rate seed realtime record picture strict
-      exit_when_done console look file =
-    match on_robot with
-    | Error (option :: _) ->
+  let make general entry sources device world record picture look host realtime simulator robot file
+      =
+    match (device, robot) with
+    | None, option :: _ ->
         let other =
-          if option = "--set" then "; a parameter of the program is set by --param" else ""
+          if option = "--set" then "; to set a parameter of the program, use --param" else ""
         in
-        General.wrong_use
-          (Printf.sprintf "%s is for a robot, and not for the simulator: it needs --device%s" option
-             other)
-    | Ok run ->
-        let given name = Option.map (fun _ -> name) in
-        let simulated =
-          List.filter_map Fun.id
-            [
-              given "--world" world;
-              given "--picture" picture;
-              given "--seed" seed;
-              (if strict then Some "--strict" else None);
-            ]
-        in
-        Driver.Real_robot.run general ~entry ~sources ~simulated run file
-    | Error [] ->
-        let seed = Option.value seed ~default:1 in
+        Reporting.wrong_use
+          (Printf.sprintf "%s only works on a robot: use it with --device%s" option other)
+    | None, [] ->
         Simulating.run general ~entry ~sources
-          {
-            Simulating.world;
-            duration;
-            rate;
-            seed;
-            realtime;
-            record;
-            picture;
-            strict;
-            exit_when_done;
-            console;
-            look;
-          }
+          { world; record; picture; look; host = host @ realtime @ simulator }
           file
+    | Some device, _ -> (
+        let given name = Option.fold ~none:[] ~some:(fun _ -> [ name ]) in
+        match given "--world" world @ given "--picture" picture @ simulator with
+        | option :: _ ->
+            Reporting.wrong_use
+              (Printf.sprintf "%s only works in the simulator: remove it, or remove --device" option)
+        | [] ->
+            Tools.Real_robot.run general ~entry ~sources
+              { device; record; look; host = host @ robot }
+              file)
   in
-  command "run" ~doc:"run a robot program in the simulator, or on a robot"
+  command "run" ~doc:"run a robot program in the simulator or on a robot"
     Term.(
       const make
       $ judging (with_params probed)
-      $ entry $ sources $ on_robot $ world $ duration $ rate $ seed $ realtime $ record $ picture
-      $ strict $ exit_when_done $ console $ look $ file)
+      $ entry $ sources $ device $ world $ record $ picture $ look $ Host_option.all for_hosts
+      $ realtime $ Host_option.all for_simulator $ Host_option.all for_robots $ file)
 
 let view =
   let recording =
-    let doc = "The recording: what $(b,frobc run --record) wrote." in
+    let doc = "The recording, written by $(b,frobc run --record)." in
     Arg.(required & pos 0 (some string) None & info [] ~docv:"RUN.csv" ~doc)
   in
   let file =
@@ -268,112 +202,117 @@ let view =
     Arg.(required & pos 1 (some string) None & info [] ~docv:"FILE" ~doc)
   in
   let print =
-    let doc = "Print the page's address, and open no browser." in
+    let doc = "Print the address of the page and do not open a browser." in
     Arg.(value & flag & info [ "print" ] ~doc)
   in
   let port =
-    let doc = "The port for the page; without it, any that is free." in
+    let doc = "The port of the page. The default is any free port." in
     Arg.(value & opt (some int) None & info [ "port" ] ~docv:"N" ~doc)
   in
   let world =
     let doc =
-      "The world that is drawn on the map. Without it: the one that $(b,frobc run) would take."
+      "The world to draw on the map. The default is the world that $(b,frobc run) would use."
     in
     Arg.(value & opt (some string) None & info [ "world" ] ~docv:"WORLD.toml" ~doc)
   in
   let only_build =
-    let doc = "Compile the program as it is to be run, print the path of that, and show nothing." in
+    let doc =
+      "Compile the program for the viewer and print the path of the result, without opening the \
+       page."
+    in
     Arg.(value & flag & info [ "only-build" ] ~doc)
   in
+  let why_nan =
+    let doc =
+      "Do not open the page. Print where NaN in the program's output comes from: the signal that \
+       is NaN although no signal that it depends on is NaN, and its line."
+    in
+    Arg.(value & flag & info [ "why-nan" ] ~doc)
+  in
   let seed =
-    let doc = "The seed with which a run was made in the simulator, if it is to drive again." in
+    let doc = "The seed of the run in the simulator, to drive the same run again." in
     Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc)
   in
   let at =
-    let doc = "The time to show at first, as $(b,12.5s), instead of the start." in
-    let parse text = Result.map_error (fun e -> `Msg e) (Driver.Time_span.parse_instant text) in
-    let print out at = Format.pp_print_string out (Driver.Time_span.print at) in
+    let doc = "The time to show first, as in $(b,12.5s). The default is the start." in
+    let parse text = Result.map_error (fun e -> `Msg e) (Build.Time_span.parse_instant text) in
+    let print out at = Format.pp_print_string out (Build.Time_span.print at) in
     let time = Arg.conv (parse, print) in
     Arg.(value & opt (some time) None & info [ "at" ] ~docv:"TIME" ~doc)
   in
-  let run general entry sources print port world seed at only_build recording file =
+  let run general dialect entry sources print port world seed at only_build why_nan recording file =
     let recording = if only_build && recording = "-" then None else Some recording in
     Viewing.view general ~entry ~sources
-      { recording; browser = not print; port; world; seed; at; only_build }
+      { recording; dialect; browser = not print; port; world; seed; at; only_build; why_nan }
       file
   in
   let man =
     [
       `S Manpage.s_description;
       `P
-        "The program is run again on the inputs that were recorded, so that each of its signals \
-         can be seen at any instant: in plots, and in its source. Its outputs are compared with \
-         those recorded.";
+        "Runs the program again on the recorded inputs, so that you can see each of its signals at \
+         any instant, in plots and in the source. It compares the outputs with the recorded ones.";
       `P
-        "The page is served to this computer alone, and only to who knows the address that is \
-         printed. From another computer: $(b,ssh -L PORT:127.0.0.1:PORT), and the same address \
-         there.";
+        "The page is only available on this computer and only at the printed address. To open it \
+         on another computer, run $(b,ssh -L PORT:127.0.0.1:PORT) there and use the same address.";
     ]
   in
-  command "view" ~man ~doc:"look at a recorded run on a page, at any instant"
+  command "view" ~man ~doc:"show a recorded run on a page, at any instant"
     Term.(
-      const run $ with_params general $ entry $ sources $ print $ port $ world $ seed $ at
-      $ only_build $ recording $ file)
+      const run $ with_params general $ dialect $ entry $ sources $ print $ port $ world $ seed $ at
+      $ only_build $ why_nan $ recording $ file)
 
 let serve =
-  let some kind names ~docv ~doc = Arg.(value & opt (some kind) None & info names ~docv ~doc) in
   let robot =
-    some Arg.string [ "robot" ] ~docv:"ROBOT"
-      ~doc:"The robot; without it, a $(b,pioneer). Or the file of the module of one of your own."
+    some_string "robot" ~docv:"ROBOT"
+      ~doc:"The robot, or the file of the module of your own robot. The default is $(b,pioneer)."
   in
   let world =
-    some Arg.string [ "world" ] ~docv:"WORLD.toml"
-      ~doc:"The world it is in. Without it: the room that comes with frobc."
+    some_string "world" ~docv:"WORLD.toml"
+      ~doc:"The world of the robot. The default is the room that comes with frobc."
   in
-  let seed = Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc:"Seed of all noise.") in
-  let tcp =
-    some Arg.int [ "tcp" ] ~docv:"PORT"
-      ~doc:"Listen on this port of 127.0.0.1 instead of a pseudo-terminal; 0 takes a free one."
-  in
-  let camera =
-    some Arg.int [ "camera" ] ~docv:"PORT"
-      ~doc:
-        "Give what the cameras of the world see as MJPEG over HTTP, on this port of 127.0.0.1; 0 \
-         takes a free one. A line $(b,camera:) for each tells its address, for $(b,frobc run \
-         --camera) or a browser."
-  in
-  let duration =
-    some time_span [ "for" ] ~docv:"TIME" ~doc:"How long to run. Without it: until it is ended."
-  in
-  let model =
-    some Arg.string [ "model" ] ~docv:"MODEL" ~doc:"The model, such as $(b,p3dx) for a Pioneer."
+  let host =
+    Host_option.(
+      all
+        [
+          one Arg.int ~absent:"1" "seed" ~docv:"N" ~doc:"Seed of all noise.";
+          one Arg.int "tcp" ~docv:"PORT"
+            ~doc:
+              "Listen on this port of 127.0.0.1 instead of a pseudo-terminal; 0 chooses a free \
+               port.";
+          one Arg.int "camera" ~docv:"PORT"
+            ~doc:
+              "Serve the images of the world's cameras as MJPEG over HTTP, on this port of \
+               127.0.0.1; 0 chooses a free port. Prints a line $(b,camera:) with the address of \
+               each camera, for $(b,frobc run --camera) or a browser.";
+          time_span "for" ~docv:"TIME" ~doc:"How long to run. By default it runs until you stop it.";
+          one Arg.string "model" ~docv:"MODEL" ~print:Fun.id
+            ~doc:"The model of the robot, such as $(b,p3dx) for a Pioneer.";
+        ])
   in
   let log =
-    some Arg.string [ "log" ] ~docv:"FILE"
-      ~doc:"Write each command that arrives, with its time on the monotonic clock."
+    some_string "log" ~docv:"FILE"
+      ~doc:"Write each received command with its time on the monotonic clock."
   in
   let link =
-    some Arg.string [ "link" ] ~docv:"PATH" ~doc:"Keep a symbolic link to the device there."
+    some_string "link" ~docv:"PATH" ~doc:"Maintain a symbolic link to the device at this path."
   in
   let sources =
-    let doc =
-      "A C file of a robot of your own: its body and its board; may be given several times."
-    in
+    let doc = "A C file of your own robot, with its body or its board. Can be repeated." in
     Arg.(value & opt_all string [] & info [ "with" ] ~docv:"FILE.c" ~doc)
   in
-  let make robot sources world seed tcp camera duration model log link =
-    Driver.Real_robot.serve ~robot ~sources { world; seed; tcp; camera; duration; model; log; link }
+  let make robot sources world log link host =
+    Tools.Real_robot.serve ~robot ~sources { world; log; link; host }
   in
   let man =
     [
       `S Manpage.s_description;
       `P
-        "A simulated robot that speaks its serial protocol, byte by byte and in real time. The \
-         first line on standard output is $(b,device:) and what to connect to: the path of a \
-         pseudo-terminal, or $(b,tcp:127.0.0.1:PORT). At the end there is a summary.";
-      `P "SIGUSR1 pulls the cable; SIGUSR2 plugs it in again, and tells the new device.";
+        "Simulates a robot that speaks its serial protocol, byte by byte and in real time. The \
+         first line on standard output is $(b,device:) and the address to connect to: the path of \
+         a pseudo-terminal, or $(b,tcp:127.0.0.1:PORT). The last lines are a summary.";
+      `P "SIGUSR1 unplugs the cable; SIGUSR2 plugs it in again and prints the new device.";
     ]
   in
-  command "serve" ~man ~doc:"a simulated robot behind a serial line"
-    Term.(
-      const make $ robot $ sources $ world $ seed $ tcp $ camera $ duration $ model $ log $ link)
+  command "serve" ~man ~doc:"simulate a robot at a serial port"
+    Term.(const make $ robot $ sources $ world $ log $ link $ host)

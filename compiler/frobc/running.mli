@@ -1,4 +1,4 @@
-(** The commands that run programs: their options and texts. *)
+(** The commands that run programs: their options and help texts. *)
 
 open Cmdliner
 

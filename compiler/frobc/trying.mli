@@ -1,4 +1,4 @@
-(** The commands that judge programs, in many runs: their options and texts. *)
+(** The commands that test programs in many runs: their options and help texts. *)
 
 open Cmdliner
 

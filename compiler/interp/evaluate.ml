@@ -9,14 +9,15 @@ type program = {
   instances : Instance.table;
   definitions : (Global.t, definition) Hashtbl.t;
   values : (Global.t * ty list, Value.thunk) Hashtbl.t;
-      (** of definitions, at types without variables *)
-  floats : (Exact.t, float) Hashtbl.t;  (** literals, rounded once: that takes long *)
+      (** values of definitions, by the types of their type arguments, which contain no variables *)
+  floats : (Exact.t, float) Hashtbl.t;
+      (** literals by their exact value, cached because rounding is slow *)
   nesting : Thunk.nesting;
 }
 
 type env = {
   program : program;
-  types : ty Variables.t;  (** what the type variables in scope stand for *)
+  types : ty Variables.t;  (** the types of the type variables in scope *)
   locals : Value.thunk Variables.t;
 }
 
@@ -38,7 +39,7 @@ let program ?(params = []) (core : Core.Ir.program) =
     nesting = Thunk.nesting ();
   }
 
-(* {1 Types} Only number literals and methods ask for types. *)
+(* {1 Types} Needed only for number literals and methods. *)
 
 let rec closed types = function
   | Variable v as t -> Option.value ~default:t (Variables.find_opt v.id types)
@@ -88,6 +89,7 @@ let is_true : Value.t -> bool = function
       bug "a condition that is no Bool"
 
 let rec expr env (e : expr) : Value.t =
+  Work.step ();
   match e.desc with
   | Local x -> Thunk.force (local env x)
   | Global (name, types) ->
@@ -131,7 +133,7 @@ and on_demand env (e : expr) =
 
 and parts_on_demand env parts = Array.map (on_demand env) (Array.of_list parts)
 
-(* [arguments]: of the applications around [f], innermost first. *)
+(* Applies [f] to [arguments], the arguments of all the applications around it, innermost first. *)
 and application env (f : expr) arguments =
   match f.desc with
   | Apply (f, argument) -> application env f (argument :: arguments)
@@ -147,8 +149,8 @@ and apply (f : Value.t) arguments =
       _ ) ->
       bug "what is applied is no function"
 
-(* A primitive on the arguments that are there: with some missing it is a
-   function of the next one. *)
+(* Applies a primitive to the arguments given so far. If there are fewer than its arity, the result
+   is a function of the next argument. *)
 and primitive env (p : Core.Primitive.t) types arguments : Value.t =
   match (p, arguments) with
   | Delay, [ initial ] -> Signal_function (fun () -> Stateful.delay initial)
@@ -198,7 +200,7 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
             Foreign.apply env.program.core f arguments
         | None, _ -> Primitive.apply env.program.real p arguments)
 
-(* Of the array that a primitive makes: its last type argument. *)
+(* Size of the array that a primitive makes: the primitive's last type argument. *)
 and size env types = match List.rev_map (closed env.types) types with Size n :: _ -> n | _ -> 0
 
 and global program name types =
@@ -216,8 +218,8 @@ and global program name types =
 
 (* {1 Signal functions} *)
 
-(* The scope inside a proc, given its input and the outputs of its instances in
-   the order of their equations. *)
+(* The scope inside a proc, given its input and the outputs of its instances in the order of their
+   equations. *)
 and inside env proc ~input outputs =
   let rec scope =
     lazy (fst (List.fold_left equation (bind proc.input input env, outputs) proc.equations))
@@ -241,7 +243,7 @@ and start env proc : Value.instance =
         | Pure _ -> None)
       proc.equations
   in
-  (* What is run is static: it may use equations, but not signals. *)
+  (* The expression that an equation runs is static: it may use other equations, but not signals. *)
   let signal = Thunk.delay (fun () -> bug "a signal is needed before the first instant") in
   let static = inside env proc ~input:signal (List.rev_map (fun _ -> signal) runs) in
   let instances =
@@ -275,3 +277,10 @@ and started env signal_function =
       bug "what is run is no signal function"
 
 let definition program name = global program name []
+
+let written program name =
+  match Hashtbl.find_opt program.definitions name with
+  | None -> bug "`%s.%s` has no definition" name.module_ name.name
+  | Some (d : definition) ->
+      let env = { program; types = Variables.empty; locals = Variables.empty } in
+      Thunk.equation program.nesting ~name:name.name (fun () -> expr env d.body)

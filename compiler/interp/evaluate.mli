@@ -1,14 +1,18 @@
-(** Core, as it says: by demand.
+(** Evaluates Core lazily, as its definition says.
 
-    In an instant the equations of a proc are values on demand that may need each other in any
-    order; its instances are begun with their inputs on demand, and the states change only when the
-    instant ends. So the order of equations has no meaning here either, and every instance runs at
-    every instant, whether its output is needed or not. *)
+    Within an instant, the equations of a proc are thunks that may force each other in any order.
+    Its instances receive their inputs as thunks, too, and change their state only at the end of the
+    instant. Therefore the order of equations has no meaning here either. Every instance runs in
+    every instant, even if its output is not needed. *)
 
 type program
 
 val program : ?params:(Core.Ir.Global.t * Value.thunk) list -> Core.Ir.program -> program
-(** [params]: what these definitions are instead of what they say. *)
+(** [params] replaces the values of these definitions. *)
 
 val definition : program -> Core.Ir.Global.t -> Value.thunk
 (** The value of a definition without parameters. *)
+
+val written : program -> Core.Ir.Global.t -> Value.thunk
+(** Like {!definition}, but evaluates the right-hand side of the definition even if [params]
+    replaces its value. *)

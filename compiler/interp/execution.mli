@@ -1,4 +1,4 @@
-(** A program that runs: the entry's signal function, from its first instant. *)
+(** A running program: the entry's signal function, from its first instant on. *)
 
 type t
 
@@ -7,15 +7,16 @@ val interface : Core.Ir.program -> Core.Ir.Global.t -> Core.Ir.ty * Core.Ir.ty
 
 val start :
   ?params:(Core.Ir.Global.t * Value.t) list -> Core.Ir.program -> entry:Core.Ir.Global.t -> t
-(** [params]: the values of parameters that do not have those they have by default. The entry is a
-    signal function or a program, of a closed type; what the compiler would reject has no meaning
-    here. *)
+(** [params] gives the values of parameters that differ from their defaults. The entry must be a
+    signal function or a program, of a closed type. For programs that the compiler would reject, the
+    behavior is undefined. *)
 
 val ended : t -> Core.Ir.ty option
-(** The type of what the program ends with, if it says when it has ended: then each output is a
-    pair, of the program's output and the event of its end. *)
+(** For a program that can end: the type of its result. Each output is then a pair of the program's
+    output and the event of its end. *)
 
 val instant : ?precision:Basis.Real.t -> t -> seconds:float -> Value.t -> Value.t
-(** The output, wholly evaluated, for the input. [seconds]: since the instant before; not looked at
-    in the first. [precision]: theirs, double unless said; hosts have doubles whatever the program
-    computes with, only [NAME_step] of a program in single precision is given singles. *)
+(** Runs one instant and returns the output, completely evaluated. [seconds] is the time since the
+    previous instant; the first instant ignores it. [precision] is the precision of [seconds], by
+    default double: hosts pass doubles whatever the precision of the program, and only the function
+    [NAME_step] of a single-precision program takes a float. *)

@@ -7,8 +7,7 @@ let table instances =
   List.iter (fun (i : instance) -> Hashtbl.add table i.class_ i) instances;
   table
 
-(* What the variables of the head stand for, in order, if this is the instance
-   for the type. *)
+(* The types of the head's variables, in order, if this is the instance for [ty]. *)
 let matches (head : ty) (ty : ty) =
   match (head, ty) with
   | Data (tycon, _), Data (other, arguments) when tycon = other -> Some arguments

@@ -1,4 +1,4 @@
-(** The instances of classes: which definition a method is at a type. *)
+(** Class instances: finds the definition of a method at a type. *)
 
 type table
 
@@ -10,4 +10,5 @@ val method_ :
   name:string ->
   Core.Ir.ty ->
   (Core.Ir.Global.t * Core.Ir.ty list) option
-(** The definition for a type without variables, and the types for the first of its parameters. *)
+(** The definition of the method at a type without variables, and the types of the definition's
+    first type parameters. *)

@@ -18,7 +18,7 @@ let part nesting thunk index =
   Thunk.equation nesting ~name:"a switch" (fun () ->
       Thunk.force (component index (Thunk.force thunk)))
 
-(* The value of an occurrence: [Event] is the second constructor. *)
+(* The value of an event if it occurs. [Event] is the second constructor. *)
 let occurrence event =
   match Thunk.force event with
   | Value.Data { constructor = 0; _ } -> None
@@ -34,15 +34,15 @@ let apply f argument =
   | Signal_function _ | Task _ | Ending _ ->
       bug "a continuation that is no function"
 
-(* What runs from this instant on, with its output here. *)
+(* The instance that runs from this instant on, and its output in this instant. *)
 type next = { instance : Value.instance; output : Value.thunk }
 
 let enter nesting value input =
   let instance = started nesting value in
   { instance; output = instance.output Clock.first input }
 
-(* Runs [active] until [next], a choice made in this instant, brings another.
-   [visible]: already in this instant. *)
+(* Runs [active] until [next], which is decided in each instant, replaces it. [visible] says if the
+   output of the new instance is already seen in this instant. *)
 type running = {
   mutable active : Value.instance;
   mutable switched : bool;
@@ -60,8 +60,8 @@ let output nesting running ~visible old =
         | None -> Thunk.force old
         | Some { output; _ } -> Thunk.force output)
 
-(* An instance that has switched for good is forgotten for what it runs, so
-   that a definition may start itself again for ever. *)
+(* Once an instance can no longer switch, the instance it runs takes its place. This lets a
+   definition restart itself any number of times. *)
 let commit running =
   (match Thunk.demand running.next with
   | None -> running.active.commit ()

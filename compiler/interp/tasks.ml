@@ -1,6 +1,7 @@
 let bug what = Basis.Diagnostic.bug ~stage:"Interp.Tasks" "%s" what
 
-(* Of a pair of an output and an event, whose second constructor is [Event]. *)
+(* Inspects the output of a [mkTask]: a pair of an output and an event, whose second constructor is
+   [Event]. *)
 let by_event output : (Value.thunk, Value.thunk) Either.t =
   match Thunk.force output with
   | Value.Tuple [| shown; event |] -> (
@@ -29,7 +30,7 @@ let next_task continuation result =
   | Value.Function f -> f result
   | _ -> bug "what follows a task is no function"
 
-(* What is running, with all that is to come after it, the nearest first. *)
+(* The running instance, and the continuations that follow it, the next one first. *)
 type running = {
   instance : Value.instance;
   ended : Value.thunk -> (Value.thunk, Value.thunk) Either.t;
@@ -38,13 +39,13 @@ type running = {
 
 type state = Starting | Running of running | Ended of Value.thunk
 
-(* The state after an instant, and what is seen there. *)
+(* The state after an instant, and the output shown in it. *)
 type step = { state : state; shown : Value.thunk }
 
 let nothing = Thunk.known (Value.Tuple [||])
 
-(* Goes into a task at its first instant, and on as long as what is there ends
-   at once. *)
+(* Starts a task in its first instant. While the current task ends at once, starts the next one in
+   the same instant. *)
 let rec enter nesting (task : Value.t) rest input =
   match task with
   | Task (First (first, continuation)) ->

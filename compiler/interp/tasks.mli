@@ -1,10 +1,10 @@
-(** Tasks: activities that end, one after the other (language reference, section 7). *)
+(** Tasks: activities that end, one after another (language reference, section 7). *)
 
 val make : Value.thunk -> Value.t
-(** [mkTask]: ends at its signal function's event. *)
+(** [mkTask]: a task that ends when the event of its signal function occurs. *)
 
 val until_right : Value.thunk -> Value.t
-(** Ends at its signal function's first [Right]. *)
+(** A task that ends at the first [Right] of its signal function. *)
 
 val run : Thunk.nesting -> Value.thunk -> Value.instance
 (** [runTask]. *)

@@ -4,7 +4,8 @@ type 'a t = { mutable state : 'a state; name : string; nesting : nesting option 
 
 exception Postponed of (unit -> unit)
 
-(* An equation takes some hundred bytes of the stack, a long one some more. *)
+(* Maximum nesting of evaluations. An equation takes some hundred bytes of stack, a long one
+   somewhat more. *)
 let deepest = 400
 let nesting () = { depth = 0 }
 let known value = { state = Known value; name = ""; nesting = None }
@@ -35,7 +36,8 @@ let rec force t =
         ~finally:(fun () -> nesting.depth <- nesting.depth - 1)
         (fun () -> evaluated t evaluate)
 
-(* What was abandoned is begun again when what it needs is there. *)
+(* Runs a stack of evaluations. If one is postponed, the evaluation that it needs runs first; then
+   it starts again. *)
 let rec settle = function
   | [] -> ()
   | first :: others as all -> (

@@ -1,7 +1,7 @@
-(** Values on demand: evaluated when first needed, then remembered.
+(** Lazy values: evaluated when first needed, then remembered.
 
-    Tuples and data hold their parts so, which makes a component need only what it is made of:
-    causality is judged in the same way, leaf by leaf. *)
+    The parts of tuples and data are thunks, so that a component depends only on the values it is
+    computed from. The causality check treats each component separately in the same way. *)
 
 type 'a t
 
@@ -9,21 +9,21 @@ val known : 'a -> 'a t
 val delay : (unit -> 'a) -> 'a t
 
 type nesting
-(** How deeply evaluations nest at the moment, in one run of a program. *)
+(** The current nesting depth of evaluations in one run of a program. *)
 
 val nesting : unit -> nesting
 
 val equation : nesting -> name:string -> (unit -> 'a) -> 'a t
-(** Like {!delay}, for what can be found again after evaluation was abandoned: an equation of this
-    instant, a definition. A chain of these may have any length: when evaluation nests deeply
-    {!force} abandons it, and {!demand} evaluates what it had come to first. *)
+(** Like {!delay}, for values whose evaluation can be abandoned and restarted: equations of the
+    current instant, and definitions. Chains of these may have any length: when evaluation nests too
+    deeply, {!force} abandons it, and {!demand} first evaluates the thunk that was reached. *)
 
 val force : 'a t -> 'a
-(** The value. Only within {!demand}, from one thunk to another. Evaluation that comes back to
-    itself is a loop within one instant: a bug, since causality was checked. *)
+(** The value. Call this only within {!demand}, from one thunk to another. A thunk that needs its
+    own value is a loop within one instant. That is a bug, because causality has been checked. *)
 
 val demand : 'a t -> 'a
-(** The value, from outside all evaluation. *)
+(** The value. Call this outside of any evaluation. *)
 
 val afresh : nesting -> (unit -> 'a) -> 'a
-(** Something that calls {!demand}, within evaluation. *)
+(** Runs a function that calls {!demand} although an evaluation is in progress. *)

@@ -1,4 +1,4 @@
-(** What an expression of Core can be, when a program runs. *)
+(** The run-time values of Core expressions. *)
 
 type t =
   | Bool of bool
@@ -7,33 +7,36 @@ type t =
   | Text of string
   | Tuple of thunk array
   | Array of thunk array
-  | Drawing of thunk list  (** its marks, the last one first *)
-  | Image of Kernels.image  (** what a camera saw *)
+  | Drawing of thunk list  (** the marks of the drawing, the last one first *)
+  | Image of Kernels.image  (** an image from a camera *)
   | Data of { constructor : int; arguments : thunk array }
   | Function of (thunk -> t)
-  | Signal_function of (unit -> instance)  (** starts it; a program is the signal function in it *)
+  | Signal_function of (unit -> instance)
+      (** a function that starts an instance; also represents a program *)
   | Task of task
   | Ending of { signal_function : thunk; result : Core.Ir.ty }
-      (** a program that ends: beside its output the signal function has the event of its end, with
-          a value of this type *)
+      (** a program that can end: the signal function returns its output together with the event of
+          its end, whose value has type [result] *)
 
 and thunk = t Thunk.t
 
 (** An activity that ends. *)
 and task =
   | Runs of { signal_function : thunk; ended : thunk -> (thunk, thunk) Either.t }
-      (** [ended]: of what it puts out, the output, or what it has ended with *)
+      (** [ended] splits an output of the signal function: the output to show, or the result with
+          which the task ends *)
   | Returns of thunk
-  | First of thunk * thunk  (** a task, and the function that gives the one after it *)
+  | First of thunk * thunk  (** a task, and the function that maps its result to the next task *)
 
 and instance = {
   output : Clock.instant -> thunk -> thunk;
-      (** The output for this input. Evaluates nothing yet: what comes back may be part of the
-          input. What it is made of no longer changes, so it can be evaluated at any time. *)
-  commit : unit -> unit;  (** The state becomes that of the next instant. *)
+      (** Returns the output for this input, without evaluating anything: the result may even be
+          part of the input. The result does not depend on later state, so it can be evaluated at
+          any time. *)
+  commit : unit -> unit;  (** Advances the state to the next instant. *)
   successor : unit -> instance option;
-      (** What may from now on run in its place, if it only hands on to that. Not to be called
-          before the first [commit]. *)
+      (** The instance that can replace this one from now on, if this one only forwards to it. Call
+          this only after the first [commit]. *)
 }
-(** A signal function that has been started, with its state. In each instant first [output] is
-    called, then [commit], each once. *)
+(** A started signal function with its state. In each instant, call [output] once and then [commit]
+    once. *)

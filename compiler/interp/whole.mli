@@ -1,4 +1,4 @@
-(** Values without anything left to evaluate. *)
+(** Evaluates values completely. *)
 
 val evaluate : Value.thunk -> unit
-(** To the last part, from outside all evaluation. *)
+(** Forces a value and all its parts. Call this outside of any evaluation. *)

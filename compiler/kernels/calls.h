@@ -1,6 +1,6 @@
-/* calls.h -- the kernels by their names, each called in one way: with the addresses of its
- * arguments, which are images or structs as generated C has them (a number is a struct of
- * one), and of its result. */
+/* calls.h -- the kernels by name, all with the same calling convention. A call takes the addresses
+ * of the arguments and of the result. The arguments are images, or structs as in generated C (a
+ * number is a struct with one member). */
 #ifndef FROB_KERNEL_CALLS_H
 #define FROB_KERNEL_CALLS_H
 

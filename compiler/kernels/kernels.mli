@@ -1,28 +1,28 @@
-(** The runtime's kernels of vision ([runtime/vision]), called by their names.
+(** Calls the runtime's vision kernels ([runtime/vision]) by name.
 
-    They are C, for both engines the same: what the interpreter judges of a program with images is
-    all that the compiler made, not the kernels themselves. Programs may call them without a file of
-    their own. *)
+    Both engines use the same C functions for them. When the interpreter checks a compiled program
+    that uses images, it therefore checks everything the compiler generated, but not the kernels
+    themselves. Programs may call kernels without a C file of their own. *)
 
 val is_known : string -> bool
-(** Is there a kernel of this name? *)
+(** Whether there is a kernel with this name. *)
 
 type image
-(** What a camera saw, in memory to the end of the process. *)
+(** An image from a camera, which stays in memory until the process ends. *)
 
-type argument = Image of image | Struct of Bytes.t  (** as C has it *)
+type argument = Image of image | Struct of Bytes.t  (** a struct in C's layout *)
 
 val call : string -> argument list -> size:int -> Bytes.t
-(** Of a known one. [size]: of its result. *)
+(** Calls an existing kernel. [size] is the size of its result. *)
 
 type frames
-(** Those of a recording, in the folder beside it. *)
+(** The frames of a recording, which are in the folder next to it. *)
 
 val frames : record:string -> frames
-(** By the recording's file. Nothing is read yet. *)
+(** Takes the path of the recording. Does not read any frame yet. *)
 
 val frame : frames -> number:int -> size:int64 -> hash:int64 -> (image, string) result
-(** As a cell names it; else what was expected there. *)
+(** Loads the frame that a cell refers to. The error says what was expected instead. *)
 
 val name : image -> int * int64 * int64
-(** Its number, size and hash. *)
+(** The number, size and hash of the image. *)

@@ -1,5 +1,5 @@
-/* What OCaml calls. An image is its address, as a native integer in a block; images stay to the
- * end of the process. */
+/* Functions called from OCaml. An image is represented by its address, boxed as a native integer;
+ * images stay in memory until the process ends. */
 #include "calls.h"
 #include "frames.h"
 
@@ -13,7 +13,7 @@
 
 enum { MOST_ARGUMENTS = 16 };
 
-/* The number of a kernel; -1 if there is none of this name. */
+/* Returns the index of a kernel, or -1 if there is no kernel with this name. */
 value frob_kernel_find(value name)
 {
     for (size_t i = 0; i < frob_kernel_count; i++)
@@ -22,8 +22,8 @@ value frob_kernel_find(value name)
     return Val_long(-1);
 }
 
-/* [Image address | Struct bytes] list, and bytes for the result. Nothing allocates, so nothing
- * moves. */
+/* Takes a list of [Image address | Struct bytes], and bytes for the result. Nothing is allocated in
+ * the OCaml heap, so no value moves. */
 value frob_kernel_call(value kernel, value arguments, value result)
 {
     const void *addresses[MOST_ARGUMENTS];
@@ -46,7 +46,7 @@ value frob_kernel_frames(value record)
     return caml_copy_nativeint((intnat)reader);
 }
 
-/* (image, "") or (0, what was expected) */
+/* Returns (image, ""), or (0, what was expected). */
 value frob_kernel_frame(value frames, value number, value size, value hash)
 {
     CAMLparam4(frames, number, size, hash);
@@ -64,7 +64,7 @@ value frob_kernel_frame(value frames, value number, value size, value hash)
     CAMLreturn(result);
 }
 
-/* (number, size, hash) */
+/* Returns (number, size, hash). */
 value frob_kernel_name(value image)
 {
     CAMLparam1(image);

@@ -1,3 +1,3 @@
-(** What the server can do, as it tells an editor. *)
+(** The server's capabilities, as it announces them to the editor. *)
 
 val all : encoding:string -> Basis.Json.t

@@ -1,11 +1,20 @@
 open Basis
 open Json_reader
 
+type answer = (Json.t, int * string) result
+
+(* The result of checking a text, and the processor time that the check took. *)
+type look = { found : Document.found; seconds : float }
+
 type t = {
   ws : Workspace.t;
   wire : Wire.t;
   waiting : Json.t Queue.t;
-  mutable cancelled : Json.t list;  (** ids of requests *)
+  mutable looks : (Document.t * look Worker.t) list;  (** texts that workers are checking *)
+  mutable asked : (Json.t * answer Worker.t) list;  (** requests that workers are answering *)
+  mutable later : (Document.t * Json.t) list;
+      (** requests that wait for the check of their text, the latest one first *)
+  mutable cancelled : Json.t list;  (** ids of cancelled requests *)
   mutable shut_down : bool;
   mutable exit : int option;
 }
@@ -28,11 +37,11 @@ let internal_error = -32603
 let request_cancelled = -32800
 let request_failed = -32803
 
-(* In the editor's log. *)
+(* Writes a message to the editor's log. *)
 let log message =
   notify "window/logMessage" (Object [ ("type", Int 1); ("message", String message) ])
 
-(* {1 Looking at texts} *)
+(* {1 Checking texts} *)
 
 let publish t (doc : Document.t) =
   Option.iter log (Option.bind doc.latest (fun (a : Analysis.t) -> a.fault));
@@ -40,34 +49,127 @@ let publish t (doc : Document.t) =
   | Ok parameters -> notify "textDocument/publishDiagnostics" parameters
   | Error fault -> log fault
 
-(* A text is looked at again when a module that it reads may have changed. *)
+(* {2 Slow texts}
+
+   The server checks a text itself if that takes no longer than another request should wait;
+   otherwise a worker checks it. An edit ends the worker. Requests about the text wait for the
+   worker's result, and requests about other texts do not. *)
+
+(* More concurrent workers would only slow each other down. *)
+let most_workers = 4
+
+(* If a worker was faster than this, the server checks the text itself again. *)
+let is_fast seconds = seconds < 0.04
+let is_looked_at t doc = List.mem_assq doc t.looks
+
+let drop t doc =
+  Option.iter Worker.stop (List.assq_opt doc t.looks);
+  t.looks <- List.remove_assq doc t.looks
+
+let outdated t (doc : Document.t) =
+  doc.changed <- true;
+  drop t doc
+
+(* Puts the requests about the text at the end of the queue of waiting requests. *)
+let release t doc =
+  let own, others = List.partition (fun (other, _) -> other == doc) t.later in
+  t.later <- others;
+  List.iter (fun (_, message) -> Queue.add message t.waiting) (List.rev own)
+
+let looked t (doc : Document.t) found =
+  (match Analysis.guarded (fun () -> Document.looked_at doc found) with
+  | Ok () -> ()
+  | Error fault ->
+      doc.changed <- false;
+      log fault);
+  publish t doc;
+  release t doc
+
+let analysed t doc =
+  let found = Workspace.analyse t.ws doc in
+  ignore (Analysis.guarded (fun () -> Document.prepare found));
+  found
+
+let look_elsewhere t (doc : Document.t) =
+  if List.length t.looks < most_workers then
+    let look () =
+      let before = Sys.time () in
+      let found = analysed t doc in
+      { found; seconds = Sys.time () -. before }
+    in
+    t.looks <- (doc, Worker.start look) :: t.looks
+
+(* Checks the text here, or in a worker as soon as one is free. *)
+let look t (doc : Document.t) =
+  let here () = Analysis.at_once (fun () -> analysed t doc) in
+  match if doc.slow then None else here () with
+  | Some found -> looked t doc found
+  | None ->
+      doc.slow <- true;
+      if not (is_looked_at t doc) then look_elsewhere t doc
+
+(* Processes the results of workers whose descriptors are readable. *)
+let advance t ready =
+  let is_ready worker = List.mem (Worker.descriptor worker) ready in
+  let end_of_look (doc : Document.t) worker =
+    match Worker.progress worker with
+    | Running -> ()
+    | Done { found; seconds } ->
+        t.looks <- List.remove_assq doc t.looks;
+        doc.slow <- not (is_fast seconds);
+        looked t doc found
+    | Lost ->
+        t.looks <- List.remove_assq doc t.looks;
+        let reason = "frobc could not check this: it ran out of memory, or was stopped" in
+        let analysis = Analysis.given_up ~path:doc.path (Text.contents doc.text) reason in
+        looked t doc { analysis; whole_view = None; partial_view = None }
+  in
+  let end_of_request id worker =
+    let end_with result =
+      t.asked <- List.filter (fun (_, other) -> other != worker) t.asked;
+      answer id result
+    in
+    match Worker.progress worker with
+    | Running -> ()
+    | Done result ->
+        (match result with
+        | Error (code, fault) when code = internal_error -> log fault
+        | Ok _ | Error _ -> ());
+        end_with result
+    | Lost -> end_with (Error (internal_error, "frobc ran out of memory, or was stopped"))
+  in
+  List.iter (fun (doc, w) -> if is_ready w && is_looked_at t doc then end_of_look doc w) t.looks;
+  List.iter (fun (id, w) -> if is_ready w then end_of_request id w) t.asked
+
+let descriptors t =
+  List.map (fun (_, w) -> Worker.descriptor w) t.looks
+  @ List.map (fun (_, w) -> Worker.descriptor w) t.asked
+
+(* {2 Changed texts} *)
+
+(* Marks the open texts that read this file, or have messages, for another check. *)
 let touched t path =
   Hashtbl.iter
     (fun _ (doc : Document.t) ->
       match doc.latest with
-      | Some a when Source.text a.sources path <> None || a.diagnostics <> [] -> doc.changed <- true
-      | Some _ | None -> ())
+      | Some a when Source.text a.sources path <> None || a.diagnostics <> [] -> outdated t doc
+      | Some _ -> ()
+      | None -> outdated t doc)
     t.ws.documents
 
-(* One of those that wait; the other ones' turn comes after messages that have arrived meanwhile. *)
+(* Checks one of the changed texts. The others follow after messages that have arrived in the
+   meantime. *)
 let look_at_one t =
+  let has_room = List.length t.looks < most_workers in
   let changed _ (doc : Document.t) found =
-    match found with Some _ -> found | None -> if doc.changed then Some doc else None
+    match found with
+    | None when doc.changed && (not (is_looked_at t doc)) && (has_room || not doc.slow) -> Some doc
+    | Some _ | None -> found
   in
   match Hashtbl.fold changed t.ws.documents None with
   | None -> false
   | Some doc ->
-      (match Analysis.guarded (fun () -> Workspace.look t.ws doc) with
-      | Ok () -> ()
-      | Error fault ->
-          doc.changed <- false;
-          log fault);
-      (* What the next question will need, so that it is answered at once. *)
-      let prepare (v : Document.version) =
-        ignore (Analysis.guarded (fun () -> View.prepare v.view))
-      in
-      Option.iter prepare doc.named;
-      publish t doc;
+      look t doc;
       true
 
 (* {1 Notifications} *)
@@ -78,6 +180,11 @@ let opened t params =
   let text = Option.value (string (at [ "textDocument"; "text" ] params)) ~default:"" in
   let version = at [ "textDocument"; "version" ] params in
   let doc = Document.opened ~uri:(uri params) ~version text in
+  let replace before =
+    drop t before;
+    release t before
+  in
+  Option.iter replace (Workspace.document t.ws doc.uri);
   Hashtbl.replace t.ws.documents doc.uri doc;
   touched t doc.path
 
@@ -91,6 +198,7 @@ let changed t params =
           let start, stop = Workspace.offsets t.ws text range in
           Text.replace text start stop piece
     in
+    drop t doc;
     Document.change doc (List.fold_left one doc.text (list (member "contentChanges" params)));
     doc.version <- at [ "textDocument"; "version" ] params;
     touched t doc.path
@@ -99,13 +207,15 @@ let changed t params =
 
 let closed t params =
   let close (doc : Document.t) =
+    drop t doc;
+    release t doc;
     Hashtbl.remove t.ws.documents doc.uri;
     touched t doc.path;
     notify "textDocument/publishDiagnostics" (Diagnostics.none doc.uri)
   in
   Option.iter close (Workspace.document t.ws (uri params))
 
-let all_touched t = Hashtbl.iter (fun _ (d : Document.t) -> d.changed <- true) t.ws.documents
+let all_touched t = Hashtbl.iter (fun _ doc -> outdated t doc) t.ws.documents
 
 let folders_of json =
   List.filter_map (fun f -> Option.map Uri.to_path (string (member "uri" f))) (list json)
@@ -115,7 +225,7 @@ let folders_changed t params =
   let removed = folders_of (at [ "event"; "removed" ] params) in
   t.ws.roots <- List.filter (fun f -> not (List.mem f removed)) t.ws.roots @ added
 
-(* {1 The beginning} *)
+(* {1 Initialization} *)
 
 let settings t json =
   match member "inlayHints" json with Bool b -> t.ws.inlay_hints <- b | _ -> ()
@@ -146,24 +256,18 @@ let initialize t params =
     (Json.Object
        [
          ("capabilities", Capabilities.all ~encoding:name);
-         ("serverInfo", Object [ ("name", String "frobc"); ("version", String "0.1") ]);
+         ( "serverInfo",
+           Object [ ("name", String "frobc"); ("version", String Build.Version.number) ] );
        ])
 
 (* {1 Requests} *)
 
 let on_document t params f =
-  match Workspace.document t.ws (uri params) with
-  | None -> Ok Json.Null
-  | Some doc ->
-      (* A request may come right behind the change that it is about. *)
-      if doc.changed then (
-        Workspace.look t.ws doc;
-        publish t doc);
-      f doc
+  match Workspace.document t.ws (uri params) with None -> Ok Json.Null | Some doc -> f doc
 
 let failed = Result.map_error (fun message -> (request_failed, message))
 
-let request t method_ params : (Json.t, int * string) result =
+let request t method_ params : answer =
   match method_ with
   | "initialize" -> initialize t params
   | "shutdown" ->
@@ -216,6 +320,41 @@ let notification t method_ params =
 
 (* {1 Messages} *)
 
+(* These requests also analyze other texts, or a modified version of this one, so they may take
+   arbitrarily long. *)
+let takes_long method_ =
+  List.mem method_
+    [
+      "textDocument/codeAction";
+      "textDocument/references";
+      "textDocument/rename";
+      "workspace/symbol";
+    ]
+
+let answered t method_ params : answer =
+  match Analysis.guarded (fun () -> request t method_ params) with
+  | Ok result -> result
+  | Error fault -> Error (internal_error, fault)
+
+let give_answer t id method_ params =
+  let result = answered t method_ params in
+  (match result with
+  | Error (code, fault) when code = internal_error -> log (Printf.sprintf "%s: %s" method_ fault)
+  | Ok _ | Error _ -> ());
+  answer id result
+
+let ask t message id method_ params =
+  let doc = Workspace.document t.ws (uri params) in
+  let needs_look (doc : Document.t) = doc.changed in
+  (* A request may arrive directly after the edit that it refers to. *)
+  Option.iter (fun doc -> if needs_look doc then look t doc) doc;
+  match doc with
+  | Some doc when needs_look doc -> t.later <- (doc, message) :: t.later
+  | Some _ | None ->
+      if takes_long method_ then
+        t.asked <- (id, Worker.start (fun () -> answered t method_ params)) :: t.asked
+      else give_answer t id method_ params
+
 let handle t message =
   let params = member "params" message in
   match (string (member "method" message), member "id" message) with
@@ -226,29 +365,41 @@ let handle t message =
   | Some _, id when List.mem id t.cancelled ->
       t.cancelled <- List.filter (( <> ) id) t.cancelled;
       answer id (Error (request_cancelled, "cancelled"))
-  | Some method_, id -> (
-      match Analysis.guarded (fun () -> request t method_ params) with
-      | Ok result -> answer id result
-      | Error fault ->
-          log (Printf.sprintf "%s: %s" method_ fault);
-          answer id (Error (internal_error, fault)))
+  | Some method_, id -> ask t message id method_ params
   | None, Null -> answer Null (Error (invalid_request, "no method"))
-  | None, _ -> () (* an answer *)
+  | None, _ -> () (* a response to a request of the server *)
 
-(* What cancels is looked at when it arrives, before what it is to cancel. *)
+let cancel t id =
+  let is_it waiting = member "id" waiting = id in
+  let asked, others = List.partition (fun (other, _) -> other = id) t.asked in
+  let later, rest = List.partition (fun (_, message) -> is_it message) t.later in
+  t.asked <- others;
+  t.later <- rest;
+  List.iter (fun (_, worker) -> Worker.stop worker) asked;
+  if asked <> [] || later <> [] then answer id (Error (request_cancelled, "cancelled"))
+  else if Queue.fold (fun found m -> found || is_it m) false t.waiting then
+    t.cancelled <- id :: t.cancelled
+
+(* Processes cancellations when they arrive, ahead of the requests that they cancel. *)
 let rec receive t body =
   match of_string body with
-  | None -> answer Null (Error (parse_error, "this is no JSON"))
+  | None -> answer Null (Error (parse_error, "this is not JSON"))
   | Some (List batch) -> List.iter (fun m -> receive t (Json.to_string m)) batch
   | Some message when member "method" message = String "$/cancelRequest" ->
-      let id = at [ "params"; "id" ] message in
-      let is_it waiting = member "id" waiting = id in
-      if Queue.fold (fun found m -> found || is_it m) false t.waiting then
-        t.cancelled <- id :: t.cancelled
+      cancel t (at [ "params"; "id" ] message)
   | Some (Object _ as message) -> Queue.add message t.waiting
-  | Some _ -> answer Null (Error (invalid_request, "a message is an object"))
+  | Some _ -> answer Null (Error (invalid_request, "a message must be an object"))
+
+let ready_now t =
+  match descriptors t with
+  | [] -> []
+  | all -> (
+      match Unix.select all [] [] 0. with
+      | ready, _, _ -> ready
+      | exception Unix.Unix_error (EINTR, _, _) -> [])
 
 let rec serve t =
+  advance t (ready_now t);
   match (t.exit, Wire.next t.wire ~timeout:0.) with
   | Some status, _ -> status
   | None, Message body ->
@@ -260,13 +411,10 @@ let rec serve t =
       serve t
   | None, End -> if t.shut_down then 0 else 1
   | None, Nothing ->
-      (if not (look_at_one t) then
-         match Wire.next t.wire ~timeout:(-1.) with
-         | Message body -> receive t body
-         | Nothing | End -> ());
+      if not (look_at_one t) then advance t (Wire.wait t.wire (descriptors t));
       serve t
 
-(* A server runs for days, so what is free is used again, unlike in a compilation. *)
+(* A server runs for days, so unlike in a compilation, memory must be reclaimed. *)
 let collect () =
   Gc.set
     {
@@ -279,18 +427,26 @@ let collect () =
     }
 
 let run ?disk () =
-  match Driver.Resources.find () with
-  | Error text -> Driver.General.wrong_use text
+  match Build.Resources.find () with
+  | Error text -> Build.Reporting.wrong_use text
   | Ok resources ->
       collect ();
       set_binary_mode_out stdout true;
       let ws = Workspace.create ?disk ~library:resources.library () in
-      serve
+      let t =
         {
           ws;
           wire = Wire.create Unix.stdin;
           waiting = Queue.create ();
+          looks = [];
+          asked = [];
+          later = [];
           cancelled = [];
           shut_down = false;
           exit = None;
         }
+      in
+      let status = serve t in
+      List.iter (fun (_, worker) -> Worker.stop worker) t.looks;
+      List.iter (fun (_, worker) -> Worker.stop worker) t.asked;
+      status

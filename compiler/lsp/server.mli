@@ -1,9 +1,12 @@
-(** [frobc lsp]: the compiler in an editor, by the Language Server Protocol 3.17 on standard input
-    and output.
+(** [frobc lsp]: a server for the Language Server Protocol 3.17 on standard input and output.
 
-    One message after the other; texts are looked at when no message waits, so that of many changes
-    only the last is. A request that was cancelled before its turn is not answered otherwise.
-    Nothing that is sent ends the server but [exit] and the end of input. *)
+    The server processes one message after another. It checks changed texts only when no message is
+    waiting, so of many changes in a row, only the last is checked. Long computations run in
+    processes of their own ({!Worker}), which are killed when an edit makes their results useless.
+    Responses may therefore arrive in a different order than the requests. A request that is
+    cancelled before its turn is answered as cancelled. Only [exit] and the end of the input end the
+    server. *)
 
 val run : ?disk:(string -> (string, Resolve.Files.error) result) -> unit -> int
-(** The exit status: 0 after [shutdown], else 1. [disk]: how files are read that are not open. *)
+(** Returns the exit status: 0 after [shutdown], otherwise 1. [disk] reads files that are not open
+    in the editor. *)

@@ -14,7 +14,7 @@ root=$work/root
 version=$("$image/bin/frobc" --version)
 architecture=$(dpkg --print-architecture)
 maintainer="${DEBFULLNAME:-The Frob developers} <${DEBEMAIL:-frob@packages.invalid}>"
-named() { sed "s|@MAINTAINER@|$maintainer|" "$here/$1"; }
+named() { sed "s|@MAINTAINER@|$maintainer|; s|@VERSION@|$version|" "$here/$1"; }
 
 # Files, with the metadata of OCaml's package managers left out.
 mkdir -p "$root/usr/bin" "$root/usr/lib" "$root/usr/share/man" "$root/DEBIAN"

@@ -13,8 +13,8 @@ copy() { # FILE…, from the top
         cp "$file" "$to/$file"
     done
 }
-copy README.md compiler/README.md sim/README.md
-copy docs/*.* docs/tutorial/*.* docs/how-to/*.* docs/explanation/*.*
+copy README.md CHANGELOG.md compiler/README.md sim/README.md
+copy docs/*.* docs/decisions/*.* docs/tutorial/*.* docs/how-to/*.* docs/explanation/*.*
 copy $(find -L examples -type f ! -name 'dune*')
 ln -sfn ../../frobc/stdlib "$to/stdlib"
 ln -sfn ../../frobc/runtime "$to/runtime"

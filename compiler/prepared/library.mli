@@ -1,11 +1,12 @@
-(** The library's modules, parsed when the compiler was built: nearly every program is shorter than
-    what it imports, and reading that again takes much of the time of compiling a short one.
+(** The modules of the library, parsed when the compiler was built. Nearly every program is shorter
+    than what it imports, so parsing the library would take much of the time of compiling a short
+    one.
 
-    Only trees are kept. What comes after parsing depends on which modules a program is made of (the
-    numbers of names and type variables, the instances that are seen), so it is done for each
-    program anew. *)
+    Only the trees are stored. The results of later stages depend on which modules a program
+    consists of (the numbers of names and type variables, and the visible instances), so these
+    stages run for each program. *)
 
 val tree : file:string -> string -> Syntax.Ir.program option
-(** The tree of a module, equal to what {!Syntax.Parse.program} makes of that file and text, without
-    a diagnostic; [None] if they are not, byte for byte, of the library that the compiler was built
-    with. Each call makes a new tree. *)
+(** The tree of a module, equal to the result of {!Syntax.Parse.program} for this file and text,
+    which has no diagnostics. [None] unless the file and text are identical to a module of the
+    library that the compiler was built with. Each call makes a new tree. *)

@@ -20,13 +20,14 @@ let longest = 1_000
 
 (* {1 Names} *)
 
-(* A method of an instance is known by its own name. *)
+(* Name of a definition for the user. For the method of an instance, that is the method's own
+   name. *)
 let plain name =
   match String.index_opt name '@' with
   | Some at when at > 0 -> String.sub name 0 at
   | Some _ | None -> name
 
-(* In the order given; those of one name get the numbers 1, 2, … *)
+(* Keeps the order; appends 1, 2, … to names that occur several times. *)
 let numbered names =
   let total = String_table.create 8 and met = String_table.create 8 in
   let count table name = Option.value (String_table.find_opt table name) ~default:0 in
@@ -43,7 +44,7 @@ let mode_names (program : Ir.program) (machine : Ir.machine) =
 
 type inner = {
   step : step;
-  word : string option;  (** that it adds to the way *)
+  word : string option;  (** the component it adds to the path, if any *)
   index : int;
   inputs : Ir.atom list;
 }
@@ -89,7 +90,7 @@ let rec scalar (ty : Ir.ty) = match ty with Array (_, element) -> scalar element
 
 let can_be_seen (program : Ir.program) (s : Ir.signal) =
   s.name <> ""
-  (* A part of a drawing is seen in the whole. *)
+  (* The whole drawing is a signal of its own. *)
   && (not (String.contains s.name '#'))
   && size s.ty <= longest
   && not (Flow.Shape.mentions_foreign program.sums (Leaf (scalar s.ty)))
@@ -98,9 +99,9 @@ let defined (node : Ir.node) =
   List.map (fun (e : Ir.equation) -> e.defines) node.equations
   @ List.concat_map (fun (i : Ir.instance) -> i.outputs) node.instances
 
-(* Where a signal of a node comes from that is only handed on: by an equation, or by an
-   instance that gives what it gets. [passed]: of each node before this one, the inputs that
-   are its outputs, by number. *)
+(* Maps a signal to its origin if it is only a copy, made by an equation or by an instance that
+   passes an input through. [passed] says for each earlier node which of its outputs are copies of
+   which inputs, by number. *)
 let source passed (node : Ir.node) =
   let from = Hashtbl.create 16 in
   let comes (s : Ir.signal) (atom : Ir.atom) =
@@ -146,7 +147,7 @@ let signals equations program (node : Ir.node) ~is_given ~source =
     |> List.stable_sort (fun (a : Ir.signal) (b : Ir.signal) -> Span.compare a.span b.span)
   in
   let met = String_table.create 16 in
-  (* A variable of a tuple that is the input is there twice. *)
+  (* Binding an input to a tuple pattern makes two signals with the same name. *)
   let is_new (s : Ir.signal) =
     let before = Option.value (String_table.find_opt met s.name) ~default:[] in
     let source = source s.id in
@@ -161,16 +162,17 @@ let signals equations program (node : Ir.node) ~is_given ~source =
     all
     (numbered (List.map (fun (s : Ir.signal) -> s.name) all))
 
-(* What a machine's node is given, its modes are given again. *)
+(* The modes of a machine's node receive the same inputs, so those of the node are skipped. *)
 let own equations program (node : Ir.node) ~is_given ~source =
   match node.machine with
   | Some { modes = []; _ } | None -> signals equations program node ~is_given ~source
   | Some { modes = [ _ ]; _ } -> []
   | Some { modes = _ :: _ :: _; _ } -> [ (Running_mode, "mode", None, false, node.span) ]
 
-(* {1 All of them} *)
+(* {1 All signals} *)
 
-(* How many instances are in each node, itself included, if they are not too many. *)
+(* Counts the instances in each node, including itself. Returns whether the root has more than
+   {!most}. *)
 let are_too_many (program : Ir.program) =
   let counts = Array.make (Array.length program.nodes) 1 in
   Array.iteri
@@ -203,7 +205,7 @@ let rec found equations passed (program : Ir.program) index ~path ~whole ~given 
   in
   own @ List.fold_right inner (inside program node) rest
 
-(* Ends of the way to an instance, the shortest first. *)
+(* Suffixes of the path to an instance, the shortest first. *)
 let rec ends whole =
   match whole with [] -> [] | _ :: rest -> ends rest @ [ String.concat "." whole ]
 

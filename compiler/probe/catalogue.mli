@@ -1,47 +1,49 @@
-(** All inner signals of a program that can be seen, by name.
+(** Names all inner signals of a program that can be shown.
 
-    Those are, in each instance of a signal function, its parameters, the signals of its input and
-    of its equations, and of each switch or sequence of tasks which of its modes runs.
+    For each instance of a signal function, these are its parameters, the variables of its input and
+    the signals that its equations define. For each switch or sequence of tasks, the running mode is
+    a signal, too.
 
-    An instance is called as its definition; several in one signal function, or several modes of one
-    name, are numbered in the order of the text. A mode that is called as what it is a mode of has
-    no name of its own in the way, and the only one has the name for both. A name is the shortest
-    end of the way that leads from the root to the signal that no other has: [wallFollow.v], or
-    [left.hold.y] where there is [right.hold.y] too. *)
+    Each signal has a path from the root. Instances are named after their definitions. Several
+    instances of one definition in the same signal function are numbered in source order, and so are
+    several modes of the same name. A mode that has the name of its machine adds nothing to the
+    path; if a machine has only one mode, the mode's name is used for both. The name of a signal is
+    the shortest suffix of its path that is unique: [wallFollow.v], or [left.hold.y] if there is
+    [right.hold.y] too. *)
 
 open Basis
 
-(** From a node to one inside. *)
+(** A step from a node to one inside it. *)
 type step =
-  | Instance of int  (** the number in the node's [instances] *)
-  | Mode of int  (** in the [modes] of its machine *)
+  | Instance of int  (** index in the node's [instances] *)
+  | Mode of int  (** index in the [modes] of the node's machine *)
 
-type own = Signal of Flow.Ir.signal | Running_mode  (** which of the node's machine *)
+type own = Signal of Flow.Ir.signal | Running_mode  (** the running mode of the node's machine *)
 
 type probe = {
   name : string;
-  path : step list;  (** from the root to the node *)
-  own : own;  (** of that node *)
-  whole : string list;  (** what leads from the root, by name *)
-  signal : string;  (** how it is called in its node *)
-  ty : Flow.Ir.ty option;  (** of the signal; [None] for [Running_mode] *)
-  handed_down : bool;  (** it is the program's own input, which is seen anyway *)
+  path : step list;  (** path from the root to the node *)
+  own : own;  (** the signal in this node *)
+  whole : string list;  (** names on the path from the root to the instance *)
+  signal : string;  (** name of the signal within its node *)
+  ty : Flow.Ir.ty option;  (** type of the signal; [None] for [Running_mode] *)
+  handed_down : bool;  (** the signal is a copy of the program's own input, which is shown anyway *)
   span : Span.t;  (** where the programmer wrote it *)
 }
 
 val of_program : Equations.t -> Flow.Ir.program -> probe list option
-(** In the order of the text, inner instances after what is around them. [None] if there are more
-    than {!most} instances. Arrays of more than {!longest} leaves and values of foreign types are
-    left out. *)
+(** In source order; inner instances follow the instance that contains them. [None] if there are
+    more than {!most} instances. Skips arrays of more than {!longest} leaves and values of foreign
+    types. *)
 
 val most : int
 val longest : int
 
 val defined : Flow.Ir.node -> Flow.Ir.signal list
-(** By equations and instances. *)
+(** The signals that equations and instances define. *)
 
 val modes_of : Flow.Ir.program -> probe -> string list
-(** Of a [Running_mode]: what it can be. *)
+(** The modes that a [Running_mode] can take. *)
 
 val mode_names : Flow.Ir.program -> Flow.Ir.machine -> string list
-(** Of its modes, each another. *)
+(** Names for the modes of a machine, all different. *)

@@ -1,7 +1,7 @@
-(** Which signals of Flow the programmer wrote as equations of a [proc].
+(** Which signals of Flow the programmer defined by an equation of a [proc].
 
-    Flow has names for more: what a branch of a [case] binds has one too, and a value only where
-    that branch is taken. *)
+    Flow has more named signals: the variables that a branch of a [case] binds have names as well,
+    but have values only when that branch is taken. *)
 
 open Basis
 
@@ -10,7 +10,7 @@ type t
 val of_program : Core.Ir.program -> t
 
 val mem : t -> Span.t -> bool
-(** Is it the place where an equation names its signal? *)
+(** Whether an equation names its signal at this place. *)
 
 val whole : t -> Span.t -> Span.t option
-(** The whole equation that names its signal at this place. *)
+(** The span of the whole equation that names its signal at this place. *)

@@ -3,13 +3,13 @@ module Ir = Flow.Ir
 
 let bug format = Diagnostic.bug ~stage:"Probe.Observed" format
 
-(* A way down from a node, and what is seen at its end. *)
+(* A path down from a node, and the signal at its end. *)
 type wanted = { path : Catalogue.step list; own : own; label : string }
-and own = Signal of int  (** its id *) | Running_mode
+and own = Signal of int  (** id of the signal *) | Running_mode
 
 let own : Catalogue.own -> own = function Signal s -> Signal s.id | Running_mode -> Running_mode
 
-(* The same text for the same way and end. *)
+(* Two requests with the same path and signal have the same key. *)
 let key (w : wanted) =
   let step : Catalogue.step -> string = function
     | Instance k -> "i" ^ string_of_int k
@@ -18,7 +18,7 @@ let key (w : wanted) =
   let own = match w.own with Signal id -> string_of_int id | Running_mode -> "mode" in
   String.concat " " (own :: List.map step w.path)
 
-(* What a node can hand up. *)
+(* A signal that a node can return as an additional output. *)
 type given = { wanted : wanted; atom : Ir.atom; ty : Ir.ty }
 
 let by_key (given : given list) =
@@ -29,12 +29,12 @@ let by_key (given : given list) =
 type t = {
   before : Ir.program;
   nodes : Ir.node array;
-  mutable sums : Ir.sum list;  (** all, the last one first *)
+  mutable sums : Ir.sum list;  (** all sums, the last one first *)
   mutable next_id : int;
-  wanted : wanted list array;  (** of each node *)
-  asked : unit String_table.t array;  (** their keys *)
+  wanted : wanted list array;  (** the requested signals of each node *)
+  asked : unit String_table.t array;  (** the keys of [wanted] *)
   given : given list array;
-  found : given String_table.t array;  (** likewise, by key *)
+  found : given String_table.t array;  (** the entries of [given], by key *)
 }
 
 let fresh t ~name ~span ty : Ir.signal =
@@ -54,7 +54,7 @@ let add_sum t (sum : Ir.sum) : Ir.ty =
   in
   find (List.length t.sums - 1) t.sums
 
-(* {1 Values that need not be there} *)
+(* {1 Values that may be absent} *)
 
 let rec shape (ty : Ir.ty) : Ir.shape =
   match ty with Array (n, element) -> Repeated (n, shape element) | ty -> Leaf ty
@@ -86,7 +86,7 @@ let event_of t ty =
     let constructors = [ constructor "NoEvent" []; constructor "Event" [ ("", shape ty) ] ] in
     add_sum t { name = "Event " ^ type_name t ty; module_ = "Prelude"; constructors }
 
-(* Equations are added to a list. *)
+(* Appends an equation to the list [equations]. *)
 let define t equations ~name ~span ty rhs =
   let signal = fresh t ~name ~span ty in
   equations := { Ir.defines = signal; rhs; span } :: !equations;
@@ -105,7 +105,7 @@ let present t equations ~span (g : given) =
     define t equations ~name:g.wanted.label ~span ty
       (Construct { constructor = 1; payload = [ g.atom ] })
 
-(* {1 What each node is asked for} *)
+(* {1 The signals requested from each node} *)
 
 let inner_wanted (node : Ir.node) (w : wanted) =
   match (w.path, node.machine) with
@@ -132,7 +132,7 @@ let ask_all t probes =
       t.wanted.(index)
   done
 
-(* {1 Handing up} *)
+(* {1 Additional outputs} *)
 
 (* One of the node's own signals. *)
 let own_signal (node : Ir.node) id =
@@ -141,7 +141,7 @@ let own_signal (node : Ir.node) id =
   | Some s -> s
   | None -> bug "a node has no such signal"
 
-(* An instance, with what it gives besides. *)
+(* Adds outputs for the requested signals to an instance. *)
 let instance t (i : Ir.instance) =
   let output (g : given) =
     let ty = match i.loop with Some { count; _ } -> Ir.Array (count, g.ty) | None -> g.ty in
@@ -161,7 +161,8 @@ let find (found : given String_table.t) (w : wanted) =
   | Some given -> given
   | None -> bug "a node does not give what it was asked for"
 
-(* All modes of a machine give the same: each its own, and nothing of the others'. *)
+(* All modes of a machine must have the same outputs. Each mode computes the signals requested from
+   it; the signals of the other modes are absent. *)
 let machine t index (node : Ir.node) (machine : Ir.machine) equations =
   let span = machine.span in
   let number =
@@ -283,12 +284,12 @@ let program (before : Ir.program) probes =
   }
 
 let claims ~shown ~margin probes =
-  (* Its columns are of the same instance, and so is their name up to the last part. *)
+  (* The margin columns belong to the same instance, so their names differ only in the last part. *)
   let margin_of (p : Catalogue.probe) =
     let way = String.sub p.name 0 (String.length p.name - String.length p.signal) in
     let column number = way ^ Core.Margin.column p.signal number in
     let json = Option.map (Core.Formula.to_json column) (margin p.span) in
-    (* C promises no longer literals. *)
+    (* C guarantees string literals of 4095 characters only. *)
     Option.bind json (fun json -> if String.length json < 4000 then Some json else None)
   in
   let claim (p : Catalogue.probe) : Ir.claim =

@@ -1,22 +1,22 @@
-(** A program that shows inner signals beside its output.
+(** Makes a program show inner signals together with its output.
 
-    Each signal that is asked for becomes one more output of its node, handed up from instance to
-    instance to the root. Of an instance in a loop it becomes an array. A node that does not run at
-    each instant, as it is in a mode or in [onEvent], gives an [Event], which does not occur where
-    the node does not run; where the signal is an event itself, that one.
+    Each requested signal becomes an additional output of its node, which is passed up from instance
+    to instance to the root. For an instance in a loop it becomes an array. In a node that does not
+    run in every instant, because it is a mode or inside [onEvent], the output is an [Event] that
+    occurs only when the node runs; if the signal is an event already, it stays that event.
 
-    Made before anything is optimized, so every signal is there; and what the program does otherwise
-    is as it was. *)
+    This happens before any optimization, so all signals still exist. The program's own behavior
+    does not change. *)
 
 val program : Flow.Ir.program -> Catalogue.probe list -> Flow.Ir.program
-(** The probes, of this program's catalogue. *)
+(** The probes must be from the catalogue of this program. *)
 
 val claims :
   shown:(Catalogue.probe -> bool) ->
   margin:(Basis.Span.t -> Core.Formula.t option) ->
   Catalogue.probe list ->
   Flow.Ir.claim list
-(** Of the probes, those that are verdicts on assertions. *)
+(** The claims of those probes that are the verdicts of assertions. *)
 
 val has_claims : Flow.Ir.program -> bool
-(** Is anything asserted in it? *)
+(** Whether the program contains assertions. *)

@@ -18,30 +18,33 @@ type t = { column : string; place : Span.t; sources : source list; transitions :
 
 let bug format = Diagnostic.bug ~stage:"Probe.Origin" format
 
-(* Further ones are no more told apart: a loop of delays would have no end. *)
+(* Maximum number of instants that are distinguished. Without a limit, the search would not end for
+   a loop of delays. *)
 let farthest = 2
 let any = -1
 let before = -2
 
-(* {1 Nodes as they run in the program} *)
+(* {1 Node instances} *)
 
 (* How a signal of a node is defined. *)
 type definition =
   | Equation of Ir.equation
-  | Given of int * int  (** by the instance of this number, its output of that number *)
-  | Chosen of int  (** by the machine, its output of this number *)
+  | Given of int * int  (** an output of an instance: their numbers *)
+  | Chosen of int  (** the machine's output of this number *)
   | Input of int
   | Static of int
 
-(* A node at its place: what is around it, and by which step. *)
+(* A node instance: its number, its node, and the instance and step that lead to it. *)
 type frame = { number : int; node : int; around : (frame * Catalogue.step) option }
 
 type run = {
   program : Ir.program;
-  definitions : (int, definition) Hashtbl.t option array;  (** of each node, when asked for *)
+  definitions : (int, definition) Hashtbl.t option array;
+      (** definitions of each node's signals, computed when first needed *)
   frames : (int * Catalogue.step, frame) Hashtbl.t;
-  columns : (int * Catalogue.own, string) Hashtbl.t;  (** by frame *)
-  inputs : (string * string) array;  (** of the root: before and after an array's [[0]] *)
+  columns : (int * Catalogue.own, string) Hashtbl.t;  (** columns, by the frame's number *)
+  inputs : (string * string) array;
+      (** columns of the root's inputs: the text before and after the [[0]] of an array *)
   mutable count : int;
 }
 
@@ -86,15 +89,16 @@ let inside t frame (step : Catalogue.step) =
 
 let root t = { number = 0; node = Array.length t.program.nodes - 1; around = None }
 
-(* {1 Going back} *)
+(* {1 Following dependencies backwards} *)
 
-(* What of a value is needed, the outermost first; nothing for the whole. *)
+(* The part of a value that is needed, as a path from the outside in. The empty path is the whole
+   value. *)
 type part =
-  | Element of int  (** of an array *)
-  | Leaf of int * int  (** of this constructor of a sum, if it has it *)
-  | Tag  (** of a sum *)
+  | Element of int  (** an element of an array *)
+  | Leaf of int * int  (** a leaf of this constructor, if the sum has this constructor *)
+  | Tag  (** the tag of a sum *)
 
-(* When a signal's value counts: how long before, and in which mode of a machine. *)
+(* When a signal's value matters: how many instants ago, and in which mode of a machine. *)
 type at = { back : back; where_ : (string * int) option }
 
 type walk = {
@@ -116,14 +120,16 @@ let earlier at =
 
 let at_first at = match at.back with Instants _ -> { at with back = First } | First | Entry -> at
 
-(* Up to where a column's name tells it. *)
+(* Only elements are visible in the name of a column; this prints the path up to the first other
+   part. *)
 let rec element = function
   | Element k :: part -> Printf.sprintf "[%d]" k ^ element part
   | (Leaf _ | Tag) :: _ | [] -> ""
 
 let running_mode t frame = Hashtbl.find_opt t.columns (frame.number, Catalogue.Running_mode)
 
-(* Transitions between modes, each with the frame that its atoms are of. *)
+(* The transitions of a machine, each with the mode it leaves and the frame that its atoms belong
+   to. *)
 let transitions t frame =
   let machine = machine_of (node t frame) in
   let of_mode k index =
@@ -153,7 +159,7 @@ and definition walk frame ~at ~part (s : Ir.signal) =
   | Some (Input k) -> input walk frame ~at ~part k
   | Some (Static k) -> static walk frame ~at ~part k
   | None -> (
-      (* The results of foreign code need all its inputs. *)
+      (* The results of foreign code depend on all its inputs. *)
       match (node walk.t frame).foreign with
       | Some _ -> List.iteri (fun k _ -> input walk frame ~at ~part:[] k) (node walk.t frame).inputs
       | None -> bug "a signal of another node")
@@ -237,7 +243,8 @@ and input walk frame ~at ~part k =
       let machine = machine_of (node walk.t around) in
       atom walk around ~at ~part (List.nth machine.inputs k)
 
-(* A mode's were computed by what led to it. Further back than that is not told. *)
+(* The parameters of a mode are computed by the transition that enters it. Transitions further back
+   are not followed. *)
 and static walk frame ~at ~part k =
   match frame.around with
   | None -> ()
@@ -261,8 +268,8 @@ let walk t continue =
 
 (* {1 Columns} *)
 
-(* Of each leaf of a side, what its columns are called: before and after the number of an
-   element. *)
+(* For each leaf of the input or output: the name of its columns, as the text before and after the
+   index of an element. *)
 let rec leaf_columns name (shape : Ir.shape) =
   match shape with
   | Leaf _ -> [ (name, "") ]
@@ -280,7 +287,8 @@ let rec leaf_columns name (shape : Ir.shape) =
       in
       List.map (fun leaf -> (name, after leaf)) (leaf_columns name element)
 
-(* What a program ends with is a part beside those of its robot. *)
+(* The columns of the output. If the program can end, its result is a separate part, next to the
+   robot's command. *)
 let output_columns (program : Ir.program) =
   match program.output with
   | Product { constructor = ""; parts = [ (_, command); (_, result) ]; _ } when program.ends ->
@@ -304,7 +312,7 @@ let machine_transitions t frame =
       })
     (transitions t frame)
 
-(* Where a parameter or an input of a node is given. *)
+(* The place where a node gets its parameters or inputs. *)
 let rec given t frame =
   match frame.around with
   | Some (around, Instance k) -> Some (List.nth (node t around).instances k).span

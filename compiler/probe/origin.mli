@@ -1,45 +1,50 @@
-(** Where the value of a column comes from: one step back along the equations.
+(** Finds the sources of a column's value: one step back along the equations.
 
-    From the signal's equation back through all that has no column of its own (what a function
-    computes, what has no name), to the nearest columns: parameters, other equations, signals inside
-    of what runs there, the program's input. *)
+    From the equation of a signal, the search goes back through everything that has no column of its
+    own (such as the results of functions, and signals without a name) to the nearest columns. These
+    can be parameters, signals of other equations, inner signals of instances, or the program's
+    input. *)
 
 open Basis
 
 type back =
-  | Instants of int  (** so many ago, of the signal function that it is in; 0: the same one *)
-  | First  (** only at the first instant of what the signal is in *)
-  | Entry  (** when the mode began that the signal is a parameter in *)
+  | Instants of int
+      (** the number of instants ago, as the enclosing signal function counts them; 0 is the same
+          instant *)
+  | First  (** only in the first instant of the signal function that contains the signal *)
+  | Entry  (** when the mode was entered of which the signal is a parameter *)
 
 type source = {
   column : string;
   back : back;
   where_ : (string * int) option;
-      (** only where this machine is in the mode of this number; for [Entry]: where it was before,
-          {!any}, or {!before} if the machine itself began. Innermost *)
+      (** the innermost restriction to a mode, as a machine and the number of its mode. For [Entry],
+          the mode before: {!any}, or {!before} if the machine itself was starting *)
 }
 
 val any : int
 val before : int
 
 type transition = {
-  from : int;  (** a mode's number, or {!any}, as what is around it says, or {!before} *)
+  from : int;
+      (** number of a mode; {!any} if the machine's input causes the transition; {!before} for the
+          start of the machine *)
   target : int;
-  label : string;  (** what it waits for, as far as that is known; or empty *)
-  delayed : bool;  (** the instant at which it happens is still of the mode that is left *)
-  at_once : bool;  (** it may happen at the first instant of the mode that it leaves *)
-  sources : source list;  (** of the event *)
+  label : string;  (** the event that causes it, as far as it is known; otherwise empty *)
+  delayed : bool;  (** the mode that is left still runs in the instant of the transition *)
+  at_once : bool;  (** the transition may occur in the first instant of the mode it leaves *)
+  sources : source list;  (** sources of the event *)
   place : Span.t;
 }
-(** Between the modes of a machine. *)
+(** A transition between the modes of a machine. *)
 
 type t = {
-  column : string;  (** [probe.follow.v], [out.turn] *)
-  place : Span.t;  (** the whole equation; of a parameter or input, where it is given *)
+  column : string;  (** for example [probe.follow.v] or [out.turn] *)
+  place : Span.t;  (** the whole equation; for a parameter or input, the place where it is passed *)
   sources : source list;
-  transitions : transition list;  (** if it is the running mode of a machine *)
+  transitions : transition list;  (** transitions of the machine if the column is its running mode *)
 }
 
 val of_program : Equations.t -> Flow.Ir.program -> Catalogue.probe list -> t list
-(** Of the leaves of the output, and of these probes. Columns are called as in a trace; where it is
-    not known which element of an array is meant, as the whole array. *)
+(** The sources of the output's leaves and of these probes. Columns are named as in a trace. If the
+    element of an array is not known, the column is the one of the whole array. *)

@@ -6,7 +6,7 @@ let is_number word = word <> "" && String.for_all (fun c -> '0' <= c && c <= '9'
 let rec is_end wanted whole =
   wanted = whole || match whole with [] -> false | _ :: rest -> is_end wanted rest
 
-(* The way to the instance, and on into its signal, a word more at a time. *)
+(* The path to the instance, and this path extended by one word of the signal's name at a time. *)
 let ways (p : Catalogue.probe) =
   let instance = List.concat_map words p.whole in
   let further ways word = (List.hd ways @ [ word ]) :: ways in

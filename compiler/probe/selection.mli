@@ -1,22 +1,22 @@
-(** The probes that a user asks for.
+(** Selects the probes that a user names.
 
-    A name stands for the signals whose way from the root ends in it, [v], [wallFollow.v]; for all
-    signals of the instances whose way does, [wallFollow]; and for the parts of a record,
-    [follow.pose]. Numbers may be left out. [all] is all of them, [assert] the verdicts on
-    assertions. What is only handed down is meant only where it is named itself. *)
+    A name selects the signals whose path ends with it ([v], [wallFollow.v]), all signals of the
+    instances whose path ends with it ([wallFollow]), and the parts of a record ([follow.pose]).
+    Numbers may be omitted. [all] selects everything, [assert] the verdicts of assertions. Copies of
+    the program's input are selected only if the name is that of the signal itself. *)
 
 val claims : string
-(** [assert] *)
+(** The name [assert]. *)
 
 val margins : string
-(** [margin]: the columns of {!Core.Margin} *)
+(** The name [margin], for the columns of {!Core.Margin}. *)
 
 val is_claim : Catalogue.probe -> bool
-(** The verdict on an assertion. *)
+(** Whether the probe is the verdict of an assertion. *)
 
 val is_margin : Catalogue.probe -> bool
 
 val find :
   Catalogue.probe list -> string list -> (Catalogue.probe list, string * string option) result
-(** In the order of the catalogue; or a name that nothing has, and the nearest one that something
-    has. *)
+(** The selected probes in the order of the catalogue. The error is a name that selects nothing,
+    with the most similar name that would select something. *)

@@ -1,4 +1,4 @@
-(** What can be said of a program before it runs. *)
+(** Static bounds on the memory and time that a program needs. *)
 
 type t = {
   program : Step.Ir.program;
@@ -11,12 +11,12 @@ type t = {
 val of_program : Step.Ir.program -> t
 
 val place : file:string -> Basis.Span.t -> string
-(** As the report names it: without folders, so that it reads the same wherever the program and the
-    library are. *)
+(** The place as the report prints it: without folders, so that the text does not depend on where
+    the program and the library are. *)
 
 val operations : (string * Cost.kind) list
-(** The kinds of operations in the order of the report, by name; without the calls of the elementary
-    functions. *)
+(** The kinds of operations and their names, in the order of the report. Calls of elementary
+    functions are not included. *)
 
 val library : t -> string list
-(** The elementary functions that are called, sorted. *)
+(** The elementary functions that the program calls, sorted. *)

@@ -16,17 +16,17 @@ module Kinds = Map.Make (struct
   let compare = Stdlib.compare
 end)
 
-(* No kind is there with 0. *)
+(* Kinds that do not occur are absent from the map. *)
 type t = int Kinds.t
 
 let none = Kinds.empty
 let several n kind = if n = 0 then none else Kinds.singleton kind n
 let one kind = several 1 kind
 let combine f = Kinds.union (fun _ a b -> Some (f a b))
-let add = combine Basis.Amount.add
+let add = combine Basis.Saturating_int.add
 let sum = List.fold_left add none
 let larger = combine max
-let times n t = if n = 0 then none else Kinds.map (Basis.Amount.times n) t
+let times n t = if n = 0 then none else Kinds.map (Basis.Saturating_int.times n) t
 let count t kind = Option.value (Kinds.find_opt kind t) ~default:0
 
 let calls t =

@@ -1,15 +1,16 @@
-(** How many operations of each kind. *)
+(** Counts operations by kind. *)
 
 type kind =
-  | Additions  (** subtractions and changes of sign too *)
+  | Additions  (** including subtractions and changes of sign *)
   | Multiplications
-  | Divisions  (** remainders too *)
-  | Choices  (** comparisons, logic, and everything that takes one of two ways *)
+  | Divisions  (** including remainders *)
+  | Choices  (** comparisons, logic, and all branches *)
   | Conversions  (** between integers, floats and nanoseconds *)
-  | Calls of string  (** of this elementary function, kernel or function of the user's, or [fabs] *)
-  | Pixels of string  (** that this kernel looks at, as far as that is known *)
-  | Images of string  (** calls of this kernel that may look at all of an image *)
-  | Loads  (** of a scalar of the state *)
+  | Calls of string
+      (** calls of this elementary function, kernel or C function of the user, or [fabs] *)
+  | Pixels of string  (** pixels that this kernel reads, if their number is known *)
+  | Images of string  (** calls of this kernel that may read a whole image *)
+  | Loads  (** loads of one scalar of the state *)
   | Stores
 
 type t
@@ -21,10 +22,10 @@ val add : t -> t -> t
 val sum : t list -> t
 
 val larger : t -> t -> t
-(** Of each kind the larger number. *)
+(** The maximum for each kind. *)
 
 val times : int -> t -> t
 val count : t -> kind -> int
 
 val calls : t -> (string * int) list
-(** Of elementary functions, by name. *)
+(** Calls of elementary functions, by name. *)

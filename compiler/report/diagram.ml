@@ -13,7 +13,8 @@ let quoted text =
     text;
   "\"" ^ Buffer.contents out ^ "\""
 
-(* Machines and states have numbers in the text; a state is one of its machine. *)
+(* Machines and states are identified by numbers; the number of a state is unique within its
+   machine. *)
 let start number = Printf.sprintf "start%d" number
 let any number = Printf.sprintf "any%d" number
 let state number mode = Printf.sprintf "state%d_%d" number mode
@@ -71,8 +72,7 @@ let machine ppf (program : Ir.program) ~file number (node : Ir.node) (m : Ir.mac
     m.modes;
   Format.fprintf ppf "  }@."
 
-(* The nodes with a machine that run in a node, but not in one of its machine's
-   modes. *)
+(* Nodes with a machine that run inside a node, but not inside a mode of the node's own machine. *)
 let inside (program : Ir.program) index =
   let rec from found index =
     let node = program.nodes.(index) in

@@ -128,7 +128,16 @@ let param (p : Flow.Ir.param) =
       ("line", line p.declared);
     ]
 
-let to_string ?judged (t : Bounds.t) =
+let on_the_wire (wire : Wire.t option) =
+  let step (s : Wire.step) =
+    Json.Object
+      [ ("quantity", string s.quantity); ("size", Json.Float s.size); ("unit", string s.unit_) ]
+  in
+  match wire with
+  | None -> Json.Null
+  | Some w -> Object [ ("robot", string w.robot); ("steps", list step w.steps) ]
+
+let to_string ?judged ?wire (t : Bounds.t) =
   let structs = State.in_use t.state in
   let index = Hashtbl.create 16 in
   List.iteri (fun i k -> Hashtbl.replace index k i) structs;
@@ -152,6 +161,7 @@ let to_string ?judged (t : Bounds.t) =
          ("params", list param t.program.params);
          ("params_bytes", Int (State.params_bytes t.program));
          ("marks", Int t.program.marks);
+         ("wire", on_the_wire wire);
          ("assertions", match judged with None -> Int 0 | Some (j : Judged.t) -> Int j.count);
          ( "assertion_operations",
            match judged with None -> Int 0 | Some (j : Judged.t) -> Int j.operations );

@@ -1,20 +1,21 @@
-(** The machines of modes, and how many modes an instant can take through. *)
+(** State machines, and the maximum number of modes that one instant can pass through. *)
 
 open Basis
 
 type machine = {
-  name : string;  (** the definition that it is in *)
+  name : string;  (** the definition that contains it *)
   file : string;
   span : Span.t;
   modes : string list;
-  transitions : transition list;  (** mode by mode *)
-  steps : int;  (** at most so many are stepped within one instant *)
+  transitions : transition list;  (** ordered by the mode they leave *)
+  steps : int;  (** maximum number of modes that run within one instant *)
 }
 
 and transition = {
-  leaves : string;  (** a mode *)
+  leaves : string;  (** name of a mode *)
   enters : string;
-  at_entry : Flow.Ir.at_entry;  (** of the mode that it leaves *)
+  at_entry : Flow.Ir.at_entry;
+      (** whether it can occur in the first instant of the mode it leaves *)
   at : Span.t;
 }
 

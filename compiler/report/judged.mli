@@ -1,11 +1,11 @@
-(** What it costs to judge a program's assertions: the program with them beside the program without,
-    as it is when it drives unwatched. *)
+(** The cost of checking a program's assertions: compares the program that checks them with the one
+    that does not, which is the one that runs on the robot. *)
 
 type t = {
-  count : int;  (** of assertions *)
-  operations : int;  (** more in a step *)
-  share : float;  (** of those without *)
-  bytes : int;  (** of state more *)
+  count : int;  (** number of assertions *)
+  operations : int;  (** additional operations in a step *)
+  share : float;  (** [operations] as a fraction of the operations without assertions *)
+  bytes : int;  (** additional bytes of state *)
 }
 
 val of_programs : plain:Bounds.t -> watched:Bounds.t -> t

@@ -8,7 +8,7 @@ type t = { looks : looks; stack : int }
 
 let kilobytes n = n * 1024
 
-(* After the leaf of the image come x, y, width and height. *)
+(* In the arguments, x, y, width and height follow the image. *)
 let region = Region { width = 3; height = 4 }
 
 let all =
@@ -28,7 +28,8 @@ let all =
 
 let find name = List.assoc_opt name all
 
-(* No image has longer sides, and no line of an edge is longer or wider. *)
+(* Limits of the kernels: the maximum sides of an image, and the maximum length and width of the
+   line along which edges are found. *)
 let side = 4096
 let longest = 257
 let widest = 32

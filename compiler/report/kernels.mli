@@ -1,8 +1,12 @@
-(** What the library's kernels of vision need ([runtime/include/frob/vision.h]). *)
+(** Costs of the library's vision kernels ([runtime/include/frob/vision.h]). *)
 
-(** How many pixels a call looks at: those of a region whose width and height are these of the
-    call's leaves; along a line, of its length and width; so many samples at each level, at first
-    and in each iteration; or a fixed number. *)
+(** How to compute the number of pixels that a call reads. The numbers are indices into the leaves
+    of the call's arguments.
+
+    - [Region]: width times height.
+    - [Line]: length times width.
+    - [Iterated]: [samples] pixels at each level, once at the start and once in each iteration.
+    - [Samples]: a fixed number. *)
 type looks =
   | Region of { width : int; height : int }
   | Line of { length : int; width : int }
@@ -12,7 +16,8 @@ type looks =
 type t = { looks : looks; stack : int  (** in bytes *) }
 
 val find : string -> t option
-(** By its C name. *)
+(** Looks up a kernel by its C name. *)
 
 val pixels : looks -> Step.Ir.expr list -> int option
-(** Of a call with these arguments, at most; [None]: as many as the image has. *)
+(** Maximum number of pixels that a call with these arguments reads; [None] if it may read the whole
+    image. *)

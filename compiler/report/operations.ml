@@ -5,8 +5,8 @@ type t = { reset : Cost.t; step : Cost.t }
 type context = {
   program : M.program;
   node : M.node;
-  done_ : t array;  (** of the nodes before *)
-  scalars : int array;  (** of their states *)
+  done_ : t array;  (** costs of the preceding nodes *)
+  scalars : int array;  (** number of scalars in the states of these nodes *)
 }
 
 let scalars c ty = Step.Block.scalars c.program.sums ty
@@ -16,19 +16,19 @@ let stored c (field : M.field) =
   | Value ty -> Cost.several (scalars c ty) Stores
   | State_of _ | States_of _ | Running_mode | Modes _ | Component _ -> Cost.one Stores
 
-(* What a copy of the state has to read. *)
+(* The number of scalars that a copy of the state reads. *)
 let rec scalars_of_state c fields =
   let content (field : M.field) =
     match field.content with
     | Value ty -> scalars c ty
     | State_of k -> c.scalars.(k)
-    | States_of { node; count } -> Basis.Amount.times count c.scalars.(node)
+    | States_of { node; count } -> Basis.Saturating_int.times count c.scalars.(node)
     | Running_mode | Component _ -> 1
     | Modes modes ->
         let mode m = scalars_of_state c (Step.State.fields_of_mode m) in
         List.fold_left (fun most m -> max most (mode m)) 0 modes
   in
-  List.fold_left (fun sum field -> Basis.Amount.add sum (content field)) 0 fields
+  List.fold_left (fun sum field -> Basis.Saturating_int.add sum (content field)) 0 fields
 
 let operation (operator : Flow.Ir.operator) (ty : M.ty) =
   match operator with
@@ -45,7 +45,7 @@ let operation (operator : Flow.Ir.operator) (ty : M.ty) =
       Cost.(sum [ one Multiplications; several 2 Choices; several 2 Additions ])
   | Elementary f -> Cost.one (Calls (Core.Primitive.name (Elementary f)))
 
-(* The largest of times; see the helpers of the generated C. *)
+(* The slowest path of the conversion; see the helpers of the generated C. *)
 let in_nanoseconds =
   Cost.(
     sum
@@ -53,7 +53,7 @@ let in_nanoseconds =
         one Conversions; one Divisions; one Multiplications; several 2 Choices; several 2 Additions;
       ])
 
-(* What a kernel looks at, besides being called. *)
+(* The pixels that a kernel reads, in addition to the call itself. *)
 let looks c node arguments =
   match c.program.nodes.(node).foreign with
   | None -> Cost.none
@@ -117,8 +117,8 @@ let entry c (e : M.entry) =
   in
   Cost.sum ((number :: parameters) @ [ expressions c e.parameters; first ])
 
-(* What a machine with instants of its own does about its time: it goes on where
-   the machine has begun, and is read and put back where it is active. *)
+(* The cost of a machine's own clock, which advances once the machine has started, and is read and
+   stored while the machine is active. *)
 let clock c (clock : M.clock) =
   let goes_on = Cost.(sum [ one Choices; one Loads; one Stores; expression c clock.elapsed ]) in
   let seconds =
@@ -128,7 +128,7 @@ let clock c (clock : M.clock) =
 
 let largest = List.fold_left Cost.larger Cost.none
 
-(* What follows an entry, or nothing. *)
+(* The most expensive of the entries, each with the cost of what follows it. *)
 let entries c followed entries =
   largest (List.map (fun (e : M.entry) -> Cost.add (entry c e) (followed e)) entries)
 
@@ -143,24 +143,24 @@ let run c (r : M.run) =
   in
   let kept = if r.drops then Cost.one Choices else Cost.none in
   let again =
-    (* May another mode be stepped; one more step. *)
+    (* Decide whether another mode must run, and count the steps. *)
     if r.steps > 1 then Cost.add (Cost.one Choices) (Cost.one Additions) else Cost.none
   in
   let late = if r.late then Cost.several 2 Choices else Cost.none in
   let own_step k = c.done_.(modes.(k).node).step in
-  (* The step of a mode, all its transitions tested. *)
+  (* The step of a mode, with all its transitions tested. *)
   let round k (case : M.case) =
     let tests = List.map (fun (n : M.next) -> test n.condition) case.transitions in
     Cost.sum ([ chosen; expressions c case.arguments; own_step k ] @ tests @ [ kept; again; late ])
   in
   let rounds = Array.mapi round cases in
-  (* From a mode on: its step, and all that its transitions lead to. *)
+  (* The step of a mode and all that its transitions lead to. *)
   let from followed takes k =
     let taken = List.filter takes cases.(k).transitions in
     Cost.add rounds.(k) (entries c followed (List.map (fun (n : M.next) -> n.entry) taken))
   in
   let at_entry (n : M.next) = n.at_entry = Possible in
-  (* From each mode that was just entered, of so many steps. *)
+  (* For each mode, the maximum cost if it was just entered and at most [steps] modes still run. *)
   let rec entered steps =
     if steps <= 0 then Array.map (fun _ -> Cost.none) rounds
     else
@@ -213,14 +213,15 @@ let rec statement c (s : M.statement) =
 
 and statements c body = List.fold_left (fun cost s -> Cost.add cost (statement c s)) Cost.none body
 
-(* In double precision whole nanoseconds of the caller's dt, else these kept in bounds. *)
+(* Rounds dt to whole nanoseconds in double precision. In single precision, only limits the integer
+   that the caller computed. *)
 let whole_nanoseconds (program : M.program) =
   match program.real with
   | Double -> Cost.(sum [ one Multiplications; several 4 Choices; several 2 Additions ])
   | Single -> Cost.several 2 Choices
 
-(* What the root does with them, and 0 at the first instant; see the helpers of the
-   generated C. *)
+(* The root converts dt and replaces it by 0 in the first instant; see the helpers of the generated
+   C. *)
 let root_clock (program : M.program) (root : M.node) =
   let whole = whole_nanoseconds program in
   let to_integer = match program.real with Double -> [ Cost.one Conversions ] | Single -> [] in
@@ -242,7 +243,7 @@ let root_clock (program : M.program) (root : M.node) =
   in
   Cost.sum (first @ times)
 
-(* The user's C has doubles. *)
+(* The user's C functions take and return doubles. *)
 let crossing (program : M.program) (node : M.node) =
   match program.real with
   | Double -> Cost.none

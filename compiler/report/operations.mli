@@ -1,12 +1,12 @@
-(** The worst case of a step: operations of each kind, callees included.
+(** The worst-case cost of a step: the number of operations of each kind, including callees.
 
-    An operation of the language counts once in its kind, also where its C needs a few instructions
-    more, as integers that wrap around and conversions that saturate do. Of two branches the larger
-    number of each kind counts; of [&&] and [||] both sides; of a machine, of all chains of modes
-    that one instant can take it through, the largest number of each kind, with all transitions of
-    each mode tested. So no step does more of any kind. *)
+    An operation of the language counts as one, even if C needs several instructions for it, as for
+    integers that wrap around and for saturating conversions. For branches, the maximum of each kind
+    counts; for [&&] and [||], both operands; for a machine, the maximum of each kind over all
+    chains of modes that one instant can pass through, with all transitions of each mode tested. No
+    step performs more operations of any kind than this bound. *)
 
 type t = { reset : Cost.t; step : Cost.t }
 
 val of_program : Step.Ir.program -> t
-(** Of the root. *)
+(** The costs of the root's functions. *)

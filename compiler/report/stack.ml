@@ -1,4 +1,4 @@
-module Amount = Basis.Amount
+module Saturating_int = Basis.Saturating_int
 module M = Step.Ir
 
 type t = { bytes : int; chain : int list }
@@ -8,41 +8,41 @@ type context = {
   program : M.program;
   node : M.node;
   state : State.t;
-  done_ : bounds array;  (** of the nodes before *)
+  done_ : bounds array;  (** bounds of the preceding nodes *)
 }
 
 let word = 8
 
-(* The return address, the frame pointer, what keeps the stack aligned, and two
-   registers. *)
+(* Bytes in every frame: the return address, the frame pointer, alignment of the stack, and two
+   saved registers. *)
 let fixed = 5 * word
 
-(* The most that a helper of the generated C needs, with those it calls. *)
+(* Maximum stack of a helper of the generated C, including its callees. *)
 let helper = 12 * word
 
-(* Arguments after so many may be passed on the stack. *)
+(* Number of arguments that are certainly passed in registers. *)
 let in_registers = 4
 
-(* What a function has found so far. *)
+(* The stack use of a function, as far as it has been computed. *)
 type frame = {
   mutable bytes : int;
-  mutable helper : int;  (** the largest of the makers and helpers that it calls *)
+  mutable helper : int;  (** stack of the largest constructor function or helper that it calls *)
   mutable callees : t list;
 }
 
-let need frame bytes = frame.bytes <- Amount.add frame.bytes bytes
+let need frame bytes = frame.bytes <- Saturating_int.add frame.bytes bytes
 let needs_helper frame bytes = frame.helper <- max frame.helper bytes
 
 let room_as real c ty =
-  Amount.round_up (Step.Block.of_value real c.program.sums ty).bytes ~alignment:word
+  Saturating_int.round_up (Step.Block.of_value real c.program.sums ty).bytes ~alignment:word
 
 let room c = room_as c.program.real c
 let variable c frame (v : M.variable) = need frame (room c v.ty)
 
 type code =
-  | Operators  (** of C *)
+  | Operators  (** operators of C *)
   | Library
-  | Helper  (** a function that comes with the generated C *)
+  | Helper  (** a function in the generated C *)
 
 let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
   match operator with
@@ -54,7 +54,7 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
   | Pow | Elementary _ -> Library
   | Divide | Equal | Less | Less_equal | To_float | Not | And | Or -> Operators
 
-(* Calls within an expression make it keep intermediate values in memory. *)
+(* Whether an expression contains calls. If it does, it keeps intermediate values in memory. *)
 let rec calls (e : M.expr) =
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _
@@ -75,10 +75,10 @@ let rec calls (e : M.expr) =
 let is_sum (ty : M.ty) =
   match ty with Sum _ -> true | Bool | Int | Float | Nanoseconds | Array _ | Foreign _ -> false
 
-(* A function of a node's. *)
+(* A function of a node. *)
 type callee = Step of int | Reset of int
 
-(* An expression within one that makes calls, if [calling]. *)
+(* Visits an expression. [calling] says whether the expression around it makes calls. *)
 let rec within c frame ~calling (e : M.expr) =
   let all = List.iter (within c frame ~calling) in
   let intermediate () = if calling then need frame word in
@@ -94,7 +94,7 @@ let rec within c frame ~calling (e : M.expr) =
       intermediate ();
       all arguments
   | Select { condition; then_; else_ } ->
-      (* Such a one may be a helper in C: the least number. *)
+      (* In C, such a selection may become a call of the helper for the minimum of two numbers. *)
       (match condition with
       | Operation { operator = And; _ } -> needs_helper frame helper
       | _ -> ());
@@ -102,8 +102,8 @@ let rec within c frame ~calling (e : M.expr) =
       all [ condition; then_; else_ ]
   | Construct { sum; payload; _ } ->
       let made = room c (Sum sum) in
-      let given = Amount.times word (List.length payload) in
-      needs_helper frame (List.fold_left Amount.add (2 * fixed) [ made; made; made; given ]);
+      let given = Saturating_int.times word (List.length payload) in
+      needs_helper frame (List.fold_left Saturating_int.add (2 * fixed) [ made; made; made; given ]);
       need frame made;
       arguments c frame ~calling payload
   | Is_constructor { value; _ } ->
@@ -111,28 +111,29 @@ let rec within c frame ~calling (e : M.expr) =
       within c frame ~calling value
   | Payload { sum; value; _ } ->
       let whole = room c (Sum sum) in
-      needs_helper frame (List.fold_left Amount.add (2 * fixed) [ whole; whole; whole ]);
+      needs_helper frame (List.fold_left Saturating_int.add (2 * fixed) [ whole; whole; whole ]);
       need frame whole;
       within c frame ~calling value
   | Elements { elements; _ } -> all elements
   | Fill { count; element; value } ->
       let made = room c (Array (count, element)) in
-      needs_helper frame (Amount.add (2 * fixed) (Amount.times 3 made));
+      needs_helper frame (Saturating_int.add (2 * fixed) (Saturating_int.times 3 made));
       need frame made;
       all [ value ]
   | Index { array; _ } ->
       intermediate ();
       within c frame ~calling array
   | At { element; array; index; default; _ } ->
-      needs_helper frame (Amount.add (2 * fixed) (Amount.times 3 (room c element)));
+      needs_helper frame (Saturating_int.add (2 * fixed) (Saturating_int.times 3 (room c element)));
       need frame (room c element);
       all [ array; index; default ]
   | Replace { count; element; array; index; value } ->
       let made = room c (Array (count, element)) in
       needs_helper frame
-        (Amount.add (2 * fixed)
-           (Amount.add (Amount.times 3 made) (Amount.times 2 (room c element))));
-      need frame (Amount.add made (room c element));
+        (Saturating_int.add (2 * fixed)
+           (Saturating_int.add (Saturating_int.times 3 made)
+              (Saturating_int.times 2 (room c element))));
+      need frame (Saturating_int.add made (room c element));
       all [ array; index; value ]
   | Call { node; arguments } ->
       List.iter (fun (_, ty) -> need frame (room c ty)) c.program.nodes.(node).outputs;
@@ -149,7 +150,7 @@ let rec within c frame ~calling (e : M.expr) =
       need frame word;
       all [ a; b ]
 
-(* The room of the value of a choice. *)
+(* Bytes of a selection's value. *)
 and choice c (e : M.expr) =
   match e with
   | Variable { ty; _ } | Field { content = Value ty; _ } -> room c ty
@@ -157,7 +158,7 @@ and choice c (e : M.expr) =
   | Payload { sum; _ } -> room c (Sum sum)
   | Select { then_; _ } -> choice c then_
   | Call { node; _ } ->
-      let add sum (_, ty) = Amount.add sum (room c ty) in
+      let add sum (_, ty) = Saturating_int.add sum (room c ty) in
       List.fold_left add 0 c.program.nodes.(node).outputs
   | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Field _ | Param _
   | Operation _ | Is_constructor _ | Seconds _ | In_nanoseconds _ | Later _ | Soon _ | Reached _
@@ -168,7 +169,7 @@ and choice c (e : M.expr) =
   | At { element; _ } -> room c element
   | Index { array; _ } -> choice c array
 
-(* What is not passed in registers: sums, and what comes after the first few. *)
+(* Arguments not passed in registers: sums, and all after the first few. *)
 and arguments c frame ~calling es =
   List.iteri
     (fun i (e : M.expr) ->
@@ -194,11 +195,11 @@ let entry c frame (e : M.entry) =
 
 let run c frame (r : M.run) =
   let results =
-    List.fold_left (fun sum (v : M.variable) -> Amount.add sum (room c v.ty)) 0 r.results
+    List.fold_left (fun sum (v : M.variable) -> Saturating_int.add sum (room c v.ty)) 0 r.results
   in
-  let addresses = Amount.times word (List.length r.results) in
+  let addresses = Saturating_int.times word (List.length r.results) in
   (* The machine's flags and counters. *)
-  need frame (Amount.add results (4 * word));
+  need frame (Saturating_int.add results (4 * word));
   Option.iter (expression c frame) r.active;
   Option.iter (fun (clock : M.clock) -> expression c frame clock.elapsed) r.clock;
   List.iter
@@ -212,7 +213,7 @@ let run c frame (r : M.run) =
       if r.drops then need frame results;
       need frame addresses;
       List.iter (variable c frame) case.others;
-      need frame (Amount.times word (List.length case.others));
+      need frame (Saturating_int.times word (List.length case.others));
       call c frame (Step mode.node) case.arguments;
       List.iter
         (fun (n : M.next) ->
@@ -232,28 +233,29 @@ let statement c frame (s : M.statement) =
       expression c frame condition
   | Step { node; arguments; results; on_trial; _ } ->
       let { State.bytes; _ } = State.definition c.state node in
-      if on_trial then need frame (Amount.add word (Amount.round_up bytes ~alignment:word));
+      if on_trial then
+        need frame (Saturating_int.add word (Saturating_int.round_up bytes ~alignment:word));
       List.iter (variable c frame) results;
-      need frame (Amount.times word (List.length results));
+      need frame (Saturating_int.times word (List.length results));
       call c frame (Step node) arguments
   | Loop l ->
-      (* The index, and what the accumulators that are arrays become next. *)
+      (* The index, and the next values of those accumulators that are arrays. *)
       need frame word;
       List.iter (variable c frame) l.results;
       List.iter (variable c frame) l.results;
-      need frame (Amount.times word (List.length l.results));
+      need frame (Saturating_int.times word (List.length l.results));
       List.iter (expression c frame) l.initial;
       let argument : M.argument -> M.expr option = function
         | Accumulated _ -> None
         | Each e | Same e | Counted e -> Some e
       in
-      need frame (Amount.times word (List.length l.arguments));
+      need frame (Saturating_int.times word (List.length l.arguments));
       call c frame (Step l.node) (List.filter_map argument l.arguments)
   | Reset { node; arguments; _ } -> call c frame (Reset node) arguments
   | Enter { entry = e; _ } -> entry c frame e
   | Run r -> run c frame r
 
-(* The fields of a record are read where they are used, but for arrays. *)
+(* Fields of a record are read where they are used; only arrays are copied. *)
 let in_place (program : M.program) k =
   k = Array.length program.nodes - 1
   &&
@@ -275,29 +277,31 @@ let function_ c k ~results (code : M.code) =
     | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> false
   in
   List.iter (fun v -> if is_array v || not in_place then variable c frame v) code.parameters;
-  need frame (Amount.times word results);
+  need frame (Saturating_int.times word results);
   Step.Walk.statements (statement c frame) code.body;
   let longer (a : t) (b : t) = if b.bytes > a.bytes then b else a in
   let deepest = List.fold_left longer { bytes = frame.helper; chain = [] } frame.callees in
-  { bytes = Amount.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
+  { bytes = Saturating_int.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
 
-(* The user's C is given structs of the leaves, and gives others, of doubles; what it
-   needs itself we know only of the library's kernels. *)
+(* The user's C functions take and return structs made of the leaves, with doubles for all numbers.
+   Only for the library's kernels is their own stack use known. *)
 let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
   let own = Option.fold (Kernels.find import.symbol) ~none:0 ~some:(fun k -> k.Kernels.stack) in
   let leaves =
     List.concat_map Flow.Shape.leaves (import.result :: import.arguments) |> List.map Step.Layout.ty
   in
-  let rooms = List.fold_left (fun sum ty -> Amount.add sum (room_as Double c ty)) 0 leaves in
-  let calls = Amount.times word (2 + List.length leaves) in
-  List.fold_left Amount.add (2 * fixed) [ Amount.times 3 rooms; calls; own ]
+  let rooms =
+    List.fold_left (fun sum ty -> Saturating_int.add sum (room_as Double c ty)) 0 leaves
+  in
+  let calls = Saturating_int.times word (2 + List.length leaves) in
+  List.fold_left Saturating_int.add (2 * fixed) [ Saturating_int.times 3 rooms; calls; own ]
 
-(* The root is given the state, dt, its input and its output by address, and its
-   step calls the helpers of the clock. *)
+(* The root receives the state, dt, its input and its output by address, and its step calls the
+   helpers of the clock. *)
 let root (program : M.program) (node : M.node) (bounds : bounds) : bounds =
-  let more (t : t) bytes = { t with bytes = Amount.add t.bytes bytes } in
+  let more (t : t) bytes = { t with bytes = Saturating_int.add t.bytes bytes } in
   let clock = if node.seconds || node.nanoseconds then helper + (2 * word) else 0 in
-  (* In single precision a step in seconds calls it. *)
+  (* In single precision, a step function that takes seconds calls this one. *)
   let outer = match program.real with Double -> 0 | Single -> fixed + (5 * word) in
   { reset = more bounds.reset word; step = more bounds.step ((4 * word) + clock + outer) }
 

@@ -1,13 +1,13 @@
-(** A bound of the stack that a call needs: of every chain of calls the sum of its functions'
-    frames, and the longest of these.
+(** An upper bound on the stack that a call needs: the sum of the frames along a chain of calls, for
+    the largest of these chains.
 
-    A frame is taken as a compiler makes it that keeps everything in memory: a place for each
-    parameter, variable and intermediate value, and what a call saves. Optimizing compilers need
-    less, and when they copy a function into its caller the frames become one that is not larger
-    than both. What the C library's functions need comes on top. *)
+    The bound assumes a compiler that keeps everything in memory: each frame has a slot for each
+    parameter, variable and intermediate value, and for the registers that a call saves. Optimizing
+    compilers need less. If they inline a function, the common frame is not larger than both frames
+    together. The stack use of the C library's functions is not included. *)
 
-type t = { bytes : int; chain : int list  (** the nodes of the longest chain, the root first *) }
+type t = { bytes : int; chain : int list  (** the nodes of the largest chain, the root first *) }
 type bounds = { reset : t; step : t }
 
 val of_program : Step.Ir.program -> State.t -> bounds
-(** With the state of that program: a step on trial copies some of it. *)
+(** Needs the state of the same program, because a trial step copies part of it. *)

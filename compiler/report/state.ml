@@ -20,16 +20,16 @@ type definition = {
   members : member list;
 }
 
-(* The struct of each node. *)
+(* The state struct of each node. *)
 type t = definition array
 
 let root t = Array.length t - 1
 let definition = Array.get
 
-(* [structs]: the room of those of the nodes before. *)
+(* [structs]: size and alignment of the preceding nodes' structs. *)
 type context = { program : M.program; structs : Step.Block.t array }
 
-(* The number of a mode is a byte while that is enough. *)
+(* A running mode is stored in one byte if there are at most 256 modes. *)
 let running_mode (node : M.node) : Step.Block.t =
   let bytes = if List.compare_length_with node.modes 256 <= 0 then 1 else 4 in
   { bytes; alignment = bytes }
@@ -45,7 +45,7 @@ let rec block c k (field : M.field) =
       let mode m = snd (members c k (Step.State.fields_of_mode m)) in
       Step.Block.of_alternatives (List.map mode modes)
 
-(* The members of a struct with these fields, and its room. *)
+(* The members of a struct with these fields, and its size and alignment. *)
 and members c k fields =
   let blocks = Long_list.map (block c k) fields in
   let offsets, whole = Step.Block.of_members blocks in
@@ -79,7 +79,7 @@ let of_program (program : M.program) =
   let of_node k (node : M.node) =
     let members, room = members c k node.state in
     c.structs.(k) <- room;
-    (* C has no struct without members. *)
+    (* C does not allow structs without members. *)
     let bytes = if k = count - 1 then max 1 room.bytes else room.bytes in
     { name = node.origin; file = node.file; span = node.span; bytes; members }
   in
@@ -104,7 +104,8 @@ let in_use t =
   List.rev (visit [] (root t))
 
 let padding ~bytes members =
-  bytes - List.fold_left (fun sum (member : member) -> Amount.add sum member.bytes) 0 members
+  bytes
+  - List.fold_left (fun sum (member : member) -> Saturating_int.add sum member.bytes) 0 members
 
 let foreign (program : M.program) =
   let rec of_value found (ty : M.ty) =
@@ -130,7 +131,7 @@ let foreign (program : M.program) =
   let of_node found (node : M.node) = List.fold_left of_field found node.state in
   List.sort_uniq String.compare (Array.fold_left of_node [] program.nodes)
 
-(* The members stand in the order of the source. *)
+(* The members are in source order. *)
 let params_bytes (program : Step.Ir.program) =
   let size (p : Flow.Ir.param) =
     match p.param_ty with Bool -> 1 | Int -> 4 | _ -> Basis.Real.bytes program.real

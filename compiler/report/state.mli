@@ -1,27 +1,27 @@
-(** Where the bytes of the state are: the struct of each definition, member by member. *)
+(** The layout of the state: the struct of each definition, member by member. *)
 
 open Basis
 
 type member = {
-  name : string;  (** the programmer's *)
-  offset : int;  (** in its struct *)
+  name : string;  (** the programmer's name *)
+  offset : int;  (** offset in its struct *)
   bytes : int;
   holds : holds;
   span : Span.t;
 }
 
 and holds =
-  | Value of string  (** for the reader: [delay], [integral], … *)
-  | Struct of int  (** the number of a definition: a node, or its small fields *)
-  | Structs of { node : int; count : int }  (** an array of them *)
+  | Value of string  (** purpose of the value, for the user: [delay], [integral], … *)
+  | Struct of int  (** index of a definition: a node's state, or its small fields *)
+  | Structs of { node : int; count : int }  (** an array of such structs *)
   | Running_mode
-  | Largest of alternative list  (** modes, which share this room *)
+  | Largest of alternative list  (** modes, which share this memory *)
 
 and alternative = { mode : string; node : int; bytes : int; members : member list }
-(** The struct that a mode's members make. *)
+(** A mode, with the members of its struct. *)
 
 type definition = {
-  name : string;  (** the definition as the programmer knows it *)
+  name : string;  (** name of the definition in the program *)
   file : string;
   span : Span.t;
   bytes : int;
@@ -35,17 +35,18 @@ val of_program : Step.Ir.program -> t
 val root : t -> int
 
 val definition : t -> int -> definition
-(** Of a node with state, or the root. *)
+(** The struct of a node with state, or of the root. *)
 
 val in_use : t -> int list
-(** The definitions that the root's holds, itself first, each before those it holds and each once.
-*)
+(** The definitions whose structs are part of the root's state: in depth-first order from the root,
+    each once. *)
 
 val padding : bytes:int -> member list -> int
-(** What of a struct no member has. *)
+(** Number of bytes of a struct that belong to no member. *)
 
 val foreign : Step.Ir.program -> string list
-(** The structs of the user's C in the state. Their size is in no number here. *)
+(** The user's C structs that are part of the state. Their size is not included in any number here.
+*)
 
 val params_bytes : Step.Ir.program -> int
-(** The size of the struct of the parameters, of which there is one for each set of values. *)
+(** Size of the parameter struct. There is one such struct for each set of values. *)

@@ -1,11 +1,11 @@
 type row = { depth : int; label : string; amount : string; note : string; place : string }
 
-(* Deeper structs are indented no more, so that the text stays small. *)
+(* Maximum depth of indentation, to limit the width of the text. *)
 let deepest = 24
 let indentation row = 2 * min row.depth deepest
 let width column rows = List.fold_left (fun most row -> max most (column row)) 0 rows
 
-(* A long name moves only its own line. *)
+(* Names longer than this do not widen the column; they only shift their own line. *)
 let widest_label = 48
 
 let table rows =
@@ -22,17 +22,17 @@ let table rows =
     let text =
       Printf.sprintf "%-*s  %*s  %-*s  %s" labels label amounts row.amount notes row.note row.place
     in
-    (* nothing stands in the last columns of some rows *)
+    (* Removes trailing blanks: the last columns of some rows are empty. *)
     let rec length n = if n > 0 && text.[n - 1] = ' ' then length (n - 1) else n in
     String.sub text 0 (length (String.length text)) ^ "\n"
   in
   String.concat "" (Basis.Long_list.map line rows)
 
-let number n = if n >= Basis.Amount.most then "2^53 or more" else string_of_int n
+let number n = if n >= Basis.Saturating_int.most then "2^53 or more" else string_of_int n
 
 (* {1 The state} *)
 
-(* Rows so far, last first; a struct's members are shown where it comes first. *)
+(* Rows in reverse order. The members of a struct are listed where it first appears. *)
 let state_rows (t : State.t) =
   let shown = Hashtbl.create 16 in
   let rec members depth ~bytes:whole ~place rows list =
@@ -44,7 +44,7 @@ let state_rows (t : State.t) =
     let row note = { depth; label = m.name; amount = number m.bytes; note; place = place m.span } in
     match m.holds with
     | Value purpose -> row purpose :: rows
-    | Running_mode -> row "number of the mode that runs" :: rows
+    | Running_mode -> row "number of the active mode" :: rows
     | Struct k | Structs { node = k; count = _ } ->
         let inner = State.definition t k in
         let name = if String.equal inner.name m.name then "" else inner.name in
@@ -57,7 +57,7 @@ let state_rows (t : State.t) =
           row (if String.equal name "" then "as above" else name ^ ", as above") :: rows
         else definition k (depth + 1) (row name :: rows)
     | Largest alternatives ->
-        let rows = row "room for one of these" :: rows in
+        let rows = row "memory for one of these" :: rows in
         List.fold_left (alternative (depth + 1) ~place) rows alternatives
   and alternative depth ~place rows (a : State.alternative) =
     let inner = State.definition t a.node in
@@ -82,11 +82,11 @@ let state_rows (t : State.t) =
   in
   List.rev (definition (State.root t) 2 [ row ])
 
-(* {1 The rest} *)
+(* {1 Operations, stack and machines} *)
 
 let plain label amount note = { depth = 1; label; amount; note; place = "" }
 
-(* What a kernel looks at in its calls. *)
+(* The pixels that a kernel reads in its calls. *)
 let looks cost name calls =
   let whole = Cost.count cost (Images name) and pixels = Cost.count cost (Pixels name) in
   let images =
@@ -104,7 +104,7 @@ let operation_rows cost =
   let call (name, n) = plain ("calls of " ^ name) (number n) (looks cost name n) in
   List.map kind Bounds.operations @ List.map call (Cost.calls cost)
 
-(* Of a long chain the ends. *)
+(* Only the ends of a long chain are shown. *)
 let shown_at_ends = 4
 
 let chain (program : Step.Ir.program) nodes =
@@ -135,7 +135,7 @@ let machine_line (m : Hops.machine) =
     (if count = 1 then "mode" else "modes")
     (String.concat ", " m.modes) m.steps
 
-(* Why a switch takes time, or that it may take none. *)
+(* Says why a transition takes time, or that it may take none. *)
 let first_instant (t : Hops.transition) =
   match t.at_entry with
   | Possible -> "may occur"
@@ -196,7 +196,19 @@ let assertions = function
           j.count j.operations j.share j.bytes;
       ]
 
-let to_string ?judged (t : Bounds.t) =
+let wire_rows (wire : Wire.t) =
+  let row (s : Wire.step) = plain s.quantity (Printf.sprintf "%.3g %s" s.size s.unit_) "" in
+  List.map row wire.steps
+
+let on_the_wire = function
+  | None -> []
+  | Some (wire : Wire.t) ->
+      [
+        Printf.sprintf "\nsteps of speed on the wire of a %s, averaged over commands\n" wire.robot;
+        table (wire_rows wire);
+      ]
+
+let to_string ?judged ?wire (t : Bounds.t) =
   let params =
     match t.program.params with
     | [] -> []
@@ -245,4 +257,4 @@ let to_string ?judged (t : Bounds.t) =
        Printf.sprintf "\nstack, in bytes, at most%s\n" library;
        table (stack_rows t);
      ]
-    @ machines @ events @ console @ params @ marks @ assertions judged)
+    @ machines @ events @ console @ params @ marks @ on_the_wire wire @ assertions judged)

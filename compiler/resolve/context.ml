@@ -4,10 +4,10 @@ type t = {
   sink : Diagnostic.sink;
   mutable next_local : int;
   mutable depth : int;
-  mutable too_deep : bool;  (** reported *)
-  mutable suggestions : int;  (** still to be made *)
+  mutable too_deep : bool;  (** has that been reported? *)
+  mutable suggestions : int;  (** number of names for which suggestions will still be computed *)
   mutable absent : absent list;  (** newest first *)
-  mutable unknown : Diagnostic.t list;  (** likewise *)
+  mutable unknown : Diagnostic.t list;  (** diagnostics about unknown names, newest first *)
 }
 
 and absent = { imports : string list; code : string; noun : string; name : Syntax.Ir.name }
@@ -23,7 +23,7 @@ let create sink =
     unknown = [];
   }
 
-(* A name that is not known is so at each place where it stands. *)
+(* Codes of diagnostics about unknown names, which are merged over all places of a name. *)
 let is_of_unknown (d : Diagnostic.t) =
   List.mem d.code [ "E0205"; "E0206"; "E0207"; "E0208"; "E0215" ]
 
@@ -45,7 +45,7 @@ let nested t span ~otherwise f =
     if not t.too_deep then (
       t.too_deep <- true;
       Diagnostic.error ~code:"E0106" ~at:span "this is nested more than %d levels deep" deepest
-      |> Diagnostic.hint "give the inner parts names of their own"
+      |> Diagnostic.hint "name the inner parts in definitions of their own"
       |> emit t);
     otherwise)
   else (
@@ -66,7 +66,7 @@ let suggest t name candidates diagnostic =
 
 let not_imported t absent = t.absent <- absent :: t.absent
 
-(* An own line for it, below the imports that are there. *)
+(* Inserts the import as a line of its own, below the existing imports. *)
 let add_import (program : Syntax.Ir.program) declaration =
   let below (span : Span.t) = Span.make ~file:span.file ~start:span.stop ~stop:span.stop in
   let title = Printf.sprintf "add `%s`" declaration in
@@ -75,7 +75,7 @@ let add_import (program : Syntax.Ir.program) declaration =
   | [], Some header -> Diagnostic.fix title [ (below header.span, "\n\n" ^ declaration) ]
   | [], None -> Diagnostic.fix title [ (Span.start_of_file program.file, declaration ^ "\n\n") ]
 
-(* One import is missing, however many names it would bring. *)
+(* Reports each missing import once, with all the names that need it. *)
 let tell_imports t program =
   let by_place a b = Span.compare a.name.span b.name.span in
   let rec tell = function
@@ -99,11 +99,12 @@ let tell_imports t program =
   tell (List.sort by_place t.absent);
   t.absent <- []
 
-(* {1 What is unknown} *)
+(* {1 Unknown names} *)
 
 let most_places = 4
 
-(* The same said of another place: shown there, and mended there as well. *)
+(* Merges diagnostics with the same text: shows their places in the first one, and applies its fix
+   there too. *)
 let also_there (first : Diagnostic.t) (others : Diagnostic.t list) =
   let label d (other : Diagnostic.t) = Diagnostic.label ~at:other.at "and here" d in
   let shown = List.filteri (fun i _ -> i < most_places) others in
@@ -118,7 +119,8 @@ let also_there (first : Diagnostic.t) (others : Diagnostic.t list) =
   List.fold_left label { first with fixes = List.map everywhere first.fixes } shown
   |> if more = 0 then Fun.id else Diagnostic.note (Printf.sprintf "and in %d more places" more)
 
-(* A name beside a constructor, of neither of which anything is known, as of one library. *)
+(* Merges the diagnostics of an unknown name and an unknown constructor next to each other. Both
+   probably come from the same library. *)
 let rec neighbours : Diagnostic.t list -> Diagnostic.t list = function
   | a :: b :: rest
     when a.code <> b.code
@@ -128,8 +130,7 @@ let rec neighbours : Diagnostic.t list -> Diagnostic.t list = function
                 List.mem d.code [ "E0205"; "E0206" ] && d.hints = [] && d.notes = [])
               [ a; b ] ->
       (Diagnostic.label ~at:b.at b.message a
-      |> Diagnostic.hint
-           "a definition of both is missing, or the `import` of the module that has them")
+      |> Diagnostic.hint "define both, or `import` the module that defines them")
       :: neighbours rest
   | d :: rest -> d :: neighbours rest
   | [] -> []
@@ -139,9 +140,14 @@ let tell_unknown t =
   let told = Hashtbl.create 16 in
   let key (d : Diagnostic.t) = (d.code, d.message, d.hints, d.notes) in
   let all = List.sort_uniq by_place t.unknown in
-  List.iter (fun d -> Hashtbl.add told (key d) d) all;
+  let add d =
+    match Hashtbl.find_opt told (key d) with
+    | Some later -> later := d :: !later
+    | None -> Hashtbl.replace told (key d) (ref [ d ])
+  in
+  List.iter add (List.rev all);
   let once d =
-    match List.rev (Hashtbl.find_all told (key d)) with
+    match !(Hashtbl.find told (key d)) with
     | first :: others when first == d -> Some (also_there first others)
     | _ -> None
   in

@@ -1,10 +1,10 @@
-(** Resolved: a whole program, all of its modules, with names that are declarations instead of text.
+(** Resolved: a whole program with all its modules, in which names refer to declarations.
 
-    Always true (see {!Lint}): every [Local] is bound exactly once and used within its scope; every
-    [Global], type, constructor and unit exists; sections, [if] guards and operators have become
-    applications and functions; top-level groups come in dependency order, and within a list of
-    local groups too. [proc], do-notation, patterns and fields keep their shape, because later
-    messages speak the programmer's syntax. *)
+    Invariants (see {!Lint}): Every [Local] is bound exactly once and used within its scope. Every
+    [Global], type, constructor and unit exists. Sections, [if] guards and operators have become
+    applications and functions. Top-level groups are in dependency order, and so are local groups
+    within their list. [proc], do-notation, patterns and fields keep their form, because later
+    messages use the programmer's syntax. *)
 
 open Basis
 
@@ -20,30 +20,30 @@ end
 
 type program = {
   main_module : string;
-  modules : module_ list;  (** imports before importers *)
-  types : type_declaration list;  (** all modules; used before users *)
-  units : unit_declaration list;  (** all modules; used before users *)
+  modules : module_ list;  (** dependencies before the modules that import them *)
+  types : type_declaration list;  (** types of all modules, in dependency order *)
+  units : unit_declaration list;  (** units of all modules, in dependency order *)
   primitives : primitive list;
-  classes : class_ list;  (** all modules; superclasses before their subclasses *)
+  classes : class_ list;  (** classes of all modules, superclasses before subclasses *)
   instances : instance list;
-  groups : binding_group list;  (** top level, all modules, dependency order *)
-  params : param list;  (** all modules; used like any definition of [groups], which they are *)
+  groups : binding_group list;  (** top-level groups of all modules, in dependency order *)
+  params : param list;
+      (** parameters of all modules; each is also an ordinary definition in [groups] *)
 }
 
 and param = {
-  param : Global.t;  (** its definition is the value that it has by default *)
+  param : Global.t;  (** the definition of its default value *)
   given : Global.t option;
-      (** the definition of the value that it is given from outside; its name is one that no source
-          can mention *)
-  span : Span.t;  (** of the name *)
+      (** the definition of the value given from outside; its name cannot occur in source code *)
+  span : Span.t;  (** span of the name *)
 }
-(** [param x :: t = e]: fixed when a run starts. *)
+(** A parameter [param x :: t = e], whose value is fixed when a run starts. *)
 
 and module_ = {
   name : string;
   file : string;
   library : bool;  (** from the standard library *)
-  includes : string list;  (** the C headers it is written against *)
+  includes : string list;  (** the C headers that its foreign declarations refer to *)
   idle_imports : idle list;
 }
 
@@ -51,9 +51,9 @@ and idle = {
   of_module : string;
   listed : string option;
   at : Span.t;
-  whole : Span.t;  (** what to take out: the line, or the name with a comma *)
+  whole : Span.t;  (** the text to remove: the line, or the name with a comma *)
 }
-(** An import of which the module uses nothing, or a name in its list. *)
+(** An unused import, or an unused name in an import list. *)
 
 (** {1 Types and units} *)
 
@@ -70,53 +70,60 @@ and parameter = { name : string; span : Span.t }
 
 and type_definition =
   | Alias of ty
-  | Data of constructor list  (** at least one *)
-  | Builtin  (** Float, Int, Bool, String, Array, SF, Task, Program: no declaration in source *)
+  | Data of constructor list  (** at least one constructor *)
+  | Builtin
+      (** Float, Int, Bool, String, Array, SF, Task and Program, which have no declaration in source
+      *)
   | Foreign of { c_type : string; copyable : bool }
 
 and constructor = {
   constructor : Global.t;
   tycon : Global.t;
-  index : int;  (** among the type's constructors, from 0 *)
+  index : int;  (** position among the type's constructors, from 0 *)
   fields : field list;
   record : bool;  (** fields have names *)
   span : Span.t;
 }
 
-and field = { field_name : string;  (** [""] if positional *) ty : ty; span : Span.t }
+and field = {
+  field_name : string;  (** the name is [""] for a positional field *)
+  ty : ty;
+  span : Span.t;
+}
+
 and ty = { desc : ty_desc; span : Span.t }
 
 and ty_desc =
-  | Type_variable of string  (** scope: the signature or declaration *)
+  | Type_variable of string  (** bound by the enclosing signature or declaration *)
   | Named of { tycon : Global.t; units : unit_ list; arguments : ty list }
-      (** arity checked; [Float] alone has units [[]] and means [Float[1]] *)
+      (** arity checked; [Float] alone has [units = []] and means [Float[1]] *)
   | Representation of { variable : string; unit_ : unit_ }  (** [n[u]] *)
   | Function of ty * ty
-  | Tuple_type of ty list  (** none for [()] *)
-  | Size of int  (** of an array; that it stands where a size does is typing's to check *)
+  | Tuple_type of ty list  (** empty for [()] *)
+  | Size of int  (** an array size; typing checks that it is used only where a size is allowed *)
 
 and unit_ = { factors : (unit_factor * Syntax.Ir.rational) list; span : Span.t }
-(** A product of powers, as written but flat. *)
+(** A product of powers, in source order but flattened. *)
 
 and unit_factor = Declared of Global.t | Unit_variable of string
 and unit_declaration = { unit_name : Global.t; definition : unit_definition; span : Span.t }
 and unit_definition = Base | Scaled of Syntax.Ir.scale * unit_
 
 and scheme = { context : constraint_ list; ty : ty; span : Span.t }
-(** Variables are quantified unless an enclosing signature has them. *)
+(** Variables are quantified unless an enclosing signature binds them. *)
 
 and constraint_ = { class_ : Global.t; argument : ty; span : Span.t }
-(** The class is one of {!program.classes}, or [Prelude]'s [Eq] or [Ord], which are built in. *)
+(** The class is one of {!program.classes}, or the built-in [Eq] or [Ord] of [Prelude]. *)
 
 and primitive = {
   name : Global.t;
   scheme : scheme;
-  foreign : foreign option;  (** none if the language has it built in *)
+  foreign : foreign option;  (** [None] for a built-in primitive *)
   doc : string option;
   span : Span.t;
 }
 
-and foreign = { kind : Syntax.Ir.foreign_kind; symbol : string  (** in C *) }
+and foreign = { kind : Syntax.Ir.foreign_kind; symbol : string  (** the name in C *) }
 
 (** {1 Classes} *)
 
@@ -130,8 +137,9 @@ and class_ = {
 }
 
 and method_ = {
-  name : Global.t;  (** used like any other value *)
-  scheme : scheme;  (** the class's variable is free in it; its own class is not in its context *)
+  name : Global.t;  (** referred to like any other value *)
+  scheme : scheme;
+      (** the class's variable is free in it; the context does not contain the class itself *)
   default : binding option;  (** its binder is the method's name *)
   doc : string option;
   span : Span.t;
@@ -142,22 +150,22 @@ and instance = {
   context : constraint_ list;
   head : ty;
   definitions : (Global.t * binding) list;
-      (** the methods given, each once; the binder is a name of its own that no source can mention
-      *)
-  span : Span.t;  (** of class and head *)
+      (** the methods defined, each once; the binders are generated names that cannot occur in
+          source code *)
+  span : Span.t;  (** the class and the head *)
 }
 
 (** {1 Bindings} *)
 
 and binding_group = { bindings : binding list; recursive : bool }
-(** Mutually dependent bindings: a strongly connected component, where a reference to a binding with
-    a signature makes no dependency. For what may call itself see the specializer: equations may,
-    functions may not. *)
+(** Mutually dependent bindings: a strongly connected component of the dependency graph, where a
+    reference to a binding with a signature does not count as a dependency. The specializer decides
+    which recursion is allowed: equations may be recursive, functions may not. *)
 
 and binding = {
   name : binder;
   signature : scheme option;
-  parameters : pattern list;  (** none for a plain value *)
+  parameters : pattern list;  (** empty for a plain value *)
   body : right;
   doc : string option;
   span : Span.t;
@@ -167,17 +175,17 @@ and binder =
   | Top of Global.t * Span.t
   | Inner of Local.t
   | Destructure of pattern
-      (** [(x, y) = e], no parameters, no signature of its own; variables of the pattern may have
-          entries in [signatures] of their declarations *)
+      (** [(x, y) = e]; it has no parameters and no signature of its own, but its variables may have
+          entries in the [signatures] of their declarations *)
 
 and right = { guards : guarded list; where : declarations }
-(** One [guarded] with [condition = None] for a plain right side. *)
+(** A plain right-hand side is one [guarded] with [condition = None]. *)
 
 and guarded = { condition : expr option; value : expr }
 
 and declarations = {
-  groups : binding_group list;  (** dependency order *)
-  signatures : (Local.t * scheme) list;  (** of destructured variables *)
+  groups : binding_group list;  (** in dependency order *)
+  signatures : (Local.t * scheme) list;  (** signatures of destructured variables *)
 }
 
 (** {1 Expressions} *)
@@ -193,7 +201,7 @@ and expr_desc =
   | Tuple of expr list
   | Array of expr list
   | Apply of { head : expr; argument : expr; style : apply_style }
-      (** a function applied, or a signal function run: typing decides *)
+      (** a function application or a run of a signal function; typing distinguishes them *)
   | Negate of expr
   | Power of { base : expr; exponent : int }
   | If of { condition : expr; then_ : expr; else_ : expr }
@@ -201,12 +209,13 @@ and expr_desc =
   | Let of { declarations : declarations; body : expr }
   | Lambda of { parameters : pattern list; body : expr }
   | Proc of { input : pattern; body : proc_body }
-  | Sequence of { statements : statement list; result : expr }  (** tasks, one after the other *)
+  | Sequence of { statements : statement list; result : expr }
+      (** tasks that run one after the other *)
   | Record of { constructor : Global.t; fields : (Syntax.Ir.name * expr) list }
-      (** fields exist and are complete; order as written *)
+      (** the fields exist and are complete, in source order *)
   | Update of { record : expr; fields : (Syntax.Ir.name * expr) list; candidates : Global.t list }
   | Field of { record : expr; field : Syntax.Ir.name; candidates : Global.t list }
-      (** [candidates]: the types in scope with such a field *)
+      (** [candidates]: the record types in scope that have such a field *)
   | Annotated of { expr : expr; scheme : scheme }
 
 and apply_style =
@@ -219,14 +228,16 @@ and branch = { pattern : pattern; right : right; span : Span.t }
 
 and statement =
   | Task of { pattern : pattern option; task : expr }
-      (** what it ends with is bound in all that follows, or dropped *)
+      (** the task's result is bound in everything that follows, or discarded *)
   | Values of declarations
 
 and proc_body = {
-  equations : declarations;  (** a statement [p <- sf -< e] is the equation [p = run sf e] below *)
+  equations : declarations;
+      (** a statement [p <- sf -< e] becomes the equation [p = sf e], with an application of style
+          [Command] *)
   output : expr;
 }
-(** All notations of a proc become this: the equations and the output. *)
+(** The common form of all proc notations: equations and an output. *)
 
 (** {1 Patterns} *)
 
@@ -237,7 +248,7 @@ and pattern_desc =
   | Bound of Local.t
   | As of Local.t * pattern
   | Tuple_of of pattern list
-  | Array_of of pattern list  (** at least one *)
+  | Array_of of pattern list  (** at least one element *)
   | Constructed of Global.t * pattern list
-      (** arity checked; record patterns have become positional, with [Any] *)
+      (** arity checked; record patterns have become positional, with [Any] for missing fields *)
   | Literal of { negative : bool; number : number }

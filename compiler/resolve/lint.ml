@@ -3,9 +3,10 @@ module Int_set = Set.Make (Int)
 
 let broken format = Diagnostic.bug ~stage:"Resolve.Lint" format
 
-(* What has been declared; [bound] holds every local variable met. *)
+(* The names declared so far. [bound]: all local variables bound so far. *)
 type known = {
-  tycons : (Ir.Global.t, int * int * bool) Hashtbl.t;  (** units, types, units optional *)
+  tycons : (Ir.Global.t, int * int * bool) Hashtbl.t;
+      (** number of unit parameters and of type parameters, and whether the units are optional *)
   constructors : (Ir.Global.t, int) Hashtbl.t;
   units : (Ir.Global.t, unit) Hashtbl.t;
   classes : (Ir.Global.t, unit) Hashtbl.t;

@@ -1,6 +1,6 @@
-(** Checks what {!Ir} promises: every local variable is bound once and used in its scope; every
-    global name, type, constructor and unit exists, with the right number of arguments; types and
-    units come before their users. *)
+(** Checks the invariants of {!Ir}. Every local variable is bound once and used in its scope. Every
+    global name, type, constructor and unit exists and has the right number of arguments. Types and
+    units are declared before their uses. *)
 
 val program : Ir.program -> unit
-(** Raises {!Basis.Diagnostic.Bug}. *)
+(** @raise Basis.Diagnostic.Bug if an invariant is violated *)

@@ -3,12 +3,13 @@ open Format
 let bare ppf text =
   if Interface.is_operator text then fprintf ppf "(%s)" text else pp_print_string ppf text
 
-(* The prelude's names stand alone. *)
+(* Names of the prelude are printed without a module. *)
 let global ppf (g : Ir.Global.t) =
   if String.equal g.module_ "Prelude" then bare ppf g.name
   else fprintf ppf "%s.%a" g.module_ bare g.name
 
-(* By the place where it is bound: unique, and the same whatever the library holds. *)
+(* A local variable is identified by the place of its binding. That is unique and does not change
+   when the library does. *)
 let local ppf (l : Ir.Local.t) =
   fprintf ppf "%s@%d:%d" l.name (Basis.Span.line l.span.start) (Basis.Span.column l.span.start)
 
@@ -193,7 +194,7 @@ and assignments ppf fields =
 and branch ppf (b : Ir.branch) =
   right ~head:(fun ppf -> pattern ppf b.pattern) ~sign:"->" ppf b.right
 
-(* The alternatives after what they are the meaning of, then the [where]. *)
+(* Prints the guarded alternatives after their head, then the [where]. *)
 and right ~head ~sign ppf (r : Ir.right) =
   let guarded (g : Ir.guarded) =
     Option.iter
@@ -266,7 +267,8 @@ let of_user (program : Ir.program) =
   in
   fun (g : Ir.Global.t) -> List.mem g.module_ users
 
-(* By the module of what it defines; one without definitions by its class. *)
+(* An instance belongs to the module that defines its methods, or, if it has no definitions, to its
+   class's module. *)
 let shown_instance shown (i : Ir.instance) =
   match i.definitions with
   | (_, { name = Top (g, _); _ }) :: _ -> shown g

@@ -1,8 +1,8 @@
-(** A resolved program as text, for dumps and tests: like Frob, but every name says what it is:
-    [Module.name], or [name@id] for a local variable. *)
+(** Prints a resolved program for dumps and tests. The output resembles Frob, but every name is
+    resolved: [Module.name] for globals, [name@line:column] for local variables. *)
 
 val program : Format.formatter -> Ir.program -> unit
-(** The modules outside of the library; of the library only the names. *)
+(** Prints the modules outside the library, and only the names of the library modules. *)
 
 val ty : Format.formatter -> Ir.ty -> unit
 val scheme : Format.formatter -> Ir.scheme -> unit

@@ -68,8 +68,10 @@ let own_modules (program : Ir.program) =
   List.filter is_own program.modules
 
 let own (program : Ir.program) =
-  let modules = List.map (fun (m : Ir.module_) -> m.name) (own_modules program) in
-  let here (g : Ir.Global.t) = List.mem g.module_ modules in
+  let modules = Basis.String_table.create 16 in
+  let add (m : Ir.module_) = Basis.String_table.replace modules m.name () in
+  List.iter add (own_modules program);
+  let here (g : Ir.Global.t) = Basis.String_table.mem modules g.module_ in
   let bindings = List.concat_map (fun (g : Ir.binding_group) -> g.bindings) program.groups in
   let is_here (b : Ir.binding) =
     match b.name with Top (g, _) -> here g | Inner _ | Destructure _ -> true

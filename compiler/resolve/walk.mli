@@ -1,4 +1,4 @@
-(** The parts of resolved trees, for what looks at all of them. *)
+(** Traversals of resolved trees. *)
 
 type visitor = {
   expr : Ir.expr -> unit;
@@ -7,14 +7,14 @@ type visitor = {
 }
 
 val expr : visitor -> Ir.expr -> unit
-(** Visits what stands directly in an expression, as it is evaluated and bound: it is the visitor's
-    to go on from there. *)
+(** Visits the direct parts of an expression in the order in which they are evaluated and bound. The
+    visitor must recurse by itself. *)
 
 val binding : visitor -> Ir.binding -> unit
-(** Visits what stands in a binding: its parameters, its [where] and its right side. *)
+(** Visits the parts of a binding: its parameters, its [where] and its right-hand side. *)
 
 val own_modules : Ir.program -> Ir.module_ list
-(** Those that are not of the library, and the main one. *)
+(** The modules outside the library, and the main module. *)
 
 val own : Ir.program -> Ir.binding list
-(** The bindings of {!own_modules}. Those of methods, and their defaults, are among them. *)
+(** The bindings of {!own_modules}, including those of methods and their defaults. *)

@@ -1,5 +1,5 @@
-/* arithmetic.c -- asks, before anything else is tried, whether numbers are what
- * programs are compiled for. Prints `right`, or the reason why not. */
+/* arithmetic.c -- the first program of the self-test: checks that numbers have the properties that
+ * generated C relies on. Prints `right`, or the property that does not hold. */
 #include <frob/arithmetic.h>
 
 #include <stdio.h>

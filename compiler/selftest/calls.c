@@ -1,5 +1,5 @@
-/* What foreign.frob calls. Each result is of one operation, so in single precision it
- * is what a float would have given. */
+/* The functions that foreign.frob calls. Each result comes from a single operation, so rounding it
+ * to single precision gives what a float operation would have given. */
 #include "calls.h"
 #include "foreign.h"
 

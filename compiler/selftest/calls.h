@@ -1,4 +1,4 @@
-/* What foreign.frob calls, as its generated header needs to know it. */
+/* Types of foreign.frob's functions, which its generated header needs. */
 #ifndef CALLS_H
 #define CALLS_H
 

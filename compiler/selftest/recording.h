@@ -1,5 +1,5 @@
-/* recording.h -- a program's input, as the cells of a trace, and what its output
- * must be. `frobc selftest` writes it as C, so that the test needs no files. */
+/* recording.h -- a program's input as the cells of a trace, and its expected output. `frobc
+ * selftest` writes both as C, so that the test needs no files. */
 #ifndef FROB_SELFTEST_RECORDING_H
 #define FROB_SELFTEST_RECORDING_H
 
@@ -11,8 +11,8 @@ extern "C" {
 
 struct recorded_row {
     int64_t time_ns;
-    const char *const *cells; /* of the input, in the order of its columns */
-    const char *output;       /* the row of the trace, with its line feed */
+    const char *const *cells; /* input cells, in the order of the columns */
+    const char *output;       /* the expected row of the trace, with its line feed */
 };
 
 extern const struct recorded_row recorded_rows[];

@@ -1,6 +1,6 @@
-/* runner.c -- the main function of each program of the self-test: steps it with a
- * recorded input and compares its output, as rows of a trace. The last line on
- * standard output is `right` if all is as it must be; otherwise what is not. */
+/* runner.c -- the main function of each program of the self-test. Steps the program with recorded
+ * input and compares its output, as rows of a trace. The last line on standard output is `right` if
+ * everything matches, and otherwise describes the first difference. */
 #include <frob/cell.h>
 #include <frob/program.h>
 #include <frob/trace.h>
@@ -32,7 +32,8 @@ static void add_column(void *context, const char *name, const struct frob_value 
         columns[column_count++] = value;
 }
 
-/* Memory as a careless caller has it: what is read before it is written shows. */
+/* Allocates memory filled with garbage, so that reading an uninitialized field has a visible
+   effect. */
 static void *litter(size_t size)
 {
     void *memory = malloc(size + 1);
@@ -43,7 +44,7 @@ static void *litter(size_t size)
     return memset(memory, 0xa5, size + 1);
 }
 
-/* The length of a cell; a comma in quotes is part of it. */
+/* The length of a cell, which may contain commas in quotes. */
 static int cell_length(const char *cell)
 {
     int length = 0, quoted = 0;
@@ -55,7 +56,7 @@ static int cell_length(const char *cell)
     return length;
 }
 
-/* Prints the first cell that differs; `names` is the trace's header. */
+/* Prints the first cell that differs. `names` is the header of the trace. */
 static void complain(int step, const char *names, const char *found, const char *expected)
 {
     for (;;) {
@@ -109,7 +110,7 @@ int main(void)
     int right;
     frob_trace_header(&header, &frob_program, FROB_TRACE_OUT);
     frob_trace_columns(frob_program.input, "in", add_column, NULL);
-    /* Once more from the start: a reset forgets everything. */
+    /* The second run starts with a reset, which must clear all state. */
     right = is_right(state, input, output, names, &text) &&
             is_right(state, input, output, names, &text);
     if (right)

@@ -3,11 +3,21 @@ module Global_table = Resolve.Global_table
 
 type options = { limit : int; nesting : int; depth : int; work : int; marks : int option }
 
-let default = { limit = 10_000; nesting = 1_000; depth = 5_000; work = 3_000_000; marks = None }
+let default = { limit = 10_000; nesting = 1_000; depth = 5_000; work = 25_000_000; marks = None }
 
-type trail = { depth : int; calls : (string * Span.t) list (* the last one first *) }
+type expansion = { by : string; elements : int; at : Span.t }
+type machine = { of_ : string; place : Span.t; mutable modes : int }
+type wide = { ty : Core.Ir.ty; leaves : int; mutable uses : int }
 
-let start = { depth = 0; calls = [] }
+(* The call stack at a place. Each list has its latest element first. *)
+type trail = {
+  depth : int;
+  calls : (string * Span.t) list;
+  expansions : expansion list;
+  machines : machine list;
+}
+
+let start = { depth = 0; calls = []; expansions = []; machines = [] }
 
 type definition = { core : Core.Ir.definition; code : int }
 
@@ -27,11 +37,12 @@ type t = {
   options : options;
   types : Types.table;
   free : Free.table;
-  keys : Skeleton.table;
+  keys : Specialization_key.table;
   fresh : unit -> int;
   instances : Core.Instance.table;
   definitions : definition Global_table.t;
   params : Core.Ir.param list;
+  param_numbers : int Global_table.t;
   names : Names.t;
   globals : Value.t Variables.Table.t;
   begun : unit Variables.Table.t;
@@ -42,7 +53,10 @@ type t = {
   mutable kept : Span.t list;
   mutable reported : (string * Span.t) list;
   mutable node_count : int;
-  mutable entered : int;
+  called : int ref String_table.t;
+  wide : wide Int_table.t;
+  mutable latest : trail;
+  size : int;
   mutable draws : bool;
 }
 
@@ -55,8 +69,12 @@ let create sink options ?(seeks = false) (program : Core.Ir.program) =
   let types = Types.table ~marks:options.marks program in
   let free = Free.table () in
   let constants = Core.Constant_numbers.of_program program in
+  let param_numbers = Global_table.create 16 in
+  List.iteri
+    (fun k (p : Core.Ir.param) -> Global_table.replace param_numbers p.param k)
+    program.params;
   let definitions = Global_table.create 256 in
-  (* Below the ids of all locals: those without a name are negative too. *)
+  (* Code numbers are below the ids of all locals; unnamed locals have negative ids too. *)
   List.iteri
     (fun i (core : Core.Ir.definition) ->
       Free.expr free core.body;
@@ -71,11 +89,12 @@ let create sink options ?(seeks = false) (program : Core.Ir.program) =
     options;
     types;
     free;
-    keys = Skeleton.table types ~constants ~fresh;
+    keys = Specialization_key.table types ~constants ~fresh;
     fresh;
     instances = Core.Instance.table program.instances;
     definitions;
     params = program.params;
+    param_numbers;
     names = Names.create ();
     globals = Variables.Table.create 64;
     begun = Variables.Table.create 16;
@@ -86,7 +105,10 @@ let create sink options ?(seeks = false) (program : Core.Ir.program) =
     kept = [];
     reported = [];
     node_count = 0;
-    entered = 0;
+    called = String_table.create 64;
+    wide = Int_table.create 16;
+    latest = start;
+    size = Free.size free;
     draws = false;
   }
 
@@ -124,7 +146,8 @@ let since earlier later =
 
 let nests_deeply t trail = trail.depth > t.options.nesting
 
-(* The innermost calls, each place once: enough to see what goes on for ever. *)
+(* Labels the innermost calls, each place once, which suffices to recognize an infinite recursion.
+   *)
 let with_trail trail diagnostic =
   let rec labelled diagnostic shown = function
     | (name, at) :: others when List.length shown < 5 ->
@@ -141,25 +164,85 @@ let stop t trail diagnostic =
   raise Stopped
 
 let enter t trail ~name ~span =
-  let trail = { depth = trail.depth + 1; calls = (name, span) :: trail.calls } in
-  t.entered <- t.entered + 1;
+  let trail = { trail with depth = trail.depth + 1; calls = (name, span) :: trail.calls } in
+  t.latest <- trail;
+  (match String_table.find_opt t.called name with
+  | Some count -> incr count
+  | None -> String_table.replace t.called name (ref 1));
   if trail.depth > t.options.depth then
     stop t trail
       (Diagnostic.error ~code:"E0413" ~at:span "calls nest more than %d deep" t.options.depth);
-  if t.entered > t.options.work then
-    stop t trail
-      (Diagnostic.error ~code:"E0413" ~at:span "more than %d calls are evaluated while compiling"
-         t.options.work);
   trail
 
+(* {1 Causes of growing work} *)
+
+(* Minimum cost of one element, in steps. *)
+let steps_of_element = 50
+
+let expanding t trail ~by ~elements ~span =
+  let trail = { trail with expansions = { by; elements; at = span } :: trail.expansions } in
+  t.latest <- trail;
+  Work.steps (steps_of_element * elements);
+  trail
+
+(* Narrower values are not worth a mention. *)
+let least_wide = 100
+
+let defining t trail ty =
+  let { Types.id; leaves; _ } = Types.layout t.types ty in
+  let leaves = List.length leaves in
+  if leaves >= least_wide then (
+    t.latest <- trail;
+    match Int_table.find_opt t.wide id with
+    | Some wide -> wide.uses <- wide.uses + 1
+    | None -> Int_table.replace t.wide id { ty; leaves; uses = 1 })
+
+let widest t =
+  let all wide = wide.uses * wide.leaves in
+  Int_table.fold
+    (fun _ wide best ->
+      match best with Some other when all other >= all wide -> best | Some _ | None -> Some wide)
+    t.wide None
+
+let in_machine trail machine = { trail with machines = machine :: trail.machines }
+let expansions trail = trail.expansions
+let machines trail = trail.machines
+let latest t = t.latest
+
+let most table count =
+  String_table.fold
+    (fun name found best ->
+      match best with
+      | Some (other, most) when most > count name found || (most = count name found && other < name)
+        ->
+          best
+      | Some _ | None -> Some (name, count name found))
+    table None
+
+(* Operators are skipped: the names of the surrounding functions are more informative. *)
+let has_letters name =
+  String.length name > 0 && match name.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> true | _ -> false
+
+let most_called t = most t.called (fun name calls -> if has_letters name then !calls else 0)
+let most_specialized t = most t.counts (fun _ copies -> copies)
+
+(* The limit grows with the length of the program, so that each of its expressions can be evaluated
+   and specialized a few times. *)
+let steps_of_expression = 100
+
+let allowed_work t =
+  let own = t.options.work + (steps_of_expression * t.size) in
+  if t.options.limit > default.limit then own / default.limit * t.options.limit else own
+
 let report_outside t trail ~span ~index ~size =
-  Diagnostic.error ~code:"E0418" ~at:span "index %d is outside of an array of %d" index size
+  Diagnostic.error ~code:"E0418" ~at:span "index %d is out of range for an array of %d elements"
+    index size
   |> Diagnostic.note
-       (if size = 1 then "its only element has the number 0"
-        else Printf.sprintf "the elements are numbered from 0 to %d" (size - 1))
+       (if size = 1 then "its only element has the index 0"
+        else Printf.sprintf "the indices are 0 to %d" (size - 1))
   |> with_trail trail |> Diagnostic.emit t.sink
 
-(* The innermost call in the folder of the outermost: the program's own. *)
+(* The innermost call in the folder of the outermost call, which is the program's folder. *)
 let own_call trail ~span =
   let rec outermost = function [] -> span | [ (_, at) ] -> at | _ :: calls -> outermost calls in
   let folder (at : Span.t) = Filename.dirname at.file in
@@ -183,13 +266,13 @@ let report_stored t trail ~span ty =
   (match own_call trail ~span with
   | Some (name, at, calls) ->
       Diagnostic.error ~code:"E0412" ~at "`%s` cannot keep a value of type `%s`" name ty
-      |> Diagnostic.label ~at:span "it would be stored here, in a `delay`"
+      |> Diagnostic.label ~at:span "this `delay` would store it"
       |> with_trail { trail with calls }
   | _ ->
       Diagnostic.error ~code:"E0412" ~at:span "a value of type `%s` cannot be stored in a `delay`"
         ty
       |> with_trail trail)
-  |> Diagnostic.note "functions, signal functions and labels exist only while compiling"
+  |> Diagnostic.note "functions, signal functions and labels only exist at compile time"
   |> Diagnostic.emit t.sink
 
 let check_lasting t trail ~span tys =
@@ -199,24 +282,43 @@ let check_lasting t trail ~span tys =
   | Some _ when List.exists is_reported (("", span) :: trail.calls) -> ()
   | Some foreign when Flow.Shape.is_image foreign ->
       t.kept <- span :: t.kept;
-      Diagnostic.error ~code:"E0430" ~at:span "an image would be kept here"
-      |> Diagnostic.note "a camera's memory is used again for its next frames"
+      Diagnostic.error ~code:"E0430" ~at:span "an image cannot be kept from one instant to another"
+      |> Diagnostic.note "the camera reuses the memory of an image for the next frames"
       |> Diagnostic.hint
-           "keep the numbers that you need, not the picture: look for them at the instant at which \
-            the frame comes, and `hold` what was found"
+           "compute the numbers that you need at the instant at which the frame arrives, and \
+            `hold` these numbers"
       |> with_trail trail |> Diagnostic.emit t.sink
   | Some { foreign_name = name; _ } ->
       t.kept <- span :: t.kept;
-      Diagnostic.error ~code:"E0430" ~at:span "a value of the foreign type `%s` would be kept here"
-        name
+      Diagnostic.error ~code:"E0430" ~at:span
+        "a value of the foreign type `%s` cannot be kept from one instant to another" name
       |> Diagnostic.note
-           (Printf.sprintf "C gives a `%s` for one instant, and may use its memory again after it"
-              name)
+           (Printf.sprintf
+              "a `%s` from C is valid for one instant; C may reuse its memory after that" name)
       |> Diagnostic.hint
            (Printf.sprintf
-              "keep what you need of it; or declare the type `copyable`, if a copy of the struct \
-               is as good as the struct")
+              "keep only the numbers that you need; or declare the type `copyable`, if a copy of \
+               the struct works as well as the struct")
       |> with_trail trail |> Diagnostic.emit t.sink
+
+(* A mode is determined by the task that runs and by everything that follows it. *)
+let explain_copies t trail diagnostic =
+  match trail.machines with
+  | { of_; modes; _ } :: _ when modes > t.options.limit / 2 ->
+      Diagnostic.note
+        (Printf.sprintf
+           "the state machine of `%s` already has %d modes: one for each task or signal function \
+            together with everything that can follow it"
+           of_ modes)
+        diagnostic
+      |> Diagnostic.hint
+           "repeat a task with `repeatT n`, `whileT` or `forever`, which use one mode for all \
+            repetitions"
+  | [] | _ :: _ ->
+      Diagnostic.note
+        "frobc makes a copy for each combination of types, functions and signal functions among \
+         the arguments; numbers do not count"
+        diagnostic
 
 let count t trail ~name ~span =
   let before = Option.value (String_table.find_opt t.counts name) ~default:0 in
@@ -225,10 +327,8 @@ let count t trail ~name ~span =
     stop t trail
       (Diagnostic.error ~code:"E0413" ~at:span
          "`%s` is specialized for more than %d different arguments" name t.options.limit
-      |> Diagnostic.note
-           "it has a copy for each type, function and signal function that it is given, not for \
-            each number"
-      |> Diagnostic.hint "the option `--specialization-limit` allows more")
+      |> explain_copies t trail
+      |> Diagnostic.hint "to allow more, use the option `--specialization-limit`")
 
 let add_node t node =
   let index = t.node_count in

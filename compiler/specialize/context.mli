@@ -1,46 +1,54 @@
-(** What one specialization of a program carries along. *)
+(** The state of one specialization of a program. *)
 
 open Basis
 
 type options = {
-  limit : int;  (** how often one definition may be specialized *)
-  nesting : int;  (** how deeply nodes nest before one is {!Postponed} *)
-  depth : int;  (** how deeply calls may nest that make no nodes *)
-  work : int;  (** how many calls may be evaluated *)
-  marks : int option;  (** for how many a drawing has room; without, it comes to nothing *)
+  limit : int;  (** maximum number of specializations of one definition *)
+  nesting : int;  (** nesting depth of nodes beyond which one is {!Postponed} *)
+  depth : int;  (** maximum nesting depth of calls that create no nodes *)
+  work : int;  (** base limit of {!Work} steps; it grows with the length of the program *)
+  marks : int option;  (** maximum number of marks in a drawing; [None] disables drawing *)
 }
 
 val default : options
 
-(** {1 The calls that led to a place} *)
+(** {1 Call stacks} *)
 
 type trail
 
 val start : trail
 
 val from_here : trail -> trail
-(** The same calls, with nothing nested yet. *)
+(** The same calls, with the nesting depth reset to 0. *)
 
 val since : trail -> trail -> (string * Span.t) list
-(** The calls of the second after those of the first, with their places; the last one first. *)
+(** The calls that the second trail has in addition to the first, with their places; last one first.
+*)
 
 (** {1 The context} *)
 
-type definition = { core : Core.Ir.definition; code : int  (** a number that is no local's *) }
+type definition = {
+  core : Core.Ir.definition;
+  code : int;  (** a number that differs from the ids of all locals *)
+}
 
 type specialization = {
   callee : callee;
   result : Value.t;  (** in terms of the node's own signals *)
-  outputs : Flow.Ir.atom list;  (** the holes of the result *)
+  outputs : Flow.Ir.atom list;  (** the atoms in the holes of the result *)
 }
 
 and callee =
   | Node of int
   | Nothing of Flow.Ir.signal list  (** a node without equations; its statics and inputs *)
 
-(** What the program asks of its operator: it is found out, or was found out before. *)
+type wide = { ty : Core.Ir.ty; leaves : int; mutable uses : int }
+(** A type of many leaves, and how many equations and calls define a value of it. *)
+
+(** The controls that the program requests from its operator: being collected, or collected by an
+    earlier specialization. *)
 type console =
-  | Sought of { mutable found : Core.Ir.control list  (** the last one first *) }
+  | Sought of { mutable found : Core.Ir.control list  (** newest first *) }
   | Declared of Core.Ir.control list
 
 type t = {
@@ -52,71 +60,128 @@ type t = {
   options : options;
   types : Types.table;
   free : Free.table;
-  keys : Skeleton.table;
+  keys : Specialization_key.table;
   fresh : unit -> int;
   instances : Core.Instance.table;
   definitions : definition Resolve.Global_table.t;
   params : Core.Ir.param list;
-  names : Names.t;  (** of nodes *)
-  globals : Value.t Variables.Table.t;  (** values of definitions without signals *)
-  begun : unit Variables.Table.t;  (** definitions once postponed *)
-  specializations : specialization Variables.Table.t;  (** by {!Skeleton.key} *)
-  building : trail Variables.Table.t;  (** machines that are being made, likewise *)
-  counts : int String_table.t;  (** specializations of a definition *)
-  mutable nodes : Flow.Ir.node list;  (** the last one first *)
-  mutable kept : Span.t list;  (** where {!check_lasting} found something *)
-  mutable reported : (string * Span.t) list;  (** by {!report_once} *)
+  param_numbers : int Resolve.Global_table.t;  (** the position of each in [params] *)
+  names : Names.t;  (** names of nodes *)
+  globals : Value.t Variables.Table.t;  (** values of definitions that contain no signals *)
+  begun : unit Variables.Table.t;  (** definitions that have been postponed once *)
+  specializations : specialization Variables.Table.t;
+      (** specializations by {!Specialization_key.key} *)
+  building : trail Variables.Table.t;
+      (** machines under construction, by {!Specialization_key.key} *)
+  counts : int String_table.t;  (** number of specializations of each definition *)
+  mutable nodes : Flow.Ir.node list;  (** newest first *)
+  mutable kept : Span.t list;  (** places reported by {!check_lasting} *)
+  mutable reported : (string * Span.t) list;  (** places reported by {!report_once} *)
   mutable node_count : int;
-  mutable entered : int;
-  mutable draws : bool;  (** a mark was drawn somewhere *)
+  called : int ref String_table.t;  (** how often each name was called *)
+  wide : wide Int_table.t;  (** by layout; see {!defining} *)
+  mutable latest : trail;
+  size : int;  (** number of expressions in the program *)
+  mutable draws : bool;  (** has the program drawn a mark? *)
 }
 
 val create : Diagnostic.sink -> options -> ?seeks:bool -> Core.Ir.program -> t
-(** [seeks]: what stands on the console is to be found out. *)
+(** [seeks]: collect the controls that the program requests. *)
 
 val known_by_name : Core.Ir.Global.t list
-(** Definitions of the library that are looked for, whether or not the program mentions them: by one
-    of them the file of the prelude is known. *)
+(** Library definitions that the specializer looks up, whether or not the program mentions them. One
+    of them identifies the file of the prelude. *)
 
 val in_prelude : t -> Span.t -> bool
-(** Not in the program's own modules, nor in the rest of the library. *)
+(** Is the place in the prelude, that is, not in the program's own modules or the rest of the
+    library? *)
 
 val in_library : t -> Span.t -> bool
 
 exception Stopped
-(** An error was reported that leaves nothing to go on with. *)
+(** Raised after reporting an error from which specialization cannot continue. *)
 
 exception Postponed of (unit -> unit)
-(** The stack has become deep: what stands there is to be evaluated first, on a stack of its own;
-    then its caller again, which will find it done. *)
+(** Raised if the stack has become too deep. Calling the function evaluates, on a fresh stack, the
+    part that was too deep. The caller is then evaluated again and finds the result. *)
 
 val settle : (unit -> unit) -> unit
-(** Evaluates, with all that is postponed. *)
+(** Calls the function, and everything that it postpones. *)
 
 val nests_deeply : t -> trail -> bool
 
+(** {1 Causes of excessive work}
+
+    Data for {!Used_up}, which reports the cause when the steps are used up. *)
+
+type expansion = {
+  by : string;  (** the function that expands the elements one by one *)
+  elements : int;
+  at : Span.t;
+}
+
+type machine = { of_ : string; place : Span.t; mutable modes : int }
+
+val expanding : t -> trail -> by:string -> elements:int -> span:Span.t -> trail
+(** Enters the expansion of the elements of an array. May raise {!Work.Used_up}. *)
+
+val defining : t -> trail -> Core.Ir.ty -> unit
+(** Notes that an equation or a call defines a value of this type, for {!widest}. *)
+
+val widest : t -> wide option
+(** The type whose values have most leaves, in all equations together. *)
+
+val in_machine : trail -> machine -> trail
+(** Enters a machine whose modes are being discovered. *)
+
+val expansions : trail -> expansion list
+(** The expansions that contain this place, the innermost one first. *)
+
+val machines : trail -> machine list
+(** The machines that contain this place, the innermost one first. *)
+
+val latest : t -> trail
+(** The last call that was entered. *)
+
+val most_called : t -> (string * int) option
+(** The name that was called most often, and how often. *)
+
+val most_specialized : t -> (string * int) option
+(** The name that was specialized most often, and how often. *)
+
+val allowed_work : t -> int
+
 val enter : t -> trail -> name:string -> span:Span.t -> trail
-(** One call further in. Reports calls that nest too deeply, or are too many; then raises
-    {!Stopped}. *)
+(** Enters a call. If calls nest too deeply, reports that and raises {!Stopped}. *)
 
 val count : t -> trail -> name:string -> span:Span.t -> unit
-(** One more specialization of the definition, which may be one too many. May raise {!Stopped}. *)
+(** Counts one more specialization of the definition, or one more mode of the surrounding machine.
+    Raises {!Stopped} if that exceeds the limit. *)
+
+val with_trail : trail -> Diagnostic.t -> Diagnostic.t
+(** Adds the innermost calls to the diagnostic. *)
+
+val own_call : trail -> span:Span.t -> (string * Span.t * (string * Span.t) list) option
+(** The innermost call in the program's own folder (that of the outermost call), and the calls
+    around it; [None] if [span] itself is in that folder. *)
 
 val report_outside : t -> trail -> span:Span.t -> index:int -> size:int -> unit
-(** Of an array whose size depends on the call. *)
+(** Reports an index out of range, for an array whose size depends on the call. *)
 
 val own_place : t -> trail -> span:Span.t -> Span.t
-(** The innermost call outside of the library that leads to a place; the place if there is none. *)
+(** The innermost place outside the library among [span] and the calls that lead to it; [span] if
+    there is none. *)
 
 val report_once : t -> code:string -> at:Span.t -> Diagnostic.t -> unit
-(** Of a place that may be evaluated many times. *)
+(** Emits the diagnostic unless this code was reported at this place before, because a place may be
+    evaluated many times. *)
 
 val report_stored : t -> trail -> span:Span.t -> string -> unit
-(** A [delay] of a value of this type, which has a function in it. The place is the call in the
-    program's own folder that leads there. *)
+(** Reports a [delay] of a value of this type, which contains a function. The message points to the
+    call in the program's own folder that leads there. *)
 
 val check_lasting : t -> trail -> span:Span.t -> Flow.Ir.ty list -> unit
-(** E0430 if what is to be in the program's state lives for the instant only, and that was not said
-    of one of the calls that led here. *)
+(** Emits E0430 if a value to be stored in the program's state is valid for one instant only, unless
+    one of the calls that led here was already reported. *)
 
 val add_node : t -> Flow.Ir.node -> int

@@ -1,20 +1,22 @@
-(** Evaluation, as it is given to those who take parts of it over. *)
+(** The evaluator as a record, to break the recursion between the modules for the individual
+    constructs. *)
 
 open Basis
 
 type position = {
   context : Context.t;
   trail : Context.trail;
-  types : Types.table;  (** the context's *)
+  types : Types.table;  (** the types table of the context *)
   node : Node.t;
   span : Span.t;
 }
-(** Where an equation is to stand. *)
+(** The place at which an equation is added. *)
 
 type t = {
   run : position -> result:Core.Ir.ty -> Value.t -> Value.argument -> Value.t;
-      (** A signal function's output; a proc's equations stand in the node itself. *)
+      (** Runs a signal function and returns its output. The equations of a proc are added to the
+          position's own node. *)
   apply : position -> result:Core.Ir.ty -> Value.t -> Value.argument list -> Value.t;
   static : position -> Value.closure -> Core.Ir.expr -> Value.t;
-      (** An expression in a proc that mentions no signal of it. *)
+      (** Evaluates an expression of a proc that mentions no signal of the proc. *)
 }

@@ -5,7 +5,7 @@ type scope = {
   locals : Value.environment;
   types : Value.substitution;
   node : Node.t;
-  owner : string; (* names functions that have no name of their own *)
+  owner : string; (* names the functions that have no name of their own *)
   trail : Context.trail;
 }
 
@@ -28,7 +28,7 @@ let enter (binder : Ir.binder) entry locals = Variables.add binder.local.id entr
 let bind (binder : Ir.binder) ty value locals =
   enter binder { Value.local = binder.local; local_ty = ty; contents = Known value } locals
 
-(* No call is worth a node that would do nothing. *)
+(* Expressions so simple that a node for them would do nothing. They are evaluated in place. *)
 let rec is_trivial (e : Ir.expr) =
   match e.desc with
   | Local _ | Number _ | Boolean _ | String _ | Primitive _ | Lambda _ | Proc _ -> true
@@ -47,7 +47,7 @@ let number real ty value : Flow.Ir.atom =
   | Size _ ->
       bug "a number of type %s" (Types.to_string ty)
 
-(* Of a definition that is not the prelude's. *)
+(* The name of a definition outside the prelude. *)
 let own_name (g : Ir.Global.t) = if g.module_ = "Prelude" then None else Some g.name
 
 let bind_types substitution parameters types =
@@ -56,6 +56,7 @@ let bind_types substitution parameters types =
     substitution parameters types
 
 let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
+  Work.step ();
   match e.desc with
   | Local local -> (
       match Variables.find_opt local.id s.locals with
@@ -88,7 +89,7 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
       let value = Task.named c ~name:(Some binder.local.name) ~at value in
       let ty = Types.close s.types binder.ty in
       expr c { s with locals = bind binder ty value s.locals } target body
-  | Tuple parts -> Product (exprs c s target e parts)
+  | Tuple parts -> Product (Array.of_list (exprs c s target e parts))
   | Array elements -> Elements (List.map (expr c s Unnamed) elements)
   | Index (array, k) -> element c s target ~span:e.span array k
   | Component (e, index) -> Leaves.component (expr c s Unnamed e) index
@@ -96,7 +97,7 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
   | Construct { constructor; arguments; data = _ } -> (
       let ty = Types.close s.types e.ty in
       match (Types.layout c.types ty).kind with
-      | Product _ -> Product (exprs c s target e arguments)
+      | Product _ -> Product (Array.of_list (exprs c s target e arguments))
       | Scalar | Sum _ | Array _ | Opaque ->
           let arguments = List.map (expr c s Unnamed) arguments in
           Constructed { constructor; arguments })
@@ -130,7 +131,7 @@ and element (c : Context.t) s target ~span (array : Ir.expr) k =
       Unspecified
   | _ -> Leaves.element c.types s.node target ~span ty value k
 
-(* The parts of a product. *)
+(* Evaluates the components of a product, each with its own target. *)
 and exprs (c : Context.t) s target (e : Ir.expr) parts =
   match (target : Node.target) with
   | Unnamed -> List.map (expr c s Unnamed) parts
@@ -162,19 +163,14 @@ and argument (c : Context.t) s (e : Ir.expr) : Value.argument =
   let value = expr c s Unnamed e in
   { value; ty = Types.close s.types e.ty }
 
-(* A definition of first-order type is a function without arguments; any other
-   is evaluated where it is used, once if it needs no equations. *)
+(* A definition of first-order type is treated as a function without arguments. Any other definition
+   is evaluated where it is used, and only once if it needs no equations. *)
 and global (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types =
-  let rec number k : Ir.param list -> int option = function
-    | [] -> None
-    | p :: _ when p.param = name -> Some k
-    | _ :: others -> number (k + 1) others
-  in
-  match number 0 c.params with
+  match Resolve.Global_table.find_opt c.param_numbers name with
   | None -> definition c s target e name types
   | Some k -> param c s e name k
 
-(* Read once in a node. *)
+(* A parameter is read once per node. *)
 and param (c : Context.t) s (e : Ir.expr) (name : Ir.Global.t) k =
   let { Context.code; _ } = Resolve.Global_table.find c.definitions name in
   match (Node.global s.node code, (Types.layout c.types e.ty).leaves) with
@@ -201,10 +197,10 @@ and definition (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types
     }
   in
   let trail = Context.enter c s.trail ~name:name.name ~span:e.span in
-  let walk = Skeleton.walk c.keys s.node Holes in
-  Skeleton.add_number walk code;
-  List.iter (fun ty -> Skeleton.add_number walk (Types.layout c.types ty).id) types;
-  let key = Skeleton.key walk in
+  let walk = Specialization_key.walk c.keys s.node Holes in
+  Specialization_key.add_number walk code;
+  List.iter (fun ty -> Specialization_key.add_number walk (Types.layout c.types ty).id) types;
+  let key = Specialization_key.key walk in
   let result = Types.close s.types e.ty in
   if (Types.layout c.types result).first_order then
     if is_trivial core.body then expr c (inside trail s.node) target core.body
@@ -239,7 +235,7 @@ and definition (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types
           raise (Context.Postponed elsewhere));
         evaluate s.node
 
-(* [result]: the type after all arguments. *)
+(* [result]: the type after applying all arguments. *)
 and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Value.argument list) :
     Value.t =
   match (f, arguments) with
@@ -275,7 +271,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       _ ) ->
       bug "what is applied is no function"
 
-(* Binds one argument after the other, as many as the code takes at once. *)
+(* Binds as many arguments as the code takes at once, one after the other. *)
 and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (body : Ir.expr)
     (first : Value.argument) others =
   let locals =
@@ -294,7 +290,7 @@ and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (b
       in
       let value =
         if not (Types.layout c.types ty).first_order then
-          (* What is left is named after this function, not after its use. *)
+          (* the resulting function is named after this function, not after its use *)
           expr c (inside (Context.enter c s.trail ~name:closure.name ~span)) Unnamed body
         else if is_trivial body then
           expr c (inside (trail_of_trivial c s ~span closure body)) whole body
@@ -306,15 +302,15 @@ and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (b
       in
       apply c s target ~span ~result value others
 
-(* Not one that comes after others, which its closure does not have. *)
+(* Is this the closure's first parameter? A later one is not a parameter of the closure itself. *)
 and is_first (closure : Value.closure) (binder : Ir.binder) =
   match closure.code with Lambda (first, _) -> first.local.id = binder.local.id | _ -> false
 
-(* Only an index that is outside will want to know where the call is. *)
+(* A trivial body needs a trail only if it is an index, which may be out of range. *)
 and trail_of_trivial (c : Context.t) s ~span (closure : Value.closure) (body : Ir.expr) =
   match body.desc with Index _ -> Context.enter c s.trail ~name:closure.name ~span | _ -> s.trail
 
-(* A function of [()] says always the same: it is evaluated in place, once. *)
+(* A function of [()] always returns the same value, so it is evaluated once, in place. *)
 and join s (closure : Value.closure) evaluate =
   match Node.join s.node closure.identity with
   | Some value -> value
@@ -323,14 +319,14 @@ and join s (closure : Value.closure) evaluate =
       Node.add_join s.node closure.identity value;
       value
 
-(* [applied] has captured its arguments too. *)
+(* [applied]: the closure, with its arguments among its captured variables. *)
 and call_function (c : Context.t) s target ~span ~result (applied : Value.closure) binder body =
   let trail = Context.enter c s.trail ~name:applied.name ~span in
-  let numbers = Skeleton.numbers_of c.keys applied in
-  let walk = Skeleton.walk c.keys s.node numbers in
-  Skeleton.add_number walk (Closure.code_id applied.code);
-  Skeleton.add_captured walk applied;
-  let inputs = Skeleton.take_holes walk in
+  let numbers = Specialization_key.numbers_of c.keys applied in
+  let walk = Specialization_key.walk c.keys s.node numbers in
+  Specialization_key.add_number walk (Closure.code_id applied.code);
+  Specialization_key.add_captured walk applied;
+  let inputs = Specialization_key.take_holes walk in
   Specialization.call c trail s.node target
     {
       kind = Function;
@@ -341,13 +337,15 @@ and call_function (c : Context.t) s target ~span ~result (applied : Value.closur
       statics = [];
       inputs;
       names = Destructuring.of_lambda c.types applied.types binder body;
-      key = Skeleton.key walk;
+      key = Specialization_key.key walk;
     }
     (fun trail node atoms ->
-      let locals = Skeleton.captured (Skeleton.copy c.keys numbers atoms) applied in
+      let locals =
+        Specialization_key.captured (Specialization_key.copy c.keys numbers atoms) applied
+      in
       expr c { locals; types = applied.types; node; owner = applied.name; trail } Unnamed body)
 
-(* An instance of a signal function. *)
+(* Runs an instance of a signal function. *)
 and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (input : Value.argument)
     : Value.t =
   match signal_function with
@@ -393,7 +391,7 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
   | Program _ ->
       bug "what is run is no signal function"
 
-(* [Left] the output, or [Right] what the task has ended with. *)
+(* [Left] with the output, or [Right] with the task's result. *)
 and run_task (c : Context.t) s target ~span ~result ~output ~ended signal_function input =
   let parts : Ir.ty = Tuple [ output; Bool; ended ] in
   let value =
@@ -408,7 +406,7 @@ and run_task (c : Context.t) s target ~span ~result ~output ~ended signal_functi
       Leaves.select c.types s.node target ~span result condition right left
   | _ -> bug "whether a task has ended is no Bool"
 
-(* What comes out may be a function, and be applied to what is left. *)
+(* The result may be a function, which is then applied to the remaining arguments. *)
 and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =
   let rec split count (ty : Ir.ty) own (others : Value.argument list) =
     match (ty, others) with
@@ -427,7 +425,7 @@ and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =
       in
       apply c s target ~span ~result value others
 
-(* In nodes of their own, or this one. *)
+(* Evaluates either in new nodes or in the position's node. *)
 and evaluator s : Evaluator.t =
   let scope ({ node; trail; _ } : Evaluator.position) =
     { locals = Variables.empty; types = Variables.empty; node; owner = s.owner; trail }
@@ -448,7 +446,7 @@ and evaluator s : Evaluator.t =
         expr p.context { (scope p) with locals; types; owner } Unnamed e);
   }
 
-(* In the node of a round all of a function stands in that node. *)
+(* In the node of a round, functions are evaluated in the node itself. *)
 and evaluator_of_rounds s =
   let plain = evaluator s in
   let rec in_place (p : Evaluator.position) ~result (f : Value.t) arguments =
@@ -493,14 +491,14 @@ and delay (c : Context.t) s target ~span (initial : Value.argument) (input : Val
 and run_proc (c : Context.t) s target ~span ~result closure proc input =
   let trail = Context.enter c s.trail ~name:closure.name ~span in
   let is_used = Free.uses_binder c.free proc.input.local.id in
-  let numbers = Skeleton.numbers_of c.keys closure in
-  let walk = Skeleton.walk c.keys s.node numbers in
-  Skeleton.add_number walk (Closure.code_id closure.code);
-  Skeleton.add_captured walk closure;
-  let statics = Skeleton.take_holes walk in
-  Context.check_lasting c s.trail ~span (Skeleton.types statics);
-  if is_used then Skeleton.add walk proc.input.local input.ty input.value;
-  let inputs = Skeleton.take_holes walk in
+  let numbers = Specialization_key.numbers_of c.keys closure in
+  let walk = Specialization_key.walk c.keys s.node numbers in
+  Specialization_key.add_number walk (Closure.code_id closure.code);
+  Specialization_key.add_captured walk closure;
+  let statics = Specialization_key.take_holes walk in
+  Context.check_lasting c s.trail ~span (Specialization_key.types statics);
+  if is_used then Specialization_key.add walk proc.input.local input.ty input.value;
+  let inputs = Specialization_key.take_holes walk in
   Specialization.call c trail s.node target
     {
       kind = Signal_function;
@@ -511,31 +509,33 @@ and run_proc (c : Context.t) s target ~span ~result closure proc input =
       statics;
       inputs;
       names = Destructuring.of_proc c.types closure.types proc;
-      key = Skeleton.key walk;
+      key = Specialization_key.key walk;
     }
     (fun trail node atoms ->
-      let copy = Skeleton.copy c.keys numbers atoms in
-      let locals = Skeleton.captured copy closure in
+      let copy = Specialization_key.copy c.keys numbers atoms in
+      let locals = Specialization_key.captured copy closure in
       let locals =
-        if is_used then bind proc.input input.ty (Skeleton.value copy input.ty input.value) locals
+        if is_used then
+          bind proc.input input.ty (Specialization_key.value copy input.ty input.value) locals
         else locals
       in
       proc_body c { locals; types = closure.types; node; owner = closure.name; trail } proc)
 
-(* The equations and the output of a proc, in the node under construction. *)
+(* Adds the equations of a proc to the node under construction, and returns the output. *)
 and proc_body (c : Context.t) s (proc : Ir.proc) : Value.t =
-  (* Equations see each other: those that Flow can hold through their signals,
-     which are there first, the others through suspensions. *)
+  (* Equations may refer to each other. An equation that Flow can represent is visible as a signal,
+     which is created first; other equations are visible as suspensions. *)
   let inside = ref s in
   let declare (locals, promises) (eq : Ir.equation) =
     let ty = Types.close s.types eq.binder.ty in
     let { Ir.local; _ } = eq.binder in
     let layout = Types.layout c.types ty in
     let is_constant = Core.Constant_numbers.has c.constants local in
-    if layout.first_order && not is_constant then
+    if layout.first_order && not is_constant then (
+      Context.defining c s.trail ty;
       let signals = Node.promise s.node ~name:local.name ~span:local.span layout.leaves in
       let value = Leaves.value c.types ty (List.map (fun s -> Flow.Ir.Signal s) signals) in
-      (bind eq.binder ty value locals, (eq, ty, signals) :: promises)
+      (bind eq.binder ty value locals, (eq, ty, signals) :: promises))
     else
       let evaluate () = equation c !inside (Node.Named local.name) ty eq in
       let entry : Value.entry = { local; local_ty = ty; contents = Suspended evaluate } in
@@ -558,7 +558,7 @@ and equation (c : Context.t) s target ty (eq : Ir.equation) =
       let signal_function = expr c s Unnamed signal_function in
       match signal_function with
       | Primitive { primitive = Delay; _ } when not (Types.layout c.types ty).first_order ->
-          (* before its input, which may need its output *)
+          (* reported before evaluating the input, which may depend on this output *)
           Context.report_stored c s.trail ~span:eq.span (Types.to_string ty);
           Unspecified
       | _ -> run c s target ~span:eq.span ~result:ty signal_function (argument c s input))

@@ -7,7 +7,7 @@ let ends (core : Ir.definition) =
       Some (input, output)
   | _, _ -> None
 
-(* Of a type as it is printed. *)
+(* Does the printed type contain [String]? *)
 let has_a_label text =
   let is_letter = function
     | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' | '.' -> true
@@ -20,36 +20,37 @@ let refuse_interface (c : Context.t) (core : Ir.definition) what ty =
   Diagnostic.(
     error ~code:"E0412" ~at:core.span "the %s of `%s` cannot be of type `%s`" what core.name.name
       (Types.to_string ty)
-    |> note "functions, signal functions and labels exist only while compiling"
+    |> note "functions, signal functions and labels only exist at compile time"
     |> (if has_a_label (Types.to_string ty) then
-          hint
-            "a `data` type's constructors are shown by their names: `data State = Ready | Stopped`"
+          hint "to show names, declare a `data` type: `data State = Ready | Stopped`"
         else Fun.id)
     |> emit c.sink)
 
 let refuse_ends (c : Context.t) (core : Ir.definition) =
   Diagnostic.(
     error ~code:"E0411" ~at:core.span
-      "`%s` cannot run: it chooses between programs that do not end with results of one type"
+      "`%s` cannot run: it chooses between programs whose results have different types"
       core.name.name
-    |> hint "let it choose between tasks, in one `reactimateTask`"
+    |> hint "choose between tasks inside one `reactimateTask`"
     |> emit c.sink)
 
-(* What {!Context.enter} does not count: functions that capture functions. *)
+(* Reports functions that capture functions too deeply, which {!Context.enter} does not count. *)
 let refuse_depth (c : Context.t) (core : Ir.definition) =
   Diagnostic.(
     error ~code:"E0413" ~at:core.span "`%s` needs functions that nest too deeply" core.name.name
+    |> note "each function or signal function contains the previous one, thousands of times"
+    |> hint "compose fewer of them, or write one signal function that does the same"
     |> emit c.sink)
 
 let refuse_cycle (c : Context.t) (local : Ir.Local.t) =
   Diagnostic.(
-    error ~code:"E0414" ~at:local.span "`%s` holds a function that depends on itself" local.name
-    |> note "functions, signal functions and tasks are evaluated while compiling"
-    |> hint "feed back the numbers that it is made from"
+    error ~code:"E0414" ~at:local.span "`%s` contains a function that depends on itself" local.name
+    |> note "functions, signal functions and tasks are evaluated at compile time"
+    |> hint "feed back the numbers that the function depends on, not the function"
     |> emit c.sink)
 
-(* A program that ends has a result beside its output, as one more field where
-   the output is a record. *)
+(* A program that ends has a result in addition to its output. If the output is a record, the result
+   is an additional field. *)
 let result_field = "result"
 
 let with_result (output : Flow.Ir.shape) result : Flow.Ir.shape =
@@ -62,8 +63,8 @@ let with_result (output : Flow.Ir.shape) result : Flow.Ir.shape =
 
 exception Unlike_ends
 
-(* The signal function in a program, and the type of what it ends with. Of
-   several, between which it chooses when it starts, it must be one. *)
+(* The signal function of a program, and the type of the program's result, if it ends. If the
+   program chooses between several at the start, the type must be the same for all. *)
 let rec in_program (value : Value.t) : Value.t * Ir.ty option =
   match value with
   | Choice { condition; then_; else_ } ->
@@ -77,14 +78,17 @@ let rec in_program (value : Value.t) : Value.t * Ir.ty option =
 
 let output_names (c : Context.t) ~output ~ended =
   let names ty root =
-    List.map (fun (leaf : Types.leaf) -> Types.join root leaf.path) (Types.layout c.types ty).leaves
+    List.map
+      (fun (leaf : Types.leaf) -> Types.join root (Types.path_name leaf))
+      (Types.layout c.types ty).leaves
   in
   match ended with
   | None -> names output "out"
   | Some ended ->
       names output "out" @ names (Core.Signature.event ended) (Types.join "out" result_field)
 
-(* What is drawn is no part of the output: its marks come after all that is, by name. *)
+(* Drawings are not part of the output. Their marks follow all other outputs, each under its own
+   name. *)
 let apart outputs =
   let is_part suffix (name, _) = String.ends_with ~suffix name in
   let is_drawn output = List.exists (fun suffix -> is_part suffix output) Types.paths_of_drawing in
@@ -95,7 +99,8 @@ let drawings = function
   | [ only ] -> [ ("draw", only) ]
   | several -> List.mapi (fun k marks -> (Printf.sprintf "draw.%d" (k + 1), marks)) several
 
-(* The root node; the type that the program ends with, if it does; its drawings. *)
+(* Builds the root node. Returns the type of the program's result, if it ends, and the names of its
+   drawings. *)
 let root c ~unique (core : Ir.definition) ~input ~output =
   let node = Node.create ~fresh:c.Context.fresh in
   let s : Expression.scope =
@@ -123,7 +128,7 @@ let root c ~unique (core : Ir.definition) ~input ~output =
   let inputs =
     List.map
       (fun (leaf : Types.leaf) ->
-        let name = Destructuring.name names local leaf.path in
+        let name = Destructuring.name names local (Types.path_name leaf) in
         Node.signal node ~name ~span:local.span leaf.leaf)
       (Types.layout c.types input).leaves
   in
@@ -172,7 +177,7 @@ let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input 
   if not (is_first_order output) then refuse_interface c core "output" output;
   let ended = ref None and drawings = ref [] in
   (if not (Diagnostic.has_errors c.sink) then
-     (* The root has the first choice of a name, however often it is begun. *)
+     (* the root gets the first choice of names, however often its evaluation is restarted *)
      let chosen = ref None in
      let unique name =
        if Option.is_none !chosen then chosen := Some (Names.unique c.names name);
@@ -229,14 +234,28 @@ let closed (c : Context.t) ~name ~default ~(entry : Ir.Global.t) =
       Diagnostic.bug ~stage:"Specialize.Of_core" "there is no `%s.%s`" entry.module_ entry.name
   | Some { core; _ } -> (
       match ends core with
-      | Some (input, output) -> closed_program c ~name ~default core ~input ~output
+      | Some (input, output) -> (
+          let whole () =
+            try closed_program c ~name ~default core ~input ~output with
+            | Types.Too_large ty ->
+                Used_up.report_type c core ty;
+                None
+            | Types.Too_deep ty ->
+                Used_up.report_nesting c core ty;
+                None
+          in
+          match Work.within (Context.allowed_work c) whole with
+          | Some flow -> flow
+          | None ->
+              Used_up.report c core;
+              None)
       | None ->
           Diagnostic.bug ~stage:"Specialize.Of_core" "`%s` is no closed signal function" entry.name)
 
 let controls options sink ~name ~entry (program : Ir.program) =
   let own = Diagnostic.sink () in
   if Core.Console.asks program then Core.Recursion.check own program;
-  (* Those that recursion has are told where the program is specialized for good. *)
+  (* recursion errors are reported by the final specialization *)
   if (not (Core.Console.asks program)) || Diagnostic.has_errors own then Some []
   else
     let c = Context.create own options ~seeks:true program in

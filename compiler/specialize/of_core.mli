@@ -1,12 +1,12 @@
-(** From Core to Flow: runs everything that is static.
+(** Translates Core to Flow by evaluating everything static.
 
-    A symbolic evaluator. What is known while compiling (functions, signal functions, types) is
-    simply evaluated; an operation on numbers becomes an equation of the node under construction; a
-    call of a function with a first-order result, and a run of a signal function, become an instance
-    of a node made for that code and the functions it gets (see {!Skeleton}). Core without recursion
-    always comes to an end.
+    This is a symbolic evaluator. Values known at compile time (functions, signal functions, types)
+    are simply evaluated. An operation on numbers becomes an equation of the node under
+    construction. A call of a function with a first-order result, or a run of a signal function,
+    becomes an instance of a node created for that code and its function arguments (see
+    {!Specialization_key}). Without recursion, evaluating Core always terminates.
 
-    After it no functions, signal functions, tuples and records are left. *)
+    The result contains no functions, signal functions, tuples or records. *)
 
 open Basis
 
@@ -17,9 +17,9 @@ val controls :
   entry:Core.Ir.Global.t ->
   Core.Ir.program ->
   Core.Ir.control list option
-(** What the entry asks of its operator, for {!Core.Console.declare}: found out by running all that
-    is static, if the program asks for anything. What it asks for in several places is there as
-    often, and without units. [None] if errors were reported. *)
+(** The controls that the entry requests from its operator, for {!Core.Console.declare}. They are
+    found by evaluating everything static, if the program may request any. A control requested at
+    several places occurs several times, and units are not set. [None] if errors were reported. *)
 
 val program :
   ?options:Context.options ->
@@ -29,5 +29,5 @@ val program :
   entry:Core.Ir.Global.t ->
   Core.Ir.program ->
   Flow.Ir.program option
-(** [name]: of the C files; [default]: the value of a parameter where none is given. The entry is a
-    signal function or program, and closed; [None] if errors were reported. *)
+(** [name]: the name of the generated C files. [default]: the value of a parameter that is not set.
+    The entry must be a closed signal function or program. [None] if errors were reported. *)

@@ -1,13 +1,13 @@
-(** The texts of a program's labels, each once.
+(** The distinct label texts of a program.
 
-    They are constructors of a data type, called as the language writes them: ["goal"]. *)
+    They become the constructors of a data type, named by the string literals: ["goal"]. *)
 
 type t
 
 val create : unit -> t
 
 val number : t -> string -> int
-(** Which constructor the text is. *)
+(** The index of the constructor for this text. *)
 
 val all : t -> string list
 (** The names of the constructors; at least one. *)

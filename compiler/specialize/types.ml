@@ -2,13 +2,13 @@ open Basis
 module Ir = Core.Ir
 module Global_table = Resolve.Global_table
 
-type layout = { id : int; kind : kind; first_order : bool; leaves : leaf list }
+type layout = { id : int; kind : kind; first_order : bool; leaves : leaf list; nesting : int }
 and kind = Scalar | Product of part list | Sum of part list array | Array of int * Ir.ty | Opaque
 and part = { part : string; ty : Ir.ty }
-and leaf = { path : string; leaf : Flow.Ir.ty }
+and leaf = { path : string list; leaf : Flow.Ir.ty }
 
-(* Polymorphic comparison and hashing would look at all of a type, down to the
-   characters of names. *)
+(* Polymorphic comparison and hashing would traverse the whole type, including the characters of
+   names. *)
 module Types = Hashtbl.Make (struct
   type t = Ir.ty
 
@@ -33,7 +33,9 @@ module Types = Hashtbl.Make (struct
 
   and equal_all a b = List.compare_lengths a b = 0 && List.for_all2 equal a b
 
+  (* A type may share its parts, so it may have far more paths than parts. *)
   let rec hash (ty : t) =
+    Work.step ();
     match ty with
     | Bool -> 1
     | Int -> 2
@@ -57,14 +59,14 @@ type table = {
   layouts : layout Types.t;
   marks : int option;
   texts : Texts.t;
-  mutable sums : Flow.Ir.sum list; (* the last one first *)
+  mutable sums : Flow.Ir.sum list; (* newest first *)
   mutable sum_count : int;
 }
 
 let table ~marks (program : Ir.program) =
   let by_name = Global_table.create 64 and foreign = Global_table.create 8 in
   List.iter (fun (d : Ir.data) -> Global_table.replace by_name d.tycon d) program.data;
-  (* Of two with one name, each has its module's in front. *)
+  (* If two foreign types share a name, each is prefixed with its module. *)
   let shared name =
     let has_name (t : Ir.foreign_type) = String.equal t.foreign_type.name name in
     List.length (List.filter has_name program.foreign.types) > 1
@@ -103,8 +105,10 @@ let to_string = Core.Print.type_name
 let join name path =
   match (name, path) with "", other | other, "" -> other | _, _ -> name ^ "." ^ path
 
-(* The constructors of a data type, with its arguments for its parameters;
-   none for a built-in type such as [Program]. *)
+let path_name (leaf : leaf) = String.concat "." leaf.path
+
+(* The constructors of a data type, with these arguments for its parameters. Empty for a built-in
+   type such as [Program]. *)
 let constructors table tycon arguments =
   match Global_table.find_opt table.data tycon with
   | None -> []
@@ -124,11 +128,11 @@ let parts_of_fields fields =
       { part = (if String.equal name "" then string_of_int (i + 1) else name); ty })
     fields
 
-let scalar leaf = (Scalar, true, [ { path = ""; leaf } ])
+let scalar leaf = (Scalar, true, [ { path = []; leaf } ])
 let is_drawing (ty : Ir.ty) = ty = Core.Signature.drawing
 let is_text (ty : Ir.ty) = ty = Core.Signature.text
 
-(* No program can name a field so. *)
+(* Names that no field of a program can have. *)
 let count_path = "count#"
 let marks_path = "marks#"
 let paths_of_drawing = [ count_path; marks_path ]
@@ -140,12 +144,20 @@ let parts_of_drawing most =
 let text_sum (constructors : Flow.Ir.sum_constructor list) : Flow.Ir.sum =
   { name = "Text"; module_ = "Display"; constructors }
 
+exception Too_large of Ir.ty
+exception Too_deep of Ir.ty
+
+let most_leaves = 20_000
+let deepest = 500
+
 let rec layout table (ty : Ir.ty) =
   match Types.find_opt table.layouts ty with
   | Some known -> known
   | None ->
       let kind, first_order, leaves = analyse table ty in
-      let layout = { id = Types.length table.layouts; kind; first_order; leaves } in
+      let nesting = nesting table kind in
+      if nesting > deepest then raise_notrace (Too_deep ty);
+      let layout = { id = Types.length table.layouts; kind; first_order; leaves; nesting } in
       Types.add table.layouts ty layout;
       layout
 
@@ -157,7 +169,7 @@ and analyse table (ty : Ir.ty) =
   | String | Function _ | Signal_function _ -> (Opaque, false, [])
   | Variable v ->
       Diagnostic.bug ~stage:"Specialize.Types" "the type variable `%s` has no type" v.name
-  | Tuple tys -> product table (positional tys)
+  | Tuple tys -> product table ty (positional tys)
   | Array (Size n, element) ->
       let { first_order; leaves; _ } = layout table element in
       let array { path; leaf } = { path; leaf = Flow.Ir.Array (n, leaf) } in
@@ -165,32 +177,42 @@ and analyse table (ty : Ir.ty) =
   | Size _ -> (Opaque, false, [])
   | Array _ -> Diagnostic.bug ~stage:"Specialize.Types" "an array of no size"
   | Data _ when is_drawing ty ->
-      product table (Option.fold ~none:[] ~some:parts_of_drawing table.marks)
+      product table ty (Option.fold ~none:[] ~some:parts_of_drawing table.marks)
   | Data _ when is_text ty -> (
       match table.marks with
-      | None -> product table []
+      | None -> product table ty []
       | Some _ -> scalar (add_sum table (text_sum [])))
   | Data (tycon, []) when Global_table.mem table.foreign tycon ->
       scalar (Foreign (Global_table.find table.foreign tycon))
   | Data (tycon, arguments) -> (
       match constructors table tycon arguments with
       | [] -> (Opaque, false, [])
-      | [ only ] -> product table (parts_of_fields only.fields)
+      | [ only ] -> product table ty (parts_of_fields only.fields)
       | several ->
           let fields = List.map (fun (c : Ir.constructor) -> parts_of_fields c.fields) several in
           let first_order = List.for_all (List.for_all (is_first_order table)) fields in
           let leaves =
-            if first_order then [ { path = ""; leaf = intern_sum table ty tycon several } ] else []
+            if first_order then [ { path = []; leaf = intern_sum table ty tycon several } ] else []
           in
           (Sum (Array.of_list fields), first_order, leaves))
 
+and nesting table kind =
+  let of_parts = List.fold_left (fun n part -> max n (layout table part.ty).nesting) 0 in
+  match kind with
+  | Product parts -> 1 + of_parts parts
+  | Sum constructors -> 1 + Array.fold_left (fun n parts -> max n (of_parts parts)) 0 constructors
+  | Array (_, element) -> 1 + (layout table element).nesting
+  | Scalar | Opaque -> 0
+
 and is_first_order table part = (layout table part.ty).first_order
 
-and product table parts =
+and product table ty parts =
   let first_order = List.for_all (is_first_order table) parts in
+  let count = List.fold_left (fun n part -> n + List.length (layout table part.ty).leaves) 0 in
+  if first_order && count parts > most_leaves then raise_notrace (Too_large ty);
   let leaves_of part =
     List.rev_map
-      (fun leaf -> { leaf with path = join part.part leaf.path })
+      (fun leaf -> { leaf with path = part.part :: leaf.path })
       (layout table part.ty).leaves
   in
   let leaves =
@@ -216,7 +238,7 @@ and intern_sum table ty (tycon : Ir.Global.t) constructors : Flow.Ir.ty =
   in
   add_sum table sum
 
-(* A drawing that has no leaves is not there at all. *)
+(* Removes drawings if they have no leaves. *)
 and seen table fields =
   if Option.is_some table.marks then fields
   else List.filter (fun (_, ty) -> not (is_drawing ty)) fields
@@ -273,7 +295,7 @@ and shape table (ty : Ir.ty) : Flow.Ir.shape =
   | Variable _ | Bool | Int | Float | String | Function _ | Signal_function _ | Array _ | Size _ ->
       single_leaf table ty
 
-(* Nothing is on it, so nobody outside has to know of it. *)
+(* A console without controls is invisible outside the program. *)
 and is_bare_console table (ty : Ir.ty) =
   match ty with
   | Data (tycon, []) when Core.Console.is_console tycon -> (layout table ty).leaves = []

@@ -1,43 +1,66 @@
-(** Closed types of Core, and what is left of them in Flow.
+(** Closed types of Core, and their representation in Flow.
 
-    A type variable in scope stands for a closed type, by a substitution. Of a closed type the table
-    knows once and for all whether Flow can hold its values, and as which leaves. *)
+    Type variables in scope are replaced by closed types, through a substitution. For each closed
+    type, the table caches whether Flow can represent its values, and by which leaves. *)
 
 type table
 
 val table : marks:int option -> Core.Ir.program -> table
-(** With its data and foreign types. [marks]: for so many a drawing has room; without, drawings and
-    texts of labels have no leaves, and all that is drawn comes to nothing. *)
+(** The table for a program's data types and foreign types. [marks]: the maximum number of marks in
+    a drawing. If it is [None], drawings and label texts have no leaves, and drawing has no effect.
+*)
 
 val close : Value.substitution -> Core.Ir.ty -> Core.Ir.ty
 
 (** {1 Layouts} *)
 
 type layout = {
-  id : int;  (** equal for equal types *)
+  id : int;  (** equal types have equal ids *)
   kind : kind;
-  first_order : bool;  (** no functions, signal functions or labels inside *)
-  leaves : leaf list;  (** in order; none unless first-order *)
+  first_order : bool;  (** contains no functions, signal functions or labels *)
+  leaves : leaf list;  (** in order; empty unless the type is first-order *)
+  nesting : int;  (** levels of tuples, data and arrays *)
 }
 
 and kind =
-  | Scalar  (** Bool, Int, Float, or a type of the user's C *)
+  | Scalar  (** Bool, Int, Float, or a foreign type *)
   | Product of part list  (** a tuple, or data with one constructor *)
-  | Sum of part list array  (** by constructor *)
-  | Array of int * Core.Ir.ty  (** size and element *)
-  | Opaque  (** functions, signal functions, labels, programs; a size too *)
+  | Sum of part list array  (** the fields of each constructor *)
+  | Array of int * Core.Ir.ty  (** size and element type *)
+  | Opaque  (** functions, signal functions, labels, programs and sizes *)
 
-and part = { part : string;  (** the field, or the position from 1 *) ty : Core.Ir.ty }
-and leaf = { path : string;  (** such as [position.x]; [""] for a scalar *) leaf : Flow.Ir.ty }
+and part = { part : string;  (** the field name, or the position from 1 *) ty : Core.Ir.ty }
+
+and leaf = {
+  path : string list;
+      (** for example [position; x], outermost first; empty for a scalar. The leaves of nested
+          records share their tails *)
+  leaf : Flow.Ir.ty;
+}
+
+exception Too_large of Core.Ir.ty
+(** A value of this type would have more than {!most_leaves} signals. *)
+
+val most_leaves : int
+
+exception Too_deep of Core.Ir.ty
+(** The {!type-layout.nesting} of this type would be more than {!deepest}. *)
+
+val deepest : int
 
 val layout : table -> Core.Ir.ty -> layout
-(** Of a closed type. *)
+(** The layout of a closed type. *)
+
+val path_name : leaf -> string
+(** The path in one word: [position.x], [""] for a scalar. *)
 
 val join : string -> string -> string
-(** A path below a name: [join "p" "x"] is [p.x]; either may be empty. *)
+(** Appends a path to a name: [join "p" "x"] is [p.x]. Either may be empty. *)
 
-(** {1 Drawings} Those of the library's module Display: how many marks there are, and an array of
-    events, each a mark. *)
+(** {1 Drawings}
+
+    Drawings of the library's module Display: the number of marks, and an array of events, each of
+    which is a mark. *)
 
 val is_drawing : Core.Ir.ty -> bool
 val is_text : Core.Ir.ty -> bool
@@ -46,33 +69,33 @@ val slot : Core.Ir.ty
 (** [Event Mark] *)
 
 val marks : table -> int option
-(** As given. *)
+(** The maximum number of marks, as passed to {!table}. *)
 
 val marks_path : string
-(** How the path of a leaf ends that is the marks of a drawing. *)
+(** The suffix of the path of a leaf that holds the marks of a drawing. *)
 
 val paths_of_drawing : string list
-(** How those of all its leaves end. *)
+(** The suffixes of the paths of a drawing's leaves. *)
 
 val text : table -> string -> int
-(** The constructor that stands for what a label says. *)
+(** The constructor that represents a label text. *)
 
-(** {1 For the program as a whole} *)
+(** {1 Information about the whole program} *)
 
 val shape : table -> Core.Ir.ty -> Flow.Ir.shape
-(** Of a closed first-order type. *)
+(** The shape of a closed first-order type. *)
 
 val shape_of_output : table -> Core.Ir.ty -> Flow.Ir.shape
-(** The same, without drawings that are parts of it. *)
+(** The shape of an output, without the drawings in it. *)
 
 val shape_of_marks : table -> Flow.Ir.shape
-(** The marks of a drawing. *)
+(** The shape of the marks of a drawing. *)
 
 val of_the_instant : table -> Flow.Ir.ty -> Flow.Ir.foreign_type option
-(** The foreign type, if there is one in it, whose values live for the instant. *)
+(** A foreign type inside this type whose values are valid for one instant only, if there is one. *)
 
 val sums : table -> Flow.Ir.sum array
-(** All that were met. *)
+(** All sums encountered so far. *)
 
 val to_string : Core.Ir.ty -> string
-(** As the programmer would write it, without units. *)
+(** The type in source syntax, without units. *)

@@ -2,25 +2,25 @@ type t = { bytes : int; alignment : int }
 
 let of_members members =
   let place (offsets, whole) member =
-    let offset = Basis.Amount.round_up whole.bytes ~alignment:member.alignment in
-    let bytes = Basis.Amount.add offset member.bytes in
+    let offset = Basis.Saturating_int.round_up whole.bytes ~alignment:member.alignment in
+    let bytes = Basis.Saturating_int.add offset member.bytes in
     (offset :: offsets, { bytes; alignment = max whole.alignment member.alignment })
   in
   let offsets, { bytes; alignment } =
     List.fold_left place ([], { bytes = 0; alignment = 1 }) members
   in
-  (List.rev offsets, { bytes = Basis.Amount.round_up bytes ~alignment; alignment })
+  (List.rev offsets, { bytes = Basis.Saturating_int.round_up bytes ~alignment; alignment })
 
 let of_alternatives blocks =
   let either a b = { bytes = max a.bytes b.bytes; alignment = max a.alignment b.alignment } in
   let { bytes; alignment } = List.fold_left either { bytes = 0; alignment = 1 } blocks in
-  { bytes = Basis.Amount.round_up bytes ~alignment; alignment }
+  { bytes = Basis.Saturating_int.round_up bytes ~alignment; alignment }
 
 let scalar bytes = { bytes; alignment = bytes }
 let foreign = { bytes = 0; alignment = 8 }
 
-(* Members one after another, all alike. *)
-let run count member = { member with bytes = Basis.Amount.times count member.bytes }
+(* The given number of equal members, one after another. *)
+let run count member = { member with bytes = Basis.Saturating_int.times count member.bytes }
 
 let rec of_value real sums (ty : Ir.ty) =
   match ty with
@@ -46,15 +46,18 @@ let rec of_value real sums (ty : Ir.ty) =
       let present = List.filter (fun (count, _) -> count > 0) runs in
       snd (of_members (List.map (fun (count, member) -> run count member) present))
 
-(* The sum over the slots of sums, without arrays, and over the other values. *)
+(* Adds up [of_slots] for sums and [of_scalar] for all other scalars; array elements are counted
+   individually. *)
 let rec count sums ~of_slots ~of_scalar (ty : Ir.ty) =
   match ty with
   | Bool | Int | Float | Nanoseconds | Foreign _ -> of_scalar ty
-  | Array (n, element) -> Basis.Amount.times n (count sums ~of_slots ~of_scalar element)
+  | Array (n, element) -> Basis.Saturating_int.times n (count sums ~of_slots ~of_scalar element)
   | Sum k ->
       let slots = Layout.sum sums k in
-      let array (ty, n) = Basis.Amount.times n (count sums ~of_slots ~of_scalar (Layout.ty ty)) in
-      List.fold_left Basis.Amount.add (of_slots slots) (List.map array slots.arrays)
+      let array (ty, n) =
+        Basis.Saturating_int.times n (count sums ~of_slots ~of_scalar (Layout.ty ty))
+      in
+      List.fold_left Basis.Saturating_int.add (of_slots slots) (List.map array slots.arrays)
 
 let scalars sums =
   let of_slots (s : Layout.slots) = 1 + s.floats + s.ints + s.bools + s.tags in

@@ -1,25 +1,26 @@
-(** The room of values and structs on a 64-bit machine, where a C compiler lays out the members of a
-    struct in order, each at the next multiple of its alignment, and pads the whole to a multiple of
-    its own. Structs of the user's C have a size that we do not know: they count as none. *)
+(** Size and alignment of values and structs on a 64-bit machine. A C compiler lays out the members
+    of a struct in order, each at the next multiple of its alignment, and pads the struct to a
+    multiple of its own alignment. Structs of the user's C have an unknown size, which counts as 0.
+*)
 
 type t = { bytes : int; alignment : int }
 
 val of_value : Basis.Real.t -> Flow.Ir.sum array -> Ir.ty -> t
 
 val foreign : t
-(** A struct of the user's C, of which the largest alignment is taken. *)
+(** A struct of the user's C. Its alignment is assumed to be the largest one. *)
 
 val scalars : Flow.Ir.sum array -> Ir.ty -> int
-(** How many numbers, truth values and tags a value is made of. *)
+(** The number of scalars in a value: numbers, Bools and tags. *)
 
 val numbers : Flow.Ir.sum array -> Ir.ty -> int
 (** How many of these are Floats. *)
 
 val run : int -> t -> t
-(** So many, one after another. *)
+(** The given number of equal members, one after another. *)
 
 val of_members : t list -> int list * t
-(** The offsets of the members of a struct, and the struct. *)
+(** The offsets of a struct's members, and the struct as a whole. *)
 
 val of_alternatives : t list -> t
-(** A union. *)
+(** A union of these members. *)

@@ -1,6 +1,6 @@
 open Ir
 
-(* Of a field: what was before. *)
+(* Whether a statement advances an integral. *)
 let is_integral = function
   | Assign { place = Own value; value = Operation { operator = Add; arguments; _ }; _ } -> (
       match arguments with
@@ -15,7 +15,7 @@ let reads_dt body =
   Walk.expressions note (List.filter (fun s -> not (is_integral s)) body);
   !found
 
-(* The modes that the step's dt comes to at the node's first instant. *)
+(* The modes that may take a step in the node's first instant, with the dt of the caller. *)
 let first_modes (node : node) run =
   let numbers = ref [] in
   let note = function Enter { entry; _ } -> numbers := entry.mode :: !numbers | _ -> () in
@@ -34,7 +34,7 @@ let shows_in shows (node : node) =
   Walk.statements statement node.step.body;
   !found
 
-(* A delay of the programmer's that is false in the first instant, then true. *)
+(* A delay of the program that is False in the first instant and True afterwards. *)
 let delayed (node : node) =
   let becomes value body (field : field) =
     List.exists
@@ -50,7 +50,7 @@ let own (node : node) =
   let fields = node.state @ List.concat_map State.fields_of_mode node.modes in
   let id = List.fold_left (fun most (field : field) -> max most (field.id + 1)) 0 fields in
   let content = Value Bool and purpose = State.past_first in
-  { id; name = "started"; content; purpose; span = node.span }
+  { id; name = "started"; content; purpose; origin = None; span = node.span }
 
 let mark (root : node) =
   match delayed root with

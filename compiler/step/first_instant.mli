@@ -1,9 +1,10 @@
-(** The first instant, whose dt is to be 0 wherever it shows.
+(** Ensures that dt is 0 in the first instant wherever this can be observed.
 
-    It shows in all that reads dt but an integral of what was before, which is 0 then, and in what
-    shows it of the nodes that are stepped at the first instant: of a machine those are the modes
-    that it starts with; what these lead to is entered, with a dt of 0. *)
+    It can be observed in every expression that reads dt, except in an integral, whose previous
+    input is 0 then, and in those nodes stepped in the first instant in which it can be observed.
+    For a machine, these are the modes it may start with; modes that follow them are entered with a
+    dt of 0 anyway. *)
 
 val program : Ir.program -> Ir.program
-(** The program with the {!Ir.mark} that tells the root's first step, if its dt shows: a delay that
-    the program has anyway, or else a field of its own. *)
+(** If dt can be observed, adds the {!Ir.mark} of the root's first step to the program. The mark is
+    a delay that the program already has, or else a new field. *)

@@ -1,15 +1,15 @@
-(** Step: each node as a struct of state, a reset and a step function, made of statements with
-    expression trees.
+(** Step: each node as a state struct with a reset and a step function, which consist of statements
+    and expression trees.
 
-    No longer there: the freedom of order. Equations have become statements in an order in which
-    everything is written before it is read; an unnamed value used once stands inside its user's
-    expression; what only one branch needs is computed in that branch; a delay is a field that is
-    written at the end of the step.
+    Eliminated in this language: the freedom of order. Equations have become statements, in an order
+    in which everything is written before it is read. An unnamed value that is used once is part of
+    the expression that uses it. Values that only one branch needs are computed in that branch. A
+    delay is a field that is written at the end of the step.
 
-    Always true (see {!Lint}): a variable is declared once in its function, before its uses and in a
-    block around them; both branches assign what an [If] leaves uninitialized before it; nodes call
-    only nodes before them; nesting of statements and expressions is bounded ({!Placement.nesting},
-    {!Usage.expression_size}), whatever the program. *)
+    Invariants (see {!Lint}): a variable is declared once in its function, before its uses and in a
+    block that contains them; variables that an [If] declares uninitialized are assigned in both
+    branches; nodes call only preceding nodes; nesting of statements and expressions is bounded
+    ({!Placement.nesting}, {!Usage.expression_size}) for any program. *)
 
 open Basis
 
@@ -19,12 +19,12 @@ type ty =
   | Float
   | Sum of int  (** index into [program.sums] *)
   | Array of int * ty  (** size and element *)
-  | Nanoseconds  (** 64 bits, not negative *)
+  | Nanoseconds  (** 64-bit integer, not negative *)
   | Foreign of Flow.Ir.foreign_type
 
 type variable = {
   id : int;  (** unique in the function *)
-  name : string;  (** the programmer's, or [""] *)
+  name : string;  (** the programmer's name, or [""] *)
   ty : ty;
 }
 
@@ -32,61 +32,68 @@ type field = {
   id : int;  (** unique in the node *)
   name : string;  (** from the source; not always unique *)
   content : content;
-  purpose : string;  (** for the reader: [delay], [integral], a callee's name *)
+  purpose : string;  (** for readers of the generated C: [delay], [integral], a callee's name *)
+  origin : origin option;  (** the signal whose values it keeps, if it keeps a signal's values *)
   span : Span.t;
 }
 (** A member of a node's state. *)
 
+and origin = { signal : string; written : Span.t; role : role }
+(** A signal of Flow: its name, or [""], and where the programmer wrote it. *)
+
+(** What the member is to this signal. *)
+and role = Its_value | Its_integrand  (** it is an integral *) | Its_integral  (** a derivative *)
+
 and content =
   | Value of ty
-  | State_of of int  (** of that node *)
-  | States_of of { node : int; count : int }  (** one for each round of a loop *)
-  | Running_mode  (** the number of a mode *)
-  | Modes of mode list  (** room for what any one of them keeps *)
-  | Component of string  (** the state of the user's C of that name *)
+  | State_of of int  (** the state of this node *)
+  | States_of of { node : int; count : int }  (** one state for each iteration of a loop *)
+  | Running_mode  (** the number of the running mode *)
+  | Modes of mode list  (** a union of the states of these modes *)
+  | Component of string  (** the state of the user's C component with this name *)
 
 and mode = {
   node : int;
   name : string;  (** unique in the program *)
-  parameters : (variable * field) list;  (** those of the mode's parameters that its step reads *)
-  state : field option;  (** if the mode's node has state *)
+  parameters : (variable * field) list;
+      (** the mode's parameters that its step reads, with their fields *)
+  state : field option;  (** present if the mode's node has state *)
 }
-(** What a machine keeps while this mode runs. *)
+(** The state of a machine while this mode runs. *)
 
 type expr =
   | Bool of bool
   | Int of int32
   | Float of float
-  | Zero_time  (** no nanoseconds *)
-  | Absent of Flow.Ir.foreign_type  (** no value, which nothing looks at *)
+  | Zero_time  (** 0 nanoseconds *)
+  | Absent of Flow.Ir.foreign_type  (** a placeholder for a missing value, which is never read *)
   | Variable of variable
-  | Field of field  (** of the node's own state *)
-  | Param of int  (** of [program.params] *)
-  | Dt  (** seconds since the previous instant; 0 at a node's first *)
+  | Field of field  (** a field of the node's own state *)
+  | Param of int  (** an element of [program.params] *)
+  | Dt  (** seconds since the previous instant; 0 in the first instant of a node *)
   | Dt_nanoseconds
-  | Operation of { operator : Flow.Ir.operator; ty : ty; arguments : expr list }
-      (** [ty] is that of the arguments *)
-  | Select of { condition : expr; then_ : expr; else_ : expr }
+  | Operation of { operator : Flow.Ir.operator; ty : ty; arguments : expr list; span : Span.t }
+      (** [ty] is the type of the arguments *)
+  | Select of { condition : expr; then_ : expr; else_ : expr; span : Span.t }
   | Construct of { sum : int; constructor : int; payload : expr list }
   | Is_constructor of { sum : int; value : expr; constructor : int }
   | Payload of { sum : int; value : expr; constructor : int; leaf : int }
   | Elements of { element : ty; elements : expr list }
       (** an array; only as the whole value of a [Declare] *)
   | Fill of { count : int; element : ty; value : expr }
-  | Index of { array : expr; index : int }  (** inside *)
+  | Index of { array : expr; index : int }  (** the index is inside the array *)
   | At of { count : int; element : ty; array : expr; index : expr; default : expr }
   | Replace of { count : int; element : ty; array : expr; index : expr; value : expr }
-  | Call of { node : int; arguments : expr list }
-      (** of a node without state and with one output *)
-  | Seconds of expr  (** of [Nanoseconds] *)
-  | In_nanoseconds of expr  (** likewise, as a Float: see {!Flow.Clock} *)
+  | Call of { node : int; arguments : expr list }  (** calls a stateless node with one output *)
+  | Seconds of expr  (** converts [Nanoseconds] to seconds *)
+  | In_nanoseconds of expr  (** converts [Nanoseconds] to a Float; see {!Flow.Clock} *)
   | Later of expr * expr  (** the sum of two [Nanoseconds], saturating *)
-  | Soon of expr * expr  (** likewise, if it is known to be far from where that saturates *)
+  | Soon of expr * expr  (** the sum of two [Nanoseconds] that certainly does not overflow *)
   | Reached of { time : expr; period : expr }
-      (** are these [Nanoseconds] at least so many? A Float, whose fraction is dropped *)
+      (** whether the [Nanoseconds] are at least this Float, whose fraction is dropped *)
   | Rest of { time : expr; period : expr }
-      (** what is left of [Nanoseconds] that have [Reached] it after as many whole periods as there
-          are; 0 if it is less than 1 *)
+      (** the remainder of [Nanoseconds] that have [Reached] the period, divided by the period; 0 if
+          the period is less than 1 *)
 
 type place = Local of variable | Own of field | Result of int  (** an output of the function *)
 
@@ -94,11 +101,11 @@ type statement =
   | Declare of { variable : variable; value : expr; span : Span.t }  (** a constant *)
   | Assign of { place : place; value : expr; span : Span.t }
   | If of {
-      uninitialized : variable list;  (** declared here for both branches *)
+      uninitialized : variable list;  (** variables declared here and assigned in both branches *)
       condition : expr;
       then_ : statement list;
       else_ : statement list;
-      predicted : bool;  (** worth a branch of the machine, not a select: see {!Feedback} *)
+      predicted : bool;  (** compiled to a branch rather than a select: see {!Feedback} *)
       span : Span.t;
     }
   | Step of {
@@ -106,65 +113,67 @@ type statement =
       state : field option;  (** [None] if the node has no state *)
       arguments : expr list;
       results : variable list;  (** declared here *)
-      on_trial : bool;  (** of a copy of the state, which is then forgotten *)
+      on_trial : bool;  (** runs on a copy of the state, which is then discarded *)
       span : Span.t;
     }
   | Loop of loop
   | Reset of { node : int; state : field; arguments : expr list; span : Span.t }
-      (** of all states that the field holds *)
+      (** resets all states in the field *)
   | Enter of { entry : entry; span : Span.t }
   | Run of run
-  | Return of { value : expr; span : Span.t }  (** last; one output only *)
+  | Return of { value : expr; span : Span.t }  (** the last statement; only with a single output *)
 
 and loop = {
   node : int;
   state : field option;
   count : int;
-  initial : expr list;  (** of the accumulators *)
-  arguments : argument list;  (** of the node's step *)
-  results : variable list;  (** declared here: accumulators, then arrays *)
+  initial : expr list;  (** initial values of the accumulators *)
+  arguments : argument list;  (** arguments of the node's step *)
+  results : variable list;  (** declared here: the accumulators, then arrays *)
   span : Span.t;
 }
-(** The step of a node, round after round. *)
+(** Repeats the step of a node. *)
 
 and argument =
-  | Accumulated of int  (** the accumulator of that number *)
-  | Each of expr  (** of an array *)
+  | Accumulated of int  (** the accumulator with this index *)
+  | Each of expr  (** the element of an array in each iteration *)
   | Same of expr
-  | Counted of expr  (** that, and one more in each round *)
+  | Counted of expr
+      (** an Int that starts with this value and increases by one in each iteration *)
 
 and entry = {
-  mode : int;  (** of the node's [modes] *)
-  parameters : expr list;  (** for the mode's [parameters] *)
-  arguments : expr list;  (** of its node's [reset] *)
+  mode : int;  (** index into the node's [modes] *)
+  parameters : expr list;  (** values for the mode's [parameters] *)
+  arguments : expr list;  (** arguments for the [reset] of its node *)
 }
-(** A mode begins: its parameters, then its state. *)
+(** Enters a mode: stores its parameters, then resets its state. *)
 
 and run = {
-  active : expr option;  (** if it does not hold, nothing runs, and the results are any *)
-  clock : clock option;  (** with [active], if a mode looks at dt *)
-  steps : int;  (** at most so many modes are stepped *)
-  controls : (expr * entry) list;  (** the first that holds *)
-  late : bool;  (** they come after the mode that runs, not before *)
-  drops : bool;  (** after a late control or a delayed transition the modes' results are dropped *)
+  active : expr option;  (** if False, nothing runs, and the results are unspecified *)
+  clock : clock option;  (** present with [active], if a mode reads dt *)
+  steps : int;  (** maximum number of modes that run in an instant *)
+  controls : (expr * entry) list;  (** the first one that holds is taken *)
+  late : bool;  (** controls are checked after the running mode, not before *)
+  drops : bool;
+      (** after a late control or a delayed transition, the results of modes are discarded *)
   cases : case list;  (** one for each mode *)
   results : variable list;  (** declared here *)
   span : Span.t;
 }
-(** One instant of the node's machine (see {!Flow.Ir.machine}). In what comes after an entry, dt is
-    0. *)
+(** One instant of the node's machine (see {!Flow.Ir.machine}). After a mode was entered, dt is 0.
+*)
 
 and clock = {
   since : field;
-  running : field;  (** a Bool: past the first *)
-  elapsed : expr;  (** [since] and this instant's *)
+  running : field;  (** a Bool: False until the end of the machine's first instant *)
+  elapsed : expr;  (** [since] plus the length of this instant *)
 }
-(** The time since a machine's own last instant, 0 up to its first. *)
+(** The time since a machine last ran; 0 until its first instant. *)
 
 and case = {
-  arguments : expr list;  (** of the step of the mode's node *)
-  others : variable list;  (** what the step gives after the machine's results, declared here *)
-  transitions : next list;  (** the first that holds *)
+  arguments : expr list;  (** arguments for the step of the mode's node *)
+  others : variable list;  (** results of the step after those of the machine, declared here *)
+  transitions : next list;  (** the first one that holds is taken *)
 }
 
 and next = {
@@ -177,52 +186,52 @@ and next = {
 
 type code = {
   parameters : variable list;
-      (** only those it reads; of the root's step: all leaves of the input *)
+      (** only the parameters that it reads; for the root's step, all leaves of the input *)
   body : statement list;
 }
 
 type node = {
   name : string;  (** unique in the program *)
-  origin : string;  (** the definition as the programmer knows it *)
+  origin : string;  (** name of the definition in the source *)
   file : string;
   span : Span.t;
-  state : field list;  (** after all passes in the order of the struct: {!Field_order} *)
-  modes : mode list;  (** of its machine, if there is one *)
+  state : field list;  (** after all passes, in the order of the struct: {!Field_order} *)
+  modes : mode list;  (** the modes of its machine, if there is one *)
   foreign : Flow.Ir.foreign option;
-      (** its step and reset are the user's C; [reset] and [step] have no body, and its state, if
+      (** the step and reset are the user's C; [reset] and [step] have no body, and the state, if
           any, is one [Component] *)
-  reset : code;  (** empty if there is no state, or nothing calls it *)
+  reset : code;  (** empty if there is no state, or the reset is never called *)
   step : code;
-  outputs : (string * ty) list;  (** then what only transitions read *)
+  outputs : (string * ty) list;  (** the outputs, then those that only transitions read *)
   ends_early : int option;
-      (** a mode whose step, where one of its transitions occurs, gives only the outputs from this
-          number on: see {!Early_end} *)
-  seconds : bool;  (** the step, or a callee's, reads [Dt] *)
-  nanoseconds : bool;  (** likewise [Dt_nanoseconds] *)
-  operations : int;  (** a rough count of the step's own, without callees *)
+      (** present for a mode whose step can end early: if one of its transitions occurs, the step
+          only returns the outputs from this number on (see {!Early_end}) *)
+  seconds : bool;  (** the step, or a callee, reads [Dt] *)
+  nanoseconds : bool;  (** the step, or a callee, reads [Dt_nanoseconds] *)
+  operations : int;  (** rough number of operations in the step, without callees *)
 }
 
 type mark = {
   field : field;
-  own : bool;  (** the step sets it at once; else it does so last, as any delay *)
+  own : bool;  (** true: the step sets it at its start; false: at its end, like any delay *)
 }
-(** A Bool of the root, false up to the first step. *)
+(** A Bool of the root that is False until the first step. *)
 
 type program = {
-  name : string;  (** of the C files *)
+  name : string;  (** base name of the C files *)
   real : Real.t;  (** the precision of [Float] *)
   sums : Flow.Ir.sum array;
   nodes : node array;  (** callees before callers; the last is the root *)
   imports : Flow.Ir.import list;
-  headers : Flow.Ir.header list;  (** of the user's C *)
+  headers : Flow.Ir.header list;  (** headers of the user's C *)
   input : Flow.Ir.shape;
-  console : Core.Ir.control list;  (** as {!Flow.Ir.program} *)
+  console : Core.Ir.control list;  (** as in {!Flow.Ir.program} *)
   output : Flow.Ir.shape;
-  ends : bool;  (** as {!Flow.Ir.program} *)
-  probes : (string * Flow.Ir.shape) list;  (** likewise *)
-  claims : Flow.Ir.claim list;  (** likewise *)
-  marks : int;  (** likewise *)
+  ends : bool;  (** as in {!Flow.Ir.program} *)
+  probes : (string * Flow.Ir.shape) list;  (** as in {!Flow.Ir.program} *)
+  claims : Flow.Ir.claim list;  (** as in {!Flow.Ir.program} *)
+  marks : int;  (** as in {!Flow.Ir.program} *)
   params : Flow.Ir.param list;
   started : mark option;
-      (** there if the dt of the first instant can be seen, and so must be made 0 *)
+      (** present if the dt of the first instant can be observed, and so must be replaced by 0 *)
 }

@@ -8,13 +8,13 @@ type context = {
   node : Ir.node;
   state : (int, Ir.field) Hashtbl.t;
   outputs : (string * Ir.ty) array;
-  declared : (int, unit) Hashtbl.t;  (** anywhere in the function so far *)
+  declared : (int, unit) Hashtbl.t;  (** ids declared anywhere in the function so far *)
 }
 
 module Known = Map.Make (Int)
 
-(* What a point of the code knows: readable variables; variables declared and
-   not yet assigned; results and fields written. *)
+(* The state of the analysis at a point of the code: variables that can be read; variables that are
+   declared but not assigned; results and fields that have been written. *)
 type known = {
   readable : Ir.ty Known.t;
   pending : Ir.ty Known.t;
@@ -40,7 +40,7 @@ let field_type c (f : Ir.field) =
       bug "field `%s` of `%s` is read as a value" f.name c.node.name
   | None -> bug "field `%s` is not in the state of `%s`" f.name c.node.name
 
-(* All arguments of an operation have one type. *)
+(* All arguments of an operation must have the same type. *)
 let operation c (operator : Flow.Ir.operator) (ty : Ir.ty) arguments : Ir.ty =
   let of_type ty = Flow.Operator_type.result operator (List.map (fun _ -> ty) arguments) in
   let result =
@@ -57,6 +57,31 @@ let operation c (operator : Flow.Ir.operator) (ty : Ir.ty) arguments : Ir.ty =
       bug "`%s` in `%s` is on %d of %s" (Flow.Print.operator operator) c.node.name
         (List.length arguments) (show c ty)
 
+let variable c known (v : Ir.variable) =
+  match Known.find_opt v.id known.readable with
+  | Some ty ->
+      expect c ("variable `" ^ v.name ^ "`") v.ty ty;
+      ty
+  | None -> bug "variable `%s` (%d) of `%s` is read before it has a value" v.name v.id c.node.name
+
+let param c k =
+  match List.nth_opt c.program.params k with
+  | Some (p : Flow.Ir.param) -> Layout.ty p.param_ty
+  | None -> bug "`%s` reads a parameter that is not there" c.node.name
+
+let dt c : Ir.ty =
+  if not c.node.seconds then bug "`%s` reads dt and does not say so" c.node.name;
+  Float
+
+let dt_nanoseconds c : Ir.ty =
+  if not c.node.nanoseconds then bug "`%s` reads nanoseconds and does not say so" c.node.name;
+  Nanoseconds
+
+let payload_leaf c sum k leaf =
+  match List.nth_opt (Flow.Shape.payload (constructor c sum k)) leaf with
+  | Some ty -> Layout.ty ty
+  | None -> bug "a payload has no leaf %d" leaf
+
 let rec expr c known (e : Ir.expr) : Ir.ty =
   let check what wanted e = expect c what wanted (expr c known e) in
   match e with
@@ -65,24 +90,11 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
   | Float _ -> Float
   | Zero_time -> Nanoseconds
   | Absent ty -> Foreign ty
-  | Variable v -> (
-      match Known.find_opt v.id known.readable with
-      | Some ty ->
-          expect c ("variable `" ^ v.name ^ "`") v.ty ty;
-          ty
-      | None ->
-          bug "variable `%s` (%d) of `%s` is read before it has a value" v.name v.id c.node.name)
+  | Variable v -> variable c known v
   | Field f -> field_type c f
-  | Param k -> (
-      match List.nth_opt c.program.params k with
-      | Some p -> Layout.ty p.param_ty
-      | None -> bug "`%s` reads a parameter that is not there" c.node.name)
-  | Dt ->
-      if not c.node.seconds then bug "`%s` reads dt and does not say so" c.node.name;
-      Float
-  | Dt_nanoseconds ->
-      if not c.node.nanoseconds then bug "`%s` reads nanoseconds and does not say so" c.node.name;
-      Nanoseconds
+  | Param k -> param c k
+  | Dt -> dt c
+  | Dt_nanoseconds -> dt_nanoseconds c
   | Operation { operator; ty; arguments } ->
       List.iter (check "an operand" ty) arguments;
       operation c operator ty arguments
@@ -100,11 +112,9 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
       ignore (constructor c sum k);
       check "a value tested" (Sum sum) value;
       Bool
-  | Payload { sum; value; constructor = k; leaf } -> (
+  | Payload { sum; value; constructor = k; leaf } ->
       check "a value taken apart" (Sum sum) value;
-      match List.nth_opt (Flow.Shape.payload (constructor c sum k)) leaf with
-      | Some ty -> Layout.ty ty
-      | None -> bug "a payload has no leaf %d" leaf)
+      payload_leaf c sum k leaf
   | Elements { element; elements } ->
       List.iter (check "an element" element) elements;
       Array (List.length elements, element)
@@ -199,7 +209,7 @@ let enter c known (e : Ir.entry) =
   | None, [] -> ()
   | None, _ :: _ -> bug "a mode of `%s` has no state to reset" c.node.name
 
-(* Entering a mode writes all that a machine keeps. *)
+(* Entering a mode writes the whole state of the machine. *)
 let entered c known =
   List.fold_left
     (fun known (f : Ir.field) ->
@@ -208,7 +218,7 @@ let entered c known =
       | Value _ | State_of _ | States_of _ | Component _ -> known)
     known c.node.state
 
-(* What is given to these variables has their types. *)
+(* Checks that the variables have the types of the values assigned to them. *)
 let results c variables types =
   if List.compare_lengths variables types <> 0 then
     bug "`%s` takes a wrong number of results" c.node.name;
@@ -347,7 +357,7 @@ let code c (code : Ir.code) =
     bug "a variable of `%s` never gets its value" c.node.name;
   known
 
-(* Values of which C keeps the memory live for the instant. *)
+(* Rejects fields for values whose memory C owns, because they are valid only within the instant. *)
 let rec lasting c (f : Ir.field) =
   match f.content with
   | Value (Foreign { copyable = false; foreign_name; _ }) ->

@@ -11,7 +11,7 @@ type context = {
 let variable = Modes.variable
 let parameters reads signals = Reads.parameters reads (Long_list.map variable signals)
 
-(* The nodes that this one steps, by its own code or as these modes. *)
+(* The nodes that this one steps, from its own code or as modes. *)
 let stepped body modes =
   let nodes = Int_table.create 8 in
   Walk.statements
@@ -22,7 +22,7 @@ let stepped body modes =
   List.iter (fun (mode : Ir.mode) -> Int_table.replace nodes mode.node ()) modes;
   nodes
 
-(* The calls of the user's C, from the leaves and back, are for {!Cgen}. *)
+(* {!Cgen} generates the call of the user's C and the conversion of the leaves. *)
 let foreign_node (node : F.node) (foreign : F.foreign) : Ir.node =
   let stateful = node.kind = Signal_function in
   let state : Ir.field =
@@ -31,6 +31,7 @@ let foreign_node (node : F.node) (foreign : F.foreign) : Ir.node =
       name = "state";
       content = Component foreign.import.symbol;
       purpose = "of the user's C";
+      origin = None;
       span = node.span;
     }
   in
@@ -55,7 +56,8 @@ let own_node context k ~is_root : Ir.node =
   let calls = context.calls in
   let node = calls.program.nodes.(k) in
   let statics = context.statics.(k) in
-  let statics_of k = List.map variable calls.program.nodes.(k).statics in
+  let static s = (variable s, State.origin s) in
+  let statics_of k = List.map static calls.program.nodes.(k).statics in
   let state = State.of_node ~callee:calls.callee ~statics:statics_of statics in
   let limited = context.is_limited k in
   let step, resolve = Body.step calls state node ~limited ~is_root statics in
@@ -63,7 +65,10 @@ let own_node context k ~is_root : Ir.node =
     if context.may_end_early.(k) then Early_end.find ~fresh:calls.fresh ~resolve node step else step
   in
   let ends_early = Option.map (fun (e : Fragment.ending) -> e.told) step.ending in
-  let step = Placement.statements (Feedback.of_node node) step in
+  let step =
+    Placement.statements (Feedback.of_node node) step
+    |> Decided_conditions.statements calls.program.sums
+  in
   let reset = Placement.statements Feedback.none (Body.reset calls state node statics) in
   let modes = State.modes state in
   let all = stepped step modes in

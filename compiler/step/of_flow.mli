@@ -1,8 +1,8 @@
-(** From equations to a reset and a step function for each node.
+(** Translates the equations of each node to a reset and a step function.
 
-    Takes for granted that the program is linted and optimized, so that {!Flow.Schedule} can order
-    each node. {!Statics} tells what a node computes when it starts, {!State} what it keeps, {!Body}
-    makes its reset and its step of that, {!Start} a short reset and first step in one, and
-    {!First_instant} lets the root know its first instant. *)
+    The program must be linted and optimized, so that {!Flow.Schedule} can order each node.
+    {!Statics} decides what a node computes when it starts, {!State} allocates its fields, {!Body}
+    builds the reset and the step, and {!First_instant} lets the root recognize its first instant.
+*)
 
 val program : Flow.Ir.program -> Ir.program

@@ -1,10 +1,10 @@
-(** Which functions of a program read its parameters, or call one that does. *)
+(** Which functions of a program read its parameters, directly or through a callee. *)
 
 type t
 
 val of_program : Ir.program -> t
 
 val in_step : t -> int -> bool
-(** The node's step. *)
+(** Whether the node's step reads parameters. *)
 
 val in_reset : t -> int -> bool

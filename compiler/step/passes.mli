@@ -1,4 +1,4 @@
-(** The passes over the whole, in order; {!Of_flow} makes what they begin with. *)
+(** The passes over whole programs, in order, which follow {!Of_flow}. *)
 
 val program : ?after:(Ir.program Basis.Pass.t -> Ir.program -> unit) -> Ir.program -> Ir.program
-(** [after] sees the program after each pass. *)
+(** [after] receives the program after each pass. *)

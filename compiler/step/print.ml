@@ -1,7 +1,7 @@
 open Format
 
-(* Of one function: how often each name is declared, and which numbers the
-   variables without a name, or with a shared one, have got. *)
+(* For one function: how often each name is declared, and the numbers of variables that have no name
+   or share their name. *)
 type names = { shown : (int, string) Hashtbl.t; count : (string, int) Hashtbl.t }
 
 let names () = { shown = Hashtbl.create 16; count = Hashtbl.create 16 }

@@ -1,5 +1,5 @@
-(** Step as text, for dumps and tests. Variables whose name is not the only one of its kind in a
-    function show their number too. *)
+(** Prints Step for dumps and tests. A variable is printed with its number if its name is not unique
+    in the function. *)
 
 val ty : Ir.program -> Ir.ty -> string
 val program : Format.formatter -> Ir.program -> unit

@@ -1,15 +1,15 @@
-(** What a function's body turned out to read. *)
+(** Collects what the body of a function reads. *)
 
 open Basis
 
 type t = {
-  variables : unit Int_table.t;  (** by id *)
-  mutable seconds : bool;  (** dt as a number *)
-  mutable nanoseconds : bool;  (** dt as a whole number of nanoseconds *)
-  mutable operations : int;  (** how many expressions have parts *)
+  variables : unit Int_table.t;  (** variables that are read, by id *)
+  mutable seconds : bool;  (** dt is read in seconds *)
+  mutable nanoseconds : bool;  (** dt is read in nanoseconds *)
+  mutable operations : int;  (** number of expressions that have subexpressions *)
 }
 
 val of_body : Ir.statement list -> t
 
 val parameters : t -> Ir.variable list -> Ir.variable list
-(** Those that are read. *)
+(** The parameters that are read. *)

@@ -1,9 +1,9 @@
-(* The nodes whose reset anything calls, and the root. *)
+(* The nodes whose reset is called, and the root. *)
 let called (program : Ir.program) =
   let count = Array.length program.nodes in
   let called = Array.make count false in
   called.(count - 1) <- true;
-  (* Callers come after what they call. *)
+  (* Callers come after callees. *)
   for k = count - 1 downto 0 do
     let node = program.nodes.(k) in
     let entry (e : Ir.entry) =

@@ -1,4 +1,4 @@
-(** The reset of what nothing resets is left out: of the root's machines within machines only those
-    that a mode starts with, or that something enters, have one. *)
+(** Removes resets that are never called. For example, a machine nested in a mode needs a reset only
+    if something enters that mode. *)
 
 val program : Ir.program -> Ir.program

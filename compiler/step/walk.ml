@@ -5,7 +5,7 @@ let children = function
   | Dt_nanoseconds ->
       []
   | Operation { arguments; _ } | Call { arguments; _ } -> arguments
-  | Select { condition; then_; else_ } -> [ condition; then_; else_ ]
+  | Select { condition; then_; else_; span = _ } -> [ condition; then_; else_ ]
   | Construct { payload; _ } -> payload
   | Elements { elements; _ } -> elements
   | Fill { value; _ } -> [ value ]
@@ -16,6 +16,29 @@ let children = function
       [ value ]
   | Later (a, b) | Soon (a, b) | Reached { time = a; period = b } | Rest { time = a; period = b } ->
       [ a; b ]
+
+let map_children f = function
+  | ( Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Field _ | Param _ | Dt
+    | Dt_nanoseconds ) as leaf ->
+      leaf
+  | Operation o -> Operation { o with arguments = List.map f o.arguments }
+  | Call c -> Call { c with arguments = List.map f c.arguments }
+  | Select { condition; then_; else_; span } ->
+      Select { condition = f condition; then_ = f then_; else_ = f else_; span }
+  | Construct c -> Construct { c with payload = List.map f c.payload }
+  | Elements e -> Elements { e with elements = Basis.Long_list.map f e.elements }
+  | Fill e -> Fill { e with value = f e.value }
+  | Index e -> Index { e with array = f e.array }
+  | At e -> At { e with array = f e.array; index = f e.index; default = f e.default }
+  | Replace e -> Replace { e with array = f e.array; index = f e.index; value = f e.value }
+  | Is_constructor e -> Is_constructor { e with value = f e.value }
+  | Payload e -> Payload { e with value = f e.value }
+  | Seconds e -> Seconds (f e)
+  | In_nanoseconds e -> In_nanoseconds (f e)
+  | Later (a, b) -> Later (f a, f b)
+  | Soon (a, b) -> Soon (f a, f b)
+  | Reached { time; period } -> Reached { time = f time; period = f period }
+  | Rest { time; period } -> Rest { time = f time; period = f period }
 
 let rec expression visit e =
   visit e;

@@ -1,12 +1,15 @@
-(** Visiting all expressions of a function. *)
+(** Traversals of a function's expressions and statements. *)
 
 val children : Ir.expr -> Ir.expr list
 
+val map_children : (Ir.expr -> Ir.expr) -> Ir.expr -> Ir.expr
+(** Replaces each of the {!children} of an expression. *)
+
 val expression : (Ir.expr -> unit) -> Ir.expr -> unit
-(** It and each part of it, itself first. *)
+(** Visits an expression, then its subexpressions. *)
 
 val expressions : (Ir.expr -> unit) -> Ir.statement list -> unit
-(** Each expression and each part of one, in the order of the code. *)
+(** Visits each expression and its subexpressions, in the order of the code. *)
 
 val statements : (Ir.statement -> unit) -> Ir.statement list -> unit
-(** Each statement, an [If] before those inside it. *)
+(** Visits each statement; an [If] comes before the statements inside it. *)

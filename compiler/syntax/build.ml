@@ -15,7 +15,7 @@ let variable ((start, _) as location : location) (x : Ir.name) =
   if x.span.start = position start then unqualified x
   else { (unqualified x) with span = span location }
 
-(* The first [n] bytes of a span within one line, and what follows a byte. *)
+(* [take n span] is the first [n] bytes of a span within one line; [drop n span] is the rest. *)
 let take n (span : Span.t) = { span with stop = Span.forward n span.start }
 let drop n (span : Span.t) = { span with start = Span.forward n span.start }
 
@@ -104,7 +104,7 @@ let foreign_include ~word header : Ir.declaration_desc =
   expect_word "include" word;
   Foreign (Foreign_include header)
 
-(* Of a number without a point; none if it is no [Int]. *)
+(* The value of a literal without a decimal point; [None] if it does not fit in an [Int]. *)
 let whole digits = Option.map Int32.to_int (Option.bind (Exact.of_literal digits) Exact.to_int32)
 
 let size location (digits, decimal) =
@@ -194,7 +194,7 @@ let scaled_unit ~(name : Ir.name) factors : Ir.declaration_desc =
 
 let last_statement_hint = "end with the output, as in `returnA -< x`"
 
-(* The first word of an expression, if that is a name. *)
+(* The first word of an expression, if it is a name. *)
 let rec first_word (e : Ir.expr) =
   match e.desc with
   | Variable { qualifier = None; name; _ } -> Some name
@@ -202,7 +202,7 @@ let rec first_word (e : Ir.expr) =
   | Binary { left; _ } -> first_word left
   | _ -> None
 
-(* A block of another language, among the statements of a [proc]. *)
+(* Reports a loop of another language among the statements of a [proc]. *)
 let reject_block term =
   match first_word (Term.to_expr term) with
   | Some { text = ("while" | "for" | "foreach" | "repeat") as text; span } ->
@@ -214,7 +214,7 @@ let reject_block term =
   | _ -> ()
 
 let do_body location statements : Ir.proc_body =
-  (* [rec] has no effect: its statements join the others. *)
+  (* [rec] has no effect: its statements are merged with the others. *)
   let rec flatten done_ work : Surface.statement list =
     match work with
     | [] -> done_
@@ -261,9 +261,9 @@ let do_body location statements : Ir.proc_body =
       Reject.at ~code:"E0116" (span location) ~hint:last_statement_hint
         "this `do` is empty, so it has no output"
 
-(* A [do] of tasks. Its last statement is a task too, and gives the result. *)
+(* A [do] block of tasks. Its last statement is a task that gives the result. *)
 let task_body location statements : Ir.expr_desc =
-  (* Where the whole starts. *)
+  (* The span of a keyword at the start of the block. *)
   let keyword text =
     let ({ Span.start; _ } as whole) = span location in
     { whole with stop = Span.forward (String.length text) start }

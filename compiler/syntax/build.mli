@@ -1,38 +1,39 @@
-(** What the grammar's actions are made of: spans and small conversions. *)
+(** Helper functions for the grammar's semantic actions: spans and small conversions. *)
 
 open Basis
 
 type location = Lexing.position * Lexing.position
-(** [$loc] *)
+(** menhir's [$loc]: the start and end of a symbol *)
 
 val span : location -> Span.t
 val name : location -> string -> Ir.name
 val unqualified : Ir.name -> Ir.qualified
 
 val variable : location -> Ir.name -> Ir.qualified
-(** A name where a value stands; an operator's span takes its parentheses along. *)
+(** A name used as a value. The span of an operator includes its parentheses. *)
 
 val qualified : location -> string * string -> Ir.qualified
-(** [M.x] in one token. *)
+(** A qualified name [M.x], which is a single token. *)
 
 val field : location -> string -> Ir.name
 (** The name in a [.field] token. *)
 
 val tuple : Surface.term option list -> Surface.term_desc
-(** Of its elements; without some of them it is a section. *)
+(** The tuple of these elements, or a tuple section if some are missing. *)
 
 val context : Ir.ty -> (Ir.qualified * Ir.ty) list
-(** What stands before [=>], read as a type. *)
+(** The context before [=>], which the grammar reads as a type. *)
 
 val class_ : (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
-(** A class of the context and the head before its [where]; the head was read as a type. *)
+(** A class, given the context and the head before its [where]. The grammar reads the head as a
+    type. *)
 
 val instance : (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
-(** Likewise. *)
+(** An instance; the arguments are those of {!class_}. *)
 
 (** {1 Foreign code}
 
-    [sf], [include] and [copyable] are words only after [foreign]. *)
+    [sf], [include] and [copyable] are keywords only after [foreign]. *)
 
 val foreign_signal_function :
   word:Ir.name -> Ir.name -> Ir.qualified_type -> Ir.name -> Ir.declaration_desc
@@ -41,27 +42,27 @@ val foreign_type : Ir.name -> Ir.name -> word:Ir.name option -> Ir.declaration_d
 val foreign_include : word:Ir.name -> Ir.name -> Ir.declaration_desc
 
 val whole : string -> int option
-(** The value of a number written without a point; [None] if it is out of the range of [Int]. *)
+(** The value of a literal without a decimal point; [None] if it does not fit in an [Int]. *)
 
 val size : location -> string * bool -> int
-(** A number, and whether it is decimal, as the size of an array. *)
+(** The size of an array. The pair is the literal and whether it is decimal. *)
 
 val product : Surface.factor list -> Ir.unit_
-(** A unit, its factors last one first (at least one). *)
+(** A unit from its factors, at least one, last one first. *)
 
 val exponent : location -> negative:bool -> string -> over:string -> Ir.rational
 
 val scaled_unit : name:Ir.name -> Surface.factor list -> Ir.declaration_desc
-(** The right side of a [unit] declaration, its factors last one first. *)
+(** The right-hand side of a [unit] declaration, from its factors, last one first. *)
 
 val do_body : location -> Surface.statement list -> Ir.proc_body
-(** Of a [proc]. *)
+(** The body of a [proc]. *)
 
 val task_body : location -> Surface.statement list -> Ir.expr_desc
-(** Of tasks. *)
+(** A [do] block of tasks. *)
 
 val declarations : Ir.declaration list -> Ir.declaration list
-(** A block as it is; rejects several clauses of one function. *)
+(** A block of declarations, unchanged. Rejects a function with several clauses. *)
 
 val where : location -> Ir.declaration list -> Ir.declaration list
-(** What follows the word, of a definition or a branch: not nothing. *)
+(** The declarations of a [where], in a definition or a branch. Rejects an empty [where]. *)

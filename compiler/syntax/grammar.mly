@@ -1,9 +1,9 @@
 /* The grammar of one top-level item.
 
-   Layout is done (see layout.mli): blocks come between OPEN and CLOSE, items
-   are parted by SEMICOLON, and END follows each item at the top of the file.
-   Patterns are read as terms (see surface.mli). Lists that can be long are
-   left-recursive and built last one first. */
+   Layout has been resolved (see layout.mli): blocks are enclosed in OPEN and
+   CLOSE, items are separated by SEMICOLON, and END follows each top-level item.
+   Patterns are parsed as terms (see surface.mli). Lists that may be long are
+   left-recursive and have their last element first. */
 
 %{
 open Basis
@@ -37,7 +37,7 @@ let expr = Term.to_expr
 %token LET IN WHERE DO OF CASE IF THEN ELSE PROC REC
 %token MODULE IMPORT QUALIFIED AS DATA TYPE UNIT PRIMITIVE FOREIGN PARAM CLASS INSTANCE
 %token OPEN CLOSE SEMICOLON END
-/* Never part of a program: */
+/* Tokens that no program contains: */
 %token BAD
 %token <string> RESERVED
 
@@ -227,7 +227,7 @@ chain:
 | t = plain { t }
 | t = sequence { t }
 
-/* All but `do` alone, which after `proc x ->` is the body of a proc. */
+/* Any expression except a bare `do`, which is the proc's body after `proc x ->`. */
 plain:
 | t = application { t }
 | t = open_ended { t }
@@ -301,7 +301,7 @@ atom:
 | LPAREN operator = section_operator steps = some(step) t = last RPAREN
     { Operators.right_section ~span:(span $loc) operator steps t }
 
-/* Of a tuple, with at least one comma; what is not there makes it a function. */
+/* The elements of a tuple, with at least one comma. A missing element makes it a tuple section. */
 places:
 | x = option(chain) COMMA y = option(chain) { [ y; x ] }
 | xs = places COMMA x = option(chain) { x :: xs }

@@ -1,5 +1,5 @@
 (** Generated from [grammar.messages]. *)
 
 val message : int -> string
-(** What to say in this error state of the automaton. Raises [Not_found] if there is nothing, which
-    a test excludes. *)
+(** The message for this error state of the automaton. A test ensures that every state has one.
+    @raise Not_found if the state has none *)

@@ -1,15 +1,15 @@
-(** Syntax: a module as the programmer wrote it.
+(** Syntax: the parse tree of a module.
 
-    Always true (see {!Lint}): spans nest; binary operators are already grouped by the fixed table
-    of the language reference, section 11; layout is gone. Names are still text. Patterns were
-    parsed as expressions and then turned into patterns. *)
+    Invariants (see {!Lint}): Spans nest. Binary operators are grouped according to the fixed table
+    in section 11 of the language reference. There are no layout tokens. Names are plain text.
+    Patterns were parsed as expressions and then converted. *)
 
 open Basis
 
 type name = { text : string; span : Span.t }
 
 type qualified = { qualifier : name option; name : name; span : Span.t }
-(** [M.x]; operators have their symbol as text, as in ["+"]. *)
+(** [M.x]; the text of an operator is its symbol, as in ["+"]. *)
 
 type program = {
   file : string;
@@ -29,7 +29,7 @@ and import = {
 }
 
 and declaration = { desc : declaration_desc; doc : string option; span : Span.t }
-(** [doc] is the text of the [-- |] comment before it. *)
+(** [doc]: the text of the [-- |] comment before the declaration. *)
 
 and declaration_desc =
   | Signature of signature
@@ -38,18 +38,18 @@ and declaration_desc =
   | Data of { name : name; parameters : type_parameters; constructors : constructor list }
   | Base_unit of name  (** [unit tick] *)
   | Scaled_unit of { name : name; scale : scale; unit_ : unit_ }
-      (** [unit inch = 0.0254 m]; the scale may be left out: [unit N = kg m/s^2] *)
+      (** [unit inch = 0.0254 m]; the scale is optional: [unit N = kg m/s^2] *)
   | Class of {
       superclasses : qualified list;
       name : name;
       variable : name;
-      members : declaration list;  (** [Signature] and [Binding]: methods and their defaults *)
+      members : declaration list;  (** [Signature] and [Binding]: the methods and their defaults *)
     }  (** [class (Eq a) => Shape a where …] *)
   | Instance of instance
   | Primitive of signature  (** [primitive sin :: Float -> Float], only in the standard library *)
   | Foreign of foreign
   | Parameter of { name : name; ty : qualified_type; value : expr }
-      (** [param kTurn :: Float[1/m] = 4[1/m]], with the value that it has by default *)
+      (** [param kTurn :: Float[1/m] = 4[1/m]], with its default value *)
   | Claim of { kind : claim; label : name; condition : expr }
       (** [assert "keeps off" (d > 0.1[m])], among definitions *)
   | Check of { kind : check; label : name; value : expr }
@@ -58,7 +58,7 @@ and declaration_desc =
 and claim = Assert | Assume
 and check = Test | Trial
 
-(** Texts in C keep their place. *)
+(** Names and paths in C keep their spans. *)
 and foreign =
   | Foreign_value of { kind : foreign_kind; name : name; ty : qualified_type; symbol : name }
       (** [foreign cubeRoot :: Float -> Float = "cbrt"]; [foreign sf tracker :: … = "blob"] *)
@@ -69,9 +69,10 @@ and foreign =
 and foreign_kind = Foreign_function | Foreign_signal_function
 
 and scale = {
-  factor : string;  (** decimal text; ["1"] where none is written *)
-  times_pi : bool;  (** [unit deg = pi/180]: factor 1, over 180, times pi *)
-  divided_by : string;  (** decimal text; ["1"] where none is written *)
+  factor : string;  (** decimal text; ["1"] if omitted *)
+  times_pi : bool;
+      (** [unit deg = pi/180] has [factor = "1"], [divided_by = "180"] and [times_pi = true] *)
+  divided_by : string;  (** decimal text; ["1"] if omitted *)
 }
 
 and instance = {
@@ -97,13 +98,13 @@ and binding = { left : left; right : right; span : Span.t }
 
 and left =
   | Name of name  (** [x = …] *)
-  | Function_name of { name : name; parameters : pattern list }  (** at least one *)
+  | Function_name of { name : name; parameters : pattern list }  (** at least one parameter *)
   | Pattern of pattern  (** [(x, y) = …]: tuples, records, [_] *)
 
 and right = { body : body; where : declaration list }
-(** [where] holds only [Signature], [Binding] and [Claim]. *)
+(** [where] contains only [Signature], [Binding] and [Claim]. *)
 
-and body = Plain of expr | Guarded of (expr * expr) list  (** [| guard = expr], at least one *)
+and body = Plain of expr | Guarded of (expr * expr) list  (** [| guard = expr]; at least one *)
 
 (** {1 Expressions} *)
 
@@ -114,11 +115,11 @@ and expr_desc =
   | Constructor of qualified
   | Number of number
   | String of string
-  | Tuple of expr list  (** none for [()], else at least two *)
-  | Tuple_section of expr option list  (** [(, x)]; some are there or none, not all *)
-  | Array of expr list  (** [[a, b]]; that it is not empty is for typing to say *)
-  | Apply of expr * expr  (** juxtaposition; also what [f $ x] means *)
-  | Binary of { operator : qualified; left : expr; right : expr }  (** also [a `f` b] *)
+  | Tuple of expr list  (** empty for [()], otherwise at least two elements *)
+  | Tuple_section of expr option list  (** [(, x)]; at least one element is missing *)
+  | Array of expr list  (** [[a, b]]; typing reports an empty array *)
+  | Apply of expr * expr  (** juxtaposition, or [f $ x] *)
+  | Binary of { operator : qualified; left : expr; right : expr }  (** including [a `f` b] *)
   | Negate of expr
   | Left_section of { left : expr; operator : qualified }  (** [(x +)] *)
   | Right_section of { operator : qualified; right : expr }  (** [(+ x)] *)
@@ -138,7 +139,7 @@ and expr_desc =
   | Parenthesized of expr  (** kept for messages and printing *)
 
 and number = {
-  digits : string;  (** as written, without unit and sign *)
+  digits : string;  (** the literal's text, without the unit and the sign *)
   decimal : bool;  (** has a point or an exponent *)
   unit_ : unit_ option;
 }
@@ -170,8 +171,8 @@ and pattern_desc =
   | Any
   | Bound of name
   | As of name * pattern
-  | Tuple_of of pattern list  (** none for [()] *)
-  | Array_of of pattern list  (** at least one *)
+  | Tuple_of of pattern list  (** empty for [()], otherwise at least two elements *)
+  | Array_of of pattern list  (** at least one element *)
   | Constructed of qualified * pattern list
   | Record_of of qualified * (name * pattern) list
   | Literal of { negative : bool; number : number }
@@ -187,16 +188,16 @@ and ty_desc =
   | Representation of { name : name; unit_ : unit_ }  (** [n[u]] *)
   | Function of ty * ty
   | Tuple_type of ty list
-  | Size of int  (** of an array; not negative *)
+  | Size of int  (** array size; not negative *)
 
 and unit_ = { desc : unit_desc; span : Span.t }
 
 and unit_desc =
   | One
-  | Unit_name of name  (** a declared unit or a unit variable: see resolve *)
+  | Unit_name of name  (** a declared unit or a unit variable; resolution distinguishes them *)
   | Times of unit_ * unit_
   | Over of unit_ * unit_
   | To of unit_ * rational
 
 and rational = { numerator : int; denominator : int }
-(** denominator > 0, lowest terms *)
+(** In lowest terms, with a positive denominator. *)

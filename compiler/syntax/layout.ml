@@ -5,14 +5,14 @@ type opener = Block of block | Paren | Bracket | Brace | If | Then | Case
 type origin = { by : Lexer.token; column : int }
 type context = (opener * origin) list
 
-(* What a closing token would find below an entry, itself included; brackets
-   hide what is open around them. *)
+(* Which closing tokens have a partner at or below this entry. A bracket hides everything opened
+   before it. *)
 type reach = { bracket : opener option; let_ : bool; if_ : bool; then_ : bool; case : bool }
 
 type entry = {
   opener : opener;
   by : Lexer.token;
-  column : int;  (** of the innermost block, this one or below *)
+  column : int;  (** column of the innermost block at or below this entry *)
   reach : reach;
   depth : int;
 }
@@ -30,15 +30,18 @@ type token = {
 
 type t = {
   lexer : Lexer.t;
-  mutable stack : entry list;  (** never empty once the first token is read: [Block Top] is last *)
+  mutable stack : entry list;
+      (** the bottom entry is [Block Top]; empty only before the first token *)
   mutable opening : (block * Lexer.token) option;  (** the next token opens this block *)
   mutable header : bool;  (** between [module] and its [where] *)
   mutable data : bool;  (** within a [data] declaration *)
-  mutable item_start : bool;  (** nothing yet of the innermost block's item *)
-  mutable doc : string option;  (** waits for the constructor after [|] or [=] *)
-  mutable outer : entry list;  (** the stack before the token at hand *)
-  mutable before : Lexing.position;  (** where the last token of the text ended *)
-  ready : token Queue.t;  (** made, or after one that was *)
+  mutable item_start : bool;
+      (** no token of the current item of the innermost block has been read *)
+  mutable doc : string option;
+      (** the doc comment to put before the constructor after the next [|] or [=] *)
+  mutable outer : entry list;  (** the stack before the current token *)
+  mutable before : Lexing.position;  (** end of the last token from the text *)
+  ready : token Queue.t;  (** tokens that layout has inserted, and tokens to return after those *)
 }
 
 exception Too_deep of Lexer.token
@@ -100,7 +103,7 @@ let emit t token =
     }
     t.ready
 
-(* Pops one entry; a block is closed by it. *)
+(* Pops one entry. If it is a block, emits [CLOSE]. *)
 let pop t =
   match t.stack with
   | [] -> ()
@@ -120,8 +123,8 @@ let rec pop_until t found =
 let is_block = function Block _ -> true | Paren | Bracket | Brace | If | Then | Case -> false
 let is_bracket = function Paren | Bracket | Brace -> true | Block _ | If | Then | Case -> false
 
-(* A new item of the innermost block; what is still open in the old one (and
-   is no block) stays without its partner. *)
+(* Starts a new item of the innermost block. Pops the openers in the old item that are not blocks;
+   they stay unmatched. *)
 let separate t =
   let rec blocks = function
     | entry :: rest when not (is_block entry.opener) -> blocks rest
@@ -142,7 +145,7 @@ let rec at_top = function
   | { opener = Block _; _ } :: _ -> false
   | _ :: rest -> at_top rest
 
-(* The rule for the first token of a line. *)
+(* Applies the layout rule to the first token of a line. *)
 let rec line_starts t column =
   if at_top t.stack then (if column <= block_column t then separate t)
   else if column = block_column t then separate t
@@ -151,7 +154,7 @@ let rec line_starts t column =
     pop t;
     line_starts t column)
 
-(* Does this token close something, and what? *)
+(* Which openers does this token close, if any? *)
 let partner t (token : Grammar.token) : (opener -> bool) option =
   let reach = reach t in
   let if_ found test = if found then Some test else None in
@@ -166,8 +169,8 @@ let partner t (token : Grammar.token) : (opener -> bool) option =
   | RBRACE -> if_ (match reach.bracket with Some Brace -> true | _ -> false) is_bracket
   | _ -> None
 
-(* A [where] at the column of a block's items closes that block, and the
-   statements of a [do] have none, so it closes that too. *)
+(* A [where] at the item column of a block closes that block. It also closes a [do], because
+   statements cannot have a [where]. *)
 let rec where_closes t (token : Lexer.token) =
   match t.stack with
   | { opener = Block (Do | Rec); _ } :: _ ->
@@ -218,8 +221,8 @@ let emit_doc t (token : Lexer.token) =
         t.ready
   | _ -> ()
 
-(* What the token opens, once it has been passed on; [if_] is the [if] that
-   this [then] goes with. *)
+(* Pushes what the token opens, after the token has been passed on. [if_]: the [if] that this [then]
+   belongs to. *)
 let opens t (token : Lexer.token) ~if_ =
   let column = block_column t in
   match token.token with
@@ -241,7 +244,8 @@ let opens t (token : Lexer.token) ~if_ =
   | REC -> t.opening <- Some (Rec, token)
   | _ -> ()
 
-(* Where a definition begins, no name is followed by a text: there these are words. *)
+(* [assert], [test] and similar words are keywords only at the start of a definition and before a
+   string, because no definition starts with a name followed by a string. *)
 let contextual t (token : Lexer.token) : Grammar.token =
   let block =
     match t.stack with
@@ -258,7 +262,8 @@ let contextual t (token : Lexer.token) : Grammar.token =
   in
   match word with (CLAIM _ | CHECK _) when Lexer.text_follows t.lexer -> word | _ -> token.token
 
-(* The token to pass on, after those that were made. *)
+(* Processes a token from the text, and returns the token to pass on after the ones that were
+   inserted. *)
 let ordinary t (token : Lexer.token) =
   let if_ = ref token in
   (match partner t token.token with
@@ -309,8 +314,8 @@ let finish t (token : Lexer.token) =
   close ();
   of_text t { token with start = t.before; stop = t.before } ~last:true
 
-(* The token after [where] and the like opens the block, if it stands further
-   right than the block around it; else the block is empty. *)
+(* The token after [where] and similar keywords opens the block if its column is greater than that
+   of the enclosing block. Otherwise the block is empty. *)
 let opened t block by (token : Lexer.token) =
   t.opening <- None;
   match block with
@@ -332,7 +337,8 @@ let opened t block by (token : Lexer.token) =
 
 let advance t =
   let token = Lexer.next t.lexer in
-  (* The collector of garbage wants to know of each pointer that is written. *)
+  (* Skips the assignment if nothing changes, because the garbage collector must be told of each
+     pointer that is written. *)
   if t.outer != t.stack then t.outer <- t.stack;
   if t.before == Lexing.dummy_pos then t.before <- token.start;
   (match (t.stack, t.opening) with

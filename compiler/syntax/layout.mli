@@ -1,9 +1,9 @@
-(** Layout: indentation made explicit (language reference, section 11).
+(** Layout: turns indentation into explicit tokens (language reference, section 11).
 
-    A function from tokens to tokens with a stack of openers; the grammar has no say in it. Blocks
-    get [OPEN] and [CLOSE], their items [SEMICOLON]; items at the top of the file end with [END]. A
-    token that closes something ([in then else of , )] and the like) closes the blocks opened since
-    its partner, whatever its column. Constant time per token, amortized. *)
+    A function from tokens to tokens with a stack of openers; it does not depend on the parser's
+    state. Blocks get [OPEN] and [CLOSE], and their items [SEMICOLON]; top-level items end with
+    [END]. A closing token ([in then else of , )] and similar ones) closes all blocks opened since
+    its partner, whatever its column. Amortized constant time per token. *)
 
 type block = Top | Let | Where | Do | Of | Rec
 
@@ -12,29 +12,31 @@ type opener =
   | Paren
   | Bracket
   | Brace
-  | If  (** waits for [then] *)
-  | Then  (** waits for [else]; opened by its [if] too *)
-  | Case  (** waits for [of] *)
+  | If  (** expects [then] *)
+  | Then  (** expects [else]; its origin is the [if] *)
+  | Case  (** expects [of] *)
 
 type origin = {
-  by : Lexer.token;  (** what opened it *)
-  column : int;  (** of the innermost block's items: of this one, or of the one around it *)
+  by : Lexer.token;  (** the token that opened it *)
+  column : int;
+      (** the column of the items of this block or, for a bracket, of the enclosing block *)
 }
 
 type context = (opener * origin) list
-(** What is open, innermost first. *)
+(** The open blocks and brackets, innermost first. *)
 
 type entry
-(** Something that is open. *)
+(** An open block or bracket. *)
 
 type token = {
   token : Grammar.token;
   start : Lexing.position;
-  stop : Lexing.position;  (** a token that layout made is empty, at the end of the one before *)
-  made : bool;  (** by layout *)
-  column : int;  (** 0 if layout made it *)
-  first : bool;  (** on its line *)
-  around : entry list;  (** what was open before this token; see {!context} *)
+  stop : Lexing.position;
+      (** tokens inserted by layout are empty and lie at the end of the token before *)
+  made : bool;  (** inserted by layout *)
+  column : int;  (** 0 if inserted by layout *)
+  first : bool;  (** first token on its line *)
+  around : entry list;  (** the openers before this token; see {!context} *)
   last : bool;  (** the [END] of the whole file *)
 }
 
@@ -43,11 +45,11 @@ val context : token -> context
 type t
 
 exception Too_deep of Lexer.token
-(** More than {!deepest} openers in each other. *)
+(** More than {!deepest} nested openers. *)
 
 val deepest : int
 val create : Lexer.t -> t
 val next : t -> token
 
 val copy : t -> t
-(** To read on from the same place twice. *)
+(** A copy of the state, for reading the same tokens twice. *)

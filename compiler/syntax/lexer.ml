@@ -16,14 +16,14 @@ type t = {
   text : string;
   mutable at : int;
   mutable line : int;
-  mutable line_start : int;  (** offset *)
-  mutable extra : int;  (** bytes of this line before [at] that start no character *)
-  mutable fresh : bool;  (** no token yet on this line *)
-  mutable doc : string list;  (** lines, last one first *)
-  mutable doc_line : int;  (** of the last of them *)
-  mutable bad_line : int;  (** the last line with an unexpected character *)
-  mutable colons : string option list;  (** cures of colons that were told *)
-  mutable cut_off : bool;  (** by a comment that is never closed *)
+  mutable line_start : int;  (** byte offset *)
+  mutable extra : int;  (** continuation bytes of UTF-8 characters on this line before [at] *)
+  mutable fresh : bool;  (** no token on this line yet *)
+  mutable doc : string list;  (** lines of the current doc comment, last one first *)
+  mutable doc_line : int;  (** line number of the last of them *)
+  mutable bad_line : int;  (** line number of the last unexpected character *)
+  mutable colons : string option list;  (** hints already given for colons *)
+  mutable cut_off : bool;  (** an unterminated comment cut the text off *)
 }
 
 let copy t = { t with at = t.at }
@@ -48,7 +48,7 @@ let create sink ~file text =
     cut_off = false;
   }
 
-(* Past the end there are NULs, which no rule below takes for anything. *)
+(* Returns NUL past the end. No token contains a NUL. *)
 let peek t offset =
   let i = t.at + offset in
   if i < String.length t.text then String.unsafe_get t.text i else '\000'
@@ -58,7 +58,7 @@ let at_end t = t.at >= String.length t.text
 let position t : Lexing.position =
   { pos_fname = t.file; pos_lnum = t.line; pos_bol = t.line_start; pos_cnum = t.at }
 
-(* Steps over one byte within a line. *)
+(* Advances by one byte within a line. *)
 let step t =
   if Utf8.is_continuation t.text.[t.at] then t.extra <- t.extra + 1;
   t.at <- t.at + 1
@@ -76,11 +76,6 @@ let report t ~code ~start ?hint ?write message =
   |> Option.fold hint ~none:Fun.id ~some:Diagnostic.hint
   |> Option.fold write ~none:Fun.id ~some:(Diagnostic.write at)
   |> Diagnostic.emit t.sink
-
-let is_digit c = c >= '0' && c <= '9'
-let is_lower c = (c >= 'a' && c <= 'z') || c = '_'
-let is_upper c = c >= 'A' && c <= 'Z'
-let is_name c = is_lower c || is_upper c || is_digit c || c = '\''
 
 (* {1 Comments} *)
 
@@ -202,21 +197,31 @@ let reserved =
   List.iter (fun (word, token) -> String_table.replace table word token) words;
   String_table.find_opt table
 
+(* Longer names are truncated, because messages, generated C and editors repeat a name many times.
+   *)
+let most_letters = 1_000
+
 let take_name t =
-  let start = t.at in
-  while is_name (peek t 0) do
+  let first = t.at and start = position t in
+  while Basis.Character.is_name (peek t 0) do
     t.at <- t.at + 1
   done;
-  String.sub t.text start (t.at - start)
+  let length = t.at - first in
+  if length > most_letters then
+    report t ~code:"E0105" ~start
+      (Printf.sprintf "a name has up to %d characters, this one has %d" most_letters length);
+  String.sub t.text first (min length most_letters)
 
-(* Is this `.` tight on both sides and before a lower-case name? *)
+(* Does this `.` select a field: no space on either side, and a lower-case name after it? *)
 let selects t =
-  is_lower (peek t 1)
+  Basis.Character.is_lower (peek t 1)
   && t.at > 0
-  && (match t.text.[t.at - 1] with ')' | ']' | '}' | '"' -> true | c -> is_name c)
+  && (match t.text.[t.at - 1] with ')' | ']' | '}' | '"' -> true | c -> Basis.Character.is_name c)
   &&
   let word_start = t.at + 1 in
-  let rec stop i = if i < String.length t.text && is_name t.text.[i] then stop (i + 1) else i in
+  let rec stop i =
+    if i < String.length t.text && Basis.Character.is_name t.text.[i] then stop (i + 1) else i
+  in
   match reserved (String.sub t.text word_start (stop word_start - word_start)) with
   | None | Some (QUALIFIED | AS) -> true
   | Some _ -> false
@@ -228,7 +233,7 @@ let lower t =
 let upper t =
   let word = take_name t in
   if peek t 0 <> '.' then UPPER word
-  else if is_upper (peek t 1) then (
+  else if Basis.Character.is_upper (peek t 1) then (
     t.at <- t.at + 1;
     QUALIFIED_UPPER (word, take_name t))
   else if selects t then (
@@ -236,7 +241,7 @@ let upper t =
     QUALIFIED_LOWER (word, take_name t))
   else UPPER word
 
-(* Digits in a base, with [_] between them as wanted. *)
+(* Digits in a base, with optional [_] between them. *)
 let rec digits ?(base = 10) t =
   let is_digit c = match Exact.value_of_digit c with Some value -> value < base | None -> false in
   let rec after_blanks i = if peek t i = '_' then after_blanks (i + 1) else i in
@@ -245,17 +250,18 @@ let rec digits ?(base = 10) t =
     t.at <- t.at + next + 1;
     digits ~base t)
 
-(* Reading a number exactly takes time that grows with the square of its digits. *)
+(* Exact conversion takes quadratic time in the number of digits, so longer literals are rejected.
+   *)
 let most_digits = 1_000
 
-(* What directly follows a number may well be one. *)
+(* Words that are probably a unit if they directly follow a number. *)
 let is_unit = function
   | "m" | "kg" | "s" | "A" | "K" | "mol" | "cd" | "mm" | "cm" | "km" | "us" | "ms" | "min" | "hour"
   | "g" | "Hz" | "N" | "J" | "W" | "V" | "Ohm" | "Pa" | "rad" | "deg" | "rpm" ->
       true
   | _ -> false
 
-(* The `/s^2` of `0.3m/s^2`, without blanks. *)
+(* The `/s^2` in `0.3m/s^2`, without spaces. *)
 let rec take_rest_of_unit t =
   let part accepts =
     let rec stop i = if accepts (peek t i) then stop (i + 1) else i in
@@ -268,7 +274,7 @@ let rec take_rest_of_unit t =
   in
   match peek t 0 with
   | '/' | '*' -> part (function 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false)
-  | '^' -> part is_digit
+  | '^' -> part Basis.Character.is_digit
   | _ -> ""
 
 let number t =
@@ -277,21 +283,22 @@ let number t =
   let base = Option.value (Exact.base_of_prefix (peek t 0, peek t 1)) ~default:10 in
   if base <> 10 then t.at <- t.at + 2;
   digits ~base t;
-  let point = base = 10 && peek t 0 = '.' && is_digit (peek t 1) in
+  let point = base = 10 && peek t 0 = '.' && Basis.Character.is_digit (peek t 1) in
   if point then (
     t.at <- t.at + 1;
     digits t);
   let exponent =
     match (peek t 0, peek t 1) with
-    | ('e' | 'E'), ('+' | '-') when base = 10 -> if is_digit (peek t 2) then 2 else 0
-    | ('e' | 'E'), c when base = 10 -> if is_digit c then 1 else 0
+    | ('e' | 'E'), ('+' | '-') when base = 10 ->
+        if Basis.Character.is_digit (peek t 2) then 2 else 0
+    | ('e' | 'E'), c when base = 10 -> if Basis.Character.is_digit c then 1 else 0
     | _ -> 0
   in
   if exponent > 0 then (
     t.at <- t.at + exponent;
     digits t);
   let text = String.sub t.text first (t.at - first) in
-  if is_name (peek t 0) || (base <> 10 && t.at = first + 2) then (
+  if Basis.Character.is_name (peek t 0) || (base <> 10 && t.at = first + 2) then (
     let rest = take_name t in
     let has_unit = base = 10 && is_unit rest in
     let rest = if has_unit then rest ^ take_rest_of_unit t else rest in
@@ -326,11 +333,12 @@ let number t =
     BAD)
   else NUMBER (text, point || exponent > 0)
 
-(* Does the dot here touch what stands before it, as in `x.1` and `1..2`? *)
+(* Does a value directly precede the dot, as in `x.1` or `1..2`? *)
 let follows_a_value t =
-  t.at > 0 && match t.text.[t.at - 1] with ')' | ']' | '.' -> true | c -> is_name c
+  t.at > 0
+  && match t.text.[t.at - 1] with ')' | ']' | '.' -> true | c -> Basis.Character.is_name c
 
-(* `.5` *)
+(* The literal `.5`, without a digit before the point. *)
 let fraction t =
   let start = position t in
   let first = t.at in
@@ -397,7 +405,7 @@ let unexpected t =
   for _ = 1 to length do
     step t
   done;
-  (* one a line: the rest of the line is likely to be of the same kind *)
+  (* report one per line, because the rest of the line probably causes the same error *)
   if t.bad_line <> t.line && not (character = ":" && List.mem hint t.colons) then
     report t ~code:"E0103" ~start ?hint ?write:instead
       (Printf.sprintf "unexpected character %s" shown);
@@ -432,7 +440,7 @@ let punctuation = function
 let punctuation_symbols =
   [ "("; ")"; "{"; "}"; "]"; ","; ";"; "`"; "@"; "\\"; "="; "|"; "->"; "<-"; "-<"; "=>"; "::" ]
 
-(* By their first character, the longest first. *)
+(* The symbols by their first character, longest first. *)
 let symbols =
   let all = punctuation_symbols @ Operators.symbols in
   let longest_first a b = Int.compare (String.length b) (String.length a) in
@@ -441,7 +449,7 @@ let symbols =
       |> List.sort_uniq String.compare |> List.stable_sort longest_first
       |> List.map (fun symbol -> (symbol, punctuation symbol)))
 
-(* From its byte [i] on. *)
+(* Does the text match the symbol from its byte [i] on? *)
 let rec stands_here t symbol i =
   i = String.length symbol || (peek t i = symbol.[i] && stands_here t symbol (i + 1))
 
@@ -456,7 +464,7 @@ let symbol t =
   longest symbols.(Char.code (peek t 0))
 
 let bracket t =
-  let tight = t.at > 0 && is_name t.text.[t.at - 1] in
+  let tight = t.at > 0 && Basis.Character.is_name t.text.[t.at - 1] in
   t.at <- t.at + 1;
   if tight then UNIT_BRACKET else LBRACKET
 
@@ -469,7 +477,7 @@ let text_follows t =
 let next t =
   skip_blanks t;
   let start = position t in
-  (* Wherever a comment that is never closed begins, it ends nothing. *)
+  (* the token after an unterminated comment has the highest column, so it closes no block *)
   let column = if t.cut_off then max_int else t.at - t.line_start + 1 - t.extra in
   let first = t.fresh in
   let doc =
@@ -482,24 +490,24 @@ let next t =
   t.fresh <- false;
   let token =
     if t.cut_off then (
-      (* What is missing here may stand in the comment. *)
+      (* the comment may contain the code that is missing here *)
       t.cut_off <- false;
       BAD)
     else if at_end t then END
     else
       match peek t 0 with
-      | c when is_lower c -> lower t
-      | c when is_upper c -> upper t
-      | c when is_digit c -> number t
+      | c when Basis.Character.is_lower c -> lower t
+      | c when Basis.Character.is_upper c -> upper t
+      | c when Basis.Character.is_digit c -> number t
       | '"' -> string t
-      | '\\' when stands_here t "\\case" 1 && not (is_name (peek t 5)) ->
+      | '\\' when stands_here t "\\case" 1 && not (Basis.Character.is_name (peek t 5)) ->
           t.at <- t.at + 5;
           LAMBDA_CASE
       | '[' -> bracket t
       | '.' when selects t ->
           t.at <- t.at + 1;
           FIELD (take_name t)
-      | '.' when is_digit (peek t 1) && not (follows_a_value t) -> fraction t
+      | '.' when Basis.Character.is_digit (peek t 1) && not (follows_a_value t) -> fraction t
       | _ -> symbol t
   in
   { token; start; stop = position t; column; first; doc }

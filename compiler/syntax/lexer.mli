@@ -1,7 +1,7 @@
-(** Text to tokens (language reference, section 11), without layout.
+(** Splits text into tokens (language reference, section 11), ignoring layout.
 
-    Never fails: what cannot be a token is reported, and a [BAD] token takes its place. Linear in
-    the text; keeps no more than one token. *)
+    Never fails: invalid characters are reported and replaced by a [BAD] token. Linear time; holds
+    only one token at a time. *)
 
 open Basis
 
@@ -9,9 +9,9 @@ type token = {
   token : Grammar.token;
   start : Lexing.position;
   stop : Lexing.position;
-  column : int;  (** where the token starts as a reader counts: characters from 1, not bytes *)
-  first : bool;  (** first on its line *)
-  doc : string option;  (** the [-- |] comment before it *)
+  column : int;  (** column of the token's start, in characters from 1 (not in bytes) *)
+  first : bool;  (** first token on its line *)
+  doc : string option;  (** the [-- |] comment before the token *)
 }
 
 type t
@@ -20,16 +20,16 @@ val create : Diagnostic.sink -> file:string -> string -> t
 (** The text must be UTF-8; see {!Basis.Utf8}. *)
 
 val copy : t -> t
-(** To read on from the same place twice. *)
+(** A copy of the state, for reading the same tokens twice. *)
 
 val text_follows : t -> bool
-(** Is the next token a text? *)
+(** Is the next token a string? *)
 
 val next : t -> token
-(** The next token; at the end of the text, [END] again and again. *)
+(** The next token. At the end of the text, returns [END] repeatedly. *)
 
 val keywords : string list
-(** The words of the language, which cannot be names. *)
+(** The reserved words, which cannot be names. *)
 
 val punctuation_symbols : string list
-(** That are no operators. *)
+(** The symbols that are not operators. *)

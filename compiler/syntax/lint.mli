@@ -1,4 +1,4 @@
-(** Checks what {!Ir} promises. *)
+(** Checks the invariants of {!Ir}. *)
 
 val program : Ir.program -> unit
-(** Raises {!Basis.Diagnostic.Bug}. *)
+(** @raise Basis.Diagnostic.Bug if an invariant is violated *)

@@ -24,8 +24,8 @@ let span = function
   | Name x -> x.span
   | Qualified q -> q.span
 
-(* The functions below put the children of something in front of [rest]; the
-   order among children is of no matter. *)
+(* The functions below prepend the children of a node to [rest]. The order of the children is
+   irrelevant. *)
 
 let all wrap list rest = List.fold_left (fun rest x -> wrap x :: rest) rest list
 let names = all (fun x -> Name x)

@@ -1,5 +1,5 @@
-(** Every part of a program that has a span, and what lies directly in it: for checks that walk
-    whole trees without minding what is what. *)
+(** A uniform view of the syntax tree: the nodes that have a span, and their children. For checks
+    that treat all kinds of nodes alike. *)
 
 open Basis
 
@@ -21,5 +21,5 @@ val children : t -> t list
 val of_right : Ir.right -> t list
 
 val depth_exceeds : int -> t -> Span.t option
-(** A place that lies more than so many nodes deep, if there is one. Needs no stack: it is what
-    protects the passes that do. *)
+(** The place of a node at more than this depth, if there is one. It is not recursive, because it
+    protects the recursive passes from stack overflow. *)

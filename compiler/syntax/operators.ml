@@ -26,7 +26,7 @@ let precedences =
     table
   |> List.to_seq |> String_table.of_seq
 
-(* Names in backticks bind like [!] but for these, as in Haskell. *)
+(* Names in backticks have the precedence of [!], except for these, as in Haskell. *)
 let precedence (operator : Ir.qualified) =
   match operator.name.text with
   | "shiftL" | "shiftR" -> (8, Left)
@@ -81,7 +81,7 @@ let apply (left : term) (operator : Ir.qualified) (right : term) : term =
 let negate span (operand : term) : term =
   { desc = Negated operand; span = Span.merge span operand.span }
 
-(* `x > 0 and y > 0`: the word became an argument. *)
+(* `x > 0 and y > 0`: the word was parsed as an argument. *)
 let written_in_words (operand : term) =
   let word (t : term) =
     match t.desc with
@@ -117,8 +117,8 @@ let reject_minus (operator : Ir.qualified) at (operand : term) =
        (shown operator)
     |> Diagnostic.hint "write `(-x)`" |> in_parentheses at operand.span)
 
-(* Operator precedence parsing with an explicit stack. [reduce] applies what
-   binds its left neighbour tighter than an operator of [level] would. *)
+(* Operator-precedence parsing with an explicit stack. [reduce] applies the operators on the stack
+   that bind tighter than an operator of [level]. *)
 let rec reduce stack operand level side next =
   match stack with
   | Binary b :: rest ->
@@ -168,8 +168,8 @@ let rec push_all last stack = function
 let group steps last =
   match steps with [] -> last | _ -> finish (push_all last [] (List.rev steps)) last
 
-(* What is left on the stack before the end are the outermost operators of the
-   operand; the bottom one binds loosest. *)
+(* The operators left on the stack at the end are the outermost ones of the operand. The bottom one
+   binds loosest. *)
 let loosest stack =
   match List.rev stack with
   | [] -> None

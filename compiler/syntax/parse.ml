@@ -1,7 +1,7 @@
 open Basis
 module Automaton = Grammar.MenhirInterpreter
 
-(* After so many broken items the file is hardly a Frob program. *)
+(* A file with this many broken items is probably not a Frob program. *)
 let most_errors = 50
 
 type reader = {
@@ -9,36 +9,38 @@ type reader = {
   sink : Diagnostic.sink;
   text : string;
   mutable cut : bool;
-      (** The item before broke off: one that now ends before it defines anything is likely the rest
-          of it. *)
-  mutable failed : bool;  (** the item before *)
+      (** The item before was broken. An item that ends before it defines anything is probably the
+          rest of that one. *)
+  mutable failed : bool;  (** the item before was broken *)
   mutable split : bool;
-      (** An item broke off at a `;`: the closing bracket may come in what follows it. *)
-  mutable defines : bool;  (** this item has come past its [=] or [::] *)
-  mutable tokens : int;  (** of this item, or more *)
+      (** An item ended at a `;` inside an open bracket. The closing bracket may follow in the next
+          item. *)
+  mutable defines : bool;  (** an [=] or [::] of this item has been read *)
+  mutable tokens : int;  (** upper bound on the number of tokens in this item *)
 }
 
 let next reader =
   reader.tokens <- reader.tokens + 1;
   Layout.next reader.layout
 
-(* To the end of the item that this token belongs to. *)
+(* Skips the rest of the item that contains this token. *)
 let rec skip reader (token : Layout.token) =
   match token.token with END -> token.last | _ -> skip reader (next reader)
 
-(* Likewise; was there an unexpected character on this token's line? The lexer has told it. *)
+(* Like {!skip}. Also returns whether the token's line contains an unexpected character, which the
+   lexer has already reported. *)
 let rec skip_line reader ~bad (at : Layout.token) (token : Layout.token) =
   let bad = bad || (token.token = BAD && token.start.pos_lnum = at.start.pos_lnum) in
   match token.token with END -> (bad, token.last) | _ -> skip_line reader ~bad at (next reader)
 
 type outcome = Item of Surface.item | Failed
 
-(* Is this the end of an item by a `;` that is written? *)
+(* Does an explicit `;` end the item here? *)
 let is_semicolon reader (token : Layout.token) =
   let at = token.start.pos_cnum in
   at < String.length reader.text && reader.text.[at] = ';'
 
-(* An item read by menhir's automaton, which can be asked where it cannot go on. *)
+(* Parses an item with menhir's incremental automaton, which can be inspected at an error. *)
 let explained reader =
   reader.defines <- false;
   let token = ref (next reader) in
@@ -62,7 +64,7 @@ let explained reader =
     | Automaton.HandlingError env ->
         let state = Automaton.current_state_number env in
         let ended = !token.token = END in
-        (* a bracket that a broken item opened *)
+        (* the bracket was opened by a broken item *)
         let rest_of_last =
           match (before, !token.token) with
           | None, (RPAREN | RBRACKET | RBRACE) -> reader.failed
@@ -83,7 +85,7 @@ let explained reader =
         reader.cut <- false;
         (Item item, !token.last)
     | Automaton.Rejected -> (Failed, skip reader !token)
-  (* a token that was shifted makes room for the next *)
+  (* after shifting a token, reads the next one *)
   and advance before checkpoint =
     match checkpoint with
     | Automaton.InputNeeded _ ->
@@ -99,10 +101,10 @@ let explained reader =
 
 exception Bad_token
 
-(* The same by the parser that menhir makes code of: it is several times as fast,
-   and tells nothing of an error. Its actions have no effects, so what it cannot
-   read is read again from the first character on; what is reported of a character
-   both times counts once (see {!Diagnostic.all}). *)
+(* Parses an item with the parser that menhir generates as code. It is several times as fast as the
+   automaton, but gives no information about an error. Its actions have no side effects, so a faulty
+   item is parsed again by the automaton from its first character. Errors of the lexer, which then
+   occur twice, are reported once (see {!Diagnostic.all}). *)
 let item reader =
   let again = Layout.copy reader.layout in
   reader.tokens <- 0;
@@ -137,13 +139,13 @@ let too_deep sink at =
 
 let levels_of_a_token = 4
 
-(* Layout limits brackets and blocks; operators, arrows and the like nest too. A token
-   puts what comes after it at most a few levels deeper: few tokens nest nothing too deep. *)
+(* Layout limits the nesting of brackets and blocks, but operators, arrows and other constructs nest
+   too. A token adds only a few levels, so an item with few tokens cannot be too deep. *)
 let check_depth reader declaration =
   if levels_of_a_token * reader.tokens > Layout.deepest then
     Option.iter (too_deep reader.sink) (Node.depth_exceeds Layout.deepest (Declaration declaration))
 
-(* Puts the items in their places; all lists last one first. *)
+(* Collects the items of a program. All lists have the last element first. *)
 let rec collect reader (program : Ir.program) errors =
   if errors >= most_errors then program
   else
@@ -198,7 +200,7 @@ let read sink ~file text =
       too_deep sink (Build.span (token.start, token.stop));
       None
 
-(* The span of one byte (or of [length]) at an offset. *)
+(* The span of [length] bytes at an offset. *)
 let span_at ~file text offset length =
   let line = ref 1 and line_start = ref 0 in
   String.iteri
@@ -234,7 +236,7 @@ let program sink ~file text =
         |> Diagnostic.hint "is this a text file? save it as UTF-8");
       None
   | None -> (
-      (* a sink of this file's own, to know whether this file is at fault *)
+      (* A sink for this file alone, to know whether this file has errors. *)
       let own = Diagnostic.sink () in
       check_tabs own ~file text;
       let program = read own ~file text in
@@ -246,6 +248,6 @@ let program sink ~file text =
 let readable ~file text =
   let sink = Diagnostic.sink () in
   let program = if Utf8.first_error text <> None then None else read sink ~file text in
-  (* What nests too deep is nothing to go through. *)
+  (* a tree that is nested too deep is not safe to traverse *)
   let is_too_deep (d : Diagnostic.t) = String.equal d.code "E0106" in
   if List.exists is_too_deep (Diagnostic.all sink) then None else program

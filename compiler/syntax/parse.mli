@@ -1,13 +1,13 @@
-(** From text to {!Ir}.
+(** Parses text into {!Ir}.
 
-    Reads item by item at the top level, so that each faulty item has its own message and the others
-    are still read. *)
+    The parser reads one top-level item at a time. Each faulty item gets its own message, and the
+    others are still parsed. *)
 
 open Basis
 
 val readable : file:string -> string -> Ir.program option
-(** Of a text with mistakes the items without; [None] if even these are not to be told apart. *)
+(** For a text with errors: the items without errors. [None] if the items cannot be separated. *)
 
 val program : Diagnostic.sink -> file:string -> string -> Ir.program option
-(** [program sink ~file text]: [file] is the name to show. [None] if anything was reported as an
-    error. Takes any bytes, in linear time. *)
+(** [program sink ~file text] parses any bytes, in linear time. [file]: the name shown in messages.
+    [None] if an error was reported. *)

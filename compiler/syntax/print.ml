@@ -1,8 +1,8 @@
 open Ir
 
-(* All printers write to [b]; [column] is that of the line they are on, from 0.
-   A block opened on that line stands at [column + 2], a [where] at
-   [column + 1], so that it closes whatever the line has opened. *)
+(* All printers write to [b]. [column] is the indentation of the current line, from 0. A block
+   opened on that line is indented to [column + 2]. A [where] is indented to [column + 1], so that it
+   closes all blocks that the line has opened. *)
 
 let text = Buffer.add_string
 let is_operator x = match x.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
@@ -194,7 +194,7 @@ let string_literal s =
     s;
   "\"" ^ Buffer.contents b ^ "\""
 
-(* Can stand as an argument without parentheses. *)
+(* Can it be used as an argument without parentheses? *)
 let is_argument (e : expr) =
   match e.desc with
   | Variable _ | Constructor _ | Number _ | String _ | Tuple _ | Tuple_section _ | Array _
@@ -534,7 +534,7 @@ and data b column constructors =
           between b " { " " }" (fun () -> separated b ", " field fields))
     constructors
 
-(* The scale comes first, so a unit that starts with [1] goes on from it. *)
+(* The scale comes first, so a unit that starts with [1] continues the scale. *)
 and scaled b scale u =
   let written = scale.factor <> "1" || scale.times_pi || scale.divided_by <> "1" in
   if scale.factor <> "1" || not scale.times_pi then if written then text b scale.factor;

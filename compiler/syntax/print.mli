@@ -1,10 +1,10 @@
-(** Syntax as Frob source.
+(** Prints Syntax as Frob source.
 
-    What is printed parses to the same tree, but for spans: blocks stand on lines of their own, two
-    columns further right than the line that opens them. Comments that document nothing are gone. *)
+    The output parses to the same tree, apart from spans. Blocks are on lines of their own, indented
+    two columns more than the line that opens them. Comments other than doc comments are lost. *)
 
 val program : Format.formatter -> Ir.program -> unit
 
-(** Parts of a program in one line, for messages. *)
+(** {1 Single-line printing for messages} *)
 
 val ty : Ir.ty -> string

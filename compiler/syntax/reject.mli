@@ -1,12 +1,13 @@
-(** How the grammar's actions give up: a piece that reads well but means nothing. {!Parse} reports
-    the diagnostic and goes on with the next top-level item. *)
+(** Lets semantic actions reject input that is grammatical but has no meaning. {!Parse} reports the
+    diagnostic and continues with the next top-level item. *)
 
 open Basis
 
 exception Rejected of Diagnostic.t
 
 val diagnostic : Diagnostic.t -> 'a
-(** Raises {!Rejected}. *)
+(** @raise Rejected always *)
 
 val at : code:string -> Span.t -> ?hint:string -> ('a, unit, string, 'b) format4 -> 'a
-(** Raises {!Rejected} with a plain error. *)
+(** Rejects with an error of this code.
+    @raise Rejected always *)

@@ -1,8 +1,8 @@
-(** Surface: what the grammar builds on the way to {!Ir}.
+(** Surface: the tree that the grammar builds on the way to {!Ir}.
 
-    A pattern and an expression can start alike, and only a later [=], [<-] or [->] tells them
-    apart. So the grammar reads both as a {!term}, and {!Term} turns it into the one or the other.
-*)
+    A pattern and an expression can start alike, and only a later [=], [<-] or [->] distinguishes
+    them. The grammar therefore parses both as a {!term}, which {!Term} converts to one or the
+    other. *)
 
 open Basis
 
@@ -16,17 +16,17 @@ and term_desc =
   | Constructor of Ir.qualified
   | Number of Ir.number
   | Negated of term
-  | Tuple of term list  (** none, or at least two *)
+  | Tuple of term list  (** empty, or at least two elements *)
   | Array of term list
   | Parenthesized of term
-  | Application of { head : term; arguments : term list }  (** at least one *)
+  | Application of { head : term; arguments : term list }  (** at least one argument *)
   | Braces of { before : term; fields : (Ir.name * term) list }
-      (** a record made or matched ([before] is a constructor), or updated *)
+      (** record construction or pattern ([before] is a constructor), or a record update *)
 
 (** One step of [a + - b * c] before its last operand. *)
 type step = Operand of { operand : term; operator : Ir.qualified } | Minus of Span.t
 
-(** A statement of a [do] as written. *)
+(** A statement of a [do], unprocessed. *)
 type statement =
   | Arrow_bind of { left : term; right : Ir.expr }  (** [p <- e] *)
   | Command_bind of { left : term; command : Ir.command }  (** [p <- sf -< e] *)
@@ -35,10 +35,10 @@ type statement =
   | Let of Ir.declaration list
   | Rec of statement list
 
-type factor = { factor : factor_desc; over : bool;  (** after [/] *) span : Span.t }
-(** A factor of a unit, or of the right side of a [unit] declaration. *)
+type factor = { factor : factor_desc; over : bool;  (** comes after [/] *) span : Span.t }
+(** A factor of a unit, or of the right-hand side of a [unit] declaration. *)
 
 and factor_desc = Amount of { digits : string; decimal : bool } | Measure of Ir.unit_
 
-(** What stands between two separators at the top of a file. *)
+(** The content between two separators at the top level. *)
 type item = Header of Ir.header | Import of Ir.import | Declaration of Ir.declaration | Nothing

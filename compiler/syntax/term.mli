@@ -1,10 +1,10 @@
-(** Terms become expressions, patterns, or the left side of a definition.
+(** Converts terms to expressions, patterns, or the left-hand side of a definition.
 
-    All raise {!Reject.Rejected} where a term cannot be that. They call themselves only as deep as
-    brackets are nested, which {!Layout} limits. *)
+    All raise {!Reject.Rejected} if the term cannot be converted. Their recursion depth is bounded
+    by the nesting of brackets, which {!Layout} limits. *)
 
 val to_expr : Surface.term -> Ir.expr
 val to_pattern : Surface.term -> Ir.pattern
 
 val to_left : Surface.term -> Ir.left
-(** What stands before [=] (or before a guard). *)
+(** The left-hand side, before [=] or before a guard. *)

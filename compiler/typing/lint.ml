@@ -3,11 +3,11 @@ open Ir
 
 type scope = {
   data : (Global.t, data) Hashtbl.t;
-  globals : (Global.t, scheme) Hashtbl.t;  (** definitions and primitives *)
+  globals : (Global.t, scheme) Hashtbl.t;  (** schemes of definitions and primitives *)
   methods : (Global.t, scheme) Hashtbl.t;
-  bound : (int, unit) Hashtbl.t;  (** every variable met so far *)
-  locals : (int, scheme) Hashtbl.t;  (** those in scope *)
-  parameters : (int, unit) Hashtbl.t;  (** of types, representations and units *)
+  bound : (int, unit) Hashtbl.t;  (** all variables bound so far *)
+  locals : (int, scheme) Hashtbl.t;  (** variables in scope *)
+  parameters : (int, unit) Hashtbl.t;  (** parameters in scope: types, representations and units *)
 }
 
 let fail (span : Span.t) format =
@@ -147,7 +147,7 @@ let bind s (x : Local.t) scheme entered =
 
 let leave s entered = List.iter (fun (x : Local.t) -> Hashtbl.remove s.locals x.id) entered
 
-(* The type of each of these, which are an array. *)
+(* The element type of an array with this number of elements. *)
 let element span (array : ty) parts =
   match array with
   | Data { arguments = [ Size n; element ]; _ } when n = List.length parts -> element
@@ -186,55 +186,68 @@ let rec pattern s entered (p : pattern) =
 
 (* {1 Expressions} *)
 
+let is (e : expr) what found = agree e.span what ~expected:e.ty ~found
+let types_of es = Long_list.map (fun (e : expr) -> e.ty) es
+
+let local s (e : expr) (x : Local.t) i =
+  match Hashtbl.find_opt s.locals x.id with
+  | Some scheme -> is_instance s e scheme i
+  | None -> fail e.span "`%s` is not in scope" x.name
+
+let global s (e : expr) (g : Global.t) i =
+  match Hashtbl.find_opt s.globals g with
+  | Some scheme -> is_instance s e scheme i
+  | None -> fail e.span "`%s.%s` is not defined" g.module_ g.name
+
+let method_ s (e : expr) (g : Global.t) i =
+  match Hashtbl.find_opt s.methods g with
+  | Some scheme -> is_instance s e scheme i
+  | None -> fail e.span "`%s` is no method" g.name
+
+let constructor s (e : expr) (c : constructor) =
+  let rec result fields (ty : ty) =
+    match (fields, ty) with
+    | [], _ -> ty
+    | _ :: fields, Function (_, ty) -> result fields ty
+    | _ :: _, _ -> fail e.span "`%s` lacks fields" c.constructor.name
+  in
+  let made = result c.fields e.ty in
+  let fields = field_types s e.span made c in
+  agree e.span "a constructor" ~units:But_for_units ~found:e.ty
+    ~expected:(List.fold_right (fun a b : ty -> Function (a, b)) fields made)
+
+let number (e : expr) =
+  match e.ty with
+  | Number _ -> ()
+  | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _ ->
+      fail e.span "a number of no numeric type"
+
+let index (e : expr) (array : expr) k =
+  match array.ty with
+  | Data { arguments = [ Size n; _ ]; _ } when k < 0 || k >= n ->
+      fail e.span "element %d of an array of %d" k n
+  | Data { arguments = [ _; element ]; _ } -> is e "an element" element
+  | _ -> fail e.span "an element of what is no array"
+
 let rec expr s (e : expr) =
   closed s e.span e.ty;
-  let is what found = agree e.span what ~expected:e.ty ~found in
-  let global g i =
-    match Hashtbl.find_opt s.globals g with
-    | Some scheme -> is_instance s e scheme i
-    | None -> fail e.span "`%s.%s` is not defined" g.Global.module_ g.name
-  in
   match e.desc with
-  | Local (x, i) -> (
-      match Hashtbl.find_opt s.locals x.id with
-      | Some scheme -> is_instance s e scheme i
-      | None -> fail e.span "`%s` is not in scope" x.name)
-  | Global (g, i) | Primitive (g, i) -> global g i
-  | Method { method_; instantiation; class_ = _ } -> (
-      match Hashtbl.find_opt s.methods method_ with
-      | Some scheme -> is_instance s e scheme instantiation
-      | None -> fail e.span "`%s` is no method" method_.name)
-  | Constructor (c, _) ->
-      let rec result fields (ty : ty) =
-        match (fields, ty) with
-        | [], _ -> ty
-        | _ :: fields, Function (_, ty) -> result fields ty
-        | _ :: _, _ -> fail e.span "`%s` lacks fields" c.constructor.name
-      in
-      let made = result c.fields e.ty in
-      let fields = field_types s e.span made c in
-      agree e.span "a constructor" ~units:But_for_units ~found:e.ty
-        ~expected:(List.fold_right (fun a b : ty -> Function (a, b)) fields made)
-  | Number _ -> (
-      match e.ty with
-      | Number _ -> ()
-      | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _ ->
-          fail e.span "a number of no numeric type")
-  | String _ -> is "a string" String
+  | Local (x, i) -> local s e x i
+  | Global (g, i) | Primitive (g, i) -> global s e g i
+  | Method { method_ = g; instantiation; class_ = _ } -> method_ s e g instantiation
+  | Constructor (c, _) -> constructor s e c
+  | Number _ -> number e
+  | String _ -> is e "a string" String
   | Tuple es ->
       List.iter (expr s) es;
-      is "a tuple" (Tuple (Long_list.map (fun (e : expr) -> e.ty) es))
+      is e "a tuple" (Tuple (types_of es))
   | Array es ->
       List.iter (expr s) es;
       let expected = element e.span e.ty es in
       List.iter (fun (a : expr) -> agree a.span "an element" ~expected ~found:a.ty) es
-  | Index (a, k) -> (
+  | Index (a, k) ->
       expr s a;
-      match a.ty with
-      | Data { arguments = [ Size n; _ ]; _ } when k < 0 || k >= n ->
-          fail e.span "element %d of an array of %d" k n
-      | Data { arguments = [ _; element ]; _ } -> is "an element" element
-      | _ -> fail e.span "an element of what is no array")
+      index e a k
   | Apply (f, a) ->
       expr s f;
       expr s a;
@@ -245,64 +258,38 @@ let rec expr s (e : expr) =
       agree e.span "what is run" ~expected:(Signal_function (input.ty, e.ty)) ~found:h.ty
   | Negate a ->
       expr s a;
-      is "a negation" a.ty
+      is e "a negation" a.ty
   | Power (a, _) ->
       expr s a;
       agree e.span "a power" ~units:But_for_units ~expected:e.ty ~found:a.ty
   | If (condition, a, b) ->
-      expr s condition;
-      agree condition.span "a condition" ~expected:Bool ~found:condition.ty;
+      truth s "a condition" condition;
       expr s a;
       expr s b;
-      is "a branch" a.ty;
-      is "a branch" b.ty
+      is e "a branch" a.ty;
+      is e "a branch" b.ty
   | Case (scrutinee, branches) ->
       expr s scrutinee;
-      List.iter
-        (fun (b : branch) ->
-          let entered = pattern s [] b.pattern in
-          agree b.pattern.span "a pattern" ~expected:scrutinee.ty ~found:b.pattern.ty;
-          expr s b.value;
-          is "a branch" b.value.ty;
-          leave s entered)
-        branches
-  | Let (bindings, body) ->
-      let enter recursive entered b =
-        if b.recursive = recursive then binder s entered b else entered
-      in
-      let entered = List.fold_left (enter true) [] bindings in
-      let define entered b =
-        value s b;
-        enter false entered b
-      in
-      let entered = List.fold_left define entered bindings in
-      expr s body;
-      is "a body" body.ty;
-      leave s entered
+      List.iter (branch s e scrutinee) branches
+  | Let (bindings, body) -> let_ s e bindings body
   | Lambda (patterns, body) ->
       let entered = List.fold_left (pattern s) [] patterns in
       expr s body;
-      is "a function"
+      is e "a function"
         (List.fold_right (fun (p : pattern) b : ty -> Function (p.ty, b)) patterns body.ty);
       leave s entered
   | Guards (guarded, last) ->
       List.iter
-        (fun ((guard : expr), (value : expr)) ->
-          expr s guard;
-          agree guard.span "a guard" ~expected:Bool ~found:guard.ty;
-          expr s value;
-          is "a guarded value" value.ty)
+        (fun (guard, value) ->
+          truth s "a guard" guard;
+          guarded_value s e value)
         guarded;
-      Option.iter
-        (fun (last : expr) ->
-          expr s last;
-          is "a guarded value" last.ty)
-        last
+      Option.iter (guarded_value s e) last
   | Proc { input; equations; output } ->
       let entered = List.fold_left (binder s) (pattern s [] input) equations in
       List.iter (value s) equations;
       expr s output;
-      is "a proc" (Signal_function (input.ty, output.ty));
+      is e "a proc" (Signal_function (input.ty, output.ty));
       leave s entered
   | Record (c, fields) -> record s e e.ty c fields
   | Update (r, c, fields) ->
@@ -313,6 +300,34 @@ let rec expr s (e : expr) =
       expr s r;
       agree e.span "a field" ~units:But_for_units ~found:e.ty
         ~expected:(field s e.span r.ty c index)
+
+and truth s what (e : expr) =
+  expr s e;
+  agree e.span what ~expected:Bool ~found:e.ty
+
+and guarded_value s e (value : expr) =
+  expr s value;
+  is e "a guarded value" value.ty
+
+and branch s e (scrutinee : expr) (b : branch) =
+  let entered = pattern s [] b.pattern in
+  agree b.pattern.span "a pattern" ~expected:scrutinee.ty ~found:b.pattern.ty;
+  expr s b.value;
+  is e "a branch" b.value.ty;
+  leave s entered
+
+(* Recursive bindings are in scope in all of them, the others only after their own value. *)
+and let_ s e bindings (body : expr) =
+  let enter recursive entered b = if b.recursive = recursive then binder s entered b else entered in
+  let entered = List.fold_left (enter true) [] bindings in
+  let define entered b =
+    value s b;
+    enter false entered b
+  in
+  let entered = List.fold_left define entered bindings in
+  expr s body;
+  is e "a body" body.ty;
+  leave s entered
 
 and field s span ty c index =
   match List.nth_opt (field_types s span ty c) index with

@@ -1,10 +1,10 @@
-(** Checks what {!Ir} promises of names and types: each variable is bound once and used in its
-    scope; each expression has the type that its parts give it; types are closed over the parameters
-    in scope.
+(** Checks the invariants of {!Ir} about names and types. Each variable is bound once and used in
+    its scope. The type of each expression agrees with the types of its parts. Types mention only
+    the parameters in scope.
 
-    Where instantiations and data types have had their units erased, types are compared but for
-    their units. That levels are right and cases exhaustive is what {!Levels} and {!Patterns} see
-    to, and is not checked again. *)
+    Instantiations and data types have their units erased, so their types are compared without
+    units. {!Levels} and {!Patterns} ensure that levels are correct and cases exhaustive; that is
+    not checked again here. *)
 
 val program : Ir.program -> unit
-(** Raises {!Basis.Diagnostic.Bug}. *)
+(** @raise Basis.Diagnostic.Bug if an invariant is violated *)

@@ -2,8 +2,8 @@ open Basis
 
 let sound sink typed = if Diagnostic.has_errors sink then None else Some typed
 
-(* Levels and patterns read types: after an error there they would only repeat it in other
-   words. *)
+(* The checks of levels and patterns rely on types. After a type error they would only repeat the
+   error in other words. *)
 let program ?sources sink ~real resolved =
   Option.bind
     (sound sink (Infer.program ?sources sink ~real resolved))

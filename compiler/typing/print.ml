@@ -1,13 +1,13 @@
 open Basis
 open Ir
 
-(* Strings are put out one by one and not by [fprintf "%a"], which needs much
-   stack: expressions are ten thousand deep. *)
+(* Strings are printed one by one instead of by [fprintf "%a"], which needs much more stack:
+   expressions may be nested ten thousand deep. *)
 type context = {
   out : Format.formatter;
   main_module : string;
-  names : (int, string) Hashtbl.t;  (** of the definition's variables *)
-  uses : (string, int) Hashtbl.t;  (** how many of them have a name *)
+  names : (int, string) Hashtbl.t;  (** names of the definition's variables, by id *)
+  uses : (string, int) Hashtbl.t;  (** number of variables with each name *)
 }
 
 let put c text = Format.pp_print_string c.out text
@@ -105,7 +105,7 @@ let rec pattern c nested (p : pattern) =
 
 (* {1 Expressions} *)
 
-(* 0 anywhere, 1 operand or function, 2 argument *)
+(* Context: 0 anywhere, 1 operand or function, 2 argument. *)
 let rec expr c depth (e : expr) =
   match e.desc with
   | Local (x, i) -> name c (depth > 1) (local c x) i

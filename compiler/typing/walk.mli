@@ -1,7 +1,7 @@
-(** The parts of typed trees, for what looks at all of them. *)
+(** Traversals of typed trees. *)
 
 val parts : (Ir.expr -> unit) -> Ir.expr -> unit
-(** What stands directly in an expression, in the order written. *)
+(** Visits the direct subexpressions of an expression, in source order. *)
 
 val own : Resolve.Ir.program -> (Ir.expr -> unit) -> Ir.program -> unit
-(** The definitions of the modules that are not of the library. *)
+(** Visits the values of all definitions outside the library. *)

@@ -1,8 +1,8 @@
-"""Puts the site's pages together: build.py REPOSITORY FROBC PAGES.
+"""Assembles the pages of the website: build.py REPOSITORY FROBC PAGES.
 
-The pages are those of the repository, at the same places, so that their links hold; what
-they link to that is no page, such as a program, becomes one. The reference that is made of
-the compiler and the library (reference.py) goes to docs/reference/.
+The website contains the pages of the repository at the same paths, so that their links stay
+valid. A linked file that is not a page, such as a program, becomes a page. The reference
+pages, which reference.py generates, go to docs/reference/.
 """
 
 import os
@@ -13,7 +13,16 @@ from pathlib import Path
 
 import reference
 
-ROOTS = ["README.md", "docs", "examples", "sim/README.md", "compiler/README.md", "tests/README.md"]
+ROOTS = [
+    "README.md",
+    "CHANGELOG.md",
+    "CONTRIBUTING.md",
+    "docs",
+    "examples",
+    "sim/README.md",
+    "compiler/README.md",
+    "tests/README.md",
+]
 LANGUAGES = {
     ".frob": "haskell",
     ".c": "c",
@@ -32,7 +41,7 @@ SESSION = re.compile(r"^(\s*)```console$")
 
 
 def pages_of(repository):
-    """The Markdown files that are pages, by their path in the repository."""
+    """The paths of all Markdown pages, relative to the repository."""
     for root in ROOTS:
         path = repository / root
         found = [path] if path.is_file() else sorted(path.rglob("*.md"))
@@ -59,7 +68,7 @@ class Site:
         self.made = {}
 
     def target(self, page, link):
-        """Where a link of a page leads on the site, as a path from the page's folder."""
+        """The target of a link on the website, as a path relative to the page's folder."""
         whole = os.path.normpath(os.path.join(page.parent, link))
         path = Path(whole)
         there = self.repository / path
@@ -89,7 +98,7 @@ class Site:
         (self.out / path).write_text(text)
 
     def page(self, page, text):
-        """The page with its links, and with fences that the highlighter knows."""
+        """The page with translated links, and with code fences that the highlighter supports."""
         lines, code = [], False
         for line in text.splitlines():
             if line.lstrip().startswith("```"):

@@ -1,7 +1,7 @@
-"""usage: page_pictures.py FROBC ROOT
+"""usage: page_pictures.py FROBC ROOT TO
 
-Pictures of the page of `frobc view`, for the documentation: programs that see are run, and what the
-page shows of them at some instants is put into ROOT/docs."""
+Takes pictures of the page of `frobc view` for the documentation: runs programs with cameras, and writes
+what the page shows at some instants to TO/docs."""
 
 import base64
 import os
@@ -10,7 +10,7 @@ import sys
 import tempfile
 import time
 
-frobc, root = map(os.path.abspath, sys.argv[1:])
+frobc, root, to = map(os.path.abspath, sys.argv[1:])
 sys.path.insert(0, os.path.join(root, "tests/users/view"))
 
 from selenium.webdriver.common.action_chains import ActionChains
@@ -19,7 +19,7 @@ from selenium.webdriver.common.keys import Keys
 import viewer
 from journey import Page, start
 
-# What the camera's pane has of the image, with the marks on it.
+# Returns the image in the camera pane, with the marks on it.
 pane = """
 const canvas = document.querySelector("#camera canvas");
 const { width, height } = canvas, copy = new OffscreenCanvas(width, height).getContext("2d");
@@ -64,7 +64,7 @@ class Run:
         self.page.at(0)
 
     def go(self, instant):
-        """By the page's keys: seconds, of 50 instants, and tens."""
+        """Moves with the page's keys: by seconds (50 instants), then by 10 instants."""
         self.page.press(Keys.HOME)
         self.page.at(0)
         for k in range(50, instant + 1, 50):
@@ -75,7 +75,7 @@ class Run:
                 Keys.SHIFT
             ).perform()
             self.page.at(k)
-        time.sleep(0.5)  # until the frame is there, too
+        time.sleep(0.5)  # until the frame has arrived
 
     def seen(self, instant, path):
         self.go(instant)
@@ -94,7 +94,7 @@ def smaller(inputs, output, *how):
             "-colors",
             "128",
             "-strip",
-            f"PNG8:{os.path.join(root, 'docs', output)}",
+            f"PNG8:{os.path.join(to, 'docs', output)}",
         ],
         check=True,
     )

@@ -1,21 +1,23 @@
 #!/bin/sh
-# pictures.sh PAGE.md…: does what the pages tell their readers to do (see
-# tests/documents/pages), and puts the pictures that they show beside them, smaller. One of
-# a run in real time (real-robot.md) is another each time.
+# pictures.sh PAGE.md…: follows the pages as their readers would (see tests/documents/pages),
+# and writes smaller copies of the resulting pictures to the pages' folders. The picture of a
+# run in real time (real-robot.md) differs each time.
 set -eu
+to=${PICTURES:-.} # replaces the folder that contains docs/
 here=$(dirname "$0")
 out=$here/../../_build/pages
 for page in "$@"; do
     name=$(basename "$page" .md)
     awk -v pages="$out" -f "$here/../../tests/documents/pages/page.awk" "$page" >"$out.page"
-    cmp -s "$page" "$out.page" || echo "$page: other things were printed than it shows" >&2
+    cmp -s "$page" "$out.page" || echo "$page: the printed output differs from the page" >&2
     grep -oE '^!\[[^]]*\]\([^)]*\.(png|svg)\)' "$page" | sed 's/.*(//; s/)$//' | while read -r picture; do
+        mkdir -p "$to/$(dirname "$page")"
         case $picture in
-            */*) continue ;; # of another page
+            */*) continue ;; # belongs to another page
             *.png) convert "$out/$name/$picture" -resize 800x -dither None -colors 64 -strip \
-                "PNG8:$(dirname "$page")/$picture" ;;
-            *.svg) cp "$out/$name/$picture" "$(dirname "$page")/$picture" ;;
+                "PNG8:$to/$(dirname "$page")/$picture" ;;
+            *.svg) cp "$out/$name/$picture" "$to/$(dirname "$page")/$picture" ;;
         esac
-        echo "$(dirname "$page")/$picture"
+        echo "$to/$(dirname "$page")/$picture"
     done
 done

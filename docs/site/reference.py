@@ -1,8 +1,8 @@
-"""The reference that is made of what it is about: reference.py REPOSITORY FROBC OUT.
+"""Generates the reference pages from their sources: reference.py REPOSITORY FROBC OUT.
 
-library.md       each name of the library, of its comment and its signature in stdlib/
-messages.md      each message, of its page in compiler/explain/
-commands.md      each command and option, of frobc's own help
+library.md       the names of the library, with comment and signature, from stdlib/
+messages.md      the messages, from their pages in compiler/explain/
+commands.md      the commands and options, from frobc --help
 """
 
 import re
@@ -12,10 +12,10 @@ from pathlib import Path
 
 
 def entries(text):
-    """The documented declarations of a module: (comment, declaration), in its order.
+    """Yields (comment, declaration) for each documented declaration of a module, in order.
 
-    A declaration is documented by the comment `-- |` right above it, and goes on with the
-    lines that stand further right; of a definition that is its signature."""
+    The documentation is the comment `-- |` directly above a declaration. The declaration
+    includes the indented lines that follow; for a definition, it is the signature."""
     lines = text.splitlines()
     k = 0
     while k < len(lines):
@@ -47,7 +47,7 @@ def entries(text):
 
 
 def names_of(declaration):
-    """What a declaration declares: one name or, of a signature, several."""
+    """The names that a declaration declares: one or, for a signature, several."""
     keyword = re.match(
         r"(?:(primitive|foreign type|foreign|type|unit|data|class) )?", declaration[0]
     ).group(1)
@@ -60,10 +60,10 @@ def names_of(declaration):
 
 
 def entry(module, comment, declaration, depth):
-    """An entry of the reference; those of a class's methods come after it."""
+    """An entry of the reference, followed by the entries of a class's methods."""
     names = names_of(declaration)
     heading = ", ".join(f"`{name}`" for name in names)
-    # how it is in C is nobody's business who calls it
+    # callers do not need the name of the C function
     first = re.sub(r'^foreign (.*) = ".*"$', r"\1", declaration[0])
     code = [re.sub(r"^primitive ", "", first), *declaration[1:]]
     body = []
@@ -80,7 +80,7 @@ def entry(module, comment, declaration, depth):
         "",
     ]
     methods = "\n".join(line[4:] for line in body)
-    # a method without a comment of its own is told of by that of its class
+    # a method without its own comment gets the comment of its class
     methods = re.sub(r"(?<!\S\n)^(?=\w+ :: )", f"-- | {comment}\n", methods, flags=re.M)
     for inner in entries(methods):
         out += entry(module, *inner, depth + 1)
@@ -88,13 +88,13 @@ def entry(module, comment, declaration, depth):
 
 
 def library(repository):
-    """An entry a name, module by module."""
+    """The entries of all names, module by module."""
     out = [
         "# The library, name by name",
         "",
-        "What the source of the library says of each name. The prelude is there without an "
-        "import; the other modules need one. By what they do, names are listed in the "
-        "appendices of the [language reference](../language.md).",
+        "This page lists every name of the library with its type and documentation. You can "
+        "use the names of the prelude without an import. The appendices of the "
+        "[language reference](../language.md) list the names by subject.",
         "",
     ]
     paths = (repository / "stdlib").glob("*.frob")
@@ -106,8 +106,13 @@ def library(repository):
 
 
 def messages(repository):
-    """The pages of frobc explain, by code."""
-    out = ["# Messages", "", "What `frobc explain CODE` prints, of each code.", ""]
+    """The pages of frobc explain, sorted by code."""
+    out = [
+        "# Messages",
+        "",
+        "This page contains the output of `frobc explain CODE` for every code.",
+        "",
+    ]
     for path in sorted((repository / "compiler/explain").glob("*/[EW]*.md"), key=lambda p: p.stem):
         text = re.sub(r"^```frob.*$", "```haskell", path.read_text(errors="replace"), flags=re.M)
         code = path.stem
@@ -123,14 +128,14 @@ def help_of(frobc, *command):
 
 
 def commands(frobc):
-    """frobc's help, of the whole and of each command."""
+    """The help of frobc and of each command."""
     whole = help_of(frobc)
     listed = whole[whole.index("\nCOMMANDS") : whole.index("\nCOMMON")]
     names = re.findall(r"^       ([a-z]+) ", listed, flags=re.M)
     out = [
         "# The command line",
         "",
-        "What `frobc --help` and `frobc COMMAND --help` print.",
+        "This page contains the output of `frobc --help` and `frobc COMMAND --help`.",
         "",
         "## frobc",
         "",

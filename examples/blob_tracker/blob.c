@@ -2,10 +2,10 @@
 #include "blob.h"
 #include "blob_tracker.h"
 
-/* A pixel at least this bright belongs to the blob, in the tracker as a whole. */
+/* Brightness from which the tracker counts a pixel as part of the blob. */
 static const int32_t bright = 128;
 
-/* How far around the blob the tracker looks for it in the next picture. */
+/* How far around the blob the tracker looks for it in the next picture, in pixels. */
 static const int32_t margin = 2;
 
 static int32_t limited(int32_t n, int32_t most)
@@ -15,14 +15,14 @@ static int32_t limited(int32_t n, int32_t most)
 
 /* {1 The parts} */
 
-/* Which pixels are at least as bright as the threshold. */
+/* Marks the pixels that are at least as bright as the threshold. */
 void blob_brighter(int32_t threshold, const int32_t *picture, bool *result)
 {
     for (int i = 0; i < BLOB_PIXELS; i++)
         result[i] = picture[i] >= threshold;
 }
 
-/* The centre and the size of what is set in a window; nothing if nothing is. */
+/* Computes the centre and the size of the marked pixels in a window; Nothing if there are none. */
 void blob_measure(const struct frob_window *w, const bool *mask, struct frob_maybe_blob *result)
 {
     const struct frob_maybe_blob nothing = { .tag = FROB_MAYBE_BLOB_NOTHING };
@@ -53,7 +53,7 @@ void blob_around(const struct frob_blob *b, struct frob_window *result)
     result->bottom = limited(row + margin, BLOB_HEIGHT - 1);
 }
 
-/* {1 The whole} */
+/* {1 The whole tracker} */
 
 static void look_everywhere(struct blob_state *self)
 {
@@ -67,7 +67,7 @@ void blob_reset(struct blob_state *self)
     look_everywhere(self);
 }
 
-/* One picture; dt, the seconds since the last, does not matter here. */
+/* Processes one picture. dt, the seconds since the previous one, is not used. */
 void blob_step(struct blob_state *self, double dt, const struct blob_input *in,
                struct blob_output *out)
 {

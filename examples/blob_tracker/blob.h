@@ -1,10 +1,10 @@
 /* blob.h -- finds a bright blob in small pictures, and keeps finding it.
  *
- * A picture is BLOB_HEIGHT rows of BLOB_WIDTH pixels, row after row, each from
- * 0 (black) to 255. Nothing allocates; each instance has its own state.
+ * A picture has BLOB_HEIGHT rows of BLOB_WIDTH pixels, row by row, each from 0 (black) to 255.
+ * The functions do not allocate memory; each instance has its own state.
  *
- * Written for blob_tracker.frob, in whose generated header are the structs and
- * the prototypes; here is what that header needs to know. */
+ * This code is for blob_tracker.frob, whose generated header declares the structs and the
+ * functions; this header contains the definitions that the generated one needs. */
 #ifndef BLOB_H
 #define BLOB_H
 

@@ -1,15 +1,15 @@
-/* main.c -- two wheels, each with a controller of its own, from C.
+/* main.c -- two wheels, each with its own controller, from C.
  *
- * The caller owns the states and the time: reset once, then a step at each
- * instant with the seconds since the one before. Nothing is shared between the
- * two, so each could have a thread of its own. */
+ * The caller owns the states and the time: it resets each state once, then calls a step at each
+ * instant with the seconds since the previous one. The two wheels share no data, so each could
+ * have its own thread. */
 #include "wheel.h"
 
 #include <stdio.h>
 
 enum { WHEELS = 2, STEPS = 150 };
 
-/* A wheel on its motor: it comes near 0.1 m/s for each volt, slowly. */
+/* A wheel on its motor: its speed slowly approaches 0.1 m/s per volt. */
 static double speed_after(double dt, double speed, double volts)
 {
     return speed + dt * 2.0 * (0.1 * volts - speed);

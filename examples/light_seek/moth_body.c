@@ -1,5 +1,5 @@
-/* moth_body.c -- a Moth's body, for the simulator. Measures are those of Moth.frob;
- * nobody has built one. */
+/* moth_body.c -- a Moth's body, for the simulator. Its dimensions are those of Moth.frob; no
+ * such robot has been built. */
 #include <frob/body.h>
 
 #include "moth.h"
@@ -13,20 +13,20 @@
 
 enum { RANGERS = 3, SIDES = 2 };
 
-/* At 50 degrees to both sides, and ahead. */
+/* At 50 degrees to each side, and straight ahead. */
 static const struct frob_seat rangers[RANGERS] = {
     { 0.642787609686539 * RADIUS_M, 0.766044443118978 * RADIUS_M, 50.0 * DEGREES },
     { RADIUS_M, 0.0, 0.0 },
     { 0.642787609686539 * RADIUS_M, -0.766044443118978 * RADIUS_M, -50.0 * DEGREES },
 };
 
-/* On the top, so that the body hides no lamp. */
+/* On top, so that the body does not shade them. */
 static const struct frob_seat photocells[SIDES] = {
     { 0.04, 0.02, 45.0 * DEGREES },
     { 0.04, -0.02, -45.0 * DEGREES },
 };
 
-/* As far apart as the usual tape is wide, 19 mm. */
+/* 19 mm apart, the width of ordinary tape. */
 static const struct frob_spot floor_sensors[SIDES] = {
     { 0.05, 0.0095 },
     { 0.05, -0.0095 },
@@ -59,7 +59,7 @@ static void command(const void *from, double *forward_m_s, double *turn_rad_s)
     *turn_rad_s = output->turn;
 }
 
-/* C++ would not let the table be seen from outside without this. */
+/* In C++, a const table is visible to other files only with this declaration. */
 extern const struct frob_body frob_moth_body;
 
 const struct frob_body frob_moth_body = {

@@ -1,5 +1,4 @@
-// CamShift of OpenCV as a step of a Frob tracker: a function of an image and a region, without a
-// memory.
+// OpenCV's CamShift as a step of a Frob tracker: a stateless function of an image and a region.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +13,7 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-// Of OpenCV: hues of 0 to 180 for the circle.
+// Converts to OpenCV's hues, where 180 is the full circle.
 double half_degrees(double radians)
 {
     return radians * 90.0 / pi;
@@ -24,7 +23,7 @@ double half_degrees(double radians)
 cv::Rect window_in(const frob_image *image, const frob_region *region)
 {
     const auto within = [](double x, int most) {
-        return x > 0.0 ? (x < most ? static_cast<int>(x) : most) : 0; // 0 of NaN, too
+        return x > 0.0 ? (x < most ? static_cast<int>(x) : most) : 0; // also 0 for NaN
     };
     const int left = within(region->x, image->width), top = within(region->y, image->height);
     const int right = within(region->x + region->width, image->width);
@@ -41,7 +40,7 @@ extern "C" void camshift(const struct frob_image *image, const struct frob_hues 
     *result = frob_ellipse{};
     if (window.area() == 0 || image->format != FROB_RGB8)
         return;
-    // A header around the pixels that are there: nothing is copied, and OpenCV does not write.
+    // Wraps the existing pixels without copying them; OpenCV does not write to them.
     const cv::Mat pixels(image->height, image->width, CV_8UC3, const_cast<void *>(image->pixels),
                          static_cast<std::size_t>(image->stride));
     cv::Mat hsv, likely;
@@ -52,7 +51,7 @@ extern "C" void camshift(const struct frob_image *image, const struct frob_hues 
         likely, window, cv::TermCriteria(cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 10, 1.0));
     if (window.area() == 0)
         return;
-    // It is found with its whole width, and an angle in degrees.
+    // CamShift returns the full width, and the angle in degrees.
     result->cx = found.center.x;
     result->cy = found.center.y;
     result->major = std::max(found.size.width, found.size.height);

@@ -1,5 +1,5 @@
-# The options of frobc for the libraries of OpenCV that camshift.cc needs; nothing, and status 1,
-# where they are not installed.
+# Prints frobc's options for the OpenCV libraries that camshift.cc needs. If they are not installed,
+# prints nothing and exits with status 1.
 for library in core imgproc video; do
   path=$(gcc -print-file-name=libopencv_$library.so)
   [ -e "$path" ] || exit 1

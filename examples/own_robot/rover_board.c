@@ -1,9 +1,9 @@
-/* rover_board.c -- a Rover's own computer, for `frobc serve` and for tests.
+/* rover_board.c -- a Rover's onboard computer, for `frobc serve` and for tests.
  *
- * Written from the table of commands (README.md) and not from the driver. Commands
- * are lines that a carriage return ends. A ranger answers when its echo would have
- * come back; commands that come meanwhile wait their turn. Without a command `m`
- * for as long as `w` said, two seconds at first, the wheels stop. */
+ * Written from the table of commands (README.md) and independently of the driver. Commands are
+ * lines that end with a carriage return. A ranger answers when its echo would have come back;
+ * commands that arrive meanwhile wait. If no `m` command arrives for the time that `w` has set
+ * (initially two seconds), the wheels stop. */
 #include <frob/board.h>
 
 #include "rover.h"
@@ -18,7 +18,7 @@
 #define SEPARATION_M 0.19
 #define LOOPS_PER_S 30.0
 #define PING_NS INT64_C(20000000)
-#define ROUND_NS INT64_C(150000000) /* an echo that is older is of a round before */
+#define ROUND_NS INT64_C(150000000) /* older echoes belong to an earlier round */
 #define FULL_V 15.0
 
 enum { RANGERS = 5, LONGEST = 30, WAITING = 128 };
@@ -26,18 +26,18 @@ enum { RANGERS = 5, LONGEST = 30, WAITING = 128 };
 struct board {
     bool on;
     int64_t now_ns;
-    double left_m, right_m; /* the ways of the wheels */
-    double heading_rad;     /* of the body's odometry, when it was looked at last, */
-    double x_m, y_m;        /* and its place */
+    double left_m, right_m; /* distances of the wheels */
+    double heading_rad;     /* the heading of the body's odometry when it was last read, */
+    double x_m, y_m;        /* and its position */
     double battery_v;
     double echo_m[RANGERS];
     int64_t echo_ns[RANGERS];
-    int32_t left, right;           /* speeds, counts in a loop */
-    int64_t moved_ns, watchdog_ns; /* when they were commanded; how long they hold */
+    int32_t left, right;           /* speeds, in counts per loop */
+    int64_t moved_ns, watchdog_ns; /* time of the last speed command; how long it lasts */
     bool pings;
     int pinged;
-    int64_t ping_ns;       /* when it answers */
-    char waiting[WAITING]; /* bytes that are not looked at yet */
+    int64_t ping_ns;       /* when the pending ping is answered */
+    char waiting[WAITING]; /* bytes that have not been processed */
     size_t waiting_count;
     char line[LONGEST + 1];
     size_t length;
@@ -50,7 +50,7 @@ static void say(struct frob_answer *answer, const char *text)
         answer->bytes[answer->count++] = (uint8_t)*text;
 }
 
-/* The encoders see the ways of the wheels: from the way of the middle and the turn. */
+/* Computes the encoders' distances from the body's distance and turn. */
 static void sense(void *memory, const void *from, int64_t now_ns)
 {
     struct board *b = (struct board *)memory;
@@ -162,7 +162,7 @@ static void take_waiting(struct board *b, struct frob_answer *answer)
 static void receive(void *memory, uint8_t byte, struct frob_answer *answer)
 {
     struct board *b = (struct board *)memory;
-    if (b->waiting_count < WAITING) /* else it is lost, as on the real one */
+    if (b->waiting_count < WAITING) /* otherwise it is lost, as on the real board */
         b->waiting[b->waiting_count++] = (char)byte;
     take_waiting(b, answer);
 }
@@ -193,7 +193,7 @@ static void drive(const void *memory, void *into)
     output->turn = (right - left) / SEPARATION_M;
 }
 
-/* C++ would not let the table be seen from outside without this. */
+/* In C++, a const table is visible to other files only with this declaration. */
 extern const struct frob_board frob_rover_board;
 
 const struct frob_board frob_rover_board = { "rover", 57600, sizeof(struct board), sense, receive,

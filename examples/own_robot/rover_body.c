@@ -1,8 +1,9 @@
-/* rover_body.c -- a Rover's body, for the simulator. Measures are those of
- * Rover.frob; what a scale and a tape do not tell is an estimate. */
+/* rover_body.c -- a Rover's body, for the simulator. Its dimensions are those of Rover.frob;
+ * everything that a scale and a tape measure cannot determine is an estimate. */
 #include <frob/body.h>
 
 #include "rover.h"
+#include "rover_wire.h"
 
 #include <math.h>
 
@@ -48,7 +49,7 @@ static void command(const void *from, double *forward_m_s, double *turn_rad_s)
     *turn_rad_s = output->turn;
 }
 
-/* C++ would not let the table be seen from outside without this. */
+/* In C++, a const table is visible to other files only with this declaration. */
 extern const struct frob_body frob_rover_body;
 
 const struct frob_body frob_rover_body = {
@@ -61,7 +62,7 @@ const struct frob_body frob_rover_body = {
     .wheel_radius_m = 0.0325,
     .wheel_separation_m = SEPARATION_M,
     .wheel_force_n = 8.0,
-    .count_m = 1.0 / 8000.0,
+    .count_m = 1.0 / ROVER_COUNTS_A_METRE,
     .battery_v = 12.3,
     .speed_m_s = SPEED_M_S,
     .turn_rad_s = 2.0 * SPEED_M_S / SEPARATION_M,
@@ -79,4 +80,5 @@ const struct frob_body frob_rover_body = {
     .right = 4,
     .sense = sense,
     .command = command,
+    .wheel_step_m_s = (double)ROVER_LOOPS / ROVER_COUNTS_A_METRE,
 };

@@ -2,16 +2,14 @@
 
 #include "rover.h"
 
-#include "drivers/wheels.h"
-
 #include <math.h>
 #include <string.h>
 
-#define MOST_M_S 0.5 /* of a wheel */
+#define MOST_M_S 0.5 /* for each wheel */
 #define SILENCE_NS INT64_C(1000000000)
-#define BATTERY_V (15.0 / 1023.0) /* of a step of the converter */
+#define BATTERY_V (15.0 / 1023.0) /* for each step of the converter */
 #define FARTHEST_CM 300
-#define BATTERY_TURNS 40 /* from one question for the battery to the next */
+#define BATTERY_TURNS 40 /* turns between two queries of the battery */
 
 static int64_t ns(double seconds)
 {
@@ -21,7 +19,7 @@ static int64_t ns(double seconds)
 static enum frob_status send_bytes(struct rover *d, const uint8_t *bytes, size_t count)
 {
     enum frob_status status = d->serial.operations->write(d->serial.port, bytes, count);
-    /* A line that has no room now is like a lost command: no answer comes. */
+    /* If the line has no room now, the command counts as lost: no answer will come. */
     return status == FROB_TIMEOUT ? FROB_OK : status;
 }
 
@@ -34,12 +32,12 @@ static enum frob_status ask(struct rover *d, enum rover_awaited awaited, char le
     return send_bytes(d, command.bytes, command.count);
 }
 
-/* The first carriage return ends what noise, or another program, began. */
+/* The first carriage return ends a line that noise or another program has begun. */
 static enum frob_status synchronize(struct rover *d)
 {
     static const uint8_t bytes[] = { '\r', 'b', '\r' };
     if (d->awaited == ROVER_BATTERY)
-        d->turn = 0; /* its turn comes again at once, not in a second */
+        d->turn = 0; /* so that its next turn comes at once, not in a second */
     d->awaited = ROVER_SYNC;
     d->sent_ns = frob_now_ns(&d->clock);
     return send_bytes(d, bytes, sizeof bytes);
@@ -52,6 +50,16 @@ static enum frob_status send_stop(struct rover *d)
     return status == FROB_OK ? synchronize(d) : status;
 }
 
+/* Describes the resolution of the speeds: counts per loop for each wheel. */
+static struct frob_wire speeds_on_the_wire(const struct rover *d)
+{
+    double step_m_s = (double)ROVER_LOOPS / d->settings[ROVER_COUNTS_PER_M];
+    struct frob_wire wire = {
+        true, { step_m_s, step_m_s }, { MOST_M_S, MOST_M_S }, d->settings[ROVER_SEPARATION_M]
+    };
+    return wire;
+}
+
 static enum frob_status send_next(struct rover *d)
 {
     if (!d->guarded) {
@@ -59,9 +67,12 @@ static enum frob_status send_next(struct rover *d)
         return ask(d, ROVER_WATCHDOG, 'w', 1, &watchdog_ms);
     }
     if (d->speed_waits) {
+        struct frob_wire wire = speeds_on_the_wire(d);
         int32_t speeds[2];
-        speeds[0] = d->left;
-        speeds[1] = d->right;
+        d->speeds = frob_wire_next(&wire, &d->speeds, d->forward_m_s, d->turn_rad_s,
+                                   (double)frob_now_ns(&d->clock) * 1e-9);
+        speeds[0] = (int32_t)d->speeds.number[0].sent;
+        speeds[1] = (int32_t)d->speeds.number[1].sent;
         d->speed_waits = false;
         return ask(d, ROVER_SPEED, 'm', 2, speeds);
     }
@@ -85,7 +96,7 @@ static void take_echo(struct rover *d, int32_t cm)
     }
 }
 
-/* Takes an answer to what is awaited; false if it is none. */
+/* Takes the answer to the awaited command; returns false if it does not fit. */
 static bool take(struct rover *d, const struct rover_answer *answer, int64_t now_ns)
 {
     bool number = answer->kind == ROVER_NUMBER;
@@ -93,7 +104,7 @@ static bool take(struct rover *d, const struct rover_answer *answer, int64_t now
     case ROVER_NOTHING: return false;
     case ROVER_SYNC: return number && answer->first == ROVER_RATE;
     case ROVER_SPEED: return answer->kind == ROVER_OK;
-    case ROVER_WATCHDOG: /* a board without one has a fixed time of its own */
+    case ROVER_WATCHDOG: /* a board without this command has a fixed timeout */
         d->guarded = answer->kind == ROVER_OK || answer->kind == ROVER_INVALID;
         return d->guarded;
     case ROVER_COUNTS:
@@ -136,7 +147,7 @@ static enum frob_status read_all(struct rover *d)
 {
     uint8_t bytes[64];
     size_t count;
-    /* An end to a line that never runs dry. */
+    /* The limit ends the loop even if bytes keep arriving. */
     for (int i = 0; i < 16; i++) {
         enum frob_status status =
             d->serial.operations->read(d->serial.port, bytes, sizeof bytes, &count);
@@ -162,7 +173,7 @@ static void start(void *device, const double *settings, const struct frob_serial
     d->clock = *clock;
     d->heard_ns = frob_now_ns(clock);
     d->sensed_ns = INT64_MIN;
-    /* A line that cannot has its rate already, or no answer comes. */
+    /* If the line cannot change its rate, it already has the right one, or no answer will come. */
     serial->operations->set_rate(serial->port, (uint32_t)settings[ROVER_BAUD]);
     serial->operations->discard(serial->port);
     send_stop(d);
@@ -223,13 +234,10 @@ static enum frob_status command(void *device, const void *from)
 {
     struct rover *d = (struct rover *)device;
     const struct frob_rover_output *output = (const struct frob_rover_output *)from;
-    struct frob_wheels wheels =
-        frob_wheels_of(output->forward, output->turn, d->settings[ROVER_SEPARATION_M], MOST_M_S);
-    double counts = d->settings[ROVER_COUNTS_PER_M] / (double)ROVER_LOOPS; /* of 1 m/s */
     if (!d->guarded)
         return FROB_BUSY_CONNECTING;
-    d->left = (int32_t)lround(wheels.left * counts);
-    d->right = (int32_t)lround(wheels.right * counts);
+    d->forward_m_s = output->forward;
+    d->turn_rad_s = output->turn;
     d->speed_waits = true;
     return d->awaited == ROVER_NOTHING ? send_next(d) : FROB_OK;
 }
@@ -238,7 +246,7 @@ static enum frob_status stop(void *device)
 {
     struct rover *d = (struct rover *)device;
     d->speed_waits = false;
-    d->left = d->right = 0;
+    memset(&d->speeds, 0, sizeof d->speeds);
     return send_stop(d);
 }
 
@@ -268,31 +276,33 @@ static double most(const void *device, size_t i)
 static const struct frob_setting settings_table[ROVER_SETTING_COUNT] = {
     { "baud", ROVER_RATE, 9600, 115200, "rate of the serial line, bits per second" },
     { "watchdog", 500, 100, 2000, "the robot stops by itself after so many ms without a speed" },
-    { "counts", 8000, 100, 1000000, "of an encoder for each metre of way" },
+    { "counts", ROVER_COUNTS_A_METRE, 100, 1000000, "of an encoder for each metre of way" },
     { "wheel-separation", 0.19, 0.05, 1, "between the wheels, m" },
-    { "patience", 0.06, 0.01, 1, "until a command without answer is given up, s" },
+    { "patience", 0.06, 0.01, 1, "timeout for the answer to a command, s" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_rover_output, forward),
                                  offsetof(struct frob_rover_output, turn) };
 
-const struct frob_driver frob_rover_driver = { "rover",
-                                               ROVER_RATE,
-                                               sizeof(struct rover),
-                                               sizeof(struct frob_rover_input),
-                                               sizeof(struct frob_rover_output),
-                                               settings_table,
-                                               ROVER_SETTING_COUNT,
-                                               drives,
-                                               sizeof drives / sizeof drives[0],
-                                               most,
-                                               start,
-                                               poll,
-                                               due_ns,
-                                               sensed_ns,
-                                               sense,
-                                               command,
-                                               stop,
-                                               close,
-                                               describe,
-                                               stands };
+const struct frob_driver frob_rover_driver = {
+    "rover",
+    ROVER_RATE,
+    sizeof(struct rover),
+    sizeof(struct frob_rover_input),
+    sizeof(struct frob_rover_output),
+    settings_table,
+    ROVER_SETTING_COUNT,
+    drives,
+    sizeof drives / sizeof drives[0],
+    most,
+    start,
+    poll,
+    due_ns,
+    sensed_ns,
+    sense,
+    command,
+    stop,
+    close,
+    describe,
+    stands,
+};

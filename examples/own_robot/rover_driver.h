@@ -1,17 +1,18 @@
-/* rover_driver.h -- a Rover behind a serial line.
+/* rover_driver.h -- the driver of a Rover behind a serial line.
  *
- * One command is on its way at a time. A speed goes out as soon as the answer to
- * what went before is there; in between the encoders and the rangers are asked in
- * turn, and the battery now and then. Answers do not say what they answer: after
- * one that is late or no answer at all, `b` is sent, and all is dropped up to
- * its answer, 57600, which no other command has.
+ * Only one command is in transit at a time. A speed is sent as soon as the answer to the
+ * previous command has arrived; in between, the driver queries the encoders and the rangers in
+ * turn, and the battery occasionally. Answers do not say which command they belong to. If an
+ * answer is late or invalid, the driver sends `b` and drops everything up to its answer, 57600,
+ * which no other command has.
  *
- * Only `m` feeds the board's watchdog, and `m` is sent for the host's commands
- * only: a host that has forgotten the robot stops it. */
+ * Only `m` resets the board's watchdog, and the driver sends `m` only for commands of the host:
+ * if the host stops commanding the robot, the board stops it. */
 #ifndef ROVER_DRIVER_H
 #define ROVER_DRIVER_H
 
 #include "drivers/driver.h"
+#include "drivers/steps.h"
 #include "rover_odometry.h"
 #include "rover_wire.h"
 
@@ -19,7 +20,7 @@
 extern "C" {
 #endif
 
-/* Its input and output are those of "rover.h". */
+/* Its input and output structs are those of "rover.h". */
 extern const struct frob_driver frob_rover_driver;
 
 /* Settings, in the order of the driver's table. */
@@ -32,10 +33,10 @@ enum rover_setting {
     ROVER_SETTING_COUNT
 };
 
-/* What answer is due. */
+/* The answer that the driver is waiting for. */
 enum rover_awaited {
     ROVER_NOTHING,
-    ROVER_SYNC, /* 57600: anything else is dropped */
+    ROVER_SYNC, /* to `b`: drops everything except 57600 */
     ROVER_SPEED,
     ROVER_COUNTS,
     ROVER_ECHO,
@@ -48,15 +49,16 @@ struct rover {
     struct frob_serial serial;
     struct frob_clock clock;
     enum rover_awaited awaited;
-    bool guarded;             /* the watchdog has been set, or the board has none */
-    int64_t sent_ns;          /* the command that went out last */
-    int64_t heard_ns;         /* the answer that came last, or the start */
-    int64_t sensed_ns;        /* the counts that came last */
-    bool speed_waits;         /* a speed is to be sent: */
-    int32_t left, right;      /* which, counts in a loop */
-    unsigned turn;            /* whose turn it is to be asked */
-    unsigned asked;           /* the ranger that is */
-    bool fresh[ROVER_SONARS]; /* echoes that no input has shown yet */
+    bool guarded;                    /* whether the watchdog has been set, or the board has none */
+    int64_t sent_ns;                 /* time of the last command sent */
+    int64_t heard_ns;                /* time of the last answer, or of the start */
+    int64_t sensed_ns;               /* time of the last counts */
+    bool speed_waits;                /* whether a speed is to be sent: */
+    double forward_m_s, turn_rad_s;  /* this speed */
+    struct frob_wire_numbers speeds; /* the wheels' speeds as last sent, in counts per loop */
+    unsigned turn;                   /* which sensor to query next */
+    unsigned asked;                  /* the ranger that is being queried */
+    bool fresh[ROVER_SONARS];        /* echoes that the program's input has not contained yet */
     double echo_m[ROVER_SONARS];
     double battery_v;
     struct rover_receiver receiver;

@@ -1,8 +1,8 @@
-/* rover_odometry.h -- where a Rover is and how fast, from its encoders' counts.
+/* rover_odometry.h -- a Rover's pose and speed, computed from its encoder counts.
  *
- * Counts wrap around, so ways are differences. The place is kept from connection
- * to connection. Lines have no check sum: counts that the robot cannot have made
- * since the last ones are refused, unless it says so again and again. */
+ * Counts wrap around, so only their differences are used. The pose survives reconnecting. Lines
+ * have no checksum, so counts that the robot cannot have reached since the last ones are
+ * refused, unless they keep coming. */
 #ifndef ROVER_ODOMETRY_H
 #define ROVER_ODOMETRY_H
 
@@ -13,23 +13,22 @@
 extern "C" {
 #endif
 
-/* All zero at the start. */
+/* Initialize with zeros. */
 struct rover_odometry {
-    bool known; /* counts of this connection: */
+    bool known; /* whether these are counts of this connection: */
     int32_t left, right;
     int64_t taken_ns;
-    unsigned refused; /* counts, one after the other */
+    unsigned refused; /* number of consecutive refused counts */
     double x_m, y_m, heading_rad;
-    double left_m, right_m; /* the ways of the wheels since the measurement of speeds began */
+    double left_m, right_m; /* distances of the wheels since the start of the speed measurement */
     int64_t measured_ns;
     double left_m_s, right_m_s;
 };
 
-/* The next counts are the first of a connection: the board may have begun anew. */
+/* Call this before the first counts of a connection: the board may have restarted its counters. */
 void rover_odometry_reconnect(struct rover_odometry *odometry);
 
-/* Takes counts that came at `now_ns`, of so many for each metre; false if they
- * are refused. */
+/* Takes counts that arrived at `now_ns`; returns false if it refuses them. */
 bool rover_odometry_add(struct rover_odometry *odometry, int32_t left, int32_t right,
                         double counts_per_m, double separation_m, int64_t now_ns);
 

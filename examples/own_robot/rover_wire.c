@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-/* A number as it is written: no blanks, no plus, no zero in front. NULL if there
- * is none at `text`, else what follows it. */
+/* Reads a number as the board writes it: no whitespace, no plus sign, no leading zero. Returns
+ * the text behind it, or NULL if there is no number at `text`. */
 static const char *read_number(const char *text, int32_t *number)
 {
     bool negative = *text == '-';
@@ -44,7 +44,7 @@ static struct rover_answer read_line(const char *text)
     return answer;
 }
 
-/* A carriage return stands only before the line feed. */
+/* A carriage return is valid only before the line feed. */
 bool rover_receive(struct rover_receiver *r, uint8_t byte, struct rover_answer *answer)
 {
     bool ended = r->count > 0 && r->text[r->count - 1] == '\r';

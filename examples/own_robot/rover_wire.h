@@ -1,19 +1,19 @@
-/* rover_wire.h -- a Rover's lines: text to numbers and back.
+/* rover_wire.h -- a Rover's protocol: converts lines to numbers and back.
  *
- * The protocol has the form of ROSArduinoBridge's, a widespread firmware for
- * boards of this kind: 57600 bits per second, one letter and its numbers, ended
- * by a carriage return; each command is answered by one line, ended by a
- * carriage return and a line feed.
+ * The protocol has the form of ROSArduinoBridge's, a widespread firmware for boards of this
+ * kind: 57600 bits per second; a command is one letter and its numbers, ended by a carriage
+ * return; the board answers each command with one line, ended by a carriage return and a line
+ * feed.
  *
- *   b        the rate of the line                         57600
- *   e        counts of the left and of the right encoder  -120 4711
- *   m L R    speeds, counts in 1/30 s                     OK
- *   p N      asks ranger N, 0 to 4: cm, 0 for no echo     153
- *   a 0      the battery, 0 to 1023 of 15 V               839
- *   w MS     stops after so long without an m             OK
+ *   b        rate of the line                            57600
+ *   e        counts of the left and right encoder        -120 4711
+ *   m L R    speeds, counts in 1/30 s                    OK
+ *   p N      queries ranger N, 0 to 4: cm, 0 for no echo 153
+ *   a 0      battery, 0 to 1023 of 15 V                  839
+ *   w MS     stop after this time without an m           OK
  *
- * What the board does not know it answers with "Invalid Command". There is no
- * check sum, and an answer does not say what it answers. */
+ * The board answers unknown commands with "Invalid Command". There is no checksum, and an answer
+ * does not say which command it belongs to. */
 #ifndef ROVER_WIRE_H
 #define ROVER_WIRE_H
 
@@ -26,6 +26,9 @@ extern "C" {
 #endif
 
 enum { ROVER_RATE = 57600, ROVER_LOOPS = 30, ROVER_SONARS = 5, ROVER_LINE = 32 };
+
+/* Encoder counts per metre of travel. */
+#define ROVER_COUNTS_A_METRE 8000.0
 
 enum rover_kind {
     ROVER_OK,
@@ -40,18 +43,18 @@ struct rover_answer {
     int32_t first, second;
 };
 
-/* What has come of a line. All zero at the start. */
+/* The part of a line received so far. Initialize with zeros. */
 struct rover_receiver {
     char text[ROVER_LINE];
     size_t count;
     bool spoiled; /* too long, or not text */
 };
 
-/* Takes a byte; true if it ends a line. After garbage the next line but one is
- * read as it was sent: the first may have begun in the garbage. */
+/* Takes a byte; returns true if it ends a line. After garbage, the next line may be invalid,
+ * because it may have begun within the garbage; the line after that is read correctly. */
 bool rover_receive(struct rover_receiver *receiver, uint8_t byte, struct rover_answer *answer);
 
-/* A line with a letter and numbers, as they are sent. */
+/* A line with a letter and its numbers, ready to be sent. */
 struct rover_command {
     uint8_t bytes[ROVER_LINE];
     size_t count;

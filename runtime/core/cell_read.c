@@ -1,5 +1,5 @@
-/* Text to values: recursive descent, led by the value's type, so the depth is
- * the type's and not the text's (parentheses are counted, not nested). */
+/* Parses the text of a value by recursive descent, guided by the value's type. The recursion is as
+ * deep as the type, not as the text, because parentheses are counted instead of nested. */
 #include <frob/cell.h>
 
 #include <errno.h>
@@ -11,7 +11,7 @@ struct reader {
     const char *start;
     const char *at;
     const char *expected;            /* set by the first failure */
-    const struct frob_value *choice; /* likewise */
+    const struct frob_value *choice; /* set by the first failure */
     void *base;
     const struct frob_frames *frames;
 };
@@ -43,7 +43,7 @@ static bool is_name_char(char c)
            c == '\'';
 }
 
-/* The whole word, or nothing is read. */
+/* Reads the whole word, or nothing. */
 static bool accept_word(struct reader *r, const char *word)
 {
     size_t length = strlen(word);
@@ -88,8 +88,22 @@ static bool read_int(struct reader *r, int32_t *result)
     return true;
 }
 
-/* Decimal numbers only: strtod would take hexadecimal ones and `infinity`. */
-static bool read_float(struct reader *r, double *result)
+/* Matches the whole word, ignoring case, or reads nothing; `word` is in lower case. */
+static bool accept_word_in_any_case(struct reader *r, const char *word)
+{
+    size_t length = 0;
+    for (; word[length] != '\0'; length++)
+        if (r->at[length] != word[length] && r->at[length] != word[length] - 'a' + 'A')
+            return false;
+    if (is_name_char(r->at[length]))
+        return false;
+    r->at += length;
+    return true;
+}
+
+/* Accepts decimal numbers, nan, inf and infinity; strtod would also accept hexadecimal numbers.
+ * Rejects decimal numbers that a double, or a float, would round to infinity. */
+static bool read_real(struct reader *r, bool single, double *result)
 {
     static const char expected[] = "a number";
     const char *digits;
@@ -98,12 +112,12 @@ static bool read_float(struct reader *r, double *result)
     skip_blanks(r);
     negative = *r->at == '-';
     digits = r->at + (negative || *r->at == '+' ? 1 : 0);
-    if ((digits[0] == 'n' || digits[0] == 'i') && is_name_char(digits[1])) {
+    if (digits[0] != '\0' && strchr("nNiI", digits[0]) != NULL && is_name_char(digits[1])) {
         const char *start = r->at;
         r->at = digits;
-        if (accept_word(r, "nan"))
+        if (accept_word_in_any_case(r, "nan"))
             *result = NAN;
-        else if (accept_word(r, "inf"))
+        else if (accept_word_in_any_case(r, "inf") || accept_word_in_any_case(r, "infinity"))
             *result = negative ? -INFINITY : INFINITY;
         else {
             r->at = start;
@@ -118,20 +132,23 @@ static bool read_float(struct reader *r, double *result)
     *result = strtod(r->at, &end);
     if (end == r->at || is_name_char(*end))
         return fail(r, expected);
+    if (isinf(single ? (double)(float)*result : *result))
+        return fail(r, single ? "a number up to 3.4e38, or `inf`"
+                              : "a number up to 1.79e308, or `inf`");
     r->at = end;
     return true;
 }
 
-/* Rounded to a double, and that to a float. */
+/* Rounds to a double first, and then to a float. */
 static bool read_single(struct reader *r, float *result)
 {
     double x = 0.0;
-    bool ok = read_float(r, &x);
+    bool ok = read_real(r, true, &x);
     *result = (float)x;
     return ok;
 }
 
-/* A whole number in decimal or after 0x; no more than `most`. */
+/* Reads a whole number, in decimal or after 0x, of at most `most`. */
 static bool read_natural(struct reader *r, uint64_t most, uint64_t *result)
 {
     char *end;
@@ -187,7 +204,7 @@ static bool read_tuple(struct reader *r, const struct frob_constructor *tuple)
     return accept(r, ')') || fail(r, "`)`");
 }
 
-/* Fields may come in any order, each once. */
+/* Fields may come in any order, but each only once. */
 static bool read_record(struct reader *r, const struct frob_constructor *record)
 {
     unsigned long long seen = 0;
@@ -227,7 +244,7 @@ static bool read_arguments(struct reader *r, const struct frob_constructor *cons
     return true;
 }
 
-/* Zero in every slot that some constructor of the value uses. */
+/* Sets every slot that some constructor of the value uses to zero. */
 static void clear(struct reader *r, const struct frob_value *value)
 {
     char *at = bytes(r, value->offset);
@@ -265,7 +282,7 @@ static bool read_constructor(struct reader *r, const struct frob_value *value)
 
 static bool read_value(struct reader *r, const struct frob_value *value)
 {
-    /* A tuple's own parenthesis is not one to skip. */
+    /* A tuple's own parenthesis must not be skipped. */
     bool tuple = value->kind == FROB_PRODUCT && value->constructors[0].name == NULL;
     int parentheses = 0;
     bool ok = false;
@@ -275,8 +292,8 @@ static bool read_value(struct reader *r, const struct frob_value *value)
     switch (value->kind) {
     case FROB_BOOL: ok = read_bool(r, (bool *)(void *)bytes(r, value->offset)); break;
     case FROB_INT: ok = read_int(r, (int32_t *)(void *)bytes(r, value->offset)); break;
-    case FROB_FLOAT:
-    case FROB_ROUNDED: ok = read_float(r, (double *)(void *)bytes(r, value->offset)); break;
+    case FROB_FLOAT: ok = read_real(r, false, (double *)(void *)bytes(r, value->offset)); break;
+    case FROB_ROUNDED: ok = read_real(r, true, (double *)(void *)bytes(r, value->offset)); break;
     case FROB_SINGLE: ok = read_single(r, (float *)(void *)bytes(r, value->offset)); break;
     case FROB_PRODUCT:
         ok = tuple ? read_tuple(r, &value->constructors[0]) : read_constructor(r, value);

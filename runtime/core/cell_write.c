@@ -1,5 +1,5 @@
-/* Values to text. The recursion is as deep as the value's type, which is
- * fixed when the program is compiled. */
+/* Converts values to text. The recursion is as deep as the value's type, which is fixed when the
+ * program is compiled. */
 #include <frob/cell.h>
 
 #include <string.h>
@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Where a value stands decides whether it needs parentheses. */
+/* Position of a value, which decides whether it needs parentheses. */
 enum place { ALONE, ARGUMENT };
 
 static const char *bytes(const void *base, size_t offset)
@@ -24,8 +24,8 @@ static bool reads_back(const char *digits, float x)
            (float)nextafter(read, -INFINITY) == x;
 }
 
-/* The fewest digits that are read back as the same float, whether what reads
- * them rounds to a double first or not. */
+/* Writes the fewest digits that read back as the same float, whether or not the reader rounds to a
+ * double first. */
 static void write_single(char *digits, size_t size, double x)
 {
     for (int precision = 1; precision <= 9; precision++) {
@@ -111,7 +111,7 @@ static void add_constructor(struct frob_text *text, const struct frob_constructo
     }
 }
 
-/* A negative number needs parentheses where it is an argument. */
+/* As an argument, a negative number needs parentheses. */
 static void add_number(struct frob_text *text, double x, bool is_single, enum place place)
 {
     char digits[48];
@@ -130,14 +130,15 @@ static void add_image(struct frob_text *text, const struct frob_image *image, en
     char name[80];
     struct frob_frame_name frame;
     if (image == NULL) {
-        frob_text_add(text, "?"); /* only foreign code can make one */
+        frob_text_add(text, "?"); /* only foreign code can return NULL */
         return;
     }
     frame = frob_frame_name_of(image);
+    /* Not PRIu64: the newlib of Debian's arm-none-eabi-gcc defines no format for 64 bits. */
     snprintf(name, sizeof name,
-             place == ARGUMENT ? "(Image %" PRIu32 " %" PRIu64 " 0x%016" PRIx64 ")"
-                               : "Image %" PRIu32 " %" PRIu64 " 0x%016" PRIx64,
-             frame.number, frame.size, frame.hash);
+             place == ARGUMENT ? "(Image %" PRIu32 " %llu 0x%016llx)"
+                               : "Image %" PRIu32 " %llu 0x%016llx",
+             frame.number, (unsigned long long)frame.size, (unsigned long long)frame.hash);
     frob_text_add(text, name);
 }
 
@@ -168,7 +169,7 @@ static void add_value(struct frob_text *text, const struct frob_value *value, co
         if (tag < value->count)
             add_constructor(text, &value->constructors[tag], base, place);
         else
-            frob_text_add(text, "?"); /* only foreign code can make one */
+            frob_text_add(text, "?"); /* only foreign code can return such a tag */
         break;
     }
     case FROB_ARRAY:
@@ -192,7 +193,7 @@ void frob_cell_write(struct frob_text *text, const struct frob_value *value, con
     }
 }
 
-/* Every constructor's text counted, as if all stood there. */
+/* Adds up the texts of all constructors, although only one of them is written. */
 size_t frob_cell_room(const struct frob_value *value)
 {
     size_t room = value->kind == FROB_IMAGE ? 80 : 32; /* a number, parentheses, separators */

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* The event of the field `key`; NULL if there is none. */
+/* Returns the event of the field `key`, or NULL if there is none. */
 static const struct frob_value *find_key(const struct frob_value *input)
 {
     const struct frob_constructor *record;
@@ -58,7 +58,7 @@ static void set_event(void *input, const struct frob_value *event, bool occurs)
     ((unsigned char *)input)[event->offset] = occurs; /* the tag: NoEvent, Event */
 }
 
-/* The number, or the limit next to it. */
+/* Clamps x to the control's range. */
 static double within(const struct frob_control *control, double x)
 {
     return x < control->least ? control->least : x > control->most ? control->most : x;

@@ -13,12 +13,12 @@ size_t frob_frame_head(const struct frob_image *image, char head[FROB_FRAME_HEAD
     const struct frob_camera *c = &image->camera;
     const int length = snprintf(
         head, FROB_FRAME_HEAD_ROOM,
-        "%s\n# frob frame %" PRIu32 " captured_ns %" PRId64
+        "%s\n# frob frame %" PRIu32 " captured_ns %lld"
         "\n# camera %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g"
         "\n# seat %.17g %.17g %.17g %.17g %.17g %.17g\n%" PRId32 " %" PRId32 "\n255\n",
-        image->format == FROB_GREY8 ? "P5" : "P6", image->number, image->captured_ns, c->focal_x,
-        c->focal_y, c->centre_x, c->centre_y, c->k1, c->k2, c->k3, c->p1, c->p2, c->x_m, c->y_m,
-        c->z_m, c->yaw_rad, c->pitch_rad, c->roll_rad, image->width, image->height);
+        image->format == FROB_GREY8 ? "P5" : "P6", image->number, (long long)image->captured_ns,
+        c->focal_x, c->focal_y, c->centre_x, c->centre_y, c->k1, c->k2, c->k3, c->p1, c->p2, c->x_m,
+        c->y_m, c->z_m, c->yaw_rad, c->pitch_rad, c->roll_rad, image->width, image->height);
     return (size_t)length;
 }
 
@@ -27,8 +27,8 @@ static size_t row_size(const struct frob_image *image)
     return (size_t)image->width * (size_t)frob_image_pixel_size(image->format);
 }
 
-/* Of a piece, eight bytes at a time; the last ones count as if zeros followed. The step is
- * that of FNV-1a, on words, folded so that high bits come down too. */
+/* Hashes a piece, eight bytes at a time, as if it were padded with zeros. Each step is that of
+ * FNV-1a on 64-bit words, followed by folding the high bits into the low ones. */
 static uint64_t hash_piece(uint64_t hash, const void *piece, size_t size)
 {
     const unsigned char *bytes = (const unsigned char *)piece;
@@ -68,7 +68,8 @@ struct head {
     const char *at, *end;
 };
 
-/* The line and its line feed; NULL at the end, and of a line that is too long. */
+/* Copies the next line without its line feed. Returns NULL at the end, or if the line is too
+ * long. */
 static const char *next_line(struct head *h, char line[512])
 {
     const size_t left = (size_t)(h->end - h->at);
@@ -94,7 +95,8 @@ static bool numbers(const char *text, double *const *places, size_t count)
     return *text == '\0';
 }
 
-/* A comment of ours; others say nothing. */
+/* Reads a comment if it is one that frob_frame_head writes, and ignores any other. Returns false if
+ * it is malformed. */
 static bool read_comment(const char *line, struct frob_image *image)
 {
     struct frob_camera *c = &image->camera;
@@ -105,15 +107,19 @@ static bool read_comment(const char *line, struct frob_image *image)
         return numbers(line + 9, camera, sizeof camera / sizeof camera[0]);
     if (strncmp(line, "# seat ", 7) == 0)
         return numbers(line + 7, seat, sizeof seat / sizeof seat[0]);
-    if (strncmp(line, "# frob frame ", 13) == 0)
-        return sscanf(line + 13, "%" SCNu32 " captured_ns %" SCNd64, &image->number,
-                      &image->captured_ns) == 2;
+    if (strncmp(line, "# frob frame ", 13) == 0) {
+        /* Not SCNd64, because newlib may lack it; see cell_write.c. */
+        long long captured_ns = 0;
+        if (sscanf(line + 13, "%" SCNu32 " captured_ns %lld", &image->number, &captured_ns) != 2)
+            return false;
+        image->captured_ns = captured_ns;
+    }
     return true;
 }
 
 const char *frob_frame_read(const void *file, size_t size, struct frob_image *image)
 {
-    static const char broken[] = "it is no frame that frobc wrote";
+    static const char broken[] = "it is not a frame written by frobc";
     struct head h = { (const char *)file, (const char *)file + size };
     char line[512];
     int most = 0;
@@ -135,6 +141,6 @@ const char *frob_frame_read(const void *file, size_t size, struct frob_image *im
     if (!frob_image_is_sound(image))
         return broken;
     if ((size_t)(h.end - h.at) != row_size(image) * (size_t)image->height)
-        return "it is not as long as its head says";
+        return "its size does not match its header";
     return NULL;
 }

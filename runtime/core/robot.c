@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* How often a robot at rest is told so. */
+/* Interval at which the stop command is repeated while the robot is at rest. */
 #define STOP_PERIOD_NS INT64_C(100000000)
 
 static double *drive(const struct frob_driver *driver, void *output, size_t i)
@@ -50,13 +50,15 @@ void frob_robot_start(struct frob_robot *robot, const struct frob_driver *driver
     robot->patience_ns = patience_ns;
     robot->state = FROB_ROBOT_CONNECTING;
     robot->status = FROB_BUSY_CONNECTING;
-    robot->at_rest = robot->connected_now = true;
+    robot->at_rest = robot->rests_first = true;
+    robot->polled_ns = robot->counts_from_ns = INT64_MIN;
+    robot->given_ns = INT64_MAX;
     robot->connections = connections;
     robot->stale = stale;
     driver->start(device, settings, &robot->serial, &robot->clock);
 }
 
-/* Tells a robot that is at rest to stay there. */
+/* Repeats the stop command if the robot is at rest and the command is due. */
 static enum frob_status keep_still(struct frob_robot *robot)
 {
     int64_t now = frob_now_ns(&robot->clock);
@@ -69,10 +71,37 @@ static enum frob_status keep_still(struct frob_robot *robot)
 static bool is_fresh(const struct frob_robot *robot)
 {
     int64_t sensed = robot->driver->sensed_ns(robot->device);
-    return sensed != INT64_MIN && frob_now_ns(&robot->clock) - sensed <= robot->patience_ns;
+    return sensed != INT64_MIN && sensed >= robot->counts_from_ns &&
+           frob_now_ns(&robot->clock) - sensed <= robot->patience_ns;
 }
 
-/* The driver has given up, or lost its line. One last word may still pass. */
+/* Handles readings that are too old: stops the robot immediately. */
+static void become_stale(struct frob_robot *robot)
+{
+    robot->stale++;
+    robot->state = FROB_ROBOT_STALE;
+    robot->at_rest = robot->rests_first = true;
+    robot->stop_due_ns = INT64_MIN;
+}
+
+/* After a gap, readings on the line have an unknown age, and more of them may arrive. A driver's
+ * poll would first send a command that it still holds, so the robot is stopped before that. */
+static enum frob_status note_gap(struct frob_robot *robot)
+{
+    int64_t now = frob_now_ns(&robot->clock);
+    bool is_gap = robot->polled_ns != INT64_MIN && now - robot->polled_ns > robot->patience_ns &&
+                  robot->state != FROB_ROBOT_CONNECTING;
+    robot->polled_ns = now;
+    if (!is_gap)
+        return FROB_OK;
+    robot->counts_from_ns = now + robot->patience_ns;
+    if (robot->state != FROB_ROBOT_STALE)
+        become_stale(robot);
+    return keep_still(robot);
+}
+
+/* Reports that the driver has given up or lost its line. Unless the line is lost, a last stop
+ * command may still get through. */
 static enum frob_robot_state failed(struct frob_robot *robot, enum frob_status status)
 {
     if (robot->state != FROB_ROBOT_FAILED && status != FROB_LOST)
@@ -87,6 +116,9 @@ enum frob_robot_state frob_robot_poll(struct frob_robot *robot)
     enum frob_status status;
     if (robot->state == FROB_ROBOT_FAILED)
         return robot->state;
+    status = note_gap(robot);
+    if (status != FROB_OK)
+        return failed(robot, status);
     status = robot->driver->poll(robot->device);
     if (status == FROB_BUSY_CONNECTING) {
         robot->status = status;
@@ -99,10 +131,7 @@ enum frob_robot_state frob_robot_poll(struct frob_robot *robot)
     if (is_fresh(robot)) {
         robot->state = FROB_ROBOT_READY;
     } else if (robot->state != FROB_ROBOT_STALE) {
-        robot->stale++;
-        robot->state = FROB_ROBOT_STALE;
-        robot->at_rest = true;
-        robot->stop_due_ns = INT64_MIN;
+        become_stale(robot);
     }
     status = keep_still(robot);
     if (status != FROB_OK)
@@ -126,20 +155,27 @@ int64_t frob_robot_due_ns(const struct frob_robot *robot)
 void frob_robot_sense(struct frob_robot *robot, void *input)
 {
     robot->driver->sense(robot->device, input);
+    robot->given_ns = robot->driver->sensed_ns(robot->device);
 }
 
 enum frob_status frob_robot_command(struct frob_robot *robot, const void *output)
 {
     void *limited = robot->limited.bytes;
+    const int64_t given_ns = robot->given_ns;
+    robot->given_ns = INT64_MAX;
     if (robot->state != FROB_ROBOT_READY)
         return robot->status;
+    if (frob_now_ns(&robot->clock) - given_ns > robot->patience_ns) {
+        become_stale(robot);
+        return frob_robot_halt(robot);
+    }
     memcpy(limited, output, robot->driver->output_size);
     frob_robot_limit(robot->driver, robot->device, limited);
-    if (robot->connected_now)
+    if (robot->rests_first)
         rest(robot->driver, limited);
     robot->status = robot->driver->command(robot->device, limited);
     if (robot->status == FROB_OK)
-        robot->at_rest = robot->connected_now = false;
+        robot->at_rest = robot->rests_first = false;
     else
         failed(robot, robot->status);
     return robot->status;
@@ -147,7 +183,7 @@ enum frob_status frob_robot_command(struct frob_robot *robot, const void *output
 
 enum frob_status frob_robot_halt(struct frob_robot *robot)
 {
-    robot->at_rest = true;
+    robot->at_rest = robot->rests_first = true;
     robot->halted_ns = frob_now_ns(&robot->clock);
     robot->stop_due_ns = robot->halted_ns + STOP_PERIOD_NS;
     return robot->driver->stop(robot->device);

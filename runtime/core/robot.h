@@ -1,5 +1,5 @@
-/* core/robot.h -- a robot that stands still whenever it is not known to be
- * safe to move. Hosts drive robots through this, never through a driver.
+/* core/robot.h -- keeps a robot at rest whenever it is not known to be safe to move. Hosts drive
+ * robots through this module, never through a driver.
  *
  *   frob_robot_start(&robot, …);
  *   for (;;) {
@@ -11,15 +11,21 @@
  *       }
  *   }
  *
- * What holds here, for every driver and every port:
- *   - Every number that moves the robot goes through one function, which lets
- *     only finite numbers within the robot's limits pass; a number that is not
- *     finite makes all of them zero.
- *   - The first command after any connection is zero.
+ * Guarantees, for every driver and every port:
+ *   - Every number that moves the robot passes through one function, which lets
+ *     only finite numbers within the robot's limits pass. If a number is not
+ *     finite, it sets all of them to zero.
+ *   - The first command is zero after each connection, and after the robot was
+ *     stopped for one of the reasons below.
  *   - When the newest sensor reading is older than the patience, the robot is
- *     stopped, and told so again ten times a second, until readings and
- *     commands come again. The same after frob_robot_halt.
- * Nothing here waits, allocates or calls the system. */
+ *     stopped, and the stop command is repeated ten times a second until readings
+ *     and commands arrive again. frob_robot_halt has the same effect.
+ *   - If the reading that the program used is older than the patience when the
+ *     command arrives, the command is dropped and the robot stopped.
+ *   - If the caller has not polled for longer than the patience (for example
+ *     because its process was stopped), the line holds old readings. Readings that
+ *     arrive within one more patience are ignored; the robot is stopped until then.
+ * No function waits, allocates or makes a system call. */
 #ifndef FROB_CORE_ROBOT_H
 #define FROB_CORE_ROBOT_H
 
@@ -35,62 +41,66 @@ enum frob_robot_state {
     FROB_ROBOT_CONNECTING,
     FROB_ROBOT_READY, /* readings are fresh: the program may step */
     FROB_ROBOT_STALE, /* readings are too old; the robot is stopped */
-    FROB_ROBOT_FAILED /* `status` says why; close it, perhaps start again */
+    FROB_ROBOT_FAILED /* `status` has the reason; close the robot, and start again if you like */
 };
 
-/* The output struct of any robot fits. */
+/* Maximum size of a robot's output struct, in bytes. */
 enum { FROB_OUTPUT_MOST = 512 };
 
 struct frob_robot {
     const struct frob_driver *driver;
     void *device;
-    struct frob_serial serial; /* what the driver is given stays as long as this */
+    struct frob_serial serial; /* a copy, because the driver keeps the pointer */
     struct frob_clock clock;
     int64_t patience_ns;
     enum frob_robot_state state;
-    enum frob_status status; /* of the last call to the driver */
+    enum frob_status status; /* status of the last call to the driver */
     bool at_rest;            /* no command since it was connected or halted */
-    bool connected_now;      /* the next command is the first of a connection */
-    int64_t stop_due_ns;     /* while at rest */
-    int64_t halted_ns;       /* the last frob_robot_halt */
+    bool rests_first;        /* replace the next command by zero */
+    int64_t stop_due_ns;     /* when to repeat the stop command while at rest */
+    int64_t halted_ns;       /* time of the last frob_robot_halt */
+    int64_t polled_ns;       /* time of the last frob_robot_poll; INT64_MIN: none yet */
+    int64_t counts_from_ns;  /* earlier readings count as too old */
+    int64_t given_ns;        /* arrival of the reading for the next command; INT64_MAX: unknown */
     uint32_t connections;
     uint32_t stale; /* how often readings became too old */
     union {
         double aligned;
         unsigned char bytes[FROB_OUTPUT_MOST];
-    } limited; /* what was commanded last */
+    } limited; /* the last command */
 };
 
-/* Begins to connect. What `serial` and `clock` point to is copied; `settings` must
- * stay. `patience_ns` is how old a reading may be; it is greater
- * than zero. Whatever `device` knows from earlier connections is kept. */
+/* Starts to connect. Copies what `serial` and `clock` point to; `settings` must stay valid.
+ * `patience_ns` is the maximum age of a reading, greater than zero. The data that `device` has from
+ * earlier connections is kept. */
 void frob_robot_start(struct frob_robot *robot, const struct frob_driver *driver, void *device,
                       const double *settings, const struct frob_serial *serial,
                       const struct frob_clock *clock, int64_t patience_ns);
 
-/* Reads what has arrived, sends what is due, and looks at the clock. */
+/* Reads the bytes that have arrived, sends what is due, and checks the time. */
 enum frob_robot_state frob_robot_poll(struct frob_robot *robot);
 
-/* When it wants to be polled even if no byte arrives. */
+/* Returns when to poll next, even if no byte arrives. */
 int64_t frob_robot_due_ns(const struct frob_robot *robot);
 
-/* What the robot senses, while it is READY. */
+/* Writes the latest reading to `input`. Call it only while the robot is READY. The next command
+ * counts as computed from this reading. */
 void frob_robot_sense(struct frob_robot *robot, void *input);
 
-/* Sends the output, limited; while the robot is not READY it is dropped. */
+/* Sends the output, limited by frob_robot_limit. Drops it while the robot is not READY. */
 enum frob_status frob_robot_command(struct frob_robot *robot, const void *output);
 
-/* Stops the robot at once, and keeps it so until the next command. */
+/* Stops the robot immediately and keeps it stopped until the next command. */
 enum frob_status frob_robot_halt(struct frob_robot *robot);
 
-/* Whether the robot has been seen to stand still since it was halted. */
+/* Returns whether sensor readings have shown the robot at rest since it was halted. */
 bool frob_robot_stands(const struct frob_robot *robot);
 
-/* Stops the robot and ends its session. The line is the caller's to close. */
+/* Stops the robot and ends its session. The caller must close the line. */
 void frob_robot_close(struct frob_robot *robot);
 
-/* The one clamp: makes the drives of an output finite and at most what the
- * driver's robot may be told. True if it changed something. */
+/* The only function that limits drives: makes them finite, and clamps them to the maximum of the
+ * driver's robot. Returns true if it changed anything. */
 bool frob_robot_limit(const struct frob_driver *driver, const void *device, void *output);
 
 #ifdef __cplusplus

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Longest path of a column; a longer one is cut (and then not found when the
- * trace is read, which is reported there). */
+/* Maximum length of a column's path. A longer path is truncated, so the column is not found when
+ * the trace is read; the reader reports that. */
 #define PATH_ROOM 1024
 
 static bool has_columns_inside(const struct frob_value *value)
@@ -16,8 +16,8 @@ static bool has_columns_inside(const struct frob_value *value)
     if (value->kind != FROB_PRODUCT)
         return false;
     product = &value->constructors[0];
-    /* Arrays, tuples and records are columns by their parts; other data with one
-     * constructor is a cell. */
+    /* The parts of arrays, tuples and records are columns of their own; other types with one
+     * constructor are a single cell. */
     return product->name == NULL || product->is_record;
 }
 
@@ -53,7 +53,7 @@ void frob_trace_columns(const struct frob_value *value, const char *root,
     visit_columns(value, &path, visit, context);
 }
 
-/* Quoted, if the label of an assertion asks for it. */
+/* Adds a name, in quotes if the label of an assertion requires them. */
 static void add_name(void *context, const char *name, const struct frob_value *value)
 {
     struct frob_text *text = (struct frob_text *)context;
@@ -94,7 +94,7 @@ struct row {
     const void *base;
 };
 
-/* Writes each quote from there on twice. */
+/* Doubles each quote from `start` on. */
 static void double_quotes(struct frob_text *text, size_t start)
 {
     size_t count = 0, from = text->length;
@@ -110,7 +110,7 @@ static void double_quotes(struct frob_text *text, size_t start)
     }
 }
 
-/* No cell holds a line feed: what asks for quotes is a comma, or the quote of a label. */
+/* No cell contains a line feed: quoting is needed only for a comma, or for a quote in a label. */
 static void add_cell(void *context, const char *name, const struct frob_value *value)
 {
     struct row *row = (struct row *)context;

@@ -1,9 +1,9 @@
-/* drivers/driver.h -- one kind of robot behind a serial line, for hosts.
+/* drivers/driver.h -- the interface between hosts and the driver of one kind of robot on a serial
+ * line.
  *
- * A driver is a constant table. What it remembers about one robot is a struct
- * that the caller owns, `device_size` bytes of it, aligned for any type.
- * Nothing allocates, nothing recurses, and no call waits, except for a port
- * that has no room for what is written (FROB_WRITE_PATIENCE_NS).
+ * A driver is a constant table. Its state for one robot is a struct that the caller owns,
+ * `device_size` bytes, aligned for any type. No function allocates or recurses. No call waits,
+ * except for a port that has no room for the written bytes (FROB_WRITE_PATIENCE_NS).
  *
  *   driver->start(device, settings, &serial, &clock);
  *   for (;;) {
@@ -16,10 +16,9 @@
  *   }
  *   driver->stop(device); driver->close(device);
  *
- * Who must stop the robot, and when, is not decided here but in
- * core/robot.h, which hosts use instead of calling drivers themselves.
- * The wire format of a driver is a module of its own: bytes to structs and
- * back, without any of this. */
+ * A driver does not decide when the robot must stop. core/robot.h does; hosts use it and do not
+ * call drivers themselves. The wire format of a driver is a separate module that converts bytes to
+ * structs and back, independent of this interface. */
 #ifndef FROB_DRIVERS_DRIVER_H
 #define FROB_DRIVERS_DRIVER_H
 
@@ -35,75 +34,71 @@
 extern "C" {
 #endif
 
-/* Something about a robot that sources disagree on, that differs between
- * models, or that a user may want otherwise. Every setting is a number. */
+/* A value that sources disagree on, that differs between models, or that a user may want to change.
+ * Every setting is a number. */
 struct frob_setting {
     const char *name; /* as on the command line: "baud" */
-    double initial;   /* NAN: what the robot says itself, or the table of its model */
+    double initial;   /* NAN: reported by the robot, or from the table of its model */
     double least, greatest;
-    const char *meaning; /* a line for the user, with the unit */
+    const char *meaning; /* one line for the user, with the unit */
 };
 
 struct frob_driver {
     const char *robot; /* "pioneer", as in struct frob_program */
-    uint32_t rate;     /* of the line when it is opened, bits per second */
+    uint32_t rate;     /* initial bit rate of the line */
     size_t device_size;
-    size_t input_size, output_size; /* of the structs in <frob/ROBOT.h> */
+    size_t input_size, output_size; /* sizes of the structs in <frob/ROBOT.h> */
     const struct frob_setting *settings;
     size_t setting_count;
 
-    /* Where the numbers that move the robot are in its output struct: the
-     * offset of each double. All are in this table, so that one function can
-     * limit them. */
+    /* Offsets, in the output struct, of the doubles that move the robot. They are listed here so
+     * that one function can limit them all. */
     const size_t *drives;
     size_t drive_count;
 
-    /* The most that drive number `i` may be, either way; of the robot that is
-     * connected, else of the weakest. */
+    /* Returns the maximum magnitude of drive number `i`, for the connected robot, or for the
+     * weakest model if none is connected. */
     double (*most)(const void *device, size_t i);
 
-    /* Begins to connect to the robot on a line that was just opened.
-     * `settings` are `setting_count` values, in the order of the table. They, the
-     * line and the clock stay where they are until the next start. The device's
-     * memory is all zero at the first one; after a line that was lost it is as
-     * it was, so that a place by odometry can go on. The robot's motors are at
-     * rest until the first command. */
+    /* Starts to connect to the robot on a newly opened line. `settings` are `setting_count` values,
+     * in the order of the table. The settings, the line and the clock must stay valid until the
+     * next start. The device's memory is all zero before the first start. After the line was lost
+     * it is unchanged, so odometry continues from the last pose. The robot's motors are at rest
+     * until the first command. */
     void (*start)(void *device, const double *settings, const struct frob_serial *serial,
                   const struct frob_clock *clock);
 
-    /* Reads what has arrived and writes what is due. FROB_BUSY_CONNECTING
-     * until the robot can be commanded, then FROB_OK. FROB_TIMEOUT: no robot
-     * answers, start again or give up. FROB_LOST and FROB_REFUSED as they say. */
+    /* Reads the bytes that have arrived and writes what is due. Returns FROB_BUSY_CONNECTING until
+     * the robot can be commanded, then FROB_OK; FROB_TIMEOUT if no robot answers (start again or
+     * give up); FROB_LOST and FROB_REFUSED as defined in status.h. */
     enum frob_status (*poll)(void *device);
 
-    /* When the driver wants to be polled next even if no byte arrives. INT64_MAX:
-     * not before. A time that has passed is at once, so let it move on. */
+    /* Returns when to poll the driver next, even if no byte arrives. INT64_MAX: only when a byte
+     * arrives. If the time has passed, poll immediately. */
     int64_t (*due_ns)(const void *device);
 
-    /* When the newest complete sensor reading arrived; INT64_MIN: never. */
+    /* Returns when the newest complete sensor reading arrived; INT64_MIN: never. */
     int64_t (*sensed_ns)(const void *device);
 
-    /* What the robot senses. An event (an echo) is in the first input after it
-     * arrived, and in no other. */
+    /* Fills in what the robot senses. An event (an echo) is in the first input after its arrival,
+     * and only there. */
     void (*sense)(void *device, void *input);
 
-    /* Sends what the robot shall do, every part of it a finite number within
-     * the limits. */
+    /* Sends the commanded values to the robot. Each is a finite number within the limits. */
     enum frob_status (*command)(void *device, const void *output);
 
-    /* Sends the robot's strongest command to stand still, whatever the state
-     * of the connection. May be called at any time after start. */
+    /* Sends the robot's strongest stop command, in any state of the connection. May be called at
+     * any time after start. */
     enum frob_status (*stop)(void *device);
 
-    /* Ends the session, with the robot at rest. The line stays open: it is the
-     * caller's. */
+    /* Ends the session with the robot at rest. The line belongs to the caller and stays open. */
     void (*close)(void *device);
 
-    /* What is known about the robot, for a person: "Pioneer p3dx, AMRISim". */
+    /* Returns a description of the robot for people: "Pioneer p3dx, AMRISim". */
     const char *(*describe)(const void *device);
 
-    /* Whether the robot stood still at the newest complete sensor reading. NULL:
-     * its sensors do not tell, and hosts wait for as long as it may take. */
+    /* Returns whether the robot was at rest in the newest complete sensor reading. NULL if its
+     * sensors cannot tell; then hosts wait as long as stopping may take. */
     bool (*stands)(const void *device);
 };
 

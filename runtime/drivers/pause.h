@@ -1,8 +1,9 @@
-/* drivers/pause.h -- a pause in what arrives: what began before it is no packet.
+/* drivers/pause.h -- detects pauses in received bytes. A packet that began before a pause is
+ * incomplete.
  *
- * No robot pauses within a packet, but a line may be unplugged in the middle of
- * one, or a robot be turned off; then the packet's rest must not be made of what
- * is sent by the next one. */
+ * No robot pauses within a packet, but the line may be unplugged or the robot turned off in the
+ * middle of one. The bytes that the robot sends next must not be taken for the rest of that
+ * packet. */
 #ifndef FROB_DRIVERS_PAUSE_H
 #define FROB_DRIVERS_PAUSE_H
 
@@ -11,11 +12,11 @@
 
 #include "hal/clock.h"
 
-/* Longer than from one byte of a packet to the next. */
+/* Longer than the time between two bytes of a packet. */
 #define FROB_PAUSE_NS INT64_C(100000000)
 
-/* To be called when bytes have arrived: whether they come after a pause. `*heard_ns`
- * is when bytes arrived last, and is now afterwards. */
+/* Call this when bytes have arrived: returns whether they follow a pause. `*heard_ns` is the time
+ * of the previous bytes; it is set to the current time. */
 static inline bool frob_after_pause(const struct frob_clock *clock, int64_t *heard_ns)
 {
     int64_t before_ns = *heard_ns;

@@ -1,8 +1,8 @@
-/* drivers/wheels.h -- speeds for a robot with a wheel on each side.
+/* drivers/wheels.h -- wheel speeds of a robot with a wheel on each side.
  *
- * The wheels stand `separation_m` apart, and the middle between them moves with
- * the speed of a program's output: v ahead, omega to the left. A wheel then has
- * v -+ omega * separation / 2. */
+ * The wheels are `separation_m` apart. The midpoint between them moves at the speed in a program's
+ * output: v forward, and omega counter-clockwise. The left wheel then has the speed v - omega *
+ * separation / 2, the right wheel v + omega * separation / 2. */
 #ifndef FROB_DRIVERS_WHEELS_H
 #define FROB_DRIVERS_WHEELS_H
 
@@ -13,13 +13,13 @@
 extern "C" {
 #endif
 
-/* Metres per second, ahead. */
+/* Speeds in metres per second, positive forward. */
 struct frob_wheels {
     double left, right;
 };
 
-/* The wheels' speeds; those of more than `most_m_s` are lowered together, so
- * that the robot keeps to its curve. */
+/* Computes the wheel speeds. If one exceeds `most_m_s`, both are scaled down by the same factor, so
+ * that the robot follows the same curve. */
 static inline struct frob_wheels frob_wheels_of(double forward_m_s, double turn_rad_s,
                                                 double separation_m, double most_m_s)
 {
@@ -33,8 +33,8 @@ static inline struct frob_wheels frob_wheels_of(double forward_m_s, double turn_
     return wheels;
 }
 
-/* What wheels of `most_m_s` can do, as `most` of a driver's table: ahead without
- * a turn (i = 0, m/s), and turning on the spot (i = 1, rad/s). */
+/* Computes `most` of a driver's table for wheels of at most `most_m_s`: forward without turning (i
+ * = 0, m/s), and turning on the spot (i = 1, rad/s). */
 static inline double frob_wheels_most(size_t i, double separation_m, double most_m_s)
 {
     return i == 0 ? most_m_s : 2.0 * most_m_s / separation_m;

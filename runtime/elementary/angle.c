@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* The bits of 2/pi after the point, after 64 zeros. */
+/* The bits of 2/pi after the binary point, preceded by 64 zeros. */
 static const uint32_t two_over_pi[40] = {
     0x00000000u, 0x00000000u, 0xa2f9836eu, 0x4e441529u, 0xfc2757d1u, 0xf534ddc0u, 0xdb629599u,
     0x3c439041u, 0xfe5163abu, 0xdebbc561u, 0xb7246e3au, 0x424dd2e0u, 0x06492eeau, 0x09d1921cu,
@@ -12,32 +12,32 @@ static const uint32_t two_over_pi[40] = {
     0x8a5292eau, 0x6bfb5fb1u, 0x1f8d5d08u, 0x56033046u, 0xfc7b6babu,
 };
 
-#define WORDS 6 /* of 32 bits */
+#define WORDS 6 /* 32 bits each */
 
-/* The remainder of any finite x from its leading bits times the bits of 2/pi
- * that matter, modulo 4, as an integer of 192 bits (M. Payne and R. Hanek,
- * "Radian reduction for trigonometric functions", SIGNUM Newsletter 18, 1983). */
+/* Reduces any finite x: multiplies its significand by the bits of 2/pi that matter modulo 4, as a
+ * 192-bit integer (M. Payne and R. Hanek, "Radian reduction for trigonometric functions", SIGNUM
+ * Newsletter 18, 1983). */
 static struct angle reduce_any(double x)
 {
     int const whole = exponent_of(x);
-    /* |x| = significand 2^exponent; x is at least 1/2, and the table has the bits
-     for no other */
+    /* |x| = significand 2^exponent. The maximum keeps the index into the table valid; x is at least
+     * 1/2. */
     int const exponent = (whole > -1 ? whole : -1) - 52;
     uint64_t const significand = (bits_of(x) & 0xfffffffffffffu) | 0x10000000000000u;
 
-    /* The 192 bits of 2/pi from the one that is worth 2^(1 - exponent); with
-     those before it, significand and exponent make multiples of 4. */
+    /* The 192 bits of 2/pi that start with the one of weight 2^(1 - exponent). The bits before it
+     * contribute only multiples of 4 to the product. */
     int const first = exponent - 2 + 64;
     int const word = first / 32;
     int const shift = first % 32;
-    uint32_t window[WORDS]; /* the least significant word first */
+    uint32_t window[WORDS]; /* least significant word first */
     for (int i = 0; i < WORDS; ++i) {
         int const at = word + WORDS - 1 - i;
         uint64_t const two = ((uint64_t)two_over_pi[at] << 32) | two_over_pi[at + 1];
         window[i] = (uint32_t)((two << shift) >> 32);
     }
 
-    /* fraction = significand window modulo 2^192: x / (pi/2) / 4, modulo 1 */
+    /* fraction = significand * window modulo 2^192, which is x / (pi/2) / 4, modulo 1 */
     uint32_t fraction[WORDS] = { 0 };
     uint32_t const half[2] = { (uint32_t)significand, (uint32_t)(significand >> 32) };
     for (int h = 0; h < 2; ++h) {
@@ -49,8 +49,8 @@ static struct angle reduce_any(double x)
         }
     }
 
-    /* The two leading bits count quarter turns, the rest is what remains: a
-     number of -1/2 to 1/2, made positive first. */
+    /* The two leading bits count quarter turns. The other bits are the remainder, in -1/2 to 1/2;
+     * it is made positive first. */
     unsigned quarter = fraction[WORDS - 1] >> 30;
     bool const above = (fraction[WORDS - 1] >> 29 & 1u) != 0;
     for (int i = WORDS - 1; i > 0; --i)
@@ -73,7 +73,7 @@ static struct angle reduce_any(double x)
         weight *= 0x1p-32;
     }
 
-    /* times pi/2 */
+    /* multiply by pi/2 */
     struct pair y = product(rest.high, 0x1.921fb54442d18p0);
     y.low += rest.high * 0x1.1a62633145c07p-54 + rest.low * 0x1.921fb54442d18p0;
     y = sum_ordered(y.high, y.low);
@@ -98,15 +98,15 @@ struct angle frob_reduce(double x)
         return a;
     }
     if (-0x1p20 < x && x < 0x1p20) {
-        /* x - n pi/2 with pi/2 in three parts, of which the first two have 33
-       bits, so that their products with n are exact (W. J. Cody and W. Waite,
-       Software Manual for the Elementary Functions, 1980). */
+        /* Subtract n pi/2, with pi/2 split into three parts. The first two have 33 bits, so their
+         * products with n are exact (W. J. Cody and W. Waite, Software Manual for the Elementary
+         * Functions, 1980). */
         int const n = (int)(x * 0x1.45f306dc9c883p-1 + (x < 0.0 ? -0.5 : 0.5));
         struct pair const second = sum(x - n * 0x1.921fb544p0, -(n * 0x1.0b4611a6p-34));
         struct pair const third = sum(second.high, -(n * 0x1.3198a2e037073p-69));
         a.rest = sum_ordered(third.high, third.low + second.low);
         a.quarter = (unsigned)n & 3u;
-        /* The products' error is below 2^-100, too much beside a tiny rest. */
+        /* The error of the products is below 2^-100, which is too much if the remainder is tiny. */
         if (fabs(a.rest.high) > 0x1p-32)
             return a;
     }

@@ -1,4 +1,4 @@
-/* Angles by quarter turns. Part of the runtime's own; not installed. */
+/* Reduction of angles to quarter turns. Internal to the runtime; not installed. */
 #ifndef FROB_ELEMENTARY_ANGLE_H
 #define FROB_ELEMENTARY_ANGLE_H
 
@@ -6,18 +6,18 @@
 
 #include "double_double.h"
 
-/* x = (quarter + 4 i) pi/2 + rest, |rest| at most a little above pi/4, to
- * about 100 bits after the point. */
+/* x = (quarter + 4 i) pi/2 + rest for some integer i. |rest| is at most slightly above pi/4, and
+ * has about 100 bits after the binary point. */
 struct angle {
     struct pair rest;
     unsigned quarter; /* 0 to 3 */
 };
 
-/* x is finite. */
+/* Reduces x, which must be finite. */
 struct angle frob_reduce(double x);
 
-/* The sine and the cosine of a rest, to about 60 bits. The polynomials are
- * Sollya's,
+/* The sine and the cosine of a remainder, to about 60 bits. The polynomials were computed by
+ * Sollya,
  *   fpminimax((sin(sqrt(x))/sqrt(x)-1)/x, 6, [|D...|], [0; (pi/4)^2], relative)
  *   fpminimax((cos(sqrt(x))-1+x/2)/x^2, 5, [|D...|], [0; (pi/4)^2], relative)
  * with errors below 2^-60. */

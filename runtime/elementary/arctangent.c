@@ -4,12 +4,11 @@
 
 #include "double_double.h"
 
-/* The angle of (x, y) between 0 and pi/2, for x >= 0 and y >= 0, not both 0,
- * neither much larger than 1 nor the larger much smaller.
+/* The angle of (x, y), between 0 and pi/2. Requires x >= 0 and y >= 0, not both 0, neither much
+ * larger than 1, and the larger one not much smaller than 1.
  *
- * atan(y/x) = atan(c) + atan((y - c x) / (x + c y)), with c one of 0, 1/2, 1,
- * 2, infinity, so that the second is at most atan(1/2)/2; c x and c y are
- * exact. */
+ * atan(y/x) = atan(c) + atan((y - c x) / (x + c y)), where c is one of 0, 1/2, 1, 2 and infinity,
+ * so that the second term is at most atan(1/2)/2. The products c x and c y are exact. */
 static struct pair first_quadrant(struct pair y, struct pair x)
 {
     static const struct pair angles[5] = {
@@ -88,7 +87,7 @@ double frob_atan(double x)
 /* The angle of (x, y) for positive finite x and y. */
 static struct pair angle_of(double y, double x)
 {
-    /* Scaled to lie near 1. */
+    /* Scale both so that the larger is close to 1. */
     double const up = fmax(x, y) > 1.0 ? 0x1p-500 : 0x1p+500;
     if (fmax(x, y) > 0x1p+400 || fmax(x, y) < 0x1p-400) {
         x *= up;
@@ -114,7 +113,7 @@ double frob_atan2(double y, double x)
         return copysign(behind ? 0x1.921fb54442d18p1 : 0.0, y);
     if (b == 0.0)
         return copysign(0x1.921fb54442d18p0, y);
-    if (a < 0x1p-60 * b) /* the quotient may be subnormal, or zero */
+    if (a < 0x1p-60 * b) /* the quotient may be subnormal or zero */
         return copysign(behind ? 0x1.921fb54442d18p1 : a / b, y);
     if (b < 0x1p-60 * a)
         return copysign(0x1.921fb54442d18p0, y);

@@ -1,9 +1,8 @@
-/* Numbers of twice the precision: a sum high + low that is not rounded, with
- * |low| at most half a unit in the last place of high.
+/* Double-double arithmetic: a number is an unevaluated sum high + low, with |low| at most half a
+ * unit in the last place of high.
  *
- * T. J. Dekker, "A floating-point technique for extending the available
- * precision", Numerische Mathematik 18 (1971); D. E. Knuth, The Art of
- * Computer Programming, vol. 2, 4.2.2. */
+ * T. J. Dekker, "A floating-point technique for extending the available precision", Numerische
+ * Mathematik 18 (1971); D. E. Knuth, The Art of Computer Programming, vol. 2, 4.2.2. */
 #ifndef FROB_ELEMENTARY_DOUBLE_DOUBLE_H
 #define FROB_ELEMENTARY_DOUBLE_DOUBLE_H
 
@@ -15,7 +14,7 @@ struct pair {
     double low;
 };
 
-/* a + b exactly; |a| >= |b| or a = 0. */
+/* a + b exactly; requires |a| >= |b| or a = 0. */
 static inline struct pair sum_ordered(double a, double b)
 {
     struct pair s;
@@ -34,7 +33,7 @@ static inline struct pair sum(double a, double b)
     return s;
 }
 
-/* a as two halves of 26 bits at most; |a| < 2^996. */
+/* Splits a into two parts of at most 26 bits each; requires |a| < 2^996. */
 static inline struct pair halves(double a)
 {
     double const scaled = 134217729.0 * a; /* 2^27 + 1 */
@@ -44,7 +43,7 @@ static inline struct pair halves(double a)
     return s;
 }
 
-/* a * b exactly, unless it comes near the ends of the exponent's range. */
+/* a * b exactly, unless the product overflows or some part of it underflows. */
 static inline struct pair product(double a, double b)
 {
     struct pair const x = halves(a);
@@ -78,13 +77,13 @@ static inline double of_bits(uint64_t bits)
     return x;
 }
 
-/* 2^k, a normal number: -1022 <= k <= 1023. */
+/* 2^k for -1022 <= k <= 1023, so that the result is a normal number. */
 static inline double power_of_two(int k)
 {
     return of_bits((uint64_t)(k + 1023) << 52);
 }
 
-/* The exponent field less its bias: floor(log2 |x|) of a normal x. */
+/* The exponent without its bias: floor(log2 |x|) for a normal x. */
 static inline int exponent_of(double x)
 {
     return (int)((bits_of(x) >> 52) & 0x7ff) - 1023;

@@ -10,7 +10,7 @@
 
 #include "double_double.h"
 
-/* exp(x.high + x.low); x.high is not a NaN. */
+/* exp(x.high + x.low); x.high must not be NaN. */
 static inline double exp_of_pair(struct pair x)
 {
     /* 2^(i/32) */
@@ -48,7 +48,7 @@ static inline double exp_of_pair(struct pair x)
         { 0x1.ea4afa2a490dap+0, -0x1.e9c23179c2893p-54 },
         { 0x1.f50765b6e4540p+0, 0x1.9d3e12dd8a18bp-54 },
     };
-    /* log(2)/32: 36 bits, so that its product with k is exact, and the rest */
+    /* log(2)/32 in two parts: 36 bits, so that the product with k is exact, and the remainder */
     static const double step_high = 0x1.62e42fefap-6;
     static const double step_low = 0x1.cf79abc9e3b3ap-45;
 

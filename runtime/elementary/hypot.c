@@ -3,9 +3,8 @@
 
 #include "double_double.h"
 
-/* The square root of the exact sum of squares, mended by one step of Newton's
- * method from its exact remainder (C. F. Borges, "An improved algorithm for
- * hypot(a, b)", 2019). */
+/* Computes the square root of the exact sum of squares, and corrects it by one step of Newton's
+ * method with the exact remainder (C. F. Borges, "An improved algorithm for hypot(a, b)", 2019). */
 double frob_hypot(double x, double y)
 {
     double a = fabs(x);
@@ -22,7 +21,7 @@ double frob_hypot(double x, double y)
     if (b == 0.0)
         return a;
 
-    /* Scaled to lie near 1; what then is lost of b does not count. */
+    /* Scale both so that they are close to 1. Bits of b that are lost do not affect the result. */
     double up = 1.0;
     double down = 1.0;
     if (a > 0x1p+500) {
@@ -30,7 +29,7 @@ double frob_hypot(double x, double y)
         down = 0x1p+600;
     } else if (b < 0x1p-450) {
         if (a > 0x1p-380)
-            return a + b; /* b only rounds */
+            return a + b; /* b only affects the rounding */
         up = 0x1p+600;
         down = 0x1p-600;
     }

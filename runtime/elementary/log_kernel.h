@@ -1,21 +1,19 @@
 /* The natural logarithm to about 66 bits, shared by log and pow.
  *
- * Table-driven, after P. T. P. Tang, "Table-driven implementation of the
- * logarithm function in IEEE floating-point arithmetic", ACM TOMS 16 (1990):
- * x = 2^k m, and with a short c near 1/m,
+ * Table-driven, after P. T. P. Tang, "Table-driven implementation of the logarithm function in IEEE
+ * floating-point arithmetic", ACM TOMS 16 (1990): x = 2^k m, and with a short c close to 1/m,
  * log(x) = k log(2) - log(c) + log(1 + r), r = m c - 1, |r| < 2^-6.9. */
 #ifndef FROB_ELEMENTARY_LOG_KERNEL_H
 #define FROB_ELEMENTARY_LOG_KERNEL_H
 
 #include "double_double.h"
 
-/* log(x); x positive and finite. */
+/* log(x); x must be positive and finite. */
 static inline struct pair log_pair(double x)
 {
-    /* By the seven leading bits of the significand: c, of nine bits at most,
-     and -log(c), its high part a multiple of 2^-42. From the 53rd interval on
-     m is halved, so that c and the logarithm are exactly 1 and 0 on both sides
-     of x = 1, and nothing cancels there. */
+    /* Indexed by the seven leading bits of the significand: c, of at most nine bits, and -log(c),
+     * whose high part is a multiple of 2^-42. From the 53rd interval on m is halved, so that c and
+     * the logarithm are exactly 1 and 0 on both sides of x = 1, which avoids cancellation there. */
     static const struct {
         double c;
         struct pair minus_log;
@@ -179,7 +177,7 @@ static inline struct pair log_pair(double x)
                             z * (-0x1.00062c7f4017fp-3 + z * 0x1.c9702691a72d9p-4)))));
     struct pair const square = product(z, z);
 
-    /* k log(2) - log(c) is exact in its high part; then r, then -r^2/2. */
+    /* k log(2) - log(c), whose high part is exact; then add r, then -r^2/2. */
     double const whole = k * 0x1.62e42fefa38p-1 + table[i].minus_log.high;
     struct pair const linear = sum(whole, z);
     struct pair const quadratic = sum(linear.high, -0.5 * square.high);

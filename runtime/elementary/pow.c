@@ -14,12 +14,12 @@ static bool is_odd(double y)
     return is_integer(y) && fabs(y) < 0x1p53 && !is_integer(0.5 * y);
 }
 
-/* x to the power y for 0 < x < inf, x != 1, and a finite y: exp(y log(x)). */
+/* x to the power y = exp(y log(x)), for 0 < x < inf, x != 1, and a finite y. */
 static double power_of_positive(double x, double y)
 {
     struct pair const l = log_pair(x);
-    /* Beyond these the result is infinite, zero or one for every x, and the
-     exact product would leave the exponent's range. */
+    /* Beyond these limits the result is infinite, zero or one for every x, and the exact product
+     * would overflow or underflow. */
     if (fabs(y) > 0x1p70)
         return (y > 0.0) == (x > 1.0) ? INFINITY : 0.0;
     if (fabs(y) < 0x1p-70)

@@ -13,7 +13,7 @@ static double sine_of(struct angle a)
 double frob_sin(double x)
 {
     if (fabs(x) < 0x1p-27)
-        return x; /* and keeps the sign of zero */
+        return x; /* preserves the sign of zero */
     if (!isfinite(x))
         return NAN;
     return sine_of(frob_reduce(x));

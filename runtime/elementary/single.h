@@ -1,13 +1,11 @@
-/* What the functions of single precision share. Part of the runtime's own; not
- * installed.
+/* Shared by the single-precision functions. Internal to the runtime; not installed.
  *
- * They compute with integers, for a small processor has no others that are quick and
- * exact: 32 bits hold a float's 24 and eight more, and a product of two such
- * numbers is one instruction. A result is rounded to a float once, at the end, so
- * that it is within a little more than half a unit in the last place, and has the
- * same bits on every machine.
+ * They compute with integers, which is the only fast and exact arithmetic on a small processor: 32
+ * bits hold a float's 24 bits and eight more, and multiplying two such numbers takes one
+ * instruction. A result is rounded to a float once, at the end, so its error is only slightly more
+ * than half a unit in the last place, and its bits are the same on every machine.
  *
- * Qn in a comment: the integer stands for itself times 2^-n. */
+ * "Qn" in a comment means that an integer represents its value times 2^-n. */
 #ifndef FROB_ELEMENTARY_SINGLE_H
 #define FROB_ELEMENTARY_SINGLE_H
 
@@ -15,7 +13,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* m 2^e, positive, with the highest bit of m set. */
+/* The positive number m 2^e; the highest bit of m is set. */
 struct scaled {
     uint32_t m;
     int e;
@@ -35,13 +33,13 @@ static inline float single_of_bits(uint32_t bits)
     return x;
 }
 
-/* The higher half of the product. */
+/* The upper 32 bits of the product. */
 static inline uint32_t high(uint32_t a, uint32_t b)
 {
     return (uint32_t)(((uint64_t)a * b) >> 32);
 }
 
-/* v 2^e; v is not zero. */
+/* v 2^e; v must not be zero. */
 static inline struct scaled scaled_of(uint64_t v, int e)
 {
     struct scaled s;
@@ -58,7 +56,7 @@ static inline struct scaled scaled_of(uint64_t v, int e)
     return s;
 }
 
-/* |x|, which is finite and not zero. */
+/* |x|; x must be finite and not zero. */
 static inline struct scaled scaled_of_single(float x)
 {
     uint32_t const bits = bits_of_single(x) & 0x7fffffffu;
@@ -70,11 +68,11 @@ static inline struct scaled scaled_of_single(float x)
     return s;
 }
 
-/* The nearest float, ties to even; infinite beyond the range. */
+/* Rounds to the nearest float, ties to even; infinite if out of range. */
 static inline float single_of(bool negative, struct scaled s)
 {
     uint32_t const sign = negative ? 0x80000000u : 0u;
-    int const exponent = s.e + 158; /* as the format has it */
+    int const exponent = s.e + 158; /* biased exponent */
     int const drop = exponent > 0 ? 8 : 9 - exponent;
     uint64_t const wide = (uint64_t)s.m;
     uint64_t kept;
@@ -87,27 +85,27 @@ static inline float single_of(bool negative, struct scaled s)
     rest = wide - (kept << drop);
     if (rest > (UINT64_C(1) << drop) / 2 || (rest == (UINT64_C(1) << drop) / 2 && (kept & 1u) != 0))
         ++kept;
-    /* A carry goes into the exponent, where it belongs. */
+    /* A carry out of the significand correctly increments the exponent. */
     if (exponent > 0)
         kept += ((uint64_t)(unsigned)exponent << 23) - 0x800000u;
     return single_of_bits(sign | (uint32_t)kept);
 }
 
-/* The square root of n, at least 2^62, to less than one unit: from sqrtf, which is
- * right to 23 bits, and one step of Newton's method. */
+/* The square root of n, which is at least 2^62, with an error below one unit: sqrtf, which is right
+ * to 23 bits, and one step of Newton's method. */
 uint32_t frob_root_of_integer(uint64_t n);
 
-/* A number and its fraction of 62 bits: the logarithm to base 2. */
+/* A logarithm to base 2: an integer, and a fraction of 62 bits. */
 struct logarithm {
     bool negative;
     uint32_t whole;
     uint64_t fraction; /* Q62 */
 };
 
-/* Of a positive finite number; its relative error is below 2^-35. */
+/* The base-2 logarithm of a positive finite number, with a relative error below 2^-35. */
 struct logarithm frob_log2_of(struct scaled x);
 
-/* 2^(+-t), t being Q32; below 2^41. */
+/* 2^t, or 2^-t if `negative`, with the sign `negative_sign`; t is Q32 and below 2^41. */
 float frob_power_of_two(bool negative_sign, bool negative, uint64_t t);
 
 #endif

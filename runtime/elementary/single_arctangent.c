@@ -1,5 +1,4 @@
-/* The inverses of sine, cosine and tangent in single precision, and the root of a sum
- * of squares. */
+/* Inverse sine, cosine and tangent, and hypot, in single precision. */
 #include <frob/elementary.h>
 #include <math.h>
 
@@ -18,8 +17,8 @@ uint32_t frob_root_of_integer(uint64_t n)
 #define HALF_PI INT64_C(0x1921fb54442d1847)
 #define PI INT64_C(0x3243f6a8885a308d)
 
-/* 1 - atan(q)/q for the square z of q, below 1/16; both Q32. The polynomial is nearly
- * the best of its degree, found by interpolation at Chebyshev's points; error below
+/* 1 - atan(q)/q as a function of z = q^2, which is below 1/16; both are Q32. The polynomial, found
+ * by interpolation at Chebyshev points, is close to the best of its degree; its error is below
  * 2^-36. */
 static uint32_t less_than_slope(uint32_t z)
 {
@@ -30,19 +29,19 @@ static uint32_t less_than_slope(uint32_t z)
         z);
 }
 
-/* The angle of (x, y) between 0 and pi/2, or for `behind` pi less that, for positive x
- * and y: of a quotient below 1/4 by the polynomial; else
+/* The angle of (x, y), between 0 and pi/2, for positive x and y; if `behind`, pi minus that angle.
+ * If the quotient is below 1/4, the polynomial gives the angle directly. Otherwise
  *
- * atan(y/x) = atan(c) + atan((y - c x) / (x + c y)), with c = 1/2 or 1;
+ *   atan(y/x) = atan(c) + atan((y - c x) / (x + c y)), with c = 1/2 or 1.
  *
- * and of y above x as pi/2 less the angle of (y, x). */
+ * If y > x, the angle is pi/2 minus the angle of (y, x). */
 static float first_quadrant(bool negative, bool behind, struct scaled y, struct scaled x)
 {
     bool const steep = y.e > x.e || (y.e == x.e && y.m > x.m);
     struct scaled const below = steep ? y : x;
     struct scaled const above = steep ? x : y;
     int const smaller = below.e - above.e;
-    /* Of what is like: the quotient is above/2^smaller to below. */
+    /* Both in the same units: the quotient is a / b. */
     uint32_t const a = smaller < 4 ? above.m >> smaller : 0;
     uint32_t const b = below.m;
     int64_t angle; /* Q60 */
@@ -50,7 +49,7 @@ static float first_quadrant(bool negative, bool behind, struct scaled y, struct 
         struct scaled const q = above.m < b
                                     ? scaled_of(((uint64_t)above.m << 32) / b, -smaller - 32)
                                     : scaled_of(((uint64_t)above.m << 31) / b, -smaller - 31);
-        int const drop = -q.e - 32; /* to Q32 */
+        int const drop = -q.e - 32; /* bits to drop for Q32 */
         uint32_t const of_32 = drop < 32 ? q.m >> drop : 0;
         uint32_t const m = q.m - high(q.m, less_than_slope(high(of_32, of_32)));
         if (!steep && !behind)
@@ -96,7 +95,7 @@ float frob_atan2f(float y, float x)
         return copysignf(behind ? 0x1.921fb6p1f : 0.0f, y);
     if (x == 0.0f || isinf(y))
         return copysignf(0x1.921fb6p0f, y);
-    /* The quotient may be subnormal, or zero. */
+    /* The quotient may be subnormal or zero. */
     if (!behind && fabsf(y) < 0x1p-16f * x)
         return y / x;
     return first_quadrant(signbit(y) != 0, behind, scaled_of_single(y), scaled_of_single(x));
@@ -169,7 +168,7 @@ float frob_hypotf(float x, float y)
         uint64_t n; /* a quarter of the sum of squares, in units of l's exponent */
         struct scaled root;
         if (drop > 32)
-            return larger; /* by less than a 32nd of a unit too small */
+            return larger; /* too small by less than 1/32 of a unit */
         n = ((uint64_t)l.m * l.m >> 2) + (((uint64_t)s.m * s.m >> 2) >> drop);
         root.e = l.e + 1;
         if (n >> 62 == 0) {

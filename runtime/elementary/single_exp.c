@@ -4,8 +4,8 @@
 
 #include "single.h"
 
-/* 2^f - 1, both Q32. The polynomial is nearly the best of its degree for
- * (2^f - 1)/f, found by interpolation at Chebyshev's points; error below 2^-31. */
+/* 2^f - 1; both are Q32. The polynomial approximates (2^f - 1)/f. It was found by interpolation at
+ * Chebyshev points and is close to the best of its degree; its error is below 2^-31. */
 static uint32_t power_less_one(uint32_t f)
 {
     static const uint32_t c[7] = { 0xb17217f9u, 0x3d7f7ba6u, 0x0e3589f8u, 0x02763464u,
@@ -46,20 +46,20 @@ float frob_expf(float x)
         return 1.0f;
     {
         struct scaled const s = scaled_of_single(x);
-        /* times log2(e), Q31 and 32 bits more */
+        /* multiply by log2(e), Q31 with 32 additional bits */
         uint64_t const product = (uint64_t)s.m * 0xb8aa3b29u + high(s.m, 0x5c17f0bcu);
         return frob_power_of_two(false, x < 0.0f, product >> (-s.e - 1));
     }
 }
 
-/* Table-driven, after P. T. P. Tang, "Table-driven implementation of the logarithm
- * function in IEEE floating-point arithmetic", ACM TOMS 16 (1990): x = 2^k m, and
- * with a short c near 1/m, log2(x) = k - log2(c) + log2(1 + r), r = m c - 1. */
+/* Table-driven, after P. T. P. Tang, "Table-driven implementation of the logarithm function in IEEE
+ * floating-point arithmetic", ACM TOMS 16 (1990): x = 2^k m, and with a short c close to 1/m,
+ * log2(x) = k - log2(c) + log2(1 + r), r = m c - 1. */
 struct logarithm frob_log2_of(struct scaled x)
 {
-    /* By the five leading bits of m: 512 c, and -log2(c), Q62. From the 15th
-     interval on m is halved, so that both ends have c = 1 and nothing cancels on
-     either side of x = 1. */
+    /* Indexed by the five leading bits of m: 512 c, and -log2(c) as Q62. From the 15th interval on
+     * m is halved, so that both ends of the table have c = 1, which avoids cancellation on both
+     * sides of x = 1. */
     static const struct {
         uint16_t c;
         int64_t minus_log;
@@ -97,13 +97,13 @@ struct logarithm frob_log2_of(struct scaled x)
         { 262, -INT64_C(0x02239a3aa266825e) },
         { 256, 0 },
     };
-    /* (log2(1 + r) / r - log2(e)) / r, Q31, found as above; error below 2^-37. */
+    /* (log2(1 + r) / r - log2(e)) / r as Q31, found in the same way; error below 2^-37. */
     static const int32_t q[6] = { -1549082005, 1032721336, -774540794,
                                   619632617,   -516928458, 443099571 };
     int64_t const unit = INT64_C(0x100000000); /* 1 in Q32 */
     uint32_t const i = (x.m >> 26) & 31u;
     int32_t k = x.e + 31 + (i >= 14 ? 1 : 0);
-    /* Exact: m has 24 bits. Q40, then Q32. */
+    /* Exact, because m has 24 bits: Q40, then Q32. */
     int64_t const r = ((int64_t)x.m * table[i].c - (INT64_C(1) << 40)) / 256;
     int32_t p = q[5];
     int64_t slope; /* log2(1 + r) / r, Q62 */
@@ -142,7 +142,7 @@ float frob_logf(float x)
         struct logarithm const l = frob_log2_of(scaled_of_single(x));
         struct scaled s = l.whole == 0 ? scaled_of(l.fraction, -62)
                                        : scaled_of((uint64_t)l.whole << 56 | l.fraction >> 6, -56);
-        /* times log(2) */
+        /* multiply by log(2) */
         s = scaled_of((uint64_t)s.m * 0xb17217f8u, s.e - 32);
         return single_of(l.negative, s);
     }
@@ -158,7 +158,7 @@ static bool is_odd(float y)
     return is_integer(y) && fabsf(y) < 0x1p24f && !is_integer(0.5f * y);
 }
 
-/* x^y for 0 < x < inf, x != 1, and a finite y other than 0: 2^(y log2(x)). */
+/* x^y = 2^(y log2(x)), for 0 < x < inf, x != 1, and a finite y other than 0. */
 static float power_of_positive(bool negative_sign, float x, float y)
 {
     struct logarithm const l = frob_log2_of(scaled_of_single(x));
@@ -167,7 +167,7 @@ static float power_of_positive(bool negative_sign, float x, float y)
         negative_sign ? (negative ? -0.0f : -INFINITY) : (negative ? 0.0f : INFINITY);
     struct scaled const s = scaled_of_single(y);
     int const shift = -s.e;
-    /* |y| times the logarithm, as above 2^32 + below, times 2^(-32 - shift) */
+    /* |y| times the logarithm is (above 2^32 + below) 2^(-32 - shift) */
     uint64_t const above = (uint64_t)s.m * l.whole;
     uint64_t const below =
         (uint64_t)s.m * (uint32_t)(l.fraction >> 30) + high(s.m, (uint32_t)(l.fraction << 2));

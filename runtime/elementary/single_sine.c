@@ -4,22 +4,22 @@
 
 #include "single.h"
 
-/* An angle is so many quarter turns and a rest, |rest| at most a little above pi/4. */
+/* An angle as a number of quarter turns and a remainder; |rest| is at most slightly above pi/4. */
 struct angle {
-    bool negative; /* the rest */
+    bool negative; /* sign of the remainder */
     struct scaled rest;
     unsigned quarter; /* 0 to 3 */
 };
 
-/* The bits of 2/pi after the point, after 64 zeros. */
+/* The bits of 2/pi after the binary point, preceded by 64 zeros. */
 static const uint32_t two_over_pi[9] = { 0x00000000u, 0x00000000u, 0xa2f9836eu,
                                          0x4e441529u, 0xfc2757d1u, 0xf534ddc0u,
                                          0xdb629599u, 0x3c439041u, 0xfe5163abu };
 
-/* The remainder of x from its bits times those of 2/pi that matter, modulo 4, as an
- * integer of 96 bits (M. Payne and R. Hanek, "Radian reduction for trigonometric
- * functions", SIGNUM Newsletter 18, 1983). No float is nearer to a multiple of pi/2
- * than 2^-30, so that enough bits are left. */
+/* Reduces x: multiplies its significand by the bits of 2/pi that matter modulo 4, as a 96-bit
+ * integer (M. Payne and R. Hanek, "Radian reduction for trigonometric functions", SIGNUM Newsletter
+ * 18, 1983). No float is closer to a multiple of pi/2 than 2^-30, so enough bits of the remainder
+ * are left. */
 static struct angle angle_of(float x)
 {
     struct scaled const s = scaled_of_single(x);
@@ -30,8 +30,8 @@ static struct angle angle_of(float x)
     if (fabsf(x) < 0x1.921fb6p-1f)
         return a; /* pi/4 */
     {
-        /* 96 bits of 2/pi from the one that is worth 2^(1 - e); with those before it, m
-       and e make multiples of 4. The most significant word first. */
+        /* 96 bits of 2/pi that start with the one of weight 2^(1 - e), most significant word first.
+         * The bits before it contribute only multiples of 4 to the product. */
         int const first = s.e - 2 + 64;
         int const word = first / 32;
         int const shift = first % 32;
@@ -39,7 +39,7 @@ static struct angle angle_of(float x)
         uint64_t low;
         uint64_t middle;
         uint32_t top;
-        uint64_t rest; /* Q64, of a quarter turn */
+        uint64_t rest; /* fraction of a quarter turn, Q64 */
         for (int i = 0; i < 3; ++i) {
             uint64_t const two = (uint64_t)two_over_pi[word + i] << 32 | two_over_pi[word + i + 1];
             window[i] = (uint32_t)((two << shift) >> 32);
@@ -64,17 +64,17 @@ static struct angle angle_of(float x)
     }
 }
 
-/* The square of a rest, Q32. */
+/* The square of a remainder, Q32. */
 static uint32_t square_of(struct scaled rest)
 {
-    int const drop = -rest.e - 32; /* to Q32 */
+    int const drop = -rest.e - 32; /* bits to drop for Q32 */
     uint32_t const y = drop < 32 ? rest.m >> drop : 0;
     return high(y, y);
 }
 
-/* The polynomials, in the square z of the rest y, are nearly the best of their degree,
- * found by interpolation at Chebyshev's points: for (1 - sin(y)/y)/z with an error
- * below 2^-44, for (1 - cos(y))/z below 2^-41. */
+/* Polynomials in the square z of the remainder y, found by interpolation at Chebyshev points and
+ * close to the best of their degree: for (1 - sin(y)/y)/z with an error below 2^-44, for (1 -
+ * cos(y))/z below 2^-41. */
 static struct scaled sine_of_rest(struct scaled rest)
 {
     uint32_t const z = square_of(rest);
@@ -93,7 +93,8 @@ static struct scaled cosine_of_rest(struct scaled rest)
     return scaled_of(UINT64_C(0x100000000) - high(p, z), -32);
 }
 
-/* Is the function that is wanted, so many quarter turns on, a cosine? */
+/* The sine of an angle. An odd number of quarter turns turns the sine of the remainder into a
+ * cosine; two quarter turns change the sign. */
 static float sine_of(struct angle a)
 {
     bool const is_cosine = (a.quarter & 1u) != 0;
@@ -106,7 +107,7 @@ static float sine_of(struct angle a)
 float frob_sinf(float x)
 {
     if (fabsf(x) < 0x1p-13f)
-        return x; /* and keeps the sign of zero */
+        return x; /* preserves the sign of zero */
     if (!isfinite(x))
         return NAN;
     return sine_of(angle_of(x));

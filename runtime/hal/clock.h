@@ -1,7 +1,6 @@
-/* hal/clock.h -- time, as a port supplies it.
+/* hal/clock.h -- the clock that a port supplies.
  *
- * Times are nanoseconds on a clock that never goes back and that nobody sets;
- * where it starts does not matter. */
+ * Times are nanoseconds on a monotonic clock that is never set. Its zero is arbitrary. */
 #ifndef FROB_HAL_CLOCK_H
 #define FROB_HAL_CLOCK_H
 
@@ -14,7 +13,7 @@ extern "C" {
 struct frob_clock_operations {
     int64_t (*now_ns)(void *port);
 
-    /* Returns when the clock shows at least `until_ns`, or early. */
+    /* Sleeps until the clock shows at least `until_ns`; it may return early. */
     void (*sleep_until)(void *port, int64_t until_ns);
 };
 

@@ -1,13 +1,12 @@
-/* hal/serial.h -- a serial line, as a port supplies it.
+/* hal/serial.h -- the serial line that a port supplies.
  *
- * A driver sees a line only through this table, so the same driver runs on a
- * terminal device, a TCP connection, a microcontroller's UART and bytes in
- * memory. How a line is opened and closed is the port's own business (what a
- * device is called differs); so is the memory of `port`.
+ * A driver accesses a line only through this table, so the same driver runs on a terminal device, a
+ * TCP connection, a microcontroller's UART and bytes in memory. Each port opens and closes lines in
+ * its own way (devices are named differently), and owns the memory of `port`.
  *
- * A line is raw: eight bits, no parity, one stop bit, no flow control, no
- * translation. One thread at a time may use it. A port that loses its device
- * says FROB_LOST at this and every later call. */
+ * A line is raw: eight bits, no parity, one stop bit, no flow control, no translation. Only one
+ * thread at a time may use it. If a port loses its device, this call and all later calls return
+ * FROB_LOST. */
 #ifndef FROB_HAL_SERIAL_H
 #define FROB_HAL_SERIAL_H
 
@@ -21,31 +20,31 @@ extern "C" {
 #endif
 
 struct frob_serial_operations {
-    /* Takes the bytes that have arrived, at most `room`; never waits. `*count`
-     * is 0 when there are none, which is FROB_OK. */
+    /* Reads the bytes that have arrived, at most `room`, without waiting. If there are none,
+     * `*count` is 0 and the result FROB_OK. */
     enum frob_status (*read)(void *port, uint8_t *bytes, size_t room, size_t *count);
 
-    /* Hands over all bytes, waiting at most FROB_WRITE_PATIENCE_NS for room.
-     * After FROB_TIMEOUT the line has some of them, or none. */
+    /* Writes all bytes, waiting at most FROB_WRITE_PATIENCE_NS for room. After FROB_TIMEOUT the
+     * line may have accepted some of them. */
     enum frob_status (*write)(void *port, const uint8_t *bytes, size_t count);
 
-    /* Waits until bytes can be read (FROB_OK) or the clock shows `until_ns`
-     * (FROB_TIMEOUT), whichever is first; it may return early, with either. */
+    /* Waits until bytes can be read (FROB_OK) or the clock shows `until_ns` (FROB_TIMEOUT),
+     * whichever comes first. It may return early, with either result. */
     enum frob_status (*wait)(void *port, int64_t until_ns);
 
-    /* Changes the rate, in bits per second, after all that was written has
-     * left. FROB_UNSUPPORTED, and nothing done, if the port cannot: the rate is
-     * fixed, or somebody else's, as that of a bridge behind TCP. */
+    /* Changes the bit rate after all written bytes have been transmitted. Returns FROB_UNSUPPORTED
+     * and does nothing if the port cannot: the rate is fixed, or another device sets it, such as a
+     * bridge behind TCP. */
     enum frob_status (*set_rate)(void *port, uint32_t bits_per_s);
 
-    /* Forgets what has arrived and was not read. */
+    /* Discards bytes that have arrived and were not read. */
     enum frob_status (*discard)(void *port);
 };
 
-/* How long a write may wait for room: less than any deadline of the host. */
+/* Maximum time that a write waits for room; shorter than any deadline of the host. */
 #define FROB_WRITE_PATIENCE_NS INT64_C(20000000)
 
-/* A line that is open: a port's functions and its memory. */
+/* An open line: a port's functions and its memory. */
 struct frob_serial {
     const struct frob_serial_operations *operations;
     void *port;

@@ -1,7 +1,27 @@
-"""The wheel is for a kind of machine, as it carries frobc, and for no version of Python."""
+"""Sets what pyproject.toml cannot: the version, and the tag of the wheel.
+
+The wheel contains frobc, so it is specific to one kind of machine, but works with any version of
+Python.
+"""
+
+import re
+from pathlib import Path
 
 from setuptools import Distribution, setup
 from setuptools.command.bdist_wheel import bdist_wheel
+
+
+def version() -> str:
+    """Returns the version in dune-project: in a checkout that file is two folders up, and
+    wheel.sh copies it beside this one."""
+    here = Path(__file__).resolve().parent
+    for folder in (here, here.parent.parent):
+        project = folder / "dune-project"
+        if project.is_file():
+            found = re.search(r"^\(version (.+)\)$", project.read_text(), re.MULTILINE)
+            if found:
+                return found[1]
+    raise SystemExit("setup.py: no dune-project with a (version ...) here or two folders up")
 
 
 class ForAMachine(Distribution):
@@ -14,4 +34,4 @@ class ForAnyPython(bdist_wheel):
         return "py3", "none", super().get_tag()[2]
 
 
-setup(distclass=ForAMachine, cmdclass={"bdist_wheel": ForAnyPython})
+setup(version=version(), distclass=ForAMachine, cmdclass={"bdist_wheel": ForAnyPython})

@@ -1,9 +1,8 @@
 #!/bin/sh
-# usage: wheel.sh BUILD : the wheel in BUILD/wheel, with frobc and the hosts that dune has
-# installed below BUILD; run at the top of the project. What builds it comes from PyPI, into an
-# environment of its own.
-#
-# Libraries that the hosts are linked with, but those that every Linux has, go into the wheel.
+# usage: wheel.sh BUILD : builds the wheel in BUILD/wheel, with frobc and the hosts that dune has
+# installed below BUILD. Run it in the top folder of the project. It installs the build tools from
+# PyPI into a virtual environment. The wheel includes the libraries that the hosts are linked with,
+# except those that every Linux system has.
 set -eu
 build=$1
 tools=$build/wheel-tools
@@ -16,11 +15,12 @@ test -x "$tools/bin/auditwheel" || {
 }
 rm -rf "$source" "$build/wheel"
 cp -R runtime/python "$source"
+cp dune-project "$source"
 dune install --prefix "$source/frob/tools" frobc 2>"$build/wheel.log" || { cat "$build/wheel.log" >&2; exit 1; }
 rm -rf "$source/frob/tools/man" "$source/frob/tools/doc"
 strip "$source/frob/tools/bin/frobc" "$source"/frob/tools/lib/frobc/frob-*
 "$tools/bin/pip" wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation \
     --wheel-dir "$build/wheel-source/whole" "$source"
 PATH=$tools/bin:$PATH "$tools/bin/auditwheel" --verbose repair --wheel-dir "$build/wheel" \
-    "$source"/whole/frob-*.whl >"$build/wheel.log" 2>&1 || { tail -n 20 "$build/wheel.log" >&2; exit 1; }
-echo "the wheel: $(ls "$build"/wheel/frob-*.whl)"
+    "$source"/whole/frobc-*.whl >"$build/wheel.log" 2>&1 || { tail -n 20 "$build/wheel.log" >&2; exit 1; }
+echo "the wheel: $(ls "$build"/wheel/frobc-*.whl)"

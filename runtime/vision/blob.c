@@ -1,4 +1,4 @@
-/* blob.c -- what has a colour, as one blob. */
+/* blob.c -- finds all pixels in a colour range, as one blob. */
 #include "colour.h"
 #include "moments.h"
 

@@ -1,13 +1,14 @@
-/* clones.h -- loops that are worth compiling for newer processors too.
+/* clones.h -- loops that are also compiled for newer processors.
  *
- * A function with FROB_CLONES in front is there twice where the build asks for it with
- * -DFROB_VISION_CLONES (x86-64, and a C library that can choose between functions when a
- * program is loaded): for every processor, and for those with AVX2. Their results are the same, as
- * neither reorders or joins operations on floating-point numbers. */
+ * If the build defines FROB_VISION_CLONES (x86-64, with a C library that can choose between
+ * functions when a program is loaded), a function marked with FROB_CLONES is compiled twice: for
+ * every processor, and for processors with AVX2. Both return the same results, because neither
+ * reorders or fuses floating-point operations. */
 #ifndef FROB_VISION_CLONES_H
 #define FROB_VISION_CLONES_H
 
-/* Arrays that do not overlap: `restrict`, which C++ has under another name. */
+/* Marks pointers to arrays that do not overlap: `restrict`, which C++ compilers spell
+ * differently. */
 #ifdef __cplusplus
 #define FROB_APART __restrict
 #else

@@ -6,16 +6,18 @@
 
 static const double turn = 6.283185307179586;
 
-/* As much of a hexagon's side as 127 steps: products of three with bytes fit in 16 bits. */
+/* Steps along one side of the colour hexagon. With 127 steps, sums of three products with bytes fit
+ * in 16 bits. */
 enum { STEPS = 127 };
 
-/* x within low … high; low if it is NaN. */
+/* Clamps x to low … high; returns low if x is NaN. */
 static double within(double low, double high, double x)
 {
     return !(x > low) ? low : x > high ? high : x;
 }
 
-/* An angle as one from 0, inclusive, to a turn; 0 where it is NaN or too large to tell. */
+/* Reduces an angle to one turn, from 0 inclusive. Returns 0 if it is NaN or too large to reduce
+ * precisely. */
 static double within_turn(double angle)
 {
     double turns, rest;
@@ -27,7 +29,7 @@ static double within_turn(double angle)
     return (rest < 0 ? rest + 1 : rest) * turn;
 }
 
-/* The pure colour of a hue, each part of STEPS. */
+/* Computes the pure colour of a hue, with components from 0 to STEPS. */
 static void pure_colour(double hue, int32_t colour[3])
 {
     const double side = within(0, 6, within_turn(hue) / turn * 6);
@@ -39,7 +41,8 @@ static void pure_colour(double hue, int32_t colour[3])
         colour[i] = around[(number + 6 - 2 * i) % 6];
 }
 
-/* To multiply a colour with: above 0 within half a turn past this hue, 0 at it and opposite. */
+/* Computes factors whose scalar product with a colour is positive within half a turn after this
+ * hue, and 0 at the hue and opposite it. */
 static void side_of(double hue, int16_t factors[3])
 {
     int32_t d[3];
@@ -50,12 +53,14 @@ static void side_of(double hue, int16_t factors[3])
     factors[2] = (int16_t)(d[1] - d[0]);
 }
 
-/* The least and the most n with low <= n / all <= high, of 0 … all; false if there is none. */
+/* Finds the least and the greatest n in 0 … all with low <= n / all <= high; returns false if there
+ * is none. */
 static bool steps_of(double low, double high, int32_t all, int16_t *least, int16_t *most)
 {
     if (!(low <= high && low <= 1 && high >= 0))
         return false;
-    /* 0.4 of 255 is 102, although its nearest double is above. */
+    /* The tolerance accounts for rounding: 0.4 of 255 is 102, although the double nearest to 0.4 is
+     * above 0.4. */
     *most = (int16_t)(within(0, 1, high) * all + 1e-9);
     *least = (int16_t)(all - (int16_t)((1 - within(0, 1, low)) * all + 1e-9));
     return *least <= *most;
@@ -74,12 +79,12 @@ struct frob_colours frob_colours_of(const struct frob_colour_range *range)
         colours.dark = 256;
         return colours;
     }
-    /* All factors 0 are every hue. */
+    /* If all factors are 0, every hue matches. */
     if (size >= turn)
         return colours;
     side_of(range->hueFrom, colours.from);
     side_of(range->hueTo, colours.to);
-    /* The same half-line twice would have the opposite hue within: one step more. */
+    /* With the same half-line at both ends the opposite hue would match too, so end one step later. */
     if (memcmp(colours.from, colours.to, sizeof colours.from) == 0)
         side_of(range->hueTo + turn / (6 * STEPS), colours.to);
     for (int32_t i = 0; i < 3; i++)

@@ -1,15 +1,17 @@
-/* components.c -- the largest sets of pixels of a colour that hang together.
+/* components.c -- finds the largest connected sets of pixels in a colour range.
  *
- * Row by row: a run of such pixels belongs to the component of each run above that it touches,
- * which thereby become one. Only the row above is remembered. A component with no run in the
- * row is done: it is among the eight largest so far, or forgotten. */
+ * It processes the image row by row: a run of such pixels belongs to the component of each run
+ * above that it touches; these components are merged. Only the row above is kept. A component
+ * without a run in the current row is complete: it is kept if it is among the eight largest so far,
+ * and discarded otherwise. */
 #include "colour.h"
 #include "moments.h"
 
 #include <string.h>
 
-/* Components with a run in the row above or begun in this one: what is begun touches nothing
- * above, so all these runs are apart by a column. */
+/* Maximum number of components that have a run in the row above or started in this row. A component
+ * that started in this row touches no run above, so all these runs are separated by at least a
+ * column. */
 enum { MOST = FROB_IMAGE_SIDE / 2 + 1, KEPT = 8 };
 
 struct run {
@@ -24,7 +26,7 @@ struct row {
 
 struct components {
     struct frob_moments moments[MOST];
-    int32_t joined[MOST]; /* the component that it has become part of in this row, or itself */
+    int32_t joined[MOST]; /* the component it was merged into in this row, or itself */
     int32_t last[MOST];   /* the row of its last run */
     int32_t free[MOST];
     int32_t free_count;
@@ -72,8 +74,8 @@ static int32_t begin(struct components *all)
     return component;
 }
 
-/* The component of a run that touches those of the row above from *first on; of these one
- * that ends with this run, or behind it, may touch the next run too. */
+/* Returns the component of a run, and merges into it the components of the runs above that it
+ * touches, from *first on. Sets *first to the last one that may touch the next run too. */
 static int32_t component_of(struct components *all, const struct row *above, int32_t *first,
                             int32_t start, int32_t end)
 {
@@ -94,8 +96,8 @@ static int32_t component_of(struct components *all, const struct row *above, int
     return found < 0 ? begin(all) : found;
 }
 
-/* Gives back the places of the components above that have become part of another, or are
- * done. Each is looked at once, as the run that looks is the first of it. */
+/* Frees the components of the row above that were merged into another or are complete. Each
+ * component is handled once, at its first run. */
 static void end_row(struct components *all, const struct row *above, int32_t y)
 {
     for (int32_t i = 0; i < above->count; i++) {

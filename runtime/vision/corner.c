@@ -1,6 +1,7 @@
-/* corner.c -- the place in a region that is least like a flat surface or an edge.
+/* corner.c -- finds the position in a region that is least like a flat surface or a straight edge.
  *
- * Sums of the products of gradients over 5 rows are kept for each column, and slide down. */
+ * It keeps, for each column, sums of products of gradients over 5 rows, and updates them from row
+ * to row. */
 #include "view.h"
 
 #include <math.h>
@@ -8,7 +9,8 @@
 
 enum { AROUND = 2, SPAN = 2 * AROUND + 1 };
 
-/* Sums of gx gx, gx gy and gy gy, of twice the gradients: at most 25 * 255^2. */
+/* Sums of gx gx, gx gy and gy gy over 5 rows. The gradients are doubled; a sum over 5 by 5 pixels
+ * is at most 25 * 255^2. */
 struct sums {
     int32_t xx[FROB_IMAGE_SIDE], xy[FROB_IMAGE_SIDE], yy[FROB_IMAGE_SIDE];
 };
@@ -18,7 +20,8 @@ struct greys {
     uint8_t rooms[3][FROB_IMAGE_SIDE];
 };
 
-/* Adds what the row y has, or takes it away. Its neighbours are in the image. */
+/* Adds row y to the sums if `sign` is 1, or subtracts it if `sign` is -1. Its neighbouring rows
+ * must be in the image. */
 static void add_row(const struct frob_image *image, int32_t y, int32_t sign, struct sums *sums)
 {
     struct greys greys;
@@ -34,7 +37,7 @@ static void add_row(const struct frob_image *image, int32_t y, int32_t sign, str
     }
 }
 
-/* The smaller eigenvalue; sums of 25 products of twice the gradients. */
+/* The smaller eigenvalue, from sums over 25 pixels of products of doubled gradients. */
 static double score_of(double xx, double xy, double yy)
 {
     const double half = (xx - yy) / 2;
@@ -43,7 +46,7 @@ static double score_of(double xx, double xy, double yy)
     return score > 0 ? score : 0;
 }
 
-/* The scores of a row, of the columns left … right - 1. */
+/* Computes the scores of the columns left … right - 1 of a row. */
 static void scores_of(const struct sums *sums, int32_t left, int32_t right, double *scores)
 {
     int32_t xx = 0, xy = 0, yy = 0;
@@ -64,9 +67,10 @@ static void scores_of(const struct sums *sums, int32_t left, int32_t right, doub
     }
 }
 
-/* Foerstner and Guelch: the place that all lines through pixels, along their edges, come
- * nearest to, by least squares of their distances times the gradients. Of the pixels
- * around (x, y), all of whose neighbours are in the image; false if it is not there. */
+/* Refines a corner after Foerstner and Guelch: finds the position closest to all lines through the
+ * pixels along their edges, by least squares of the distances weighted with the gradients. Uses the
+ * pixels around (x, y), whose neighbours must all be in the image. Returns false if the result is
+ * not near (x, y). */
 static bool refine(const struct frob_image *image, int32_t x, int32_t y, struct frob_corner *corner)
 {
     double xx = 0, xy = 0, yy = 0, toward_x = 0, toward_y = 0, toward, determinant;
@@ -128,7 +132,7 @@ void frob_find_corner(const struct frob_image *image, const struct frob_region *
                 result->score = scores[x];
             }
     }
-    /* With the corner in the middle there is more of it to see. */
+    /* Repeat with the corner in the middle, where more of it is visible. */
     for (int32_t i = 0; i < 3 && result->score > 0; i++) {
         const int32_t x = (int32_t)(result->x + 0.5), y = (int32_t)(result->y + 0.5);
         if (x < margin || y < margin || x >= image->width - margin || y >= image->height - margin ||

@@ -1,4 +1,4 @@
-/* depths.c -- how far away things are that two cameras see. */
+/* depths.c -- computes the depths of what two cameras see. */
 #include "stereo.h"
 
 #include <math.h>
@@ -6,13 +6,14 @@
 
 enum { WIDTH = 640, DISPARITIES = 64, WINDOW = 21, COLUMNS = 16, STEPS = 16 * DISPARITIES };
 
-/* How many pixels have each disparity, in 1/16 pixels. */
+/* The number of pixels with each disparity, in 1/16 pixels. */
 struct counts {
     int32_t of[STEPS];
     int32_t known, all;
 };
 
-/* The largest disparity that `least` pixels have, or more; -1 if there are not so many. */
+/* Returns the largest disparity such that at least `least` pixels have it or a larger one; -1 if
+ * there are fewer pixels. */
 static int32_t reached(const struct counts *counts, int32_t least)
 {
     int32_t so_far = 0;

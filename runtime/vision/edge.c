@@ -1,8 +1,9 @@
-/* edge.c -- edges along a segment, as XVision's tracker of edges looks for them.
+/* edge.c -- finds edges along a segment, in the way of XVision's edge tracker.
  *
- * The profile of brightness along the segment is smoothed and differentiated at once, by the
- * derivative of a normal curve of one pixel. A sharp edge becomes about such a curve itself,
- * whose logarithm is a parabola: three values give its top between pixels. */
+ * The brightness profile along the segment is smoothed and differentiated in one pass, by the
+ * derivative of a Gaussian with a standard deviation of one pixel. A sharp edge then looks like
+ * that Gaussian, whose logarithm is a parabola: three values determine its maximum with subpixel
+ * precision. */
 #include "view.h"
 
 #include <frob/elementary.h>
@@ -11,10 +12,11 @@
 
 enum { REACH = 3, HALF = 64, PLACES = 2 * (HALF + REACH + 1) + 1 };
 
-/* j exp(-j^2 / 2) of j = 1, 2, 3, so that a slope of 1 gives 1. */
+/* j exp(-j^2 / 2) for j = 1, 2, 3, normalized so that a slope of 1 results in 1. */
 static const double weights[REACH] = { 0.24302970, 0.10845335, 0.01335376 };
 
-/* The mean across the segment `along` from its middle; false if part of it is outside. */
+/* Computes the mean brightness across the segment, at distance `along` from its middle. Returns
+ * false if part of it is outside the image. */
 static bool seen(const struct frob_image *image, const struct frob_segment *s, double cosine,
                  double sine, int32_t across, double along, double *result)
 {
@@ -32,7 +34,7 @@ static bool seen(const struct frob_image *image, const struct frob_segment *s, d
     return true;
 }
 
-/* The top near the middle one of three values above 0. */
+/* Interpolates the maximum near the middle of three values above 0. */
 static double top_of(double before, double at, double after)
 {
     double bend, offset;
@@ -47,7 +49,7 @@ static double top_of(double before, double at, double after)
     return offset < -0.5 ? -0.5 : offset > 0.5 ? 0.5 : offset;
 }
 
-/* The strongest place where sign * gradient is largest, of -half … half around the middle. */
+/* Finds the maximum of sign * gradient in -half … half around the middle. */
 static void strongest(const double *gradients, int32_t half, double sign, struct frob_edge *result)
 {
     double best = 0;

@@ -24,7 +24,7 @@ void frob_image_lens(const struct frob_image *image, struct frob_lens *result)
     result->roll = c->roll_rad;
 }
 
-/* A step of FNV-1a, on words, folded so that high bits come down too. */
+/* A step of FNV-1a on 64-bit words, followed by folding the high bits into the low ones. */
 static uint64_t stirred(uint64_t hash, uint64_t word)
 {
     hash = (hash ^ word) * UINT64_C(0x100000001b3);

@@ -48,15 +48,16 @@ void frob_add_moments(struct frob_moments *moments, const struct frob_moments *o
     moments->bottom = others->bottom > moments->bottom ? others->bottom : moments->bottom;
 }
 
-/* The moments of an ellipse's area: its axes have the lengths 4 sqrt(eigenvalue). Each pixel
- * is a square, which has 1/12 itself. */
+/* Computes the ellipse with the same area moments: its axes have lengths 4 sqrt(eigenvalue). Each
+ * pixel is a square, which contributes 1/12 to its own second moments. */
 void frob_blob_of(const struct frob_moments *moments, struct frob_blob *result)
 {
     memset(result, 0, sizeof *result);
     if (moments->count == 0)
         return;
     {
-        /* From the box's corner, exact, where squares are small beside what is taken from them. */
+        /* Moments relative to the corner of the bounding box are exact, and the squares are small
+         * compared with the result of the subtraction. */
         const int64_t left = moments->left, top = moments->top;
         const double n = (double)moments->count;
         const double x = (double)(moments->x - left * moments->count) / n;

@@ -1,23 +1,23 @@
-/* moments.h -- what is summed over the pixels of a blob. */
+/* moments.h -- sums over the pixels of a blob. */
 #ifndef FROB_VISION_MOMENTS_H
 #define FROB_VISION_MOMENTS_H
 
 #include <frob/vision.h>
 
-/* Sums over columns and rows of pixels, exact: 2^24 pixels of an image of 2^12 by 2^12, whose
- * squares are 2^24, make 2^48. */
+/* Exact sums of the columns and rows of pixels: 2^24 pixels (2^12 by 2^12), with squares up to
+ * 2^24, sum to at most 2^48. */
 struct frob_moments {
     int64_t count, x, y, xx, xy, yy;
-    int32_t left, top, right, bottom; /* of all pixels, the ends inside */
+    int32_t left, top, right, bottom; /* bounding box, inclusive */
 };
 
-/* Of no pixel. */
+/* Returns the moments of the empty set. */
 struct frob_moments frob_no_moments(void);
 
 /* Adds the pixels of columns start … end - 1 of a row. */
 void frob_add_run(struct frob_moments *moments, int32_t y, int32_t start, int32_t end);
 
-/* Adds what another has. */
+/* Adds another set's moments. */
 void frob_add_moments(struct frob_moments *moments, const struct frob_moments *others);
 
 void frob_blob_of(const struct frob_moments *moments, struct frob_blob *result);

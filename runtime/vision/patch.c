@@ -10,21 +10,22 @@ enum { SIDE = FROB_PATCH_SIDE, ROOM_SIDE = 160 };
 
 static const double middle = (SIDE - 1) / 2.0;
 
-/* Numbers for which the place of each sample, rounded, is a number: far beyond any image. */
+/* Returns whether the position of each sample, rounded, is a valid number; the limits are far
+ * beyond any image. */
 static bool is_place(const struct frob_placement *p)
 {
     return p->x > -1e6 && p->x < 1e6 && p->y > -1e6 && p->y < 1e6 && p->angle > -1e6 &&
            p->angle < 1e6 && p->scale > 1e-3 && p->scale < 1e4;
 }
 
-/* x rounded down, within 0 … most. */
+/* Rounds x down and clamps it to 0 … most. */
 static int32_t column_of(double x, int32_t most)
 {
     return !(x > 0) ? 0 : x >= most ? most : (int32_t)x;
 }
 
-/* From which column (or row) on, and how many, within the room: of a larger part what is in its
- * middle, where the patch is looked for first. */
+/* Computes the first column (or row) and the count that fit in the room. If the part is larger than
+ * the room, it takes the middle, where the search for the patch starts. */
 static void take_part(double place, double around, int32_t size, int32_t *from, int32_t *count)
 {
     const double most = ROOM_SIDE / 2 - 1, reach = around < most ? around : most;
@@ -61,7 +62,7 @@ bool frob_greys_around(struct frob_greys *greys, const struct frob_image *image,
     return true;
 }
 
-/* As frob_grey_at, without its questions where all four pixels are there. */
+/* The same as frob_grey_at, without its checks if all four pixels are in the room. */
 static double grey_at(const struct frob_greys *g, double x, double y)
 {
     const double column = x - g->left, row = y - g->top;
@@ -82,7 +83,7 @@ int32_t frob_cut_patch(const struct frob_greys *greys, const struct frob_placeme
 {
     const double cosine = place->scale * frob_cos(place->angle);
     const double sine = place->scale * frob_sin(place->angle);
-    /* Each sample is the mean of so many by so many. */
+    /* Each sample is the mean of `parts` by `parts` pixels. */
     const int32_t parts = place->scale > 3 ? 4 : place->scale > 2 ? 3 : place->scale > 1.25 ? 2 : 1;
     const double right = greys->image->width - 0.5, bottom = greys->image->height - 0.5;
     int32_t inside = 0;

@@ -1,8 +1,8 @@
-/* points.c -- distortion of a camera's lens, there and back. */
+/* points.c -- applies and removes lens distortion. */
 #include "points.h"
 
-/* What of the camera's model (frob/image.h) a place, of the axis' units, becomes; and how it
- * changes with the place. */
+/* The distorted position (in units of the focal length; see the model in frob/image.h), and its
+ * partial derivatives by the undistorted position. */
 struct bent {
     double a, b, da_da, da_db, db_da, db_db;
 };
@@ -43,8 +43,8 @@ void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *
     result->y = c->centre_y + c->focal_y * to.b;
 }
 
-/* Newton's method, from the place itself. Where the model folds over, behind the largest
- * radius that it can give, there is nothing to find. */
+/* Newton's method, starting at the position itself. Beyond the largest radius that the model can
+ * produce, it folds over and has no inverse. */
 void frob_undistort(const struct frob_camera *c, const struct frob_vec2 *point,
                     struct frob_vec2 *result)
 {

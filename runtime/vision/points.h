@@ -1,10 +1,10 @@
-/* points.h -- distortion of a camera's lens, for kernels that have no image. */
+/* points.h -- lens distortion for kernels that have no image. */
 #ifndef FROB_VISION_POINTS_H
 #define FROB_VISION_POINTS_H
 
 #include <frob/vision.h>
 
-/* As frob_undistort_point (frob/vision.h), by the camera alone: where it sits does not matter. */
+/* The same as frob_undistort_point (frob/vision.h), from the camera alone; its pose is not used. */
 void frob_undistort(const struct frob_camera *camera, const struct frob_vec2 *point,
                     struct frob_vec2 *result);
 

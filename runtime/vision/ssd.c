@@ -1,11 +1,11 @@
-/* ssd.c -- the place at which a patch fits best: XVision's SSD tracker.
+/* ssd.c -- finds the placement at which a patch matches best: XVision's SSD tracker.
  *
  * Least squares by the inverse compositional method (Baker and Matthews, "Lucas-Kanade 20 Years
- * On", 2004): the patch, not the image, is moved by a small step, so that its gradients, and
- * the matrix of the equations, are made once; the place is then moved back by the step.
+ * On", 2004): a small step moves the patch instead of the image, so its gradients and the matrix of
+ * the equations are computed only once. The placement is then moved by the inverse of the step.
  *
- * Of the gradients only what brightness and contrast of the patch cannot imitate is looked at,
- * so light may change. */
+ * The gradients are projected onto the complement of what changes of brightness and contrast can
+ * produce, so the light may change. */
 #include "patch.h"
 
 #include <frob/elementary.h>
@@ -14,19 +14,20 @@
 
 enum { SIDE = FROB_PATCH_SIDE, FREEDOMS = 4 };
 
-/* A patch as it is seen at a level, and what is made of it once. */
+/* A patch at one level, and the data computed from it once. */
 struct model {
-    int32_t side, cell; /* samples a side; each the mean of cell by cell */
+    int32_t side, cell; /* samples per side; each is the mean of cell by cell samples */
     int32_t freedom;
-    double values[FROB_PATCH_SIZE]; /* less their mean */
+    double values[FROB_PATCH_SIZE]; /* minus their mean */
     double power;                   /* the sum of their squares */
-    /* How the values change with x, y, angle and the logarithm of scale; Cholesky's lower
-     * factor of the matrix of the equations. */
+    /* Derivatives of the values by x, y, angle and the logarithm of the scale; and the lower
+     * Cholesky factor of the matrix of the equations. */
     double steps[FREEDOMS][FROB_PATCH_SIZE];
     double factors[FREEDOMS][FREEDOMS];
 };
 
-/* Means of cell by cell samples, less the mean of all; gives the sum of their squares. */
+/* Computes the means of cell by cell samples, minus the mean of all samples. Returns the sum of
+ * their squares. */
 static double reduce(const double samples[FROB_PATCH_SIZE], int32_t cell, double *values)
 {
     const int32_t side = SIDE / cell;
@@ -59,7 +60,7 @@ static double product(const double *a, const double *b, int32_t count)
     return sum;
 }
 
-/* The slope of a row of values at one of them, for each sample of the patch. */
+/* Returns the slope of the values at one of them, per sample of the patch. */
 static double slope(const double *values, int32_t stride, int32_t at, int32_t side, int32_t cell)
 {
     const int32_t before = at > 0 ? -stride : 0, after = at < side - 1 ? stride : 0;
@@ -94,7 +95,8 @@ static void find_steps(struct model *t)
     }
 }
 
-/* Where a direction says next to nothing that others do not say, its factor is 0. */
+/* Cholesky factorization. The factor of a direction that is nearly a combination of the others is
+ * set to 0. */
 static void factorize(struct model *t)
 {
     for (int32_t k = 0; k < t->freedom; k++)
@@ -110,7 +112,7 @@ static void factorize(struct model *t)
         }
 }
 
-/* False if the patch has no contrast. */
+/* Returns false if the patch has no contrast. */
 static bool prepare(struct model *t, const double patch[FROB_PATCH_SIZE], int32_t level,
                     int32_t freedom)
 {
@@ -118,7 +120,8 @@ static bool prepare(struct model *t, const double patch[FROB_PATCH_SIZE], int32_
     t->side = SIDE / t->cell;
     t->freedom = freedom;
     t->power = reduce(patch, t->cell, t->values);
-    /* NaN too; a brightness of 0.01 all over is none, and 1e6 no brightness. */
+    /* Also rejects NaN. A standard deviation of 0.01 is not contrast, and values around 1e6 are not
+     * brightness. */
     if (!(t->power > 0.1 && t->power < 1e15))
         return false;
     find_steps(t);
@@ -126,7 +129,8 @@ static bool prepare(struct model *t, const double patch[FROB_PATCH_SIZE], int32_
     return true;
 }
 
-/* The step that makes the template most like the values, whose contrast is `gain` times its. */
+/* Computes the step that makes the template most similar to the values, whose contrast is `gain`
+ * times the template's. */
 static void solve(const struct model *t, const double *values, double gain, double step[FREEDOMS])
 {
     for (int32_t k = 0; k < FREEDOMS; k++) {
@@ -150,7 +154,7 @@ static double limited(double most, double x)
     return !(x > -most) ? -most : x > most ? most : x;
 }
 
-/* Moves the place against a step; gives how far, in samples. */
+/* Moves the placement by the inverse of a step; returns the distance in samples. */
 static double move(const struct model *t, const double step[FREEDOMS],
                    const struct frob_placement *from, struct frob_placement *place)
 {
@@ -167,11 +171,11 @@ static double move(const struct model *t, const double step[FREEDOMS],
     place->scale = scale < from->scale / 2   ? from->scale / 2
                    : scale > from->scale * 2 ? from->scale * 2
                                              : scale;
-    /* At the rim of the patch an angle and a growth are as much as so many samples. */
+    /* Convert the turn and the growth to the motion of a sample at the rim of the patch. */
     return fabs(x) + fabs(y) + SIDE / 2 * (fabs(turn) + fabs(growth - 1));
 }
 
-/* 1 - r^2 of the correlation r, 1 where it is not above 0. */
+/* 1 - r^2, where r is the correlation; 1 if r is not positive. */
 static double unlikeness(double power, double other, double both)
 {
     const double rest = both > 0 && other > 0 ? 1 - both * both / (power * other) : 1;
@@ -179,7 +183,7 @@ static double unlikeness(double power, double other, double both)
     return rest > 0 ? rest : 0;
 }
 
-/* What fits best of all places that were looked at, at one level. */
+/* Finds the best match of all visited placements, at one level. */
 static void search_level(const struct frob_greys *greys, const struct model *t, int32_t iterations,
                          struct frob_match *best)
 {

@@ -1,10 +1,10 @@
-/* statistics.c -- brightness and depth of a region. */
+/* statistics.c -- statistics of brightness and depth in a region. */
 #include "view.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Counts of each brightness. */
+/* Counts the pixels with each brightness. */
 static void count(const struct frob_image *image, const struct frob_view *view, int32_t counts[256])
 {
     uint8_t room[FROB_IMAGE_SIDE];
@@ -17,7 +17,7 @@ static void count(const struct frob_image *image, const struct frob_view *view, 
     }
 }
 
-/* The value of the pixel with k before it in order. */
+/* Returns the k-th smallest brightness, from 0. */
 static double grey_with(const int32_t counts[256], int64_t k)
 {
     int32_t value = 0;
@@ -54,7 +54,7 @@ static void of_greys(const int32_t counts[256], struct frob_statistics *result)
 
 /* {1 Depths}
  *
- * The bits of floats above 0 are ordered as they are. */
+ * Positive floats have the same order as their bits. */
 
 static uint32_t bits_of(const uint8_t *row, int32_t x)
 {
@@ -77,7 +77,8 @@ static bool is_known(uint32_t bits)
     return bits > 0 && bits < UINT32_C(0x7f800000);
 }
 
-/* The depth with k before it in order: eight bits more with each look at the pixels. */
+/* Returns the k-th smallest depth, from 0, by radix selection: each pass over the pixels determines
+ * eight more bits. */
 static double depth_with(const struct frob_image *image, const struct frob_view *view, int64_t k)
 {
     uint32_t found = 0;

@@ -4,7 +4,11 @@
 
 #include <string.h>
 
-enum { CUT = 31, LIKE = 10 /* % */, TEXTURE = 10 /* for each pixel of the square, in 1/16 */ };
+enum {
+    CUT = 31,
+    LIKE = 10 /* percent */,
+    TEXTURE = 10 /* per pixel of the window, in 1/16 */
+};
 
 static int32_t limited(int32_t least, int32_t x, int32_t most)
 {
@@ -30,7 +34,8 @@ size_t frob_stereo_room(int32_t width, const struct frob_stereo *how)
 
 /* {1 Rows} */
 
-/* Sobel's operator along the row: of brightness in three rows, cut off, from 0. */
+/* Computes Sobel's horizontal gradient from three rows of brightness, clipped to -CUT … CUT and
+ * shifted to start at 0. */
 FROB_CLONES
 static void changes_of(const uint8_t *FROB_APART above, const uint8_t *FROB_APART row,
                        const uint8_t *FROB_APART below, int32_t count, uint8_t *FROB_APART changes)
@@ -47,7 +52,8 @@ static void changes_of(const uint8_t *FROB_APART above, const uint8_t *FROB_APAR
     changes[0] = changes[count - 1] = CUT;
 }
 
-/* Those of columns first … first + count - 1 of a row; outside the image as at its border. */
+/* Computes the gradients of the columns first … first + count - 1 of a row. Columns outside the
+ * image have the gradient at its border. */
 static void change_row(const struct frob_image *image, int32_t y, int32_t first, int32_t count,
                        uint8_t *changes)
 {
@@ -90,7 +96,7 @@ static void take_differences(const uint8_t *FROB_APART left, const uint8_t *FROB
     }
 }
 
-/* Adds a row of both images to the columns' sums, or takes it away. */
+/* Adds a row of both images to the columns' sums, or subtracts it. */
 static void add_row(struct frob_stereo_rows *rows, int32_t y, bool take)
 {
     enum { WIDE = FROB_IMAGE_SIDE + 32 };
@@ -114,7 +120,8 @@ static void add_row(struct frob_stereo_rows *rows, int32_t y, bool take)
     }
 }
 
-/* Sums of `window` neighbours, by those of 1, 2, 4, 8 and 16: `part` is room. */
+/* Adds up each `window` neighbours, as sums of 1, 2, 4, 8 and 16 neighbours. `part` is a work
+ * area. */
 FROB_CLONES
 static void add_doubles(const uint16_t *FROB_APART from, int32_t step, int32_t count,
                         uint16_t *FROB_APART to)
@@ -138,7 +145,8 @@ static void sum_windows(const uint16_t *columns, int32_t window, int32_t wide, u
     const uint16_t *part = columns;
     int32_t done = 0;
 
-    /* `part` has sums of `size`; the first `done` of each window are in `sums`. */
+    /* `part` holds sums of `size` neighbours; `sums` holds the first `done` neighbours of each
+     * window. */
     for (int32_t size = 1; size <= window; size *= 2) {
         if ((window & size) != 0) {
             if (done == 0)
@@ -168,7 +176,7 @@ static void take_better(const uint16_t *FROB_APART sums, uint16_t disparity, int
     }
 }
 
-/* Whether another one, not next to the best, is nearly as good. */
+/* Marks columns where another disparity, not next to the best one, matches nearly as well. */
 FROB_CLONES
 static void find_rivals(const uint16_t *FROB_APART sums, uint16_t disparity, int32_t count,
                         const uint16_t *FROB_APART limits, const uint16_t *FROB_APART disparities,
@@ -180,8 +188,9 @@ static void find_rivals(const uint16_t *FROB_APART sums, uint16_t disparity, int
     }
 }
 
-/* Of three sums, the middle one the least: how far beside it the least is, in 1/16, by two
- * lines of the same slope; sums of differences are pointed, not round. */
+/* Interpolates the position of the minimum of three sums, whose middle one is the least, in 1/16.
+ * It fits two lines of opposite slope, because sums of absolute differences have a sharp minimum,
+ * not a rounded one. */
 static int32_t beside(int32_t before, int32_t at, int32_t after)
 {
     const int32_t slope = before > after ? before - at : after - at;

@@ -1,10 +1,10 @@
-/* tag_place.c -- where a square is in space whose corners a camera sees.
+/* tag_place.c -- computes the pose of a square in space from its four corners in an image.
  *
- * Four corners give a homography, and its columns two sides and the middle of the square (as in
- * Zhang, "A flexible new technique for camera calibration", 2000). Seen from far away a square
- * that is tilted one way looks nearly as one that is tilted the other way (Schweighofer and Pinz,
- * "Robust pose estimation from a planar target", 2006): so both poses are improved, by
- * least squares, and the one whose corners are nearer to those that were seen is taken. */
+ * Four corners determine a homography, whose columns are two sides and the centre of the square (as
+ * in Zhang, "A flexible new technique for camera calibration", 2000). From far away a square tilted
+ * in one direction looks nearly the same as one tilted in the opposite direction (Schweighofer and
+ * Pinz, "Robust pose estimation from a planar target", 2006). So both poses are refined by least
+ * squares, and the one with the smaller distances to the observed corners is chosen. */
 #include "points.h"
 
 #include <frob/lens.h>
@@ -14,14 +14,15 @@
 
 enum { ROUNDS = 20, FREEDOM = 6 };
 
-/* In halves of a side, x to the right and y down as one looks at it; as struct frob_tag has them. */
+/* Corner positions in units of half a side, x to the right and y down as one looks at the tag; in
+ * the order of struct frob_tag. */
 static const double corner_x[4] = { -1, 1, 1, -1 }, corner_y[4] = { 1, 1, -1, -1 };
 
 struct vector {
     double x, y, z;
 };
 
-/* Where the square's axes point, and its middle, in halves of a side. */
+/* The directions of the square's axes, and its centre, in units of half a side. */
 struct pose {
     struct vector right, down, middle;
 };
@@ -49,7 +50,7 @@ static struct vector scaled(double k, struct vector a)
     return b;
 }
 
-/* Both axes of length 1, and square to each other, by as much of each as of the other. */
+/* Makes both axes orthogonal and of length 1, by changing both equally. */
 static void straighten(struct pose *p)
 {
     const double off = dot(p->right, p->down) / 2;
@@ -60,11 +61,12 @@ static void straighten(struct pose *p)
     p->down = scaled(1 / sqrt(dot(p->down, p->down)), p->down);
 }
 
-/* From the homography of the square to the corners, places where the axis is 1 long. False if
- * there is none. */
+/* Computes the pose from the homography that maps the square to the corners, in normalized image
+ * coordinates. Returns false if there is none. */
 static bool first_guess(const double x[4], const double y[4], struct pose *p)
 {
-    /* Heckbert's, of the square 0 … 1, from the upper left corner: 3, 2, 1, 0. */
+    /* Heckbert's homography from the unit square, with its corners in the order 3, 2, 1, 0 from the
+     * upper left one. */
     const double dx1 = x[2] - x[1], dx2 = x[0] - x[1], dx3 = x[3] - x[2] + x[1] - x[0];
     const double dy1 = y[2] - y[1], dy2 = y[0] - y[1], dy3 = y[3] - y[2] + y[1] - y[0];
     const double determinant = dx1 * dy2 - dx2 * dy1;
@@ -77,7 +79,7 @@ static bool first_guess(const double x[4], const double y[4], struct pose *p)
     const struct vector corner = { x[3], y[3], 1 };
     double length;
 
-    /* As one looks at it a corner comes counter-clockwise after the other. */
+    /* The corners must be counter-clockwise in the image. */
     for (int32_t i = 0; i < 4; i++) {
         const int32_t j = (i + 1) & 3, k = (i + 2) & 3;
         if (!((x[j] - x[i]) * (y[k] - y[j]) - (y[j] - y[i]) * (x[k] - x[j]) < 0))
@@ -91,8 +93,8 @@ static bool first_guess(const double x[4], const double y[4], struct pose *p)
     return p->middle.z > 0;
 }
 
-/* Tilted the other way against the ray to its middle: what was behind the plane square to it
- * is before it. */
+/* Returns the pose that is tilted in the opposite direction: reflected in the plane perpendicular
+ * to the ray to its centre. */
 static struct pose other_way(const struct pose *p)
 {
     const struct vector ray = scaled(1 / sqrt(dot(p->middle, p->middle)), p->middle);
@@ -102,7 +104,7 @@ static struct pose other_way(const struct pose *p)
     return other;
 }
 
-/* Solves a x = b for a symmetric matrix that is positive definite (Cholesky). */
+/* Solves a x = b for a symmetric positive definite matrix (Cholesky). */
 static bool solve(double a[FREEDOM][FREEDOM], double b[FREEDOM])
 {
     for (int32_t i = 0; i < FREEDOM; i++) {
@@ -128,9 +130,10 @@ static bool solve(double a[FREEDOM][FREEDOM], double b[FREEDOM])
     return true;
 }
 
-/* The sum of the squares of the corners' distances, where the axis is 1 long; infinite if one of
- * them is not before the camera. With a matrix, what a step of the method solves, too: turns
- * about the camera's three axes, and moves along them. */
+/* Returns the sum of the squared distances of the corners, in normalized image coordinates;
+ * infinite if a corner is not in front of the camera. If a matrix is passed, also computes the
+ * normal equations for a step: rotations about the camera's three axes, and translations along
+ * them. */
 static double misfit(const struct pose *p, const double x[4], const double y[4],
                      double a[FREEDOM][FREEDOM], double b[FREEDOM])
 {
@@ -148,7 +151,7 @@ static double misfit(const struct pose *p, const double x[4], const double y[4],
             return INFINITY;
         sum += off_x * off_x + off_y * off_y;
         if (a != NULL) {
-            /* d(at) of a turn w is w x arm. */
+            /* The derivative of `at` by a rotation w is w x arm. */
             const double along_x[3] = { 1 / at.z, 0, -at.x / (at.z * at.z) };
             const double along_y[3] = { 0, 1 / at.z, -at.y / (at.z * at.z) };
             const double rows[2][FREEDOM] = {
@@ -167,7 +170,7 @@ static double misfit(const struct pose *p, const double x[4], const double y[4],
     return sum;
 }
 
-/* Levenberg and Marquardt's way: steps that do not help are made smaller, and more along the
+/* Levenberg-Marquardt: steps that do not reduce the error are made shorter and closer to the
  * steepest descent. */
 static double improve(struct pose *p, const double x[4], const double y[4])
 {
@@ -198,7 +201,7 @@ static double improve(struct pose *p, const double x[4], const double y[4])
     return best;
 }
 
-/* Whether two poses look in directions that are less than half a degree apart. */
+/* Returns whether two poses face directions less than half a degree apart. */
 static bool is_same(const struct pose *one, const struct pose *other)
 {
     const struct vector off =
@@ -269,7 +272,7 @@ void frob_find_tag_place(const struct frob_lens *lens, double size, const struct
     result->facing.y = facing.y;
     result->facing.z = facing.z;
     result->residual = lens->focalX * sqrt(fit / 4);
-    /* From near by both have become the same. */
+    /* At close range both poses may converge to the same one. */
     if (is_same(&one, &other))
         result->ambiguity = 0;
     else

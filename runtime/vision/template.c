@@ -1,5 +1,5 @@
-/* template.c -- where in a region a patch may be: its correlation with every place, on an
- * image that has been reduced so far that the patch is 7 or 8 cells wide. */
+/* template.c -- finds candidate positions of a patch in a region: correlates the patch with every
+ * position, in an image reduced so that the patch is 7 or 8 cells wide. */
 #include "clones.h"
 #include "view.h"
 
@@ -11,17 +11,17 @@
 
 enum { COLUMNS = 160, ROWS = 120, REACH = 6, SIDE = FROB_PATCH_SIDE };
 
-/* A region as the mean brightness of cells, whose sides are `size` pixels more or less. */
+/* A region, reduced to cells with their mean brightness. A cell's sides are about `size` pixels. */
 struct cells {
     double left, top, size;
     int32_t columns, rows;
     uint8_t means[ROWS][COLUMNS];
 };
 
-/* What a cell of the template has; its place is from the middle one. */
+/* A cell of the template; its position is relative to the middle cell. */
 struct part {
     int32_t column, row;
-    int32_t value; /* in 1/16, less the mean */
+    int32_t value; /* in 1/16, minus the mean */
 };
 
 static void reduce(const struct frob_image *image, const struct frob_view *view, double size,
@@ -54,8 +54,8 @@ static void reduce(const struct frob_image *image, const struct frob_view *view,
     }
 }
 
-/* The mean of the samples around a place of the patch, `size` of them wide; false if it reaches
- * out. */
+/* Computes the mean of the samples around a position of the patch, over a square of `size` samples.
+ * Returns false if the square is not within the patch. */
 static bool mean_of(const double *patch, double u, double v, double size, double *mean)
 {
     const double left = u - size / 2, top = v - size / 2;
@@ -76,7 +76,8 @@ static bool mean_of(const double *patch, double u, double v, double size, double
     return true;
 }
 
-/* The cells of the turned patch that it covers whole, and the sum of their squares. */
+/* Computes the cells that the rotated patch covers completely, and the sum of their squared
+ * values. */
 static int32_t parts_of(const double *patch, const struct frob_placement *like, double size,
                         struct part *parts, double *power)
 {
@@ -106,8 +107,8 @@ static int32_t parts_of(const double *patch, const struct frob_placement *like, 
     return count;
 }
 
-/* Of a row of cells, with each as the middle of the template: the sums of brightness, of the
- * squares, and of the products with the template. */
+/* For each cell of a row as the middle of the template: the sums of the brightness, of its squares,
+ * and of its products with the template. */
 struct row_sums {
     int32_t sum[COLUMNS], squares[COLUMNS], products[COLUMNS];
 };
@@ -165,7 +166,8 @@ void frob_find_template(const struct frob_image *image, const struct frob_region
         for (int32_t i = 0; i < across; i++) {
             const double other = sums.squares[i] - sums.sum[i] * (double)sums.sum[i] / count;
             const double both = sums.products[i];
-            /* The correlation's square; a contrast of one step of brightness is none. */
+            /* Compares the square of the correlation. A contrast of one brightness step does not
+             * count. */
             if (both > 0 && other > count && both * both > best * power * other) {
                 best = both * both / (power * other);
                 result->place.x = cells.left + (reach + i + 0.5) * size - 0.5;

@@ -2,7 +2,7 @@
 
 #include "clones.h"
 
-/* The first whole number that is not below x, within 0 … most; most if x is NaN. */
+/* Returns the least integer not below x, clamped to 0 … most; `most` if x is NaN. */
 static int32_t first_from(double x, int32_t most)
 {
     int32_t k;

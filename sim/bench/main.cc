@@ -1,16 +1,16 @@
-// frob-sim-bench -- what a run costs beyond Box2D itself.
+// frob-sim-bench -- measures how much a run costs beyond Box2D itself.
 //
 //   frob-sim-bench PROGRAM.so WORLD.toml [SECONDS [RATE [ROUNDS]]]
 //
-// Runs the program in the simulator, in each of the world's robots, and then the
-// bare physics of that run: the same world in Box2D, its robots moved by the
-// velocities that were recorded, and the same sonar rays, but no controllers,
-// sensors, noise or record. The bare physics casts its rays as Box2D offers it,
-// one by one through the whole world; and in another run as the simulator does,
-// which looks up once for each cone what there is (see ray_fan.h). They take turns,
-// and of each the fastest round counts, in processor time, in which the machine's
-// other work hardly shows. Prints simulated seconds per second of each, and the
-// ratios, one `name: value` a line.
+// Runs the program in the simulator, in each of the world's robots, and then the bare physics of
+// that run: the same world in Box2D, its robots moved by the recorded velocities, and the same
+// sonar rays, but no controllers, sensors, noise or record. It runs the bare physics in two ways:
+// with Box2D's own ray casts, one by one through the whole world; and as the simulator does, which
+// looks up the objects in each cone once (see ray_fan.h).
+//
+// The runs take turns, and the fastest round of each counts. Times are processor times, which the
+// machine's other work hardly affects. Prints the simulated seconds per second of each kind of run,
+// and their ratios, one `name: value` a line.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -33,8 +33,7 @@ extern "C" {
 
 using namespace frob::sim;
 
-namespace
-{
+namespace {
 
 constexpr std::uint64_t seed = 1;
 
@@ -43,17 +42,15 @@ struct Motion {
     float turn;
 };
 
-double seconds_since(std::clock_t start)
-{
+double seconds_since(std::clock_t start) {
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-// The run as the host makes it without a picture, with `each_step` called after each step of the
-// physics. Returns how many seconds it took.
+// Runs the simulation as the host does without a picture, and calls `each_step` after each step of
+// the physics. Returns the time it took, in seconds.
 template <typename EachStep>
 double run_program(const frob_program &program, const Scene &scene, double duration_s,
-                   double rate_hz, EachStep each_step)
-{
+                   double rate_hz, EachStep each_step) {
     Simulation simulation(scene, seed, false);
     const std::size_t robots = simulation.robots();
     const std::size_t room = program.state_size / sizeof(std::max_align_t) + 1;
@@ -64,8 +61,7 @@ double run_program(const frob_program &program, const Scene &scene, double durat
     std::int64_t before_ns = 0;
     for (std::int64_t instant = 0;; ++instant) {
         const std::int64_t now_ns = std::llround(static_cast<double>(instant) * 1e9 / rate_hz);
-        if (static_cast<double>(now_ns) > duration_s * 1e9)
-            break;
+        if (static_cast<double>(now_ns) > duration_s * 1e9) break;
         while (simulation.time_ns() + step_ns <= now_ns) {
             simulation.advance(simulation.time_ns() + step_ns);
             each_step(simulation.world().robots());
@@ -83,9 +79,8 @@ double run_program(const frob_program &program, const Scene &scene, double durat
     return seconds_since(start);
 }
 
-// The nearest thing in a cone, by Box2D's rays alone.
-double nearest_by_box2d(const Body &body, const Pose &from, int rays)
-{
+// The nearest object in a cone, found with Box2D's rays alone.
+double nearest_by_box2d(const Body &body, const Pose &from, int rays) {
     double nearest = p3dx::sonar_farthest;
     for (int i = 0; i < rays; ++i) {
         const double off = p3dx::sonar_half_angle * (rays == 1 ? 0.0 : 2.0 * i / (rays - 1) - 1.0);
@@ -94,18 +89,16 @@ double nearest_by_box2d(const Body &body, const Pose &from, int rays)
     return nearest;
 }
 
-double nearest_by_simulator(const Body &body, const Pose &from, int rays)
-{
+double nearest_by_simulator(const Body &body, const Pose &from, int rays) {
     return nearest_in_cone(body, from, p3dx::sonar_half_angle, p3dx::sonar_farthest, rays)
         .value_or(p3dx::sonar_farthest);
 }
 
-// `motions` are those of each robot, step after step. The sum of all ranges is
-// added so that no ray can be left out.
+// Replays `motions`, which hold each robot's velocities, step after step. It adds up all ranges so
+// that the compiler cannot remove a ray.
 template <typename Nearest>
 double run_physics(const Scene &scene, const std::vector<Motion> &motions, Nearest nearest,
-                   double &sum)
-{
+                   double &sum) {
     const std::size_t steps_between_pings =
         static_cast<std::size_t>(p3dx::ring().ping_ns / step_ns);
     World world(scene, p3dx::chassis());
@@ -125,22 +118,19 @@ double run_physics(const Scene &scene, const std::vector<Motion> &motions, Neare
         }
         world.step();
         const std::size_t step = i + 1, turn = step / steps_between_pings;
-        if (step % steps_between_pings == 0)
-            ping(0, turn);
-        if (step % steps_between_pings == steps_between_pings / 2)
-            ping(1, turn);
+        if (step % steps_between_pings == 0) ping(0, turn);
+        if (step % steps_between_pings == steps_between_pings / 2) ping(1, turn);
     }
     return seconds_since(start);
 }
 
 int bench(const frob_program &program, const Scene &scene, double duration_s, double rate_hz,
-          int rounds)
-{
+          int rounds) {
     std::vector<Motion> motions;
     run_program(program, scene, duration_s, rate_hz, [&](const std::vector<Body> &robots) {
         for (const Body &robot : robots)
             motions.push_back(
-                { robot.rigid().GetLinearVelocity(), robot.rigid().GetAngularVelocity() });
+                {robot.rigid().GetLinearVelocity(), robot.rigid().GetAngularVelocity()});
     });
     double with_program = 1e30, bare = 1e30, by_cone = 1e30, sum = 0.0;
     for (int i = 0; i < rounds; ++i) {
@@ -161,22 +151,21 @@ int bench(const frob_program &program, const Scene &scene, double duration_s, do
 
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
     if (argc < 3 || argc > 6) {
         std::fputs("usage: frob-sim-bench PROGRAM.so WORLD.toml [SECONDS [RATE [ROUNDS]]]\n",
                    stderr);
         return 2;
     }
     const frob_program *program = frob_load(argv[1]);
-    if (program == nullptr)
-        return 2;
+    if (program == nullptr) return 2;
     const double duration_s = argc > 3 ? std::atof(argv[3]) : 60.0;
     const double rate_hz = argc > 4 ? std::atof(argv[4]) : 50.0;
     const int rounds = argc > 5 ? std::atoi(argv[5]) : 41;
     if (!(duration_s > 0.0) || !(rate_hz > 0.0) || rounds < 1 ||
         program->input_size != sizeof(frob_pioneer_input)) {
-        std::fputs("error: seconds, rate and rounds must be above 0, the program a pioneer's\n",
+        std::fputs("error: seconds, rate and rounds must be above 0, and the program must drive a "
+                   "pioneer\n",
                    stderr);
         return 2;
     }

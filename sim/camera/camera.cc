@@ -4,28 +4,22 @@
 #include <cmath>
 #include <utility>
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
-// The stream of noise, apart from those of the robot's other sensors.
+// Stream of noise for timing, separate from those of the robot's other sensors.
 constexpr std::uint64_t timing_stream = 1u << 16;
 
-constexpr std::size_t most_waiting = 64; // frames on their way; the oldest are lost
+constexpr std::size_t most_waiting = 64; // limit on the frames in flight; the oldest are dropped
 
-std::int64_t nanoseconds(double s)
-{
-    return static_cast<std::int64_t>(std::floor(s * 1e9 + 0.5));
-}
+std::int64_t nanoseconds(double s) { return static_cast<std::int64_t>(std::floor(s * 1e9 + 0.5)); }
 
 } // namespace
 
 Camera::Camera(const CameraSettings &settings, const Chassis &chassis, const Scenery &scenery,
                std::size_t robot, std::uint64_t seed, std::uint64_t trigger)
     : settings_(settings), scenery_(scenery), robot_(robot), timing_(trigger, timing_stream),
-      film_(settings, seed)
-{
+      film_(settings, seed) {
     const Vec half = exact_direction(settings.field_of_view / 2);
     geometry_.focal_x = geometry_.focal_y = settings.width / 2.0 * half.x / half.y;
     geometry_.centre_x = (settings.width - 1) / 2.0;
@@ -44,85 +38,77 @@ Camera::Camera(const CameraSettings &settings, const Chassis &chassis, const Sce
     light_.resize(3 * static_cast<std::size_t>(settings.width));
 }
 
-// Along its rows, to the left: (0, 1, 0) turned by Rz(yaw) Ry(pitch) Rx(roll).
-void Camera::shift(double aside)
-{
+// Moves the camera by `aside` along its rows, to the left: (0, 1, 0) turned by Rz(yaw) Ry(pitch)
+// Rx(roll).
+void Camera::shift(double aside) {
     const Vec yaw = exact_direction(geometry_.yaw_rad),
               pitch = exact_direction(geometry_.pitch_rad);
     const Vec roll = exact_direction(geometry_.roll_rad);
-    const Vec left = { pitch.y * roll.y, roll.x };
+    const Vec left = {pitch.y * roll.y, roll.x};
     geometry_.x_m += aside * (yaw.x * left.x - yaw.y * left.y);
     geometry_.y_m += aside * (yaw.y * left.x + yaw.x * left.y);
     geometry_.z_m += aside * pitch.x * roll.y;
 }
 
-// What the lens shows at a distorted place (a', b') is at (a, b) with a' = a (1 + k1 r^2 +
-// k2 r^4), and likewise b'. Solved by repetition, as OpenCV does it.
-void Camera::make_lens_map()
-{
-    if (settings_.k1 == 0.0 && settings_.k2 == 0.0)
-        return;
+// The lens shows the point (a, b) at the distorted place (a', b'), with a' = a (1 + k1 r^2 + k2
+// r^4) and b' = b (1 + k1 r^2 + k2 r^4). This solves for (a, b) by fixed-point iteration, as OpenCV
+// does.
+void Camera::make_lens_map() {
+    if (settings_.k1 == 0.0 && settings_.k2 == 0.0) return;
     Vec most = {};
     for (int y = 0; y < settings_.height; ++y) {
         for (int x = 0; x < settings_.width; ++x) {
-            const Vec seen = { (x - geometry_.centre_x) / geometry_.focal_x,
-                               (y - geometry_.centre_y) / geometry_.focal_y };
+            const Vec seen = {(x - geometry_.centre_x) / geometry_.focal_x,
+                              (y - geometry_.centre_y) / geometry_.focal_y};
             Vec p = seen;
             for (int i = 0; i < 20; ++i) {
                 const double r2 = dot(p, p);
                 p = (1.0 / (1.0 + r2 * (settings_.k1 + r2 * settings_.k2))) * seen;
             }
             const Vec pixel = geometry_.focal_x * p;
-            most = { std::max(most.x, std::abs(pixel.x)), std::max(most.y, std::abs(pixel.y)) };
+            most = {std::max(most.x, std::abs(pixel.x)), std::max(most.y, std::abs(pixel.y))};
             lens_map_.push_back(pixel);
         }
     }
     margin_x_ = std::max(0, static_cast<int>(std::ceil(most.x - geometry_.centre_x))) + 1;
     margin_y_ = std::max(0, static_cast<int>(std::ceil(most.y - geometry_.centre_y))) + 1;
     for (Vec &pixel : lens_map_)
-        pixel = pixel + Vec{ geometry_.centre_x + margin_x_, geometry_.centre_y + margin_y_ };
+        pixel = pixel + Vec{geometry_.centre_x + margin_x_, geometry_.centre_y + margin_y_};
 }
 
-bool Camera::is_rolling() const
-{
+bool Camera::is_rolling() const {
     return std::any_of(waiting_.begin(), waiting_.end(),
                        [](const Exposure &e) { return !e.is_whole(); });
 }
 
-void Camera::take(std::int64_t time_ns, std::shared_ptr<const Moment> moment)
-{
+void Camera::take(std::int64_t time_ns, std::shared_ptr<const Moment> moment) {
     for (Exposure &exposure : waiting_) {
-        if (exposure.is_whole() || exposure.times_ns.back() == time_ns)
-            continue;
+        if (exposure.is_whole() || exposure.times_ns.back() == time_ns) continue;
         exposure.times_ns.push_back(time_ns);
         exposure.moments.push_back(moment);
     }
-    if (time_ns < due_ns_)
-        return;
+    if (time_ns < due_ns_) return;
     const bool is_lost = timing_.uniform() < settings_.dropout;
     const std::int64_t rolled_ns = time_ns + nanoseconds(settings_.rolling);
     if (!is_lost)
-        waiting_.push_back({ next_,
-                             time_ns,
-                             rolled_ns,
-                             rolled_ns + nanoseconds(settings_.latency),
-                             { time_ns },
-                             { std::move(moment) } });
-    if (waiting_.size() > most_waiting)
-        waiting_.pop_front();
+        waiting_.push_back({next_,
+                            time_ns,
+                            rolled_ns,
+                            rolled_ns + nanoseconds(settings_.latency),
+                            {time_ns},
+                            {std::move(moment)}});
+    if (waiting_.size() > most_waiting) waiting_.pop_front();
     ++next_;
     const double shift = settings_.jitter * (2.0 * timing_.uniform() - 1.0);
     due_ns_ = std::max(time_ns + 1, nanoseconds(next_ / settings_.rate + shift));
 }
 
-const frob_image *Camera::newest(std::int64_t now_ns)
-{
+const frob_image *Camera::newest(std::int64_t now_ns) {
     std::size_t arrived = 0;
     while (arrived < waiting_.size() && waiting_[arrived].arrives_ns <= now_ns &&
            waiting_[arrived].is_whole())
         ++arrived;
-    if (arrived == 0)
-        return nullptr;
+    if (arrived == 0) return nullptr;
     exposure_ = std::move(waiting_[arrived - 1]);
     waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(arrived));
     draw();
@@ -137,27 +123,27 @@ const frob_image *Camera::newest(std::int64_t now_ns)
     return &image_;
 }
 
-// The rotation is Rz(heading + yaw) Ry(pitch) Rx(roll), of angles as they really are.
-Pinhole Camera::eye_of(const Pose &robot) const
-{
+// The rotation is Rz(heading + yaw) Ry(pitch) Rx(roll), with the true angles: those in the settings
+// plus the hidden misalignment.
+Pinhole Camera::eye_of(const Pose &robot) const {
     const Vec u = exact_direction(robot.heading);
     const Vec yaw = exact_direction(robot.heading + geometry_.yaw_rad + settings_.askew_yaw);
     const Vec pitch = exact_direction(geometry_.pitch_rad + settings_.askew_pitch);
     const Vec roll = exact_direction(geometry_.roll_rad + settings_.askew_roll);
-    const Vec seat = { geometry_.x_m, geometry_.y_m };
-    const Vec at = robot.position + Vec{ u.x * seat.x - u.y * seat.y, u.y * seat.x + u.x * seat.y };
+    const Vec seat = {geometry_.x_m, geometry_.y_m};
+    const Vec at = robot.position + Vec{u.x * seat.x - u.y * seat.y, u.y * seat.x + u.x * seat.y};
     const auto turned = [&](Point p) {
-        const Point rolled = { p.x, roll.x * p.y - roll.y * p.z, roll.y * p.y + roll.x * p.z };
-        const Point tilted = { pitch.x * rolled.x + pitch.y * rolled.z, rolled.y,
-                               pitch.x * rolled.z - pitch.y * rolled.x };
-        return Point{ yaw.x * tilted.x - yaw.y * tilted.y, yaw.y * tilted.x + yaw.x * tilted.y,
-                      tilted.z };
+        const Point rolled = {p.x, roll.x * p.y - roll.y * p.z, roll.y * p.y + roll.x * p.z};
+        const Point tilted = {pitch.x * rolled.x + pitch.y * rolled.z, rolled.y,
+                              pitch.x * rolled.z - pitch.y * rolled.x};
+        return Point{yaw.x * tilted.x - yaw.y * tilted.y, yaw.y * tilted.x + yaw.x * tilted.y,
+                     tilted.z};
     };
     Pinhole eye;
     eye.origin = at_height(at, geometry_.z_m);
-    eye.ahead = turned({ 1.0, 0.0, 0.0 });
-    eye.right = turned({ 0.0, -1.0, 0.0 });
-    eye.down = turned({ 0.0, 0.0, -1.0 });
+    eye.ahead = turned({1.0, 0.0, 0.0});
+    eye.right = turned({0.0, -1.0, 0.0});
+    eye.down = turned({0.0, 0.0, -1.0});
     eye.focal = geometry_.focal_x;
     eye.cx = geometry_.centre_x + margin_x_;
     eye.cy = geometry_.centre_y + margin_y_;
@@ -166,63 +152,55 @@ Pinhole Camera::eye_of(const Pose &robot) const
     return eye;
 }
 
-// When a row of the raster is taken. Margins, of lenses that distort, go with the rows beside them.
-Moment Camera::moment_of(int y) const
-{
+// The state of the world when a row of the raster was exposed. The rows in the margins of a
+// distorting lens are exposed with the nearest row of the picture.
+Moment Camera::moment_of(int y) const {
     const int row = std::clamp(y - margin_y_, 0, settings_.height - 1);
     const std::int64_t time_ns =
         exposure_->taken_ns + nanoseconds(settings_.rolling * row / (settings_.height - 1));
     const std::vector<std::int64_t> &times = exposure_->times_ns;
     std::size_t next = 1;
-    while (next + 1 < times.size() && times[next] < time_ns)
-        ++next;
+    while (next + 1 < times.size() && times[next] < time_ns) ++next;
     const double share = static_cast<double>(time_ns - times[next - 1]) /
                          static_cast<double>(times[next] - times[next - 1]);
     return between(*exposure_->moments[next - 1], *exposure_->moments[next], share);
 }
 
-// The rows of the raster one after the other. If they are not all taken at once, each few of them
-// are of a picture of their own.
-void Camera::draw_row(int y, float *to)
-{
+// Draws one row of the raster; rows are drawn in order. With a rolling shutter, each group of four
+// rows shows the world at its own time.
+void Camera::draw_row(int y, float *to) {
     constexpr int few = 4;
     const auto look = [&](const Moment &moment) {
         raster_->start(eye_of(moment.robots[robot_]));
         scenery_.draw(*raster_, moment, robot_);
     };
     if (exposure_->moments.size() == 1) {
-        if (y == 0)
-            look(*exposure_->moments.front());
+        if (y == 0) look(*exposure_->moments.front());
     } else if (y % few == 0) {
         look(moment_of(y + few / 2));
     }
     raster_->row(y, to);
 }
 
-void Camera::draw()
-{
+void Camera::draw() {
     film_.start(exposure_->number);
-    if (!lens_map_.empty())
-        return draw_distorted();
+    if (!lens_map_.empty()) return draw_distorted();
     for (int y = 0; y < settings_.height; ++y) {
         draw_row(y, light_.data());
         film_.expose(light_.data());
     }
 }
 
-Truth Camera::truth()
-{
+Truth Camera::truth() {
     Truth truth(settings_.width, settings_.height);
     const int width = settings_.width + 2 * margin_x_, height = settings_.height + 2 * margin_y_;
     Truth straight(width, height);
     std::vector<float> light(3 * static_cast<std::size_t>(width));
     for (int y = 0; y < height; ++y) {
         draw_row(y, light.data());
-        for (int x = 0; x < width; ++x)
-            straight.set(x, y, raster_->depth(x), raster_->thing(x));
+        for (int x = 0; x < width; ++x) straight.set(x, y, raster_->depth(x), raster_->thing(x));
     }
-    if (lens_map_.empty())
-        return straight;
+    if (lens_map_.empty()) return straight;
     const Vec *p = lens_map_.data();
     for (int y = 0; y < settings_.height; ++y) {
         for (int x = 0; x < settings_.width; ++x, ++p) {
@@ -233,14 +211,12 @@ Truth Camera::truth()
     return truth;
 }
 
-// Each pixel is between four of what the lens would show without distortion.
-void Camera::draw_distorted()
-{
+// Interpolates each pixel between four pixels of the undistorted picture.
+void Camera::draw_distorted() {
     const int height = settings_.height + 2 * margin_y_;
     const std::size_t row = 3 * static_cast<std::size_t>(settings_.width + 2 * margin_x_);
     straight_.resize(row * static_cast<std::size_t>(height));
-    for (int y = 0; y < height; ++y)
-        draw_row(y, &straight_[row * static_cast<std::size_t>(y)]);
+    for (int y = 0; y < height; ++y) draw_row(y, &straight_[row * static_cast<std::size_t>(y)]);
     const Vec *p = lens_map_.data();
     for (int y = 0; y < settings_.height; ++y) {
         for (std::size_t i = 0; i < light_.size(); i += 3, ++p) {

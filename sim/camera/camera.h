@@ -14,39 +14,41 @@
 #include "scenery.h"
 #include "truth.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class Camera
-{
+class Camera {
   public:
-    // Of robot number `robot`; the scenery, which cameras share, must stay. Cameras with the same
-    // `trigger`, a seed, take their frames at the same times.
+    // The camera of robot number `robot`. Cameras share the scenery, which must outlive them.
+    // Cameras with the same seed `trigger` take their frames at the same times.
     Camera(const CameraSettings &settings, const Chassis &chassis, const Scenery &scenery,
            std::size_t robot, std::uint64_t seed, std::uint64_t trigger);
 
-    // Whether a frame, or some of its rows, are to be taken at this step of the physics.
+    // Whether the camera must take a frame, or some rows of one, at this step of the physics.
     bool is_due(std::int64_t time_ns) const { return time_ns >= due_ns_ || is_rolling(); }
 
-    // Takes them. What a frame shows is drawn if it is asked for.
+    // Takes the frame or rows that are due. The picture is drawn only when `newest` returns the
+    // frame.
     void take(std::int64_t time_ns, std::shared_ptr<const Moment> moment);
 
-    // The newest frame that has arrived by now, once; those before it are gone. nullptr if there
-    // is none. Good until the next call.
+    // Returns the newest frame that has arrived by now and drops the older ones; nullptr if none
+    // has arrived since the last call. Valid until the next call.
     const frob_image *newest(std::int64_t now_ns);
 
-    // That one once more; nullptr before the first.
+    // Returns the frame that `newest` returned last; nullptr before the first.
     const frob_image *last() const { return image_.pixels == nullptr ? nullptr : &image_; }
 
-    // What the pixels of that one really show, without blur and noise; with a lens that distorts,
-    // each pixel shows what is nearest to its place in a straight picture. There must be one.
+    // Ground truth for the pixels of that frame, which must exist. It has no blur and no noise;
+    // with lens distortion each pixel gets the truth of the nearest pixel in the undistorted
+    // picture.
     Truth truth();
 
   private:
     struct Exposure {
         std::uint32_t number;
-        std::int64_t taken_ns, rolled_ns, arrives_ns; // first row, last row, frame
-        std::vector<std::int64_t> times_ns;           // of moments, from the first row to the last
+        // times of the first row, of the last row, and of the frame's arrival
+        std::int64_t taken_ns, rolled_ns, arrives_ns;
+        // times of `moments`, from the first row to the last
+        std::vector<std::int64_t> times_ns;
         std::vector<std::shared_ptr<const Moment>> moments;
 
         bool is_whole() const { return times_ns.back() >= rolled_ns; }
@@ -67,17 +69,18 @@ class Camera
     Noise timing_;
     frob_camera geometry_{};
     std::int64_t due_ns_ = 0;
-    std::uint32_t next_ = 0; // the number of the next frame
+    std::uint32_t next_ = 0; // number of the next frame
     std::deque<Exposure> waiting_;
 
     std::optional<Raster> raster_;
-    int margin_x_ = 0, margin_y_ = 0; // of the raster around the picture, with distortion
-    std::vector<Vec> lens_map_;       // for each pixel where it is in the raster, likewise
-    std::vector<float> straight_;     // the light of all of the raster, likewise
-    std::vector<float> light_;        // of a row: red, green, blue of each pixel
+    int margin_x_ = 0, margin_y_ = 0; // extra pixels of the raster around the picture, for
+                                      // distortion
+    std::vector<Vec> lens_map_;       // place of each pixel in the raster, for distortion
+    std::vector<float> straight_;     // light of the whole raster, for distortion
+    std::vector<float> light_;        // light of one row: red, green, blue of each pixel
     Film film_;
     frob_image image_{};
-    std::optional<Exposure> exposure_; // of that one
+    std::optional<Exposure> exposure_; // exposure of `image_`
 };
 
 } // namespace frob::sim

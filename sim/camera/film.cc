@@ -5,26 +5,25 @@
 #include "noise.h"
 #include "wide.h"
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
-constexpr std::uint64_t frame_stream = std::uint64_t{ 1 }
-                                       << 32; // of noise: a frame's number beyond
-constexpr double longest = 3e3;               // exposure: all is white then
-constexpr double strongest = 1e6;             // noise: all is as likely black as white
+// noise stream of frame 0; add the frame's number
+constexpr std::uint64_t frame_stream = std::uint64_t{1} << 32;
+// largest exposure used; with more, everything would still be white
+constexpr double longest = 3e3;
+constexpr double strongest = 1e6; // largest noise used; with more, pixels would still be black or
+                                  // white with equal probability
 
-// Numbers from 0 to 252, nearly normal, in a row without an end that matters: each the sum of four
-// of six bits. Noise is the sum of two stretches of it, from random places on, different ones for
-// each row of a picture: mean 252, standard deviation 52.249, out to nearly five deviations.
-class Grains
-{
+// Nearly normal random numbers from 0 to 252, in an array so long that reusing it does not show.
+// Each is the sum of four 6-bit numbers. The noise of a picture's row is the sum of two stretches
+// of this array that begin at random places: mean 252, standard deviation 52.249, out to nearly
+// five deviations.
+class Grains {
   public:
     static constexpr float mean = 252.0f, deviation = 52.249f;
 
-    static const std::uint8_t *from(std::uint64_t random)
-    {
+    static const std::uint8_t *from(std::uint64_t random) {
         static const Grains grains;
         return &grains.grains_[random % places];
     }
@@ -32,8 +31,7 @@ class Grains
   private:
     static constexpr std::size_t places = 1u << 16;
 
-    Grains()
-    {
+    Grains() {
         constexpr std::uint64_t seed = 20, stream = 2;
         Noise noise(seed, stream);
         const std::size_t longest_row = 3 * static_cast<std::size_t>(CameraSettings::most_pixels);
@@ -49,31 +47,25 @@ class Grains
 };
 
 FROB_WIDE void add_three(const float *a, const float *b, const float *c, float *__restrict to,
-                         std::size_t count)
-{
-    for (std::size_t i = 0; i < count; ++i)
-        to[i] = a[i] + b[i] + c[i];
+                         std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) to[i] = a[i] + b[i] + c[i];
 }
 
-FROB_WIDE void add_two(const float *a, const float *b, float *__restrict to, std::size_t count)
-{
-    for (std::size_t i = 0; i < count; ++i)
-        to[i] += a[i] + b[i];
+FROB_WIDE void add_two(const float *a, const float *b, float *__restrict to, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) to[i] += a[i] + b[i];
 }
 
-FROB_WIDE void take_grey(const float *light, float *__restrict to, std::size_t pixels)
-{
+FROB_WIDE void take_grey(const float *light, float *__restrict to, std::size_t pixels) {
     for (std::size_t i = 0; i < pixels; ++i)
         to[i] = (77.0f * light[3 * i] + 150.0f * light[3 * i + 1] + 29.0f * light[3 * i + 2]) *
                 (1.0f / 256.0f);
 }
 
-// What is too bright, or darker than black, is as far as a number goes; no light is so strong
-// that an int has no room for it (longest).
+// Clamps values that are too bright, or darker than black. The limit `longest` on the exposure
+// keeps each level within the range of an int.
 FROB_WIDE void make_pixels(const float *light, const float *gains, float share,
                            const std::uint8_t *a, const std::uint8_t *b, float noise,
-                           std::uint8_t *__restrict to, std::size_t count)
-{
+                           std::uint8_t *__restrict to, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const float grain = static_cast<float>(a[i] + b[i]) - Grains::mean;
         const int level = static_cast<int>(gains[i] * share * light[i] + noise * grain + 0.5f);
@@ -81,9 +73,8 @@ FROB_WIDE void make_pixels(const float *light, const float *gains, float share,
     }
 }
 
-// A mean's share of each of the pixels up to `radius` away, around number i of so many.
-double share_of(int i, int count, int radius)
-{
+// Each pixel's share in the mean over the pixels up to `radius` away from pixel `i` of `count`.
+double share_of(int i, int count, int radius) {
     const int first = std::max(0, i - radius), last = std::min(count - 1, i + radius);
     return 1.0 / (last - first + 1);
 }
@@ -94,8 +85,7 @@ Film::Film(const CameraSettings &settings, std::uint64_t seed)
     : height_(settings.height), radius_(static_cast<int>(settings.blur)),
       row_(3 * static_cast<std::size_t>(settings.width)), parts_(settings.grey ? row_ / 3 : row_),
       noise_(static_cast<float>(std::min(settings.noise, strongest)) / Grains::deviation),
-      seed_(seed), dark_(row_), sums_(row_), grey_(parts_)
-{
+      seed_(seed), dark_(row_), sums_(row_), grey_(parts_) {
     const auto radius = static_cast<std::size_t>(radius_);
     padded_.resize(row_ + 6 * radius);
     spread_.resize(row_ * (2 * radius + 1));
@@ -106,16 +96,14 @@ Film::Film(const CameraSettings &settings, std::uint64_t seed)
                       static_cast<float>(gain * share_of(x, settings.width, radius_)));
 }
 
-void Film::start(std::uint32_t number)
-{
+void Film::start(std::uint32_t number) {
     number_ = number;
     exposed_ = 0;
 }
 
-// Light is spread along rows, and then along columns. A sum goes from one end to the other, of many
-// pixels side by side; its share is taken last.
-void Film::expose(const float *light)
-{
+// Blurs along the rows first, then along the columns. Sums are added up in a fixed order, many
+// pixels side by side; the division comes last.
+void Film::expose(const float *light) {
     const int y = exposed_++, rows = 2 * radius_ + 1;
     if (radius_ == 0) {
         std::copy(light, light + row_, sums_.begin());
@@ -125,27 +113,23 @@ void Film::expose(const float *light)
     float *spread = &spread_[static_cast<std::size_t>(y % rows) * row_];
     const float *p = padded_.data();
     add_three(p, p + 3, p + 6, spread, row_);
-    for (int k = 3; k < rows; k += 2)
-        add_two(p + 3 * k, p + 3 * k + 3, spread, row_);
+    for (int k = 3; k < rows; k += 2) add_two(p + 3 * k, p + 3 * k + 3, spread, row_);
     const int last = y + 1 == height_ ? y : y - radius_;
     for (int middle = y - radius_; middle <= last; ++middle) {
-        if (middle < 0)
-            continue;
-        const auto row = [&](int k) { // of those spread over this one
+        if (middle < 0) continue;
+        const auto row = [&](int k) { // row number k of those that are blurred into this one
             const int other = middle - radius_ + k;
             return other < 0 || other > y ? dark_.data()
                                           : &spread_[static_cast<std::size_t>(other % rows) * row_];
         };
         add_three(row(0), row(1), row(2), sums_.data(), row_);
-        for (int k = 3; k < rows; k += 2)
-            add_two(row(k), row(k + 1), sums_.data(), row_);
+        for (int k = 3; k < rows; k += 2) add_two(row(k), row(k + 1), sums_.data(), row_);
         develop(middle);
     }
 }
 
-// From light to numbers: value = 255 exposure light + noise n, n normal.
-void Film::develop(int y)
-{
+// Converts light to pixel values: value = 255 exposure light + noise n, n normal.
+void Film::develop(int y) {
     const float *light = sums_.data();
     if (parts_ != row_) {
         take_grey(light, grey_.data(), parts_);

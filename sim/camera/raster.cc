@@ -5,24 +5,21 @@
 
 #include "wide.h"
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
-constexpr double nearest = 0.01;    // m: what is nearer is not seen
-constexpr float farthest = 1000.0f; // m: patterns of what is farther are not right
-constexpr double brightest = 1e3;   // of light, 1 for white
-constexpr float below = 0.9999f;    // of 1 / depth: more than its rounding
+constexpr double nearest = 0.01;    // m: near clipping plane
+constexpr float farthest = 1000.0f; // m: textures are inaccurate beyond this depth
+constexpr double brightest = 1e3;   // limit on the light, 1 for white
+constexpr float below = 0.9999f;    // factor on 1 / depth that exceeds its rounding error
 
-// A number that changes evenly along a row.
+// A value that changes linearly along a row.
 struct Even {
     float start, step;
 };
 
 FROB_WIDE void cover_run(float *__restrict inverses, std::int32_t *__restrict numbers, int count,
-                         Even inverse, float share, std::int32_t number)
-{
+                         Even inverse, float share, std::int32_t number) {
     constexpr float most = static_cast<float>(1.0 / nearest);
     for (int i = 0; i < count; ++i) {
         const float at = inverse.start + static_cast<float>(i) * inverse.step;
@@ -32,11 +29,10 @@ FROB_WIDE void cover_run(float *__restrict inverses, std::int32_t *__restrict nu
     }
 }
 
-// Where a line of pixels is on a surface.
+// Finds the texture coordinates of a run of pixels.
 FROB_WIDE void find_places(const float *inverses, int count, float focal, Even along, float u_start,
                            Even across, float v_start, float *__restrict u, float *__restrict v,
-                           float *__restrict per_metre)
-{
+                           float *__restrict per_metre) {
     for (int i = 0; i < count; ++i) {
         const float x = static_cast<float>(i);
         const float way = 1.0f / inverses[i], depth = way < farthest ? way : farthest;
@@ -47,8 +43,7 @@ FROB_WIDE void find_places(const float *inverses, int count, float focal, Even a
 }
 
 FROB_WIDE void tint_run(const float *brightness, float red, float green, float blue,
-                        float *__restrict to, int count)
-{
+                        float *__restrict to, int count) {
     for (int i = 0; i < count; ++i) {
         to[3 * i] = brightness[i] * red;
         to[3 * i + 1] = brightness[i] * green;
@@ -56,8 +51,7 @@ FROB_WIDE void tint_run(const float *brightness, float red, float green, float b
     }
 }
 
-FROB_WIDE void fill_run(float red, float green, float blue, float *__restrict to, int count)
-{
+FROB_WIDE void fill_run(float red, float green, float blue, float *__restrict to, int count) {
     for (int i = 0; i < count; ++i) {
         to[3 * i] = red;
         to[3 * i + 1] = green;
@@ -65,49 +59,40 @@ FROB_WIDE void fill_run(float red, float green, float blue, float *__restrict to
     }
 }
 
-// Of a disc at (across, ahead) from the camera the tangents of the angles to both of its sides;
-// what is not ahead is infinitely far aside.
-bool tangents(double across, double ahead, double radius, double &low, double &high)
-{
+// Computes the tangents of the angles to the two sides of a disc at (across, ahead) from the
+// camera. A side that is not in front of the camera gets ±1e9. Returns false if the whole disc is
+// behind it.
+bool tangents(double across, double ahead, double radius, double &low, double &high) {
     const double squared = across * across + ahead * ahead - radius * radius;
     low = -1e9, high = 1e9;
-    if (squared <= 0.0)
-        return ahead > -radius;
-    if (ahead <= -radius)
-        return false;
+    if (squared <= 0.0) return ahead > -radius;
+    if (ahead <= -radius) return false;
     const double way = std::sqrt(squared);
     // tan(a ± b) with tan a = across / ahead and tan b = radius / way
     const double left = ahead * way + across * radius, right = ahead * way - across * radius;
-    if (left > 0.0)
-        low = (across * way - ahead * radius) / left;
-    if (right > 0.0)
-        high = (across * way + ahead * radius) / right;
+    if (left > 0.0) low = (across * way - ahead * radius) / left;
+    if (right > 0.0) high = (across * way + ahead * radius) / right;
     return true;
 }
 
-int clamped(double pixel, int count)
-{
+int clamped(double pixel, int count) {
     return static_cast<int>(std::clamp(pixel, -1.0, static_cast<double>(count)));
 }
 
 } // namespace
 
-double light_on(Point normal)
-{
-    static const Point sun = unit({ 0.45, 0.30, 0.84 });
-    constexpr double shadow = 0.62; // the light on what faces away from it
+double light_on(Point normal) {
+    static const Point sun = unit({0.45, 0.30, 0.84});
+    constexpr double shadow = 0.62; // the light on surfaces that face away from the sun
     return shadow + (1.0 - shadow) * std::max(0.0, dot(normal, sun));
 }
 
 Raster::Raster(int longest_row)
     : numbers_(static_cast<std::size_t>(longest_row)), inverses_(numbers_.size()),
       u_(numbers_.size()), v_(numbers_.size()), per_metre_(numbers_.size()),
-      brightness_(numbers_.size()), patterns_(longest_row)
-{
-}
+      brightness_(numbers_.size()), patterns_(longest_row) {}
 
-void Raster::start(const Pinhole &eye)
-{
+void Raster::start(const Pinhole &eye) {
     eye_ = eye;
     corner_ = eye.ray(0.0, 0.0);
     right_ = (1.0 / eye.focal) * eye.right;
@@ -121,36 +106,31 @@ void Raster::start(const Pinhole &eye)
     is_sorted_ = false;
 }
 
-// What is nearer than the camera can see is cut off, edge by edge (Sutherland and Hodgman).
-void Raster::find_outline(const std::vector<Point> &corners)
-{
+// Clips the polygon at the near plane, edge by edge (Sutherland-Hodgman).
+void Raster::find_outline(const std::vector<Point> &corners) {
     outline_.clear();
     const auto seen = [&](Point corner) {
         const Point p = corner - eye_.origin;
-        return Point{ dot(p, eye_.right), dot(p, eye_.down), dot(p, eye_.ahead) };
+        return Point{dot(p, eye_.right), dot(p, eye_.down), dot(p, eye_.ahead)};
     };
     const auto add = [&](Point p) {
-        outline_.push_back({ eye_.cx + eye_.focal * p.x / p.z, eye_.cy + eye_.focal * p.y / p.z });
+        outline_.push_back({eye_.cx + eye_.focal * p.x / p.z, eye_.cy + eye_.focal * p.y / p.z});
     };
     Point a = seen(corners.back());
     for (const Point &corner : corners) {
         const Point b = seen(corner);
-        if ((a.z >= nearest) != (b.z >= nearest))
-            add(a + (nearest - a.z) / (b.z - a.z) * (b - a));
-        if (b.z >= nearest)
-            add(b);
+        if ((a.z >= nearest) != (b.z >= nearest)) add(a + (nearest - a.z) / (b.z - a.z) * (b - a));
+        if (b.z >= nearest) add(b);
         a = b;
     }
 }
 
 void Raster::add(const std::vector<Point> &corners, const Chart &chart, const Finish &finish,
-                 bool lies_below, Surface surface)
-{
-    // dot(normal, origin + depth ray - corner) is 0.
+                 bool lies_below, Surface surface) {
+    // The point at `depth` satisfies dot(normal, origin + depth ray - corner) = 0.
     const Point normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double distance = dot(normal, corners[0] - eye_.origin);
-    if (distance == 0.0)
-        return;
+    if (distance == 0.0) return;
     surface.lies_below = lies_below;
     surface.inverse = planar((1.0 / distance) * normal);
     surface.u = planar(chart.along);
@@ -165,24 +145,21 @@ void Raster::add(const std::vector<Point> &corners, const Chart &chart, const Fi
 }
 
 void Raster::polygon(const std::vector<Point> &corners, const Chart &chart, const Finish &finish,
-                     bool lies_below)
-{
+                     bool lies_below) {
     find_outline(corners);
-    if (outline_.size() < 3)
-        return;
+    if (outline_.size() < 3) return;
     double top = outline_[0].y, bottom = top, left = outline_[0].x, right = left;
     for (const Vec &p : outline_) {
         top = std::min(top, p.y), bottom = std::max(bottom, p.y);
         left = std::min(left, p.x), right = std::max(right, p.x);
     }
-    if (left > eye_.width - 1.0 || right < 0.0)
-        return;
+    if (left > eye_.width - 1.0 || right < 0.0) return;
     Surface surface{};
     surface.first = static_cast<int>(std::ceil(std::clamp(top, 0.0, eye_.height * 1.0)));
     surface.last = static_cast<int>(std::clamp(std::floor(bottom), -1.0, eye_.height - 1.0));
-    if (surface.first > surface.last)
-        return;
-    // Corners are counter-clockwise, so on the left it goes down; what is level ends where others do.
+    if (surface.first > surface.last) return;
+    // The corners are counter-clockwise, so the left side runs down from the highest corner. Level
+    // edges are skipped: the edges next to them end at the same rows.
     const std::size_t n = outline_.size();
     const auto highest = static_cast<std::size_t>(
         std::min_element(outline_.begin(), outline_.end(),
@@ -190,7 +167,7 @@ void Raster::polygon(const std::vector<Point> &corners, const Chart &chart, cons
         outline_.begin());
     const auto add_edge = [&](const Vec &high, const Vec &low) {
         if (high.y < low.y)
-            edges_.push_back({ high.y, low.y, high.x, (low.x - high.x) / (low.y - high.y) });
+            edges_.push_back({high.y, low.y, high.x, (low.x - high.x) / (low.y - high.y)});
     };
     surface.left = edges_.size();
     for (std::size_t i = highest; i < highest + n; ++i)
@@ -203,18 +180,15 @@ void Raster::polygon(const std::vector<Point> &corners, const Chart &chart, cons
         add(corners, chart, finish, lies_below, surface);
 }
 
-void Raster::floor(const Finish &finish)
-{
-    if (eye_.origin.z <= 0.0)
-        return;
+void Raster::floor(const Finish &finish) {
+    if (eye_.origin.z <= 0.0) return;
     Surface surface{};
     surface.last = eye_.height - 1;
-    add({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } },
-        { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } }, finish, true, surface);
+    add({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}},
+        {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, finish, true, surface);
 }
 
-bool Raster::find_bounds(Ball &ball) const
-{
+bool Raster::find_bounds(Ball &ball) const {
     const Point p = ball.middle - eye_.origin;
     const double ahead = dot(p, eye_.ahead);
     double left, right, top, bottom;
@@ -230,65 +204,54 @@ bool Raster::find_bounds(Ball &ball) const
     return ball.left <= ball.right;
 }
 
-void Raster::ball(Point middle, double radius, Tint tint)
-{
-    Ball ball{ 0, 0, 0, 0, middle, radius, tint, thing_ };
-    if (find_bounds(ball))
-        balls_.push_back(ball);
+void Raster::ball(Point middle, double radius, Tint tint) {
+    Ball ball{0, 0, 0, 0, middle, radius, tint, thing_};
+    if (find_bounds(ball)) balls_.push_back(ball);
 }
 
-// From one edge to the next, as rows go down.
-double Raster::crossing(std::size_t &edge, std::size_t end, int y) const
-{
-    while (edges_[edge].bottom < y && edge + 1 < end)
-        ++edge;
+// The column where the outline crosses row y. Moves on to the next edge as the rows go down.
+double Raster::crossing(std::size_t &edge, std::size_t end, int y) const {
+    while (edges_[edge].bottom < y && edge + 1 < end) ++edge;
     return edges_[edge].start + (y - edges_[edge].top) * edges_[edge].slope;
 }
 
-void Raster::cover(Surface &surface, std::int32_t number, int y)
-{
+void Raster::cover(Surface &surface, std::int32_t number, int y) {
     double left = 0.0, right = eye_.width - 1.0;
     if (surface.left != surface.left_end) {
         left = std::max(left, crossing(surface.left, surface.left_end, y));
         right = std::min(right, crossing(surface.right, surface.right_end, y));
-        if (left > right)
-            return;
+        if (left > right) return;
     } else if (surface.inverse.at(left, y) <= 0.0 && surface.inverse.at(right, y) <= 0.0) {
         return; // above the horizon
     }
     const int from = static_cast<int>(left) + (left > static_cast<int>(left) ? 1 : 0);
     const int count = static_cast<int>(right) + 1 - from;
-    if (count <= 0)
-        return;
-    const Even inverse = { static_cast<float>(surface.inverse.at(from, y)),
-                           static_cast<float>(surface.inverse.right) };
+    if (count <= 0) return;
+    const Even inverse = {static_cast<float>(surface.inverse.at(from, y)),
+                          static_cast<float>(surface.inverse.right)};
     cover_run(inverses_.data() + from, numbers_.data() + from, count, inverse,
               surface.lies_below ? below : 1.0f, number);
 }
 
-// |origin + t ray - middle| is the radius.
-void Raster::cover(const Ball &ball, std::int32_t number, int y)
-{
+// Solves |origin + t ray - middle| = radius.
+void Raster::cover(const Ball &ball, std::int32_t number, int y) {
     const Point way = eye_.origin - ball.middle;
     const double c = dot(way, way) - ball.radius * ball.radius;
     const Point first = corner_ + static_cast<double>(y) * down_;
     for (int x = ball.left; x <= ball.right; ++x) {
         const Point ray = first + static_cast<double>(x) * right_;
         const double a = dot(ray, ray), b = dot(ray, way), squared = b * b - a * c;
-        if (squared < 0.0)
-            continue;
+        if (squared < 0.0) continue;
         const double t = (-b - std::sqrt(squared)) / a;
         const float inverse = static_cast<float>(1.0 / t);
         const auto at = static_cast<std::size_t>(x);
-        if (!(t >= nearest && inverse > inverses_[at]))
-            continue;
+        if (!(t >= nearest && inverse > inverses_[at])) continue;
         inverses_[at] = inverse;
         numbers_[at] = number;
     }
 }
 
-void Raster::paint(const Surface &surface, int y, int from, int count, float *to)
-{
+void Raster::paint(const Surface &surface, int y, int from, int count, float *to) {
     const Finish &finish = surface.finish;
     const auto red = static_cast<float>(finish.tint.red);
     const auto green = static_cast<float>(finish.tint.green);
@@ -296,7 +259,7 @@ void Raster::paint(const Surface &surface, int y, int from, int count, float *to
     if (finish.texture == Texture::plain && finish.print == nullptr)
         return fill_run(red, green, blue, to, count);
     const auto even = [&](const Planar &p) {
-        return Even{ static_cast<float>(p.at(from, y)), static_cast<float>(p.right) };
+        return Even{static_cast<float>(p.at(from, y)), static_cast<float>(p.right)};
     };
     find_places(inverses_.data() + from, count, static_cast<float>(eye_.focal * finish.width),
                 even(surface.u), static_cast<float>(surface.u_start), even(surface.v),
@@ -304,13 +267,12 @@ void Raster::paint(const Surface &surface, int y, int from, int count, float *to
     if (finish.print != nullptr)
         return finish.print->colours(count, u_.data(), v_.data(), per_metre_.data(),
                                      static_cast<float>(finish.light), to);
-    patterns_.brightness(finish.texture, { count, u_.data(), v_.data(), per_metre_.data() },
+    patterns_.brightness(finish.texture, {count, u_.data(), v_.data(), per_metre_.data()},
                          brightness_.data());
     tint_run(brightness_.data(), red, green, blue, to, count);
 }
 
-void Raster::paint(const Ball &ball, int y, int from, int count, float *to)
-{
+void Raster::paint(const Ball &ball, int y, int from, int count, float *to) {
     const Point first = corner_ + static_cast<double>(y) * down_;
     for (int i = 0; i < count; ++i) {
         const double depth =
@@ -323,21 +285,18 @@ void Raster::paint(const Ball &ball, int y, int from, int count, float *to)
              static_cast<float>(ball.tint.green), static_cast<float>(ball.tint.blue), to, count);
 }
 
-// A lamp gives its light times the cosine of the angle to it, over its squared distance.
-float Raster::relight(Point place, Point normal) const
-{
+// A lamp's light is its intensity times the cosine of the angle to it, over the squared distance.
+float Raster::relight(Point place, Point normal) const {
     double lamps = 0.0;
     for (const Shine &lamp : *lamps_) {
         const Point way = lamp.place - place;
         const double squared = dot(way, way), facing = dot(way, normal);
-        if (facing > 0.0)
-            lamps += lamp.light * facing / (squared * std::sqrt(squared));
+        if (facing > 0.0) lamps += lamp.light * facing / (squared * std::sqrt(squared));
     }
     return static_cast<float>(std::min(brightest, even_ + lamps / light_on(normal)));
 }
 
-void Raster::relight(std::int32_t number, int y, int from, int count, float *to) const
-{
+void Raster::relight(std::int32_t number, int y, int from, int count, float *to) const {
     const Point first = corner_ + static_cast<double>(y) * down_;
     for (int x = from; x < from + count; ++x) {
         const Point place = eye_.origin + depth(x) * (first + static_cast<double>(x) * right_);
@@ -348,23 +307,18 @@ void Raster::relight(std::int32_t number, int y, int from, int count, float *to)
             const Ball &ball = balls_[static_cast<std::size_t>(-1 - number)];
             share = relight(place, (1.0 / ball.radius) * (place - ball.middle));
         }
-        for (int k = 0; k < 3; ++k)
-            *to++ *= share;
+        for (int k = 0; k < 3; ++k) *to++ *= share;
     }
 }
 
-Thing Raster::thing(int x) const
-{
+Thing Raster::thing(int x) const {
     const std::int32_t number = numbers_[static_cast<std::size_t>(x)];
-    if (number > 0)
-        return surfaces_[static_cast<std::size_t>(number - 1)].thing;
-    if (number < 0)
-        return balls_[static_cast<std::size_t>(-1 - number)].thing;
+    if (number > 0) return surfaces_[static_cast<std::size_t>(number - 1)].thing;
+    if (number < 0) return balls_[static_cast<std::size_t>(-1 - number)].thing;
     return {};
 }
 
-void Raster::row(int y, float *to)
-{
+void Raster::row(int y, float *to) {
     if (!is_sorted_)
         std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
             return surfaces_[a].first < surfaces_[b].first;
@@ -381,21 +335,17 @@ void Raster::row(int y, float *to)
                   active_.end());
     const auto before = static_cast<std::ptrdiff_t>(active_.size());
     for (; begun_ < order_.size() && surfaces_[order_[begun_]].first <= y; ++begun_)
-        if (surfaces_[order_[begun_]].last >= y)
-            active_.push_back(order_[begun_]);
+        if (surfaces_[order_[begun_]].last >= y) active_.push_back(order_[begun_]);
     std::inplace_merge(active_.begin(), active_.begin() + before, active_.end());
-    for (const std::size_t k : active_)
-        cover(surfaces_[k], 1 + static_cast<std::int32_t>(k), y);
+    for (const std::size_t k : active_) cover(surfaces_[k], 1 + static_cast<std::int32_t>(k), y);
     for (std::size_t from = 0, end; from < width; from = end) {
         const std::int32_t number = numbers_[from];
-        for (end = from + 1; end + 4 <= width;) { // by fours, as runs are long
+        for (end = from + 1; end + 4 <= width;) { // compare four at a time, since runs are long
             const std::int32_t *n = &numbers_[end];
-            if (((n[0] ^ number) | (n[1] ^ number) | (n[2] ^ number) | (n[3] ^ number)) != 0)
-                break;
+            if (((n[0] ^ number) | (n[1] ^ number) | (n[2] ^ number) | (n[3] ^ number)) != 0) break;
             end += 4;
         }
-        while (end < width && numbers_[end] == number)
-            ++end;
+        while (end < width && numbers_[end] == number) ++end;
         const int x = static_cast<int>(from), count = static_cast<int>(end - from);
         if (number > 0)
             paint(surfaces_[static_cast<std::size_t>(number - 1)], y, x, count, to + 3 * from);
@@ -404,8 +354,7 @@ void Raster::row(int y, float *to)
         else
             fill_run(static_cast<float>(sky_.red), static_cast<float>(sky_.green),
                      static_cast<float>(sky_.blue), to + 3 * from, count);
-        if (lamps_ != nullptr && number != 0)
-            relight(number, y, x, count, to + 3 * from);
+        if (lamps_ != nullptr && number != 0) relight(number, y, x, count, to + 3 * from);
     }
 }
 

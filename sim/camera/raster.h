@@ -1,5 +1,5 @@
-// A picture under way: surfaces in space, and row by row of pixels what is nearest, and its light.
-// What is drawn hides what is behind it, in whatever order it comes.
+// Renders a picture row by row: finds the nearest surface at each pixel and computes its light.
+// Nearer surfaces hide farther ones, in whatever order they are drawn.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,10 @@
 #include "texture.h"
 #include "truth.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// A pinhole camera in the world. A pixel's ray is ahead + (x - cx)/f right + (y - cy)/f down,
-// so a place that is t rays away has the depth t along the axis.
+// A pinhole camera in the world. A pixel's ray is ahead + (x - cx)/f right + (y - cy)/f down, so
+// the point at t rays from the camera has depth t along its axis.
 struct Pinhole {
     Point origin;
     Point right, down, ahead; // unit vectors
@@ -24,102 +23,102 @@ struct Pinhole {
     double cx = 0.0, cy = 0.0;
     int width = 0, height = 0;
 
-    Point ray(double x, double y) const
-    {
+    Point ray(double x, double y) const {
         return ahead + ((x - cx) / focal) * right + ((y - cy) / focal) * down;
     }
 };
 
-// A flat surface's pattern or picture: where a place has 0, and which way along it and across.
+// Texture coordinates of a flat surface: the point that has coordinates (0, 0), and the directions
+// along and across.
 struct Chart {
     Point origin, along, across;
 };
 
-// What a flat surface looks like.
+// Appearance of a flat surface.
 struct Finish {
-    Tint tint; // under its light
+    Tint tint; // colour, with the surface's light applied
     Texture texture = Texture::plain;
-    const Print *print = nullptr; // a picture instead of both; its chart goes from 0 to 1 then,
-    double light = 1.0;           // and it has this light
-    double width = 1.0;           // and is so wide, in metres
+    const Print *print = nullptr; // a picture that replaces tint and texture; the chart then runs
+                                  // from 0 to 1,
+    double light = 1.0;           // this is the light on it,
+    double width = 1.0;           // and this is its width in metres
 };
 
-// The light on what faces this way: most of it comes from one side.
+// Light on a surface with this normal: most of it comes from one side.
 double light_on(Point normal);
 
-// A lamp, and the light on what faces it 1 m away, 1 for white.
+// A lamp, and its light on a surface that faces it from 1 m away, 1 for white.
 struct Shine {
     Point place;
     double light;
 };
 
-class Raster
-{
+class Raster {
   public:
-    // For pictures with rows of so many pixels at most.
+    // `longest_row`: maximum number of pixels in a row.
     explicit Raster(int longest_row);
 
-    // Nothing is seen yet.
+    // Begins an empty picture.
     void start(const Pinhole &eye);
 
     const Pinhole &eye() const { return eye_; }
 
-    // The light that there is: so much everywhere, as light_on has it, and that of lamps, which
-    // must stay. Without a call it is 1 and no lamps.
+    // Sets the light of the scene: `even` scales the light that light_on computes, and lamps add to
+    // it. The lamps must outlive the drawing. The default is 1 and no lamps.
     void light(double even, const std::vector<Shine> &lamps) { even_ = even, lamps_ = &lamps; }
 
-    // What is drawn from now on is of this thing.
+    // Sets the thing that the surfaces drawn from now on belong to.
     void of(Thing thing) { thing_ = thing; }
 
-    // What is seen where nothing is.
+    // Sets the colour of pixels that no surface covers.
     void sky(Tint tint) { sky_ = tint; }
 
-    // A flat convex polygon. With `lies_below` it does not hide what was drawn before it in the
-    // same plane.
+    // Draws a flat convex polygon. With `lies_below` it does not hide earlier surfaces in the same
+    // plane.
     void polygon(const std::vector<Point> &corners, const Chart &chart, const Finish &finish,
                  bool lies_below = false);
 
-    // The floor, at height 0, without an end. It hides nothing that was drawn before it and lies
-    // on it.
+    // Draws the infinite floor at height 0. It does not hide earlier surfaces that lie on it.
     void floor(const Finish &finish);
 
     void ball(Point middle, double radius, Tint tint);
 
-    // What falls on a row: red, green and blue of each pixel. Rows in their order from any
-    // on, once each, when everything has been drawn.
+    // Computes the light of a row: red, green and blue of each pixel. Call it after everything has
+    // been drawn, once for each row, in increasing order; the first row may be any.
     void row(int y, float *to);
 
-    // What the last row's pixel in this column sees.
+    // The thing at this column of the last row.
     Thing thing(int x) const;
 
-    // How far away that is along the axis, in metres; infinity for the sky.
-    double depth(int x) const
-    {
+    // Its depth along the camera's axis, in metres; infinity for the sky.
+    double depth(int x) const {
         return 1.0 / static_cast<double>(inverses_[static_cast<std::size_t>(x)]);
     }
 
   private:
-    // A number that depends on a pixel's column and row as a plane does.
+    // An affine function of a pixel's column and row.
     struct Planar {
         double corner, right, down;
         double at(double x, double y) const { return corner + x * right + y * down; }
     };
 
-    // Of an outline in pixels: which columns the rows between its ends cross.
+    // An edge of an outline, in pixels: between `top` and `bottom`, it crosses row y at column
+    // start + slope (y - top).
     struct Edge {
         double top, bottom, start, slope;
     };
 
     struct Surface {
         int first, last; // rows
-        // The edge on the left of a row and the one before the end of these, as far as rows have
-        // come; likewise on the right. None: it is as wide as a row.
+        // The current edge on the left of the outline and the end of the left edges, then the same
+        // for the right; the current edges move on as the rows do. Without edges the surface covers
+        // whole rows.
         std::size_t left, left_end, right, right_end;
         bool lies_below;
-        Planar inverse, u, v;    // of the depth; of the places over the depth,
-        double u_start, v_start; // from these on
+        Planar inverse, u, v;    // 1 / depth, and the texture coordinates over the depth,
+        double u_start, v_start; // relative to these
         Finish finish;
-        Point normal; // of length 1, towards the camera
+        Point normal; // unit vector towards the camera
         Thing thing;
     };
 
@@ -131,7 +130,8 @@ class Raster
         Thing thing;
     };
 
-    // In pixels, of what of it is ahead of the camera; empty if nothing is. In outline_.
+    // Projects the part of a polygon in front of the camera to pixels, into outline_; outline_ is
+    // empty if no part is.
     void find_outline(const std::vector<Point> &corners);
     void add(const std::vector<Point> &corners, const Chart &chart, const Finish &finish,
              bool lies_below, Surface surface);
@@ -141,37 +141,39 @@ class Raster
     void paint(const Surface &surface, int y, int from, int count, float *to);
     void paint(const Ball &ball, int y, int from, int count, float *to);
 
-    // A place's share of the light that it was painted with.
+    // The factor from the light that a place was painted with to the light that it has.
     float relight(Point place, Point normal) const;
     void relight(std::int32_t number, int y, int from, int count, float *to) const;
 
-    // Which pixels a ball may be seen in; false if none.
+    // Finds the pixels that a ball may cover; returns false if there are none.
     bool find_bounds(Ball &ball) const;
 
-    Planar planar(Point direction) const
-    {
-        return { dot(corner_, direction), dot(right_, direction), dot(down_, direction) };
+    Planar planar(Point direction) const {
+        return {dot(corner_, direction), dot(right_, direction), dot(down_, direction)};
     }
 
     Pinhole eye_;
-    Point corner_, right_, down_; // the ray of pixel (0, 0), and its steps along rows and columns
+    Point corner_, right_, down_; // the ray of pixel (0, 0), and its increments along rows and
+                                  // columns
     Tint sky_;
     double even_ = 1.0;
     const std::vector<Shine> *lamps_ = nullptr;
-    Thing thing_; // whose surfaces come
+    Thing thing_; // owner of the surfaces being drawn
     std::vector<Surface> surfaces_;
     std::vector<Ball> balls_;
     std::vector<Edge> edges_;
     std::vector<Vec> outline_;
     std::vector<std::size_t> order_,
-        active_; // by their first rows; those of this row, in their order
+        active_; // surfaces sorted by first row; those that cross the current row, in the order of
+                 // drawing
     std::size_t begun_ = 0;
     bool is_sorted_ = false;
 
-    // Of a row: what is nearest (0 is the sky, n surface n - 1, -n ball n - 1), and 1 / depth.
+    // The current row: the nearest thing at each pixel (0 is the sky, n is surface n - 1, -n is
+    // ball n - 1), and its 1 / depth.
     std::vector<std::int32_t> numbers_;
     std::vector<float> inverses_;
-    std::vector<float> u_, v_, per_metre_, brightness_; // of a run
+    std::vector<float> u_, v_, per_metre_, brightness_; // for one run of pixels
     Patterns patterns_;
 };
 

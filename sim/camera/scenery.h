@@ -1,5 +1,5 @@
-// The world as a camera sees it: walls, solids and boxes as high as they are, balls, cones,
-// posters, other robots, the floor with what lies on it, and the sky.
+// The world as a camera sees it: walls, solids and boxes with their heights, balls, cones, posters,
+// other robots, the floor with everything on it, and the sky.
 #pragma once
 
 #include <cstddef>
@@ -10,37 +10,35 @@
 #include "raster.h"
 #include "scene.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// Where things that move are, at the time of a frame.
+// Positions of all moving things at the time of a frame.
 struct Moment {
     std::vector<Pose> robots;
     std::vector<Pose> boxes;
     std::vector<Vec> balls;
 };
 
-// Between two of them, at a share of the way from a to b.
+// Interpolates between two moments: `share` 0 is a, 1 is b.
 Moment between(const Moment &a, const Moment &b, double share);
 
-class Scenery
-{
+class Scenery {
   public:
-    // Both must stay.
+    // Both must outlive the scenery.
     Scenery(const Scene &scene, const Chassis &chassis);
 
-    // What robot number `robot`, which does not see itself, sees.
+    // Draws the view of robot number `robot`, which does not see itself.
     void draw(Raster &raster, const Moment &moment, std::size_t robot) const;
 
   private:
-    // A flat side of something. Its pattern begins at the world's origin, so that it goes on from
-    // side to side of a wall.
+    // A flat side of an object. Its pattern starts at the world's origin, so that it continues from
+    // one side of a wall to the next.
     struct Side {
-        std::vector<Point> corners; // counter-clockwise, as it is seen
+        std::vector<Point> corners; // counter-clockwise as seen from outside
         Point normal;
         Chart chart;
         Finish finish;
-        Thing thing; // whose side it is
+        Thing thing; // the object it belongs to
     };
 
     static void draw(Raster &raster, const Side &side, bool lies_below);
@@ -55,7 +53,8 @@ class Scenery
     void draw_poster(Raster &raster, const Poster &poster) const;
     void draw_moving(Raster &raster, const Moment &moment, std::size_t robot) const;
 
-    // Of a floor of its tint and pattern, where it gives back this share of the light.
+    // The look of a floor area with this reflectance: the given tint, or else the floor's tint
+    // scaled by the reflectance.
     Look floor_look(double reflectance, const std::optional<Tint> &tint) const;
 
     const Scene &scene_;
@@ -63,7 +62,7 @@ class Scenery
     Look robot_;
     std::vector<Shine> lamps_;
     std::vector<Side> fixed_;
-    std::vector<Side> lying_; // on the floor, what lies on top first
+    std::vector<Side> lying_; // flat on the floor, topmost first
 };
 
 } // namespace frob::sim

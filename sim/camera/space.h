@@ -1,14 +1,13 @@
-// Geometry in space, in metres: x and y of the floor, z up. Only what IEEE 754 defines to the
-// last bit is used, with sines of our own, so that the same scene gives the same picture on
-// every machine.
+// Geometry in space, in metres: x and y along the floor, z up. It uses only operations that IEEE
+// 754 defines to the last bit, and its own sine and cosine, so that a scene gives the same picture
+// on every machine.
 #pragma once
 
 #include <cmath>
 
 #include "geometry.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
 struct Point {
     double x = 0.0;
@@ -16,43 +15,20 @@ struct Point {
     double z = 0.0;
 };
 
-constexpr Point operator+(Point a, Point b)
-{
-    return { a.x + b.x, a.y + b.y, a.z + b.z };
+constexpr Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+constexpr Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+constexpr Point operator*(double k, Point a) { return {k * a.x, k * a.y, k * a.z}; }
+constexpr double dot(Point a, Point b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr Point cross(Point a, Point b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-constexpr Point operator-(Point a, Point b)
-{
-    return { a.x - b.x, a.y - b.y, a.z - b.z };
-}
-constexpr Point operator*(double k, Point a)
-{
-    return { k * a.x, k * a.y, k * a.z };
-}
-constexpr double dot(Point a, Point b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-constexpr Point cross(Point a, Point b)
-{
-    return { a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
-}
-inline double length(Point a)
-{
-    return std::sqrt(dot(a, a));
-}
-inline Point unit(Point a)
-{
-    return (1.0 / length(a)) * a;
-}
-constexpr Point at_height(Vec v, double z)
-{
-    return { v.x, v.y, z };
-}
+inline double length(Point a) { return std::sqrt(dot(a, a)); }
+inline Point unit(Point a) { return (1.0 / length(a)) * a; }
+constexpr Point at_height(Vec v, double z) { return {v.x, v.y, z}; }
 
-// Cosine and sine: whole quarter turns taken off, then their series up to the 16th power,
-// which is right to 1e-14 for an eighth of a turn either way.
-inline Vec exact_direction(double angle)
-{
+// Cosine and sine of an angle. Subtracts whole quarter turns, then sums the series up to the 16th
+// power, which is accurate to 1e-14 within an eighth of a turn either way.
+inline Vec exact_direction(double angle) {
     const double quarters = std::floor(angle / (pi / 2) + 0.5);
     const double a = angle - quarters * (pi / 2), squared = a * a;
     double c = 1.0, s = 1.0;
@@ -62,10 +38,10 @@ inline Vec exact_direction(double angle)
     }
     s *= a;
     switch (static_cast<long long>(quarters) & 3) {
-    case 0: return { c, s };
-    case 1: return { -s, c };
-    case 2: return { -c, -s };
-    default: return { s, -c };
+    case 0: return {c, s};
+    case 1: return {-s, c};
+    case 2: return {-c, -s};
+    default: return {s, -c};
     }
 }
 

@@ -6,28 +6,24 @@
 #include "noise.h"
 #include "wide.h"
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
-// Noise in cells of a centimetre, and its means over 2, 4, … cells. Of each cell and its
-// neighbours to the right, above, and both, there is a byte, together in a word: so a place
-// between the middles of four is computed from one access to memory.
-class Grains
-{
+// Noise in cells of one centimetre, and its means over cells of 2, 4, … cm. Each word packs the
+// bytes of a cell and of its neighbours to the right, above, and both, so that interpolating
+// between four cells needs only one memory access.
+class Grains {
   public:
     static constexpr int levels = 6;
     static constexpr float cell = 0.01f; // m
 
     struct Level {
         int side;
-        float scale; // of a byte
+        float scale; // value of one step of a byte
         std::vector<std::uint32_t> cells;
     };
 
-    static const Grains &all()
-    {
+    static const Grains &all() {
         static const Grains grains;
         return grains;
     }
@@ -35,15 +31,14 @@ class Grains
     const Level &level(int number) const { return levels_[static_cast<std::size_t>(number)]; }
 
   private:
-    Grains()
-    {
+    Grains() {
         constexpr std::uint64_t seed = 20, stream = 1;
         Noise noise(seed, stream);
         int n = 256;
         std::vector<double> means(static_cast<std::size_t>(n * n));
-        for (double &mean : means)
-            mean = noise.uniform() - 0.5;
-        // Means deviate by 0.29 over their side; there is room for four times that.
+        for (double &mean : means) mean = noise.uniform() - 0.5;
+        // A mean over n x n cells has a standard deviation of 0.29 / n; the range of a byte covers
+        // four times that.
         double step = 1.0 / 250.0;
         for (Level &level : levels_) {
             level.side = n;
@@ -75,52 +70,44 @@ class Grains
     std::array<Level, levels> levels_;
 };
 
-// The next whole number below.
-inline int whole(float x)
-{
+// Rounds down.
+inline int whole(float x) {
     const int n = static_cast<int>(x);
     return n - (x < static_cast<float>(n) ? 1 : 0);
 }
 
-// The share of what a pixel sees around x that is beyond an edge at 0.
-inline float beyond(float x, float per_metre)
-{
+// The fraction of the pixel around x that lies beyond an edge at 0.
+inline float beyond(float x, float per_metre) {
     const float share = x * per_metre + 0.5f, positive = share > 0.0f ? share : 0.0f;
     return positive < 1.0f ? positive : 1.0f;
 }
 
-// How far it is to the end of a thing of size 1, in a row of these: 0 to 0.5.
-inline float inside(float x)
-{
-    return 0.5f - std::abs(x - static_cast<float>(whole(x)) - 0.5f);
-}
+// Distance to the nearest end of the unit interval that x is in: 0 to 0.5.
+inline float inside(float x) { return 0.5f - std::abs(x - static_cast<float>(whole(x)) - 0.5f); }
 
-// A wave of light and dark stripes, 10 cm each, -1 to 1; its edges are as wide as a pixel.
-inline float wave(float x, float per_metre)
-{
+// Light and dark stripes of 10 cm each, from -1 to 1; their edges are one pixel wide.
+inline float wave(float x, float per_metre) {
     constexpr float width = 0.1f;
     const float within = 2.0f * width * inside(x * (0.5f / width)) - width / 2;
     const float light = 2.0f * beyond(within, per_metre) - 1.0f;
     return (2.0f * width * per_metre > 1.0f ? 1.0f : 0.0f) * light;
 }
 
-FROB_WIDE void make_stripes(const float *v, const float *per_metre, float *__restrict to, int count)
-{
-    for (int i = 0; i < count; ++i)
-        to[i] = 1.0f + 0.35f * wave(v[i], per_metre[i]);
+FROB_WIDE void make_stripes(const float *v, const float *per_metre, float *__restrict to,
+                            int count) {
+    for (int i = 0; i < count; ++i) to[i] = 1.0f + 0.35f * wave(v[i], per_metre[i]);
 }
 
 FROB_WIDE void make_checks(const float *u, const float *v, const float *per_metre,
-                           float *__restrict to, int count)
-{
+                           float *__restrict to, int count) {
     for (int i = 0; i < count; ++i)
         to[i] = 1.0f + 0.35f * (wave(u[i], per_metre[i]) * wave(v[i], per_metre[i]));
 }
 
-// Bricks of 25 cm by 8 cm, every second row by half a brick aside; joints of 1 cm are lighter.
+// Bricks of 25 cm by 8 cm, with every second row shifted by half a brick. Their joints of 1 cm are
+// lighter.
 FROB_WIDE void lay_bricks(const float *u, const float *v, const float *per_metre,
-                          float *__restrict to, int count)
-{
+                          float *__restrict to, int count) {
     for (int i = 0; i < count; ++i) {
         const float rows = v[i] * (1.0f / 0.08f);
         const float shift = 0.5f * static_cast<float>(whole(rows) & 1);
@@ -132,8 +119,7 @@ FROB_WIDE void lay_bricks(const float *u, const float *v, const float *per_metre
 
 FROB_WIDE void find_cells(const float *u, const float *v, float per_metre, int side,
                           std::int32_t *__restrict cells, float *__restrict right,
-                          float *__restrict high, int count)
-{
+                          float *__restrict high, int count) {
     for (int i = 0; i < count; ++i) {
         const float x = u[i] * per_metre, y = v[i] * per_metre;
         const int left = whole(x), low = whole(y);
@@ -144,11 +130,10 @@ FROB_WIDE void find_cells(const float *u, const float *v, float per_metre, int s
 }
 
 FROB_WIDE void mix_cells(const std::int32_t *cells, const float *right, const float *high,
-                         float scale, float *__restrict to, int count)
-{
+                         float scale, float *__restrict to, int count) {
     for (int i = 0; i < count; ++i) {
         const auto word = static_cast<std::uint32_t>(cells[i]);
-        const auto byte = [&](int up) { // the one that is so many bits below the highest
+        const auto byte = [&](int up) { // the byte that is `up` bits below the highest
             return static_cast<float>(static_cast<std::int32_t>(word << up) >> 24);
         };
         const float below = byte(24) + right[i] * (byte(16) - byte(24));
@@ -160,21 +145,17 @@ FROB_WIDE void mix_cells(const std::int32_t *cells, const float *right, const fl
 } // namespace
 
 Patterns::Patterns(int longest)
-    : cells_(static_cast<std::size_t>(longest)), right_(cells_.size()), high_(cells_.size())
-{
-}
+    : cells_(static_cast<std::size_t>(longest)), right_(cells_.size()), high_(cells_.size()) {}
 
-// Level by level, as what a pixel sees grows or shrinks along a row: the first level whose cells are
-// no smaller, or the last one.
-void Patterns::plaster(const Run &run, float *to)
-{
+// Splits the run where the number of pixels per metre passes a level's limit. Each part uses the
+// first level whose cells are no smaller than a pixel, or the last level.
+void Patterns::plaster(const Run &run, float *to) {
     for (int from = 0, end; from < run.count; from = end) {
         int number = 0;
-        float least = 1.0f / Grains::cell, below = 1e30f; // pixels that see a metre
+        float least = 1.0f / Grains::cell, below = 1e30f; // pixels per metre
         for (; number + 1 < Grains::levels && run.per_metre[from] < least; ++number)
             below = least, least *= 0.5f;
-        if (number + 1 == Grains::levels)
-            least = 0.0f;
+        if (number + 1 == Grains::levels) least = 0.0f;
         const auto is_over = [&](float pixels) { return !(pixels >= least && pixels < below); };
         end = run.count;
         if (is_over(run.per_metre[end - 1]))
@@ -194,8 +175,7 @@ void Patterns::plaster(const Run &run, float *to)
     }
 }
 
-void Patterns::brightness(Texture texture, const Run &run, float *to)
-{
+void Patterns::brightness(Texture texture, const Run &run, float *to) {
     switch (texture) {
     case Texture::plain: std::fill(to, to + run.count, 1.0f); break;
     case Texture::plaster: plaster(run, to); break;

@@ -8,32 +8,31 @@
 
 #include "look.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// Where the pixels of a run along a row are on a surface: u along it and v across, in metres, and
-// how many pixels see a metre of it.
+// A run of pixels along a row, projected onto a surface: coordinates u along it and v across it, in
+// metres, and the number of pixels per metre of surface.
 struct Run {
     int count;
     const float *u, *v, *per_metre;
 };
 
-// How bright a surface is at a place on it, about 1. What is finer than a pixel sees is seen as
-// its mean. All is IEEE arithmetic in single precision, in the same order on every machine.
-class Patterns
-{
+// Brightness of a textured surface relative to its tint, about 1. Details finer than a pixel are
+// averaged. Everything is IEEE arithmetic in single precision, in the same order on every machine.
+class Patterns {
   public:
-    // Of runs of so many pixels at most.
+    // `longest`: maximum number of pixels in a run.
     explicit Patterns(int longest);
 
-    // Of each pixel of a run.
+    // Computes the brightness of each pixel of a run.
     void brightness(Texture texture, const Run &run, float *to);
 
   private:
     void plaster(const Run &run, float *to);
 
-    std::vector<std::int32_t> cells_; // of a run: which cell,
-    std::vector<float> right_, high_; // how far from its middle to the next one's
+    std::vector<std::int32_t> cells_; // for each pixel of a run: its cell,
+    std::vector<float> right_, high_; // and its distance from the cell's centre towards the next
+                                      // one
 };
 
 } // namespace frob::sim

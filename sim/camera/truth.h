@@ -1,13 +1,12 @@
-// What a frame really shows: of each pixel how far it is to what it sees, and what that is.
+// Ground truth of a frame: the depth of each pixel, and the thing it shows.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// Something that a camera sees: which one, from 0, of those of its kind in the world's file.
+// A thing that a camera sees, by its kind and its index within this kind in the world file, from 0.
 // Posters and tags are numbered together, posters first. Robots are in the order of their starts.
 struct Thing {
     enum class Kind {
@@ -30,30 +29,22 @@ struct Thing {
     std::size_t number = 0;
 };
 
-constexpr bool operator==(Thing a, Thing b)
-{
-    return a.kind == b.kind && a.number == b.number;
-}
-constexpr bool operator!=(Thing a, Thing b)
-{
-    return !(a == b);
-}
+constexpr bool operator==(Thing a, Thing b) { return a.kind == b.kind && a.number == b.number; }
+constexpr bool operator!=(Thing a, Thing b) { return !(a == b); }
 
-class Truth
-{
+class Truth {
   public:
     Truth(int width, int height)
-        : width_(static_cast<std::size_t>(width)), seen_(width_ * static_cast<std::size_t>(height))
-    {
-    }
+        : width_(static_cast<std::size_t>(width)),
+          seen_(width_ * static_cast<std::size_t>(height)) {}
 
-    // Along the axis of the camera, in metres; infinity where there is only the sky.
+    // Depth along the camera's axis, in metres; infinity for the sky.
     double depth_at(int x, int y) const { return seen_[index(x, y)].depth; }
 
-    // Whose surface it is.
+    // The thing at this pixel.
     Thing thing_at(int x, int y) const { return seen_[index(x, y)].thing; }
 
-    void set(int x, int y, double depth, Thing thing) { seen_[index(x, y)] = { depth, thing }; }
+    void set(int x, int y, double depth, Thing thing) { seen_[index(x, y)] = {depth, thing}; }
 
   private:
     struct Seen {
@@ -61,8 +52,7 @@ class Truth
         Thing thing;
     };
 
-    std::size_t index(int x, int y) const
-    {
+    std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x);
     }
 

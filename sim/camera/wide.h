@@ -1,8 +1,8 @@
 // Loops that are worth compiling for newer processors too.
 //
-// A function with FROB_WIDE in front is there twice where that can be chosen when a program is
-// loaded: for every x86-64 processor, and for those with AVX2. Results are the same, since
-// neither reorders or joins operations on floating-point numbers.
+// FROB_WIDE in front of a function compiles it twice on platforms that can select a version when
+// the program is loaded: for every x86-64 processor, and for those with AVX2. The results are the
+// same, since neither version reorders or fuses floating-point operations.
 #pragma once
 
 #include <cstddef> // tells which C library it is

@@ -1,15 +1,14 @@
-// The picture of a run: the world above, plots of its signals below.
+// The picture of a run: the world at the top, plots of its signals below.
 #pragma once
 
 #include <string>
 
 #include "simulation.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// The file's name ends in .svg or .png. Throws std::runtime_error when it does
-// not, or when it cannot be written.
+// Draws the picture. The file name must end in .svg or .png. Throws std::runtime_error if it does
+// not, or if the file cannot be written.
 void draw_picture(const Simulation &simulation, const std::string &file);
 
 } // namespace frob::sim

@@ -6,33 +6,32 @@
 
 #include "canvas.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
 struct Series {
     enum class Style { line, thin_line, dashes, dots };
     std::string name;
     Colour colour;
     Style style;
-    std::vector<Vec> points; // (time in s, value); what is not finite is a gap
+    std::vector<Vec> points; // (time in s, value); a value that is not finite leaves a gap
 };
 
 struct Plot {
-    std::string title; // with the unit
-    double low, high;  // values that are shown; beyond them is cut off
+    std::string title; // includes the unit
+    double low, high;  // visible range of values; the rest is clipped
     double end_s;      // time goes from 0 to this
     std::vector<Series> series;
-    bool time_axis = false; // labelled below
+    bool time_axis = false; // whether to label the time axis below the plot
 };
 
-// Draws it into the rectangle; labels stand left of and below it.
+// Draws the plot into the rectangle. Labels go to the left of it and below it.
 void draw_plot(Canvas &canvas, const Plot &plot, Vec corner, Vec size);
 
-// The distance between ticks, 1, 2 or 5 times a power of ten, for which about
-// `count` fit into the range.
+// The distance between ticks for which about `count` ticks fit into the range: 1, 2 or 5 times a
+// power of ten.
 double tick_step(double range, int count);
 
-// A number at a tick, with as many decimals as the step needs.
+// Formats the number at a tick, with as many decimals as the step needs.
 std::string tick_label(double value, double step);
 
 } // namespace frob::sim

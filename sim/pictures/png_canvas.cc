@@ -7,21 +7,18 @@
 
 #include <cairo/cairo.h>
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
-constexpr double scale = 2.0; // pixels for each pixel of the canvas
+constexpr double scale = 2.0; // pixels of the file for each pixel of the canvas
 
-void set_colour(cairo_t *cairo, Colour c)
-{
+void set_colour(cairo_t *cairo, Colour c) {
     cairo_set_source_rgba(cairo, c.red / 255.0, c.green / 255.0, c.blue / 255.0, c.opacity);
 }
 
-// Cairo's pixels are 32-bit numbers, red above green above blue.
-cairo_surface_t *surface_of(int width, int height, const std::vector<unsigned char> &rgb)
-{
+// Cairo's pixels are 32-bit numbers with red in the highest of the three used bytes and blue in the
+// lowest.
+cairo_surface_t *surface_of(int width, int height, const std::vector<unsigned char> &rgb) {
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
     unsigned char *bytes = cairo_image_surface_get_data(surface);
     const int stride = cairo_image_surface_get_stride(surface);
@@ -39,16 +36,14 @@ cairo_surface_t *surface_of(int width, int height, const std::vector<unsigned ch
     return surface;
 }
 
-cairo_status_t append(void *text, const unsigned char *bytes, unsigned count)
-{
+cairo_status_t append(void *text, const unsigned char *bytes, unsigned count) {
     static_cast<std::string *>(text)->append(bytes, bytes + count);
     return CAIRO_STATUS_SUCCESS;
 }
 
 } // namespace
 
-std::string png_of(int width, int height, const std::vector<unsigned char> &rgb)
-{
+std::string png_of(int width, int height, const std::vector<unsigned char> &rgb) {
     cairo_surface_t *surface = surface_of(width, height, rgb);
     std::string file;
     cairo_surface_write_to_png_stream(surface, append, &file);
@@ -60,22 +55,19 @@ PngCanvas::PngCanvas(double width, double height)
     : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
                                           static_cast<int>(std::ceil(scale * width)),
                                           static_cast<int>(std::ceil(scale * height)))),
-      cairo_(cairo_create(surface_))
-{
+      cairo_(cairo_create(surface_)) {
     cairo_scale(cairo_, scale, scale);
     cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
 }
 
-PngCanvas::~PngCanvas()
-{
+PngCanvas::~PngCanvas() {
     cairo_destroy(cairo_);
     cairo_surface_destroy(surface_);
 }
 
 // Fills and strokes the current path.
-void PngCanvas::apply(const Paint &paint)
-{
+void PngCanvas::apply(const Paint &paint) {
     if (paint.fill.opacity > 0.0) {
         set_colour(cairo_, paint.fill);
         cairo_fill_preserve(cairo_);
@@ -89,23 +81,18 @@ void PngCanvas::apply(const Paint &paint)
     cairo_new_path(cairo_);
 }
 
-void PngCanvas::path(const std::vector<Vec> &points, bool closed, const Paint &paint)
-{
-    for (const Vec &p : points)
-        cairo_line_to(cairo_, p.x, p.y);
-    if (closed)
-        cairo_close_path(cairo_);
+void PngCanvas::path(const std::vector<Vec> &points, bool closed, const Paint &paint) {
+    for (const Vec &p : points) cairo_line_to(cairo_, p.x, p.y);
+    if (closed) cairo_close_path(cairo_);
     apply(paint);
 }
 
-void PngCanvas::circle(Vec center, double radius, const Paint &paint)
-{
+void PngCanvas::circle(Vec center, double radius, const Paint &paint) {
     cairo_arc(cairo_, center.x, center.y, radius, 0.0, 2.0 * pi);
     apply(paint);
 }
 
-void PngCanvas::text(Vec at, const std::string &text, const TextStyle &style)
-{
+void PngCanvas::text(Vec at, const std::string &text, const TextStyle &style) {
     cairo_select_font_face(cairo_, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                            style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo_, style.size);
@@ -121,8 +108,7 @@ void PngCanvas::text(Vec at, const std::string &text, const TextStyle &style)
 }
 
 void PngCanvas::image(Vec corner, Vec size, int width, int height,
-                      const std::vector<unsigned char> &rgb)
-{
+                      const std::vector<unsigned char> &rgb) {
     cairo_surface_t *surface = surface_of(width, height, rgb);
     cairo_save(cairo_);
     cairo_translate(cairo_, corner.x, corner.y);
@@ -133,20 +119,15 @@ void PngCanvas::image(Vec corner, Vec size, int width, int height,
     cairo_surface_destroy(surface);
 }
 
-void PngCanvas::clip(Vec corner, Vec size)
-{
+void PngCanvas::clip(Vec corner, Vec size) {
     cairo_save(cairo_);
     cairo_rectangle(cairo_, corner.x, corner.y, size.x, size.y);
     cairo_clip(cairo_);
 }
 
-void PngCanvas::unclip()
-{
-    cairo_restore(cairo_);
-}
+void PngCanvas::unclip() { cairo_restore(cairo_); }
 
-void PngCanvas::save(const std::string &file)
-{
+void PngCanvas::save(const std::string &file) {
     const cairo_status_t status = cairo_surface_write_to_png(surface_, file.c_str());
     if (status != CAIRO_STATUS_SUCCESS)
         throw std::runtime_error("cannot write the picture " + file + ": " +

@@ -1,4 +1,4 @@
-// The picture as PNG, through cairo, at twice the size in pixels.
+// The picture as PNG, drawn with cairo. Each pixel of the canvas is two by two pixels of the file.
 #pragma once
 
 #include "canvas.h"
@@ -6,11 +6,9 @@
 typedef struct _cairo cairo_t;
 typedef struct _cairo_surface cairo_surface_t;
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class PngCanvas : public Canvas
-{
+class PngCanvas : public Canvas {
   public:
     PngCanvas(double width, double height);
     ~PngCanvas() override;
@@ -34,7 +32,7 @@ class PngCanvas : public Canvas
     cairo_t *cairo_;
 };
 
-// A picture as a PNG file, in memory.
+// Encodes an image as a PNG file, in memory.
 std::string png_of(int width, int height, const std::vector<unsigned char> &rgb);
 
 } // namespace frob::sim

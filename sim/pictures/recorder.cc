@@ -1,12 +1,9 @@
 #include "recorder.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-void Recorder::arrive(Vec position)
-{
-    if (last_)
-        distance_driven_ += length(position - *last_);
+void Recorder::arrive(Vec position) {
+    if (last_) distance_driven_ += length(position - *last_);
     last_ = position;
 }
 

@@ -1,5 +1,4 @@
-// What happened at each of the controller's instants, kept if there is to be a
-// picture.
+// Records what happened at each of the controller's instants, for the picture.
 #pragma once
 
 #include <cstdint>
@@ -8,26 +7,25 @@
 
 #include "geometry.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
 struct Sample {
     std::int64_t time_ns;
-    Pose pose;            // the truth
-    Pose believed;        // by odometry, placed at the true start
+    Pose pose;            // the true pose
+    Pose believed;        // pose by odometry, which starts at the true pose
     double forward, turn; // m/s and rad/s, of the body
     double commanded_forward, commanded_turn;
-    double
-        measured_distance; // m, from the wall or the tape; NaN where the world file measures nothing
-    int collisions;        // so far
+    double measured_distance; // m, from the wall or the tape; NaN if the world file says to measure
+                              // nothing
+    int collisions;           // number of collisions so far
 };
 
-class Recorder
-{
+class Recorder {
   public:
     explicit Recorder(bool keeps_samples) : keeps_samples_(keeps_samples) {}
 
-    // The robot has come to this place, also where no samples are kept.
+    // Notes that the robot has reached this place, for `distance_driven`. Called even if no samples
+    // are kept.
     void arrive(Vec position);
     void add(const Sample &sample) { samples_.push_back(sample); }
     bool keeps_samples() const { return keeps_samples_; }

@@ -4,18 +4,17 @@
 #include "canvas.h"
 #include "simulation.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// What part of the world is shown: all of it, and the path.
+// The part of the world to show: all of it, and the whole path.
 struct Extent {
     Vec low, high;
 };
 
 Extent extent(const Simulation &simulation);
 
-// Draws the extent into the rectangle, which has its shape; labels in metres
-// stand left of and below it.
+// Draws the extent into the rectangle, which must have the same aspect ratio. Labels in metres go
+// to the left of it and below it.
 void draw_scene(Canvas &canvas, const Simulation &simulation, const Extent &extent, Vec corner,
                 Vec size);
 

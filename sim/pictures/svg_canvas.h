@@ -3,11 +3,9 @@
 
 #include "canvas.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class SvgCanvas : public Canvas
-{
+class SvgCanvas : public Canvas {
   public:
     SvgCanvas(double width, double height);
 

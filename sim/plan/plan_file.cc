@@ -11,27 +11,22 @@
 #include "toml_syntax.h"
 #include "world_file.h"
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
 constexpr int most_seeds = 1'000'000'000;
 constexpr int most_points_of_plan = 10'000'000;
 
-const char *range_form = "a range is \"LOW to HIGH, N steps\", as \"2[1/m] to 8[1/m], 7 steps\"; "
-                         "with `sampling` it is \"LOW to HIGH\"";
+const char *range_form =
+    "write a range as \"LOW to HIGH, N steps\", such as \"2[1/m] to 8[1/m], 7 steps\"; "
+    "with `sampling`, write \"LOW to HIGH\"";
 
-class PlanReader
-{
+class PlanReader {
   public:
     PlanReader(Mistakes &mistakes, const toml::table &root)
-        : mistakes_(mistakes), reader_(mistakes, root)
-    {
-    }
+        : mistakes_(mistakes), reader_(mistakes, root) {}
 
-    std::string read()
-    {
+    std::string read() {
         text("program", true);
         text("trial", false);
         seeds();
@@ -41,146 +36,128 @@ class PlanReader
         texts("robot", "robots");
         sampling();
         if (const toml::table *params = reader_.table("params"))
-            for (const auto &[key, node] : *params)
-                param(std::string(key.str()), node);
+            for (const auto &[key, node] : *params) param(std::string(key.str()), node);
         reader_.finish();
         return lines_;
     }
 
   private:
-    void line(const std::vector<std::string> &cells)
-    {
-        for (std::size_t i = 0; i < cells.size(); ++i)
-            lines_ += (i == 0 ? "" : "\t") + cells[i];
+    void line(const std::vector<std::string> &cells) {
+        for (std::size_t i = 0; i < cells.size(); ++i) lines_ += (i == 0 ? "" : "\t") + cells[i];
         lines_ += "\n";
     }
 
     std::string place(const toml::node &node) { return mistakes_.place(node.source().begin); }
 
-    void mistake(const toml::node &node, const std::string &message)
-    {
+    void mistake(const toml::node &node, const std::string &message) {
         mistakes_.add(node.source(), message);
     }
 
-    // Cells and lines have no tabs and line ends in them.
-    bool is_plain(const toml::node &node, const std::string &value)
-    {
+    // Checks that a value contains no tab or newline, which separate cells and lines.
+    bool is_plain(const toml::node &node, const std::string &value) {
         const bool plain = !value.empty() && value.find_first_of("\t\n\r") == std::string::npos;
-        if (!plain)
-            mistake(node, "this text is empty, or has a tab or the end of a line in it");
+        if (!plain) mistake(node, "this string is empty, or contains a tab or a line break");
         return plain;
     }
 
-    void text(const char *key, bool needed)
-    {
+    void text(const char *key, bool needed) {
         const std::string value = needed ? reader_.needed_string(key) : reader_.string(key);
         const toml::node *node = reader_.any(key);
         if (node != nullptr && node->is_string() && is_plain(*node, value))
-            line({ key, place(*node), value });
+            line({key, place(*node), value});
     }
 
-    void seeds()
-    {
+    void seeds() {
         const toml::node *node = reader_.any("seeds");
-        if (node == nullptr)
-            return;
+        if (node == nullptr) return;
         const toml::array *list = node->as_array();
         if (list == nullptr || list->size() != 2 || !list->get(0)->is_integer() ||
             !list->get(1)->is_integer()) {
-            mistake(*node, "`seeds` takes the first and the last, as [1, 20]");
+            mistake(*node, "`seeds` takes the first and the last seed, as in [1, 20]");
             return;
         }
         const auto first = *list->get(0)->value<std::int64_t>();
         const auto last = *list->get(1)->value<std::int64_t>();
         if (first < 1 || last > most_seeds)
-            mistake(*node, "seeds are from 1 to 1,000,000,000");
+            mistake(*node, "seeds must be from 1 to 1,000,000,000");
         else if (last < first)
-            mistake(*node, "the last seed is before the first; write [" + std::to_string(last) +
+            mistake(*node, "the last seed is less than the first; write [" + std::to_string(last) +
                                ", " + std::to_string(first) + "]");
         else
-            line({ "seeds", std::to_string(first), std::to_string(last) });
+            line({"seeds", std::to_string(first), std::to_string(last)});
     }
 
-    void number(const char *key, double most)
-    {
+    void number(const char *key, double most) {
         const std::optional<double> value = reader_.optional_number(key, Range::positive);
-        if (!value)
-            return;
+        if (!value) return;
         char digits[40];
         std::snprintf(digits, sizeof digits, "%.9g", *value);
         if (*value > most)
             reader_.mistake_at(key, "`" + std::string(key) + "` is at most " +
                                         std::to_string(static_cast<int>(most)));
         else
-            line({ key, digits });
+            line({key, digits});
     }
 
-    // A list of texts.
-    void texts(const char *one, const char *key)
-    {
+    // Reads a list of strings.
+    void texts(const char *one, const char *key) {
         const toml::node *node = reader_.any(key);
-        if (node == nullptr)
-            return;
+        if (node == nullptr) return;
         const toml::array *list = node->as_array();
         if (list == nullptr || list->empty()) {
-            mistake(*node, "`" + std::string(key) + "` takes a list of texts, as [\"a\", \"b\"]");
+            mistake(*node,
+                    "`" + std::string(key) + "` takes a list of strings, such as [\"a\", \"b\"]");
             return;
         }
         for (const toml::node &item : *list) {
             const std::optional<std::string> value = item.value<std::string>();
             if (!item.is_string() || !value)
-                mistake(item, "`" + std::string(key) + "` takes a list of texts");
+                mistake(item, "`" + std::string(key) + "` takes a list of strings");
             else if (is_plain(item, *value))
-                line({ one, place(item), *value });
+                line({one, place(item), *value});
         }
     }
 
-    void sampling()
-    {
+    void sampling() {
         const toml::node *node = reader_.any("sampling");
         const std::string how = node == nullptr ? "grid" : reader_.string("sampling");
         const int points = reader_.integer("points", 0, 1, most_points_of_plan);
         const int seed = reader_.integer("sampling_seed", 1, 1, most_seeds);
         is_sampled_ = how == "random" || how == "latin";
         if (!is_sampled_ && how != "grid")
-            reader_.mistake_at("sampling", "`sampling` is \"grid\", \"random\" or \"latin\"");
+            reader_.mistake_at("sampling", "`sampling` must be \"grid\", \"random\" or \"latin\"");
         else if (is_sampled_ && reader_.any("points") == nullptr)
-            reader_.mistake_at("sampling",
-                               "`sampling = \"" + how + "\"` needs a key `points`: how many");
+            reader_.mistake_at("sampling", "`sampling = \"" + how +
+                                               "\"` needs a key `points`, the number of points");
         else if (!is_sampled_ && reader_.any("points") != nullptr)
-            reader_.mistake_at("points", "`points` is for `sampling = \"random\"` or `\"latin\"`; "
-                                         "a grid has the steps of its ranges");
-        line({ "sampling", how, std::to_string(points), std::to_string(seed) });
+            reader_.mistake_at("points",
+                               "`points` is only for `sampling = \"random\"` or `\"latin\"`; "
+                               "a grid uses the steps of its ranges");
+        line({"sampling", how, std::to_string(points), std::to_string(seed)});
     }
 
-    // A number, truth value or text: what `--param` takes.
-    std::optional<std::string> setting(const toml::node &node)
-    {
+    // Reads a value that `--param` takes: a number, boolean or string.
+    std::optional<std::string> setting(const toml::node &node) {
         if (const auto *value = node.as_string())
             return is_plain(node, value->get()) ? std::optional(value->get()) : std::nullopt;
-        if (const auto *value = node.as_boolean())
-            return value->get() ? "True" : "False";
-        if (const auto *value = node.as_integer())
-            return std::to_string(value->get());
+        if (const auto *value = node.as_boolean()) return value->get() ? "True" : "False";
+        if (const auto *value = node.as_integer()) return std::to_string(value->get());
         if (const auto *value = node.as_floating_point();
             value != nullptr && std::isfinite(value->get())) {
             char digits[40];
             std::snprintf(digits, sizeof digits, "%.17g", value->get());
             return digits;
         }
-        mistake(node, "a parameter is a number, true or false, or a text such as \"4[1/m]\"");
+        mistake(node, "a parameter must be a number, true, false or a string such as \"4[1/m]\"");
         return std::nullopt;
     }
 
-    void param(const std::string &name, const toml::node &node)
-    {
+    void param(const std::string &name, const toml::node &node) {
         if (const toml::array *list = node.as_array()) {
-            std::vector<std::string> cells = { "values", place(node), name };
+            std::vector<std::string> cells = {"values", place(node), name};
             for (const toml::node &item : *list)
-                if (const auto value = setting(item))
-                    cells.push_back(*value);
-            if (list->empty())
-                mistake(node, "there is no value in this list");
+                if (const auto value = setting(item)) cells.push_back(*value);
+            if (list->empty()) mistake(node, "this list is empty");
             line(cells);
             return;
         }
@@ -188,11 +165,10 @@ class PlanReader
         if (value != nullptr && value->find(" to ") != std::string::npos)
             range(name, node, *value);
         else if (const auto one = setting(node))
-            line({ "values", place(node), name, *one });
+            line({"values", place(node), name, *one});
     }
 
-    void range(const std::string &name, const toml::node &node, const std::string &value)
-    {
+    void range(const std::string &name, const toml::node &node, const std::string &value) {
         const std::size_t to = value.find(" to "), comma = value.find_last_of(',');
         const bool has_steps = comma != std::string::npos && comma > to;
         std::string low = value.substr(0, to);
@@ -208,14 +184,13 @@ class PlanReader
             }
         }
         if (has_steps && (steps < 2 || steps > most_points_of_plan))
-            mistake(node, "a range has at least 2 steps: its ends");
+            mistake(node, "a range needs at least 2 steps, one for each end");
         else if (!has_steps && !is_sampled_)
-            mistake(node, std::string("how many steps? ") + range_form);
+            mistake(node, std::string("the number of steps is missing: ") + range_form);
         else if (has_steps && is_sampled_)
-            mistake(node, "this range is sampled, and has no steps: write \"" + low + " to " +
-                              high + "\"");
+            mistake(node, "a sampled range has no steps: write \"" + low + " to " + high + "\"");
         else if (is_plain(node, low) && is_plain(node, high))
-            line({ "range", place(node), name, low, high, std::to_string(steps) });
+            line({"range", place(node), name, low, high, std::to_string(steps)});
     }
 
     Mistakes &mistakes_;
@@ -226,19 +201,15 @@ class PlanReader
 
 } // namespace
 
-std::string read_plan_file(const std::string &path)
-{
+std::string read_plan_file(const std::string &path) {
     std::ifstream file(path, std::ios::binary);
-    const std::string text{ std::istreambuf_iterator<char>(file),
-                            std::istreambuf_iterator<char>() };
-    if (!file.is_open() || file.bad())
-        throw WorldFileError(path + ": cannot read this plan");
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (!file.is_open() || file.bad()) throw WorldFileError(path + ": cannot read this plan");
     Mistakes mistakes(path);
     try {
         const toml::table root = toml::parse(text);
         std::string lines = PlanReader(mistakes, root).read();
-        if (!mistakes.any())
-            return lines;
+        if (!mistakes.any()) return lines;
     } catch (const toml::parse_error &error) {
         const toml::source_region &where = error.source();
         mistakes.add(

@@ -1,15 +1,14 @@
-// A sweep's plan: which runs of a trial to make. Read here because the reader of world files is:
-// it names file, line and column, and the key that was meant.
+// Plan files: the list of runs that a sweep makes of a trial. The simulator reads them because it
+// has the reader of world files, which reports mistakes with file, line and column, and suggests
+// the key that was meant.
 #pragma once
 
 #include <string>
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// What the plan says, a line for each thing, with tabs between its cells; where something may be
-// wrong that only the compiler can tell, its place is the second cell:
-//
+// Converts the plan to text: one line for each item, with tabs between its cells. Where only the
+// compiler can find a mistake, the second cell is the item's place in the file:
 //     program PLACE FILE
 //     trial PLACE LABEL
 //     seeds FIRST LAST            lasts SECONDS            rate HZ
@@ -17,8 +16,7 @@ namespace frob::sim
 //     sampling HOW POINTS SEED    (grid, random or latin)
 //     range PLACE NAME LOW HIGH STEPS     (0 steps: sampled)
 //     values PLACE NAME VALUE...
-//
-// Throws WorldFileError with every mistake that was found.
+// Throws WorldFileError, which lists every mistake found.
 std::string read_plan_file(const std::string &path);
 
 } // namespace frob::sim

@@ -1,26 +1,18 @@
 #include "body.h"
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
-b2Vec2 to_b2(Vec v)
-{
-    return { static_cast<float>(v.x), static_cast<float>(v.y) };
-}
+b2Vec2 to_b2(Vec v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
-class NearestHit : public b2RayCastCallback
-{
+class NearestHit : public b2RayCastCallback {
   public:
     explicit NearestHit(const b2Body *ignored) : ignored_(ignored) {}
 
-    float ReportFixture(b2Fixture *fixture, const b2Vec2 &, const b2Vec2 &, float share) override
-    {
-        if (fixture->GetBody() == ignored_)
-            return -1.0f;
+    float ReportFixture(b2Fixture *fixture, const b2Vec2 &, const b2Vec2 &, float share) override {
+        if (fixture->GetBody() == ignored_) return -1.0f;
         nearest = share;
-        return share; // look on only for something nearer
+        return share; // continue only for nearer objects
     }
 
     std::optional<float> nearest;
@@ -29,14 +21,12 @@ class NearestHit : public b2RayCastCallback
     const b2Body *ignored_;
 };
 
-// Whether anything near overlaps a body, of one fixture.
-class Overlap : public b2QueryCallback
-{
+// Whether any nearby fixture overlaps a body of one fixture.
+class Overlap : public b2QueryCallback {
   public:
     explicit Overlap(const b2Body &body) : body_(body) {}
 
-    bool ReportFixture(b2Fixture *fixture) override
-    {
+    bool ReportFixture(b2Fixture *fixture) override {
         found = fixture->GetBody() != &body_ &&
                 b2TestOverlap(fixture->GetShape(), 0, body_.GetFixtureList()->GetShape(), 0,
                               fixture->GetBody()->GetTransform(), body_.GetTransform());
@@ -51,24 +41,20 @@ class Overlap : public b2QueryCallback
 
 } // namespace
 
-Pose Body::pose() const
-{
+Pose Body::pose() const {
     const b2Vec2 at = rigid_->GetPosition();
-    return { { static_cast<double>(at.x), static_cast<double>(at.y) },
-             wrap_angle(static_cast<double>(rigid_->GetAngle())) };
+    return {{static_cast<double>(at.x), static_cast<double>(at.y)},
+            wrap_angle(static_cast<double>(rigid_->GetAngle()))};
 }
 
-std::optional<double> Body::ray(Vec origin, double angle, double reach) const
-{
+std::optional<double> Body::ray(Vec origin, double angle, double reach) const {
     NearestHit hit(rigid_);
     rigid_->GetWorld()->RayCast(&hit, to_b2(origin), to_b2(origin + reach * direction(angle)));
-    if (!hit.nearest)
-        return std::nullopt;
+    if (!hit.nearest) return std::nullopt;
     return reach * static_cast<double>(*hit.nearest);
 }
 
-bool Body::overlaps() const
-{
+bool Body::overlaps() const {
     Overlap overlap(*rigid_);
     rigid_->GetWorld()->QueryAABB(&overlap, rigid_->GetFixtureList()->GetAABB(0));
     return overlap.found;

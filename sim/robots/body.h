@@ -1,4 +1,4 @@
-// A robot's body in the world: where it is, and what is around it.
+// A robot's body in the world: its pose, and what is around it.
 #pragma once
 
 #include <cstdint>
@@ -8,28 +8,26 @@
 
 #include "geometry.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// The fixed step of the physics. Fast enough that a robot at full speed moves
-// 6 mm; a multiple of it is the time between two pings of a sonar.
+// The fixed step of the physics. It is short enough that a robot at full speed moves only 6 mm a
+// step, and it divides the time between two pings of a sonar.
 constexpr std::int64_t step_ns = 5'000'000;
 constexpr double step_s = 0.005;
 
-class Body
-{
+class Body {
   public:
-    // The body, which the physics owns, must outlive this.
+    // The physics owns the body, which must outlive this object.
     explicit Body(b2Body &rigid) : rigid_(&rigid) {}
 
     // The true pose; heading in (-pi, pi].
     Pose pose() const;
 
-    // Distance from `origin` to the first thing other than the robot itself that
-    // a ray in direction `angle` meets within `reach`. Nothing: no value.
+    // Casts a ray of length `reach` from `origin` in direction `angle`. Returns the distance to the
+    // first thing it meets other than the robot itself, or no value.
     std::optional<double> ray(Vec origin, double angle, double reach) const;
 
-    // Whether the outline is inside something.
+    // Whether the robot overlaps any other object.
     bool overlaps() const;
 
     b2Body &rigid() { return *rigid_; }
@@ -38,15 +36,5 @@ class Body
   private:
     b2Body *rigid_;
 };
-
-// What marks a robot's body among the others: Box2D's user data.
-inline void mark_as_robot(b2BodyDef &definition)
-{
-    definition.userData.pointer = 1;
-}
-inline bool is_robot(b2Body &body)
-{
-    return body.GetUserData().pointer != 0;
-}
 
 } // namespace frob::sim

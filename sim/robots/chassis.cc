@@ -1,12 +1,9 @@
 #include "chassis.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-std::vector<Vec> outline_of(const Chassis &chassis)
-{
-    if (!chassis.outline.empty())
-        return chassis.outline;
+std::vector<Vec> outline_of(const Chassis &chassis) {
+    if (!chassis.outline.empty()) return chassis.outline;
     constexpr int corners = 48;
     std::vector<Vec> outline;
     for (int i = 0; i < corners; ++i)

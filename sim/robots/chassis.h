@@ -1,18 +1,19 @@
-// A robot's body, its wheels, and where it looks from: what the physics, the
-// measurements and the picture know of a robot. The robot's frame: origin midway
-// between the driving wheels, x forward, y left.
+// A robot's body, its wheels, and the places of its sensors: what the physics, the measurements and
+// the picture need to know about a robot. The origin of the robot's frame is midway between the
+// driving wheels, with x forward and y left.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "drivers/steps.h"
+
 #include "geometry.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// What the firmware limits commands to, where the world file does not say.
+// The firmware's limits on commands, used if the world file does not set them.
 struct DriveLimits {
     double speed;             // m/s
     double turn;              // rad/s
@@ -20,36 +21,37 @@ struct DriveLimits {
     double turn_acceleration; // rad/s^2
 };
 
-// Transducers that measure distances.
+// Transducers that measure distances, such as sonars.
 struct RangeFinders {
-    std::vector<Pose> seats;        // where they sit and look
-    double half_angle;              // of the cone of each
-    std::size_t left, right;        // those that look most to the sides
-    std::vector<std::size_t> front; // those that look ahead
-    const char *noun;               // "sonar", for the picture
+    std::vector<Pose> seats;        // their positions and directions
+    double half_angle;              // half the opening angle of each cone
+    std::size_t left, right;        // the two that point most to the sides
+    std::vector<std::size_t> front; // those that point ahead
+    const char *noun;               // their name in the picture, such as "sonar"
 };
 
 struct Chassis {
     std::string title;        // "Pioneer P3-DX"
     double mass;              // kg
     double inertia;           // kg m^2, about the origin
-    Vec center;               // of the body
-    double radius;            // of a round body; 0: it has an outline
-    std::vector<Vec> outline; // convex, counter-clockwise, of at most 8 corners
+    Vec center;               // centre of the body
+    double radius;            // radius if the body is round; 0: it has an outline
+    std::vector<Vec> outline; // convex, counter-clockwise, at most 8 corners
     double wheel_radius;      // m
     double wheel_separation;  // m
-    double wheel_force;       // N that a motor can bring to the floor
-    double count;             // m that an encoder's count is; 0: as if continuous
-    double battery;           // V at the start, where the world file does not say
+    double wheel_force;       // N, the maximum force of a wheel on the floor
+    double count;             // m of travel per encoder count; 0: continuous
+    double battery;           // V at the start, unless the world file sets it
     DriveLimits limits;
-    Vec left, right; // where the distances to the sides are measured from
+    frob_wire wire;  // range and resolution of commands; step 0: no rounding
+    Vec left, right; // reference points for the distances to the sides
     RangeFinders range_finders;
-    double height = 0.24;        // m, of the body, for cameras
-    Vec camera = { 0.12, 0.0 };  // where a camera sits,
-    double camera_height = 0.27; // and how high, where the world file does not say
+    double height = 0.24;        // m, height of the body, for cameras
+    Vec camera = {0.12, 0.0};    // position of a camera,
+    double camera_height = 0.27; // and its height, unless the world file sets them
 };
 
-// The outline of a body, also of a round one, in the robot's frame.
+// The outline of a body in the robot's frame; a polygon for a round body too.
 std::vector<Vec> outline_of(const Chassis &chassis);
 
 } // namespace frob::sim

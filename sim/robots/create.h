@@ -1,4 +1,4 @@
-// The simulated Create 2: what its controller reads and commands.
+// The simulated Create 2: its sensors and its commands.
 #pragma once
 
 #include <frob/create.h>
@@ -7,19 +7,17 @@
 #include "light_bumpers.h"
 #include "robot.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class Create : public Robot
-{
+class Create : public Robot {
   public:
     Create(const Scene &scene, std::uint64_t seed);
 
     void read(std::int64_t time_ns, void *input) override;
 
-    // A wheel that hangs stops the robot for good, as in the modes Safe and
-    // Full; cliffs are the controller's business, as in mode Full.
-    void command(const void *output) override;
+    // A wheel drop stops the robot for good, as in the modes Safe and Full. Cliffs do not: the
+    // controller must react to them, as in mode Full.
+    void command(std::int64_t time_ns, const void *output) override;
 
     const std::vector<Echo> &echoes() const override { return light_.echoes(); }
     void forget_echoes() override { light_.forget_echoes(); }

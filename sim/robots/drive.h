@@ -1,34 +1,34 @@
 // The differential drive: two wheels, their motors, and the firmware's limits.
 #pragma once
 
+#include <cstdint>
+
 #include <box2d/box2d.h>
 
 #include "chassis.h"
 #include "noise.h"
 #include "scene.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class DifferentialDrive
-{
+class DifferentialDrive {
   public:
-    // The robot's description must outlive the drive.
+    // The chassis must outlive the drive.
     DifferentialDrive(const Chassis &chassis, const DriveSettings &settings, Noise noise);
 
-    // What the robot should do from now on: forward in m/s, turn
-    // counter-clockwise in rad/s. Values out of range are limited; if either is
-    // NaN the robot comes to rest.
-    void command(double forward, double turn);
+    // Sets the speed for the following steps: forward in m/s, turn counter-clockwise in rad/s. The
+    // drive limits both. It also rounds them as the robot's driver does, unless a firmware has
+    // already done so. If either is not finite the robot stops.
+    void command(std::int64_t time_ns, double forward, double turn);
 
-    // Pushes the body for the next physics step.
+    // Applies the wheels' forces to the body for the next physics step.
     void advance(b2Body &body);
 
     // Speeds of the wheels' rims in m/s, as the encoders see them.
     double left_speed() const { return left_.measured; }
     double right_speed() const { return right_.measured; }
 
-    // The motor has pushed with all its force for a while, and the wheel stands.
+    // Whether the motor has pushed with full force for a while without moving the wheel.
     bool left_stalled() const;
     bool right_stalled() const;
 
@@ -37,10 +37,10 @@ class DifferentialDrive
 
   private:
     struct Wheel {
-        double setpoint = 0.0;   // m/s that the firmware asks for at the moment
+        double setpoint = 0.0;   // m/s, the firmware's current target
         double measured = 0.0;   // m/s
-        double lost = 0.0;       // share of its travel
-        double strained_s = 0.0; // time at full force without moving
+        double lost = 0.0;       // fraction of its travel lost to slip
+        double strained_s = 0.0; // s at full force without moving
     };
 
     void ramp();
@@ -51,6 +51,9 @@ class DifferentialDrive
     DriveLimits limits_;
     double slip_;
     Noise noise_;
+    bool behind_wire_; // whether commands come from a firmware, which has already rounded them to
+                       // whole steps
+    frob_wire_numbers numbers_{};
     double forward_ = 0.0, turn_ = 0.0;
     Wheel left_, right_;
     double slip_age_s_ = 0.0;

@@ -4,14 +4,11 @@
 
 #include "body.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// A wheel's speed in a step, as its encoder counts.
-double Odometry::counted(double &way, double speed) const
-{
-    if (chassis_.count == 0.0)
-        return speed;
+// Rounds a wheel's travel in a step to its encoder's counts; returns the resulting speed.
+double Odometry::counted(double &way, double speed) const {
+    if (chassis_.count == 0.0) return speed;
     way += step_s * speed;
     const double whole = chassis_.count * std::trunc(way / chassis_.count);
     way -= whole;
@@ -19,12 +16,11 @@ double Odometry::counted(double &way, double speed) const
 }
 
 // With d the distance travelled and a the angle turned in a step,
-//   d = h (v_right + v_left) / 2,   a = h (v_right - v_left) / b,
-// each off by its relative error, and a by a part that grows with d:
+//   d = h (v_right + v_left) / 2,   a = h (v_right - v_left) / b.
+// Each is off by its relative error, and a also by a part that grows with d:
 //   a += veer d + noise sqrt(|d|).
 // The position moves along the heading at the middle of the step.
-void Odometry::advance(double left_speed, double right_speed)
-{
+void Odometry::advance(double left_speed, double right_speed) {
     const double left = counted(left_way_, left_speed), right = counted(right_way_, right_speed);
     const double travelled = step_s * (right + left) / 2;
     const double turned = step_s * (right - left) / chassis_.wheel_separation;

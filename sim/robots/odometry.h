@@ -5,23 +5,18 @@
 #include "noise.h"
 #include "scene.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class Odometry
-{
+class Odometry {
   public:
-    // The robot's description must outlive the odometry.
+    // The chassis must outlive the odometry.
     Odometry(const Chassis &chassis, const OdometrySettings &settings, Noise noise)
-        : chassis_(chassis), settings_(settings), noise_(noise)
-    {
-    }
+        : chassis_(chassis), settings_(settings), noise_(noise) {}
 
     // Counts one physics step at these wheel speeds, in m/s.
     void advance(double left_speed, double right_speed);
 
-    // Where the robot believes it is, relative to where it started; heading in
-    // (-pi, pi].
+    // The robot's estimated pose relative to its start; heading in (-pi, pi].
     const Pose &pose() const { return pose_; }
 
   private:
@@ -31,8 +26,8 @@ class Odometry
     OdometrySettings settings_;
     Noise noise_;
     Pose pose_;
-    Vec ahead_{ 1.0, 0.0 };                   // the direction of its heading
-    double left_way_ = 0.0, right_way_ = 0.0; // since the last count of each wheel
+    Vec ahead_{1.0, 0.0};                     // unit vector of its heading
+    double left_way_ = 0.0, right_way_ = 0.0; // travel since the last count of each wheel
 };
 
 } // namespace frob::sim

@@ -1,4 +1,4 @@
-// A robot of the user's own: its body is a table in C (<frob/body.h>).
+// A user-defined robot, whose body is a table in C (<frob/body.h>).
 #pragma once
 
 #include <frob/body.h>
@@ -8,10 +8,9 @@
 #include "robot.h"
 #include "sonar.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// What the simulator knows robots by, made of such a table.
+// Such a table, converted to the descriptions that the simulator uses.
 struct OwnBody {
     explicit OwnBody(const frob_body &table);
 
@@ -20,14 +19,13 @@ struct OwnBody {
     SonarRing ring;
 };
 
-class OwnRobot : public Robot
-{
+class OwnRobot : public Robot {
   public:
     // The body must outlive the robot.
     OwnRobot(const OwnBody &body, const Scene &scene, std::uint64_t seed);
 
     void read(std::int64_t time_ns, void *input) override;
-    void command(const void *output) override;
+    void command(std::int64_t time_ns, const void *output) override;
     const std::vector<Echo> &echoes() const override { return sonar_.echoes(); }
     void forget_echoes() override { sonar_.forget_echoes(); }
 
@@ -41,7 +39,7 @@ class OwnRobot : public Robot
     Photocells photocells_;
 };
 
-// The kind of robot that this body is; it must outlive what is made of it.
+// The kind of robot with this body. The body must outlive the robots of this kind.
 RobotKind own_robot_kind(const OwnBody &body);
 
 } // namespace frob::sim

@@ -2,19 +2,15 @@
 
 #include "p3dx.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
 Pioneer::Pioneer(const Scene &scene, std::uint64_t seed)
     : Robot(p3dx::chassis(), scene, seed),
-      sonar_(p3dx::chassis().range_finders, p3dx::ring(), scene.sonar, Noise(seed, sonar_stream))
-{
-}
+      sonar_(p3dx::chassis().range_finders, p3dx::ring(), scene.sonar, Noise(seed, sonar_stream)) {}
 
-// A contact before the middle of the body presses the front bumper, one behind
-// it the rear bumper.
-void Pioneer::read(std::int64_t time_ns, void *into)
-{
+// A contact in front of the body's centre presses the front bumper; one behind it presses the rear
+// bumper.
+void Pioneer::read(std::int64_t time_ns, void *into) {
     frob_pioneer_input input{};
     read_motion(input);
     sonar_.take_all(input.sonar);
@@ -27,10 +23,9 @@ void Pioneer::read(std::int64_t time_ns, void *into)
     *static_cast<frob_pioneer_input *>(into) = input;
 }
 
-void Pioneer::command(const void *output)
-{
+void Pioneer::command(std::int64_t time_ns, const void *output) {
     const auto &wanted = *static_cast<const frob_pioneer_output *>(output);
-    drive_.command(wanted.forward, wanted.turn);
+    drive_.command(time_ns, wanted.forward, wanted.turn);
 }
 
 } // namespace frob::sim

@@ -1,4 +1,4 @@
-// The simulated Pioneer P3-DX: what its controller reads and commands.
+// The simulated Pioneer P3-DX: its sensors and its commands.
 #pragma once
 
 #include <frob/pioneer.h>
@@ -6,16 +6,14 @@
 #include "robot.h"
 #include "sonar.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class Pioneer : public Robot
-{
+class Pioneer : public Robot {
   public:
     Pioneer(const Scene &scene, std::uint64_t seed);
 
     void read(std::int64_t time_ns, void *input) override;
-    void command(const void *output) override;
+    void command(std::int64_t time_ns, const void *output) override;
     const std::vector<Echo> &echoes() const override { return sonar_.echoes(); }
     void forget_echoes() override { sonar_.forget_echoes(); }
 

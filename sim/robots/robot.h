@@ -1,5 +1,5 @@
-// A simulated robot: what all have in common. Each robot is a class of its own,
-// which knows the C structs of its controller's input and output.
+// A simulated robot: the parts that all robots share. Each kind of robot is a subclass, which knows
+// the C structs of its controller's input and output.
 #pragma once
 
 #include <cstdint>
@@ -14,32 +14,30 @@
 #include "echo.h"
 #include "odometry.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class Robot
-{
+class Robot {
   public:
     virtual ~Robot() = default;
     Robot(const Robot &) = delete;
     Robot &operator=(const Robot &) = delete;
 
-    // Moves the motors, before a physics step.
+    // Drives the motors, before a physics step.
     void push(Body &body) { drive_.advance(body.rigid()); }
 
-    // Reads the sensors, after a physics step that ended at `time_ns`; also
-    // once before the first.
+    // Reads the sensors, after a physics step that ended at `time_ns`; also called once before the
+    // first step.
     void sense(std::int64_t time_ns, const Body &body);
 
-    // What the controller sees, as the robot's input struct. An event is in it
-    // once, at the first instant after it happened.
+    // Writes the sensor readings to the robot's input struct. Each event occurs in it once, at the
+    // first instant after it happened.
     virtual void read(std::int64_t time_ns, void *input) = 0;
 
-    // What the controller wants, as the robot's output struct.
-    virtual void command(const void *output) = 0;
+    // Takes the controller's command at this instant from the robot's output struct.
+    virtual void command(std::int64_t time_ns, const void *output) = 0;
 
-    // All echoes, in order of arrival, for the picture; where there is to be none
-    // they are forgotten again and again, and take no memory.
+    // All echoes in order of arrival, for the picture. Without a picture the simulation calls
+    // `forget_echoes` regularly, so that they take no memory.
     virtual const std::vector<Echo> &echoes() const = 0;
     virtual void forget_echoes() = 0;
 
@@ -48,7 +46,7 @@ class Robot
     const Odometry &odometry() const { return odometry_; }
     const Contacts &contacts() const { return contacts_; }
 
-    // Streams of noise, one for each thing that has some.
+    // Numbers of the noise streams, one for each source of noise.
     enum Stream : std::uint64_t {
         drive_stream = 1,
         odometry_stream,
@@ -56,22 +54,21 @@ class Robot
         light_stream,
         floor_stream,
         photocell_stream,
-        camera_stream = 1u << 12 // and those after it, of each camera
+        camera_stream = 1u << 12 // the first of a range, one for each camera
     };
 
   protected:
-    // Sensors draw their noise from streams of `seed`.
+    // The noise streams of the sensors are derived from `seed`.
     Robot(const Chassis &chassis, const Scene &scene, std::uint64_t seed);
 
-    // The robot's own sensors.
+    // Reads the sensors that are specific to this kind of robot.
     virtual void look(std::int64_t time_ns, const Body &body) = 0;
 
     double battery_voltage(std::int64_t time_ns) const;
 
-    // What all inputs call so.
+    // Fills in the fields that all input structs have under the same name.
     template <typename Input>
-    void read_motion(Input &input) const
-    {
+    void read_motion(Input &input) const {
         const Pose &believed = odometry_.pose();
         input.odometry.position.x = believed.position.x;
         input.odometry.position.y = believed.position.y;
@@ -89,16 +86,16 @@ class Robot
 
 // A kind of robot that can be simulated.
 struct RobotKind {
-    const char *name;                    // "pioneer", as hosts and world files call it
-    std::size_t input_size, output_size; // of its structs
+    const char *name;                    // name in hosts and world files, such as "pioneer"
+    std::size_t input_size, output_size; // size of its C structs
     std::function<const Chassis &()> chassis;
     std::function<std::unique_ptr<Robot>(const Scene &scene, std::uint64_t seed)> make;
 };
 
-// The first one is what a world has that does not say.
+// The first kind is the default for worlds that name no robot.
 const std::vector<RobotKind> &robot_kinds();
 
-// nullptr if there is none of this name.
+// Returns nullptr if there is no kind of this name.
 const RobotKind *robot_kind(const std::string &name);
 
 } // namespace frob::sim

@@ -1,12 +1,11 @@
-// The measures of Nomadics' Super Scout. Sources, and what is only estimated:
-// stdlib/Scout.frob, whose numbers these are.
+// Dimensions of Nomadics' Super Scout. They are those of stdlib/Scout.frob, which gives the sources
+// and says which values are estimates.
 #pragma once
 
 #include "chassis.h"
 #include "sonar_ring.h"
 
-namespace frob::sim::super_scout
-{
+namespace frob::sim::super_scout {
 
 constexpr std::size_t sonar_count = 16, bumper_count = 6;
 

@@ -1,32 +1,39 @@
-// What touches the robot, and the count of collisions.
+// The contacts of a robot with other objects, and the number of collisions.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "body.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class Contacts
-{
+class Contacts {
   public:
-    // Looks at the contacts; called after each physics step.
+    // Reads the contacts; called after each physics step.
     void advance(const Body &body);
 
-    // Where something touches the robot, in the robot's frame.
+    // Contact points, in the robot's frame.
     const std::vector<Vec> &points() const { return points_; }
 
-    // How often the robot ran into something that stands fast, or another robot
-    // and it into each other: then each counts it. Until it has been free of all
-    // that for half a second it is the same collision.
+    // Number of collisions with fixed objects, boxes, balls and other robots; both robots count a
+    // collision with each other. A collision ends when the robot has touched nothing for half a
+    // second.
     int collisions() const { return collisions_; }
+
+    // A collision that began at the last step: the object, and the place in the world.
+    struct Begun {
+        const b2Fixture *with;
+        Vec where;
+    };
+    const std::optional<Begun> &begun() const { return begun_; }
 
   private:
     static constexpr std::int64_t apart_ns = 500'000'000;
 
     std::vector<Vec> points_;
+    std::optional<Begun> begun_;
     int collisions_ = 0;
     std::int64_t free_ns_ = apart_ns;
 };

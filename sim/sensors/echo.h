@@ -1,4 +1,4 @@
-// What a transducer that measures distances heard or saw.
+// The echo that a distance-measuring transducer receives.
 #pragma once
 
 #include <cstddef>
@@ -7,18 +7,17 @@
 
 #include "body.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
 struct Echo {
-    std::int64_t time_ns;   // at which it arrived
-    std::size_t transducer; // by its seat
+    std::int64_t time_ns;   // time of arrival
+    std::size_t transducer; // index of its seat
     double distance;        // m, from the transducer
-    Pose from;              // of the transducer in the world when it fired
+    Pose from;              // pose of the transducer in the world when it fired
 };
 
-// The distance to the nearest thing anywhere in a transducer's cone: what is
-// heard first. `rays` are cast.
+// The distance to the nearest object in a transducer's cone, which is the one heard first. Casts
+// `rays` rays.
 std::optional<double> nearest_in_cone(const Body &body, const Pose &transducer, double half_angle,
                                       double reach, int rays);
 

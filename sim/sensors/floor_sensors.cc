@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
-namespace frob::sim
-{
+namespace frob::sim {
 
 // The noise is relative: seen = reflectance * (1 + noise * n), n normal.
-void FloorSensors::advance(std::int64_t time_ns, const Body &body, const Floor &floor)
-{
-    if (time_ns % refresh_ns_ != 0)
-        return;
+void FloorSensors::advance(std::int64_t time_ns, const Body &body, const Floor &floor) {
+    if (time_ns % refresh_ns_ != 0) return;
     const Pose pose = body.pose();
     for (std::size_t i = 0; i < places_.size(); ++i) {
         const double gain = 1.0 + settings_.noise * noise_.normal();

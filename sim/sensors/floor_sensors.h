@@ -1,5 +1,5 @@
-// Sensors that look down at the floor, each with a light of its own: how much of it
-// comes back.
+// Sensors that look down at the floor. Each has its own light and measures how much of it the floor
+// reflects.
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,21 @@
 #include "floor.h"
 #include "noise.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class FloorSensors
-{
+class FloorSensors {
   public:
-    // Each looks at a spot of this width below its place in the robot's frame, and
-    // has something new every `refresh_ns`, a multiple of the physics' step.
+    // Each sensor looks at a spot of width `spot` below its place in the robot's frame, and updates
+    // every `refresh_ns`, a multiple of the physics' step.
     FloorSensors(std::vector<Vec> places, double spot, std::int64_t refresh_ns,
                  const FloorSettings &settings, Noise noise)
         : places_(std::move(places)), spot_(spot), refresh_ns_(refresh_ns), settings_(settings),
-          noise_(noise), seen_(places_.size())
-    {
-    }
+          noise_(noise), seen_(places_.size()) {}
 
-    // Looks; called after each physics step, with the time since the start.
+    // Updates the readings; called after each physics step, with the time since the start.
     void advance(std::int64_t time_ns, const Body &body, const Floor &floor);
 
-    // What each sees: the reflectance of its spot, with noise; 0 or more.
+    // The reading of each sensor: the reflectance of its spot, with noise; never negative.
     const std::vector<double> &seen() const { return seen_; }
 
   private:

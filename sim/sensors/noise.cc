@@ -1,33 +1,26 @@
 #include "noise.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-Noise::Noise(std::uint64_t seed, std::uint64_t stream) : state_(seed)
-{
-    // Mixed apart, so that no stream is another one of a neighbouring seed,
-    // shifted.
+Noise::Noise(std::uint64_t seed, std::uint64_t stream) : state_(seed) {
+    // Mix the seed before adding the stream's number, so that no stream is a shifted copy of a
+    // stream of a neighbouring seed.
     state_ = next() + stream;
     state_ = next();
 }
 
-std::uint64_t Noise::seed_of_robot(std::uint64_t seed, std::uint64_t robot)
-{
-    // Streams of sensors have small numbers.
+std::uint64_t Noise::seed_of_robot(std::uint64_t seed, std::uint64_t robot) {
+    // The numbers of sensors' streams are smaller than this.
     constexpr std::uint64_t streams_of_robots = 1u << 20;
     return robot == 0 ? seed : Noise(seed, streams_of_robots + robot).next();
 }
 
-double Noise::uniform()
-{
-    return static_cast<double>(next() >> 11) * 0x1.0p-53;
-}
+double Noise::uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
 
-// The sum of eight uniform numbers is close to a normal distribution out to 3
-// standard deviations (Irwin-Hall). Here they are the 16-bit quarters of two
-// draws: mean 8 * 65535 / 2, variance 8 (65536^2 - 1) / 12.
-double Noise::normal()
-{
+// The sum of eight uniform numbers is close to a normal distribution up to 3 standard deviations
+// (Irwin-Hall). The eight numbers are the 16-bit quarters of two draws: mean 8 * 65535 / 2,
+// variance 8 (65536^2 - 1) / 12.
+double Noise::normal() {
     std::int64_t sum = 0;
     for (int draw = 0; draw < 2; ++draw)
         for (std::uint64_t bits = next(); bits != 0; bits >>= 16)

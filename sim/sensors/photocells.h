@@ -1,4 +1,4 @@
-// Photocells, which see the light of lamps and of the room.
+// Photocells, which measure the light of lamps and of the room.
 #pragma once
 
 #include <cstdint>
@@ -8,24 +8,20 @@
 #include "noise.h"
 #include "scene.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class Photocells
-{
+class Photocells {
   public:
-    // Each has a seat in the robot's frame, in whose direction it looks, and
-    // something new every `refresh_ns`, a multiple of the physics' step.
+    // Each photocell has a seat in the robot's frame, with its position and direction, and updates
+    // every `refresh_ns`, a multiple of the physics' step.
     Photocells(std::vector<Pose> seats, std::int64_t refresh_ns, const Scene &scene, Noise noise)
         : seats_(std::move(seats)), refresh_ns_(refresh_ns), lamps_(scene.lamps),
-          ambient_(scene.ambient), noise_(noise), seen_(seats_.size())
-    {
-    }
+          ambient_(scene.ambient), noise_(noise), seen_(seats_.size()) {}
 
-    // Looks; called after each physics step, with the time since the start.
+    // Updates the readings; called after each physics step, with the time since the start.
     void advance(std::int64_t time_ns, const Body &body);
 
-    // What each sees: lx, with noise; 0 or more.
+    // The reading of each photocell in lx, with noise; never negative.
     const std::vector<double> &seen() const { return seen_; }
 
   private:

@@ -3,37 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
-// Box2D reckons in floats: what is passed over here misses by more than that.
+// Box2D computes in floats. Objects are skipped only if they miss the ray by more than this margin.
 constexpr double slack = 0.01; // m
 
-b2Vec2 to_b2(Vec v)
-{
-    return { static_cast<float>(v.x), static_cast<float>(v.y) };
-}
-Vec from_b2(b2Vec2 v)
-{
-    return { static_cast<double>(v.x), static_cast<double>(v.y) };
-}
+b2Vec2 to_b2(Vec v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+Vec from_b2(b2Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
 } // namespace
 
-class RayFan::Gather : public b2QueryCallback
-{
+class RayFan::Gather : public b2QueryCallback {
   public:
     Gather(RayFan &fan, const b2Body &self) : fan_(fan), self_(self) {}
 
-    bool ReportFixture(b2Fixture *fixture) override
-    {
-        if (fixture->GetBody() == &self_)
-            return true;
+    bool ReportFixture(b2Fixture *fixture) override {
+        if (fixture->GetBody() == &self_) return true;
         const b2AABB &box = fixture->GetAABB(0);
-        fan_.obstacles_.push_back({ fixture, from_b2(box.GetCenter()) - fan_.origin_,
-                                    length(from_b2(box.GetExtents())) + slack });
+        fan_.obstacles_.push_back({fixture, from_b2(box.GetCenter()) - fan_.origin_,
+                                   length(from_b2(box.GetExtents())) + slack});
         return true;
     }
 
@@ -43,26 +32,22 @@ class RayFan::Gather : public b2QueryCallback
 };
 
 RayFan::RayFan(const Body &body, Vec origin, double heading, double half_angle, double reach)
-    : origin_(origin)
-{
-    // The sector lies in the triangle whose far side touches its arc.
+    : origin_(origin) {
+    // The sector lies within the triangle whose far side touches its arc.
     const double side = reach / std::cos(half_angle);
     const Vec left = origin + side * direction(heading + half_angle);
     const Vec right = origin + side * direction(heading - half_angle);
-    const Vec margin = { slack, slack };
+    const Vec margin = {slack, slack};
     b2AABB box;
     box.lowerBound = to_b2(
-        Vec{ std::min({ origin.x, left.x, right.x }), std::min({ origin.y, left.y, right.y }) } -
-        margin);
+        Vec{std::min({origin.x, left.x, right.x}), std::min({origin.y, left.y, right.y})} - margin);
     box.upperBound = to_b2(
-        Vec{ std::max({ origin.x, left.x, right.x }), std::max({ origin.y, left.y, right.y }) } +
-        margin);
+        Vec{std::max({origin.x, left.x, right.x}), std::max({origin.y, left.y, right.y})} + margin);
     Gather gather(*this, body.rigid());
     body.rigid().GetWorld()->QueryAABB(&gather, box);
 }
 
-std::optional<double> RayFan::ray(double angle, double reach) const
-{
+std::optional<double> RayFan::ray(double angle, double reach) const {
     const Vec along = direction(angle);
     b2RayCastInput input;
     input.p1 = to_b2(origin_);
@@ -76,14 +61,12 @@ std::optional<double> RayFan::ray(double angle, double reach) const
             std::abs(cross(along, o.center)) > o.radius)
             continue;
         b2RayCastOutput hit;
-        if (!o.fixture->RayCast(&hit, input, 0))
-            continue;
+        if (!o.fixture->RayCast(&hit, input, 0)) continue;
         met = true;
         input.maxFraction = hit.fraction;
         within = reach * static_cast<double>(hit.fraction);
     }
-    if (!met)
-        return std::nullopt;
+    if (!met) return std::nullopt;
     return within;
 }
 

@@ -1,5 +1,5 @@
-// Many rays from one place into one sector: what they can meet is looked up in
-// the world once, and most of it is passed over without asking Box2D.
+// Casts many rays from one point into one sector. It queries the world once for the objects in the
+// sector, and skips most of them for each ray without calling Box2D.
 #pragma once
 
 #include <optional>
@@ -7,25 +7,22 @@
 
 #include "body.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class RayFan
-{
+class RayFan {
   public:
-    // For rays of a body's sensor, from `origin`, at most `half_angle` (less
-    // than a right angle) off `heading`, and not longer than `reach`. Good until
-    // the world's next step.
+    // For the rays of a body's sensor that start at `origin`, are at most `half_angle` (less than a
+    // right angle) off `heading`, and not longer than `reach`. Valid until the world's next step.
     RayFan(const Body &body, Vec origin, double heading, double half_angle, double reach);
 
-    // As Body::ray, to the last bit.
+    // The same result as Body::ray, to the last bit.
     std::optional<double> ray(double angle, double reach) const;
 
   private:
     // A fixture, and a disc that contains it.
     struct Obstacle {
         const b2Fixture *fixture;
-        Vec center; // from the origin
+        Vec center; // relative to the origin
         double radius;
     };
 

@@ -1,4 +1,4 @@
-// Rings of sonar transducers, that fire one after the other.
+// Rings of sonar transducers that fire in turn.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,23 @@
 #include "scene.h"
 #include "sonar_ring.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class Sonar
-{
+class Sonar {
   public:
-    // The robot's description must outlive the sonars.
+    // `seats` and `ring` must outlive the sonars.
     Sonar(const RangeFinders &seats, const SonarRing &ring, const SonarSettings &settings,
           Noise noise);
 
-    // Fires and listens; called after each physics step, with the time since
-    // the start.
+    // Fires and listens; called after each physics step, with the time since the start.
     void advance(std::int64_t time_ns, const Body &body);
 
-    // The echo of this transducer that arrived since it was last taken, if
-    // there was one.
+    // Returns this transducer's echo that has arrived since the last call, if there is one.
     std::optional<double> take(std::size_t transducer);
 
-    // All of them, into the events of a robot's input.
+    // Takes the echoes of all transducers into the events of a robot's input.
     template <typename Event, std::size_t count>
-    void take_all(Event (&events)[count])
-    {
+    void take_all(Event (&events)[count]) {
         constexpr std::uint8_t occurs = 1; // data Event a = NoEvent | Event a
         for (std::size_t i = 0; i < count; ++i)
             if (const std::optional<double> distance = take(i)) {
@@ -43,7 +38,7 @@ class Sonar
             }
     }
 
-    // All echoes that arrived since they were last forgotten, in order of arrival.
+    // All echoes that have arrived since the last call of `forget_echoes`, in order of arrival.
     const std::vector<Echo> &echoes() const { return echoes_; }
     void forget_echoes() { echoes_.clear(); }
 
@@ -54,7 +49,7 @@ class Sonar
         const SonarArray *transducers;
         std::int64_t next_ping_ns;
         std::size_t turn = 0;
-        std::int64_t arrival_ns = never; // of the echo under way
+        std::int64_t arrival_ns = never; // arrival of the echo in flight
         Echo echo{};
     };
 

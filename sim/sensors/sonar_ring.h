@@ -1,25 +1,24 @@
-// How the sonars of a robot take turns, and what they can hear.
+// The order in which a robot's sonars fire, and the range of their readings.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// Transducers that fire one after the other.
+// Transducers that fire in turn.
 struct SonarArray {
-    std::vector<std::size_t> order; // by their seats
+    std::vector<std::size_t> order; // indices of their seats
     std::int64_t first_ping_ns;     // since the start
 };
 
 struct SonarRing {
     std::int64_t ping_ns;           // from one transducer of an array to the next
-    std::vector<SonarArray> arrays; // they work at the same time
-    double nearest;                 // m; what is nearer reads so
-    double farthest;                // m; what is farther gives no echo
-    double resolution;              // m; 0: none
+    std::vector<SonarArray> arrays; // arrays that fire in parallel
+    double nearest;                 // m; nearer objects read as this
+    double farthest;                // m; farther objects give no echo
+    double resolution;              // m; 0: continuous
 };
 
 } // namespace frob::sim

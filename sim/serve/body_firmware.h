@@ -1,5 +1,5 @@
-// The firmware of a robot whose protocol is in sim/wire: its line's end in front
-// of the simulated body, which is looked at every 5 ms.
+// The firmware of robots whose protocol is in sim/wire. It connects the robot's end of the line to
+// the simulated body, which it reads every 5 ms.
 #pragma once
 
 #include <algorithm>
@@ -8,30 +8,25 @@
 #include "firmware.h"
 #include "sim.h"
 
-namespace frob::serve
-{
+namespace frob::serve {
 
-// `Wire` is a robot's end of its line; `Input` is what the body senses.
+// `Wire` is a robot's end of its line; `Input` is the body's input struct.
 template <class Wire, class Input>
-class BodyFirmware : public Firmware
-{
+class BodyFirmware : public Firmware {
   public:
-    // The simulation is the caller's, and nobody else's while this is used.
-    BodyFirmware(frob_sim *sim, std::uint32_t rate) : sim_(sim), rate_(rate)
-    {
+    // The caller owns the simulation, and must not use it while this object exists.
+    BodyFirmware(frob_sim *sim, std::uint32_t rate) : sim_(sim), rate_(rate) {
         wire_.log = [this](const std::string &text) { log(now_ns_, text); };
         look(0);
     }
 
-    void advance(std::int64_t time_ns) override
-    {
-        for (; next_ns_ <= time_ns; next_ns_ += period_ns)
-            look(next_ns_);
+    void advance(std::int64_t time_ns) override {
+        for (; next_ns_ <= time_ns; next_ns_ += period_ns) look(next_ns_);
         now_ns_ = std::max(now_ns_, time_ns);
     }
 
-    void receive(std::uint8_t byte) override
-    {
+    void receive(std::uint8_t byte) override {
+        wire_.advance(now_ns_);
         wire_.receive(&byte, 1);
         pass_on();
     }
@@ -45,8 +40,7 @@ class BodyFirmware : public Firmware
   private:
     static constexpr std::int64_t period_ns = 5'000'000;
 
-    void look(std::int64_t time_ns)
-    {
+    void look(std::int64_t time_ns) {
         Input input{};
         now_ns_ = time_ns;
         frob_sim_advance(sim_, time_ns);
@@ -56,9 +50,8 @@ class BodyFirmware : public Firmware
         pass_on();
     }
 
-    // The wheels turn and the bytes go as the robot wants it now.
-    void pass_on()
-    {
+    // Passes the robot's current command to the body, and its bytes to the client.
+    void pass_on() {
         const auto output = wire_.output();
         frob_sim_command(sim_, now_ns_, &output);
         send(wire_.to_client);

@@ -1,5 +1,5 @@
-// The simulated cameras as MJPEG over HTTP, as cameras on networks give it: http://127.0.0.1:PORT/
-// and the camera's name. Any number of clients; to one that is slow, fewer frames are sent.
+// Serves the simulated cameras as MJPEG over HTTP, as network cameras do, at
+// http://127.0.0.1:PORT/NAME. Any number of clients may connect; slow clients skip frames.
 #pragma once
 
 #include <cstdint>
@@ -9,32 +9,30 @@
 
 #include <sim.h>
 
-namespace frob::serve
-{
+namespace frob::serve {
 
-class CameraPort
-{
+class CameraPort {
   public:
-    // Looks through all cameras of the world, before its physics runs. Port 0: any that is free.
-    // Throws WrongUse if the world has none, or JPEG cannot be made here; std::system_error.
+    // Opens all cameras of the world, before its physics runs. Port 0: any free port. Throws
+    // WrongUse if the world has no cameras or this build cannot encode JPEG, and std::system_error.
     CameraPort(frob_sim *sim, int port);
     ~CameraPort();
     CameraPort(const CameraPort &) = delete;
     CameraPort &operator=(const CameraPort &) = delete;
 
-    // What a program is to be told, of each camera.
+    // The addresses of the cameras, as programs need them.
     std::vector<std::string> addresses() const;
 
-    // Takes clients in, and gives each the frames that have come by now. Never waits.
+    // Accepts new clients, and sends each one the frames that have arrived by now. Never blocks.
     void advance(std::int64_t time_ns);
 
   private:
     struct Client {
         int socket = -1;
-        std::string asked;   // what has come of its request
-        int camera = -1;     // it gets the frames of this one; -1: not yet known
-        bool leaves = false; // when all has been sent
-        std::string waiting; // to be sent
+        std::string asked;   // the part of its request received so far
+        int camera = -1;     // index of the camera it receives; -1: not yet known
+        bool leaves = false; // close the connection once everything has been sent
+        std::string waiting; // data still to be sent
         void receive(const CameraPort &port);
         void flush();
         void close();

@@ -1,4 +1,4 @@
-// Where the line's other end plugs in.
+// The client's side of the line: a terminal or a TCP port.
 #pragma once
 
 #include <cstdint>
@@ -6,30 +6,28 @@
 
 #include "firmware.h"
 
-namespace frob::serve
-{
+namespace frob::serve {
 
-class Connection
-{
+class Connection {
   public:
     virtual ~Connection() = default;
 
-    // What a client opens: a path, or `tcp:ADDRESS:PORT`.
+    // The device that a client opens: a path, or `tcp:ADDRESS:PORT`.
     virtual std::string device() const = 0;
 
-    // To be polled for input; -1 if there is none now.
+    // Descriptor to poll for input; -1 if there is none now.
     virtual int descriptor() const = 0;
 
-    // Whether somebody is there.
+    // Whether a client is connected.
     virtual bool connected() const = 0;
 
-    // What has arrived. Never waits.
+    // Returns the bytes that have arrived. Never blocks.
     virtual Bytes read() = 0;
 
-    // What does not go is lost, as on a line that nobody reads.
+    // Sends the bytes. Those that cannot be sent at once are lost, as on a line that nobody reads.
     virtual void write(const Bytes &bytes) = 0;
 
-    // The rate that the client has set; 0 where there is none.
+    // The bit rate that the client has set; 0 if the connection has none.
     virtual std::uint32_t rate() const = 0;
 };
 

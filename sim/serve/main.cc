@@ -1,7 +1,7 @@
 // frob-serve -- a simulated robot behind a serial line.
 //
-// Exit status: 0 when the time is over or it is ended by SIGINT or SIGTERM,
-// after a summary as frob-sim prints it; 2 for wrong use.
+// Exit status: 0 when the duration is over or after SIGINT or SIGTERM, with a summary as frob-sim
+// prints it; 2 for usage errors.
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -27,15 +27,17 @@
 #include "tcp_port.h"
 #include "terminal.h"
 
+extern "C" {
+#include <hosts/common/streams.h>
+}
+
 using namespace frob::serve;
 
-namespace
-{
+namespace {
 
 volatile std::sig_atomic_t ended = 0, pulled = 0, plugged = 0;
 
-void on_signal(int number)
-{
+void on_signal(int number) {
     if (number == SIGUSR1)
         pulled = 1;
     else if (number == SIGUSR2)
@@ -44,18 +46,16 @@ void on_signal(int number)
         ended = 1;
 }
 
-void catch_signals()
-{
+void catch_signals() {
     struct sigaction action{};
     action.sa_handler = on_signal;
-    for (const int number : { SIGINT, SIGTERM, SIGUSR1, SIGUSR2 })
+    for (const int number : {SIGINT, SIGTERM, SIGUSR1, SIGUSR2})
         sigaction(number, &action, nullptr);
     action.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &action, nullptr);
 }
 
-std::int64_t clock_ns()
-{
+std::int64_t clock_ns() {
     timespec now{};
     clock_gettime(CLOCK_MONOTONIC, &now);
     return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
@@ -66,15 +66,15 @@ struct SimulationCloser {
 };
 using Simulation = std::unique_ptr<frob_sim, SimulationCloser>;
 
-// Null after errors, which have been told.
-Simulation open_simulation(const Options &options, const OwnRobot &own)
-{
+// Returns null after an error, which it has reported.
+Simulation open_simulation(const Options &options, const OwnRobot &own) {
     char message[8192];
     frob_sim_settings settings{};
     settings.robot = options.robot.c_str();
     settings.seed = options.seed;
     settings.wall_distance_m = options.wall_distance_m;
     settings.body = own.body;
+    settings.served = 1;
     Simulation sim(frob_sim_open(options.world.c_str(), &settings, message, sizeof message));
     if (!sim)
         for (char *line = std::strtok(message, "\n"); line; line = std::strtok(nullptr, "\n"))
@@ -84,27 +84,21 @@ Simulation open_simulation(const Options &options, const OwnRobot &own)
 
 using Log = std::function<void(const std::string &)>;
 
-std::unique_ptr<Connection> make_connection(const Options &options, const Log &tell)
-{
-    if (options.tcp_port >= 0)
-        return std::make_unique<TcpPort>(options.tcp_port, tell);
+std::unique_ptr<Connection> make_connection(const Options &options, const Log &tell) {
+    if (options.tcp_port >= 0) return std::make_unique<TcpPort>(options.tcp_port, tell);
     return std::make_unique<Terminal>();
 }
 
-// Takes the link away, if it still leads where it was made to: somebody else may have put
-// another one in its place.
-void unlink_own(const Options &options, const Server &server)
-{
-    if (options.link.empty() || server.connection() == nullptr)
-        return;
+// Removes the symbolic link if it still points to our device: another process may have replaced it.
+void unlink_own(const Options &options, const Server &server) {
+    if (options.link.empty() || server.connection() == nullptr) return;
     std::error_code error;
     if (std::filesystem::read_symlink(options.link, error) == server.connection()->device())
         unlink(options.link.c_str());
 }
 
-// Plugs a new line in, and tells its name. False if that could not be written.
-bool plug(Server &server, const Options &options, const Log &tell)
-{
+// Connects a new line and prints its name. Returns false if it cannot print.
+bool plug(Server &server, const Options &options, const Log &tell) {
     server.plug(make_connection(options, tell));
     const std::string device = server.connection()->device();
     if (!options.link.empty()) {
@@ -120,10 +114,9 @@ bool plug(Server &server, const Options &options, const Log &tell)
 }
 
 void run(Server &server, CameraPort *cameras, const Options &options, std::int64_t started_ns,
-         const Log &tell)
-{
+         const Log &tell) {
     const auto end_ns = static_cast<std::int64_t>(options.duration_s * 1e9);
-    // Without it nobody would know the device.
+    // Without a link, the printed name is the only way to find the device.
     if (!plug(server, options, tell) && options.link.empty())
         throw WrongUse(std::string("cannot write standard output: ") + std::strerror(errno));
     if (cameras != nullptr)
@@ -132,8 +125,7 @@ void run(Server &server, CameraPort *cameras, const Options &options, std::int64
     std::fflush(stdout);
     while (!ended) {
         const std::int64_t time_ns = clock_ns() - started_ns;
-        if (end_ns > 0 && time_ns >= end_ns)
-            break;
+        if (end_ns > 0 && time_ns >= end_ns) break;
         if (pulled) {
             pulled = 0;
             unlink_own(options, server);
@@ -144,21 +136,18 @@ void run(Server &server, CameraPort *cameras, const Options &options, std::int64
             plug(server, options, tell);
         }
         server.advance(time_ns);
-        if (cameras != nullptr)
-            cameras->advance(time_ns);
+        if (cameras != nullptr) cameras->advance(time_ns);
         server.wait(time_ns);
     }
     unlink_own(options, server);
     server.plug(nullptr);
 }
 
-int serve(const Options &options)
-{
+int serve(const Options &options) {
     const OwnRobot own =
         options.own.empty() ? OwnRobot{} : load_own_robot(options.own, options.robot);
     const Simulation sim = open_simulation(options, own);
-    if (!sim)
-        return 2;
+    if (!sim) return 2;
     const std::unique_ptr<CameraPort> cameras =
         options.camera_port < 0 ? nullptr
                                 : std::make_unique<CameraPort>(sim.get(), options.camera_port);
@@ -167,7 +156,7 @@ int serve(const Options &options)
                         *own.board, sim.get(), options.rate != 0 ? options.rate : own.board->rate)
                   : make_firmware(options.robot, options.model, options.rate, sim.get());
     if (!firmware)
-        throw WrongUse("there is no model `" + options.model + "`; there are: p3dx-sh, p3dx, p2dx");
+        throw WrongUse("there is no model `" + options.model + "`; use p3dx-sh, p3dx or p2dx");
     const std::int64_t started_ns = clock_ns();
     std::ofstream log;
     const auto write_log = [&](std::int64_t time_ns, const std::string &text) {
@@ -177,16 +166,14 @@ int serve(const Options &options)
     };
     if (!options.log.empty()) {
         log.open(options.log, std::ios::app);
-        if (!log)
-            throw WrongUse("cannot write " + options.log);
+        if (!log) throw WrongUse("cannot write " + options.log);
         firmware->set_log(write_log);
     }
     Server server(*firmware, options.paced);
     catch_signals();
     run(server, cameras.get(), options, started_ns, [&](const std::string &text) {
         std::fprintf(stderr, "%s\n", text.c_str());
-        if (log.is_open())
-            write_log(clock_ns() - started_ns, text);
+        if (log.is_open()) write_log(clock_ns() - started_ns, text);
     });
     print_summary(sim.get());
     return 0;
@@ -194,8 +181,8 @@ int serve(const Options &options)
 
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
+    streams_keep_plain();
     if (argc == 2 && std::string(argv[1]) == "--help") {
         std::fputs(usage, stdout);
         return 0;

@@ -5,36 +5,33 @@
 
 #include "robots.h"
 
-namespace frob::serve
-{
+namespace frob::serve {
 
 const char usage[] =
     "usage: frob-serve --world WORLD.toml [OPTION]...\n"
     "\n"
-    "A simulated robot that speaks its serial protocol, in real time. The first line on\n"
-    "standard output is `device: ` and what to connect to.\n"
+    "Simulates a robot that speaks its serial protocol, in real time. The first line on\n"
+    "standard output is `device: ` and the device to connect to.\n"
     "\n"
     "  --robot ROBOT      pioneer, scout or create\n"
-    "  --model SUBCLASS   of the pioneer: p3dx-sh, p3dx or p2dx\n"
-    "  --own FILE.so      the C files of a robot of your own, of that name\n"
-    "  --world FILE       the world the robot is in\n"
-    "  --seed N           of all noise (1)\n"
+    "  --model SUBCLASS   model of the pioneer: p3dx-sh, p3dx or p2dx\n"
+    "  --own FILE.so      the compiled C files of your own robot, with that name\n"
+    "  --world FILE       the world of the robot\n"
+    "  --seed N           the seed of all noise (1)\n"
     "  --tcp PORT         listen on 127.0.0.1 instead of a pseudo-terminal; 0: any free port\n"
     "  --camera PORT      the world's cameras as MJPEG over HTTP, on 127.0.0.1; 0: any free port\n"
-    "  --for SECONDS      how long to run (until it is ended)\n"
-    "  --rate BITS        per second, of the line at first (what is usual)\n"
-    "  --unpaced          bytes take no time\n"
+    "  --for SECONDS      how long to run (until interrupted)\n"
+    "  --rate BITS        initial rate of the line, bits per second (the robot's usual rate)\n"
+    "  --unpaced          transmit bytes without delay\n"
     "  --log FILE         write each command, with the time of the monotonic clock\n"
     "  --link PATH        keep a symbolic link to the device\n"
-    "  --target METRES    the distance to the wall that is measured against\n"
+    "  --target METRES    the wall distance to compare the robot's with\n"
     "\n"
-    "SIGUSR1 pulls the cable, SIGUSR2 plugs it in again, on another device.\n";
+    "SIGUSR1 unplugs the cable; SIGUSR2 plugs it in again, as another device.\n";
 
-namespace
-{
+namespace {
 
-double number(const std::string &option, const std::string &text, double low, double high)
-{
+double number(const std::string &option, const std::string &text, double low, double high) {
     char *end = nullptr;
     const double x = std::strtod(text.c_str(), &end);
     if (text.empty() || *end != '\0' || !(x >= low && x <= high))
@@ -43,8 +40,7 @@ double number(const std::string &option, const std::string &text, double low, do
     return x;
 }
 
-std::uint64_t whole(const std::string &option, const std::string &text, std::uint64_t most)
-{
+std::uint64_t whole(const std::string &option, const std::string &text, std::uint64_t most) {
     char *end = nullptr;
     const std::uint64_t n = std::strtoull(text.c_str(), &end, 10);
     if (text.empty() || text[0] < '0' || text[0] > '9' || *end != '\0' || n > most)
@@ -53,8 +49,7 @@ std::uint64_t whole(const std::string &option, const std::string &text, std::uin
     return n;
 }
 
-void set(Options &o, const std::string &option, const std::string &value)
-{
+void set(Options &o, const std::string &option, const std::string &value) {
     if (option == "--robot")
         o.robot = value;
     else if (option == "--model")
@@ -85,30 +80,27 @@ void set(Options &o, const std::string &option, const std::string &value)
 
 } // namespace
 
-Options read_options(int argc, char **argv)
-{
+Options read_options(int argc, char **argv) {
     Options o;
     for (int i = 1; i < argc; ++i) {
         const std::string option = argv[i];
         if (option == "--unpaced") {
             o.paced = false;
         } else if (i + 1 == argc) {
-            throw WrongUse("`" + option + "` is unknown, or needs a value");
+            throw WrongUse("the option `" + option + "` is unknown, or its value is missing");
         } else {
             set(o, option, argv[++i]);
         }
     }
     if (o.world.empty())
         throw WrongUse("--world is missing; `frob-serve --help` says how to use it");
-    // The board of a robot of the user's own says its rate itself.
-    if (!o.own.empty())
-        return o;
+    // For a user-defined robot, its board gives the rate.
+    if (!o.own.empty()) return o;
     const std::uint32_t usual = usual_rate(o.robot);
     if (usual == 0)
-        throw WrongUse("there is no simulated `" + o.robot +
-                       "` on a line; there are: pioneer, scout, create");
-    if (o.rate == 0)
-        o.rate = usual;
+        throw WrongUse("no simulated `" + o.robot +
+                       "` has a serial line; use pioneer, scout or create");
+    if (o.rate == 0) o.rate = usual;
     return o;
 }
 

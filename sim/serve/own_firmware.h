@@ -1,6 +1,5 @@
-// The firmware of a robot of the user's own: the board that a C file of theirs
-// describes (<frob/board.h>), in front of the simulated body that another describes
-// (<frob/body.h>).
+// The firmware of a user-defined robot. It connects the board that the user's C code describes
+// (<frob/board.h>) to the simulated body that other C code of theirs describes (<frob/body.h>).
 #pragma once
 
 #include <cstdint>
@@ -13,22 +12,20 @@
 #include "firmware.h"
 #include "sim.h"
 
-namespace frob::serve
-{
+namespace frob::serve {
 
 struct OwnRobot {
     const frob_body *body = nullptr;
     const frob_board *board = nullptr;
 };
 
-// What the user's C files, compiled to this shared object, say of the robot. Throws
-// WrongUse if a part is missing. They stay loaded.
+// Loads the descriptions of the robot from a shared object compiled from the user's C files, which
+// stays loaded. Throws WrongUse if a part is missing.
 OwnRobot load_own_robot(const std::string &object, const std::string &robot);
 
-class OwnFirmware : public Firmware
-{
+class OwnFirmware : public Firmware {
   public:
-    // The simulation is the caller's, and nobody else's while this is used.
+    // The caller owns the simulation, and must not use it while this object exists.
     OwnFirmware(const frob_board &board, frob_sim *sim, std::uint32_t rate);
 
     void advance(std::int64_t time_ns) override;
@@ -37,7 +34,7 @@ class OwnFirmware : public Firmware
     std::uint32_t rate() const override { return rate_; }
 
   private:
-    static constexpr std::int64_t period_ns = 5'000'000; // between two looks at the body
+    static constexpr std::int64_t period_ns = 5'000'000; // period of reading the body
 
     void look(std::int64_t time_ns);
     void pass_on(const frob_answer &answer);
@@ -46,7 +43,7 @@ class OwnFirmware : public Firmware
     frob_sim *sim_;
     std::uint32_t rate_;
     std::int64_t now_ns_ = 0, next_ns_ = period_ns;
-    // In words, so that it is aligned for anything that a board keeps.
+    // Buffers of 64-bit words, so that they are aligned for any struct of the board.
     std::vector<std::uint64_t> memory_, input_, output_;
 };
 

@@ -1,4 +1,4 @@
-// One direction of a serial line: a byte takes ten bits' time.
+// One direction of a serial line. A byte takes the time of ten bits.
 #pragma once
 
 #include <cstdint>
@@ -6,23 +6,21 @@
 
 #include "firmware.h"
 
-namespace frob::serve
-{
+namespace frob::serve {
 
-class PacedLine
-{
+class PacedLine {
   public:
-    // A line that is not paced hands on what it gets at once.
+    // A line that is not paced delivers bytes at once.
     explicit PacedLine(bool paced) : paced_(paced) {}
 
-    // Bytes begin to travel now, behind those that already do.
+    // Sends bytes at this time, behind those in transit.
     void push(const Bytes &bytes, std::int64_t time_ns, std::uint32_t rate);
 
-    // The next byte that has arrived by this time, with the time at which it
-    // did; false if there is none.
+    // Takes the next byte that has arrived by this time, with its time of arrival; false if there
+    // is none.
     bool take(std::int64_t time_ns, std::uint8_t &byte, std::int64_t &arrived_ns);
 
-    // When the next byte arrives; never is INT64_MAX.
+    // When the next byte arrives; INT64_MAX if none is in transit.
     std::int64_t next_ns() const;
 
     std::size_t travelling() const { return bytes_.size(); }
@@ -35,7 +33,7 @@ class PacedLine
     };
     bool paced_;
     std::deque<Travelling> bytes_;
-    std::int64_t free_ns_ = 0; // when the line is free for the next byte
+    std::int64_t free_ns_ = 0; // when the line can carry the next byte
 };
 
 } // namespace frob::serve

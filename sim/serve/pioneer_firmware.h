@@ -1,7 +1,6 @@
-// The firmware of a Pioneer (P2OS to ARCOS) on the simulated robot: the
-// handshake, the commands that move it, its information packets, and its
-// watchdog, which stops the robot when no packet has come for two seconds and
-// takes up the old speeds again when one comes.
+// The firmware of a Pioneer (P2OS to ARCOS) on the simulated robot: the handshake, the motion
+// commands, the server information packets (SIPs), and the watchdog. The watchdog stops the robot
+// when no packet has arrived for two seconds; the robot resumes its old speeds when one arrives.
 #pragma once
 
 #include <array>
@@ -15,23 +14,21 @@
 #include "pioneer_motion.h"
 #include "sim.h"
 
-namespace frob::serve
-{
+namespace frob::serve {
 
-// What a model's counters count, as its parameter file has it.
+// Units of a model's measurements, from its parameter file.
 struct PioneerModel {
     const char *subclass;
     double distance_mm; // one unit of XPOS and YPOS
     double range_mm;    // one unit of a sonar's range
 };
 
-class PioneerFirmware : public Firmware
-{
+class PioneerFirmware : public Firmware {
   public:
-    // The simulation is the caller's, and nobody else's while this is used.
+    // The caller owns the simulation, and must not use it while this object exists.
     PioneerFirmware(frob_sim *sim, const PioneerModel &model, std::uint32_t rate);
 
-    // The model of that subclass; null if it is not simulated.
+    // The model of this subclass; nullptr if it is not simulated.
     static const PioneerModel *find_model(const std::string &subclass);
 
     void advance(std::int64_t time_ns) override;
@@ -55,9 +52,9 @@ class PioneerFirmware : public Firmware
     void send_encoders();
     void send_io();
     bool has_room() const;
-    double heading() const; // since SETO
+    double heading() const; // since SETO, which resets the odometry
 
-    // A packet that is sent once, with each SIP, or not, as its command says.
+    // A packet that the client can request: never sent, sent once, or sent with each SIP.
     enum class Asked { no, once, stream };
     static Asked asked(int n) { return n <= 0 ? Asked::no : n == 1 ? Asked::once : Asked::stream; }
 
@@ -71,20 +68,20 @@ class PioneerFirmware : public Firmware
     bool session_ = false, open_ = false;
     int expected_sync_ = 0;
     std::int64_t handshake_ns_ = 0;
-    std::int64_t heard_ns_ = 0; // the last packet
-    std::int64_t sip_ns_ = 0;   // when the next SIP is due
-    std::int64_t servo_ns_ = 0; // when the motors are looked after next
+    std::int64_t heard_ns_ = 0; // time of the last packet
+    std::int64_t sip_ns_ = 0;   // time of the next SIP
+    std::int64_t servo_ns_ = 0; // time of the next motor update
     bool tripped_ = false;
 
     bool motors_ = false, sonar_on_ = true;
     PioneerMotion motion_;
-    double left_m_ = 0.0, right_m_ = 0.0; // the wheels' ways, by the encoders
+    double left_m_ = 0.0, right_m_ = 0.0; // distances of the wheels by their encoders
     Asked encoders_ = Asked::no, io_ = Asked::no;
     int digital_out_ = 0;
     double origin_x_ = 0.0, origin_y_ = 0.0, origin_heading_ = 0.0;
 
     struct Echo {
-        bool fresh = false; // to be in the next SIP
+        bool fresh = false; // not yet reported in a SIP
         double range_m = 5.0;
         std::int64_t at_ns = 0; // when the transducer last had a result
     };

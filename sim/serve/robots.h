@@ -1,4 +1,4 @@
-// The kinds of robots that can be behind a line.
+// The kinds of robots that frob-serve can simulate.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,13 @@
 #include "firmware.h"
 #include "sim.h"
 
-namespace frob::serve
-{
+namespace frob::serve {
 
-// What is usual for the robot, in bits per second; 0 if there is no such robot.
+// The usual rate of the robot's line, in bits per second; 0 if there is no such robot.
 std::uint32_t usual_rate(const std::string &robot);
 
-// The firmware of a robot in front of its simulated body, which must outlive it;
-// a Pioneer's is of that model. Null if there is no such robot or model.
+// Creates the firmware of a robot in front of its simulated body, which must outlive it. `model` is
+// for Pioneers only. Returns null if there is no such robot or model.
 std::unique_ptr<Firmware> make_firmware(const std::string &robot, const std::string &model,
                                         std::uint32_t rate, frob_sim *sim);
 

@@ -5,34 +5,28 @@
 #include <poll.h>
 #include <time.h>
 
-namespace frob::serve
-{
-namespace
-{
+namespace frob::serve {
+namespace {
 
-constexpr std::int64_t most_wait_ns = 5'000'000; // also how soon a new client is seen
-constexpr std::int64_t pause_ns = 100'000'000;   // longer than within any command
+constexpr std::int64_t most_wait_ns = 5'000'000; // also the longest time until a new client is
+                                                 // noticed
+constexpr std::int64_t pause_ns = 100'000'000;   // longer than any pause within a command
 
-// What a byte looks like at another rate: anything but itself.
-std::uint8_t garbled(std::uint8_t byte)
-{
-    return static_cast<std::uint8_t>((byte ^ 0x5A) * 3 + 1);
-}
+// Stands in for a byte received at the wrong rate: any value other than the byte itself.
+std::uint8_t garbled(std::uint8_t byte) { return static_cast<std::uint8_t>((byte ^ 0x5A) * 3 + 1); }
 
 } // namespace
 
-void Server::plug(std::unique_ptr<Connection> connection)
-{
+void Server::plug(std::unique_ptr<Connection> connection) {
     connection_ = std::move(connection);
     to_robot_.clear();
     to_client_.clear();
     firmware_.forget();
 }
 
-// Bytes reach the firmware in their order in time, each at its time. A client's come
-// when those of the one before are through.
-void Server::receive(std::int64_t time_ns)
-{
+// Passes bytes to the firmware in order, each at its time of arrival. A new client's bytes wait
+// until those of the previous client have been delivered.
+void Server::receive(std::int64_t time_ns) {
     if (left_ && to_robot_.travelling() == 0) {
         firmware_.forget();
         left_ = false;
@@ -50,47 +44,40 @@ void Server::receive(std::int64_t time_ns)
     std::int64_t arrived_ns = 0;
     while (to_robot_.take(time_ns, byte, arrived_ns)) {
         firmware_.advance(arrived_ns);
-        if (arrived_ns - heard_ns_ > pause_ns)
-            firmware_.forget();
+        if (arrived_ns - heard_ns_ > pause_ns) firmware_.forget();
         heard_ns_ = arrived_ns;
         firmware_.receive(byte);
         to_client_.push(firmware_.take_output(), arrived_ns, firmware_.rate());
     }
 }
 
-void Server::send(std::int64_t time_ns)
-{
+void Server::send(std::int64_t time_ns) {
     to_client_.push(firmware_.take_output(), time_ns, firmware_.rate());
     Bytes due;
     std::uint8_t byte = 0;
     std::int64_t arrived_ns = 0;
-    while (to_client_.take(time_ns, byte, arrived_ns))
-        due.push_back(byte);
-    if (!connection_)
-        return;
+    while (to_client_.take(time_ns, byte, arrived_ns)) due.push_back(byte);
+    if (!connection_) return;
     const std::uint32_t theirs = connection_->rate();
     if (theirs != 0 && theirs != firmware_.rate())
         std::transform(due.begin(), due.end(), due.begin(), garbled);
     connection_->write(due);
 }
 
-void Server::advance(std::int64_t time_ns)
-{
+void Server::advance(std::int64_t time_ns) {
     receive(time_ns);
     firmware_.advance(time_ns);
     send(time_ns);
 }
 
-std::int64_t Server::due_ns() const
-{
-    return std::min({ firmware_.next_ns(), to_robot_.next_ns(), to_client_.next_ns() });
+std::int64_t Server::due_ns() const {
+    return std::min({firmware_.next_ns(), to_robot_.next_ns(), to_client_.next_ns()});
 }
 
-void Server::wait(std::int64_t time_ns) const
-{
+void Server::wait(std::int64_t time_ns) const {
     const std::int64_t left = std::clamp<std::int64_t>(due_ns() - time_ns, 0, most_wait_ns);
-    const timespec patience{ 0, static_cast<long>(left) };
-    pollfd input{ connection_ ? connection_->descriptor() : -1, POLLIN, 0 };
+    const timespec patience{0, static_cast<long>(left)};
+    pollfd input{connection_ ? connection_->descriptor() : -1, POLLIN, 0};
     ppoll(&input, 1, &patience, nullptr);
 }
 

@@ -1,4 +1,4 @@
-// A firmware on a line, in the time of the clock.
+// Connects a firmware to a line, in real time.
 #pragma once
 
 #include <functional>
@@ -8,28 +8,24 @@
 #include "firmware.h"
 #include "paced_line.h"
 
-namespace frob::serve
-{
+namespace frob::serve {
 
-class Server
-{
+class Server {
   public:
     Server(Firmware &firmware, bool paced)
-        : firmware_(firmware), to_robot_(paced), to_client_(paced)
-    {
-    }
+        : firmware_(firmware), to_robot_(paced), to_client_(paced) {}
 
-    // Plugs the line in; with nothing, pulls it out.
+    // Connects the line; a null connection disconnects it.
     void plug(std::unique_ptr<Connection> connection);
     const Connection *connection() const { return connection_.get(); }
 
-    // Moves the robot and the bytes to this time.
+    // Advances the robot and the bytes in transit to this time.
     void advance(std::int64_t time_ns);
 
-    // When something happens next: the robot does something, or a byte arrives.
+    // When the next thing happens: the robot acts, or a byte arrives.
     std::int64_t due_ns() const;
 
-    // Waits until a byte comes or something is due; signals end it.
+    // Waits until a byte arrives, something is due, or a signal interrupts it.
     void wait(std::int64_t time_ns) const;
 
   private:
@@ -39,8 +35,9 @@ class Server
     Firmware &firmware_;
     PacedLine to_robot_, to_client_;
     std::unique_ptr<Connection> connection_;
-    bool there_ = false, left_ = false; // a client; one whose bytes are still on their way
-    std::int64_t heard_ns_ = 0;         // the last byte
+    bool there_ = false, left_ = false; // a client is connected; one has left whose bytes are still
+                                        // in transit
+    std::int64_t heard_ns_ = 0;         // time of the last byte
 };
 
 } // namespace frob::serve

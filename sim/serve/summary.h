@@ -1,12 +1,11 @@
-// What a run of the simulated robot came to, for a person and for scripts.
+// The summary of a run, readable by people and scripts.
 #pragma once
 
 #include "sim.h"
 
-namespace frob::serve
-{
+namespace frob::serve {
 
-// On standard output, one `name: value unit` a line, as frob-sim has it.
+// Prints it to standard output, one `name: value unit` a line, as frob-sim does.
 void print_summary(const frob_sim *sim);
 
 } // namespace frob::serve

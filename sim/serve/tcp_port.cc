@@ -10,13 +10,11 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace frob::serve
-{
+namespace frob::serve {
 
 TcpPort::TcpPort(int port, std::function<void(const std::string &)> refused)
     : listener_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)),
-      refused_(std::move(refused))
-{
+      refused_(std::move(refused)) {
     const int one = 1;
     sockaddr_in address{};
     socklen_t size = sizeof address;
@@ -32,52 +30,41 @@ TcpPort::TcpPort(int port, std::function<void(const std::string &)> refused)
     port_ = ntohs(address.sin_port);
 }
 
-TcpPort::~TcpPort()
-{
+TcpPort::~TcpPort() {
     leave();
     close(listener_);
 }
 
-std::string TcpPort::device() const
-{
-    return "tcp:127.0.0.1:" + std::to_string(port_);
-}
+std::string TcpPort::device() const { return "tcp:127.0.0.1:" + std::to_string(port_); }
 
-void TcpPort::leave()
-{
-    if (client_ >= 0)
-        close(client_);
+void TcpPort::leave() {
+    if (client_ >= 0) close(client_);
     client_ = -1;
 }
 
-// A robot has one line: whoever would wait for it is told so by its end.
-void TcpPort::refuse_others()
-{
+// A robot has only one line, so other clients are disconnected at once.
+void TcpPort::refuse_others() {
     sockaddr_in address{};
     socklen_t size = sizeof address;
     const int other =
         accept4(listener_, reinterpret_cast<sockaddr *>(&address), &size, SOCK_CLOEXEC);
-    if (other < 0)
-        return;
+    if (other < 0) return;
     close(other);
     refused_("refused a second client, from port " + std::to_string(ntohs(address.sin_port)) +
-             ": another one has the robot");
+             ": another client is connected");
 }
 
-void TcpPort::accept_one()
-{
+void TcpPort::accept_one() {
     const int one = 1;
     client_ = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
-    if (client_ >= 0)
-        setsockopt(client_, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
+    if (client_ >= 0) setsockopt(client_, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
 }
 
-// To the last byte of a client that has left, so that one that comes at once is let in.
-Bytes TcpPort::read()
-{
+// Reads up to the last byte of a client that has left, so that the next one can connect
+// immediately.
+Bytes TcpPort::read() {
     Bytes bytes;
-    if (client_ < 0)
-        accept_one();
+    if (client_ < 0) accept_one();
     while (client_ >= 0) {
         std::uint8_t some[4096];
         const ssize_t count = recv(client_, some, sizeof some, 0);
@@ -85,19 +72,15 @@ Bytes TcpPort::read()
             bytes.insert(bytes.end(), some, some + count);
             continue;
         }
-        if (count < 0 && (errno == EAGAIN || errno == EINTR))
-            break;
+        if (count < 0 && (errno == EAGAIN || errno == EINTR)) break;
         leave();
     }
-    if (client_ >= 0)
-        refuse_others();
+    if (client_ >= 0) refuse_others();
     return bytes;
 }
 
-void TcpPort::write(const Bytes &bytes)
-{
-    if (client_ < 0 || bytes.empty())
-        return;
+void TcpPort::write(const Bytes &bytes) {
+    if (client_ < 0 || bytes.empty()) return;
     if (send(client_, bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0 && errno != EAGAIN &&
         errno != EINTR)
         leave();

@@ -1,4 +1,4 @@
-// A TCP port on this machine, for one client at a time: another one is refused.
+// A TCP port on this machine for one client at a time; it refuses others.
 #pragma once
 
 #include <functional>
@@ -6,14 +6,12 @@
 
 #include "connection.h"
 
-namespace frob::serve
-{
+namespace frob::serve {
 
-class TcpPort : public Connection
-{
+class TcpPort : public Connection {
   public:
-    // 0: any free port; throws std::system_error. `refused` is told of each client
-    // that is turned away.
+    // Port 0: any free port. Throws std::system_error. Calls `refused` with a message for each
+    // client that it refuses.
     TcpPort(int port, std::function<void(const std::string &)> refused);
     ~TcpPort() override;
     TcpPort(const TcpPort &) = delete;

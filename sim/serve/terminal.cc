@@ -11,13 +11,11 @@
 
 #include "terminal_rate.h"
 
-namespace frob::serve
-{
+namespace frob::serve {
 
-// Made raw here, so that nothing is echoed to the robot before a client has
-// made it raw itself.
-Terminal::Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC))
-{
+// Makes the terminal raw, so that it does not echo bytes to the robot before a client makes it raw
+// itself.
+Terminal::Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
     if (master_ < 0 || grantpt(master_) != 0 || unlockpt(master_) != 0)
         throw std::system_error(errno, std::generic_category(), "cannot make a pseudo-terminal");
     path_ = ptsname(master_);
@@ -26,21 +24,16 @@ Terminal::Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_C
     cfmakeraw(&settings);
     cfsetspeed(&settings, B9600);
     tcsetattr(master_, TCSANOW, &settings);
-    // A terminal counts as left only after somebody has been there.
+    // A terminal reports a hang-up only after its other side has been open once.
     const int once = open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    if (once >= 0)
-        close(once);
+    if (once >= 0) close(once);
 }
 
-Terminal::~Terminal()
-{
-    close(master_);
-}
+Terminal::~Terminal() { close(master_); }
 
-Bytes Terminal::read()
-{
+Bytes Terminal::read() {
     Bytes bytes(4096);
-    pollfd state{ master_, POLLIN, 0 };
+    pollfd state{master_, POLLIN, 0};
     poll(&state, 1, 0);
     connected_ = (state.revents & POLLHUP) == 0;
     const ssize_t count = ::read(master_, bytes.data(), bytes.size());
@@ -48,17 +41,11 @@ Bytes Terminal::read()
     return bytes;
 }
 
-void Terminal::write(const Bytes &bytes)
-{
-    if (!connected_ || bytes.empty())
-        return;
-    if (::write(master_, bytes.data(), bytes.size()) < 0 && errno == EIO)
-        connected_ = false;
+void Terminal::write(const Bytes &bytes) {
+    if (!connected_ || bytes.empty()) return;
+    if (::write(master_, bytes.data(), bytes.size()) < 0 && errno == EIO) connected_ = false;
 }
 
-std::uint32_t Terminal::rate() const
-{
-    return terminal_rate(master_);
-}
+std::uint32_t Terminal::rate() const { return terminal_rate(master_); }
 
 } // namespace frob::serve

@@ -3,11 +3,9 @@
 
 #include "connection.h"
 
-namespace frob::serve
-{
+namespace frob::serve {
 
-class Terminal : public Connection
-{
+class Terminal : public Connection {
   public:
     Terminal(); // throws std::system_error
     ~Terminal() override;
@@ -24,7 +22,7 @@ class Terminal : public Connection
   private:
     int master_ = -1;
     std::string path_;
-    bool connected_ = false; // somebody has the other side open
+    bool connected_ = false; // a client has the other side open
 };
 
 } // namespace frob::serve

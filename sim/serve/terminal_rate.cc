@@ -3,11 +3,10 @@
 #include <asm/ioctls.h>
 #include <asm/termbits.h>
 
-// As in <sys/ioctl.h>, which would include the other termios.
+// Declared here because <sys/ioctl.h> would include the conflicting termios.
 extern "C" int ioctl(int descriptor, unsigned long request, ...) noexcept;
 
-std::uint32_t frob::serve::terminal_rate(int descriptor)
-{
+std::uint32_t frob::serve::terminal_rate(int descriptor) {
     termios2 settings{};
     return ioctl(descriptor, TCGETS2, &settings) == 0 ? settings.c_ospeed : 0;
 }

@@ -1,13 +1,12 @@
-// The rate that a client has set on a terminal, whatever it is.
+// The bit rate that a client has set on a terminal, including nonstandard rates.
 #pragma once
 
 #include <cstdint>
 
-namespace frob::serve
-{
+namespace frob::serve {
 
-// 0 if it cannot be told. Linux; apart because its header cannot be included
-// beside <termios.h>.
+// Returns 0 if the rate is unknown. Linux only. This function has its own file because its header
+// conflicts with <termios.h>.
 std::uint32_t terminal_rate(int descriptor);
 
 } // namespace frob::serve

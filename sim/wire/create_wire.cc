@@ -5,54 +5,60 @@
 
 #include "../create2.h"
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
 constexpr double mm_per_count = 3.14159265358979323846 * 72.0 / 508.8;
 constexpr double separation_mm = 235.0;
 constexpr int most_mm_s = 500;
 constexpr std::int64_t frame_period_ns = 15000000;
-constexpr std::size_t most_frame = 172; // bytes: at 115200 baud
+constexpr std::int64_t refresh_ns = 15000000, understood_ns = 1000000;
+constexpr std::size_t most_frame = 172; // bytes: the most that fits into 15 ms at 115200 baud
 constexpr std::uint8_t header = 19;
 
-// Data bytes of single packets from 7 on.
-constexpr std::array<std::uint8_t, 52> sizes = { 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2,
-                                                 2, 1, 2, 2, 1, 2, 2, 2, 2, 2, 2, 2, 1,
-                                                 2, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 1,
-                                                 2, 2, 2, 2, 2, 2, 1, 1, 2, 2, 2, 2, 1 };
+// Number of data bytes in each single packet, from packet 7 on.
+constexpr std::array<std::uint8_t, 52> sizes = {
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 1, 2, 2, 1, 2, 2, 2, 2, 2, 2, 2, 1,
+    2, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 1, 2, 2, 2, 2, 2, 2, 1, 1, 2, 2, 2, 2, 1};
 
 struct Group {
     unsigned id, first, last;
 };
-constexpr std::array<Group, 11> groups = { { { 0, 7, 26 },
-                                             { 1, 7, 16 },
-                                             { 2, 17, 20 },
-                                             { 3, 21, 26 },
-                                             { 4, 27, 34 },
-                                             { 5, 35, 42 },
-                                             { 6, 7, 42 },
-                                             { 100, 7, 58 },
-                                             { 101, 43, 58 },
-                                             { 106, 46, 51 },
-                                             { 107, 54, 58 } } };
+constexpr std::array<Group, 11> groups = {{{0, 7, 26},
+                                           {1, 7, 16},
+                                           {2, 17, 20},
+                                           {3, 21, 26},
+                                           {4, 27, 34},
+                                           {5, 35, 42},
+                                           {6, 7, 42},
+                                           {100, 7, 58},
+                                           {101, 43, 58},
+                                           {106, 46, 51},
+                                           {107, 54, 58}}};
 
-unsigned count_of(double way_mm)
-{
+// The robot's output while it restarts: each line, and its time after opcode 7.
+struct Said {
+    std::int64_t after_ns;
+    const char *text;
+};
+constexpr std::array<Said, 2> boot_says = {
+    {{1000000000,
+      "bl-start\r\nSTR730\r\nbootloader id: #x47186549 82ECCFFF\r\n"
+      "bootloader info rev: #xF000\r\nbootloader rev: #x0001\r\n2007-05-14-1715-L \r\n"},
+     {3000000000,
+      "Roomba by iRobot!\r\nstr730\r\n2015-08-24-1648-L\r\nbattery-current-zero 261\r\n"}}};
+
+unsigned count_of(double way_mm) {
     return static_cast<unsigned>(std::llround(std::floor(way_mm / mm_per_count)) & 0xFFFF);
 }
 
-unsigned two_complement(int value)
-{
-    return static_cast<unsigned>(value) & 0xFFFFu;
-}
+unsigned two_complement(int value) { return static_cast<unsigned>(value) & 0xFFFFu; }
 
 } // namespace
 
-// How many bytes the command has with its data, as far as is known by now.
-std::size_t CreateWire::needed() const
-{
+// Number of bytes of the current command, including its data, as far as is known from the bytes
+// received.
+std::size_t CreateWire::needed() const {
     const std::size_t have = command_.size();
     switch (command_[0]) {
     case 129:
@@ -72,52 +78,47 @@ std::size_t CreateWire::needed() const
     case 162: return 3;
     case 167: return 16;
     case 148:
-    case 149: // count, ids
+    case 149: // count, then ids
         return have < 2 ? 2 : 2u + command_[1];
-    case 140: // number, length, notes of two bytes
+    case 140: // number, length, then notes of two bytes each
         return have < 3 ? 3 : 3u + 2u * command_[2];
     default: return 1;
     }
 }
 
-void CreateWire::receive(const std::uint8_t *bytes, std::size_t count)
-{
-    for (std::size_t i = 0; i < count; ++i) {
+void CreateWire::receive(const std::uint8_t *bytes, std::size_t count) {
+    for (std::size_t i = 0; i < count && to_boot_ == 0; ++i) {
         command_.push_back(bytes[i]);
-        if (command_.size() < needed())
-            continue;
+        if (command_.size() < needed()) continue;
         command();
         command_.clear();
     }
 }
 
-int CreateWire::word(std::size_t at) const
-{
+int CreateWire::word(std::size_t at) const {
     const int value = command_[at] << 8 | command_[at + 1];
     return value < 0x8000 ? value : value - 0x10000;
 }
 
-void CreateWire::enter(Mode mode)
-{
+void CreateWire::enter(Mode mode) {
     mode_ = mode;
     drive_wheels(0, 0);
-    if (mode == Mode::off)
-        streaming_ = false;
+    if (mode != Mode::off) return;
+    streaming_ = false;
+    asked_.clear();
 }
 
-// Only in Safe and Full do the motors obey; rest is obeyed always.
-void CreateWire::drive_wheels(int right_mm_s, int left_mm_s)
-{
+// The motors obey only in Safe and Full mode, except that zero speed is always obeyed.
+void CreateWire::drive_wheels(int right_mm_s, int left_mm_s) {
     const bool obeys = mode_ == Mode::safe || mode_ == Mode::full;
     right_mm_s_ = obeys ? std::clamp(right_mm_s, -most_mm_s, most_mm_s) : 0;
     left_mm_s_ = obeys ? std::clamp(left_mm_s, -most_mm_s, most_mm_s) : 0;
     speed_mm_s_ = radius_mm_ = 0;
 }
 
-// DRIVE: a positive radius turns left; two values are straight, and two turn
-// in place.
-void CreateWire::drive_curve(int speed_mm_s, int radius_mm)
-{
+// DRIVE: a positive radius turns left. Two special radius values mean straight ahead, and two
+// others mean turning in place.
+void CreateWire::drive_curve(int speed_mm_s, int radius_mm) {
     speed_mm_s = std::clamp(speed_mm_s, -most_mm_s, most_mm_s);
     if (radius_mm == -32768 || radius_mm == 32767 || radius_mm == 0) {
         drive_wheels(speed_mm_s, speed_mm_s);
@@ -132,8 +133,7 @@ void CreateWire::drive_curve(int speed_mm_s, int radius_mm)
     radius_mm_ = radius_mm;
 }
 
-void CreateWire::tell() const
-{
+void CreateWire::tell() const {
     std::string text;
     switch (command_[0]) {
     case 7: text = "RESET"; break;
@@ -157,28 +157,22 @@ void CreateWire::tell() const
     if (command_[0] == 137 || command_[0] == 145 || command_[0] == 146)
         text += " " + std::to_string(word(1)) + " " + std::to_string(word(3));
     else
-        for (std::size_t i = 1; i < command_.size(); ++i)
-            text += " " + std::to_string(command_[i]);
+        for (std::size_t i = 1; i < command_.size(); ++i) text += " " + std::to_string(command_[i]);
     log(text);
 }
 
-void CreateWire::command()
-{
+void CreateWire::command() {
     const unsigned opcode = command_[0];
-    if (log && opcode != 0)
-        tell();
-    if (opcode == 7 || opcode == 173 || opcode == 133)
-        return enter(Mode::off);
-    if (opcode == 128)
-        return enter(Mode::passive);
-    if (mode_ == Mode::off)
-        return;
+    if (log && opcode != 0) tell();
+    if (opcode == 7) return reset();
+    if (opcode == 173 || opcode == 133) return enter(Mode::off);
+    if (opcode == 128) return enter(Mode::passive);
+    if (mode_ == Mode::off) return;
     switch (opcode) {
     case 130:
     case 131:
-        // A robot in the air or on its charger stays in Passive.
-        if (!senses_.leftDrop && !senses_.rightDrop && !senses_.charging)
-            enter(Mode::safe);
+        // A robot that is lifted or on its charger stays in Passive mode.
+        if (!senses_.leftDrop && !senses_.rightDrop && !senses_.charging) enter(Mode::safe);
         break;
     case 132: enter(Mode::full); break;
     case 134:
@@ -187,17 +181,18 @@ void CreateWire::command()
     case 143: enter(Mode::passive); break;
     case 137: drive_curve(word(1), word(3)); break;
     case 145: drive_wheels(word(1), word(3)); break;
-    case 146: // of 255
+    case 146: // duty cycle, of 255
         drive_wheels(word(1) * most_mm_s / 255, word(3) * most_mm_s / 255);
         break;
-    case 142: query(command_[1]); break;
-    case 149:
-        for (std::size_t i = 2; i < command_.size(); ++i)
-            query(command_[i]);
+    case 142:
+    case 149: // one packet; or a list, preceded by its length
+        if (asked_.empty())
+            answer_ns_ = (now_ns_ + understood_ns + refresh_ns - 1) / refresh_ns * refresh_ns;
+        asked_.insert(asked_.end(), command_.begin() + (opcode == 142 ? 1 : 2), command_.end());
         break;
     case 148:
         streamed_.assign(command_.begin() + 2, command_.end());
-        streaming_ = !streamed_.empty(); // asked for nothing, a robot falls silent
+        streaming_ = !streamed_.empty(); // a request for no packets ends the stream
         frame_ns_ = now_ns_ + frame_period_ns;
         break;
     case 150:
@@ -208,19 +203,32 @@ void CreateWire::command()
     }
 }
 
-void CreateWire::query(unsigned id)
-{
-    append(id, to_client);
+void CreateWire::answer() {
+    for (const std::uint8_t id : asked_) append(id, to_client);
+    asked_.clear();
 }
 
-// A packet's data, or those of a group's packets; nothing for what is none.
-void CreateWire::append(unsigned id, std::vector<std::uint8_t> &to)
-{
+void CreateWire::reset() {
+    enter(Mode::off);
+    reset_ns_ = now_ns_;
+    to_boot_ = boot_says.size();
+}
+
+void CreateWire::boot() {
+    for (; to_boot_ > 0; --to_boot_) {
+        const Said &said = boot_says[boot_says.size() - to_boot_];
+        if (now_ns_ < reset_ns_ + said.after_ns) return;
+        const std::string text = said.text;
+        to_client.insert(to_client.end(), text.begin(), text.end());
+    }
+}
+
+// Appends a packet's data, or those of all packets in a group; appends nothing for an unknown id.
+void CreateWire::append(unsigned id, std::vector<std::uint8_t> &to) {
     if (id < 7 || id > 58) {
         for (const Group &group : groups)
             if (group.id == id)
-                for (unsigned part = group.first; part <= group.last; ++part)
-                    append(part, to);
+                for (unsigned part = group.first; part <= group.last; ++part) append(part, to);
         return;
     }
     const frob_create_input &s = senses_;
@@ -282,33 +290,29 @@ void CreateWire::append(unsigned id, std::vector<std::uint8_t> &to)
     case 51: value = static_cast<unsigned>(std::clamp(s.light[id - 46], 0, 4095)); break;
     default: break;
     }
-    if (sizes[id - 7] == 2)
-        to.push_back(static_cast<std::uint8_t>(value >> 8));
+    if (sizes[id - 7] == 2) to.push_back(static_cast<std::uint8_t>(value >> 8));
     to.push_back(static_cast<std::uint8_t>(value & 0xFFu));
 }
 
-void CreateWire::send_frame()
-{
-    frame_.assign({ header, 0 });
+void CreateWire::send_frame() {
+    frame_.assign({header, 0});
     for (const std::uint8_t id : streamed_) {
         frame_.push_back(id);
         append(id, frame_);
     }
     frame_[1] = static_cast<std::uint8_t>(frame_.size() - 2);
     unsigned sum = 0;
-    for (const std::uint8_t byte : frame_)
-        sum += byte;
+    for (const std::uint8_t byte : frame_) sum += byte;
     frame_.push_back(static_cast<std::uint8_t>(0u - sum));
     if (frame_.size() <= most_frame)
         to_client.insert(to_client.end(), frame_.begin(), frame_.end());
 }
 
-void CreateWire::sense(const frob_create_input &input, std::int64_t now_ns)
-{
-    const double elapsed_s = static_cast<double>(now_ns - now_ns_) * 1e-9;
+void CreateWire::sense(const frob_create_input &input, std::int64_t now_ns) {
+    const double elapsed_s = static_cast<double>(now_ns - sensed_ns_) * 1e-9;
     left_way_mm_ += 1e3 * input.leftWheel * elapsed_s;
     right_way_mm_ += 1e3 * input.rightWheel * elapsed_s;
-    now_ns_ = now_ns;
+    now_ns_ = sensed_ns_ = now_ns;
     senses_ = input;
     const bool moves = left_mm_s_ != 0 || right_mm_s_ != 0;
     const bool cliff =
@@ -318,15 +322,14 @@ void CreateWire::sense(const frob_create_input &input, std::int64_t now_ns)
         enter(Mode::passive);
 }
 
-void CreateWire::advance(std::int64_t now_ns)
-{
+void CreateWire::advance(std::int64_t now_ns) {
     now_ns_ = std::max(now_ns_, now_ns);
-    for (; streaming_ && frame_ns_ <= now_ns; frame_ns_ += frame_period_ns)
-        send_frame();
+    boot();
+    if (answer_ns_ <= now_ns_) answer();
+    for (; streaming_ && frame_ns_ <= now_ns; frame_ns_ += frame_period_ns) send_frame();
 }
 
-frob_create_output CreateWire::output() const
-{
+frob_create_output CreateWire::output() const {
     frob_create_output output{};
     output.forward = 0.5e-3 * (left_mm_s_ + right_mm_s_);
     output.turn = (right_mm_s_ - left_mm_s_) / separation_mm;

@@ -1,10 +1,17 @@
-// A simulated Create 2's end of its serial line: the Open Interface as clients
-// see it, in front of any body that gives and takes what <frob/create.h> says.
+// A simulated Create 2's end of its serial line: the Open Interface, in front of any body that uses
+// the structs of <frob/create.h>.
 //
-// Written from the protocol's description and not from the driver, so that each
-// can judge the other. It takes every command of that description; lights,
-// songs, brushes and schedules have no effect. There is no watchdog: the last
-// drive command holds.
+// Written from the protocol's description and independently of the driver, so that each tests the
+// other. It accepts every command in that description; lights, songs, brushes and schedules have no
+// effect. There is no watchdog: the last drive command stays in effect.
+//
+// The robot refreshes its sensors every 15 ms. It answers a query at the next refresh, but at least
+// a millisecond after the query, which it needs to process the query. So a client never receives an
+// answer immediately after writing a query.
+//
+// Opcode 7 restarts the robot. That takes 3 s, in which it ignores commands and sends the text of
+// its bootloader (the text is from a Create 2, in pycreate2's issue 1; the times are from a client
+// library for the Roomba 600).
 #pragma once
 
 #include <array>
@@ -16,38 +23,36 @@
 
 #include <frob/create.h>
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class CreateWire
-{
+class CreateWire {
   public:
     enum class Mode : std::uint8_t { off, passive, safe, full };
 
-    // Bytes from the client.
+    // Receives bytes from the client.
     void receive(const std::uint8_t *bytes, std::size_t count);
 
-    // Forgets a command that is not complete.
+    // Drops an incomplete command.
     void forget() { command_.clear(); }
 
-    // What the body senses from `now_ns` on. Safe mode ends here: at a cliff
-    // while moving, a wheel drop, or a charger.
+    // Sets the body's sensor readings from `now_ns` on. Leaves Safe mode at a cliff while moving,
+    // at a wheel drop, and on a charger.
     void sense(const frob_create_input &input, std::int64_t now_ns);
 
-    // Sends what is due by itself until `now_ns`: frames, one every 15 ms. A frame
-    // that needs longer than that on the line is not sent.
+    // Sends everything that is due by `now_ns`: answers, and a stream frame every 15 ms. A frame
+    // that takes longer than 15 ms on the line is not sent.
     void advance(std::int64_t now_ns);
 
-    // What goes to the client and has not been cleared.
+    // Bytes for the client. The caller clears them after sending.
     std::vector<std::uint8_t> to_client;
 
-    // Told each command: the opcode's name and its numbers.
+    // Called for each command with its name and numbers.
     std::function<void(const std::string &)> log;
 
     Mode mode() const { return mode_; }
     int left_mm_s() const { return left_mm_s_; }
     int right_mm_s() const { return right_mm_s_; }
-    // The same for the body.
+    // The wheel speeds as a command for the body.
     frob_create_output output() const;
 
   private:
@@ -56,7 +61,9 @@ class CreateWire
     void enter(Mode mode);
     void drive_wheels(int right_mm_s, int left_mm_s);
     void drive_curve(int speed_mm_s, int radius_mm);
-    void query(unsigned id);
+    void answer();
+    void reset();
+    void boot();
     void append(unsigned id, std::vector<std::uint8_t> &to);
     void send_frame();
     std::size_t needed() const;
@@ -64,13 +71,18 @@ class CreateWire
 
     Mode mode_ = Mode::off;
     frob_create_input senses_{};
-    std::int64_t now_ns_ = 0, frame_ns_ = 0;
-    double left_way_mm_ = 0, right_way_mm_ = 0;   // all the way of the wheels
-    double asked_way_mm_ = 0, asked_turn_mm_ = 0; // when packets 19 and 20 were asked for
+    std::int64_t now_ns_ = 0, sensed_ns_ = 0, frame_ns_ = 0;
+    double left_way_mm_ = 0, right_way_mm_ = 0;   // total distances of the wheels
+    double asked_way_mm_ = 0, asked_turn_mm_ = 0; // their values when packets 19 and 20 were last
+                                                  // requested
     int left_mm_s_ = 0, right_mm_s_ = 0, speed_mm_s_ = 0, radius_mm_ = 0;
-    std::vector<std::uint8_t> command_; // bytes of it so far
+    std::vector<std::uint8_t> command_; // bytes received so far
     std::vector<std::uint8_t> streamed_, frame_;
     bool streaming_ = false;
+    std::vector<std::uint8_t> asked_; // requested packets that have not been sent
+    std::int64_t answer_ns_ = 0;      // when they are due
+    std::int64_t reset_ns_ = 0;       // time of the last restart
+    std::size_t to_boot_ = 0;         // steps of the restart that are still to come
 };
 
 } // namespace frob::sim

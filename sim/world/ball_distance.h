@@ -1,4 +1,4 @@
-// How well the robot keeps its distance from a ball, by geometry.
+// Measures how well the robot keeps its distance from a ball, from the true positions.
 #pragma once
 
 #include <cstdint>
@@ -6,19 +6,18 @@
 
 #include "scene.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class BallDistance
-{
+class BallDistance {
   public:
     explicit BallDistance(const MeasureSettings &settings) : settings_(settings) {}
 
-    // Takes the robot's pose and where the balls are, at a controller's instant. Returns the
-    // distance of the middle of its axle from the middle of the nearest ball, over the floor.
+    // Takes the robot's pose and the positions of the balls at an instant of the controller.
+    // Returns the horizontal distance from the middle of the robot's axle to the centre of the
+    // nearest ball.
     double observe(std::int64_t time_ns, const Pose &robot, const std::vector<Vec> &balls);
 
-    // Since the robot settled; NaN if it has not.
+    // Errors since the robot settled; NaN if it has not settled.
     double mean_error() const;
     double largest_error() const;
 

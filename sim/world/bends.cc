@@ -3,64 +3,57 @@
 #include <algorithm>
 #include <cmath>
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
 constexpr double piece = radians(5.0);
 constexpr double sharpest = radians(175.0);
 
-// Where a polyline turns, and between which points.
+// A corner of a polyline, with the points before and after it.
 struct Corner {
     Vec before, here, after;
 
     Vec in() const { return (1.0 / length(here - before)) * (here - before); }
     Vec out() const { return (1.0 / length(after - here)) * (after - here); }
     double turn() const { return std::atan2(cross(in(), out()), dot(in(), out())); }
-    // How far before and after the corner an arc that touches both sides begins
-    // and ends.
+    // The distance from the corner to the two ends of an arc that touches both sides.
     double reach(double radius) const { return radius * std::tan(std::abs(turn()) / 2); }
 };
 
-// Free ends are no corners.
-std::vector<Corner> corners_of(const std::vector<Vec> &points, bool closed)
-{
+// Free ends are not corners.
+std::vector<Corner> corners_of(const std::vector<Vec> &points, bool closed) {
     std::vector<Corner> corners;
     const std::size_t n = points.size();
     for (std::size_t i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i)
-        corners.push_back({ points[(i + n - 1) % n], points[i], points[(i + 1) % n] });
+        corners.push_back({points[(i + n - 1) % n], points[i], points[(i + 1) % n]});
     return corners;
 }
 
-void add_bend(const Corner &corner, double radius, std::vector<Vec> &to)
-{
+void add_bend(const Corner &corner, double radius, std::vector<Vec> &to) {
     const double turn = corner.turn(), reach = corner.reach(radius);
     const Vec begin = corner.here - reach * corner.in();
-    const double side = turn < 0.0 ? -1.0 : 1.0; // the middle is on the left of a left turn
+    const double side = turn < 0.0 ? -1.0 : 1.0; // the centre is on the left of a left turn
     const Vec in = corner.in();
-    const Vec middle = begin + side * radius * Vec{ -in.y, in.x };
+    const Vec middle = begin + side * radius * Vec{-in.y, in.x};
     const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / piece)));
     for (int k = 0; k <= pieces; ++k) {
         const double angle = turn * k / pieces;
         const Vec arm = begin - middle;
-        to.push_back(middle + Vec{ std::cos(angle) * arm.x - std::sin(angle) * arm.y,
-                                   std::sin(angle) * arm.x + std::cos(angle) * arm.y });
+        to.push_back(middle + Vec{std::cos(angle) * arm.x - std::sin(angle) * arm.y,
+                                  std::sin(angle) * arm.x + std::cos(angle) * arm.y});
     }
 }
 
 } // namespace
 
-std::optional<Vec> corner_without_room(const std::vector<Vec> &points, bool closed, double radius)
-{
+std::optional<Vec> corner_without_room(const std::vector<Vec> &points, bool closed, double radius) {
     const std::vector<Corner> corners = corners_of(points, closed);
     const std::size_t n = corners.size();
-    // What the neighbour on a shared segment needs of it; a free end needs nothing.
+    // The length that the corner at the other end of a segment needs; a free end needs none.
     const auto needed = [&](std::size_t i) { return corners[i % n].reach(radius); };
     for (std::size_t i = 0; i < n; ++i) {
         const Corner &corner = corners[i];
-        if (std::abs(corner.turn()) > sharpest)
-            return corner.here;
+        if (std::abs(corner.turn()) > sharpest) return corner.here;
         const double before = closed || i > 0 ? needed(i + n - 1) : 0.0;
         const double after = closed || i + 1 < n ? needed(i + 1) : 0.0;
         if (needed(i) + before > length(corner.here - corner.before) ||
@@ -70,15 +63,11 @@ std::optional<Vec> corner_without_room(const std::vector<Vec> &points, bool clos
     return std::nullopt;
 }
 
-std::vector<Vec> with_bends(const std::vector<Vec> &points, bool closed, double radius)
-{
+std::vector<Vec> with_bends(const std::vector<Vec> &points, bool closed, double radius) {
     std::vector<Vec> bent;
-    if (!closed)
-        bent.push_back(points.front());
-    for (const Corner &corner : corners_of(points, closed))
-        add_bend(corner, radius, bent);
-    if (!closed)
-        bent.push_back(points.back());
+    if (!closed) bent.push_back(points.front());
+    for (const Corner &corner : corners_of(points, closed)) add_bend(corner, radius, bent);
+    if (!closed) bent.push_back(points.back());
     return bent;
 }
 

@@ -1,36 +1,32 @@
-// The floor as sensors that look down see it: how bright it is, and where it ends.
+// The floor as sensors that look down see it: its reflectance, and its holes.
 #pragma once
 
 #include <vector>
 
 #include "scene.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class Floor
-{
+class Floor {
   public:
     explicit Floor(const Scene &scene);
 
-    // Whether there is a hole somewhere, and at this place.
+    // Whether the floor has holes at all, and whether it has one at this place.
     bool has_holes() const { return !holes_.empty(); }
     bool ends(Vec place) const;
 
-    // The share of light that comes back from a spot of this width round a
-    // place: 0 from a hole. Where the spot lies on an edge it is between the
-    // reflectances of the two sides: the spot is a square that lies along the
-    // edge, and the share of it beyond the edge counts.
+    // The fraction of light that a spot of width `spot` around a place reflects; 0 from a hole. If
+    // the spot lies on an edge, the result lies between the reflectances of the two sides: the spot
+    // counts as a square aligned with the edge, and each side counts by its share of the square.
     double reflectance(Vec place, double spot) const;
 
   private:
-    // What a point can be on or off: a distance from its middle line or its
-    // edge, and the rectangle round it.
+    // An area or stripe on the floor, with its bounding box.
     struct Layer {
         std::vector<Vec> points;
         bool outlined; // an area with this outline; otherwise a stripe along the points
-        bool closed;   // of a stripe
-        double width;  // of a stripe
+        bool closed;   // for stripes
+        double width;  // for stripes
         double reflectance;
         Vec low, high;
     };
@@ -39,7 +35,7 @@ class Floor
     static Layer stripe(const Tape &tape);
 
     double reflectance_;
-    std::vector<Layer> layers_; // from below
+    std::vector<Layer> layers_; // from bottom to top
     std::vector<Hole> holes_;
 };
 

@@ -1,23 +1,19 @@
-// What things look like to a camera.
+// The appearance of things to a camera.
 #pragma once
 
 #include <optional>
 #include <string>
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// Shares of red, green and blue, 0 to 1.
+// Red, green and blue, each from 0 to 1.
 struct Tint {
     double red = 0.0;
     double green = 0.0;
     double blue = 0.0;
 };
 
-constexpr Tint operator*(double k, Tint t)
-{
-    return { k * t.red, k * t.green, k * t.blue };
-}
+constexpr Tint operator*(double k, Tint t) { return {k * t.red, k * t.green, k * t.blue}; }
 
 enum class Texture { plain, plaster, bricks, stripes, checks };
 
@@ -27,10 +23,10 @@ struct Look {
     double height = 0.0; // m, from the floor
 };
 
-// A colour by its name, or as "#rrggbb"; none if it is neither.
+// Parses a colour name or "#rrggbb"; returns no value if it is neither.
 std::optional<Tint> tint_of(const std::string &text);
 
-// The names of colours, and of textures, for messages.
+// The names of all colours and all textures, for messages.
 std::string tint_names();
 std::optional<Texture> texture_of(const std::string &name);
 std::string texture_names();

@@ -7,36 +7,29 @@
 #include <fstream>
 #include <iterator>
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
-constexpr int most_pixels = 4096; // of a side
-constexpr int cell = 16;          // pixels of a tag's cell
+constexpr int most_pixels = 4096; // limit on width and height
+constexpr int cell = 16;          // pixels per cell of a tag
 
-// The 6 by 6 cells inside the black frame, from the upper left one, 1 for white, as
-// AprilTag 3 prints them (Wang and Olson, AprilTag 2, 2016).
+// The 6 by 6 cells inside the black frame, row by row from the upper left, 1 for white, as AprilTag
+// 3 prints them (Wang and Olson, AprilTag 2, 2016).
 constexpr std::array<std::uint64_t, Print::tags> codes = {
     0xd5d628584, 0xd97f18b49, 0xdd280910e, 0xe479e9c98, 0xebcbca822, 0xf31dab3ac,
     0x056a5d085, 0x10652e1d4, 0x22b1dfead, 0x265ad0472, 0x34fe91b86, 0x3ff962cd5,
     0x43a25329a, 0x474b4385f, 0x4e9d243e9, 0x5246149ae, 0x5997f5538, 0x683bb6c4c,
     0x6be4a7211, 0x7e3158eea, 0x81da494af, 0x858339a74, 0x8cd51a5fe, 0x9f21cc2d7,
-    0xa2cabc89c, 0xadc58d9eb, 0xb16e7dfb0, 0xb8c05eb3a, 0xd25ef139d, 0xd607e1962
-};
+    0xa2cabc89c, 0xadc58d9eb, 0xb16e7dfb0, 0xb8c05eb3a, 0xd25ef139d, 0xd607e1962};
 
-bool is_white(std::uint64_t code, int x, int y)
-{
-    if (x == 0 || y == 0 || x == 9 || y == 9)
-        return true;
-    if (x == 1 || y == 1 || x == 8 || y == 8)
-        return false;
+bool is_white(std::uint64_t code, int x, int y) {
+    if (x == 0 || y == 0 || x == 9 || y == 9) return true;
+    if (x == 1 || y == 1 || x == 8 || y == 8) return false;
     return (code >> (35 - 6 * (y - 2) - (x - 2)) & 1) != 0;
 }
 
-// A number of a netpbm file's head, behind blanks and comments.
-int next_number(const std::string &text, std::size_t &at)
-{
+// Reads a number of a netpbm file's header, skipping whitespace and comments.
+int next_number(const std::string &text, std::size_t &at) {
     for (; at < text.size(); ++at) {
         if (text[at] == '#')
             at = std::min(text.find('\n', at), text.size() - 1);
@@ -52,17 +45,16 @@ int next_number(const std::string &text, std::size_t &at)
 
 } // namespace
 
-Print::Print(int width, int height, const std::vector<std::uint8_t> &pixels)
-{
-    Level first{ width, height, {} };
+Print::Print(int width, int height, const std::vector<std::uint8_t> &pixels) {
+    Level first{width, height, {}};
     for (std::size_t i = 0; i + 2 < pixels.size(); i += 3)
-        first.pixels.push_back({ static_cast<float>(pixels[i]) / 255.0f,
-                                 static_cast<float>(pixels[i + 1]) / 255.0f,
-                                 static_cast<float>(pixels[i + 2]) / 255.0f });
+        first.pixels.push_back({static_cast<float>(pixels[i]) / 255.0f,
+                                static_cast<float>(pixels[i + 1]) / 255.0f,
+                                static_cast<float>(pixels[i + 2]) / 255.0f});
     levels_.push_back(std::move(first));
     while (levels_.back().width > 1 && levels_.back().height > 1) {
         const Level &finer = levels_.back();
-        Level level{ finer.width / 2, finer.height / 2, {} };
+        Level level{finer.width / 2, finer.height / 2, {}};
         for (int y = 0; y < level.height; ++y) {
             for (int x = 0; x < level.width; ++x) {
                 const auto *high =
@@ -78,57 +70,51 @@ Print::Print(int width, int height, const std::vector<std::uint8_t> &pixels)
     }
 }
 
-Print Print::of_file(const std::string &path)
-{
+Print Print::of_file(const std::string &path) {
     std::ifstream file(path, std::ios::binary);
-    const std::string text{ std::istreambuf_iterator<char>(file),
-                            std::istreambuf_iterator<char>() };
-    if (!file.is_open() || file.bad())
-        throw std::runtime_error("cannot read this picture");
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (!file.is_open() || file.bad()) throw std::runtime_error("cannot read this picture");
     const bool colours = text.compare(0, 2, "P6") == 0;
     if (!colours && text.compare(0, 2, "P5") != 0)
-        throw std::runtime_error("a picture is a binary PGM or PPM file");
+        throw std::runtime_error("a picture must be a binary PGM or PPM file");
     std::size_t at = 2;
     const int width = next_number(text, at), height = next_number(text, at);
     const int most = next_number(text, at);
     if (width < 1 || height < 1 || width > most_pixels || height > most_pixels || most != 255)
-        throw std::runtime_error("a picture has sides of 1 to 4096 pixels, of values up to 255");
+        throw std::runtime_error(
+            "a picture must have sides of 1 to 4096 pixels and values up to 255");
     const std::size_t bytes = colours ? 3 : 1;
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    ++at; // the blank that ends the head
+    ++at; // the whitespace that ends the header
     if (text.size() < at + bytes * pixels)
-        throw std::runtime_error("this picture is not as long as its head says");
+        throw std::runtime_error("the size of this picture does not match its header");
     std::vector<std::uint8_t> colour;
     for (std::size_t i = 0; i < 3 * pixels; ++i)
         colour.push_back(static_cast<std::uint8_t>(text[at + (colours ? i : i / 3)]));
-    return { width, height, colour };
+    return {width, height, colour};
 }
 
-Print Print::tag(int id)
-{
+Print Print::tag(int id) {
     const std::uint64_t code = codes[static_cast<std::size_t>(id)];
     std::vector<std::uint8_t> pixels;
     for (int y = 0; y < 10 * cell; ++y)
         for (int x = 0; x < 10 * cell; ++x)
             pixels.insert(pixels.end(), 3, is_white(code, x / cell, y / cell) ? 235 : 16);
-    return { 10 * cell, 10 * cell, pixels };
+    return {10 * cell, 10 * cell, pixels};
 }
 
-// Between the middles of four pixels, of the first level whose pixels are not much finer than those
-// that see them.
+// Interpolates between four pixels of a mipmap level: the first one whose pixels are not much finer
+// than those of the camera.
 void Print::colours(int count, const float *x, const float *y, const float *per_width, float light,
-                    float *to) const
-{
+                    float *to) const {
     std::size_t number = 0;
     const auto is_too_fine = [&](std::size_t level, float pixels) {
         return level + 1 < levels_.size() &&
                static_cast<float>(levels_[level].width) > 1.5f * pixels;
     };
     for (int i = 0; i < count; ++i) {
-        while (is_too_fine(number, per_width[i]))
-            ++number;
-        while (number > 0 && !is_too_fine(number - 1, per_width[i]))
-            --number;
+        while (is_too_fine(number, per_width[i])) ++number;
+        while (number > 0 && !is_too_fine(number - 1, per_width[i])) --number;
         const Level &l = levels_[number];
         const float right = static_cast<float>(l.width - 1),
                     bottom = static_cast<float>(l.height - 1);

@@ -1,14 +1,12 @@
-// A ball's way over the floor, at an even speed: from point to point, and at the end back, or
-// round and round.
+// A ball's motion along its path at constant speed. At the end it rolls back, or starts over if the
+// path is closed.
 #pragma once
 
 #include "scene.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-class Rolling
-{
+class Rolling {
   public:
     explicit Rolling(const Ball &ball);
 
@@ -16,10 +14,10 @@ class Rolling
     Vec place() const;
 
   private:
-    std::vector<Vec> corners_; // there and back; the last is joined to the first
+    std::vector<Vec> corners_; // the path there and back; the last corner is joined to the first
     double speed_;
-    std::size_t behind_ = 0; // the corner that was passed last
-    double gone_ = 0.0;      // m since then
+    std::size_t behind_ = 0; // the last corner it passed
+    double gone_ = 0.0;      // m travelled since then
 };
 
 } // namespace frob::sim

@@ -1,4 +1,4 @@
-// How well the robot keeps to the tape on the floor, by geometry.
+// Measures how well the robot keeps to the tape on the floor, from its true position.
 #pragma once
 
 #include <cstdint>
@@ -6,43 +6,41 @@
 
 #include "scene.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// Where tape is nearest to a point.
+// The place on the tape that is nearest to a point.
 struct OnTape {
-    std::size_t tape; // in the scene's order
+    std::size_t tape; // index in the scene
     double distance;  // from its middle line
-    double along;     // from its first point on
+    double along;     // along the tape from its first point
 };
 
-// The scene has tape.
+// The scene must have tape.
 OnTape nearest_on_tape(const Scene &scene, Vec point);
 
-// What a run came to.
-class TapeDistance
-{
+// Measurements of a run.
+class TapeDistance {
   public:
-    // The scene must outlive it, and has tape.
+    // The scene must outlive this object and have tape.
     TapeDistance(const Scene &scene, const MeasureSettings &settings);
 
-    // Takes the robot's pose at a controller's instant. Returns the distance of
-    // the middle of its axle from the nearest tape's middle line.
+    // Takes the robot's pose at an instant of the controller. Returns the distance from the middle
+    // of its axle to the middle line of the nearest tape.
     double observe(std::int64_t time_ns, const Pose &robot);
 
-    // Since the robot settled; NaN if it has not.
+    // Distances since the robot settled; NaN if it has not settled.
     double mean() const;
     double largest() const;
 
-    // How far it has come along the tape since it settled, in the order of the tape's points;
-    // round a closed one again and again. What is too far from one instant to
-    // the next (at a crossing, or from one tape to another) does not count.
+    // Distance travelled along the tape since the robot settled, in the order of the tape's points;
+    // on a closed tape, laps add up. Jumps from one instant to the next (at a crossing, or from one
+    // tape to another) do not count.
     double way() const { return way_; }
 
   private:
     const Scene &scene_;
     MeasureSettings settings_;
-    std::vector<double> lengths_; // of the closed tapes; 0 of others
+    std::vector<double> lengths_; // length of each closed tape; 0 for others
     bool settled_ = false;
     OnTape before_{};
     double sum_ = 0.0, largest_ = 0.0, way_ = 0.0;

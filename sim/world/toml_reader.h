@@ -1,4 +1,4 @@
-// A TOML table read key by key, with messages that name file, line and column.
+// Reads a TOML table key by key, and reports mistakes with file, line and column.
 #pragma once
 
 #include <optional>
@@ -10,19 +10,17 @@
 
 #include "geometry.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
 // The mistakes found in a file so far.
-class Mistakes
-{
+class Mistakes {
   public:
     explicit Mistakes(std::string path) : path_(std::move(path)) {}
 
     void add(const toml::source_region &where, const std::string &message);
     bool any() const { return !found_.empty(); }
 
-    // A line for each, in the file's order.
+    // One line for each mistake, in the order of the file.
     std::string text() const;
 
     // `FILE:LINE:COLUMN`.
@@ -38,18 +36,17 @@ class Mistakes
     std::vector<Mistake> found_;
 };
 
-// What a world has of points at the most: more are slower than the robot.
+// Limit on the number of points in a world. With more, the simulation runs slower than real time.
 constexpr std::size_t most_points = 20'000;
 
-// Which numbers a key takes; none beyond a million. Box2D merges what is nearer
-// than a few millimetres, so things that have a size are a centimetre or more.
+// The range of numbers that a key allows; none may exceed a million. Box2D merges points that are a
+// few millimetres apart, so sizes must be at least a centimetre.
 enum class Range { any, not_negative, positive, size, share, part, error, turn };
 
-// Asks a table for its keys; `finish` then reports the keys nobody asked for, and
-// those that are needed and missing, unless one of the former was meant for it.
-// A mistake is reported and a default returned, so that reading goes on.
-class TomlReader
-{
+// Reads the keys of a table. `finish` then reports all unknown keys and all missing required keys,
+// except a missing key for which an unknown one was probably meant. After a mistake, the reader
+// returns a default and continues.
+class TomlReader {
   public:
     TomlReader(Mistakes &mistakes, const toml::table &table) : mistakes_(mistakes), table_(table) {}
 
@@ -61,24 +58,24 @@ class TomlReader
     std::string string(std::string_view key);
     std::string needed_string(std::string_view key);
     Vec needed_point(std::string_view key, Range range);
-    // Neighbours differ; so do the last and the first if `closed`.
+    // Neighbouring points must differ; if `closed`, so must the last and the first.
     std::vector<Vec> needed_points(std::string_view key, std::size_t least, bool closed);
 
-    // Whatever is at a key, or nullptr.
+    // Returns the value at a key, whatever its type, or nullptr.
     const toml::node *any(std::string_view key) { return find(key); }
 
-    // The table at a key, or nullptr.
+    // Returns the table at a key, or nullptr.
     const toml::table *table(std::string_view key);
-    // The tables of `[[key]]`; none if it does not occur.
+    // Returns the tables of `[[key]]`; empty if there are none.
     std::vector<const toml::table *> tables(std::string_view key);
 
-    // The one table of `[key]`, or those of `[[key]]`.
+    // Returns the one table of `[key]`, or those of `[[key]]`.
     std::vector<const toml::table *> table_or_tables(std::string_view key);
 
     // Where this table starts, `FILE:LINE:COLUMN`.
     std::string place() const { return mistakes_.place(table_.source().begin); }
 
-    // Says that something is wrong with this table as a whole, or with a key.
+    // Reports a mistake in this table as a whole, or at a key.
     void mistake(const std::string &message);
     void mistake_at(std::string_view key, const std::string &message);
 

@@ -1,4 +1,4 @@
-// Polygons cut into triangles: Box2D's solids are convex.
+// Cuts polygons into triangles, because Box2D's solids must be convex.
 #pragma once
 
 #include <array>
@@ -6,20 +6,19 @@
 
 #include "geometry.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
 using Triangle = std::array<Vec, 3>;
 
-// Twice the area is the sum of the cross products along the outline; positive
-// if it runs counter-clockwise.
+// The signed area of a polygon, half the sum of the cross products along the outline; positive if
+// the outline runs counter-clockwise.
 double signed_area(const std::vector<Vec> &outline);
 
-// No two edges cross or touch, but neighbours at their common point.
+// Whether no two edges cross or touch, except neighbours at their common point.
 bool is_simple(const std::vector<Vec> &outline);
 
-// Takes a simple counter-clockwise outline. Method: ear clipping, quadratic in
-// the number of points.
+// Triangulates a simple counter-clockwise outline by ear clipping, in time quadratic in the number
+// of points.
 std::vector<Triangle> triangulate(std::vector<Vec> outline);
 
 } // namespace frob::sim

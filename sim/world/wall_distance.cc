@@ -4,10 +4,8 @@
 #include <cmath>
 #include <limits>
 
-namespace frob::sim
-{
-double clearance(const Scene &scene, Vec point)
-{
+namespace frob::sim {
+double clearance(const Scene &scene, Vec point) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Wall &wall : scene.walls)
         nearest = std::min(nearest, distance_to_polyline(wall.points, wall.closed, point) -
@@ -18,11 +16,12 @@ double clearance(const Scene &scene, Vec point)
                                         : distance_to_polyline(polygon.points, true, point));
     for (const Circle &circle : scene.circles)
         nearest = std::min(nearest, length(point - circle.center) - circle.radius);
+    for (const Cone &cone : scene.cones)
+        nearest = std::min(nearest, length(point - cone.center) - cone.radius);
     return std::max(nearest, 0.0);
 }
 
-double WallDistance::observe(std::int64_t time_ns, const Pose &robot)
-{
+double WallDistance::observe(std::int64_t time_ns, const Pose &robot) {
     const bool left = settings_.side == MeasureSettings::Side::left;
     const double distance =
         clearance(scene_, from_frame(robot, left ? chassis_.left : chassis_.right));
@@ -35,14 +34,12 @@ double WallDistance::observe(std::int64_t time_ns, const Pose &robot)
     return distance;
 }
 
-double WallDistance::mean_error() const
-{
+double WallDistance::mean_error() const {
     return count_ == 0 ? std::numeric_limits<double>::quiet_NaN()
                        : sum_ / static_cast<double>(count_);
 }
 
-double WallDistance::largest_error() const
-{
+double WallDistance::largest_error() const {
     return count_ == 0 ? std::numeric_limits<double>::quiet_NaN() : largest_;
 }
 

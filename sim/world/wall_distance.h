@@ -1,4 +1,4 @@
-// How well the robot keeps its distance from the wall, by geometry.
+// Measures how well the robot keeps its distance from the wall, from its true position.
 #pragma once
 
 #include <cstdint>
@@ -7,28 +7,24 @@
 #include "chassis.h"
 #include "scene.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// Distance from a point to the nearest wall, polygon or circle: 0 inside one,
-// infinite where there is none. Boxes, which can be pushed away, do not count.
+// Distance from a point to the nearest wall, polygon or circle; 0 inside one, infinite if there are
+// none. Boxes do not count, because they can be pushed away.
 double clearance(const Scene &scene, Vec point);
 
 // The errors of a run.
-class WallDistance
-{
+class WallDistance {
   public:
-    // Scene and robot's description must outlive it.
+    // The scene and the chassis must outlive this object.
     WallDistance(const Scene &scene, const Chassis &chassis, const MeasureSettings &settings)
-        : scene_(scene), chassis_(chassis), settings_(settings)
-    {
-    }
+        : scene_(scene), chassis_(chassis), settings_(settings) {}
 
-    // Takes the robot's pose at a controller's instant. Returns the distance
-    // from the robot's measured side.
+    // Takes the robot's pose at an instant of the controller. Returns the distance from the
+    // measured side of the robot.
     double observe(std::int64_t time_ns, const Pose &robot);
 
-    // Since the robot settled; NaN if it has not.
+    // Errors since the robot settled; NaN if it has not settled.
     double mean_error() const;
     double largest_error() const;
 

@@ -1,6 +1,7 @@
-// The physical world: Box2D seen from above, without gravity.
+// The physical world: Box2D as a top view, without gravity.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <box2d/box2d.h>
@@ -10,12 +11,10 @@
 #include "rolling.h"
 #include "scene.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// The scene's solids and boxes, and a robot at each of its starts.
-class World
-{
+// The scene's solids and boxes, and a robot at each start.
+class World {
   public:
     World(const Scene &scene, const Chassis &chassis);
 
@@ -35,17 +34,23 @@ class World
     std::vector<Pose> box_poses() const;
     std::vector<Vec> ball_places() const;
 
+    // The owner of a fixture, for display: "the wall (room.toml, line 12)" or "robot 2".
+    const std::string &name_of(const b2Fixture &fixture) const;
+
   private:
+    // adds a name and returns its index in names_
+    std::size_t name(const char *kind, const std::string &place);
     b2Body &add_box(const Box &box);
     b2Body &add_ball(const Ball &ball);
     void roll_balls();
 
     b2World physics_;
+    std::vector<std::string> names_;
     b2Body *fixed_;
     std::vector<Body> robots_;
     std::vector<b2Body *> boxes_;
     std::vector<b2Body *> balls_;
-    std::vector<Rolling> rolling_; // of each ball
+    std::vector<Rolling> rolling_; // one for each ball
 };
 
 } // namespace frob::sim

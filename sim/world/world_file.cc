@@ -1,7 +1,9 @@
 #include "world_file.h"
 
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -11,21 +13,18 @@
 #include "toml_syntax.h"
 #include "triangulate.h"
 
-namespace frob::sim
-{
-namespace
-{
+namespace frob::sim {
+namespace {
 
 constexpr int most_robots = 10'000;
 
-// More than these are slower than the robot, or want a gigabyte.
-constexpr std::size_t most_bytes = 4 << 20; // of a file
+// Limits on a world. Larger worlds run slower than real time or need a gigabyte of memory.
+constexpr std::size_t most_bytes = 4 << 20; // size of the file
 constexpr std::size_t most_boxes = 2'000, most_in_one_place = 16;
 
-// One robot, or a block of `count` in rows of `columns`, `spacing` apart: the
-// first row goes from (x, y) along x, the next stands beside it along y.
-void read_start(TomlReader reader, std::vector<Start> &starts)
-{
+// Reads one robot, or a block of `count` robots in rows of `columns`, `spacing` apart: the first
+// row runs from (x, y) along x, and the following rows are offset along y.
+void read_start(TomlReader reader, std::vector<Start> &starts) {
     Pose pose;
     pose.position.x = reader.needed_number("x", Range::any);
     pose.position.y = reader.needed_number("y", Range::any);
@@ -36,90 +35,81 @@ void read_start(TomlReader reader, std::vector<Start> &starts)
     const double spacing = count > 1 ? reader.needed_number("spacing", Range::size)
                                      : reader.number("spacing", 1.0, Range::size);
     for (int k = 0; k < count; ++k) {
-        const Vec place = { static_cast<double>(k % columns), static_cast<double>(k / columns) };
-        starts.push_back({ { pose.position + spacing * place, pose.heading }, reader.place() });
+        const Vec place = {static_cast<double>(k % columns), static_cast<double>(k / columns)};
+        starts.push_back({{pose.position + spacing * place, pose.heading}, reader.place()});
     }
     reader.finish();
 }
 
-Tint read_tint(TomlReader &reader, const char *key, Tint otherwise)
-{
+Tint read_tint(TomlReader &reader, const char *key, Tint otherwise) {
     const std::string text = reader.string(key);
-    if (text.empty())
-        return otherwise;
-    if (const std::optional<Tint> tint = tint_of(text))
-        return *tint;
-    reader.mistake_at(key, "there is no colour `" + text + "`; the colours: " + tint_names() +
+    if (text.empty()) return otherwise;
+    if (const std::optional<Tint> tint = tint_of(text)) return *tint;
+    reader.mistake_at(key, "there is no colour `" + text + "`; the colours are " + tint_names() +
                                ", and `#rrggbb`");
     return otherwise;
 }
 
-std::optional<Tint> read_optional_tint(TomlReader &reader)
-{
-    const Tint none = { -1.0, 0.0, 0.0 };
+std::optional<Tint> read_optional_tint(TomlReader &reader) {
+    const Tint none = {-1.0, 0.0, 0.0};
     const Tint tint = read_tint(reader, "colour", none);
     return tint.red < 0.0 ? std::nullopt : std::optional(tint);
 }
 
-Texture read_texture(TomlReader &reader, Texture otherwise)
-{
+Texture read_texture(TomlReader &reader, Texture otherwise) {
     const std::string name = reader.string("texture");
-    if (name.empty())
-        return otherwise;
-    if (const std::optional<Texture> texture = texture_of(name))
-        return *texture;
+    if (name.empty()) return otherwise;
+    if (const std::optional<Texture> texture = texture_of(name)) return *texture;
     reader.mistake_at("texture",
-                      "there is no texture `" + name + "`; the textures: " + texture_names());
+                      "there is no texture `" + name + "`; the textures are " + texture_names());
     return otherwise;
 }
 
-// What it is for cameras.
-Look read_look(TomlReader &reader, Look look)
-{
+// Reads the appearance for cameras.
+Look read_look(TomlReader &reader, Look look) {
     look.tint = read_tint(reader, "colour", look.tint);
     look.texture = read_texture(reader, look.texture);
     look.height = reader.number("height", look.height, Range::size);
     return look;
 }
 
-Wall read_wall(TomlReader reader)
-{
+Wall read_wall(TomlReader reader) {
     Wall wall;
     wall.closed = reader.boolean("closed", wall.closed);
     wall.points = reader.needed_points("points", wall.closed ? 3 : 2, wall.closed);
     wall.thickness = reader.number("thickness", wall.thickness, Range::size);
     wall.look = read_look(reader, wall.look);
+    wall.place = reader.place();
     reader.finish();
     return wall;
 }
 
-Polygon read_polygon(TomlReader reader)
-{
+Polygon read_polygon(TomlReader reader) {
     Polygon polygon;
     polygon.points = reader.needed_points("points", 3, true);
     if (!polygon.points.empty()) {
         if (!is_simple(polygon.points))
             reader.mistake_at("points", "the edges of this polygon cross or touch");
         else if (signed_area(polygon.points) < 0.0)
-            polygon.points = { polygon.points.rbegin(), polygon.points.rend() };
+            polygon.points = {polygon.points.rbegin(), polygon.points.rend()};
     }
     polygon.look = read_look(reader, polygon.look);
+    polygon.place = reader.place();
     reader.finish();
     return polygon;
 }
 
-Circle read_circle(TomlReader reader)
-{
+Circle read_circle(TomlReader reader) {
     Circle circle;
     circle.center = reader.needed_point("center", Range::any);
     circle.radius = reader.needed_number("radius", Range::size);
     circle.look = read_look(reader, circle.look);
+    circle.place = reader.place();
     reader.finish();
     return circle;
 }
 
-Box read_box(TomlReader reader)
-{
+Box read_box(TomlReader reader) {
     Box box;
     box.pose.position = reader.needed_point("center", Range::any);
     box.pose.heading = radians(reader.number("angle_deg", 0.0, Range::any));
@@ -127,47 +117,46 @@ Box read_box(TomlReader reader)
     box.mass = reader.number("mass", box.mass, Range::positive);
     box.friction = reader.number("friction", box.friction, Range::not_negative);
     box.look = read_look(reader, box.look);
+    box.place = reader.place();
     reader.finish();
     return box;
 }
 
-// Where it lies, or the way that it goes.
-Ball read_ball(TomlReader reader, bool has_way)
-{
+// Reads a ball that rests at a place or rolls along a path.
+Ball read_ball(TomlReader reader, bool has_way) {
     Ball ball;
     if (has_way) {
         ball.closed = reader.boolean("closed", ball.closed);
         ball.way = reader.needed_points("way", ball.closed ? 3 : 2, ball.closed);
         ball.speed = reader.needed_number("speed", Range::positive);
     } else {
-        ball.way = { reader.needed_point("center", Range::any) };
+        ball.way = {reader.needed_point("center", Range::any)};
     }
     ball.radius = reader.number("radius", ball.radius, Range::size);
     ball.mass = reader.number("mass", ball.mass, Range::positive);
     ball.tint = read_tint(reader, "colour", ball.tint);
+    ball.place = reader.place();
     reader.finish();
     return ball;
 }
 
-Cone read_cone(TomlReader reader)
-{
+Cone read_cone(TomlReader reader) {
     Cone cone;
     cone.center = reader.needed_point("center", Range::any);
     cone.radius = reader.number("radius", cone.radius, Range::size);
     cone.look = read_look(reader, cone.look);
+    cone.place = reader.place();
     reader.finish();
     return cone;
 }
 
-void read_place(TomlReader &reader, Poster &poster)
-{
+void read_place(TomlReader &reader, Poster &poster) {
     poster.pose.position = reader.needed_point("center", Range::any);
     poster.pose.heading = radians(reader.needed_number("facing_deg", Range::any));
     poster.middle = reader.number("middle", poster.middle, Range::any);
 }
 
-Poster read_poster(TomlReader reader, const std::string &folder)
-{
+Poster read_poster(TomlReader reader, const std::string &folder) {
     Poster poster;
     read_place(reader, poster);
     poster.size = reader.needed_point("size", Range::size);
@@ -182,21 +171,19 @@ Poster read_poster(TomlReader reader, const std::string &folder)
     return poster;
 }
 
-// `size` is that of the black frame, which is eight cells of the ten.
-Poster read_tag(TomlReader reader)
-{
+// `size` is the width of the black frame, which takes eight of the ten cells.
+Poster read_tag(TomlReader reader) {
     Poster tag;
     read_place(reader, tag);
     const double size = 10.0 / 8.0 * reader.needed_number("size", Range::size);
-    tag.size = { size, size };
+    tag.size = {size, size};
     tag.print = Print::tag(reader.integer("id", 0, 0, Print::tags - 1));
     reader.finish();
     return tag;
 }
 
-// What cameras and pairs of them have in common.
-CameraSettings read_any_camera(TomlReader &reader)
-{
+// Reads the keys that single cameras and stereo pairs share.
+CameraSettings read_any_camera(TomlReader &reader) {
     CameraSettings camera;
     camera.width = reader.integer("width", camera.width, 8, CameraSettings::most_pixels);
     camera.height = reader.integer("height", camera.height, 8, CameraSettings::most_pixels);
@@ -206,12 +193,12 @@ CameraSettings read_any_camera(TomlReader &reader)
         reader.mistake_at("field_of_view_deg", "`field_of_view_deg` must be at most 150");
     camera.rate = reader.number("rate", camera.rate, Range::positive);
     if (camera.rate > 200.0)
-        reader.mistake_at("rate", "`rate` must be at most 200, as often as the physics has a step");
+        reader.mistake_at("rate", "`rate` must be at most 200, the rate of the physics steps");
     camera.latency = reader.number("latency", camera.latency, Range::not_negative);
     camera.rolling = reader.number("rolling", camera.rolling, Range::not_negative);
     if (camera.rolling * camera.rate > 1.0)
-        reader.mistake_at("rolling", "`rolling` must be at most 1 / `rate`, the time from frame to "
-                                     "frame: a row is taken once in each");
+        reader.mistake_at("rolling", "`rolling` must be at most 1 / `rate`, the time "
+                                     "between frames");
     camera.jitter = reader.number("jitter", camera.jitter, Range::not_negative);
     camera.dropout = reader.number("dropout", camera.dropout, Range::share);
     camera.noise = reader.number("noise", camera.noise, Range::not_negative);
@@ -229,18 +216,15 @@ CameraSettings read_any_camera(TomlReader &reader)
     return camera;
 }
 
-CameraSettings read_camera(TomlReader reader)
-{
+CameraSettings read_camera(TomlReader reader) {
     CameraSettings camera = read_any_camera(reader);
-    if (const std::string name = reader.string("name"); !name.empty())
-        camera.name = name;
+    if (const std::string name = reader.string("name"); !name.empty()) camera.name = name;
     reader.finish();
     return camera;
 }
 
-// Two cameras side by side, of which the right one is a little askew.
-void read_stereo(TomlReader reader, std::vector<CameraSettings> &cameras)
-{
+// Reads a stereo pair: two cameras side by side, the right one slightly misaligned.
+void read_stereo(TomlReader reader, std::vector<CameraSettings> &cameras) {
     CameraSettings left = read_any_camera(reader);
     const double baseline = reader.number("baseline", 0.12, Range::positive);
     left.name = "left";
@@ -257,29 +241,26 @@ void read_stereo(TomlReader reader, std::vector<CameraSettings> &cameras)
     cameras.push_back(right);
 }
 
-void look_at_cameras(TomlReader &reader, const std::vector<CameraSettings> &cameras)
-{
+void look_at_cameras(TomlReader &reader, const std::vector<CameraSettings> &cameras) {
     for (std::size_t i = 0; i < cameras.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (cameras[i].name == cameras[j].name)
-                return reader.mistake("two cameras are called `" + cameras[i].name +
-                                      "`: give each a `name` of its own");
+                return reader.mistake("two cameras are named `" + cameras[i].name +
+                                      "`: give each one its own `name`");
 }
 
-std::string shown(double x)
-{
+std::string shown(double x) {
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", x);
     return text;
 }
 
-// Boxes that lie in one another are pushed apart, each pair by itself: a few are a
-// heap, hundreds in one place are a slip of a program that wrote the file.
-void look_at_boxes(TomlReader &reader, const std::vector<Box> &boxes)
-{
+// Limits the number of boxes. Overlapping boxes are pushed apart, pair by pair: a few form a heap,
+// but hundreds in one place are a mistake of the program that wrote the file.
+void look_at_boxes(TomlReader &reader, const std::vector<Box> &boxes) {
     if (boxes.size() > most_boxes)
-        return reader.mistake("a world has at most " + std::to_string(most_boxes) +
-                              " boxes, this one " + std::to_string(boxes.size()));
+        return reader.mistake("a world can have at most " + std::to_string(most_boxes) +
+                              " boxes, but this one has " + std::to_string(boxes.size()));
     const auto reach = [](const Box &box) { return 0.5 * std::min(box.size.x, box.size.y); };
     for (const Box &box : boxes) {
         std::size_t others = 0;
@@ -287,33 +268,30 @@ void look_at_boxes(TomlReader &reader, const std::vector<Box> &boxes)
             if (length(other.pose.position - box.pose.position) < reach(box) + reach(other))
                 ++others;
         if (others > most_in_one_place)
-            return reader.mistake(std::to_string(others) + " boxes lie in one another at [" +
+            return reader.mistake(std::to_string(others) + " boxes overlap at [" +
                                   shown(box.pose.position.x) + ", " + shown(box.pose.position.y) +
-                                  "]; at most " + std::to_string(most_in_one_place) + " may");
+                                  "]; at most " + std::to_string(most_in_one_place) +
+                                  " may overlap");
     }
 }
 
-void look_at_points(TomlReader &reader, const Scene &scene)
-{
+void look_at_points(TomlReader &reader, const Scene &scene) {
     std::size_t points = 0;
     const auto add = [&](const auto &things) {
-        for (const auto &thing : things)
-            points += thing.points.size();
+        for (const auto &thing : things) points += thing.points.size();
     };
     add(scene.walls), add(scene.polygons), add(scene.holes), add(scene.patches), add(scene.tapes);
     if (points > most_points)
-        reader.mistake("a world's walls, polygons, holes, patches and tapes have at most " +
-                       std::to_string(most_points) + " points, this one's " +
+        reader.mistake("a world's walls, polygons, holes, patches and tapes can have at most " +
+                       std::to_string(most_points) + " points, but here they have " +
                        std::to_string(points));
 }
 
-std::optional<double> in_radians(std::optional<double> angle)
-{
+std::optional<double> in_radians(std::optional<double> angle) {
     return angle ? std::optional(radians(*angle)) : std::nullopt;
 }
 
-DriveSettings read_drive(TomlReader reader)
-{
+DriveSettings read_drive(TomlReader reader) {
     DriveSettings drive;
     drive.max_speed = reader.optional_number("max_speed", Range::positive);
     drive.max_turn = in_radians(reader.optional_number("max_turn_deg", Range::positive));
@@ -321,14 +299,12 @@ DriveSettings read_drive(TomlReader reader)
     drive.turn_acceleration =
         in_radians(reader.optional_number("turn_acceleration_deg", Range::positive));
     drive.slip = reader.number("slip", drive.slip, Range::share);
-    if (drive.slip > 0.5)
-        reader.mistake_at("slip", "`slip` must be at most 0.5");
+    if (drive.slip > 0.5) reader.mistake_at("slip", "`slip` must be at most 0.5");
     reader.finish();
     return drive;
 }
 
-OdometrySettings read_odometry(TomlReader reader)
-{
+OdometrySettings read_odometry(TomlReader reader) {
     OdometrySettings odometry;
     odometry.distance_error = reader.number("distance_error", 0.0, Range::error);
     odometry.turn_error = reader.number("turn_error", 0.0, Range::error);
@@ -340,8 +316,7 @@ OdometrySettings read_odometry(TomlReader reader)
     return odometry;
 }
 
-SonarSettings read_sonar(TomlReader reader)
-{
+SonarSettings read_sonar(TomlReader reader) {
     SonarSettings sonar;
     sonar.noise = reader.number("noise", sonar.noise, Range::not_negative);
     sonar.dropout = reader.number("dropout", sonar.dropout, Range::share);
@@ -350,16 +325,14 @@ SonarSettings read_sonar(TomlReader reader)
     return sonar;
 }
 
-LightSettings read_light(TomlReader reader)
-{
+LightSettings read_light(TomlReader reader) {
     LightSettings light;
     light.noise = reader.number("noise", light.noise, Range::not_negative);
     reader.finish();
     return light;
 }
 
-Hole read_hole(TomlReader reader)
-{
+Hole read_hole(TomlReader reader) {
     Hole hole;
     hole.points = reader.needed_points("points", 3, true);
     if (!hole.points.empty() && !is_simple(hole.points))
@@ -368,8 +341,7 @@ Hole read_hole(TomlReader reader)
     return hole;
 }
 
-Tape read_tape(TomlReader reader)
-{
+Tape read_tape(TomlReader reader) {
     Tape tape;
     tape.closed = reader.boolean("closed", tape.closed);
     tape.points = reader.needed_points("points", tape.closed ? 3 : 2, tape.closed);
@@ -389,8 +361,7 @@ Tape read_tape(TomlReader reader)
     return tape;
 }
 
-Patch read_patch(TomlReader reader)
-{
+Patch read_patch(TomlReader reader) {
     Patch patch;
     patch.points = reader.needed_points("points", 3, true);
     if (!patch.points.empty() && !is_simple(patch.points))
@@ -401,8 +372,7 @@ Patch read_patch(TomlReader reader)
     return patch;
 }
 
-Lamp read_lamp(TomlReader reader)
-{
+Lamp read_lamp(TomlReader reader) {
     Lamp lamp;
     lamp.position = reader.needed_point("position", Range::any);
     lamp.height = reader.number("height", lamp.height, Range::size);
@@ -411,21 +381,19 @@ Lamp read_lamp(TomlReader reader)
     return lamp;
 }
 
-AmbientSettings read_ambient(TomlReader reader, bool has_lamps)
-{
+AmbientSettings read_ambient(TomlReader reader, bool has_lamps) {
     AmbientSettings ambient;
     ambient.light = reader.number("light", ambient.light, Range::not_negative);
     ambient.noise = reader.number("noise", ambient.noise, Range::not_negative);
     ambient.white = reader.optional_number("white", Range::positive);
     if (ambient.white && ambient.light == 0.0 && !has_lamps)
-        reader.mistake_at("white", "with `white` cameras see by the light of this world, and there "
-                                   "is none: add `light`, or a table [[lamp]]");
+        reader.mistake_at("white", "with `white`, cameras need light, and this world has "
+                                   "none: add `light`, or a table [[lamp]]");
     reader.finish();
     return ambient;
 }
 
-FloorSettings read_floor(TomlReader reader)
-{
+FloorSettings read_floor(TomlReader reader) {
     FloorSettings floor;
     floor.reflectance = reader.number("reflectance", floor.reflectance, Range::part);
     floor.noise = reader.number("noise", floor.noise, Range::not_negative);
@@ -435,21 +403,31 @@ FloorSettings read_floor(TomlReader reader)
     return floor;
 }
 
-std::string read_robot(TomlReader &reader)
-{
+std::string read_robot(TomlReader &reader) {
     const std::string robot = reader.string("robot");
-    if (robot.empty() || robot_kind(robot) != nullptr)
-        return robot;
+    if (robot.empty() || robot_kind(robot) != nullptr) return robot;
     std::string known;
     for (const RobotKind &kind : robot_kinds())
         known += std::string(known.empty() ? "" : ", ") + kind.name;
-    reader.mistake_at("robot", "there is no robot `" + robot + "`; the robots: " + known +
-                                   "; a world for a robot of your own names none");
+    reader.mistake_at("robot", "there is no robot `" + robot + "`; the robots are " + known +
+                                   "; remove `robot` if the world is for your own robot");
     return robot;
 }
 
-BatterySettings read_battery(TomlReader reader)
-{
+OutageSettings read_outage(TomlReader reader) {
+    OutageSettings outage;
+    outage.from = reader.number("from", outage.from, Range::not_negative);
+    outage.lasts = reader.number("lasts", outage.lasts, Range::not_negative);
+    outage.every = reader.number("every", outage.every, Range::not_negative);
+    if (outage.every > 0 && outage.every <= outage.lasts)
+        reader.mistake_at(
+            "every",
+            "the next outage begins before this one is over: make `every` longer than `lasts`");
+    reader.finish();
+    return outage;
+}
+
+BatterySettings read_battery(TomlReader reader) {
     BatterySettings battery;
     battery.voltage = reader.optional_number("voltage", Range::positive);
     battery.drain = reader.number("drain", battery.drain, Range::not_negative);
@@ -457,8 +435,7 @@ BatterySettings read_battery(TomlReader reader)
     return battery;
 }
 
-MeasureSettings read_measure(TomlReader reader)
-{
+MeasureSettings read_measure(TomlReader reader) {
     MeasureSettings measure;
     const std::string what = reader.string("what");
     if (what == "tape") {
@@ -475,20 +452,19 @@ MeasureSettings read_measure(TomlReader reader)
         return measure;
     }
     if (!what.empty() && what != "wall")
-        reader.mistake_at("what", "`what` is \"wall\", \"tape\" or \"ball\"");
+        reader.mistake_at("what", "`what` must be \"wall\", \"tape\" or \"ball\"");
     const std::string side = reader.string("side");
     if (side == "right")
         measure.side = MeasureSettings::Side::right;
     else if (!side.empty() && side != "left")
-        reader.mistake_at("side", "`side` is \"left\" or \"right\"");
+        reader.mistake_at("side", "`side` must be \"left\" or \"right\"");
     measure.distance = reader.needed_number("distance", Range::positive);
     measure.settle = reader.number("settle", measure.settle, Range::not_negative);
     reader.finish();
     return measure;
 }
 
-Scene read_scene(Mistakes &mistakes, const toml::table &root, const std::string &folder)
-{
+Scene read_scene(Mistakes &mistakes, const toml::table &root, const std::string &folder) {
     TomlReader reader(mistakes, root);
     const auto inside = [&](const toml::table *table) { return TomlReader(mistakes, *table); };
     Scene scene;
@@ -498,10 +474,11 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root, const std::string 
         read_start(inside(table), scene.starts);
     const toml::node *start = root.get("start");
     if (start == nullptr || (start->is_array() && start->as_array()->empty()))
-        reader.mistake("a world needs a table [start] with `x` and `y`, where the robot starts");
+        reader.mistake("a world needs a table [start] with `x` and `y`, the position at which the "
+                       "robot starts");
     if (scene.starts.size() > most_robots)
-        reader.mistake("a world has at most " + std::to_string(most_robots) + " robots, this one " +
-                       std::to_string(scene.starts.size()));
+        reader.mistake("a world can have at most " + std::to_string(most_robots) +
+                       " robots, but this one has " + std::to_string(scene.starts.size()));
     for (const toml::table *table : reader.tables("wall"))
         scene.walls.push_back(read_wall(inside(table)));
     for (const toml::table *table : reader.tables("polygon"))
@@ -538,24 +515,22 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root, const std::string 
         scene.lamps.push_back(read_lamp(inside(table)));
     if (const toml::table *table = reader.table("ambient"))
         scene.ambient = read_ambient(inside(table), !scene.lamps.empty());
-    if (const toml::table *table = reader.table("floor"))
-        scene.floor = read_floor(inside(table));
-    if (const toml::table *table = reader.table("light"))
-        scene.light = read_light(inside(table));
-    if (const toml::table *table = reader.table("drive"))
-        scene.drive = read_drive(inside(table));
+    if (const toml::table *table = reader.table("floor")) scene.floor = read_floor(inside(table));
+    if (const toml::table *table = reader.table("light")) scene.light = read_light(inside(table));
+    if (const toml::table *table = reader.table("drive")) scene.drive = read_drive(inside(table));
     if (const toml::table *table = reader.table("odometry"))
         scene.odometry = read_odometry(inside(table));
-    if (const toml::table *table = reader.table("sonar"))
-        scene.sonar = read_sonar(inside(table));
+    if (const toml::table *table = reader.table("sonar")) scene.sonar = read_sonar(inside(table));
     if (const toml::table *table = reader.table("battery"))
         scene.battery = read_battery(inside(table));
+    if (const toml::table *table = reader.table("outage"))
+        scene.outage = read_outage(inside(table));
     if (const toml::table *table = reader.table("measure"))
         scene.measure = read_measure(inside(table));
     if (scene.measure && scene.measure->what == MeasureSettings::What::tape && scene.tapes.empty())
-        reader.mistake_at("measure", "there is no [[tape]] in this world to be measured");
+        reader.mistake_at("measure", "`measure` needs a [[tape]], and this world has none");
     if (scene.measure && scene.measure->what == MeasureSettings::What::ball && scene.balls.empty())
-        reader.mistake_at("measure", "there is no [[ball]] in this world to be measured");
+        reader.mistake_at("measure", "`measure` needs a [[ball]], and this world has none");
     look_at_boxes(reader, scene.boxes);
     look_at_points(reader, scene);
     reader.finish();
@@ -564,16 +539,14 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root, const std::string 
 
 } // namespace
 
-Scene parse_world(const std::string &text, const std::string &path)
-{
+Scene parse_world(const std::string &text, const std::string &path) {
     Mistakes mistakes(path);
     try {
         const toml::table root = toml::parse(text);
         const std::size_t slash = path.find_last_of('/');
         const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
         Scene scene = read_scene(mistakes, root, folder);
-        if (!mistakes.any())
-            return scene;
+        if (!mistakes.any()) return scene;
     } catch (const toml::parse_error &error) {
         const toml::source_region &where = error.source();
         mistakes.add(
@@ -582,12 +555,12 @@ Scene parse_world(const std::string &text, const std::string &path)
     throw WorldFileError(mistakes.text());
 }
 
-Scene read_world_file(const std::string &path)
-{
+Scene read_world_file(const std::string &path) {
+    errno = 0;
     std::ifstream file(path, std::ios::binary);
     std::string text;
     try {
-        // A folder opens, and fails only when it is read.
+        // Opening a folder succeeds; only reading it fails.
         file.exceptions(std::ios::badbit | std::ios::failbit);
         file.peek();
         file.exceptions(std::ios::badbit);
@@ -595,10 +568,12 @@ Scene read_world_file(const std::string &path)
              ++at)
             text.push_back(*at);
     } catch (const std::ios::failure &) {
-        throw WorldFileError(path + ": cannot read this world file");
+        if (errno == ENOENT) throw WorldFileError(path + ": there is no such world file");
+        throw WorldFileError(path + ": cannot read this world file: " + std::strerror(errno));
     }
     if (text.size() > most_bytes)
-        throw WorldFileError(path + ": this world file is longer than 4 MB: is it one?");
+        throw WorldFileError(path +
+                             ": this file is longer than 4 MB, the maximum for a world file");
     return parse_world(text, path);
 }
 

@@ -1,4 +1,4 @@
-// World files: TOML to a Scene. The format is described in README.md.
+// Reads world files: TOML, converted to a Scene. README.md describes the format.
 #pragma once
 
 #include <stdexcept>
@@ -6,21 +6,19 @@
 
 #include "scene.h"
 
-namespace frob::sim
-{
+namespace frob::sim {
 
-// A world that cannot be used. `what()` is one line for each mistake, each
-// `FILE:LINE:COLUMN: message`, in the file's order.
-class WorldFileError : public std::runtime_error
-{
+// An unusable world file. `what()` has one line for each mistake, `FILE:LINE:COLUMN: message`, in
+// the order of the file.
+class WorldFileError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-// Reads the file. Throws WorldFileError with every mistake that was found.
+// Reads the file. Throws WorldFileError with all mistakes found.
 Scene read_world_file(const std::string &path);
 
-// The same for a text; `path` is for messages.
+// Does the same for a text; `path` is for messages.
 Scene parse_world(const std::string &text, const std::string &path);
 
 } // namespace frob::sim

@@ -40,6 +40,7 @@ let sink () = ref []
 let emit sink t = sink := t :: !sink
 let last sink = match !sink with [] -> None | t :: _ -> Some t
 let revise_last sink f = match !sink with [] -> () | t :: rest -> sink := f t :: rest
+let errors sink = ref (List.filter (fun t -> t.severity = Error) !sink)
 let has_errors sink = List.exists (fun t -> t.severity = Error) !sink
 
 let all sink =

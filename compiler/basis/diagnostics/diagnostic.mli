@@ -1,43 +1,43 @@
-(** What the compiler has to say to the programmer, as values.
+(** Compiler messages as values.
 
-    A pass builds diagnostics and emits them into a sink, and goes on where it can; {!Render_text}
-    and {!Render_json} print them. The code of each is explained by a page of [compiler/explain/].
-    Texts are lower case, without a full stop, with names of the program in backticks. *)
+    A pass builds diagnostics, emits them into a sink, and continues if it can. {!Render_text} and
+    {!Render_json} print them. A page in [compiler/explain/] explains each code. Texts are lower
+    case, without a full stop, with names from the program in backticks. *)
 
 type severity = Error | Warning
 
 type label = { at : Span.t; text : string }
-(** Another place that takes part. *)
+(** Another place that is involved. *)
 
 type edit = { span : Span.t; text : string }
-(** What is there becomes the text; an empty span is a place between two characters. *)
+(** Replaces the text in the span. An empty span is a position between two characters. *)
 
 type fix = {
-  title : string;  (** what it does, as an order: [write `speed`] *)
-  edits : edit list;  (** in one file, none over another *)
+  title : string;  (** the effect of the fix, as an imperative: [write `speed`] *)
+  edits : edit list;  (** non-overlapping edits in one file *)
   safe : bool;
-      (** nothing else can have been meant, and what a program computes stays: it may be made
-          unasked. Others an editor offers. *)
+      (** the fix has no alternative and does not change what the program computes, so a tool may
+          apply it without asking; editors offer the others *)
 }
-(** A cure that a tool can carry out. *)
+(** A correction that a tool can apply. *)
 
 type t = {
   severity : severity;
-  code : string;  (** such as [E0401]; warnings start with [W] *)
-  at : Span.t;  (** the one place to look at first *)
+  code : string;  (** for example [E0401]; codes of warnings start with [W] *)
+  at : Span.t;  (** the main place, to look at first *)
   message : string;
-  here : string;  (** written beside the main place; may be empty *)
+  here : string;  (** printed beside the main place; may be empty *)
   labels : label list;
   notes : string list;
-  hints : string list;  (** cures, each likely to be right *)
-  fixes : fix list;  (** those of the hints that say what to write instead *)
+  hints : string list;  (** suggested corrections, each probably right *)
+  fixes : fix list;  (** the hints that a tool can apply, as edits *)
 }
 
 val error : code:string -> at:Span.t -> ('a, Format.formatter, unit, t) format4 -> 'a
 val warning : code:string -> at:Span.t -> ('a, Format.formatter, unit, t) format4 -> 'a
 
-(** The rest adds to a diagnostic: [error … "…" |> label ~at "…" |> emit sink]. The texts are plain
-    strings; use [Printf.sprintf] where they vary. *)
+(** The functions below extend a diagnostic: [error … "…" |> label ~at "…" |> emit sink]. Their
+    texts are plain strings; use [Printf.sprintf] for variable parts. *)
 
 val here : string -> t -> t
 val label : at:Span.t -> string -> t -> t
@@ -45,28 +45,31 @@ val note : string -> t -> t
 val hint : string -> t -> t
 
 val fix : ?safe:bool -> string -> (Span.t * string) list -> t -> t
-(** [fix title edits]: each place with its new text; not safe unless said so. *)
+(** [fix title edits] replaces the text at each place. Not safe by default. *)
 
 val write : Span.t -> string -> t -> t
-(** The fix that writes this text there, instead of what is there. *)
+(** The fix that replaces the text at this place. *)
 
 type sink
-(** Collects diagnostics. Its only state is what was emitted. *)
+(** Collects diagnostics, and has no other state. *)
 
 val sink : unit -> sink
 val emit : sink -> t -> unit
 val last : sink -> t option
 
 val revise_last : sink -> (t -> t) -> unit
-(** Says more of what was emitted last, where more has come to be known. *)
+(** Changes the diagnostic emitted last, when more is known about the error. *)
 
 val has_errors : sink -> bool
 
+val errors : sink -> sink
+(** A sink with the errors of this one, and without its warnings. *)
+
 val all : sink -> t list
-(** Everything emitted, by place; repeated ones (same code and place) once. *)
+(** All diagnostics, sorted by place, without duplicates (same code and place). *)
 
 exception Bug of { stage : string; message : string }
-(** A broken promise of the compiler's own: never the programmer's fault. *)
+(** An internal error: the compiler broke one of its invariants. It is never the user's fault. *)
 
 val bug : stage:string -> ('a, Format.formatter, unit, 'b) format4 -> 'a
-(** Raises {!Bug}. *)
+(** @raise Bug always *)

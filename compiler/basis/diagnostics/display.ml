@@ -2,13 +2,13 @@ type glyph = { shown : string; columns : int }
 
 type t = {
   glyphs : glyph array;
-  column_at : int array;  (** by byte offset, with one entry past the end *)
+  column_at : int array;  (** terminal column by byte offset, with one entry past the end *)
 }
 
 let replacement = "\xef\xbf\xbd"
 let within code ranges = List.exists (fun (first, last) -> code >= first && code <= last) ranges
 
-(* Marks that sit on the character before them, and invisible ones. *)
+(* Combining marks and invisible characters. *)
 let zero_width = [ (0x300, 0x36f); (0x200b, 0x200d); (0x20d0, 0x20ff); (0xfe00, 0xfe0f) ]
 
 (* East Asian wide characters and most emoji. *)
@@ -26,7 +26,8 @@ let double_width =
     (0x20000, 0x3fffd);
   ]
 
-(* Directions of writing could make a line look like another one. *)
+(* Characters that change the writing direction, and other invisible ones, could make a line look
+   like a different one. *)
 let disguise =
   [ (0x80, 0x9f); (0x200e, 0x200f); (0x202a, 0x202e); (0x2066, 0x2069); (0xfeff, 0xfeff) ]
 

@@ -1,7 +1,7 @@
-(** A line of source as a terminal shows it.
+(** A source line as a terminal displays it.
 
-    Tabs become four blanks; control characters and bytes that are no UTF-8 become [U+FFFD], so that
-    a file cannot send commands to the terminal. *)
+    Tabs become four spaces. Control characters and invalid UTF-8 become [U+FFFD], so that a file
+    cannot send commands to the terminal. *)
 
 type t
 
@@ -9,11 +9,11 @@ val of_line : string -> t
 val width : t -> int
 
 val column : t -> int -> int
-(** The terminal column, from 0, at which this byte offset of the line is shown; offsets past the
-    end go on at one column each. *)
+(** The terminal column, from 0, of this byte offset of the line. Each offset past the end adds one
+    column. *)
 
 val characters_before : string -> int -> int
-(** How many characters stand before this byte offset of a line; a byte order mark is none. *)
+(** The number of characters before this byte offset of a line, not counting a byte order mark. *)
 
 val part : t -> from:int -> width:int -> string
-(** What is shown in [width] columns from column [from] on. *)
+(** The part of the line displayed in [width] columns from column [from] on. *)

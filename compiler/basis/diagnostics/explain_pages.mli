@@ -1,4 +1,4 @@
 (** Generated from the pages in [compiler/explain/]. *)
 
 val all : (string * string) list
-(** Code and page, in order of the codes. *)
+(** Pairs of a code and its page, sorted by code. *)

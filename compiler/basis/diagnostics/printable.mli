@@ -1,7 +1,18 @@
-(** Names and texts from outside, as a terminal may get them. *)
+(** Makes names and texts from outside safe to print to a terminal. *)
 
 val name : string -> string
-(** On one line, and with decimal codes in place of control characters: an escape is [\027]. *)
+(** The text on one line, with control characters replaced by decimal codes: an escape character
+    becomes [\027]. *)
 
 val text : string -> string
-(** Likewise, but of several lines. *)
+(** Like {!name}, but keeps newlines and tabs. *)
+
+val word : string -> string
+(** A word of a command that a user may copy into a shell, quoted if necessary. Control characters
+    become octal escapes within [$'...']. *)
+
+val operand : string -> string
+(** A file path as a command-line argument: [./-a] for [-a], which would be read as an option. *)
+
+val path : string -> string
+(** The path of a file, for a command that a user may copy: {!word} of {!operand}. *)

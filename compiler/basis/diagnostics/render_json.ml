@@ -16,8 +16,8 @@ let place source (at : Span.t) =
     ("column_end", Int (character source at.stop at.file));
   ]
 
-(* The lines of a long place would say nothing that its ends do not, and a very
-   long line is no text for people. *)
+(* Limits on the excerpts: further lines of a long span add nothing for the reader, and a very long
+   line is not readable anyway. *)
 let most_lines = 10
 let longest_line = 2000
 
@@ -86,4 +86,38 @@ let diagnostic source (d : Diagnostic.t) =
          ("rendered", String (Render_text.diagnostic ~colour:false source d));
        ])
 
-let diagnostics source list = String.concat "" (List.map (fun d -> diagnostic source d ^ "\n") list)
+let most_shown = 1_000
+
+(* One more object, if not all of the diagnostics are shown. *)
+let rest list =
+  let count severity =
+    List.length (List.filter (fun (d : Diagnostic.t) -> d.severity = severity) list)
+  in
+  let errors = max 0 (count Error - most_shown) in
+  let warnings = max 0 (count Warning - most_shown) in
+  let say n what =
+    if n = 0 then [] else [ Printf.sprintf "%d more %s%s" n what (if n = 1 then "" else "s") ]
+  in
+  match say errors "error" @ say warnings "warning" with
+  | [] -> []
+  | [ text ] when errors + warnings = 1 -> [ (text ^ " is not shown", errors, warnings) ]
+  | texts -> [ (String.concat " and " texts ^ " are not shown", errors, warnings) ]
+
+let cut (message, errors, warnings) =
+  Json.to_string
+    (Object
+       [
+         ("message", String message);
+         ("code", Null);
+         ("level", String "note");
+         ("spans", List []);
+         ("children", List []);
+         ("fixes", List []);
+         ("rendered", String ("note: " ^ message ^ "\n"));
+         ("left_out", Object [ ("errors", Int errors); ("warnings", Int warnings) ]);
+       ])
+
+let diagnostics source list =
+  let shown = Render_text.first_of_each ~most:most_shown list in
+  let lines = List.map (diagnostic source) shown @ List.map cut (rest list) in
+  String.concat "" (List.map (fun line -> line ^ "\n") lines)

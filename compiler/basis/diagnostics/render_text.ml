@@ -1,5 +1,5 @@
-(* A mark under one line: from byte to byte of the line first, and then from
-   column to column of the terminal. *)
+(* An underline in one line. [from] and [upto] are byte offsets of the line at first, and terminal
+   columns later. *)
 type mark = { main : bool; from : int; upto : int; text : string }
 
 let widest_line = 120
@@ -17,10 +17,10 @@ let frame paint text = painted paint "1;34" text
 let main_colour paint text = painted paint (severity_code paint) text
 let mark_colour paint main text = if main then main_colour paint text else frame paint text
 
-(* {1 Which lines to show} *)
+(* {1 Selecting lines} *)
 
-(* The lines of one place, with the byte range to mark in each. A place of
-   several lines is marked at its first and its last one. *)
+(* The lines of one place, with the byte range to mark in each. A multi-line place is marked at its
+   first and last lines. *)
 let lines_of source ~main ((at : Span.t), text) =
   let line n = Option.value ~default:"" (Source.line source at.file n) in
   let mark n first stop text = (n, { main; from = first - 1; upto = stop - 1; text }) in
@@ -33,7 +33,7 @@ let lines_of source ~main ((at : Span.t), text) =
     [ mark (Span.line at.start) (Span.column at.start) (Span.column at.stop) text ]
   else
     let last, stop =
-      (* an end at the very start of a line is the end of the line before *)
+      (* an end at the start of a line belongs to the line before *)
       if Span.column at.stop = 1 then
         (Span.line at.stop - 1, String.length (line (Span.line at.stop - 1)) + 1)
       else (Span.line at.stop, Span.column at.stop)
@@ -52,10 +52,10 @@ let lines_of source ~main ((at : Span.t), text) =
         mark last (first_letter last) stop text;
       ]
 
-(* {1 One line and its marks} *)
+(* {1 A line with its marks} *)
 
-(* Writes [text] at [column] of a row of cells; a cell is a character as
-   shown, with the mark it belongs to. *)
+(* Writes [text] into a row of cells from [column] on. A cell is a displayed character and whether
+   it belongs to the main mark. *)
 let put row column main text = String.iteri (fun i c -> row.(column + i) <- (c, main)) text
 
 let row_text paint row =
@@ -89,8 +89,8 @@ let underline paint marks ~width =
   draw true;
   row_text paint row
 
-(* The rightmost text stands beside its mark; the others hang below, the right
-   ones first, each on a line through the marks that are still to come. *)
+(* The rightmost text is on the row of the underlines. The others follow on rows of their own, from
+   right to left, with vertical bars for the marks whose texts are still to come. *)
 let rows paint marks ~width =
   let underlined = underline paint marks ~width in
   let texts =
@@ -130,7 +130,7 @@ let in_columns display mark =
   let from = Display.column display mark.from in
   { mark with from; upto = max (from + 1) (Display.column display mark.upto) }
 
-(* So much of a line that is longer than any screen is looked at. *)
+(* Only this many bytes of a very long line are examined. *)
 let longest_line = 4000
 
 let cut line marks =
@@ -147,7 +147,7 @@ let cut line marks =
     ( String.sub line start (stop - start),
       List.map (fun m -> { m with from = shift m.from; upto = shift m.upto }) marks )
 
-(* A part of a long line, around its first mark. *)
+(* The part of a long line around its first mark. *)
 let window display marks =
   let from =
     if Display.width display <= widest_line then 0
@@ -219,7 +219,20 @@ let header paint (d : Diagnostic.t) =
   let kind = match d.severity with Error -> "error" | Warning -> "warning" in
   main_colour paint (Printf.sprintf "%s[%s]" kind d.code) ^ strong paint (": " ^ d.message)
 
+(* Escapes control characters, because diagnostics may quote untrusted text. *)
+let printable (d : Diagnostic.t) =
+  let text = Printable.text in
+  {
+    d with
+    message = text d.message;
+    here = text d.here;
+    labels = List.map (fun (l : Diagnostic.label) -> { l with text = text l.text }) d.labels;
+    notes = List.map text d.notes;
+    hints = List.map text d.hints;
+  }
+
 let diagnostic ~colour source (d : Diagnostic.t) =
+  let d = printable d in
   let paint = { colour; severity = d.severity } in
   let places =
     (true, (d.at, d.here))
@@ -265,7 +278,7 @@ let diagnostic ~colour source (d : Diagnostic.t) =
   in
   let notes = List.concat_map (foot "note") d.notes in
   let hints = List.concat_map (foot "hint") d.hints in
-  (* the last bar only leads to what stands below it *)
+  (* drop the last bar if nothing follows it *)
   let sections =
     match List.rev sections with
     | last :: before when notes = [] && hints = [] && last = frame paint (margin ^ " |") ->
@@ -274,16 +287,35 @@ let diagnostic ~colour source (d : Diagnostic.t) =
   in
   String.concat "\n" ((header paint d :: sections) @ notes @ hints) ^ "\n"
 
-let summary list =
-  let count severity =
-    List.length (List.filter (fun (d : Diagnostic.t) -> d.severity = severity) list)
+let most_shown = 100
+let with_severity severity = List.filter (fun (d : Diagnostic.t) -> d.severity = severity)
+
+let first_of_each ~most list =
+  let errors = ref 0 and warnings = ref 0 in
+  let is_among_first (d : Diagnostic.t) =
+    let count = match d.severity with Error -> errors | Warning -> warnings in
+    incr count;
+    !count <= most
   in
+  List.filter is_among_first list
+
+let summary list =
+  let errors = List.length (with_severity Error list) in
+  let warnings = List.length (with_severity Warning list) in
   let say n what =
     if n = 0 then [] else [ Printf.sprintf "%d %s%s" n what (if n = 1 then "" else "s") ]
   in
-  match say (count Error) "error" @ say (count Warning) "warning" with
+  let of_each what = Printf.sprintf "; the first %d%s are shown" most_shown what in
+  let cut =
+    match (errors > most_shown, warnings > most_shown) with
+    | true, true -> of_each " of each"
+    | true, false -> of_each (if warnings = 0 then "" else " errors")
+    | false, true -> of_each (if errors = 0 then "" else " warnings")
+    | false, false -> ""
+  in
+  match say errors "error" @ say warnings "warning" with
   | [] -> ""
-  | parts -> String.concat ", " parts ^ "\n"
+  | parts -> String.concat ", " parts ^ cut ^ "\n"
 
 let diagnostics ~colour source list =
   let text = Buffer.create 1024 in
@@ -291,6 +323,6 @@ let diagnostics ~colour source list =
     (fun d ->
       Buffer.add_string text (diagnostic ~colour source d);
       Buffer.add_char text '\n')
-    list;
+    (first_of_each ~most:most_shown list);
   Buffer.add_string text (summary list);
   Buffer.contents text

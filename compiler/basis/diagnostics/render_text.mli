@@ -16,10 +16,16 @@ error[E0401]: signal `speed` needs its own value in the same instant
     without an excerpt. *)
 
 val diagnostic : colour:bool -> Source.t -> Diagnostic.t -> string
-(** Ends with a line end; colour is by ANSI sequences. *)
+(** The text ends with a newline. Colours use ANSI escape sequences. *)
 
 val diagnostics : colour:bool -> Source.t -> Diagnostic.t list -> string
-(** All of them, an empty line after each, and then {!summary} if there are any. *)
+(** The first 100 errors and the first 100 warnings, each followed by an empty line, and then
+    {!summary} if there are any. The limits bound the time: every error on a line of a million
+    characters requires a scan of that line. *)
+
+val first_of_each : most:int -> Diagnostic.t list -> Diagnostic.t list
+(** The first [most] errors and the first [most] warnings, in the order of the list. *)
 
 val summary : Diagnostic.t list -> string
-(** Such as [2 errors, 1 warning], with a line end; [""] for none. *)
+(** For example [2 errors, 1 warning], with a newline; [""] if there are no diagnostics. Mentions if
+    {!diagnostics} prints only some of them. *)

@@ -1,4 +1,4 @@
-type file = { text : string; starts : int array Lazy.t  (** where each line starts *) }
+type file = { text : string; starts : int array Lazy.t  (** offset of each line's start *) }
 type t = (string, file) Hashtbl.t
 
 let create () : t = Hashtbl.create 16
@@ -9,6 +9,10 @@ let line_starts text =
   Array.of_list (List.rev !starts)
 
 let add t ~file text = Hashtbl.replace t file { text; starts = lazy (line_starts text) }
+
+let all t =
+  List.sort compare (Hashtbl.fold (fun file { text; _ } others -> (file, text) :: others) t [])
+
 let text t file = Option.map (fun f -> f.text) (Hashtbl.find_opt t file)
 
 let line t file n =
@@ -40,7 +44,7 @@ let quote t (span : Span.t) =
       else None
   | _ -> None
 
-(* Does the bracket at the start close at the end? *)
+(* Is the bracket at the start closed by the last character? *)
 let in_brackets text =
   let last = String.length text - 1 in
   let rec closes depth i =
@@ -51,13 +55,11 @@ let in_brackets text =
   in
   last > 0 && (text.[0] = '(' || text.[0] = '[') && closes 0 0
 
-let is_digit c = '0' <= c && c <= '9'
-
-(* With its unit, which may have operators in it. *)
+(* A number with an optional unit, which may contain operators. *)
 let is_number text =
   let n = match String.index_opt text '[' with Some i -> i | None -> String.length text in
   n > 0
-  && String.for_all (fun c -> is_digit c || c = '.') (String.sub text 0 n)
+  && String.for_all (fun c -> Character.is_digit c || c = '.') (String.sub text 0 n)
   && (n = String.length text || text.[String.length text - 1] = ']')
 
 let grouped text =

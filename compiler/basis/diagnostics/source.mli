@@ -1,27 +1,29 @@
-(** The texts that spans point into, by the name under which they are shown.
+(** The texts that spans refer to, by the file name shown in messages.
 
-    A table value that belongs to one compilation: whoever reads a file adds it, the renderers look
-    lines up. *)
+    A table belongs to one compilation. Code that reads a file adds its text, and the renderers look
+    up lines. *)
 
 type t
 
 val create : unit -> t
 
 val add : t -> file:string -> string -> unit
-(** The later text wins. *)
+(** Replaces an earlier text of the file. *)
+
+val all : t -> (string * string) list
+(** All files with their texts, sorted by name. *)
 
 val text : t -> string -> string option
 
 val line : t -> string -> int -> string option
-(** [line t file n]: line [n] from 1, without its end; [None] if the file is not there or has fewer
-    lines. *)
+(** [line t file n]: line [n] from 1, without its line end; [None] if the file is unknown or has
+    fewer lines. *)
 
 val quote : t -> Span.t -> string option
-(** The text there, if it is on one line. *)
+(** The text at the span, if it is within one line. *)
 
 val grouped : string -> string
-(** An expression as it stands among arguments: in parentheses, if it needs them. *)
+(** Adds parentheses around an expression if it needs them as an argument. *)
 
 val offset : t -> string -> Span.position -> int
-(** The position's distance in bytes from the start of the text (0 if the file is not there); never
-    beyond its end. *)
+(** The byte offset of the position in the text, at most its length; 0 if the file is unknown. *)

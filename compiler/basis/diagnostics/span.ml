@@ -1,4 +1,4 @@
-(* Line and column in one number, which a comparison and a copy take as one. *)
+(* Line and column packed into one integer, so that comparing and copying a position is cheap. *)
 type position = int
 type t = { file : string; start : position; stop : position }
 

@@ -1,22 +1,22 @@
 (** Places in source text.
 
-    Columns count bytes from 1; the renderers turn them into what a reader sees. The end is
-    exclusive. A span lies in one file. *)
+    Columns count bytes from 1; the renderers convert them to displayed columns. The end is
+    exclusive. A span lies within one file. *)
 
 type position = private int
-(** Of two positions in a file the later is the greater number. *)
+(** Positions in a file compare like their integers. *)
 
 val position : line:int -> column:int -> position
-(** Neither may be negative. Columns from 2{^ 28} on are not told apart. *)
+(** Line and column must not be negative. Columns from 2{^ 28} on are indistinguishable. *)
 
 val line : position -> int
 val column : position -> int
 
 val forward : int -> position -> position
-(** So many columns to the right. *)
+(** Moves the position to the right by this number of columns. *)
 
 type t = {
-  file : string;  (** the name under which {!Source} knows the text *)
+  file : string;  (** the name under which {!Source} has the text *)
   start : position;
   stop : position;  (** exclusive *)
 }
@@ -24,13 +24,13 @@ type t = {
 val make : file:string -> start:position -> stop:position -> t
 
 val merge : t -> t -> t
-(** The smallest span that covers both; they must lie in one file, else the first is returned. *)
+(** The smallest span that covers both. If they are in different files, the first one. *)
 
 val compare : t -> t -> int
-(** By file, then start, then stop. *)
+(** Orders by file, then start, then stop. *)
 
 val start_of_file : string -> t
-(** An empty span at line 1, column 1: for what a file as a whole lacks. *)
+(** An empty span at line 1, column 1, for errors about a file as a whole. *)
 
 val pp : Format.formatter -> t -> unit
-(** [file:line:column], the start. *)
+(** Prints [file:line:column] of the start. *)

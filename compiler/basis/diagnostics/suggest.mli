@@ -1,8 +1,8 @@
-(** "Did you mean": the name that a misspelt one was probably meant to be. *)
+(** "Did you mean": finds the name that a misspelt name was probably meant to be. *)
 
 val closest : string -> string list -> string option
-(** [closest name candidates] is the candidate nearest to [name] by edits (insert, delete, replace a
-    character, swap two neighbours), if it is near enough to be likely: one edit for each three
-    characters, at most three. A name that differs only in capitals is nearest. Of equally near ones
-    it is the first in alphabetical order, so the order of [candidates] is irrelevant. A single
-    character suggests nothing but its other case. *)
+(** [closest name candidates] is the candidate with the smallest edit distance from [name]
+    (inserting, deleting or replacing a character, or swapping two neighbours), if that is
+    plausible: at most one edit per three characters, and at most three. A difference only in case
+    counts as distance 0. Ties are broken alphabetically, so the order of [candidates] is
+    irrelevant. For a single character, the only suggestion is the same letter in the other case. *)

@@ -1,5 +1,5 @@
-(* Naturals in base 10^4, least significant digit first, no leading zeros:
-   slow and small, which is what a few literals need. *)
+(* Natural numbers in base 10^4, least significant digit first, without leading zeros. Slow but
+   small, which suffices for a few literals. *)
 module Natural = struct
   let base = 10_000
 
@@ -38,7 +38,7 @@ module Natural = struct
            carry := sum / base;
            sum mod base))
 
-  (* a >= b *)
+  (* requires a >= b *)
   let subtract a b =
     let borrow = ref 0 in
     normalize
@@ -83,14 +83,14 @@ module Natural = struct
       let square = multiply half half in
       if n mod 2 = 1 then multiply square a else square
 
-  (* The first three digits (of those above [skip]) as a float: exact. *)
+  (* The three digits from [length - 1] downwards, as an exact float. *)
   let leading a length =
     let digit i = if i >= 0 && i < Array.length a then float_of_int a.(i) else 0. in
     let base = float_of_int base in
     (((digit (length - 1) *. base) +. digit (length - 2)) *. base) +. digit (length - 3)
 
-  (* Schoolbook division: one digit of the quotient at a time, each estimated
-     from leading digits and then corrected by at most a step or two. *)
+  (* Schoolbook division: each digit of the quotient is estimated from the leading digits and then
+     corrected by at most one or two steps. *)
   let divide a b =
     if compare a b < 0 then (zero, a)
     else if Array.length b = 1 then (
@@ -109,7 +109,7 @@ module Natural = struct
       for i = positions - 1 downto 0 do
         rest := normalize (Array.append [| a.(i) |] !rest);
         if compare !rest b >= 0 then (
-          (* both taken from the same position, so that their ratio counts *)
+          (* taken at the same position, so that their ratio is meaningful *)
           let top = Array.length !rest in
           let estimate = leading !rest top /. leading b top in
           let digit = ref (max 1 (min (base - 1) (int_of_float estimate))) in
@@ -183,7 +183,7 @@ let ten_to n = Natural.power (Natural.of_int 10) n
 let limit_of_exponent = 400
 let is_digits text = String.for_all (function '0' .. '9' -> true | _ -> false) text
 
-(* Nearly all literals are a few digits, perhaps with a point: an int holds them. *)
+(* Fast path: almost all literals have a few digits, perhaps with a point, and fit in an [int]. *)
 let longest_short = 15
 
 let short_decimal text =
@@ -237,7 +237,7 @@ let any_decimal text =
          else reduce false digits (ten_to (-scale)))
   | _ -> None
 
-(* Of one digit, in any base up to 16. *)
+(* The value of a digit in any base up to 16. *)
 let value_of_digit c = int_of_string_opt (Printf.sprintf "0x%c" c)
 
 let in_base base digits =
@@ -265,7 +265,7 @@ let of_literal text =
   | Some base -> in_base base (String.sub text 2 (length - 2))
   | None -> ( match short_decimal text with Some _ as value -> value | None -> any_decimal text)
 
-(* OEIS A000796, the first hundred decimals; in lowest terms, for the last of them
+(* OEIS A000796, the first hundred decimals. The fraction is in lowest terms because the last digit
    is neither even nor 5. *)
 let pi =
   {
@@ -278,8 +278,8 @@ let pi =
 
 let negate t = if Natural.is_zero t.numerator then t else { t with negative = not t.negative }
 
-(* Common factors go before the product: they lie across, and one side is
-   mostly short. The result is in lowest terms. *)
+(* Cancels common factors before multiplying. They occur only between one numerator and the other
+   denominator, and one of the two is usually small. The result is in lowest terms. *)
 let multiply a b =
   if Natural.is_zero a.numerator || Natural.is_zero b.numerator then zero
   else
@@ -343,16 +343,16 @@ let to_int32 t =
         if n >= -0x8000_0000 && n <= 0x7fff_ffff then Some (Int32.of_int n) else None
     | None -> None
 
-(* A binary format: the bits of a significand, the exponents of the smallest number
-   and of the largest power of two. *)
+(* A binary floating-point format: the number of significand bits, and the exponents of the smallest
+   positive number and of the largest power of two. *)
 type format = { bits : int; smallest : int; largest : int }
 
 let binary64 = { bits = 53; smallest = -1074; largest = 1023 }
 let binary32 = { bits = 24; smallest = -149; largest = 127 }
 
-(* Scale by a power of two until the quotient has one bit more than the format,
-   keep its top bits and whether anything was left over (sticky), and let the
-   rounding (to fewer bits below the normal range) be done once, on an integer. *)
+(* Scales by a power of two until the quotient has one bit more than the format, and keeps its top
+   bits and whether there is a remainder (the sticky bit). The rounding, to fewer bits below the normal
+   range, is then done once, on an integer. *)
 let rounded_by_bits format t =
   if Natural.is_zero t.numerator then 0.
   else
@@ -361,9 +361,9 @@ let rounded_by_bits format t =
       if shift >= 0 then Natural.divide (Natural.multiply t.numerator (two_to shift)) t.denominator
       else Natural.divide t.numerator (Natural.multiply t.denominator (two_to (-shift)))
     in
-    (* floor(log2 (n/d)) by trial, starting from the sizes in base 10^4 *)
+    (* computes floor(log2 (n/d)) by trial, starting from the lengths in base 10^4 *)
     let at_least e =
-      (* n/d >= 2^e *)
+      (* is n/d >= 2^e? *)
       if e >= 0 then Natural.compare t.numerator (Natural.multiply t.denominator (two_to e)) >= 0
       else Natural.compare (Natural.multiply t.numerator (two_to (-e))) t.denominator >= 0
     in
@@ -377,7 +377,7 @@ let rounded_by_bits format t =
     let exponent = !e in
     let lowest = max (exponent - format.bits + 1) format.smallest in
     let q, rest = quotient (1 - lowest) in
-    (* q = floor (n/d * 2^(1-lowest)): one extra bit, and the sticky rest *)
+    (* q = floor (n/d * 2^(1-lowest)): one extra bit; the remainder is sticky *)
     let q = match Natural.to_int_opt q with Some q -> q | None -> assert false in
     let kept = q / 2 and half = q mod 2 = 1 and sticky = not (Natural.is_zero rest) in
     let rounded = if half && (sticky || kept mod 2 = 1) then kept + 1 else kept in
@@ -393,7 +393,7 @@ let to_float t =
   let exact n = n <= 1 lsl 53 in
   match (Natural.to_int_opt t.numerator, Natural.to_int_opt t.denominator) with
   | Some n, Some d when exact n && exact d ->
-      (* Both are doubles, so the one rounding is that of the division. *)
+      (* both are exact doubles, so the division rounds only once *)
       let magnitude = float_of_int n /. float_of_int d in
       if t.negative then -.magnitude else magnitude
   | _, _ -> rounded_by_bits binary64 t
@@ -404,7 +404,7 @@ let to_string t =
   let sign = if t.negative then "-" else "" in
   if is_integer t then sign ^ Natural.to_string t.numerator
   else
-    (* finite as a decimal? then scale by the smallest power of ten *)
+    (* if there is a finite decimal form, scale by the smallest sufficient power of ten *)
     let rec places n =
       if n > 40 then None
       else if Natural.is_zero (snd (Natural.divide (ten_to n) t.denominator)) then Some n

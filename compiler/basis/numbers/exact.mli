@@ -1,8 +1,8 @@
-(** Exact rational numbers, and their one rounding to a machine number.
+(** Exact rational numbers, and rounding them once to a machine number.
 
-    A literal's value is its exact decimal times its unit's exact scale, rounded once (language
-    reference, section 4). Pi is taken to 100 decimal places, far beyond what any rounding of a
-    literal can see. *)
+    The value of a literal is its exact decimal value times the exact scale of its unit, rounded
+    once (language reference, section 4). Pi is represented with 100 decimal places, far more than
+    the rounding of any literal can distinguish. *)
 
 type t
 
@@ -11,14 +11,15 @@ val one : t
 val of_int : int -> t
 
 val of_literal : string -> t option
-(** [digits[.digits][(e|E)[+-]digits]], or [0x], [0o], [0b] and digits of that base, all perhaps
-    with [_] among the digits; [None] if it is not of that form or its exponent is beyond ±400. *)
+(** Parses [digits[.digits][(e|E)[+-]digits]], or [0x], [0o] or [0b] followed by digits of that
+    base, optionally with [_] between digits. [None] if the text has another form, or its exponent
+    is beyond ±400. *)
 
 val base_of_prefix : char * char -> int option
-(** Of a literal's first two characters. *)
+(** The base that a literal's first two characters denote. *)
 
 val value_of_digit : char -> int option
-(** In any base up to 16. *)
+(** The value of a digit in any base up to 16. *)
 
 val pi : t
 val negate : t -> t
@@ -33,13 +34,13 @@ val compare : t -> t -> int
 val equal : t -> t -> bool
 
 val to_int32 : t -> int32 option
-(** [None] unless an integer in range. *)
+(** [None] unless it is an integer in range. *)
 
 val to_float : t -> float
-(** The nearest double, ties to even; infinite beyond the range. *)
+(** The nearest double, ties to even; infinity beyond the range. *)
 
 val to_single : t -> float
-(** Likewise the nearest number of single precision. *)
+(** The nearest single-precision number, ties to even; infinity beyond the range. *)
 
 val to_string : t -> string
-(** A readable exact form: an integer, a finite decimal, or [p/q]. *)
+(** A readable exact representation: an integer, a finite decimal, or [p/q]. *)

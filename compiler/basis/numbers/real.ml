@@ -3,8 +3,8 @@ type t = Double | Single
 let to_single x = Int32.float_of_bits (Int32.bits_of_float x)
 let round = function Double -> Fun.id | Single -> to_single
 
-(* From 2^53 on a double does not hold every integer. There the last 11 bits only
-   decide whether a single is rounded up: one bit can stand for them. *)
+(* A double represents every integer only up to 2^53. Beyond that, the lowest 11 bits of [n] can
+   only decide whether a single is rounded up, so one sticky bit can represent them. *)
 let single_of_int64 n =
   if Int64.compare (Int64.abs n) 0x20_0000_0000_0000L <= 0 && n <> Int64.min_int then
     to_single (Int64.to_float n)
@@ -18,8 +18,8 @@ let of_exact = function Double -> Exact.to_float | Single -> Exact.to_single
 let bytes = function Double -> 8 | Single -> 4
 let all_whole_from = function Double -> 0x1p52 | Single -> 0x1p23
 
-(* Whether the text is rounded to a double first or not: its neighbours are
-   rounded alike too. *)
+(* Also checks the neighbouring doubles for a single, so that it does not matter whether the reader
+   first rounds the text to a double. *)
 let reads_back t x text =
   let read = float_of_string text in
   match t with

@@ -1,27 +1,28 @@
 (** The precision of the language's [Float]: IEEE 754 binary64 or binary32.
 
-    In OCaml both are [float]; a single is a double that binary32 can hold. An operation on singles
-    is done on doubles and then rounded. For [+ - * /] and [sqrt] that gives the same as one
-    rounding, because a double has at least twice the bits of a single and two more (S. A. Figueroa,
-    "When is double rounding innocuous?", ACM SIGNUM Newsletter 30, 1995). *)
+    In OCaml both are [float]; a single is a double that binary32 can represent. An operation on
+    singles is performed on doubles and then rounded. For [+ - * /] and [sqrt] this gives the same
+    result as a single rounding, because a double has at least two more than twice the bits of a
+    single (S. A. Figueroa, "When is double rounding innocuous?", ACM SIGNUM Newsletter 30, 1995).
+*)
 
 type t = Double | Single
 
 val round : t -> float -> float
-(** To the nearest of the precision, ties to even. *)
+(** Rounds to the nearest number of this precision, ties to even. *)
 
 val of_int64 : t -> int64 -> float
-(** Likewise, with one rounding. *)
+(** Converts to this precision, with one rounding. *)
 
 val of_exact : t -> Exact.t -> float
-(** Likewise, with one rounding; infinite beyond the range. *)
+(** Converts to this precision, with one rounding; infinity beyond the range. *)
 
 val bytes : t -> int
-(** In memory, which is also the alignment. *)
+(** The size in memory, which is also the alignment. *)
 
 val shortest : t -> float -> string
-(** Of a finite number: the fewest decimal digits that are read back as the same number, as [%g]
-    writes them. What reads them may round to a double first. *)
+(** For a finite number: the fewest decimal digits that read back as the same number, in the format
+    of [%g]. The reader may first round to a double. *)
 
 val all_whole_from : t -> float
-(** From this power of two on each number is whole: 2⁵² or 2²³. *)
+(** From this power of two on, every number is an integer: 2⁵² or 2²³. *)

@@ -32,8 +32,8 @@ let components graph =
         | component -> List.sort Int.compare component)
         :: !found
   in
-  (* The edges left of a vertex, and the path to it from the root of the search:
-     vertices with the edges left of them. *)
+  (* [edges]: the remaining edges of a vertex. [path]: the path to it from the root of the search,
+     as vertices with their remaining edges. *)
   let rec search v edges path =
     match edges with
     | w :: edges when number.(w) = unvisited ->
@@ -62,7 +62,7 @@ let is_cyclic graph = function
   | [ v ] -> List.exists (Int.equal v) graph.(v)
   | _ -> true
 
-(* How many edges a search for a shortest cycle may look at. *)
+(* Maximum number of edges that the search for a shortest cycle examines. *)
 let patience = 20_000_000
 
 let rotate_to_smallest cycle =
@@ -80,7 +80,7 @@ let shortest_cycle graph component =
   let seen_from = Array.make n (-1) in
   let parent = Array.make n (-1) in
   let looked_at = ref 0 in
-  (* Breadth first from [root], no deeper than what would beat [bound]. *)
+  (* Breadth-first search from [root], no deeper than needed to beat [bound]. *)
   let through root bound =
     let queue = Queue.create () in
     let rec path_to v path = if v = root then root :: path else path_to parent.(v) (v :: path) in

@@ -1,5 +1,5 @@
-(** Arrays whose elements are made one after the other. *)
+(** Builds arrays whose elements depend on earlier elements. *)
 
 val map : stage:string -> (before:(int -> 'b) -> int -> 'a -> 'b) -> 'a array -> 'b array
-(** What is made of each element, and its number, with what was made of those [before] it at hand.
-    To ask for one that comes later is a bug of that [stage]. *)
+(** Maps each index and element. The function can get the results for earlier indices from [before];
+    asking for a later one is a bug, reported for this [stage]. *)

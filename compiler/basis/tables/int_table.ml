@@ -1,11 +1,11 @@
-(* Open addressing: a key stands at its own place or at the next free one after
-   it, and at most every second place is taken. Values are kept as [Some], so that
-   a lookup allocates nothing. *)
+(* Open addressing with linear probing: a key is at its own slot or at the next free slot after it.
+   At most half of the slots are occupied. Values are stored as [Some], so that a lookup does not
+   allocate. *)
 type 'a t = {
   mutable keys : int array;
-  mutable values : 'a option array;  (** [None] where there is no key *)
+  mutable values : 'a option array;  (** [None] in free slots *)
   mutable length : int;
-  mutable bits : int;  (** 2^bits places, or none before the first key *)
+  mutable bits : int;  (** the table has 2^bits slots, or none before the first key *)
 }
 
 let fewest_bits = 3
@@ -16,11 +16,11 @@ let rec bits_for n bits =
 
 let create n = { keys = [||]; values = [||]; length = 0; bits = bits_for n fewest_bits }
 
-(* 2^62 over the golden ratio, which scatters numbers that follow each other
-   (Knuth, The Art of Computer Programming 3, section 6.4). *)
+(* Multiplies by 2^62 divided by the golden ratio, which scatters consecutive numbers (Knuth, The
+   Art of Computer Programming 3, section 6.4). *)
 let own_place t key = (key * 0x278DDE6E5FD29F05) lsr (Sys.int_size - t.bits)
 
-(* Where the key is or is to be put. *)
+(* The slot that contains the key, or the one to insert it at. *)
 let rec place t key i =
   match t.values.(i) with
   | Some _ when t.keys.(i) <> key -> place t key ((i + 1) land (Array.length t.keys - 1))
@@ -57,7 +57,7 @@ let take_out t i =
 let remove t key =
   if mem t key then (
     let next i = (i + 1) land (Array.length t.keys - 1) in
-    (* Those after it may stand where they do because it was there. *)
+    (* Keys after the removed one may have been displaced by it, so they are inserted again. *)
     let rec put_again i =
       match t.values.(i) with
       | None -> ()

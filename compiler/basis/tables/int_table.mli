@@ -1,16 +1,16 @@
-(** Tables by small numbers, such as the ids of signals, variables and fields.
+(** Hash tables keyed by small integers, such as the ids of signals, variables and fields.
 
-    Passes look signals up a hundred times for each line of a program. What the standard library's
-    [Hashtbl] spends on hashing and comparing a key, and on room for what never comes, is here next
-    to nothing; the calls are its. *)
+    Passes look up signals a hundred times for each line of a program. Compared with [Hashtbl] from
+    the standard library, hashing and comparing a key costs almost nothing here, and so does the
+    memory of an empty table. The interface is that of [Hashtbl]. *)
 
 type 'a t
 
 val create : int -> 'a t
-(** An empty table. It helps a little to know about how many keys will come. *)
+(** An empty table. The argument is a hint about the number of keys. *)
 
 val replace : 'a t -> int -> 'a -> unit
-(** Binds the key to the value, and to nothing else any more. *)
+(** Binds the key to the value, replacing any previous binding. *)
 
 val remove : 'a t -> int -> unit
 val find_opt : 'a t -> int -> 'a option
@@ -21,13 +21,13 @@ val find : 'a t -> int -> 'a
 val mem : 'a t -> int -> bool
 
 val length : 'a t -> int
-(** How many keys there are. *)
+(** The number of keys. *)
 
 val reset : 'a t -> unit
-(** Empty again. *)
+(** Removes all bindings. *)
 
 val copy : 'a t -> 'a t
 
 val fold : (int -> 'a -> 'b -> 'b) -> 'a t -> 'b -> 'b
-(** In an order that depends on the keys and on how many came before: only for what has the same
-    result in any order. *)
+(** The order depends on the keys and on the table's history, so use it only where the order does
+    not affect the result. *)

@@ -1,4 +1,4 @@
-(* Shorter ones are mapped on the stack, which makes no list that is thrown away. *)
+(* Lists up to this length are mapped recursively, which avoids an intermediate list. *)
 let short = 1000
 
 let rec map_short left f = function
@@ -29,3 +29,5 @@ let split_at count list =
     | rest -> (List.rev before, rest)
   in
   go [] count list
+
+let map2 f a b = List.rev (List.rev_map2 f a b)

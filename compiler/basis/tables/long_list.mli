@@ -1,12 +1,17 @@
-(** What the standard library's [List] does only on the stack, in the OCaml versions before 5.1: for
-    lists as long as a program. *)
+(** List functions that do not overflow the stack on lists as long as a program. Before OCaml 5.1,
+    those of the standard library are recursive. *)
 
 val map : ('a -> 'b) -> 'a list -> 'b list
-(** From first to last. *)
+(** Visits the elements from first to last. *)
+
+val map2 : ('a -> 'b -> 'c) -> 'a list -> 'b list -> 'c list
+(** Visits the elements from first to last.
+
+    @raise Invalid_argument if the lengths differ *)
 
 val split_at : int -> 'a list -> 'a list * 'a list
-(** The first so many, and the others. *)
+(** Splits the list after its first [n] elements. *)
 
 val map_sharing : ('a -> 'a) -> 'a list -> 'a list
-(** As [map]. The same list, physically, if each element is mapped to itself, physically; then it
-    takes no memory. *)
+(** Like {!map}, but if the function returns every element physically unchanged, returns the same
+    list and allocates nothing. *)

@@ -1,10 +1,10 @@
-(** Tables by names and other short texts.
+(** Hash tables keyed by names and other short strings.
 
-    [Hashtbl.hash], which takes anything, first looks up in OCaml's table of pages whether what it
-    got is a block of OCaml's (before OCaml 5): in a large heap that costs more than reading the few
+    Before OCaml 5, the polymorphic [Hashtbl.hash] first looks up in the runtime's page table
+    whether its argument is an OCaml block. In a large heap that costs more than reading the few
     characters of a name. *)
 
 include Hashtbl.S with type key = string
 
 val hash : string -> int
-(** Of all characters. *)
+(** Hashes all characters. *)

@@ -19,7 +19,7 @@ let member value name : Ir.expr =
   | Ir.Unary (Dereference, pointer) -> Arrow (pointer, name)
   | value -> Member (value, name)
 
-(* [depth] loops are around it. *)
+(* [depth]: the number of enclosing loops. *)
 let rec value names direction ~depth (ty : M.ty) ~to_ ~from =
   match ty with
   | _ when not (is_converted names ty) -> [ plain (Ir.Assign (to_, from)) ]

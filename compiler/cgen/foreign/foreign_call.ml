@@ -6,9 +6,9 @@ let plain desc : Ir.statement = { desc; comment = "" }
 let bug format = Basis.Diagnostic.bug ~stage:"Cgen.Foreign_call" format
 let address name = Ir.Unary (Address, Name name)
 
-(* {1 What goes in} *)
+(* {1 Arguments} *)
 
-(* Values are leaves with their types. *)
+(* Fills the struct [name]. [values] are its leaves with their types. *)
 let fill names (i : Interface.t) name values =
   let leaf steps (ty, value) =
     Crossing.elements names To_c ty steps ~c:(Access.path (address name) steps) ~own:value
@@ -22,12 +22,12 @@ let size : M.ty -> int = function
   | Array (size, _) -> size
   | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> bug "elements of no array"
 
-(* Elements that stand for themselves in C. *)
+(* An element of a plain C array. *)
 let bare name : Ir.expr list -> Ir.expr = function
   | [ index ] -> Subscript (Name name, index)
   | [] | _ :: _ :: _ -> bug "elements of elements"
 
-(* What makes an argument ready, and the argument itself. *)
+(* The statements that prepare an argument, and the argument. *)
 let argument names k (passing : Foreign_interface.passing) values =
   let own () = Name.fresh (Expression.scope names) (Printf.sprintf "argument%d" (k + 1)) in
   let variable ty name = plain (Ir.Variables { ty; names = [ name ] }) in
@@ -49,17 +49,17 @@ let argument names k (passing : Foreign_interface.passing) values =
       (fill names i name values, [ address name ])
   | (Value _ | Address _ | Elements _), _ -> bug "an argument of other leaves"
 
-(* {1 What comes out} *)
+(* {1 Results} *)
 
-(* Where C's result is, by leaf. *)
+(* The place of the C function's result. *)
 type results =
-  | Whole of Ir.expr  (** one leaf, in one piece *)
-  | Bare of string  (** one array, in a variable that has its elements *)
-  | Inside of Ir.expr * Interface.t  (** a pointer to the struct *)
+  | Whole of Ir.expr  (** a single leaf *)
+  | Bare of string  (** a single array, in a variable that is a plain C array *)
+  | Inside of Ir.expr * Interface.t  (** a pointer to a struct *)
 
-type output = { ty : M.ty; leaf : int; pointer : string  (** [""] if it is returned *) }
+type output = { ty : M.ty; leaf : int; pointer : string  (** [""] if the function returns it *) }
 
-(* What C's result is to the program, an expression or what copies it. *)
+(* Converts a result for the program: to an expression, or to statements that copy it. *)
 let result names results { ty; leaf; _ } =
   let copy steps c = `Copy (fun target -> Crossing.elements names From_c ty steps ~c ~own:target) in
   let in_one_piece (e : Ir.expr) =
@@ -75,7 +75,7 @@ let result names results { ty; leaf; _ } =
       if Interface.is_in_array steps then copy steps (Access.path from steps)
       else in_one_piece (Access.path from steps [])
 
-(* The leaf of the result that an output of the node is: some may be unused. *)
+(* The index of the result's leaf for an output of the node. Some leaves may be unused. *)
 let leaf_number (foreign : F.foreign) name =
   let rec find k = function
     | (s : F.signal) :: _ when String.equal s.name name -> k
@@ -100,7 +100,8 @@ let give output value =
     (if String.equal output.pointer "" then Ir.Return value
      else Assign (Unary (Dereference, Name output.pointer), value))
 
-(* With a variable for each output between C and what is given. *)
+(* Uses a variable for each output. It receives the C function's result before the output is
+   assigned. *)
 let through_variables v names ~initial outputs results call =
   let own output =
     let name = Name.fresh (Expression.scope names) "value" in
@@ -138,7 +139,7 @@ let body v names outputs results ~call ~present =
 
 (* {1 The call} *)
 
-(* Conditions under which what C gets is there. *)
+(* The conditions under which all arguments exist. *)
 let present names parameters =
   List.filter_map
     (fun (p : M.variable) ->
@@ -148,7 +149,7 @@ let present names parameters =
       | Foreign _ | Bool | Int | Float | Sum _ | Nanoseconds | Array _ -> None)
     parameters
 
-(* The call with its result, and the variable that this needs. *)
+(* The call with its result, and the declaration of the result's variable. *)
 let call_function v names (node : M.node) symbol arguments (passing : Foreign_interface.passing) =
   let variable ty =
     let name = Name.fresh (Expression.scope names) "result" in

@@ -1,8 +1,8 @@
-(** The step of a node that is C code of the user's: from the node's leaves to what
-    {!Foreign_interface} says that C takes, the call, and back.
+(** Generates the step of a node implemented by the user's C: converts the node's leaves to the
+    arguments that {!Foreign_interface} describes, calls the function, and converts the result back.
 
-    The address of a foreign value may be that of none where a program computes what it then does
-    not choose (of an event that did not occur, say): C is never given one, nothing is called then.
-*)
+    A foreign value may be a null pointer if the program computes a value that it does not use, for
+    example for an event that did not occur. A C function never receives a null pointer; it is not
+    called in that case. *)
 
 val step : Vocabulary.t -> int -> Foreign_interface.t -> Ir.function_

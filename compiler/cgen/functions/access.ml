@@ -1,7 +1,7 @@
 let plain desc : Ir.statement = { desc; comment = "" }
 let no_path () = Basis.Diagnostic.bug ~stage:"Cgen.Access" "a place that no path leads to"
 
-(* A place in the input or output, at these indices of the arrays around it. *)
+(* A place in the input or output, given the indices of the arrays that contain it. *)
 let path from steps indices =
   let step (e, indices) (step : Interface.step) =
     match (step, indices) with
@@ -19,7 +19,7 @@ let path from steps indices =
       fst (List.fold_left step (member, indices) rest)
   | Element _ :: _ | [] -> no_path ()
 
-(* [body] gets the indices of all arrays around the place. *)
+(* [body] receives the indices of all enclosing arrays. *)
 let for_each names steps body =
   let rec around (steps : Interface.step list) indices =
     match steps with
@@ -34,7 +34,7 @@ let for_each names steps body =
 let clear names steps from =
   for_each names steps (fun indices -> [ plain (Ir.Assign (path from steps indices, Integer 0l)) ])
 
-(* Between a place in an array of the input or output and a variable. *)
+(* Copies between an array of the input or output and a variable. *)
 let copy names steps ~from_interface from own =
   let element indices =
     let outside = path from steps indices in

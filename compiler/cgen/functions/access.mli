@@ -1,20 +1,20 @@
-(** Places in the structs of an {!Interface}. *)
+(** Accesses places in the structs of an {!Interface}. *)
 
 val path : Ir.expr -> Interface.step list -> Ir.expr list -> Ir.expr
-(** The place that the steps lead to from a pointer to the struct, at these indices of the arrays
-    around it. *)
+(** The place that the steps lead to from a pointer to the struct, given the indices of the arrays
+    that contain it. *)
 
 val for_each :
   Expression.names ->
   Interface.step list ->
   (Ir.expr list -> Ir.statement list) ->
   Ir.statement list
-(** Gets the indices of all arrays around the place. *)
+(** Calls the function with the indices of all enclosing arrays. *)
 
 val dimensions : Interface.step list -> int
 
 val clear : Expression.names -> Interface.step list -> Ir.expr -> Ir.statement list
-(** The place becomes 0, in all elements of the arrays around it. *)
+(** Sets the place to 0, in all elements of the enclosing arrays. *)
 
 val copy :
   Expression.names ->
@@ -23,4 +23,4 @@ val copy :
   Ir.expr ->
   Ir.expr ->
   Ir.statement
-(** Between a place in arrays of the struct and a variable of an array type. *)
+(** Copies between an array of the struct and a variable of an array type. *)

@@ -7,19 +7,19 @@ type t = {
   names : Expression.names;
   index : int;
   node : M.node;
-  write : int -> Ir.expr -> Ir.statement;  (** an output *)
-  read : unit Basis.Int_table.t;  (** variables that anything reads *)
-  mutable place : string;  (** the source line last mentioned *)
+  write : int -> Ir.expr -> Ir.statement;  (** assigns a value to an output *)
+  read : unit Basis.Int_table.t;  (** variables that are read *)
+  mutable place : string;  (** the source line in the last comment *)
 }
 
 let plain desc : Ir.statement = { desc; comment = "" }
 
-(* Mentions the source line of a statement unless the one before did. *)
+(* A comment with the source line of a statement, unless the previous comment has the same. *)
 let comment c (span : Span.t) =
   let line = Span.line span.start in
   let place =
     if String.equal span.file c.node.file then "line " ^ string_of_int line
-    else Printf.sprintf "%s:%d" (Printable.name (Filename.basename span.file)) line
+    else Printf.sprintf "%s:%d" (C_string.comment (Filename.basename span.file)) line
   in
   if String.equal place c.place then ""
   else (
@@ -27,6 +27,7 @@ let comment c (span : Span.t) =
     place)
 
 let expression c = Expression.of_step c.names
+let value c ~at = Expression.operand c.names ~at
 
 let declared c variables =
   let declare groups ((variable : M.variable), name) =
@@ -52,7 +53,7 @@ let step_call c ~node ~own arguments results =
   let dt = given callee.seconds "dt" and dt_ns = given callee.nanoseconds "dt_ns" in
   Ir.Call (c.v.nodes.(node).step, List.concat [ own; params; dt; dt_ns; arguments; results ])
 
-(* But for the parameters that it reads by the pointer to the input. *)
+(* Omits the parameters that the callee reads through the pointer to the input. *)
 let for_step c node arguments =
   let is_read_there v = Option.is_some (Program_input.member c.v.by_pointer node v) in
   let parameters, arguments =

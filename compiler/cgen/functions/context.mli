@@ -1,4 +1,4 @@
-(** What the statements of a function have in common, and calls of nodes. *)
+(** The context in which the statements of a function are generated, and calls of nodes. *)
 
 open Basis
 module M = Step.Ir
@@ -8,34 +8,39 @@ type t = {
   names : Expression.names;
   index : int;
   node : M.node;
-  write : int -> Ir.expr -> Ir.statement;  (** an output *)
-  read : unit Basis.Int_table.t;  (** variables that anything reads *)
-  mutable place : string;  (** the source line last mentioned *)
+  write : int -> Ir.expr -> Ir.statement;  (** assigns a value to an output *)
+  read : unit Basis.Int_table.t;  (** variables that are read *)
+  mutable place : string;  (** the source line in the last comment *)
 }
 
 val plain : Ir.statement_desc -> Ir.statement
 
 val comment : t -> Span.t -> string
-(** The source line of a statement, unless the one before mentions it. *)
+(** A comment with the source line of a statement, unless the previous comment has the same. *)
 
 val expression : t -> M.expr -> Ir.expr
 
+val value : t -> at:Span.t -> M.expr -> Ir.expr
+(** The value of the statement at this place ({!Expression.operand}). *)
+
 val declared : t -> (M.variable * string) list -> Ir.statement list
-(** Declarations without values, one for each run of equal types, of variables by these names. *)
+(** Declares variables with these names without initial values. Consecutive variables of the same
+    type share a declaration. *)
 
 val uninitialized : t -> M.variable list -> Ir.statement list
-(** Likewise, last first. *)
+(** The same for the variables' own names, with the last declaration first. *)
 
 val in_seconds : t -> Ir.expr -> Ir.expr
-(** Of nanoseconds, 64 bits. *)
+(** Converts 64-bit nanoseconds to seconds. *)
 
 val step_call : t -> node:int -> own:Ir.expr list -> Ir.expr list -> Ir.expr list -> Ir.expr
-(** With the address of the state, if there is one, arguments and results. *)
+(** Calls a node's step with the address of the state, if there is one, the arguments and the
+    results. *)
 
 val own_state : t -> M.field option -> Ir.expr list
-(** The address. *)
+(** The address of a state; empty without state. *)
 
 val for_step : t -> int -> M.expr list -> Ir.expr list
-(** The arguments of a node's step. *)
+(** The arguments for a node's step. *)
 
 val for_reset : t -> int -> M.expr list -> Ir.expr list

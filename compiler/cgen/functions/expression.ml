@@ -8,7 +8,7 @@ type names = {
   scope : Name.scope;
   variables : Ir.expr Int_table.t;
   in_place : (Ir.expr list -> Ir.expr) Int_table.t;
-  indices : string Int_table.t; (* of loops, by how deep they are in others *)
+  indices : string Int_table.t; (* names of loop indices, by nesting depth *)
   mutable reaches_state : bool;
 }
 
@@ -65,8 +65,8 @@ let literal : M.expr -> float option = function
       Some (-.x)
   | _ -> None
 
-(* With a literal, [limit < x ? limit : x] is right: a zero as the first
-   argument is the exception, as it must win over the other zero. *)
+(* With a literal, [limit < x ? limit : x] is correct, unless the first argument is a zero, which
+   must win over the other zero. *)
 let limited n general simple (a : M.expr) (b : M.expr) x y =
   match (literal a, literal b) with
   | _, Some _ -> V.call n.v simple [ x; y ]
@@ -75,8 +75,8 @@ let limited n general simple (a : M.expr) (b : M.expr) x y =
 
 let bad () = Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values it does not have"
 
-(* A comparison of a whole number with a literal: the number, the literal, and what it
-   comes to if the number is that. *)
+(* For a comparison of a whole number with a literal: the number, the literal, and the comparison as
+   a function of the number's value. *)
 let comparison : Ir.expr -> (Ir.expr * int32 * (int32 -> bool)) option = function
   | Binary (((Less | Less_equal | Greater | Equal | Not_equal) as operator), a, b) -> (
       let holds x y =
@@ -94,8 +94,8 @@ let comparison : Ir.expr -> (Ir.expr * int32 * (int32 -> bool)) option = functio
       | _, _ -> None)
   | _ -> None
 
-(* Two comparisons of one number which never hold together, as [n <= 1 && n > 3], or of
-   which one always holds: clang warns of them where it sees them. *)
+(* Whether two comparisons of the same number never hold together, as in [n <= 1 && n > 3], or one
+   of them always holds. Clang warns about these. *)
 let is_decided ~by x y =
   match (comparison x, comparison y) with
   | Some (a, k, first), Some (b, l, second) when a = b ->
@@ -109,7 +109,7 @@ let is_decided ~by x y =
 let unary n (operator : Flow.Ir.operator) (ty : M.ty) x : Ir.expr =
   let whole name : Ir.expr = Call (name, [ x ]) and real name = V.call n.v name [ x ] in
   match (operator, ty) with
-  | Negate, Float -> Unary (Negate, x)
+  | Negate, Float -> ( match x with Float (_, 0.) -> V.float n.v (-0.) | x -> Unary (Negate, x))
   | Negate, Int -> whole "frob_int_neg"
   | Absolute, Float -> real "fabs"
   | Absolute, Int -> whole "frob_int_abs"
@@ -123,16 +123,21 @@ let unary n (operator : Flow.Ir.operator) (ty : M.ty) x : Ir.expr =
   | Not, Bool -> (
       match x with
       | Binary (Equal, a, b) -> Binary (Not_equal, a, b)
-      (* Not so of what may be NaN. *)
+      (* Only for integers: for numbers that may be NaN, the negation would be wrong. *)
       | Binary (Less_equal, (Long _ as a), b) -> Binary (Less, b, a)
       | x -> Unary (Not, x))
   | _, _ -> bad ()
 
 let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
   let whole name : Ir.expr = Call (name, [ x; y ]) and real name = V.call n.v name [ x; y ] in
-  (* gcc 12 folds [0.0 - fabs(x)] and the like to the wrong zero, unless the
-     operands are a function's parameters. *)
+  (* gcc 12 folds expressions like [0.0 - fabs(x)] to the wrong zero, unless the operands are
+     parameters of a function. *)
   let has_zero = match (a, b) with M.Float 0., _ | _, M.Float 0. -> true | _, _ -> false in
+  (* Comparisons ignore the sign of a zero. *)
+  let compared e x = match literal e with Some 0. -> V.float n.v 0. | _ -> x in
+  let x, y =
+    match operator with Equal | Less | Less_equal -> (compared a x, compared b y) | _ -> (x, y)
+  in
   match (operator, ty) with
   | Add, Float when has_zero -> real "frob_add"
   | Subtract, Float when has_zero -> real "frob_subtract"
@@ -178,7 +183,11 @@ let param n k : Ir.expr =
 
 let is_whole_period period = period >= 1. && period < 0x1p63
 
-let rec of_step n (e : M.expr) : Ir.expr =
+(* The value of an expression that is an operand at this place, or a statement's value. *)
+let rec operand n ~at (e : M.expr) =
+  match e with Float x -> V.literal n.v ~at x | e -> of_step n e
+
+and of_step n (e : M.expr) : Ir.expr =
   let list = List.map (of_step n) in
   match e with
   | Bool b -> Boolean b
@@ -192,9 +201,9 @@ let rec of_step n (e : M.expr) : Ir.expr =
   | Param k -> param n k
   | Dt -> Name "dt"
   | Dt_nanoseconds -> Name "dt_ns"
-  | Operation { operator = Elementary f; arguments; _ } ->
-      V.call n.v (V.elementary f) (list arguments)
-  (* One test for NaN is enough: where x is NaN, so is -x. *)
+  | Operation { operator = Elementary f; arguments; span; _ } ->
+      V.call n.v (V.elementary f) (List.map (operand n ~at:span) arguments)
+  (* A single test for NaN suffices: if x is NaN, so is -x. *)
   | Operation
       {
         operator = Maximum;
@@ -204,21 +213,25 @@ let rec of_step n (e : M.expr) : Ir.expr =
             Operation { operator = Negate; arguments = [ x ]; _ };
             Operation { operator = Minimum; arguments = [ x'; y ]; _ };
           ];
+        _;
       }
     when x = x' && Option.is_none (literal x) ->
       V.call n.v "frob_limit" (list [ x; y ])
-  | Operation { operator = Less_equal; ty = Float; arguments = [ Float x; In_nanoseconds time ] } ->
+  | Operation
+      { operator = Less_equal; ty = Float; arguments = [ Float x; In_nanoseconds time ]; span = _ }
+    ->
       at_least n time x
-  | Operation { operator; ty; arguments = [ a ] } -> unary n operator ty (of_step n a)
-  | Operation { operator; ty; arguments = [ a; b ] } ->
-      binary n operator ty (a, of_step n a) (b, of_step n b)
+  | Operation { operator; ty; arguments = [ a ]; span } ->
+      unary n operator ty (operand n ~at:span a)
+  | Operation { operator; ty; arguments = [ a; b ]; span } ->
+      binary n operator ty (a, operand n ~at:span a) (b, operand n ~at:span b)
   | Operation _ -> bad ()
-  | Select { condition; then_ = Bool true; else_ } ->
+  | Select { condition; then_ = Bool true; else_; _ } ->
       Binary (Or, of_step n condition, of_step n else_)
-  | Select { condition; then_; else_ = Bool false } ->
+  | Select { condition; then_; else_ = Bool false; _ } ->
       Binary (And, of_step n condition, of_step n then_)
-  | Select { condition; then_; else_ } ->
-      Conditional (of_step n condition, of_step n then_, of_step n else_)
+  | Select { condition; then_; else_; span } ->
+      Conditional (of_step n condition, operand n ~at:span then_, operand n ~at:span else_)
   | Construct { sum; constructor; payload } -> Call (V.maker n.v ~sum ~constructor, list payload)
   | Is_constructor { sum; value; constructor } ->
       Binary (Equal, Member (of_step n value, "tag"), Name n.v.sums.(sum).tags.(constructor))
@@ -250,13 +263,13 @@ let rec of_step n (e : M.expr) : Ir.expr =
       Binary (Remainder, of_step n time, Long (Int64.of_float period))
   | Rest { time; period } -> V.call n.v "frob_rest" (list [ time; period ])
 
-(* Integers are quicker to compare than what Floats they make. *)
+(* Comparing integers is faster than converting them to Floats first. *)
 and at_least n time x =
   match Flow.Clock.reaches n.v.program.real x with
   | Some least -> Binary (Less_equal, Long least, of_step n time)
   | None -> Binary (Less_equal, V.float n.v x, of_step n (In_nanoseconds time))
 
-(* Of an array, or of an array of arrays that is read in place. *)
+(* The element of an array, or of nested arrays that are read in place. *)
 and element n array index =
   let rec in_place (e : M.expr) indices =
     match e with

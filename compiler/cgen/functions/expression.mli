@@ -1,40 +1,44 @@
-(** Expressions of a function in C. *)
+(** Generates expressions of a C function. *)
 
 type names
-(** Of one function: its variables, and its node's state. *)
+(** The names of a function: its variables, and the state of its node. *)
 
 val names : Vocabulary.t -> node:int -> names
 val scope : names -> Name.scope
 val vocabulary : names -> Vocabulary.t
 
 val index : names -> int -> string
-(** Of a loop that is so deep in others. *)
+(** The index variable of a loop at this nesting depth. *)
 
 val read_as : names -> Step.Ir.variable -> Ir.expr -> unit
-(** How the variable is read from now on. *)
+(** Replaces reads of the variable by this expression from now on. *)
 
 val read_elements_as : names -> Step.Ir.variable -> (Ir.expr list -> Ir.expr) -> unit
-(** How an element of the array is read, given an index for each dimension; it is not read
-    otherwise. *)
+(** Replaces reads of the array's elements: the function receives an index for each dimension. The
+    array must not be read in any other way. *)
 
 val element : names -> Step.Ir.expr -> Ir.expr -> Ir.expr
-(** Of an array, by its index. *)
+(** The element of an array at an index. *)
 
 val variable : names -> Step.Ir.variable -> string
-(** Its name, chosen at the first call. *)
+(** The name of a variable, chosen when it is first needed. *)
 
 val field : names -> Step.Ir.field -> Ir.expr
-(** [self->x] *)
+(** The expression [self->x]. *)
 
 val reaches_state : names -> bool
-(** Whether any field was reached. *)
+(** Whether any field of the state has been accessed. *)
 
 val parameters : names -> Step.Ir.variable list -> (Ir.ty * string) list
-(** Of a node's function: an array is passed by address. *)
+(** The parameters of a node's function: arrays are passed by address. *)
 
 val address : Ir.expr -> Ir.expr
 
 val arguments : names -> Step.Ir.variable list -> Step.Ir.expr list -> Ir.expr list
-(** For these parameters of a node's function. *)
+(** The arguments for these parameters of a node's function. *)
+
+val operand : names -> at:Basis.Span.t -> Step.Ir.expr -> Ir.expr
+(** Like {!of_step}, for an operand of the operation at this place, or the value of its statement. A
+    number has the name that it has there in the source, if any. *)
 
 val of_step : names -> Step.Ir.expr -> Ir.expr

@@ -2,10 +2,15 @@ open Basis
 module V = Vocabulary
 open Context
 
-(* An array of numbers written out. *)
+(* Whether an array consists of literals, so that C can initialize it statically. *)
 let is_literal : M.expr -> bool = function
   | Elements { elements; _ } ->
-      List.for_all (function M.Bool _ | Int _ | Float _ -> true | _ -> false) elements
+      let is_literal : M.expr -> bool = function
+        | Bool _ | Int _ -> true
+        | Float x -> not (V.is_negative_zero x)
+        | _ -> false
+      in
+      List.for_all is_literal elements
   | _ -> false
 
 let is_loop (s : Ir.statement) = match s.desc with Ir.For _ -> true | _ -> false
@@ -16,16 +21,16 @@ let place c : M.place -> Ir.expr = function
   | Result _ -> Diagnostic.bug ~stage:"Cgen.Function" "a result that is read"
 
 let rec statement c rest (s : M.statement) : Ir.statement list =
-  (* Statements so far, last first. *)
+  (* [rest]: the preceding statements, last one first. *)
   match s with
   | Declare { variable; value; span } ->
       let literal = is_literal value in
-      let value = expression c value in
+      let value = Context.value c ~at:span value in
       let name = Expression.variable c.names variable and ty = V.ty c.v variable.ty in
       let desc = if literal then Ir.Table { ty; name; value } else Constant { ty; name; value } in
       { desc; comment = comment c span } :: rest
   | Assign { place = Result k; value; span } ->
-      { (c.write k (expression c value)) with comment = comment c span } :: rest
+      { (c.write k (Context.value c ~at:span value)) with comment = comment c span } :: rest
   | Assign { place = (Local _ | Own _) as target; value; span } ->
       let target' = place c target in
       let desc =
@@ -33,14 +38,14 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
         | Operation { operator = Add; ty = Float; arguments = [ first; amount ] }
           when expression c first = target' ->
             Ir.Add_to (target', expression c amount)
-        | value -> Assign (target', expression c value)
+        | value -> Assign (target', Context.value c ~at:span value)
       in
       { desc; comment = comment c span } :: rest
   | If { uninitialized = variables; condition; then_; else_; predicted; span } ->
       let declarations = uninitialized c variables in
       let condition = expression c condition in
       let condition =
-        (* an update without an alternative stays a branch in any case *)
+        (* an update without an alternative is compiled to a branch in any case *)
         if predicted && else_ <> [] then Ir.Call ("FROB_BRANCH", [ condition ]) else condition
       in
       let comment = comment c span in
@@ -80,7 +85,7 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
   | Enter { entry; span } -> List.rev_append (Modes.enter c entry span) rest
   | Run run -> List.rev_append (Modes.run c run) rest
   | Return { value; span } ->
-      { desc = Return (expression c value); comment = comment c span } :: rest
+      { desc = Return (Context.value c ~at:span value); comment = comment c span } :: rest
 
 and step c rest ~node ~own arguments results span =
   let call = step_call c ~node ~own (for_step c node arguments) in
@@ -102,7 +107,8 @@ and step c rest ~node ~own arguments results span =
 
 and statements c body = List.rev (List.fold_left (statement c) [] body)
 
-(* The programmer's names come before the compiler's: [t1] stays [t1]. *)
+(* Chooses the programmer's names before the generated ones, so that the programmer's [t1] stays
+   [t1]. *)
 let name_variables names body =
   let named pass (variable : M.variable) =
     if Bool.equal pass (not (String.equal variable.name "")) then
@@ -123,7 +129,8 @@ let name_variables names body =
   declared (named true);
   declared (named false)
 
-(* What only goes on by the pointer to the input is not read. *)
+(* The variables that are read. A variable that is only passed on through the pointer to the input
+   does not count. *)
 let variables_read (v : V.t) (node : M.node) body =
   let reads = Int_table.create 16 in
   let count n (variable : M.variable) =
@@ -138,7 +145,7 @@ let variables_read (v : V.t) (node : M.node) body =
 
 let self v k = (Ir.Pointer (Struct v.V.nodes.(k).state), "self")
 
-(* The pointer to the program's parameters, where there are any and they are read. *)
+(* The pointer to the program's parameters, if they exist and are read. *)
 let params (v : V.t) is_read =
   match v.params with
   | Some params when is_read ->
@@ -147,12 +154,13 @@ let params (v : V.t) is_read =
 
 let ignored name = plain (Ir.Do (Cast (Void, Name name)))
 
-(* The pointer to a state that a body, already made, does not use. *)
+(* Marks the pointer to the state as unused if the body, which has already been generated, does not
+   use it. *)
 let unread names = if Expression.reaches_state names then [] else [ ignored "self" ]
 
 let place_of (node : M.node) =
   Printf.sprintf "%s, %s:%d" node.origin
-    (Printable.name (Filename.basename node.file))
+    (C_string.comment (Filename.basename node.file))
     (Span.line node.span.start)
 
 let no_result _ _ = Diagnostic.bug ~stage:"Cgen.Function" "a result where there is none"
@@ -177,8 +185,8 @@ let reset (v : V.t) k : Ir.function_ =
     comment = place_of node;
   }
 
-(* A member of the input is read where it is used if it has a name of its own; what is only
-   [f1] there gets the programmer's name first. *)
+(* A member of the input with a name of its own is read where it is used. A member that is only
+   called [f1] is first copied to a variable with the programmer's name. *)
 let read_member (v : V.t) names read (variable : M.variable) steps =
   let place = Access.path (Name "in") steps [] in
   if Interface.direct v.program.input || String.equal variable.name "" then (
@@ -191,7 +199,7 @@ let read_member (v : V.t) names read (variable : M.variable) steps =
 
 let input (v : V.t) : Ir.ty = Pointer_to_const (Struct v.input.struct_name)
 
-(* So few operations are worth a copy at every call. *)
+(* Maximum number of operations of a function that is marked inline. *)
 let inline_size = 12
 
 let own_step (v : V.t) k : Ir.function_ =
@@ -216,7 +224,7 @@ let own_step (v : V.t) k : Ir.function_ =
     | [ (_, ty) ] -> (V.ty v ty, [])
     | _ ->
         let result (name, ty) =
-          (* An unnamed one is [out] or [out.x]. *)
+          (* An output without a name is called [out] or [out.x]. *)
           let is_out = List.hd (String.split_on_char '.' name) = "out" in
           let name = if is_out then name else "out_" ^ name in
           (Ir.Pointer (V.ty v ty), Name.fresh (Expression.scope names) name)
@@ -247,7 +255,7 @@ let at_first c zero value =
   | None -> value
   | Some { field; own = _ } -> Ir.Conditional (Expression.field c.names field, value, zero)
 
-(* dt becomes whole nanoseconds, and 0 where the step cannot know it. *)
+(* Rounds dt to whole nanoseconds, and replaces it by 0 in the first instant. *)
 let double_clock c (node : M.node) =
   let dt = Ir.Name "dt" in
   let set_dt value = plain (Ir.Assign (dt, value)) in
@@ -256,13 +264,14 @@ let double_clock c (node : M.node) =
     plain (Ir.Variable { ty = Int64; name = "dt_ns"; value = rounded })
     :: (if node.seconds then [ set_dt (in_seconds c (Name "dt_ns")) ] else [])
   else if node.seconds then
-    (* 0 before all else: after a choice of dt C compilers write the step twice. *)
+    (* Replacing dt by 0 must come first: after a selection of dt, C compilers duplicate the
+       step. *)
     match at_first c (V.float c.v 0.) dt with
     | Name _ -> [ set_dt (Call ("frob_whole_dt", [ dt ])) ]
     | first -> [ set_dt first; set_dt (Call ("frob_whole_dt", [ dt ])) ]
   else []
 
-(* Nanoseconds are given. *)
+(* The parameter is already in nanoseconds. *)
 let single_clock c (node : M.node) =
   if not (node.nanoseconds || node.seconds) then []
   else
@@ -286,7 +295,7 @@ let clock c node =
   in
   times @ mark
 
-(* Is an array read element by element only, never as a whole? *)
+(* Whether an array is read only element by element, never as a whole. *)
 let only_elements_read body (variable : M.variable) ~dimensions =
   let rec is_chain depth (e : M.expr) =
     match e with
@@ -330,7 +339,8 @@ let inputs c (node : M.node) =
   in
   List.concat (List.rev (List.rev_map2 take node.step.parameters c.v.input.leaves))
 
-(* Seconds are made nanoseconds first: a float has too few bits for these. *)
+(* Converts seconds to nanoseconds, which are 64-bit integers, because a float has too few bits for
+   them. *)
 let step_in_seconds (v : V.t) (step : Ir.function_) : Ir.function_ =
   let rounded = V.call v "frob_whole_ns" [ Name "dt" ] in
   let parameter (ty, name) = if name = "dt_ns" then (V.real v, "dt") else (ty, name) in

@@ -1,7 +1,7 @@
-(** The reset and step function of a node. *)
+(** Generates the reset and step functions of a node. *)
 
 val reset : Vocabulary.t -> int -> Ir.function_
 
 val steps : Vocabulary.t -> int -> Ir.function_ list
-(** One; of the root in single precision two: the step whose dt is in whole nanoseconds, and the one
-    in seconds that calls it. *)
+(** One function, or two for the root in single precision: the step with dt in whole nanoseconds,
+    and one with dt in seconds that calls it. *)

@@ -6,7 +6,7 @@ let plain desc : Ir.statement = { desc; comment = "" }
 let is_array (ty : M.ty) =
   match ty with Array _ -> true | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> false
 
-(* Cheap to read again in every round. *)
+(* Whether an expression is cheap enough to be evaluated in every iteration. *)
 let rec is_place : Ir.expr -> bool = function
   | Name _ | Boolean _ | Integer _ | Long _ | Float _ -> true
   | Member (e, _) | Arrow (e, _) | Unary ((Address | Dereference), e) -> is_place e
@@ -60,7 +60,8 @@ let statements names (l : M.loop) ~call =
     match targets with
     | [ target ] -> [ plain (Ir.Assign (target, call index arguments [])) ]
     | targets ->
-        (* An accumulator that is an array is read while the next is written. *)
+        (* An array accumulator is read while its next value is written, so it needs a second
+           variable. *)
         let next k (variable : M.variable) target =
           if k < accumulators && is_array variable.ty then
             let name = Name.fresh scope "next" in

@@ -1,9 +1,9 @@
-(** A loop over arrays as a bounded [for]. *)
+(** Generates a loop over arrays as a [for] with a fixed number of iterations. *)
 
 val statements :
   Expression.names ->
   Step.Ir.loop ->
   call:(string -> Ir.expr list -> Ir.expr list -> Ir.expr) ->
   Ir.statement list
-(** With the declarations of its results before it. [call] is the step of a round, given the index,
-    the arguments, and the places for more than one result. *)
+(** The loop, after the declarations of its results. [call] generates the step of an iteration from
+    the index, the arguments, and the places for the results, if there are several. *)

@@ -29,13 +29,13 @@ let enter c (entry : M.entry) span =
   | [] -> []
   | first :: others -> { Ir.desc = first; comment } :: List.map plain others
 
-(* What a mode enters at its first instant sees no time. *)
+(* For a mode entered in this instant, dt is 0. *)
 let forget_time c =
   let set name zero = [ plain (Ir.Assign (Name name, zero)) ] in
   (if c.node.seconds then set "dt" (V.float c.v 0.) else [])
   @ if c.node.nanoseconds then set "dt_ns" (Ir.Integer 0l) else []
 
-(* The first alternative that holds. *)
+(* A chain of [if] statements for the first alternative that holds. *)
 let first_of alternatives =
   List.fold_right
     (fun (condition, then_, comment) else_ ->
@@ -52,15 +52,16 @@ let zero c (v : M.variable) =
   let name = Expression.variable c.names v in
   plain (Ir.Variable { ty = V.ty c.v v.ty; name; value = V.zero c.v v.ty })
 
-(* With [drops] C compilers cannot see that the first mode gives values, nor where modes
-   give none as they end, that another one follows. *)
+(* Results need initial values if C compilers cannot see that they are assigned: if results may be
+   dropped, they do not know that the first mode always assigns them; if a mode may end early, they
+   do not know that another mode follows. *)
 let results_of_run c (run : M.run) =
   let ends = List.exists (ends_early c) c.node.modes in
   if (not run.drops) && Option.is_none run.active && not ends then
     List.rev (uninitialized c run.results)
   else List.map (zero c) run.results
 
-(* A mode's step, with the places of its results. *)
+(* Calls a mode's step with the places of its results. *)
 let step c (mode : M.mode) (case : M.case) results =
   let state = own_state c mode.state in
   let call = step_call c ~node:mode.node ~own:state (for_step c mode.node case.arguments) in
@@ -72,7 +73,7 @@ let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
   let mode = List.nth c.node.modes k in
   c.place <- "";
   let results = List.map (fun v -> (v, place c v)) run.results in
-  (* Where results may be dropped they first go to variables of the case. *)
+  (* If results may be discarded, they are first stored in variables of the case. *)
   let own =
     if not run.drops then []
     else
@@ -103,7 +104,7 @@ let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
 
 let run c (run : M.run) =
   let scope = Expression.scope c.names in
-  (* One round steps one mode; another follows if a mode was entered. *)
+  (* Each iteration runs one mode. There is another iteration if a mode was entered. *)
   let loops = run.steps > 1 in
   let flag name = Name.fresh scope name in
   let steps = if loops then flag "steps" else "" in

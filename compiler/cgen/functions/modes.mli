@@ -1,10 +1,10 @@
-(** Machines in C: the running mode is stepped in a [switch] by its number; where that enters
-    another, the loop around the [switch] goes round once more. *)
+(** Generates machines: a [switch] on the number of the running mode calls its step. If a transition
+    enters another mode, the loop around the [switch] runs another iteration. *)
 
 open Basis
 
 val enter : Context.t -> Step.Ir.entry -> Span.t -> Ir.statement list
-(** The number, the parameters, and the state at its start. *)
+(** Stores the mode's number and parameters, and resets its state. *)
 
 val run : Context.t -> Step.Ir.run -> Ir.statement list
-(** One instant, with the declarations of its results before it. *)
+(** Runs one instant, after the declarations of its results. *)

@@ -5,7 +5,7 @@ type side = { own : Interface.t; host : Interface.t; robot : Robot.t option }
 
 let bug format = Basis.Diagnostic.bug ~stage:"Cgen.Border" format
 
-(* Of a program of single precision. *)
+(* The robot, for a program in single precision. *)
 let robot_of ?own (program : Step.Ir.program) shape =
   match program.real with Double -> None | Single -> Robot.of_shape ?own shape
 
@@ -19,7 +19,7 @@ let host_input = "host_input"
 let host_output = "host_output"
 let own_part = Interface.Member "own"
 
-(* The console is the program's own, in both structs. *)
+(* The console belongs to the program, in both structs. *)
 let input ?own_robot (program : Step.Ir.program) (own : Interface.t) =
   match (robot_of ?own:own_robot program program.input, Robot.apart program.input) with
   | None, _ -> same own
@@ -32,7 +32,7 @@ let input ?own_robot (program : Step.Ir.program) (own : Interface.t) =
       let leaves = List.mapi leaf own.leaves in
       { own; host = { own with struct_name = host_input; leaves }; robot }
 
-(* What is beside the command is the program's own, in both structs. *)
+(* Everything except the command belongs to the program, in both structs. *)
 let output ?own_robot (program : Step.Ir.program) (own : Interface.t) =
   let command, result =
     if program.ends then Interface.apart program.output else (program.output, None)
@@ -71,11 +71,11 @@ let definitions (program : Step.Ir.program) side =
     definition ~first:"command"
       (if program.ends then fst (Interface.apart program.output) else program.output)
 
-(* {1 Converting} *)
+(* {1 Conversion} *)
 
 let index depth = Char.chr (Char.code 'i' + depth)
 
-(* [root] ends in what selects a member. *)
+(* [root] ends with the operator that selects a member. *)
 let path root (steps : Interface.step list) =
   let add (text, depth) (step : Interface.step) =
     match step with
@@ -88,7 +88,7 @@ let path root (steps : Interface.step list) =
 let sizes steps =
   List.filter_map (function Interface.Element n -> Some n | Member _ -> None) steps
 
-(* Assignments of one leaf, as lines without indentation. *)
+(* The assignments for one leaf, as lines without indentation. *)
 let rec assignments (program : Step.Ir.program) sums (ty : F.ty) ~to_ ~from ~cast =
   let equal to_ from = sprintf "%s = %s;" to_ from in
   let scalar (ty : Ir.ty) to_ from =
@@ -146,8 +146,8 @@ let convert out program sums shape side ~own ~host ~inward =
 
 (* {1 The step} *)
 
-(* What a host gives that a program without parameters does not take, and what one with them
-   is passed. *)
+(* How the functions of the table handle their argument [params], which hosts always pass: a
+   statement that ignores it, and the text that passes it on. *)
 let passed = function
   | None -> ("    (void)params;\n", "")
   | Some params -> ("", sprintf ", (const struct %s *)params" (Param_struct.struct_name params))

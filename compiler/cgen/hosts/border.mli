@@ -1,36 +1,37 @@
-(** Between a program of single precision and its hosts.
+(** Converts between a program in single precision and its hosts.
 
-    Robots' structs are of doubles whatever a program computes with, as their drivers and the
-    simulator are; a program of single precision has structs of its own. The table for hosts
-    describes the robot's, and its step converts: an input's doubles are rounded to floats, an
-    output's floats are doubles already. Time too is converted there, to whole nanoseconds. In
-    double precision both sides are the same, and nothing is converted. *)
+    The structs of robots contain doubles, whatever precision the program has, because drivers and
+    the simulator use doubles. A program in single precision has structs of its own. The table for
+    hosts describes the robot's structs, and its step function converts between the two: it rounds
+    the input's doubles to floats, and widens the output's floats to doubles. It also converts time
+    to whole nanoseconds. In double precision both sides are equal, and nothing is converted. *)
 
 type side = {
-  own : Interface.t;  (** of the program *)
+  own : Interface.t;  (** the program's struct *)
   host : Interface.t;
-  robot : Robot.t option;  (** whose struct the host's is, if that is not the program's *)
+  robot : Robot.t option;
+      (** the robot to which the host's struct belongs, if that is not the program's struct *)
 }
-(** The input or the output. *)
+(** The structs of the input, or of the output. *)
 
 val input : ?own_robot:Robot.t -> Step.Ir.program -> Interface.t -> side
-(** [own_robot]: the user's own, if the program is for one. *)
+(** [own_robot]: the robot of the user's own, if the program is for one. *)
 
 val output : ?own_robot:Robot.t -> Step.Ir.program -> Interface.t -> side
 
 val is_own : side -> Interface.step list -> bool
-(** Does this lead, in the host's struct, to what is beside a robot's command: what the program has
-    ended with, and its probes? Those are the program's own in both structs. *)
+(** Whether this path leads to a part of the host's struct that is not the robot's: the program's
+    result or probes. These are the program's own in both structs. *)
 
 val includes : side list -> string
-(** Of the robots' headers, as lines. *)
+(** The lines that include the robots' headers. *)
 
 val definitions : Step.Ir.program -> side -> string
-(** Of the host's output where it is a robot's and something beside it. *)
+(** The definition of the host's struct if it contains a robot's struct and other parts. *)
 
 val passed : Param_struct.t option -> string * string
-(** How a function of the table that is given [params] ignores them, and how it passes them on after
-    the state. *)
+(** For a function of the table that receives [params]: the statement that ignores it, and the text
+    that passes it on after the state. *)
 
 val step :
   params:Param_struct.t option ->
@@ -40,5 +41,5 @@ val step :
   input:side ->
   output:side ->
   string
-(** The table's step, and what it needs: C functions, as text. In single precision also
+(** The table's step function and the C functions it needs, as text. In single precision it includes
     [arithmetic], for the table. *)

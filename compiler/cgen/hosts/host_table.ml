@@ -1,32 +1,23 @@
 module F = Flow.Ir
 open Printf
 
-(* Tables are written bottom up and numbered; a table's number is its name. *)
+(* Tables are written bottom-up and named by numbers. *)
 type context = {
   out : Buffer.t;
   sums : F.sum array;
-  struct_name : string;  (** that offsets count from *)
-  prefix : string;  (** of the tables' names *)
+  struct_name : string;  (** the struct to which offsets refer *)
+  prefix : string;  (** prefix of the tables' names *)
   mutable count : int;
-  mutable console : string list;  (** the values on the operator's console *)
+  mutable console : string list;  (** names of the console's values *)
 }
 
-(* Where a leaf lies, as paths of members, and the kind of what Floats it has. *)
+(* A leaf's access path and its Float representation. *)
 type location =
   | Scalar of { path : string; number : string }
   | Sum of { tag : string; base : string; first : Step.Layout.slots; number : string }
-  | Array of (int -> location)  (** of each element *)
+  | Array of (int -> location)  (** location of each element *)
 
-(* In C an octal escape has three digits at most. *)
-let c_string text =
-  let character c =
-    match c with
-    | '"' | '\\' -> sprintf "\\%c" c
-    | ' ' .. '~' -> String.make 1 c
-    | c -> sprintf "\\%03o" (Char.code c)
-  in
-  "\"" ^ String.concat "" (List.map character (List.of_seq (String.to_seq text))) ^ "\""
-
+let c_string = Basis.C_string.literal
 let name_or_null text = if String.equal text "" then "NULL" else c_string text
 
 let next c =
@@ -45,7 +36,7 @@ let table out kind name rows =
 let numbered_table c kind = table c.out kind (sprintf "%s_%ss_%d" c.prefix kind (next c))
 let offset c path = sprintf "offsetof(struct %s, %s)" c.struct_name path
 
-(* Writes a value's table and returns its name. *)
+(* Writes the table of a value and returns its name. *)
 let value c ~kind ~offset ~is_event ~count constructors =
   let name = sprintf "%s_value_%d" c.prefix (next c) in
   bprintf c.out "static const struct frob_value %s = {\n    %s, %s, %d, %d, %s\n};\n" name kind
@@ -64,7 +55,7 @@ let take locations =
 let foreign () = Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a host that knows a foreign type"
 let is_image = Flow.Shape.is_image
 
-(* Of a leaf that lies in one piece. *)
+(* The location of a leaf that is a single member. *)
 let rec value_at number path (ty : F.ty) =
   match ty with
   | Bool | Int | Float -> Scalar { path; number }
@@ -92,7 +83,7 @@ let rec shape c locations (whole : F.shape) =
       let constructors = numbered_table c "constructor" [ row ] in
       value c ~kind:"FROB_PRODUCT" ~offset:"0" ~is_event:false ~count:1 constructors
   | Repeated (n, element) ->
-      (* As a product of its elements. *)
+      (* An array is described as a product of its elements. *)
       let arrays = List.map (fun _ -> take locations) (Flow.Shape.leaves element) in
       let row i =
         let locations = ref (List.map (element_of i) arrays) in
@@ -109,7 +100,7 @@ and constructor ?(note = ignore) c locations ~name ~record parts =
     note value;
     sprintf "%s, &%s" (name_or_null name) value
   in
-  (* From the first to the last: the locations are in that order. *)
+  (* Locations are consumed in order, so fields must be processed from first to last. *)
   let fields = numbered_table c "field" (Basis.Long_list.map field parts) in
   sprintf "%s, %d, %d, %s" (name_or_null name) (if record then 1 else 0) (List.length parts) fields
 
@@ -146,14 +137,14 @@ and sum c k ~tag ~base ~first ~number =
   in
   value c ~kind:"FROB_SUM" ~offset:(offset c tag) ~is_event ~count:(List.length rows) constructors
 
-(* The kind of the Floats of a leaf. *)
+(* The representation of Floats in a leaf. *)
 let number (program : Step.Ir.program) (side : Border.side) steps =
   match (program.real, side.robot) with
   | Double, _ -> "FROB_FLOAT"
   | Single, Some _ when not (Border.is_own side steps) -> "FROB_ROUNDED"
   | Single, (Some _ | None) -> "FROB_SINGLE"
 
-(* Of each leaf. *)
+(* The locations of all leaves. *)
 let locations (program : Step.Ir.program) (side : Border.side) whole =
   let rec locate number path (steps : Interface.step list) (ty : F.ty) =
     match (steps, ty) with
@@ -185,7 +176,7 @@ let table_of out (program : Step.Ir.program) ~prefix (side : Border.side) locati
 let input out (program : Step.Ir.program) (side : Border.side) =
   table_of out program ~prefix:"in" side (locations program side program.input) program.input
 
-(* What stands on the console, with the values of its parts of the input. *)
+(* The table of the console's controls, with the values in the input that they set. *)
 let controls out (program : Step.Ir.program) values =
   let bounds (kind : Core.Ir.control_kind) =
     match kind with
@@ -202,12 +193,13 @@ let controls out (program : Step.Ir.program) values =
     sprintf "%s, %s, %s, %.17g, %.17g, %.17g, &%s" kind (c_string c.label) (c_string c.unit_) least
       most first value
   in
-  (* More than one console has the same things on it; hosts know the first. *)
+  (* If the input contains several consoles, they have the same controls; hosts use the first. *)
   let values, _ = Basis.Long_list.split_at (List.length program.console) values in
   let rows = if values = [] then [] else List.map2 row program.console values in
   (table out "control" "controls" rows, List.length rows)
 
-(* How nearly each claim holds, for who looks up that symbol; only if that was asked for. *)
+(* Exports the margin formulas of assertions, for tools that look up this symbol; only if margins
+   are enabled. *)
 let margins out (program : Step.Ir.program) =
   let text (claim : F.claim) = Option.fold ~none:"NULL" ~some:c_string claim.margin in
   if List.exists (fun (claim : F.claim) -> Option.is_some claim.margin) program.claims then
@@ -215,8 +207,8 @@ let margins out (program : Step.Ir.program) =
       "extern const char *const frob_margins[];\nconst char *const frob_margins[] = {%s};\n"
       (String.concat ", " (List.map text program.claims))
 
-(* The output; its last leaf once more, by itself, where it is what the program ends with;
-   the probes that are shown; and the verdicts on assertions. *)
+(* The tables of the output, of its last leaf if that is the program's result, of visible probes,
+   and of the verdicts of assertions. *)
 let outputs out (program : Step.Ir.program) (side : Border.side) =
   let probes = Interface.record_of program.probes in
   let all =
@@ -265,7 +257,7 @@ let outputs out (program : Step.Ir.program) (side : Border.side) =
   let claims = sprintf "%s, %d" (table out "claim" "claims" claims) (List.length claims) in
   (output, result, probes, claims)
 
-(* The table of machines, and how many rows it has. *)
+(* The table of machines, and its number of rows. *)
 let machines out ~state (list : Machine_table.t list) =
   let names number (m : Machine_table.t) =
     let name = sprintf "modes_%d" number in
@@ -287,7 +279,7 @@ let machines out ~state (list : Machine_table.t list) =
 let robot ?own (program : Step.Ir.program) =
   List.find_map (Robot.of_shape ?own) [ program.input; program.output ]
 
-(* Each parameter with where it is in their struct. *)
+(* The table of parameters, each with its offset in the parameter struct. *)
 let params out (program : Step.Ir.program) params =
   match params with
   | None -> "NULL, 0, NULL, 0"

@@ -1,5 +1,5 @@
-(* Robots share types, and a host that knows several robots includes several
-   headers: what is not this robot's own is defined by the first of them. *)
+(* Robots share some types, and a host that supports several robots includes all their headers. Each
+   shared type therefore has an include guard; the first header that is included defines it. *)
 let guarded (robot : Robot.t) (declaration : Ir.declaration) : Ir.declaration list =
   let prefix = "FROB_" in
   let shared name =
@@ -35,7 +35,8 @@ let text (robot : Robot.t) (program : Step.Ir.program) =
           Text "#include <stdbool.h>\n#include <stdint.h>\n";
         ];
         List.concat_map (guarded robot)
-          (Value_types.definitions v.types ~of_:(fun owner -> owner = Value_types.Robot));
+          (Value_types.declarations
+             (Value_types.definitions v.types ~of_:(fun owner -> owner = Value_types.Robot)));
         List.concat_map (guarded robot) v.robot_records;
         [ Text "#endif\n" ];
       ]

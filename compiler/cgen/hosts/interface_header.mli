@@ -1,5 +1,6 @@
-(** The header with a robot's input and output structs, from the types that its module declares. *)
+(** The header with a robot's input and output structs, generated from the types that its module
+    declares. *)
 
 val text : Robot.t -> Step.Ir.program -> string
-(** The program's input and output are the robot's: that of any signal function from the one to the
-    other. *)
+(** The program must have the robot's input and output types. It may be any signal function from one
+    to the other. *)

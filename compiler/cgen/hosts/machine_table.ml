@@ -9,14 +9,14 @@ type t = {
   within : (int * int) option;
 }
 
-(* Nobody reads more columns of modes than that. *)
+(* Longer arrays of machines are omitted, because so many columns would not be readable. *)
 let longest_array = 64
 
 type search = { v : V.t; names : Basis.Names.t; mutable found : t list; mutable count : int }
 
 let join path name = if String.equal path "" then name else path ^ "." ^ name
 
-(* [element]: of the arrays that the path goes through, as in [[2]]. *)
+(* [element]: the indices of the arrays on the path, such as [[2]]. *)
 let rec node s k ~path ~element ~within =
   let node_ = s.v.program.nodes.(k) in
   let path_of (field : M.field) =

@@ -1,14 +1,15 @@
-(** The machines in a program's state, for hosts that show which mode runs. *)
+(** The machines in a program's state, for hosts that show the running modes. *)
 
 type t = {
   name : string;  (** from the source; unique in the list *)
-  path : string;  (** from the state struct to the number of the mode that runs *)
-  wide : bool;  (** that number has 32 bits, not 8 *)
-  modes : string list;  (** names, by number *)
+  path : string;  (** path from the state struct to the number of the running mode *)
+  wide : bool;  (** whether this number has 32 bits instead of 8 *)
+  modes : string list;  (** names of the modes, by number *)
   within : (int * int) option;
-      (** a machine, by its place in the list, and the number of its mode that has to run for this
-          one to do so *)
+      (** the enclosing machine, by its index in the list, and the number of its mode that contains
+          this machine *)
 }
 
 val of_program : Vocabulary.t -> t list
-(** Each after the machine it is within. Without those of one mode, and those in long arrays. *)
+(** Each machine follows the one that contains it. Machines with a single mode, and those in long
+    arrays, are omitted. *)

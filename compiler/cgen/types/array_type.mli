@@ -1,14 +1,14 @@
-(** Arrays in C: a struct around an array, so that it can be assigned and returned like any other
-    value; and functions on it. *)
+(** Arrays in C: a struct that contains an array, so that it can be assigned and returned like any
+    other value; and functions on it. *)
 
 val name : Flow.Ir.sum array -> Step.Ir.ty -> string
-(** What tells the type from others: [float_16], [maybe_float_3_4]. *)
+(** An identifier for the type: [float_16], [maybe_float_3_4]. *)
 
 val element : Ir.expr -> Ir.expr -> Ir.expr
-(** [a.at[i]] *)
+(** The expression [a.at[i]]. *)
 
 val definition : string -> count:int -> element:Ir.ty -> Ir.declaration
-(** The struct of that name. *)
+(** The struct with this name. *)
 
 type operation = At  (** the element of an index, or a default outside *) | Replace | Fill
 
@@ -17,4 +17,4 @@ val suffix : operation -> string
 
 val function_ :
   operation -> string -> struct_name:string -> count:int -> element:Ir.ty -> Ir.function_
-(** Of that name. *)
+(** The function with this name for an operation. *)

@@ -8,8 +8,9 @@ type types = {
   prefix : string;
   sum : int -> string;
   foreign : F.foreign_type -> Ir.ty;
+  of_record : F.product -> Units.value;
   known : (key, string * Ir.member list) Hashtbl.t;
-  mutable definitions : Ir.declaration list;  (** last first *)
+  mutable definitions : Ir.declaration list;  (** last one first *)
 }
 
 type t = { struct_name : string; leaves : step list list; unused : step list list }
@@ -17,8 +18,9 @@ and step = Member of string | Element of int
 
 let is_in_array = List.exists (function Element _ -> true | Member _ -> false)
 
-let types scope ~real ~prefix ~sum ~foreign =
-  { real; scope; prefix; sum; foreign; known = Hashtbl.create 8; definitions = [] }
+let types scope ~real ~prefix ~sum ~foreign ~(units : Units.t) =
+  let of_record = units.record and known = Hashtbl.create 8 in
+  { real; scope; prefix; sum; foreign; of_record; known; definitions = [] }
 
 let key (product : F.product) =
   (product.product_module, product.product_name, List.map snd product.parts)
@@ -41,30 +43,31 @@ let rec leaf_type types (ty : F.ty) : Ir.ty =
   | Array (n, element) -> Array (leaf_type types element, n)
   | Foreign foreign -> types.foreign foreign
 
-let rec members types (product : F.product) : Ir.member list =
+let rec members types (units : Units.value) (product : F.product) : Ir.member list =
   match product.parts with
   | [] -> [ no_value ]
   | parts ->
       let scope = Name.scope Members in
       List.mapi
         (fun k (field, shape) ->
+          let units = units.part (if String.equal field "" then string_of_int (k + 1) else field) in
           let field = if String.equal field "" then Printf.sprintf "f%d" (k + 1) else field in
           let name = Name.fresh scope field in
-          { Ir.name; ty = part_type types shape; comment = "" })
+          { Ir.name; ty = part_type types units shape; comment = units.unit_ })
         parts
 
-and part_type types (shape : F.shape) : Ir.ty =
+and part_type types units (shape : F.shape) : Ir.ty =
   match shape with
   | Leaf ty -> leaf_type types ty
-  | Product ({ product_name = ""; _ } as product) -> Members (members types product)
+  | Product ({ product_name = ""; _ } as product) -> Members (members types units product)
   | Product product -> Struct (record types product)
-  | Repeated (n, element) -> Array (part_type types element, n)
+  | Repeated (n, element) -> Array (part_type types units element, n)
 
 and record types (product : F.product) =
   match Hashtbl.find_opt types.known (key product) with
   | Some (name, _) -> name
   | None ->
-      let members = members types product in
+      let members = members types (types.of_record product) product in
       let own = Name.short (Name.snake product.product_name) in
       let name = Name.fresh types.scope (types.prefix ^ "_" ^ own) in
       Hashtbl.replace types.known (key product) (name, members);
@@ -75,7 +78,7 @@ and define types name members =
   let definition = Ir.Struct_definition { overlaid = false; name; members; comment = "" } in
   types.definitions <- definition :: types.definitions
 
-(* The paths through the members of a shape, to leaves and to unused bytes. *)
+(* The paths through the members of a shape to leaves and to unused bytes. *)
 let paths (shape : F.shape) (members : Ir.member list) member_list_of =
   let leaves = ref [] and unused = ref [] in
   let rec part path (shape : F.shape) (member : Ir.member) =
@@ -128,7 +131,7 @@ let with_others types ~name ~first:first_name command (others : (string * F.shap
     { product_name = ""; product_module = ""; constructor = ""; record = false; parts = others }
   in
   let first : Ir.member = { name = first_name; ty = Struct command.struct_name; comment = "" } in
-  let others = members types product in
+  let others = members types Units.unknown product in
   define types name (first :: others);
   let beside = with_paths types ~name others (Product product) in
   let inside path = Member first_name :: path in
@@ -143,18 +146,20 @@ let with_leaves ~at count t =
   let before, after = Basis.Long_list.split_at at others in
   { t with leaves = before @ moved @ after }
 
-let of_shape types ~name (shape : F.shape) =
+let of_shape types ~(units : Units.value) ~name (shape : F.shape) =
   let members =
     match shape with
-    | Leaf _ | Repeated _ -> [ { Ir.name = "value"; ty = part_type types shape; comment = "" } ]
-    | Product product -> members types product
+    | Leaf _ | Repeated _ ->
+        [ { Ir.name = "value"; ty = part_type types units shape; comment = units.unit_ } ]
+    | Product product -> members types units product
   in
   define types name members;
   with_paths types ~name members shape
 
 let of_record types ~name (product : F.product) =
-  let interface = of_shape types ~name (Product product) in
-  Hashtbl.replace types.known (key product) (name, members types product);
+  let units = types.of_record product in
+  let interface = of_shape types ~units ~name (Product product) in
+  Hashtbl.replace types.known (key product) (name, members types units product);
   interface
 
 let of_type types ~name (shape : F.shape) =
@@ -164,4 +169,4 @@ let of_type types ~name (shape : F.shape) =
       match Hashtbl.find_opt types.known (key product) with
       | Some (_, members) -> with_paths types ~name members shape
       | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "a record without a struct")
-  | Product _ | Leaf _ | Repeated _ -> of_shape types ~name:(name ()) shape
+  | Product _ | Leaf _ | Repeated _ -> of_shape types ~units:Units.unknown ~name:(name ()) shape

@@ -1,11 +1,11 @@
 (** The input or output type of a program as a C struct.
 
-    An array is one in C; a record's fields are members; a tuple's components are [f1], [f2], …; a
-    value that is neither is the one member [value]. What holds nothing holds one byte, because C
-    has no empty structs. *)
+    Arrays become C arrays, and the fields of a record become members. The components of a tuple are
+    called [f1], [f2], …. Any other value is a struct with the single member [value]. An empty value
+    occupies one byte, because C does not allow empty structs. *)
 
 type types
-(** The record types of one header, as they are met. *)
+(** The record types of one header, collected as they are used. *)
 
 val types :
   Name.scope ->
@@ -13,45 +13,47 @@ val types :
   prefix:string ->
   sum:(int -> string) ->
   foreign:(Flow.Ir.foreign_type -> Ir.ty) ->
+  units:Units.t ->
   types
-(** [real] is the type of a Float, [sum] gives the struct of a sum, [foreign] how C has a foreign
-    type. *)
+(** [real] is the type of a Float; [sum] returns the struct of a sum; [foreign] returns the C type
+    of a foreign type; the comments of members state their [units]. *)
 
 type t = {
   struct_name : string;
-  leaves : step list list;  (** what leads to each leaf, in order *)
-  unused : step list list;  (** and to the bytes of what holds nothing *)
+  leaves : step list list;  (** path to each leaf, in order *)
+  unused : step list list;  (** paths to the bytes of empty values *)
 }
 
-and step = Member of string | Element of int  (** of an array: any of so many *)
+and step = Member of string | Element of int  (** any element of an array of this size *)
 
 val is_in_array : step list -> bool
 val leaf_type : types -> Flow.Ir.ty -> Ir.ty
 
-val of_shape : types -> name:string -> Flow.Ir.shape -> t
-(** [name] is that of the struct, a name of the header's scope. *)
+val of_shape : types -> units:Units.value -> name:string -> Flow.Ir.shape -> t
+(** [name] is the name of the struct in the header's scope; [units] are those of the shape. *)
 
 val of_record : types -> name:string -> Flow.Ir.product -> t
-(** As {!of_shape}; whoever uses the record from now on gets this struct. *)
+(** Like {!of_shape}. From now on, all uses of the record get this struct. *)
 
 val of_type : types -> name:(unit -> string) -> Flow.Ir.shape -> t
-(** A record has its own struct, whoever uses it; else as {!of_shape}. *)
+(** A record has one struct for all its uses; anything else is like {!of_shape}. *)
 
 val apart : Flow.Ir.shape -> Flow.Ir.shape * Flow.Ir.shape option
-(** The output of a program that ends: what it commands, and what it has ended with. *)
+(** Splits the output of a program: the robot's command, and the result if the program can end. *)
 
 val record_of : (string * Flow.Ir.shape) list -> Flow.Ir.shape
-(** Of what a probed program shows. *)
+(** A record of the signals that a program with probes shows. *)
 
 val with_others : types -> name:string -> first:string -> t -> (string * Flow.Ir.shape) list -> t
-(** A struct of several members: the [first], whose struct is defined elsewhere, and others by name,
-    such as what the program has ended with. *)
+(** A struct whose member [first] is a struct defined elsewhere, followed by other members, such as
+    the program's result. *)
 
 val with_leaves : at:int -> int -> t -> t
-(** So many leaves, the last ones, have their place after so many others. *)
+(** [with_leaves ~at count interface] moves the last [count] leaves to the position after the first
+    [at] leaves. *)
 
 val definitions : types -> Ir.declaration list
-(** All structs, used before users. *)
+(** All structs, in an order in which each is defined before its uses. *)
 
 val direct : Flow.Ir.shape -> bool
-(** A record, so that members bear the programmer's names. *)
+(** Whether the shape is a record, so that its members have the programmer's names. *)

@@ -6,7 +6,7 @@ type scope = {
   kind : kind;
   within : scope option;
   taken : unit String_table.t;
-  counts : int String_table.t;  (** last number tried for a name *)
+  counts : int String_table.t;  (** the last number appended to a name *)
 }
 
 let is_reserved kind name =
@@ -24,8 +24,8 @@ let rec is_taken_in scope name =
 
 let is_taken scope name = is_reserved scope.kind name || is_taken_in scope name
 
-(* Never two underscores together, nor one in front or at the end: C and C++
-   keep some of those for themselves. *)
+(* Removes underscores at the start and end, and duplicate ones, because C and C++ reserve some of
+   these names. *)
 let tidy text =
   String.concat "_" (List.filter (fun part -> part <> "") (String.split_on_char '_' text))
 
@@ -76,7 +76,8 @@ let fresh scope text =
     if String.equal text "" then numbered scope "t" ""
     else
       let base = identifier text in
-      (* No number at the end would make another name of it. *)
+      (* A name that looks like a macro needs a prefix, because appending a number would not change
+         that. *)
       let base = if C_names.is_macro_like base then "x_" ^ base else base in
       if is_taken scope base then (
         if not (String_table.mem scope.counts base) then String_table.replace scope.counts base 1;

@@ -1,27 +1,28 @@
-(** Names of the C code, made from those of the source.
+(** Makes C names from names of the source.
 
-    A name stays as it is where C allows it; a prime becomes [_prime], what else an identifier
-    cannot hold becomes an underscore. A scope hands out each name once, so different things of one
-    scope never share a name: where two would, or where a name means something in C, C++ or their
-    headers, a number follows it. *)
+    Names that C allows are kept. A prime becomes [_prime], and any other character that an
+    identifier cannot contain becomes an underscore. A scope returns each name only once. If a name
+    is taken, or has a meaning in C, C++ or their headers, a number is appended. *)
 
 type scope
 
-(** Members of a struct may be called as functions of the C library are. *)
+(** Members of a struct, unlike other identifiers, may have the names of functions of the C library.
+*)
 type kind = Identifiers | Members
 
 val scope : ?within:scope -> ?taken:string list -> kind -> scope
-(** A scope in which the names of the scopes around it are taken too. *)
+(** A scope in which the names of the enclosing scopes are taken, too. *)
 
 val fresh : scope -> string -> string
-(** A name for a thing that the programmer calls so; [""] makes a name like [t1]. *)
+(** A new name for something that has this name in the source; [""] gives names like [t1]. *)
 
 val identifier : string -> string
-(** The name with which {!fresh} starts. *)
+(** The identifier from which {!fresh} starts. *)
 
 val snake : string -> string
-(** For types: [Maybe Float] becomes [maybe_float], [PioneerInput] [pioneer_input]. *)
+(** Converts the name of a type: [Maybe Float] becomes [maybe_float], [PioneerInput] becomes
+    [pioneer_input]. *)
 
 val short : string -> string
-(** The words of a type's name that fit in 48 characters: types are nested, and so are their names.
-    Different names may become one; {!fresh} numbers them. *)
+(** The words of a type's name that fit into 48 characters, since nested types have long names.
+    Different names may become equal; {!fresh} numbers them. *)

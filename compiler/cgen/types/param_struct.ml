@@ -24,23 +24,13 @@ let ty real : F.ty -> string = function
   | Int -> "int32_t"
   | _ -> Print.real_name real
 
-(* As text within a comment. *)
-let words text =
-  let inside = Buffer.create 80 in
-  String.iteri
-    (fun i c ->
-      if c = '/' && i > 0 && text.[i - 1] = '*' then Buffer.add_char inside ' ';
-      Buffer.add_char inside c)
-    text;
-  Basis.Printable.name (Buffer.contents inside)
-
 let comment (p : F.param) =
   let unit_ = if List.mem p.unit_ [ ""; "1" ] then [] else [ "[" ^ p.unit_ ^ "]" ] in
   let doc = List.concat_map (String.split_on_char '\n') (Option.to_list p.doc) in
   match (doc, unit_) with
   | [], [] -> ""
   | lines, unit_ ->
-      let lines = List.map (fun line -> words (String.trim line)) lines in
+      let lines = List.map (fun line -> Basis.C_string.comment (String.trim line)) lines in
       let rec with_unit = function
         | [] -> unit_
         | [ last ] -> [ String.concat " " (last :: unit_) ]

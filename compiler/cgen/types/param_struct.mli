@@ -1,20 +1,20 @@
-(** The parameters of a program as a struct, and their defaults as a constant of it. *)
+(** The parameters of a program as a struct, and their defaults as a constant of that type. *)
 
 type t
 
 val of_program : Name.scope -> name:string -> Step.Ir.program -> t option
-(** [None] of a program without parameters. *)
+(** [None] if the program has no parameters. *)
 
 val struct_name : t -> string
 
 val defaults : t -> string
-(** The constant's name. *)
+(** The name of the constant. *)
 
 val member : t -> int -> string
-(** Of the parameter of that number. *)
+(** The member for the parameter with this index. *)
 
 val definition : t -> Step.Ir.program -> string
-(** Of the struct with its doc comments, and the constant's declaration. *)
+(** The definition of the struct, with doc comments, and the declaration of the constant. *)
 
 val values : t -> Step.Ir.program -> string
-(** The constant's definition. *)
+(** The definition of the constant. *)

@@ -29,7 +29,7 @@ let int_slot k = "i" ^ string_of_int k
 let bool_slot k = "b" ^ string_of_int k
 let tag_slot k = "t" ^ string_of_int k
 
-(* The same in every program, as robots' headers are. *)
+(* This name is the same in every program, because robots' headers use it. *)
 let array_slot sums ty k = Printf.sprintf "%s_%d" (Array_type.name sums (Step.Layout.ty ty)) k
 
 let payload sums ?(first = Step.Layout.none) (constructor : F.sum_constructor) =
@@ -99,8 +99,8 @@ let rec zero real sums ~absent (ty : Step.Ir.ty) : Ir.expr =
       Aggregate (Integer 0l :: List.map (fun zero -> zero ()) slots)
   | Array (_, element) -> Aggregate [ Aggregate [ zero real sums ~absent element ] ]
 
-(* In the order of the members. Each only when it is asked for, as [absent] declares
-   a variable. *)
+(* The values are in the order of the members. They are lazy, because [absent] declares a
+   variable. *)
 and zeros real sums ~absent (slots : Step.Layout.slots) =
   let of_kind kind () : Ir.expr =
     match kind with
@@ -111,7 +111,7 @@ and zeros real sums ~absent (slots : Step.Layout.slots) =
   in
   List.map (fun (_, kind) -> of_kind kind) (kinds sums slots)
 
-(* The function's value, a struct given member by member. *)
+(* The body of a function that returns a struct with these members. *)
 let return_struct ty values : Ir.statement list =
   [
     { desc = Initialize { ty; name = "value"; values }; comment = "" };

@@ -1,13 +1,13 @@
-(** Sums in C: a struct of a tag and shared slots, constants for the tags, and functions that
-    construct values and take inner sums out again. *)
+(** Sums in C: a struct with a tag and shared slots, constants for the tags, functions that
+    construct values, and functions that extract inner sums. *)
 
 type t = {
   struct_name : string;
   tags : string array;  (** constants, by constructor *)
-  makers : string array;  (** functions, by constructor *)
-  real : Basis.Real.t;  (** of its Floats *)
+  makers : string array;  (** functions that construct values, by constructor *)
+  real : Basis.Real.t;  (** the type of its Floats *)
   slots : Step.Layout.slots;
-  arrays : (Flow.Ir.ty * Ir.ty) list;  (** their structs *)
+  arrays : (Flow.Ir.ty * Ir.ty) list;  (** array types with their structs *)
 }
 
 val name :
@@ -18,16 +18,16 @@ val name :
   slots:Step.Layout.slots ->
   arrays:(Flow.Ir.ty * Ir.ty) list ->
   t
-(** Takes names of the file's scope. *)
+(** Uses names of the file's scope. *)
 
-(** Where the leaves of a payload lie. *)
+(** The place of a payload's leaf. *)
 type slot =
-  | Scalar of string  (** a member; of an array too *)
+  | Scalar of string  (** a member, which may be an array *)
   | Inner of { sum : int; tag : string; first : Step.Layout.slots }
-      (** its tag's member; its slots start after [first] *)
+      (** the member with its tag; its slots start after [first] *)
 
 val payload : Flow.Ir.sum array -> ?first:Step.Layout.slots -> Flow.Ir.sum_constructor -> slot list
-(** The slots of all leaves; [first] slots belong to others. *)
+(** The places of all leaves, after [first] slots that are in use. *)
 
 val zero :
   Basis.Real.t ->
@@ -35,9 +35,9 @@ val zero :
   absent:(Flow.Ir.foreign_type -> Ir.expr) ->
   Step.Ir.ty ->
   Ir.expr
-(** Some value of the type, as an initial value. *)
+(** An arbitrary initial value of the type. *)
 
-(** What a member holds. *)
+(** The kind of value that a member holds. *)
 type kind =
   | Number
   | Whole
@@ -47,13 +47,13 @@ type kind =
 
 val kinds :
   Flow.Ir.sum array -> ?first:Step.Layout.slots -> Step.Layout.slots -> (string * kind) list
-(** The members that a struct has for these slots; [first] slots belong to others. *)
+(** The members of a struct for these slots, after [first] slots that are in use. *)
 
 val members : Flow.Ir.sum array -> ?first:Step.Layout.slots -> t -> (string * Ir.ty) list
-(** The same, with their types. *)
+(** The members with their types. *)
 
 val definition : Flow.Ir.sum array -> Flow.Ir.sum -> t -> Ir.declaration list
-(** The tags' constants and the struct. *)
+(** The constants for the tags, and the struct. *)
 
 val maker :
   Flow.Ir.sum array ->
@@ -62,7 +62,7 @@ val maker :
   int ->
   int ->
   Ir.function_
-(** Of a sum and a constructor. *)
+(** The function that constructs a value, for a sum and a constructor. *)
 
 val projection : Flow.Ir.sum array -> t array -> int -> constructor:int -> leaf:int -> Ir.function_
-(** The inner sum that is this leaf of the payload. *)
+(** The function that extracts the inner sum at this leaf of the payload. *)

@@ -6,7 +6,7 @@ type owner = Program | Robot | Foreign_code
 type known = {
   program : F.sum array;
   sum_owners : owner array;
-  array_owners : (M.ty, owner) Hashtbl.t;  (** of those that are not the program's *)
+  array_owners : (M.ty, owner) Hashtbl.t;  (** owners of arrays that are not the program's own *)
 }
 
 type t = {
@@ -15,9 +15,9 @@ type t = {
   name : string;
   scope : Name.scope;
   sums : Sum_type.t array;
-  names : (M.ty, string) Hashtbl.t;  (** of arrays *)
-  mutable met : M.ty list;  (** arrays, last first *)
-  beside : t option;  (** the program's own, if this is that of the user's C *)
+  names : (M.ty, string) Hashtbl.t;  (** names of array structs *)
+  mutable met : M.ty list;  (** arrays in use, last one first *)
+  beside : t option;  (** the program's own table, if this table is for the user's C *)
 }
 
 let is_array (ty : M.ty) =
@@ -26,7 +26,7 @@ let is_array (ty : M.ty) =
 let foreign_type (ty : F.foreign_type) : Ir.ty =
   if ty.copyable then Named ty.c_type else Pointer_to_const (Named ty.c_type)
 
-(* {1 Who knows them} *)
+(* {1 Owners} *)
 
 let known program =
   {
@@ -58,16 +58,16 @@ let marked t (ty : M.ty) =
 
 let differ t ty = t.real = Single && Step.Block.numbers t.known.program ty > 0
 
-(* Is this table the one that has the type? *)
+(* Whether this table contains the type, rather than the program's own table. *)
 let is_here t ty =
   match t.beside with None -> true | Some own -> marked t ty <> Program && differ own ty
 
-(* Others know doubles only: a type of floats is the program's alone. *)
+(* Other owners only use doubles, so types of floats belong to the program. *)
 let owner t ty = if differ t ty then Program else marked t ty
 
 (* {1 Names} *)
 
-(* What the programs around may know by the same name begins alike. *)
+(* Types that other code also uses have a common prefix. *)
 let prefix t ty = match owner t ty with Program -> t.name | Robot | Foreign_code -> "frob"
 
 let rec array_name t (ty : M.ty) =
@@ -75,7 +75,7 @@ let rec array_name t (ty : M.ty) =
   | Some name, _ -> name
   | None, Some own when not (is_here t ty) -> array_name own ty
   | None, _ ->
-      (* The type of its elements is defined with it. *)
+      (* Defines the type of the elements as well. *)
       (match ty with
       | Array (_, (Array _ as element)) -> ignore (array_name t element : string)
       | Array _ | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> ());
@@ -126,8 +126,7 @@ let arrays t = List.rev_map (fun ty -> (ty, Hashtbl.find t.names ty)) t.met
 
 (* {1 Definitions} *)
 
-(* Several programs, and the user's own header, may define what C code of the
-   user's knows. *)
+(* Several programs, and the user's own header, may define the types that the user's C uses. *)
 let defined struct_name = String.uppercase_ascii struct_name ^ "_DEFINED"
 
 let once struct_name declarations =
@@ -138,14 +137,32 @@ let once struct_name declarations =
 let shared_once owner struct_name declarations =
   match owner with Program | Robot -> declarations | Foreign_code -> once struct_name declarations
 
-(* Each type after those that it is made of. *)
+type definition = {
+  struct_name : string;
+  parts : string list;  (** structs that it contains, or whose constructors name its tags *)
+  declarations : Ir.declaration list;
+}
+
+(* A sum in the payload is flattened into the struct, but readers need the names of its tags. *)
+let inner_sums t (sum : F.sum) =
+  let inner : F.ty -> string option = function
+    | Sum k -> Some t.sums.(k).struct_name
+    | Bool | Int | Float | Array _ | Foreign _ -> None
+  in
+  List.concat_map
+    (fun constructor -> List.filter_map inner (Flow.Shape.payload constructor))
+    sum.constructors
+
+(* Each type follows the types that it consists of. *)
 let definitions t ~of_:wanted =
   let sums = t.known.program in
   let done_ = Hashtbl.create 16 and definitions = ref [] in
-  let define ty struct_name declarations =
+  let define ?(inner = []) ty struct_name declarations =
     let owner = owner t ty in
     if wanted owner then
-      definitions := List.rev_append (shared_once owner struct_name declarations) !definitions
+      let parts = inner @ Mentioned.structs declarations in
+      let declarations = shared_once owner struct_name declarations in
+      definitions := { struct_name; parts; declarations } :: !definitions
   in
   let rec add (type_ : M.ty) =
     if is_here t type_ && not (Hashtbl.mem done_ type_) then (
@@ -154,7 +171,9 @@ let definitions t ~of_:wanted =
       | Sum k ->
           let own = t.sums.(k) in
           List.iter (fun (slot, _) -> add (Step.Layout.ty slot)) own.slots.arrays;
-          define type_ own.struct_name (Sum_type.definition sums sums.(k) own)
+          define type_ own.struct_name
+            ~inner:(inner_sums t sums.(k))
+            (Sum_type.definition sums sums.(k) own)
       | Array (count, element) ->
           add element;
           let name = array_name t type_ in
@@ -164,3 +183,20 @@ let definitions t ~of_:wanted =
   Array.iteri (fun k _ -> add (Sum k)) t.sums;
   List.iter (fun (array, _) -> add array) (arrays t);
   List.rev !definitions
+
+let reached definitions ~from =
+  let wanted = Hashtbl.create 16 in
+  let want name = Hashtbl.replace wanted name () in
+  List.iter want from;
+  let is_wanted d = Hashtbl.mem wanted d.struct_name in
+  (* Parts precede the structs that contain them, except for sums in a payload, which may come
+     later. *)
+  let rec spread () =
+    let before = Hashtbl.length wanted in
+    List.iter (fun d -> if is_wanted d then List.iter want d.parts) (List.rev definitions);
+    if Hashtbl.length wanted > before then spread ()
+  in
+  spread ();
+  List.partition is_wanted definitions
+
+let declarations definitions = List.concat_map (fun d -> d.declarations) definitions

@@ -1,49 +1,58 @@
-(** The structs of a program's sums and arrays, in one precision.
+(** The structs for a program's sums and arrays, in one precision.
 
-    A program of single precision has two such tables: its own, of floats, and that of the user's C,
-    of doubles. What holds no number is in the first only, and the same for both. *)
+    A program in single precision has two of these tables: its own, with floats, and that of the
+    user's C, with doubles. Types without numbers are only in the first one, and are shared. *)
 
-(** Whose header defines a type. *)
+(** The owner of a type, whose header defines it. *)
 type owner =
   | Program
   | Robot
-  | Foreign_code  (** the program's, for others to know it by the same name *)
+  | Foreign_code  (** the program, with a name that the user's C can use *)
 
 type t
 
 type known
-(** What others than the program know of its types. *)
+(** Which types are also used outside of the program. *)
 
 val known : Flow.Ir.sum array -> known
 
 val mark : known -> owner -> Flow.Ir.shape -> unit
-(** That one knows what is in this; who comes first owns it. *)
+(** Records that this owner uses all types in the shape. The first owner of a type keeps it. *)
 
 val own : Name.scope -> name:string -> real:Basis.Real.t -> known -> t
-(** The program's; [name] is the prefix of what it owns. *)
+(** The program's own table. [name] is the prefix for types that the program owns. *)
 
 val of_foreign_code : t -> t
-(** As the user's C has the types of the program's own table: that table itself in double precision.
-*)
+(** The table for the user's C; in double precision, it is the program's own table. *)
 
 val sums : t -> Sum_type.t array
 
 val ty : t -> Step.Ir.ty -> Ir.ty
-(** An array's struct is named where it is first asked for. *)
+(** The struct of an array is named when it is first used. *)
 
 val foreign_type : Flow.Ir.foreign_type -> Ir.ty
 
 val array_name : t -> Step.Ir.ty -> string
-(** Of an array's struct. *)
+(** The name of an array's struct. *)
 
 val differ : t -> Step.Ir.ty -> bool
-(** Has the user's C other values of this type than the program's own table? *)
+(** Whether values of this type are different in the user's C and in the program. *)
 
-val definitions : t -> of_:(owner -> bool) -> Ir.declaration list
-(** Used ones before users. To be called when all code is made. *)
+type definition
+(** A struct, with the constants for its tags if it is a sum. *)
+
+val definitions : t -> of_:(owner -> bool) -> definition list
+(** All definitions, in an order in which each precedes its uses. Call this after all code has been
+    generated. *)
+
+val reached : definition list -> from:string list -> definition list * definition list
+(** Splits definitions into two lists in the original order: the structs in [from] with everything
+    that they consist of, and all others. *)
+
+val declarations : definition list -> Ir.declaration list
 
 val defined : string -> string
-(** The macro that says that this struct is defined. *)
+(** The macro that indicates that this struct is defined. *)
 
 val once : string -> Ir.declaration list -> Ir.declaration list
-(** Unless that struct was defined before. *)
+(** Wraps the declarations so that they have an effect only if the struct is not defined yet. *)

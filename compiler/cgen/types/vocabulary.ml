@@ -19,6 +19,8 @@ type helper =
 
 type t = {
   program : M.program;
+  units : Units.t;
+  named : Named_constants.t;
   name : string;
   file_scope : Name.scope;
   types : Value_types.t;
@@ -39,6 +41,7 @@ type t = {
   helpers : (helper, string) Hashtbl.t;
   mutable pending : Ir.function_ list;
   absent : (F.foreign_type, string) Hashtbl.t;
+  constants : (Named_constants.constant, string * float) Hashtbl.t;
 }
 
 let is_root t k = k = Array.length t.program.nodes - 1
@@ -50,7 +53,8 @@ let has_modes t =
 
 let has_state t k = match t.program.nodes.(k).state with [] -> false | _ :: _ -> true
 
-(* The members of a struct with these fields, each after a path, last first. *)
+(* Names the members of a struct with these fields. Their paths start with [path], whose last member
+   comes first. *)
 let name_members table path fields =
   let scope = Name.scope Members in
   List.iter
@@ -59,7 +63,7 @@ let name_members table path fields =
       Basis.Int_table.replace table field.id (List.rev (name :: path)))
     fields
 
-(* Modes are named after their definitions. *)
+(* Modes have the names of their definitions. *)
 let name_modes (nodes : M.node array) table scope ~prefix (node : M.node) =
   let modes = Name.scope Members in
   let is_room (field : M.field) =
@@ -88,7 +92,7 @@ let members scope ~prefix nodes (node : M.node) =
   name_members table [] node.state;
   (table, name_modes nodes table scope ~prefix node)
 
-(* With [root_in_seconds] as a step of its own, the root's is in nanoseconds. *)
+(* If [root_in_seconds] is a separate function, [root_step] takes nanoseconds. *)
 type root = {
   root_state : string;
   root_reset : string;
@@ -128,7 +132,7 @@ let name_nodes scope ~name ~root ~foreign (nodes : M.node array) =
             names ~state ~reset ~step)
     nodes
 
-(* What C code of the user's is called. *)
+(* The names of the user's C functions and types. *)
 let foreign_names (program : M.program) =
   let names (f : F.import) =
     match f.kind with
@@ -138,19 +142,18 @@ let foreign_names (program : M.program) =
   in
   List.concat_map names program.imports
 
-let of_program ?own (program : M.program) =
+let of_program ?own ?(units = Units.none) ?(named = Named_constants.none) (program : M.program) =
   let name = Name.identifier program.name in
   let scope = Name.scope Identifiers ~taken:(foreign_names program @ Helpers.names ()) in
   let input_name = Name.fresh scope (name ^ "_input") in
   let output_name = Name.fresh scope (name ^ "_output") in
-  (* What a host calls and sees has the first choice: the root's names are the
-     program's own, its types come before the functions inside. *)
+  (* Names that hosts and users see are chosen first: the names of the root are the program's own,
+     and its types precede internal functions. *)
   let root = name_root scope ~name ~real:program.real in
   let params = Param_struct.of_program scope ~name program in
   let known = Value_types.known program.sums in
-  (* Robots' structs are of doubles. In single precision the program's own are not the
-     robot's, and its table for hosts converts; but code of the user's may know types
-     of the robot's. *)
+  (* Robots' structs contain doubles. In single precision, the program's own structs differ from
+     them, and the table for hosts converts; but the user's C may use types of the robot. *)
   let robot_of shape =
     match (program.real, program.imports) with
     | Single, [] -> None
@@ -177,11 +180,11 @@ let of_program ?own (program : M.program) =
   let foreign_types = Value_types.of_foreign_code types in
   let interface_types types ~real ~prefix =
     let sum k = (Value_types.sums types).(k).struct_name in
-    Interface.types scope ~real ~prefix ~sum ~foreign:Value_types.foreign_type
+    Interface.types scope ~real ~prefix ~sum ~foreign:Value_types.foreign_type ~units
   in
   let own = interface_types types ~real:program.real ~prefix:name in
   let shared = interface_types foreign_types ~real:Double ~prefix:"frob" in
-  let interface robot struct_name ~whole ~robots:(shape : F.shape) result =
+  let interface robot struct_name ~units ~whole ~robots:(shape : F.shape) result =
     let robots =
       match (robot, shape) with
       | Some _, Product product ->
@@ -193,17 +196,21 @@ let of_program ?own (program : M.program) =
     | Double, Some robots, None -> robots
     | Double, Some robots, Some result ->
         Interface.with_others own ~name:struct_name ~first:"command" robots [ ("result", result) ]
-    | Double, None, _ | Single, _, _ -> Interface.of_shape own ~name:struct_name whole
+    | Double, None, _ | Single, _, _ -> Interface.of_shape own ~units ~name:struct_name whole
   in
   let input =
-    let plain = interface input_robot input_name ~whole:program.input ~robots:sensed None in
+    let plain =
+      interface input_robot input_name ~units:units.input ~whole:program.input ~robots:sensed None
+    in
     match (program.real, input_robot, console) with
     | Double, Some _, Some { part; at } ->
         Interface.with_others own ~name:input_name ~first:"robot" plain [ part ]
         |> Interface.with_leaves ~at (List.length (Flow.Shape.leaves (snd part)))
     | _, _, _ -> plain
   in
-  let output name = interface output_robot name ~whole:program.output ~robots:command result in
+  let output name =
+    interface output_robot name ~units:units.output ~whole:program.output ~robots:command result
+  in
   let output =
     match program.probes with
     | [] -> output output_name
@@ -226,6 +233,8 @@ let of_program ?own (program : M.program) =
   let nodes = name_nodes scope ~name ~root ~foreign program.nodes in
   {
     program;
+    units;
+    named;
     name;
     file_scope = scope;
     types;
@@ -246,10 +255,10 @@ let of_program ?own (program : M.program) =
     helpers = Hashtbl.create 16;
     pending = [];
     absent = Hashtbl.create 4;
+    constants = Hashtbl.create 8;
   }
 
 let real t = Ir.Real t.program.real
-let float t x = Ir.Float (t.program.real, x)
 let ty t = Value_types.ty t.types
 
 let absent t (ty : F.foreign_type) : Ir.expr =
@@ -264,6 +273,21 @@ let absent t (ty : F.foreign_type) : Ir.expr =
 
 let zero t ty = Sum_type.zero t.program.real t.program.sums ~absent:(absent t) ty
 let call t name arguments = Ir.Call (name ^ Print.real_suffix t.program.real, arguments)
+let is_negative_zero x = Float.equal x 0. && Float.sign_bit x
+
+let float t x =
+  if is_negative_zero x then call t "frob_negative_zero" [] else Ir.Float (t.program.real, x)
+
+let named t (constant : Named_constants.constant) x =
+  match Hashtbl.find_opt t.constants constant with
+  | Some (name, _) -> name
+  | None ->
+      let name = Name.fresh t.file_scope (t.name ^ "_" ^ Name.snake constant.name) in
+      Hashtbl.replace t.constants constant (name, x);
+      name
+
+let literal t ~at x =
+  match t.named ~at x with Some constant -> Ir.Name (named t constant x) | None -> float t x
 
 let elementary (f : Core.Primitive.elementary) =
   match f with
@@ -274,7 +298,7 @@ let elementary (f : Core.Primitive.elementary) =
   | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2 ->
       "frob_" ^ Core.Primitive.name (Elementary f)
 
-(* Defined where it is first called. *)
+(* A helper is generated when it is first called. *)
 let helper t key make =
   match Hashtbl.find_opt t.helpers key with
   | Some name -> name

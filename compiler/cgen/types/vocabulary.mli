@@ -1,18 +1,18 @@
-(** The file-level names of one program, all chosen at once, and what of the program's types and
-    helpers the code turns out to need. *)
+(** The file-level names of a program, which are all chosen in advance, and the types and helpers
+    that the generated code uses. *)
 
-type mode = { constant : string;  (** its number *) member : string  (** of the union of all *) }
+type mode = { constant : string;  (** its number *) member : string  (** of the modes' union *) }
 
 type node = {
   state : string;  (** struct *)
   reset : string;
   step : string;
-  members : string list Basis.Int_table.t;  (** that lead to fields from the state struct *)
-  modes : mode array;  (** of its machine *)
-  foreign : Foreign_interface.t option;  (** if it is C code of the user's *)
+  members : string list Basis.Int_table.t;  (** paths from the state struct to fields, by id *)
+  modes : mode array;  (** modes of its machine *)
+  foreign : Foreign_interface.t option;  (** present for a node implemented by the user's C *)
 }
 
-(** A small function on values of one type, called somewhere. *)
+(** A small helper function on values of one type. *)
 type helper =
   | Maker of { sum : int; constructor : int }
   | Projection of { sum : int; constructor : int; leaf : int }
@@ -20,60 +20,70 @@ type helper =
 
 type t = {
   program : Step.Ir.program;
+  units : Units.t;
+  named : Named_constants.t;
   name : string;  (** the prefix of all names *)
   file_scope : Name.scope;
   types : Value_types.t;
-  foreign_types : Value_types.t;  (** as C code of the user's has them *)
-  sums : Sum_type.t array;  (** the program's own *)
+  foreign_types : Value_types.t;  (** types for the user's C *)
+  sums : Sum_type.t array;  (** the program's own sums *)
   nodes : node array;
-  in_seconds : string;  (** the root's step whose dt is in seconds *)
+  in_seconds : string;  (** name of the root's step with dt in seconds *)
   input : Interface.t;
   output : Interface.t;
-  params : Param_struct.t option;  (** which functions get as a pointer, [params] *)
+  params : Param_struct.t option;  (** parameters; functions receive a pointer [params] to them *)
   param_use : Step.Param_use.t;
-  by_pointer : Program_input.t;  (** steps that read the input there *)
+  by_pointer : Program_input.t;  (** steps that read the input through the pointer *)
   records : Ir.declaration list;  (** the program's own interface structs *)
-  robot_records : Ir.declaration list;  (** those of a robot's header *)
-  foreign_records : Ir.declaration list;  (** those that C code of the user's knows *)
+  robot_records : Ir.declaration list;  (** structs of a robot's header *)
+  foreign_records : Ir.declaration list;  (** structs that the user's C uses *)
   imports : Foreign_interface.t list;
-  robots : Robot.t list;  (** whose headers are needed *)
+  robots : Robot.t list;  (** robots whose headers are included *)
   helpers : (helper, string) Hashtbl.t;
-  mutable pending : Ir.function_ list;  (** last first *)
+  mutable pending : Ir.function_ list;  (** helpers not yet emitted, last one first *)
   absent : (Flow.Ir.foreign_type, string) Hashtbl.t;
-      (** variables that stand for values that are not there *)
+      (** variables whose addresses are placeholders for missing values *)
+  constants : (Named_constants.constant, string * float) Hashtbl.t;
+      (** the constants that the code uses, with their names and values in C *)
 }
 
-val of_program : ?own:Robot.t -> Step.Ir.program -> t
-(** [own]: the user's own robot, if the program is for one. *)
+val of_program : ?own:Robot.t -> ?units:Units.t -> ?named:Named_constants.t -> Step.Ir.program -> t
+(** [own]: the robot of the user's own, if the program is for one. *)
 
 val ty : t -> Step.Ir.ty -> Ir.ty
 val absent : t -> Flow.Ir.foreign_type -> Ir.expr
 
 val zero : t -> Step.Ir.ty -> Ir.expr
-(** Some value, as an initial value. *)
+(** An arbitrary initial value. *)
 
 val real : t -> Ir.ty
-(** Of a Float. *)
+(** The type of a Float. *)
 
 val float : t -> float -> Ir.expr
+(** The literal. Negative zero is a function call, for the reason that [<frob/step.h>] explains. *)
+
+val literal : t -> at:Basis.Span.t -> float -> Ir.expr
+(** An operand of the operation at this place: the name of a constant, or the literal. *)
+
+val is_negative_zero : float -> bool
 
 val call : t -> string -> Ir.expr list -> Ir.expr
-(** Of a function of [<frob/step.h>] or [<math.h>] on Floats, in the program's precision. *)
+(** Calls a function of [<frob/step.h>] or [<math.h>] on Floats, in the program's precision. *)
 
 val elementary : Core.Primitive.elementary -> string
-(** The C function of doubles; the square root is [<math.h>]'s, as exact everywhere. *)
+(** The C function for doubles. The square root is that of [<math.h>], which is exact everywhere. *)
 
 val maker : t -> sum:int -> constructor:int -> string
 val projection : t -> sum:int -> constructor:int -> leaf:int -> string
 
 val array_function : t -> Array_type.operation -> Step.Ir.ty -> string
-(** Of an array type. *)
+(** The function for an operation on an array type. *)
 
 val take_pending : t -> Ir.function_ list
-(** The helpers that were asked for since the last time. *)
+(** The helpers that were needed since the last call. *)
 
 val is_root : t -> int -> bool
 val has_state : t -> int -> bool
 
 val has_modes : t -> bool
-(** Whether there is a machine of more than one mode. *)
+(** Whether the program has a machine with more than one mode. *)

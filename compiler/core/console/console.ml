@@ -26,7 +26,7 @@ let declare controls program =
   let data =
     if not (List.exists (fun c -> c.kind = Camera || c.kind = Tags) controls) then own
     else
-      (* What a field is made of comes before the console. *)
+      (* The types used in the console's fields must be declared before the console. *)
       let is_seen (d : data) =
         List.mem d.tycon.module_ [ "Prelude"; "Geometry"; "Vision"; "Tags" ]
       in

@@ -1,40 +1,41 @@
-(** What a program asks of its operator: buttons, knobs and their like, by their labels.
+(** The controls that a program requests from its operator: buttons, knobs and so on, identified by
+    labels.
 
-    In the library the type [Console] has one constructor and nothing in it. What a program asks for
-    is known when all that is static has been run ({!Specialize.Operator}); then it becomes the
-    fields of that type, by {!declare}, and from there on a console is a record as any other. *)
+    In the library, the type [Console] has one constructor without fields. Which controls a program
+    requests is known after all static code has been run ({!Specialize.Operator}). {!declare} then
+    turns them into the fields of that type, and from there on a console is an ordinary record. *)
 
 val asks : Ir.program -> bool
-(** Whether some definition may ask for something. *)
+(** Might any definition request a control? *)
 
 val asks_itself : Ir.expr -> bool
-(** Not only by what it calls. *)
+(** Does the expression itself request a control, not counting the definitions it calls? *)
 
 val is_console : Ir.Global.t -> bool
-(** Is it the type [Console]? *)
+(** Is this the type [Console]? *)
 
 val has_name : module_:string -> string -> bool
-(** Likewise. *)
+(** Is this the name of the type [Console]? *)
 
 val declare : Ir.control list -> Ir.program -> Ir.program
-(** With these fields in the type [Console], in this order. *)
+(** Sets the fields of the type [Console] to these controls, in this order. *)
 
 val field : Ir.control list -> string -> int
-(** The number of the field with the label. *)
+(** The index of the field with this label. *)
 
-(** What a field has while nobody touches the console. *)
+(** The value of a field if nobody uses the console. *)
 type rest = No_event | Off of bool | At of float
 
 val at_rest : Ir.control_kind -> rest
 
 val map_label : string
-(** The map has no label of its own. *)
+(** The label of the map, which has none in the program. *)
 
 val tags_label : string -> string
-(** Of the tags that the camera of this label sees; hosts find the camera by it. *)
+(** The label of the tags seen by the camera with this label. Hosts find the camera by it. *)
 
 val camera : Ir.control -> string option
-(** The label of the camera through which it looks. *)
+(** The label of the camera that supplies this control, if it is a camera or tags. *)
 
 val describe : Ir.control_kind -> string
-(** For messages: "a knob from 0 to 1, at first 0.5" *)
+(** A description for messages: "a knob from 0 to 1, at first 0.5" *)

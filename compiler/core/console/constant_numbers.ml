@@ -6,7 +6,7 @@ type t = (int, unit) Table.t
 let none = Table.create 1
 let has t (local : Local.t) = Table.mem t local.id
 
-(* What a variable stands for, if it was bound to an expression. *)
+(* The expressions that variables are bound to, if any. *)
 type values = { globals : (Global.t, expr) Table.t; locals : (int, expr) Table.t }
 
 let rec walk visit (e : expr) =

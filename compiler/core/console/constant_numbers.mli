@@ -1,12 +1,12 @@
-(** Which variables a knob's limits are made of.
+(** Finds the variables that a knob's limits depend on.
 
-    Numbers are parameters of what is compiled; those that come to be the limits or the first value
-    of a knob, or the first position of a toggle, have to be known while compiling, and so have the
-    variables on their way there. *)
+    Numbers are parameters of a specialization. However, the limits and the initial value of a knob
+    and the initial position of a toggle must be known at compile time, and so must the variables
+    that they are computed from. *)
 
 type t
 
 val of_program : Ir.program -> t
-(** All of them, through functions and definitions, whatever their order. *)
+(** All these variables, traced through functions and definitions in any order. *)
 
 val has : t -> Ir.Local.t -> bool

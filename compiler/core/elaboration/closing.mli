@@ -1,4 +1,4 @@
-(** An open program or signal function, closed by the types of a robot. *)
+(** Instantiates a robot-independent program or signal function with the types of a robot. *)
 
 val program :
   Ir.program ->
@@ -7,5 +7,5 @@ val program :
   input:Ir.ty ->
   output:Ir.ty ->
   Ir.program * Ir.Global.t
-(** Adds a definition that is the open one (of type [Program i o] or [SF i o]) at these types where
-    it is open; its name is the open one's with the suffix. *)
+(** Adds a definition that applies the open one (of type [Program i o] or [SF i o]) at these types,
+    where it is open. Its name is that of the open one with the suffix. *)

@@ -1,26 +1,26 @@
-(** What the translation into Core knows and counts. *)
+(** The state of the translation into Core. *)
 
 open Basis
 
 type t
 
 val create : Ir.data list -> Ir.instance list -> Ir.foreign -> t
-(** For a program with these data types, instances and foreign code. *)
+(** The state for a program with these data types, instances and foreign declarations. *)
 
 val primitive : t -> Ir.Global.t -> Primitive.t
 val instances : t -> Instance.table
 
 val fresh : t -> string -> Span.t -> Ir.Local.t
-(** A variable of that name, [""] for what has none in the program. Its [id] is negative: none that
-    the resolver gave. *)
+(** A new variable of that name, [""] if it has none in the program. Its [id] is negative, so it
+    differs from the resolver's ids. *)
 
 val define : t -> Ir.definition -> unit
 
 val definitions : t -> Ir.definition list
-(** As defined. *)
+(** The added definitions, in the order of {!define}. *)
 
 val field_types : t -> Ir.ty -> constructor:int -> Ir.ty list
-(** Of a constructor of a data type at given arguments. *)
+(** The field types of a constructor, for this instance of its data type. *)
 
 val constructors : t -> Ir.Global.t -> int
-(** How many the data type has. *)
+(** The number of constructors of the data type. *)

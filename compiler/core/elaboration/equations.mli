@@ -1,5 +1,5 @@
-(** The equations of one proc as they come up: those of the program, and those that elaboration adds
-    for instances inside expressions and for the parts of patterns. *)
+(** Collects the equations of one proc: the equations of the program, and the ones that elaboration
+    adds for instances inside expressions and for the parts of patterns. *)
 
 type t
 
@@ -8,7 +8,7 @@ val pure : t -> Ir.binder -> Ir.expr -> Basis.Span.t -> unit
 val run : t -> Ir.binder -> signal_function:Ir.expr -> input:Ir.expr -> Basis.Span.t -> unit
 
 val parts : t -> Typing.Ir.pattern -> root:Ir.expr -> Basis.Span.t -> unit
-(** One for each variable of the pattern. *)
+(** Adds one equation for each variable of the pattern. *)
 
 val all : t -> Ir.equation list
-(** As added. *)
+(** All equations, in the order in which they were added. *)

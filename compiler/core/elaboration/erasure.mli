@@ -1,21 +1,21 @@
-(** Types without their units: what is left of a Typed type in Core.
+(** Erases units: converts types of Typed to types of Core.
 
-    A representation variable becomes a type variable like any other; where both stand in one list,
-    types come before representations. *)
+    A representation variable becomes an ordinary type variable. In a list with both kinds, the
+    types come before the representations. *)
 
 val ty : Typing.Ir.ty -> Ir.ty
 val variable : Typing.Ir.variable -> Ir.variable
 
 val instantiation : Typing.Ir.instantiation -> Ir.ty list
-(** For {!parameters} of the scheme, in order. *)
+(** The arguments for the {!parameters} of the scheme, in order. *)
 
 val parameters : Typing.Ir.scheme -> Ir.variable list
 
 val boolean : Ir.Global.t
-(** The data type [Bool], whose constructors are constants in Core. *)
+(** The data type [Bool]. Its constructors are constants in Core. *)
 
 val array : Ir.Global.t
-(** The data type [Array], a type of its own in Core. *)
+(** The data type [Array]. It has its own case in Core's types. *)
 
 val substitute : (Ir.variable * Ir.ty) list -> Ir.ty -> Ir.ty
-(** Variables by their [id]. *)
+(** Replaces variables, compared by [id]. *)

@@ -3,9 +3,8 @@ module T = Typing.Ir
 
 type place = Every_instant | Elsewhere
 
-(* [equations] are those of the proc around: an instance is one of them wherever in it it
-   stands. [name] is that of the nearest definition around; [fall] is what to do where
-   a branch's guards all fail. *)
+(* [equations]: the equations of the enclosing proc, to which instances are added. [name]: the
+   nearest enclosing definition. [fall]: the expression to use if all guards of a branch fail. *)
 type env = {
   ctx : Context.t;
   lifted : Lifting.table;
@@ -35,7 +34,8 @@ let method_of ctx ~class_ ~name ty types : Ir.expr_desc =
   | Some (definition, types) -> Global (definition, types)
   | None -> Method { class_; name; ty; types }
 
-(* The library's [number], which a unit goes with as a text: Core has no units. *)
+(* The library function [number], with the unit as an additional string argument because Core has no
+   units. *)
 let number (e : T.expr) =
   let unit_ =
     match e.ty with
@@ -106,8 +106,8 @@ and construct (ty : T.ty) (c : T.constructor) arguments : Ir.expr_desc =
 
 (* {2 Application} *)
 
-(* [arguments]: of the applications around [e], innermost first, each with the
-   application it makes. *)
+(* [arguments]: the arguments of the enclosing applications, innermost first, each with the
+   application that it belongs to. *)
 and application env (e : T.expr) arguments =
   match e.desc with
   | Apply (f, argument) -> application env f ((argument, e) :: arguments)
@@ -115,12 +115,12 @@ and application env (e : T.expr) arguments =
   | _ ->
       List.fold_left
         (fun (f : Ir.expr) (argument, (whole : T.expr)) ->
-          (* which stands in the type of [f] already *)
+          (* already available as the result type of [f] *)
           let ty = match f.ty with Function (_, ty) -> ty | _ -> Erasure.ty whole.ty in
           Term.apply f (expr env argument) ty whole.span)
         (expr env e) arguments
 
-(* A constructor as a function becomes one, of the fields still missing. *)
+(* A constructor used as a function becomes a lambda over its missing fields. *)
 and saturate env (e : T.expr) (c : T.constructor) arguments =
   let given = exprs env (List.map fst arguments) in
   let ty, span =
@@ -149,17 +149,19 @@ and saturate env (e : T.expr) (c : T.constructor) arguments =
 
 and update env (e : T.expr) record c fields =
   let value = expr env record in
-  let changed = List.rev_map (fun (i, value) -> (i, expr env value)) fields in
+  let changed = Int_table.create (List.length fields) in
+  let change (i, value) = Int_table.replace changed i (expr env value) in
+  List.iter change fields;
   let types = Context.field_types env.ctx value.ty ~constructor:c.index in
   once env value (fun root ->
       let argument field ty =
-        match List.assoc_opt field changed with
+        match Int_table.find_opt changed field with
         | Some value -> value
         | None -> Term.make ty e.span (Ir.Payload { value = root; constructor = c.index; field })
       in
       Term.make value.ty e.span (construct e.ty c (List.mapi argument types)))
 
-(* A value that is used several times is a variable. *)
+(* Binds a value that is used several times to a variable. *)
 and once env (value : Ir.expr) use =
   match value.desc with
   | Local _ -> use value
@@ -218,8 +220,8 @@ and lambda env patterns body =
       Term.make (Ir.Function (b.ty, body.ty)) p.span (Ir.Lambda (b, body)))
     (expr env body) parameters
 
-(* Without those that become definitions. What a [let] in an equation binds is an
-   equation beside it. *)
+(* The bindings other than those that are lifted to definitions. The bindings of a [let] inside an
+   equation become separate equations. *)
 and local_bindings env bindings =
   let at_every_instant = env.place = Every_instant in
   let rec flat (b : T.binding) =
@@ -268,7 +270,7 @@ and proc env (e : T.expr) input equations output =
   Term.make (Erasure.ty e.ty) e.span
     (Ir.Proc { name = env.name; input = binder; equations = Equations.all mine; output })
 
-(* An instance that is all of a right side needs no variable of its own. *)
+(* If an instance is the whole right-hand side, it needs no variable of its own. *)
 and equation env equations (b : T.binding) =
   let binder = Matching.binder env.ctx b.pattern in
   let inner = named b.pattern env in

@@ -1,11 +1,11 @@
-(** Expressions of Typed as expressions of Core.
+(** Translates expressions of Typed to expressions of Core.
 
-    An expression stands either at a place of a proc that is computed at every instant, or
-    elsewhere. At the former, each instance becomes an equation of its own and so does each
-    [let]-bound variable, for the instances may depend on it; levels guarantee that the latter holds
-    no instance. *)
+    An expression either occurs at a place of a proc that is evaluated at every instant, or
+    elsewhere. In the first case, each instance becomes an equation of its own, and so does each
+    [let]-bound variable, because instances may depend on it. In the second case, the levels
+    guarantee that there are no instances. *)
 
 val closed :
   Context.t -> Lifting.table -> name:Ir.Global.t -> Ir.variable list -> Typing.Ir.expr -> Ir.expr
-(** The value of a top-level definition of that name, with these type parameters. What is lifted out
-    of it is defined in the context. *)
+(** The value of the top-level definition with this name and these type parameters. Definitions
+    lifted out of it are added to the context. *)

@@ -2,7 +2,7 @@ open Basis
 
 let bug format = Diagnostic.bug ~stage:"Core.Instance" format
 
-(* A type constructor. *)
+(* A type constructor, as the key of an instance. *)
 type head =
   | Data_head of Ir.Global.t
   | Bool_head

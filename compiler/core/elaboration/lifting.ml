@@ -59,7 +59,8 @@ let unique t scope name : Ir.Global.t =
   Global_table.replace t.names g ();
   g
 
-(* Variables that are lifted already stand for what they capture. *)
+(* The captured variables. A mentioned variable that has been lifted is replaced by the variables
+   that it captured itself. *)
 let captured t ~own mentions =
   let expand (b : Ir.binder) =
     match Int_table.find_opt t.uses b.local.id with

@@ -1,28 +1,28 @@
-(** Lambda lifting: local functions that are polymorphic, and local definitions that use themselves,
-    become definitions of the program. What they mention of the definition around becomes
-    parameters, and is given wherever they are used.
+(** Lambda lifting: polymorphic local functions and recursive local definitions become top-level
+    definitions.
 
-    So nothing after Core has to know that modes and tasks may loop in a [where]. *)
+    The variables that they capture become parameters, and each use passes them as arguments. Later
+    stages therefore need not handle modes and tasks that are recursive within a [where]. *)
 
 type table
-(** What has been lifted so far. *)
+(** The definitions lifted so far. *)
 
 val table : unit -> table
 
 type scope
-(** Where an expression stands: the names and type variables around it, and by what parameters the
-    variables are known that a lifted definition captured. *)
+(** The scope of an expression: the enclosing names and type variables, and the parameters that
+    replace captured variables inside a lifted definition. *)
 
 val scope : Ir.Global.t -> Ir.variable list -> scope
-(** In a definition of the program, with these type parameters. *)
+(** The scope of a top-level definition with these type parameters. *)
 
 val variable : table -> scope -> Typing.Ir.expr -> Ir.Local.t -> Ir.ty list -> Ir.expr
-(** What a use of a local variable becomes, at these types. *)
+(** The translation of a use of a local variable at these types. *)
 
 type lifted = {
   binding : Typing.Ir.binding;
-  inside : scope;  (** of its value *)
-  name : Ir.Global.t;  (** its own name, in a module named for what is around it *)
+  inside : scope;  (** the scope of its value *)
+  name : Ir.Global.t;  (** a unique name, in a module named after the enclosing definition *)
   types : Ir.variable list;
   parameters : Ir.binder list;
 }
@@ -34,8 +34,8 @@ val choose :
   at_every_instant:bool ->
   Typing.Ir.binding list ->
   lifted list * Typing.Ir.binding list
-(** Of the bindings of one list those that are lifted, and those that stay, in order. Of equations
-    of a proc only those can be lifted that are no signals. *)
+(** Splits a list of bindings into those that are lifted and those that stay, both in order. Of a
+    proc's equations, only those that are not signals can be lifted. *)
 
 val definition : lifted -> Ir.expr -> Ir.definition
-(** Given its translated value. *)
+(** The lifted definition, with its translated value. *)

@@ -15,13 +15,13 @@ let element root index (p : T.pattern) = Term.make (Erasure.ty p.ty) p.span (Ir.
 let payload root (c : T.constructor) field (p : T.pattern) =
   Term.make (Erasure.ty p.ty) p.span (Ir.Payload { value = root; constructor = c.index; field })
 
-(* Newest first. *)
+(* The variables of a pattern and their values, newest first. *)
 let rec collect (p : T.pattern) root found =
   match p.desc with
   | Any | Literal _ -> found
   | Bound local -> ({ Ir.local; ty = root.Ir.ty }, root) :: found
   | As (local, p) ->
-      (* Below the name, the name stands for the value. *)
+      (* below the name, the name refers to the value *)
       let binder = { Ir.local; ty = root.Ir.ty } in
       collect p (Term.variable binder p.span) ((binder, root) :: found)
   | Tuple_of ps -> collect_parts (component root) ps found
@@ -101,7 +101,7 @@ type branch = { pattern : T.pattern; falls : bool; value : fall:Ir.expr option -
 let bind found body = List.fold_left (fun body (b, value) -> Term.let_ b value body) body found
 let with_variables (p : T.pattern) root body = bind (collect p root []) body
 
-(* Calls [use] with [rest] as an expression that may stand at two places. *)
+(* Calls [use] with [rest] as an expression that may be used at two places. *)
 let shared ctx span (rest : Ir.expr) use =
   if Term.is_trivial rest then use rest
   else

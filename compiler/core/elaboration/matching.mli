@@ -1,26 +1,28 @@
-(** Patterns, taken apart: the tests that decide whether a value matches, and the variables as
-    components and payloads of it.
+(** Compiles patterns: the tests that decide whether a value matches, and the variables as
+    components and payloads of the value.
 
-    The value matched is always a variable ([root]), so that naming it many times costs nothing. *)
+    The matched value is always a variable ([root]), so that it can be mentioned several times at no
+    cost. *)
 
 val binder : Context.t -> Typing.Ir.pattern -> Ir.binder
-(** The variable that a pattern matches: its own if it is one, else fresh. *)
+(** The variable that holds the matched value: the pattern's own variable if the pattern is one,
+    otherwise a new one. *)
 
 val variables : Typing.Ir.pattern -> root:Ir.expr -> (Ir.binder * Ir.expr) list
-(** What the pattern's variables stand for, in order of writing. For a pattern that is its {!binder}
-    there is none. *)
+(** The values of the pattern's variables, in source order. Empty if the pattern is its own
+    {!binder}. *)
 
 val part : Typing.Ir.pattern -> root:Ir.expr -> Ir.Local.t -> Ir.expr
-(** What one of the pattern's variables stands for. *)
+(** The value of one of the pattern's variables. *)
 
 type branch = {
   pattern : Typing.Ir.pattern;
-  falls : bool;  (** its guards may all fail *)
+  falls : bool;  (** all its guards may fail *)
   value : fall:Ir.expr option -> Ir.expr;
-      (** given what to do where they do, if [falls]: it is put there once *)
+      (** given the expression to use if all guards fail, if [falls] holds; uses it exactly once *)
 }
 
 val case : Context.t -> root:Ir.expr -> Basis.Span.t -> branch list -> Ir.expr
-(** The first branch that matches and whose guards do not all fail. The last one is not tested:
-    cases are exhaustive. What follows a branch that can be left at two places becomes a local
-    function of [()], a join point. *)
+(** The first branch that matches and whose guards do not all fail. The last branch is not tested,
+    because cases are exhaustive. If the rest after a branch is needed at two places, it becomes a
+    local function of [()], a join point. *)

@@ -1,8 +1,8 @@
-(** The variables that an expression of Typed mentions and does not bind. *)
+(** Finds the free variables of a Typed expression. *)
 
 type t = {
-  variables : Ir.binder list;  (** each once, in order of the first mention *)
-  runs : bool;  (** an instance of the proc around stands in it *)
+  variables : Ir.binder list;  (** each once, in order of first occurrence *)
+  runs : bool;  (** contains an instance that belongs to the enclosing proc *)
 }
 
 val of_expr : Typing.Ir.expr -> t

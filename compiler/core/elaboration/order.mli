@@ -1,7 +1,7 @@
-(** Definitions in dependency order.
+(** Sorts definitions in dependency order.
 
-    Those of methods come after the others when they are typed; here each moves in front of what
-    uses it. Of definitions that use each other the order stays. *)
+    Typing puts method definitions last; here each moves before its uses. Mutually recursive
+    definitions keep their order. *)
 
 val definitions : Ir.definition list -> Ir.definition list
-(** Linear. *)
+(** Linear time. *)

@@ -1,31 +1,33 @@
-(** How nearly a condition holds, as a formula over columns of a run.
+(** The margin of a condition, as a formula over columns of a run.
 
-    Its value is a number at each instant: above 0 the condition is True, below 0 it is False, and
-    how far from 0 says how nearly it is something else. That is the robustness of signal temporal
-    logic: a comparison is a difference, [And] the least, [Or] the largest, [Not] the negation, and
-    what asks for the past is the least or the largest over the instants that it asks for.
+    The value of the formula is a number at each instant. If it is positive, the condition is True;
+    if it is negative, False. Its distance from 0 says how close the condition is to changing. This
+    is the robustness of signal temporal logic: a comparison is a difference, [And] is the minimum,
+    [Or] the maximum, [Not] the negation, and an operator on the past is the minimum or maximum over
+    the instants that it refers to.
 
-    It is computed where all instants of a run are at hand, and not by the program: a window of time
-    would need as much memory as there are instants in it. *)
+    The formula is evaluated after the run, when all instants are available, and not by the program:
+    a time window would need memory for all the instants in it. *)
 
 type t =
   | Constant of bool
   | Column of int
-      (** a Float, itself; a Bool, which is True or False and never nearly so; by number, from 1 *)
+      (** a column number, from 1. A Float column is the margin itself; a Bool column is True or
+          False, without a degree *)
   | Not of t
   | And of t * t
   | Or of t * t
-  | Choice of t * t * t  (** the second where the first holds, else the third *)
+  | Choice of t * t * t  (** the second formula where the first holds, otherwise the third *)
   | Timed of { operator : string; time : int option; conditions : t list }
-      (** a function of the library's module Past, and the column of its time *)
+      (** a function of the library's module Past, and the column of its time argument *)
 
 val not_ : t -> t
 val and_ : t -> t -> t
 val or_ : t -> t -> t
 
 val choice : t -> t -> t -> t
-(** These leave out what makes no difference. *)
+(** The functions below simplify trivial cases. *)
 
 val to_json : (int -> string) -> t -> string
-(** With the names of columns: [["and", "f.margin a 1", ["within", "f.margin a 2", …]]]; a constant
-    is [true] or [false]. *)
+(** Writes the formula with column names: [["and", "f.margin a 1", ["within", "f.margin a 2", …]]];
+    a constant is [true] or [false]. *)

@@ -13,7 +13,7 @@ let is_column = String.starts_with ~prefix:word
 
 let past name : Global.t = { module_ = "Past"; name }
 
-(* Those that keep a time, and the others. *)
+(* The functions with a time argument, and those without. *)
 let with_time = List.map past [ "within"; "heldFor"; "by"; "respondsWithin" ]
 let without = List.map past [ "ever"; "always"; "since" ]
 let is_timed g = List.mem g with_time || List.mem g without
@@ -26,7 +26,7 @@ type claim = {
   reading : Reading.t;
   name : string;
   mutable count : int;
-  mutable equations : equation list; (* the last first *)
+  mutable equations : equation list; (* newest first *)
 }
 
 let head c env e = Reading.head c.reading ~stop:is_timed env e
@@ -40,7 +40,7 @@ let shown c (value : expr) =
 
 let itself c env e = Formula.Column (shown c (Reading.copy c.reading env e))
 
-(* Does it depend on nothing but time? *)
+(* Does the expression depend only on time and constants? *)
 let of_time_alone c env e =
   let is_time = ref false in
   let rec is_other env (e : expr) =
@@ -63,7 +63,8 @@ let binary p ty result (a : expr) (b : expr) =
   let p = Term.make (Function (ty, partial)) a.span (Primitive (p, [ ty ])) in
   Term.apply (Term.apply p a partial a.span) b result a.span
 
-(* Of what is equal it is 0: infinity less infinity would be no number. *)
+(* The difference of two numbers; 0 if they are equal, because infinity minus infinity would be NaN.
+   *)
 let difference c env (span : Span.t) (a : expr) (b : expr) =
   let number (e : expr) =
     let e = Reading.copy c.reading env e in
@@ -139,7 +140,7 @@ and comparison c env span (p : Primitive.t) ty a b ~otherwise =
       | None, None -> otherwise ())
   | _ -> otherwise ()
 
-(* Has the value that constructor? *)
+(* The condition that the value has this constructor. *)
 and is c env value k ~otherwise =
   let { Reading.env; expr } = head c env value in
   let is_last = expr.ty = Data (verdict, []) && k = fails in
@@ -163,7 +164,7 @@ and is c env value k ~otherwise =
 
 and has c env value k = itself c env (Term.make Bool value.span (Is_constructor (value, k)))
 
-(* What a variable says that is an instance of a signal function. *)
+(* The condition computed by a variable that is an instance of a signal function. *)
 and instance c env x =
   match (Reading.run c.reading env x, Reading.input c.reading env x) with
   | Some { env = of_function; expr }, Some input -> (
@@ -188,11 +189,11 @@ and timed c (g : Global.t) env given { env = of_input; expr = input } =
     | _ -> None
   else Some (timed [ formula c of_input input ])
 
-(* The verdict itself says whether the condition fails. *)
+(* The verdict itself determines whether the condition fails. *)
 let of_verdict c env (e : expr) =
   Formula.not_ (is c env e fails ~otherwise:(fun () -> has c env e fails))
 
-(* {1 All of them} *)
+(* {1 All assertions} *)
 
 let program (program : program) =
   let reading = Reading.create program in

@@ -1,19 +1,19 @@
-(** How nearly each assertion held.
+(** Computes the margins of assertions: how close each condition was to changing.
 
-    Of each assertion its condition is read, through variables and functions, down to comparisons.
-    For each of these the proc gets one more equation, the difference of what is compared, under a
-    name that no source can mention; of a condition that compares nothing it is the condition
-    itself. Nothing depends on them, as nothing depends on assertions: they are there to be shown.
-    And each assertion has a {!Formula} of these columns.
+    The condition of each assertion is analysed, through variables and functions, down to
+    comparisons. For each comparison the proc gets another equation, whose value is the difference
+    of the operands and whose name cannot occur in source code. For a condition without comparisons,
+    the value is the condition itself. Like assertions, these equations have no dependents; they
+    exist only to be recorded. Each assertion also gets a {!Formula} over these columns.
 
-    A comparison of what depends on nothing but time counts as a condition: nothing that a search
-    could change makes it come nearer. *)
+    A comparison that depends only on time counts as a plain condition, because no change of the
+    inputs can bring it closer. *)
 
 val program : Ir.program -> Ir.program * (Basis.Span.t -> Formula.t option)
-(** And the formula of the assertion that is defined there; [None] if there is none, or where it
-    would be too large. *)
+(** The program with these equations, and the formula of the assertion defined at a place; [None] if
+    there is no assertion, or if the formula would be too large. *)
 
 val column : string -> int -> string
-(** What the equation of that number is called, from the name of the verdict. *)
+(** The name of the equation with this number, derived from the name of the verdict. *)
 
 val is_column : string -> bool

@@ -4,7 +4,7 @@ module Global_table = Resolve.Global_table
 
 exception Too_large
 
-(* Each step of reading or copying; what people write takes some dozens. *)
+(* Limit on the steps of reading and copying. Programs written by people need some dozens. *)
 let most_steps = 10_000
 
 type t = {
@@ -13,19 +13,19 @@ type t = {
   instances : Instance.table;
   mutable last : int;
   mutable steps : int;
-  mutable added : equation list; (* the last first *)
+  mutable added : equation list; (* newest first *)
 }
 
 type env = {
   types : (variable * ty) list;
-  values : value Int_map.t ref; (* the equations of a proc mention each other *)
+  values : value Int_map.t ref; (* mutable, because the equations of a proc refer to each other *)
 }
 
 and value =
-  | Expression of expr * env (* it stands for this *)
+  | Expression of expr * env (* the variable is defined as this expression *)
   | Renamed of Local.t
-  | Equation of equation * env (* of the proc that all is read for *)
-  | Instance of instance (* in a proc that was entered *)
+  | Equation of equation * env (* an equation of the proc that is being analysed *)
+  | Instance of instance (* an instance in a proc that was entered *)
 
 and instance = {
   binder : binder;
@@ -98,7 +98,7 @@ let enter env (p : proc) ~input =
 
 let ty env ty = if env.types = [] then ty else Erasure.substitute env.types ty
 
-(* A method where the type is known by now is a definition. *)
+(* The definition of a method, if the type is known by now. *)
 let method_ t env (e : expr) =
   match e.desc with
   | Method { class_; name; ty = of_; types } -> (
@@ -204,7 +204,7 @@ and copied t (i : instance) =
   | Some local -> local
   | None ->
       let { local; ty = given } = i.binder in
-      (* Without a name, so that it is none of the signals that are to be seen. *)
+      (* without a name, so that it is not a visible signal *)
       let local = fresh t "" local.span in
       i.copied <- Some local;
       let rhs =

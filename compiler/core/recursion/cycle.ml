@@ -14,7 +14,7 @@ let vertex (d : Ir.definition) =
 
 let steps ~first cycle = List.combine cycle (List.tl cycle @ [ first ])
 
-(* Of a cycle too long to read, the beginning and the last step. *)
+(* Shows only the beginning and the last step of a very long cycle. *)
 let longest_shown = 12
 
 let shorten steps =
@@ -33,10 +33,10 @@ let diagnostic ~vertex ~use cycle =
   let is_value = not (vertex first).function_ in
   let message =
     match (is_value && not (vertex first).task, List.length steps = 1) with
-    | true, true -> "is made of itself"
-    | true, false -> "is made of itself through others"
+    | true, true -> "is defined by itself"
+    | true, false -> "is defined by itself through other definitions"
     | false, true -> "calls itself"
-    | false, false -> "calls itself through others"
+    | false, false -> "calls itself through other definitions"
   in
   let path d =
     if List.compare_length_with cycle 1 = 0 then d
@@ -50,10 +50,10 @@ let diagnostic ~vertex ~use cycle =
     steps
   |> Diagnostic.note
        (if List.for_all (fun v -> (vertex v).task) cycle then
-          "a task may start itself again only as the last statement of a `do`, after something \
-           that takes time"
+          "a task may only restart itself as the last statement of a `do`, after a task that takes \
+           time"
         else if List.for_all (fun v -> not (vertex v).function_) cycle then
-          "nothing is assigned: a definition at the top level has one value, always the same"
+          "a top-level definition is a constant, not a variable that you can assign to"
         else
-          "functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal \
-           function may start itself again only in the continuation of a switch")
+          "functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal \
+           function may only restart itself in the continuation of a switch")

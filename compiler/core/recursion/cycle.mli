@@ -1,16 +1,16 @@
-(** What is said about definitions that need themselves. *)
+(** The message about definitions that depend on themselves. *)
 
 open Basis
 
 type vertex = {
   name : string;
   span : Span.t;
-  task : bool;  (** or gives one *)
-  function_ : bool;  (** or a signal function *)
+  task : bool;  (** is it a task, or a function that returns one? *)
+  function_ : bool;  (** is it a function or a signal function? *)
 }
 
 val vertex : Ir.definition -> vertex
 
 val diagnostic : vertex:(int -> vertex) -> use:(int -> int -> Span.t) -> int list -> Diagnostic.t
-(** E0410 for a cycle, not empty: each vertex uses the next, the last one the first; [use]: where.
-    Of a long one the beginning and the last step. *)
+(** E0410 for a non-empty cycle in which each vertex uses the next one, and the last one the first.
+    [use]: the place of a use. Shows only the beginning and the last step of a very long cycle. *)

@@ -3,7 +3,7 @@ module Global_table = Resolve.Global_table
 
 type definition = { core : Ir.definition; uses : Uses.use list }
 
-(* The definitions from which a method at a type variable can be reached. *)
+(* The definitions that can reach a method at a type variable. *)
 let that_use_methods { Uses.definitions; index; uses } =
   let uses = Array.map (List.filter (fun (use : Uses.use) -> not use.later)) uses in
   let users = Array.make (Array.length definitions) [] in
@@ -28,7 +28,7 @@ let that_use_methods { Uses.definitions; index; uses } =
   Array.iteri (fun i uses -> if List.exists is_method uses then spread [ i ]) uses;
   found
 
-(* {1 Definitions at types} *)
+(* {1 Instantiated definitions} *)
 
 module Instantiations = Hashtbl.Make (struct
   type t = Ir.Global.t * Ir.ty list
@@ -40,7 +40,8 @@ end)
 type vertex = {
   definition : definition;
   types : Ir.ty list;
-  mutable out : (int * Span.t * bool) list;  (** whether it goes by a method *)
+  mutable out : (int * Span.t * bool) list;
+      (** successors: number, place of the use, and whether the use goes through a method *)
 }
 
 type graph = {
@@ -48,33 +49,59 @@ type graph = {
   instances : Instance.table;
   sink : Diagnostic.sink;
   numbers : int Instantiations.t;
-  mutable vertices : vertex list; (* the last one first *)
+  mutable vertices : vertex list; (* newest first *)
   mutable work : vertex list;
 }
 
-let rec depth (ty : Ir.ty) =
-  let deepest tys = List.fold_left (fun d ty -> max d (depth ty)) 0 tys in
-  match ty with
-  | Variable _ | Bool | Int | Float | String | Size _ -> 1
-  | Tuple tys | Data (_, tys) -> 1 + deepest tys
-  | Function (a, b) | Signal_function (a, b) | Array (a, b) -> 1 + deepest [ a; b ]
-
-(* No type of a program is as deep, unless it grows from call to call. *)
+(* Only types that grow from call to call exceed this depth or size. *)
 let deepest_type = 100
+let most_parts = 20_000
+
+exception Large
+
+(* A type may share its parts, so it may have far more paths than parts. *)
+let is_large ty =
+  let parts = ref 0 in
+  let rec visit depth (ty : Ir.ty) =
+    incr parts;
+    Work.step ();
+    if depth > deepest_type || !parts > most_parts then raise_notrace Large;
+    match ty with
+    | Variable _ | Bool | Int | Float | String | Size _ -> ()
+    | Tuple tys | Data (_, tys) -> List.iter (visit (depth + 1)) tys
+    | Function (a, b) | Signal_function (a, b) | Array (a, b) ->
+        visit (depth + 1) a;
+        visit (depth + 1) b
+  in
+  match visit 1 ty with () -> false | exception Large -> true
 
 let report_growth g (d : definition) span =
-  Diagnostic.error ~code:"E0413" ~at:span "`%s` is needed at ever larger types" d.core.name.name
+  Diagnostic.error ~code:"E0413" ~at:span "`%s` uses itself at ever larger types" d.core.name.name
   |> Diagnostic.label ~at:d.core.span "defined here"
   |> Diagnostic.emit g.sink
 
-(* Its number, if it may lead to a method. *)
+(* Maximum number of steps for building the graph; each step visits a part of a type. *)
+let most_steps = 5_000_000
+
+let report_many g v =
+  let { core; _ } = v.definition in
+  Diagnostic.error ~code:"E0413" ~at:core.span "`%s` is used at too many types" core.name.name
+  |> Diagnostic.note
+       (Printf.sprintf "so far, definitions that use methods are needed at %d combinations of types"
+          (Instantiations.length g.numbers))
+  |> Diagnostic.hint
+       "use fewer levels of definitions: if each level calls the next one at two new types, every \
+        level doubles the number of types"
+  |> Diagnostic.emit g.sink
+
+(* The number of the instantiated definition, if it may reach a method. *)
 let vertex g name types ~span =
   match Global_table.find_opt g.program name with
   | None -> None
   | Some definition -> (
       match Instantiations.find_opt g.numbers (name, types) with
       | Some number -> Some number
-      | None when List.exists (fun ty -> depth ty > deepest_type) types ->
+      | None when List.exists is_large types ->
           report_growth g definition span;
           None
       | None ->
@@ -110,7 +137,8 @@ let rec follow_all g =
       follow g v;
       follow_all g
 
-(* Closed definitions, and the methods of all instances at their own variables. *)
+(* Starts from the closed definitions, and from the methods of all instances at the instances' own
+   variables. *)
 let start g (program : Ir.program) =
   let own (d : definition) = List.map (fun v -> Ir.Variable v) d.core.parameters in
   let enter name types =
@@ -130,7 +158,7 @@ let start g (program : Ir.program) =
 
 (* {1 Cycles} *)
 
-(* A definition that has its method's name is a default. *)
+(* The default definitions, which have the names of their methods, with their classes. *)
 let defaults (program : Ir.program) =
   let table = Hashtbl.create 16 in
   let method_ (i : Ir.instance) (_, (implementation : Ir.implementation)) =
@@ -156,7 +184,8 @@ let report g defaults vertices cycle =
   | Some (class_, ty) ->
       diagnostic
       |> Diagnostic.note
-           (Printf.sprintf "for the type `%s`, whose instance of `%s` leaves it to the default"
+           (Printf.sprintf
+              "this happens for the type `%s`, because its instance of `%s` uses the default"
               (Print.type_name ty) class_)
       |> Diagnostic.hint "define one of the methods in the instance"
   | None -> diagnostic)
@@ -182,7 +211,9 @@ let check_instances sink (program : Ir.program) uses =
     }
   in
   start g program;
-  follow_all g;
+  (match Work.within most_steps (fun () -> follow_all g) with
+  | Some () -> ()
+  | None -> Option.iter (report_many g) (List.nth_opt g.vertices 0));
   let vertices = Array.of_list (List.rev g.vertices) in
   Array.iter (fun v -> v.out <- List.rev v.out) vertices;
   let graph = Array.map (fun v -> List.map (fun (target, _, _) -> target) v.out) vertices in

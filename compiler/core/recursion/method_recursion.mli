@@ -1,12 +1,12 @@
-(** No definition may need itself by way of methods.
+(** Reports definitions that depend on themselves through methods.
 
-    What a method at a type variable is depends on the types at which the definition around it is
-    used. So this follows the definitions that use such methods through the types they are used at:
-    from the closed definitions, and from each instance, whose methods may be the class's defaults,
-    each in terms of the other. *)
+    The definition behind a method at a type variable depends on the types at which the enclosing
+    definition is used. This check therefore follows the definitions that use such methods, together
+    with their type arguments. It starts from the closed definitions and from each instance, because
+    an instance's methods may be class defaults that are defined in terms of each other. *)
 
 open Basis
 
 val check : Diagnostic.sink -> Ir.program -> Uses.t -> unit
-(** Emits E0410 for each cycle that a method closes, and E0413 where a method is needed at ever
-    larger types. Linear in the uses it follows. *)
+(** Emits E0410 for each cycle that goes through a method, and E0413 if a method is required at ever
+    larger types. Linear in the number of uses followed. *)

@@ -7,12 +7,12 @@ let rec is_open : Ir.ty -> bool = function
   | Tuple parts | Data (_, parts) -> List.exists is_open parts
   | Function (a, b) | Signal_function (a, b) | Array (a, b) -> is_open a || is_open b
 
-(* With the variables of the definition in it, but larger than one. *)
+(* Does the type contain a variable of the definition, without being just that variable? *)
 let grows : Ir.ty -> bool = function Variable _ -> false | ty -> is_open ty
 
 type use = { index : int; by : Ir.Global.t; types : Ir.ty list; at : Span.t }
 
-(* How the definition [from] comes to start [target]: the uses on a shortest way. *)
+(* How the definition [from] reaches [target]: the uses on a shortest path. *)
 let way uses from target =
   let reached = Hashtbl.create 16 in
   let rec back v found =
@@ -45,15 +45,15 @@ let report sink (definitions : Ir.definition array) uses i { index; by; types; a
       diagnostic
   in
   let ty = List.find grows types in
-  Diagnostic.error ~code:"E0417" ~at "`%s` starts itself again at a larger type" by.name
-  |> Diagnostic.here (Printf.sprintf "here a type variable of it becomes `%s`" (Print.type_name ty))
+  Diagnostic.error ~code:"E0417" ~at "`%s` restarts itself at a larger type" by.name
+  |> Diagnostic.here (Printf.sprintf "here its type variable becomes `%s`" (Print.type_name ty))
   |> (fun diagnostic ->
   match way uses index i with
   | [] ->
       let text = Printf.sprintf "`%s` is defined here" d.name.name in
       Diagnostic.label ~at:d.span text diagnostic
   | way -> List.fold_left label diagnostic way)
-  |> Diagnostic.hint "start it again at the same types"
+  |> Diagnostic.hint "restart it at the same types"
   |> Diagnostic.emit sink
 
 let check sink { Uses.definitions; index; uses } =

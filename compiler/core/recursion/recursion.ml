@@ -7,8 +7,8 @@ let report sink (definitions : Ir.definition array) use cycle =
     if List.for_all (fun v -> (vertex v).task) cycle then Fun.id
     else
       Diagnostic.hint
-        "a value that depends on its own past is an equation of a `proc`, with `delay`, as in `n = \
-         delay 0 n + 1`"
+        "for a value that depends on its own past, write an equation in a `proc`, with `delay`, as \
+         in `n = delay 0 n + 1`"
   in
   Cycle.diagnostic ~vertex ~use cycle |> cure |> Diagnostic.emit sink
 
@@ -32,7 +32,7 @@ let check_uses sink { Uses.definitions; index; uses } =
 let check sink (program : Ir.program) =
   let own = Diagnostic.sink () and uses = Uses.of_program program in
   check_uses own uses;
-  (* What runs in a circle by itself would do so again at every type. *)
+  (* A definition that is recursive by itself would be reported again at every type. *)
   if not (Diagnostic.has_errors own) then Method_recursion.check own program uses;
   if not (Diagnostic.has_errors own) then Polymorphic_recursion.check own uses;
   List.iter (Diagnostic.emit sink) (Diagnostic.all own)

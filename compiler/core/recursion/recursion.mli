@@ -1,11 +1,11 @@
-(** No definition may be needed to evaluate itself.
+(** Reports definitions that are needed to evaluate themselves.
 
-    Of functions and signal functions everything is evaluated while compiling, which ends only if
-    none of them calls itself, directly or through others. What is used later, in a continuation,
-    does not count, unless it is needed at ever larger types. *)
+    All functions and signal functions are evaluated at compile time. That terminates only if none
+    of them calls itself, directly or through others. Uses in a continuation happen later and do not
+    count, unless they require ever larger types. *)
 
 open Basis
 
 val check : Diagnostic.sink -> Ir.program -> unit
-(** Emits E0410 for each cycle; see {!Method_recursion} and {!Polymorphic_recursion}. Linear. Does
-    not need what {!Lint} checks. *)
+(** Emits E0410 for each cycle; see also {!Method_recursion} and {!Polymorphic_recursion}. Linear
+    time. Does not depend on the invariants that {!Lint} checks. *)

@@ -1,4 +1,4 @@
-(** The definitions and methods that definitions mention. *)
+(** The definitions and methods that each definition mentions. *)
 
 open Basis
 
@@ -10,15 +10,15 @@ type use = {
   target : target;
   span : Span.t;
   later : bool;
-      (** in an argument that, as that of a switch, is a function that gives a signal function or a
-          task: it runs later, if at all *)
+      (** in an argument that is a function to a signal function or task, such as the continuation
+          of a switch: it runs later, if at all *)
 }
 
 type t = {
   definitions : Ir.definition array;
-  index : int Resolve.Global_table.t;  (** in [definitions] *)
-  uses : use list array;  (** of each, in the order of the text *)
+  index : int Resolve.Global_table.t;  (** index into [definitions] *)
+  uses : use list array;  (** the uses in each definition, in source order *)
 }
 
 val of_program : Ir.program -> t
-(** Linear. Does not need what {!Lint} checks. *)
+(** Linear time. Does not depend on the invariants that {!Lint} checks. *)

@@ -4,8 +4,8 @@
 
 ;;; Commentary:
 
-;; Highlighting, and the language server of `frobc lsp' by eglot, which Emacs has from 29 on and
-;; GNU ELPA for those before: `M-x eglot' in a program.
+;; Highlighting, and support for the language server `frobc lsp' through eglot: `M-x eglot' in a
+;; program. Emacs 29 and later include eglot; for older versions it is on GNU ELPA.
 
 ;;; Code:
 

@@ -2,7 +2,7 @@ open Basis
 
 (* {1 The compiler's tables} *)
 
-(* What begins declarations; all other words make expressions. *)
+(* Words that occur in declarations; all other words occur in expressions. *)
 let declaring =
   [
     "module";
@@ -170,7 +170,7 @@ let textmate tree : Json.t =
              repository) );
     ]
 
-(* A line for each member, so that a change can be read. *)
+(* Prints each member on a line of its own, so that changes are easy to review. *)
 let rec pretty indent (json : Json.t) =
   let lines open_ close elements =
     let inner = indent ^ "  " in

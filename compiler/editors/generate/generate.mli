@@ -1,2 +1,2 @@
-(** The highlighting of editors, made of the compiler's own tables: [generate textmate|vim|emacs],
-    then the prelude's file. Prints the file. *)
+(** Generates the highlighting for editors from the compiler's own tables. The arguments are
+    [textmate], [vim] or [emacs], and the file of the prelude; the result is printed. *)

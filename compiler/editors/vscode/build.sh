@@ -1,13 +1,11 @@
 #!/bin/sh
-# Makes the extension as a file to install: build.sh FOLDER puts frob.vsix there. Needs npm, and
-# the network for it once.
+# build.sh FOLDER: builds the extension and writes it to FOLDER/frob.vsix. Needs npm, which
+# downloads packages the first time.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
-mkdir -p "$out/vscode"
-cp -R "$here"/. "$out/vscode/"
-cp "$here/../../../LICENSE" "$out/vscode/LICENSE"
+sh "$here/sources.sh" "$out/vscode"
 cd "$out/vscode"
 if [ -f package-lock.json ]; then npm ci --no-audit --no-fund --silent; else npm install --no-audit --no-fund --silent; fi
 npm run --silent bundle

@@ -1,4 +1,4 @@
-// Frob in Visual Studio Code: starts `frobc lsp`, and runs the commands of its lenses.
+// Frob for Visual Studio Code: starts `frobc lsp`, and runs the commands of its code lenses.
 const vscode = require("vscode");
 const { LanguageClient } = require("vscode-languageclient/node");
 
@@ -41,6 +41,9 @@ exports.activate = async (context) => {
     context.subscriptions.push(
         vscode.commands.registerCommand("frob.run", (path) => inTerminal("run", path, "--view")),
         vscode.commands.registerCommand("frob.report", (path) => inTerminal("report", path)),
+        vscode.commands.registerCommand("frob.test", (path, label) =>
+            inTerminal("test", path, ...(label ? ["-k", label] : [])),
+        ),
         vscode.workspace.onDidChangeConfiguration(async (event) => {
             if (!event.affectsConfiguration("frob.compiler")) return;
             await client?.stop();

@@ -6,9 +6,10 @@ type t = {
   values : values;
   read : values -> Ir.atom -> Range.t;
   definitions : (int, Ir.rhs) Hashtbl.t;
-  narrowed : (int, unit) Hashtbl.t;  (** signals of which more is known now *)
+  narrowed : (int, unit) Hashtbl.t;  (** signals whose ranges have been narrowed *)
   followed : (int, unit) Hashtbl.t;
-      (** in this round, and not again while no more is known of them: signals are shared *)
+      (** signals whose definitions were visited in this round. Signals are shared, so they are
+          visited again only after further narrowing *)
   mutable changed : bool;
 }
 
@@ -30,8 +31,9 @@ let follow_once t (s : Ir.signal) follow =
 
 let can_be t atom b = (if b then Range.may_be_true else Range.may_be_false) (read t atom)
 
-(* An atom with the same value, as near to where it was made as one can follow it in
-   [steps]: out of the branch that is taken, out of the constructor it was put in. *)
+(* An equivalent atom, as close as possible to its definition. Follows copies, the branch that is
+   certainly taken, and values that are put into a constructor and taken out again, for at most
+   [steps] steps. *)
 let origin t atom =
   let steps = ref 1000 in
   let rec go (atom : Ir.atom) =
@@ -57,7 +59,7 @@ let origin t atom =
   in
   go atom
 
-(* An atom is true, or false. *)
+(* Assumes that an atom has this truth value. *)
 let rec assume t (atom : Ir.atom) b =
   if not (can_be t atom b) then raise Contradiction;
   match atom with
@@ -91,7 +93,7 @@ and comparison t (operator : Ir.operator) x y b =
       number t x in_x;
       number t y in_y
 
-(* A number is in this range, which is within what is known of it. *)
+(* Assumes that a number is in this range, which is a subset of its known range. *)
 and number t (atom : Ir.atom) range =
   match atom with
   | Signal s when range <> read t atom ->
@@ -111,7 +113,8 @@ and back t atom continue =
   let made = origin t atom in
   if made <> atom then continue made
 
-(* Both are [all] if the result is; else one that surely is leaves the other. *)
+(* A conjunction ([all] is true) or disjunction ([all] is false). If the result equals [all], both
+   operands do. Otherwise, if one operand certainly equals [all], the other one does not. *)
 and both t x y ~all b =
   if b = all then (
     assume t x b;
@@ -126,7 +129,7 @@ and choice t condition ~then_:(then_possible, then_) ~else_:(else_possible, else
   if not (can_be t condition false) then then_ ();
   if not (can_be t condition true) then else_ ()
 
-(* A value of a data type has one of these constructors. *)
+(* Assumes that a value of a data type has one of these constructors. *)
 and restrict t (atom : Ir.atom) allowed =
   match read t atom with
   | Bools _ | Ints _ | Floats _ -> ()
@@ -151,7 +154,7 @@ and some t atom allowed =
   | Constructors found -> List.exists allowed found
   | Bools _ | Ints _ | Floats _ -> true
 
-(* What is known of a signal both ways. *)
+(* The intersection of the known range and the computed range. *)
 let meet known computed =
   match Range.meet known computed with Some both -> both | None -> raise Contradiction
 
@@ -165,8 +168,8 @@ let forward t evaluate equations =
         | Some _ | None -> computed))
     equations
 
-(* Each round follows one more thing that came out of another; few conditions
-   need more. *)
+(* Maximum number of rounds. Each round may use the results of the previous one; few conditions need
+   more. *)
 let rounds = 4
 
 let narrowed values ~read ~evaluate equations assumed =

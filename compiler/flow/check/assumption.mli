@@ -1,14 +1,13 @@
-(** What else must hold at an instant if these conditions do.
+(** Derives the consequences of conditions that hold at an instant.
 
-    Of the transitions of a mode the first that occurs counts, so a later one counts only where
-    those before it do not occur. This looks for a contradiction in that: conditions are followed
-    back to what they are made of, and what they are made of forward again.
-
-    [if w then (Just x) else Nothing] tested for [Just] says that [w] holds; and what is in it is
-    then [x]. *)
+    The first transition of a mode that occurs is taken, so a later one matters only if the earlier
+    ones do not occur. This module searches for contradictions in such assumptions: it narrows the
+    operands of the conditions, and then recomputes the signals that depend on them. For example, if
+    [if w then (Just x) else Nothing] is tested for [Just], then [w] holds and the payload is [x].
+*)
 
 type values = (int, Range.t) Hashtbl.t
-(** What the signals of a node may be. *)
+(** The possible values of a node's signals. *)
 
 val narrowed :
   values ->
@@ -17,6 +16,7 @@ val narrowed :
   Ir.equation list ->
   (Ir.atom * bool) list ->
   values option
-(** What the node's signals may be where these atoms are so at once, if they are among [values];
-    [None] if they cannot. The equations are in an order in which each comes after what it reads.
-    [values] is left as it is. Errs towards what is possible. *)
+(** The possible values of the node's signals if they are in [values] and all these atoms have the
+    given truth values; [None] if that is impossible. The equations must be sorted so that each one
+    follows those it reads. Does not change [values]. The result may include impossible values, but
+    never excludes possible ones. *)

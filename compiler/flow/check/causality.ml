@@ -1,10 +1,10 @@
 open Basis
 
-(* An instance on the way: of the node [through], which passes its input
-   [input] on to its output [output]. *)
+(* An instance in a loop: its node [through] uses the input [input] for its output [output] in the
+   same instant. *)
 type passage = { through : Ir.node; input : string; output : Ir.atom }
 
-(* One step of a loop: [reader] is defined by what reads [read] at [at]. *)
+(* An edge of a loop: the definition of [reader] reads [read], at the place [at]. *)
 type hop = { reader : Ir.signal; read : Ir.signal; at : Span.t; via : passage list }
 
 let passage (program : Ir.program) passages (node : Dependency.node) (instance : Ir.instance) k w =
@@ -26,7 +26,7 @@ let passage (program : Ir.program) passages (node : Dependency.node) (instance :
     output = snd (List.nth through.outputs k);
   }
 
-(* How a definition of vertex [v] reads one of vertex [w]. *)
+(* The hop for an edge: a definition of vertex [v] that reads one of vertex [w]. *)
 let hop program passages (node : Dependency.node) (v, w) =
   let reading definition =
     let read = List.find_opt (fun s -> node.vertex s = w) (Dependency.reads passages definition) in
@@ -50,8 +50,8 @@ let rotate_to first hops =
   in
   go [] hops
 
-(* The loop from the earliest signal that the programmer named, with the hops
-   over unnamed ones taken together: the place is where the named one is read. *)
+(* The loop, starting at the named signal that comes first in the source. Hops over unnamed signals
+   are merged; the place is where the named signal is read. *)
 let named_hops hops =
   let earlier a b = if Span.compare b.reader.span a.reader.span < 0 then b else a in
   match List.filter (fun hop -> hop.reader.name <> "") hops with
@@ -67,7 +67,7 @@ let named_hops hops =
       in
       let hops = rotate_to first hops in
       let joined, last = List.fold_left join ([], { first with via = [] }) hops in
-      (* A leaf without a name may close the loop in place of [first]'s own. *)
+      (* An unnamed leaf may close the loop in place of [first]'s own leaf. *)
       let closing = List.nth hops (List.length hops - 1) in
       let joined =
         if closing.read.name = "" then { last with read = first.reader; at = closing.at } :: joined
@@ -81,13 +81,14 @@ let through = function
   | [] -> ""
   | via ->
       let name passage =
-        (* the node of a switch has the name of the definition that it stands in *)
+        (* the node of a switch is named after the definition that contains it *)
         if by_a_switch passage then "a switch" else Printf.sprintf "`%s`" passage.through.Ir.origin
       in
       ", through " ^ String.concat " and " (List.map name via)
 
-(* A loop may be closed in the library, by [loop] say, around a signal function
-   of the program: where that lets its input pass is what can be changed. *)
+(* A loop may be closed in the library, for example by [loop], around a signal function of the
+   program. The user can only change the place where that signal function passes its input
+   through. *)
 let elsewhere hop =
   List.filter_map
     (fun passage ->
@@ -100,7 +101,7 @@ let elsewhere hop =
 let label_elsewhere hop d =
   let label d (passage, at) =
     let text =
-      Printf.sprintf "`%s` passes `%s` on to this in the same instant" passage.through.Ir.origin
+      Printf.sprintf "`%s` passes `%s` to this in the same instant" passage.through.Ir.origin
         passage.input
     in
     Diagnostic.label ~at text d
@@ -109,7 +110,7 @@ let label_elsewhere hop d =
 
 let reads hop = Printf.sprintf "reads `%s` here%s" hop.read.name (through hop.via)
 
-(* Can it be written as it stands, or is it a component ([p.1])? *)
+(* Whether the name can be used as an expression, unlike the name of a component ([p.1]). *)
 let is_expression name =
   List.for_all
     (fun part -> part <> "" && not (part.[0] >= '0' && part.[0] <= '9'))
@@ -119,8 +120,8 @@ let hint_elsewhere passage =
   Printf.sprintf "let `%s` read the previous value of `%s`, with `delay`" passage.through.Ir.origin
     passage.input
 
-(* What closes the loop stands in the library, and what is in it has no name. *)
-let hint_within = "what runs in the loop needs a `delay` or an `integral`"
+(* For a loop that is closed in the library, whose signals have no names. *)
+let hint_within = "put a `delay` or an `integral` into the signal function inside the loop"
 
 let hint_here first last =
   let name = last.read.name in
@@ -133,7 +134,8 @@ let hint_here first last =
     Printf.sprintf "%s: `delay x0 %s`, where `x0` is the initial value" whose name
   else whose ^ ", with `delay`"
 
-(* Of a loop too long to read, the beginning and the last hop. *)
+(* Maximum number of hops in a message. If the loop is longer, the message shows the first ones and
+   the last one. *)
 let longest_shown = 12
 
 let shorten hops =
@@ -151,7 +153,7 @@ let report_named entry hops =
     |> label_elsewhere hop
   in
   let d =
-    Diagnostic.error ~code:"E0401" ~at "signal `%s` needs its own value in the same instant"
+    Diagnostic.error ~code:"E0401" ~at "the signal `%s` needs its own value in the same instant"
       first.reader.name
   in
   let shown, left_out = shorten hops in
@@ -167,7 +169,8 @@ let report_named entry hops =
   let d =
     if List.exists (fun hop -> List.exists by_a_switch hop.via) hops then
       Diagnostic.note
-        "an output of a switch needs every input that a signal function in it reads at that instant"
+        "each output of a switch depends on every input that the signal functions in it read in \
+         the same instant"
         d
     else d
   in
@@ -188,7 +191,7 @@ let report_unnamed hops =
     else Diagnostic.label ~at:hop.at ("the loop goes through here" ^ through hop.via) d
   in
   List.fold_left label d (fst (shorten (rotate_to first hops)))
-  |> Diagnostic.here ("its value comes back to it here" ^ through first.via)
+  |> Diagnostic.here ("here its value returns to it" ^ through first.via)
   |> Diagnostic.hint "read the previous value instead, with `delay`"
 
 let report program entry passages uses index (node : Dependency.node) component =

@@ -6,5 +6,5 @@
     each node; one diagnostic each, showing the shortest loop. *)
 
 val check : Basis.Diagnostic.sink -> entry:Basis.Span.t -> Ir.program -> unit
-(** Emits [E0401] for each loop. The entry is where the program is defined: a loop that the library
-    closes is shown with what the program runs there. *)
+(** Reports [E0401] for each loop. [entry] is the place of the program's definition: for a loop
+    inside the library, the message shows the place in the program that uses it. *)

@@ -10,7 +10,7 @@ type outcome =
 
 let most = 1000
 
-(* Several ways may lead through as many steps. *)
+(* Limit on states, which is larger because many paths may have the same length. *)
 let most_states = 8 * most
 
 module States = Hashtbl.Make (struct
@@ -22,7 +22,8 @@ end)
 
 exception Far
 
-(* The states from these on, by number: each with its transitions and their targets. *)
+(* The graph of the states reachable from these: for each numbered state, its transitions with their
+   target states. *)
 let explore first modes roots =
   let numbers = States.create 64 in
   let found = ref [] and waiting = Queue.create () in
@@ -57,8 +58,8 @@ let possible modes states =
     states;
   possible
 
-(* How many modes are stepped at most from each state. The components come in an order in
-   which targets are before sources. *)
+(* The maximum number of modes that run, starting with each state. Components must be sorted so that
+   targets precede sources. *)
 let lengths graph components =
   let length = Array.make (Array.length graph) 1 in
   List.iter

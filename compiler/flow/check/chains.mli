@@ -1,25 +1,27 @@
-(** How far switches may lead within one instant, from state to state of what is known.
+(** The chains of transitions that one instant may take, as a graph of states. A state is a mode
+    together with what is known about its parameters and inputs.
 
-    Finds out more than {!First_transitions.of_machine}, and takes longer: a mode that counts is a
-    state for each number. *)
+    More precise than {!First_transitions.of_machine}, but slower: a mode that counts has one state
+    for each number. *)
 
 open Basis
 
 type hop = { from : int; by : Ir.transition }
-(** A mode, by its number among the machine's, and its transition at its first instant. *)
+(** The number of a mode, and a transition that it may take in its first instant. *)
 
 type outcome =
   | Ends of { steps : int; possible : Ir.transition list array }
-      (** how many modes an instant steps at most; by mode the transitions that may occur at its
-          first instant, physically those of its node *)
-  | Goes_round of hop list  (** a shortest circle *)
-  | Goes_far  (** more than {!most} steps, or too many ways *)
+      (** [steps]: the maximum number of modes that run in one instant. [possible]: for each mode,
+          the transitions that may occur in its first instant, physically equal to those of its node
+      *)
+  | Goes_round of hop list  (** a shortest cycle *)
+  | Goes_far  (** more than {!most} steps, or too many states *)
 
 val most : int
 
 val lengths : Graph.t -> int list list -> int array
-(** How many vertices there are at most from each on, itself included, of a graph without circles
-    and its {!Graph.components}. *)
+(** For an acyclic graph and its {!Graph.components}: the number of vertices on the longest path
+    that starts at each vertex. *)
 
 val of_machine : First_transitions.t -> int -> Ir.machine -> outcome
-(** Of this node's machine. *)
+(** Analyzes the machine of this node. *)

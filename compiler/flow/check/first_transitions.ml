@@ -1,21 +1,22 @@
 open Basis
 
-(* Which instant is looked at: of what was just started, or of what may have
-   run for any time. *)
+(* The instant to evaluate: the first one after the start, or any instant. *)
 type instant = First | Any
 
 type t = {
   program : Ir.program;
   schedules : Schedule.item list option array;
   parameters : Range.t option array array;
-      (** of each node's statics, what is passed anywhere so far *)
+      (** for each node, the range of each static parameter, joined over all calls seen so far *)
   arguments : Range.t list option array;
-      (** of each node's inputs, likewise, at any instant; nothing of modes *)
+      (** for each node, the ranges of its inputs in any instant, joined in the same way; unknown
+          for modes *)
   known : (int * instant * Range.t list * Range.t list, Range.t list) Hashtbl.t;
-      (** outputs by node, statics and inputs *)
-  steps : int list Lazy.t;  (** at which bounds of Ints that move may stay *)
-  mutable budget : int;  (** of node evaluations; then anything is possible *)
-  mutable parameters_known : bool;  (** the budget was enough for that *)
+      (** ranges of outputs, cached by node, static parameters and inputs *)
+  steps : int list Lazy.t;  (** values at which widening of Int ranges stops before infinity *)
+  mutable budget : int;
+      (** remaining evaluations of nodes; once it is used up, everything is assumed possible *)
+  mutable parameters_known : bool;  (** the budget sufficed to compute all parameters *)
 }
 
 let budget = 200_000
@@ -30,10 +31,10 @@ let schedule a index =
 
 let map = Long_list.map
 
-(* What is not there may be anything. *)
+(* Signals that are missing may have any value. *)
 type values = Assumption.values
 
-(* Of a signal that is the same as another one of its node, that other one's id. *)
+(* Maps a signal to an equal signal of the same node. *)
 type same = (int, int) Hashtbl.t
 
 let same_as (same : same) (s : Ir.signal) = Option.value (Hashtbl.find_opt same s.id) ~default:s.id
@@ -58,7 +59,7 @@ let anything_of a signals = map (fun (s : Ir.signal) -> Range.anything a.program
 
 (* {1 One node} *)
 
-(* An operation on a number and itself. *)
+(* An operation whose two operands are the same number. *)
 let on_itself (operator : Ir.operator) (x : Range.t) : Range.t option =
   let regular =
     match x with Floats { nan; _ } -> not nan | Ints _ | Bools _ | Constructors _ -> true
@@ -117,10 +118,10 @@ let equation a instant same values (e : Ir.equation) =
   | Ticks _, _ -> anything ()
   | (Delay _ | Integral _ | Derivative _), Any -> anything ()
 
-(* A node at an instant. *)
+(* The result of evaluating a node in an instant. *)
 type evaluated = { values : values; same : same }
 
-(* The transitions that may be the first to occur, each with what holds then. *)
+(* The transitions that may be the first to occur, each with the values that follow from this. *)
 let possible a instant node { values; same } (transitions : Ir.transition list) =
   let equations =
     lazy
@@ -152,7 +153,8 @@ let parameters a index =
       Option.value a.parameters.(index).(j) ~default:(Range.anything a.program s.ty))
     a.program.nodes.(index).statics
 
-(* Whether anything passes something to it, if it takes anything at all. *)
+(* Whether any call or transition leads to this node. Without static parameters, this is always
+   assumed. *)
 let is_entered a index = Array.for_all Option.is_some a.parameters.(index)
 
 let arguments a index =
@@ -160,7 +162,7 @@ let arguments a index =
   | Some ranges -> ranges
   | None -> anything_of a a.program.nodes.(index).inputs
 
-(* Of all rounds of a loop together. *)
+(* The inputs in any iteration of a loop. *)
 let inputs_of a values (i : Ir.instance) =
   match i.loop with
   | None -> map (read a values) i.inputs
@@ -172,8 +174,7 @@ let inputs_of a values (i : Ir.instance) =
       in
       List.map2 input l.arguments i.inputs
 
-(* Of each of the atoms the first one that is the same, by number; nothing where all are
-   different. *)
+(* For each atom, the index of the first atom equal to it; an empty list if all are different. *)
 let pattern_of same (atoms : Ir.atom list) =
   let first = Hashtbl.create 16 in
   let number i : Ir.atom -> int = function
@@ -205,7 +206,7 @@ let rec outputs a instant index ~statics ~inputs =
       Hashtbl.replace a.known key found;
       found
 
-(* [pattern]: which of statics and inputs are the same. *)
+(* [pattern] says which static parameters and inputs are equal (see [pattern_of]). *)
 and evaluate ?(pattern = []) a instant index ~statics ~inputs =
   a.budget <- a.budget - 1;
   let node = a.program.nodes.(index) in
@@ -232,8 +233,7 @@ and evaluate ?(pattern = []) a instant index ~statics ~inputs =
     (schedule a index);
   { values; same }
 
-(* The outputs of a machine at its own first instant: those of all modes in
-   which it may come to stay. *)
+(* The outputs of a machine in its first instant: the join over all modes in which it may end up. *)
 and machine a instant index values (m : Ir.machine) =
   match (instant, m.active) with
   | Any, _ | First, Some _ -> anything_of a m.outputs
@@ -273,7 +273,7 @@ and machine a instant index values (m : Ir.machine) =
 
 let most_steps = 200
 
-(* What an Int is compared with is written in the program, mostly. *)
+(* An Int is mostly compared with literals of the program, so these are good bounds. *)
 let literals (program : Ir.program) =
   let add found : Ir.atom -> int list = function
     | Int n ->
@@ -305,7 +305,7 @@ let pass a ~widening index ranges =
 
 let rounds = 3
 
-(* What modes pass to each other, in circles. *)
+(* Computes the parameters that modes pass to each other, until nothing changes. *)
 let parameters_of_modes a values (m : Ir.machine) =
   let modes = Array.of_list m.modes in
   let send ~widening ((t : Ir.transition), { values; _ }) =
@@ -332,7 +332,7 @@ let parameters_of_modes a values (m : Ir.machine) =
   in
   if Array.exists (fun index -> a.program.nodes.(index).statics <> []) modes then again 1
 
-(* On trial what does not matter may be any value. *)
+(* In a trial step, inputs that do not matter may have any value. *)
 let with_trials a (i : Ir.instance) ranges =
   let on_trial ranges (trial : Ir.trial) =
     List.map2 (fun range -> function Some _ -> range | None -> None) ranges trial.given
@@ -344,7 +344,7 @@ let with_trials a (i : Ir.instance) ranges =
 
 let pass_inputs a index ranges = a.arguments.(index) <- Some (joined a.arguments.(index) ranges)
 
-(* The nodes with a machine in them, for which it matters what they are given. *)
+(* The nodes that contain machines; only for these, inputs are computed. *)
 let with_machines (program : Ir.program) =
   let found = Array.make (Array.length program.nodes) false in
   Array.iteri
@@ -354,8 +354,8 @@ let with_machines (program : Ir.program) =
     program.nodes;
   found
 
-(* Callers come before callees here. Who is called by nobody passes nothing, nor does a mode
-   that nothing enters. *)
+(* Visits callers before callees. Nodes that are never called pass nothing, and neither do modes
+   that are never entered. *)
 let pass_parameters a =
   let last = Array.length a.program.nodes - 1 in
   let with_machines = with_machines a.program in
@@ -392,7 +392,7 @@ let at_first_instant a index =
   evaluate a First index ~statics:(parameters a index)
     ~inputs:(anything_of a a.program.nodes.(index).inputs)
 
-(* A mode that no transition which may occur goes to. *)
+(* A mode to which no possible transition leads. *)
 let never_runs a index = a.parameters_known && not (is_entered a index)
 
 let of_machine a (m : Ir.machine) =
@@ -456,11 +456,11 @@ let of_program ?(patient = false) (program : Ir.program) =
   in
   pass_parameters a;
   a.parameters_known <- a.budget > 0;
-  (* Where the work was too much nothing is known of parameters. *)
+  (* If the budget did not suffice, all parameters are unknown. *)
   if not a.parameters_known then (
     Array.iter (fun p -> Array.fill p 0 (Array.length p) None) a.parameters;
     Array.fill a.arguments 0 count None);
-  (* What was found on the way rested on parameters not yet all known. *)
+  (* Cached results were computed with incomplete parameters. *)
   Hashtbl.reset a.known;
   a.budget <- budget;
   a

@@ -1,44 +1,46 @@
-(** Which transitions a mode may take at its own first instant.
+(** Determines which transitions a mode may take in its own first instant.
 
-    The first instant of each mode of a machine is evaluated with the input unknown: delays have
-    their initial value; times, integrals and derivatives are 0; numbers are ranges.
+    Evaluates the first instant of each mode with unknown inputs: delays have their initial values;
+    times, integrals and derivatives are 0; numbers are represented by ranges.
 
-    A mode's parameter is the join of all that is passed for it, at any instant; after three rounds
-    a bound that still moves is infinite. Where all this is too much work, a transition may be
-    taken. *)
+    The range of a mode's parameter is the join of all arguments for it, in any instant. After three
+    rounds, bounds that still change are widened to infinity. If the analysis would take too long,
+    all transitions are considered possible. *)
 
 type t
 
 val of_program : ?patient:bool -> Ir.program -> t
-(** For a causal program. [patient]: a bound of an Int that moves stays at the numbers written in
-    the program before it becomes infinite. *)
+(** The program must be causal. If [patient] is true, the bounds of Ints are first widened to the
+    literals in the program, and only then to infinity. *)
 
 val of_machine : t -> Ir.machine -> Ir.transition list array
-(** By the machine's modes, in their order: the transitions, physically those of the mode's node, in
-    their order. *)
+(** For each mode of the machine, in order, the possible transitions in their order. They are
+    physically equal to those of the mode's node. *)
 
-(** {1 With what is known on the way}
+(** {1 Chains of transitions}
 
-    Within an instant all modes have the same input. So what made one of them go says something
-    about the input that the next one has, and a parameter may be a part of it. *)
+    All modes have the same input within an instant. The reason why one mode was left therefore says
+    something about the input of the next one, part of which may also be passed as a parameter. *)
 
 type state = {
-  mode : int;  (** of the machine's, by number *)
-  known : Range.t list;  (** of its parameters, then of its inputs *)
+  mode : int;  (** number of the mode within the machine *)
+  known : Range.t list;  (** ranges of its parameters, then of its inputs *)
   pattern : int list;
-      (** of each of them the first that is the same; empty where all may be different *)
+      (** for each of these, the index of the first one that is certainly equal; empty if all may be
+          different *)
 }
-(** How a mode may be entered. *)
+(** A mode that has just been entered, with what is known about it. *)
 
 val from_running : t -> int -> (Ir.transition * state) list
-(** By this node's own transitions, as a mode that may have run for any time. *)
+(** The possible transitions of this node, a mode that may have run for any time. *)
 
 val from_owner : t -> int -> Ir.machine -> Ir.transition list -> (Ir.transition * state) list
-(** By the start or the controls of a machine of this node. *)
+(** The possible ones of these transitions, which are the start or the controls of a machine of this
+    node. *)
 
 val from_state : t -> int -> state -> (Ir.transition * state) list
-(** By this node's own transitions, as a mode that has just been entered so. *)
+(** The possible transitions of this node, a mode that has just been entered in this state. *)
 
 val cannot_be_true : t -> int -> Ir.signal -> bool
-(** [cannot_be_true a mode] evaluates the first instant of this node of the program once, and then
-    tells of each of its signals whether it is certainly no True there. *)
+(** [cannot_be_true a mode] evaluates the first instant of this node once. The resulting function
+    says whether a signal is certainly not True in that instant. *)

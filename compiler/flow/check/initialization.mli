@@ -1,9 +1,9 @@
-(** Initialization: what a node needs to start is known when it starts.
+(** Checks that everything a node needs to start is known when it starts.
 
-    A signal is static if it depends on the node's statics and on constants only, through operations
-    and functions. The initial value of a delay and the statics that are passed to a signal function
-    must be. The levels of the source language promise it, so this is a lint: it has nothing to say
-    to the programmer. *)
+    A signal is static if it depends only on the node's static parameters and on constants, through
+    operations and functions. The initial value of a delay and the static arguments of an instance
+    must be static. The levels of the source language guarantee this, so this check is a lint and
+    never reports anything to the user. *)
 
 val check : Ir.program -> unit
-(** For a causal program. Raises {!Basis.Diagnostic.Bug}. *)
+(** The program must be causal. Raises {!Basis.Diagnostic.Bug}. *)

@@ -2,13 +2,12 @@ open Basis
 
 let map = Long_list.map
 
-(* {1 Circles} *)
+(* {1 Cycles} *)
 
 let targets = map (fun (t : Ir.transition) -> t.target)
 
-(* The signal function whose event makes a transition occur, as far as one can
-   follow it in the mode itself; not one that is known not to, where [cannot_be_true]
-   says so of a signal. *)
+(* The signal function whose event causes a transition, searched within the mode. Skips signals for
+   which [cannot_be_true] holds. *)
 let source ?(cannot_be_true = fun _ -> false) (program : Ir.program) (node : Ir.node)
     (t : Ir.transition) =
   let definer = Hashtbl.create 32 in
@@ -36,23 +35,23 @@ let source ?(cannot_be_true = fun _ -> false) (program : Ir.program) (node : Ir.
   in
   search (Operands.signals [ t.occurs ])
 
-(* The prelude's [after] and [now] are what one meets first inside them. What occurs in
-   the library cannot be changed there. *)
+(* A hint for the event's source. For time-outs of the library, the source is the prelude's [after]
+   or [elapsed]. The user cannot change an event that occurs inside the library. *)
 let hint ~entry ~(by : Ir.follower) sources =
   match (List.map fst sources, by) with
-  | "after" :: _, _ -> "a time of at least 1 ns makes it wait: `after (max 1[ms] q)`"
-  | "elapsed" :: _, _ -> "a time of at least 1 ns makes it wait: `max 1[ms] q`"
+  | "after" :: _, _ -> "wait for at least 1 ns: `after (max 1[ms] q)`"
+  | "elapsed" :: _, _ -> "wait for at least 1 ns: `max 1[ms] q`"
   | _ :: _, _ when not (List.exists (fun (_, at) -> Own_code.is_own ~entry at) sources) ->
-      "let time pass between: `sleepT 10[ms] …` after the task takes some, with the output \
-       meanwhile, such as the `restingOutput` of a robot"
+      "add a task that takes time: `sleepT 10[ms] …` after the task, with the output meanwhile, \
+       such as the `restingOutput` of a robot"
   | _, Statement _ ->
-      "`untilT (proc x -> (…, condition))` ends when the condition holds, and takes at least one \
-       instant; `edge` may wait for ever where it holds from the start"
+      "use `untilT (proc x -> (…, condition))`, which ends when the condition holds but takes at \
+       least one instant; `edge` would wait for ever if the condition holds from the start"
   | _, Continuation _ ->
-      "`notYet` on the event takes one instant at least; `edge` may wait for ever where the \
-       condition holds from the start"
+      "apply `notYet` to the event, which ignores it at the first instant; `edge` would wait for \
+       ever if the condition holds from the start"
 
-(* The modes, and the definitions that say which comes next. *)
+(* The modes of the cycle, and the definitions that determine the next mode. *)
 let circle hops =
   let names (from, target, (by : Ir.follower)) =
     match by with
@@ -61,10 +60,10 @@ let circle hops =
   in
   Enumeration.circle (List.concat_map names hops)
 
-(* The instant at which nothing waits. *)
+(* A note about the instant in which the modes follow each other immediately. *)
 let note modes =
   let at_which what =
-    Printf.sprintf "at an instant at which %s, nothing waits for the next one" what
+    Printf.sprintf "no time passes between these steps at an instant at which %s" what
   in
   match List.sort_uniq compare modes with
   | [ (mode, Some event) ] when mode <> event ->
@@ -72,8 +71,8 @@ let note modes =
   | [ (mode, _) ] -> at_which (Printf.sprintf "`%s` is left as soon as it starts" mode)
   | _ -> at_which "each is left as soon as it starts"
 
-(* A circle of the library's modes, closed by what the program has the library do, is shown
-   where the program does it. *)
+(* The place for the message. For a cycle of the library's modes, it is the place where the program
+   uses them. *)
 let place ~entry uses index (program : Ir.program) modes hops first_mode =
   let span = program.nodes.(first_mode).span in
   let own = Own_code.is_own ~entry in
@@ -97,8 +96,8 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
     && Own_code.is_own ~entry node.span
   in
   let tasks = Array.to_list program.nodes in
-  (* A mode's name. Where a definition of the program's runs inside a combinator, it is that
-     which may end. *)
+  (* The name of a mode in messages. If a definition of the program runs inside a combinator, that
+     definition is what may end, so its name is used. *)
   let mode (v, _, (t : Ir.transition), source) =
     let here = program.nodes.(modes.(v)) in
     let is_elsewhere origin (node : Ir.node) =
@@ -115,14 +114,14 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
     in
     match (t.by, source) with
     | Statement _, Some (origin, _) when List.exists (is_elsewhere origin) tasks -> (v, origin)
-    (* what ends in a combinator is named by who goes on after it *)
+    (* a task that ends inside a combinator is named after the statement that follows it *)
     | Statement definition, _ when is_combinator's && Own_code.is_own ~entry t.span ->
         (v, definition)
     | (Statement _ | Continuation _), _ -> (v, here.origin)
   in
   let names = map mode hops in
   let name v = List.assoc v names in
-  (* What is written inside the mode has ended with it. *)
+  (* When the mode has ended, so have the tasks written inside it. *)
   let within_mode (v, w, (t : Ir.transition), source) =
     let of_task (origin, at) = ((if List.exists (task origin) tasks then name v else origin), at) in
     match t.by with
@@ -134,8 +133,8 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
     place ~entry uses index program (map (fun k -> modes.(k)) cycle) hops modes.(List.hd cycle)
   in
   let round = circle (map (fun (v, w, (t : Ir.transition), _) -> (name v, name w, t.by)) hops) in
-  let d = Diagnostic.error ~code:"E0402" ~at "%s may go round for ever within one instant" round in
-  (* What occurs somewhere in the prelude says less than what the program wrote there. *)
+  let d = Diagnostic.error ~code:"E0402" ~at "%s may repeat endlessly within one instant" round in
+  (* A place in the prelude is less helpful than the place in the program that uses it. *)
   let in_prelude (at : Span.t) =
     String.equal (Filename.basename at.file) "Prelude.frob" && not (Own_code.is_own ~entry at)
   in
@@ -149,7 +148,7 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
       Diagnostic.here "this may end as soon as it starts" d
     else d
   in
-  (* Once, where modes of one name do the same. *)
+  (* Adds a label only once, for modes of the same name that do the same. *)
   let label ~at text (d : Diagnostic.t) =
     let there (l : Diagnostic.label) = l.at = at && String.equal l.text text in
     if List.exists there d.labels then d else Diagnostic.label ~at text d
@@ -166,7 +165,7 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
     in
     label ~at:t.span
       (if name v = name w then
-         Printf.sprintf "`%s` may go on to itself at its own first instant" (name v)
+         Printf.sprintf "`%s` may start itself again at its own first instant" (name v)
        else Printf.sprintf "`%s` may start `%s` at its own first instant" (name v) (name w))
       d
   in
@@ -191,7 +190,7 @@ let bound (program : Ir.program) (m : Ir.machine) chain =
   let late, strict = List.partition (fun (t : Ir.transition) -> t.delayed) m.controls in
   max (running + longest late) (longest strict)
 
-(* The modes' transitions that cannot occur at a first instant are marked. *)
+(* Marks the modes' transitions that cannot occur in a first instant. *)
 let mark (program : Ir.program) (nodes : Ir.node array) (m : Ir.machine) steps =
   List.iteri
     (fun k index ->
@@ -203,14 +202,15 @@ let mark (program : Ir.program) (nodes : Ir.node array) (m : Ir.machine) steps =
       nodes.(index) <- { (nodes.(index)) with transitions = map transition node.transitions })
     m.modes
 
-(* The hops of a circle of modes. *)
+(* The hops of a cycle of modes. *)
 let hops_of steps cycle =
   let hop from target : Chains.hop =
     { from; by = List.find (fun (t : Ir.transition) -> t.target = target) steps.(from) }
   in
   List.map2 hop cycle (List.tl cycle @ [ List.hd cycle ])
 
-(* The program with small nodes expanded says more, of the same transitions. *)
+(* Analyzes a version of the program in which small nodes are expanded, which is more precise. Its
+   transitions correspond to those of the program. *)
 let chains (program : Ir.program) (expanded, first) index m : Chains.outcome =
   let expanded : Ir.program = Lazy.force expanded in
   let by_number (t : Ir.transition) mode =
@@ -251,7 +251,7 @@ let check_machine sink ~entry uses program first expanded nodes index (m : Ir.ma
           m
       | Goes_far ->
           let far =
-            Printf.sprintf "no end was found within %d steps, the most that an instant may take"
+            Printf.sprintf "frobc found no end within %d steps, the maximum for one instant"
               Chains.most
           in
           report ~far:(Diagnostic.note far) (hops_of steps (Graph.shortest_cycle graph component));
@@ -262,8 +262,8 @@ let program sink ~entry (program : Ir.program) =
   else
     let first = First_transitions.of_program program in
     let uses = Own_code.uses program in
-    (* A number that two functions have captured is one parameter. *)
-    let to_look_at = lazy (Equal_parameters.program (Inline.to_look_at ~most:200 program)) in
+    (* A number that two functions captured becomes a single parameter. *)
+    let to_look_at = lazy (Duplicate_parameters.program (Inline.to_look_at ~most:200 program)) in
     let expanded =
       (to_look_at, lazy (First_transitions.of_program ~patient:true (Lazy.force to_look_at)))
     in

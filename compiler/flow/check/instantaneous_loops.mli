@@ -1,10 +1,11 @@
-(** There are no instantaneous loops (language reference, section 6).
+(** Checks that there are no instantaneous loops (language reference, section 6).
 
-    If the transitions that modes of a machine may take at their own first instant (see
-    {!First_transitions}) form a circle a chain of switches might never end; else the longest chain
-    bounds how many modes an instant steps. *)
+    If the transitions that modes of a machine may take in their first instants (see
+    {!First_transitions}) form a cycle, a chain of switches might never end. Otherwise, the longest
+    chain bounds the number of modes that run in one instant. *)
 
 val program : Basis.Diagnostic.sink -> entry:Basis.Span.t -> Ir.program -> Ir.program
-(** Emits [E0402] for each circle; fills in [steps] of machines and [at_entry] of their modes'
-    transitions. For a causal program; a program without machines stays as it is. The entry is where
-    the program is defined: a circle in the library is shown with what the program has it do. *)
+(** Reports [E0402] for each cycle. Fills in [steps] of machines and [at_entry] of their modes'
+    transitions. The program must be causal; a program without machines is returned unchanged.
+    [entry] is the place of the program's definition: for a cycle inside the library, the message
+    shows the place in the program that uses it. *)

@@ -5,13 +5,14 @@ let beyond = limit + 1
 
 type t = {
   program : Ir.program;
-  carries : bool array;  (** of sums *)
+  carries : bool array;  (** whether values of each sum can contain marks *)
   known : (int * int list, int list * int list list) Hashtbl.t;
-      (** by node and bounds of its statics and inputs: of its outputs, and of what its transitions
-          hand on *)
+      (** cached results: maps a node, and bounds for its static parameters and inputs, to bounds
+          for its outputs and for the arguments of its transitions *)
 }
 
-(* The program may have a [Mark] of its own. *)
+(* Whether the sum is a slot for a mark. The module is checked because programs may define a [Mark]
+   of their own. *)
 let slot (program : Ir.program) (sum : Ir.sum) =
   String.equal sum.name "Event Mark"
   &&
@@ -24,7 +25,7 @@ let is_drawing (program : Ir.program) : Ir.ty -> bool = function
   | Array (_, Sum k) -> slot program program.sums.(k)
   | Bool | Int | Float | Sum _ | Array _ | Foreign _ -> false
 
-(* Can a value of the type have marks in it? A sum is made of those before or after it. *)
+(* Which sums can contain marks, directly or inside other sums. *)
 let carrying (program : Ir.program) =
   let carries = Array.map (slot program) program.sums in
   let rec ty : Ir.ty -> bool = function
@@ -58,7 +59,7 @@ let rec can_carry t : Ir.ty -> bool = function
 
 let join a b = List.map2 max a b
 
-(* Goes on until nothing grows, from no marks anywhere. *)
+(* The bounds for a node, computed as a fixpoint that starts with no marks. *)
 let rec node t index bounds =
   let key = (index, bounds) in
   match Hashtbl.find_opt t.known key with
@@ -106,7 +107,8 @@ and settle t (n : Ir.node) bounds =
   let handed_on (transition : Ir.transition) = atoms transition.arguments in
   (List.map (fun (_, a) -> atom a) n.outputs, List.map handed_on n.transitions)
 
-(* What comes out of a loop: accumulators as they are at the end, others as they ever are. *)
+(* The outputs of a loop: final values of accumulators, and the maximum over all iterations for the
+   others. *)
 and rounds ~run (loop : Ir.loop) inputs =
   let accumulators = List.length (List.filter (fun a -> a = Ir.Accumulator) loop.arguments) in
   let rec go k inputs before =

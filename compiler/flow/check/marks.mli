@@ -1,12 +1,12 @@
-(** How many marks a program can draw in an instant.
+(** Computes the maximum number of marks that a program can draw in an instant.
 
-    Reads a program in which a drawing has room for one mark: an array of an [Event Mark], which
-    only the library's primitives make. A mark is added by replacing an element; what else is done
-    with drawings leaves them as they are, so the most marks that there can be in any value are
-    found by going round until nothing grows. The marks of a second drawing are added as one
-    element, of as many marks. *)
+    In the given program, a drawing is an array of [Event Mark] with room for one mark. Only the
+    library's primitives make such arrays. They add a mark by replacing an element; everything else
+    leaves drawings unchanged. The maximum for each value is therefore the result of a fixpoint
+    iteration. Adding a whole drawing counts as replacing an element by as many marks as that
+    drawing has. *)
 
 val limit : int
 
 val most : Ir.program -> int option
-(** [None]: more than {!limit}, or without bound. *)
+(** [None] if there may be more than {!limit}. *)

@@ -1,16 +1,17 @@
-(** What of a program its programmer wrote, and can change: for messages about what the library does
-    with it.
+(** Distinguishes the user's own code, which the user can change, from the library. Messages about
+    the library's code refer to the user's code that calls it.
 
-    The entry, below, is where the program is defined. *)
+    The parameter [entry] is the place of the program's definition. *)
 
 val is_own : entry:Basis.Span.t -> Basis.Span.t -> bool
-(** Is this place in a module of the program? They lie in one folder, the library's in another. *)
+(** Whether this place is in a module of the program. The modules of a program are in one folder,
+    and those of the library in another. *)
 
 type uses
 
 val uses : Ir.program -> uses
-(** For each node the first instance of it. *)
+(** The first instance of each node. *)
 
 val use : uses -> entry:Basis.Span.t -> int -> (string * Basis.Span.t) option
-(** Of a node of another module than the entry's, by its index: what the entry's own module runs
-    there, and where; the entry itself may be such a node. *)
+(** For a node of another module than the entry's, by its index: the name of the node that the
+    entry's module runs to reach it, and where. The result may be the entry itself. *)

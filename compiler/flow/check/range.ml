@@ -90,7 +90,8 @@ let is_empty = function
 
 let non_empty t = if is_empty t then None else Some t
 
-(* Of two data the second's payloads are kept, of what is in both. *)
+(* The intersection. For data, keeps the second argument's payloads for the constructors that both
+   have. *)
 let meet a b =
   match (a, b) with
   | Bools a, Bools b ->
@@ -131,7 +132,7 @@ let rec compared (operator : Ir.operator) a b holds =
         (Floats { x with most = Float.min x.most y.most; nan = false })
         (Floats { y with least = Float.max y.least x.least; nan = false })
   | (Less | Less_equal), Floats x, Floats y, false ->
-      (* It is false too where the other one is NaN. *)
+      (* The comparison is also false if the other number is NaN. *)
       let x' = if y.nan then x.least else Float.max x.least y.least in
       let y' = if x.nan then y.most else Float.min y.most x.most in
       both (Floats { x with least = x' }) (Floats { y with most = y' })
@@ -139,7 +140,7 @@ let rec compared (operator : Ir.operator) a b holds =
 
 and swapped operator a b = Option.map (fun (b, a) -> (a, b)) (compared operator b a true)
 
-(* Of a range what is not the only number of the other. *)
+(* The range minus the other's single value. *)
 and without least most other_least other_most =
   if other_least < other_most then Ints { least; most }
   else
@@ -164,7 +165,8 @@ let payload t k leaf =
   | Constructors _ -> None
   | Bools _ | Ints _ | Floats _ -> bug "the payload of what is no sum"
 
-(* The number that a range is alone. Zeros have a sign, which a range forgets. *)
+(* The value of a range that contains only one. Zeros are excluded, because a range does not
+   distinguish their signs. *)
 let constant : t -> Ir.atom option = function
   | Bools { true_ = true; false_ = false } -> Some (Bool true)
   | Bools { true_ = false; false_ = true } -> Some (Bool false)
@@ -174,7 +176,7 @@ let constant : t -> Ir.atom option = function
 
 let ints least most = if least < least_int || most > most_int then any_int else Ints { least; most }
 
-(* A bound that came out as NaN bounds nothing. *)
+(* Ignores bounds that are NaN. *)
 let floats real ~nan bounds =
   let bounds =
     List.filter (fun x -> not (Float.is_nan x)) (List.map (Basis.Real.round real) bounds)
@@ -191,9 +193,8 @@ let no_numbers least most = (least : float) > most
 let has_zero least most = least <= 0. && most >= 0.
 let has_infinity least most = least = neg_infinity || most = infinity
 
-(* Rounding keeps the order of numbers, so bounds of results are results of bounds. Of
-   numbers, NaN comes by inf - inf, 0 * inf and inf / inf (0 / 0 is left out here),
-   wherever in the ranges they are. *)
+(* Rounding is monotonic, so the bounds of the results are the results of bounds. Numbers produce
+   NaN by inf - inf, 0 * inf and inf / inf, if these are in the ranges. (0 / 0 is excluded here.) *)
 let on_floats real (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t option =
   let nan = a_nan || b_nan in
   let sum (bl, bh) =
@@ -210,12 +211,12 @@ let on_floats real (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t 
         let vanishing =
           (has_zero al ah && has_infinity bl bh) || (has_infinity al ah && has_zero bl bh)
         in
-        (* 0 * inf at a corner is next to 0 * x, which is 0. *)
+        (* Next to a corner with 0 * inf are products 0 * x, which are 0. *)
         let times x y = if x = 0. || y = 0. then 0. else x *. y in
         Some (floats real ~nan:(nan || vanishing) (corners times (al, ah) (bl, bh)))
     | Divide when bl > 0. || bh < 0. ->
         let nan = nan || (has_infinity al ah && has_infinity bl bh) in
-        (* x / inf is 0 for all x but the corners. *)
+        (* x / inf is 0 for all finite x. *)
         let inside = if has_infinity bl bh then [ 0. ] else [] in
         Some (floats real ~nan (inside @ corners ( /. ) (al, ah) (bl, bh)))
     | Minimum -> Some (floats real ~nan [ Float.min al bl; Float.min ah bh ])

@@ -1,11 +1,11 @@
-(** Whole nanoseconds in a time. *)
+(** Converts times to whole nanoseconds. *)
 
 open Basis
 
 val nanoseconds : Real.t -> float -> float
-(** Of seconds, as {!Core.Primitive.elementary} says. Adding and taking away a number from which on
-    a Float has no bits for a fraction leaves none. *)
+(** Converts seconds to nanoseconds (see {!Core.Primitive.elementary}). To round to an integer, adds
+    and subtracts a number so large that Floats of that size have no fraction bits. *)
 
 val reaches : Real.t -> float -> int64 option
-(** The least local time, in the nanoseconds that are kept, whose seconds have at least so many
-    nanoseconds; [None] if none have. *)
+(** The smallest local time, in stored nanoseconds, whose conversion to seconds and back gives at
+    least this many nanoseconds; [None] if there is none. *)

@@ -1,7 +1,7 @@
-(** Passes over one node at a time. *)
+(** Applies passes to one node at a time. *)
 
 type pass = fresh:(unit -> int) -> Ir.node -> Ir.node
-(** [fresh] gives an id that no signal of the program has. *)
+(** [fresh] returns an id that no signal of the program has. *)
 
 val program : pass -> Ir.program -> Ir.program
-(** The same program, physically, if each node stays the same, physically. *)
+(** Returns the same program, physically, if the pass changes no node. *)

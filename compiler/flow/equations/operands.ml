@@ -27,7 +27,7 @@ let same_instant = function
     ->
       all rhs
 
-(* Most lists are short; a constructor's payload may be long. *)
+(* Optimized for short lists. The payload of a constructor may be long. *)
 let map_list f atoms =
   match atoms with
   | [ a ] -> [ f a ]
@@ -56,8 +56,8 @@ let with_operands rhs (operands : atom list) =
   | Delay _, [ init; next ] -> Delay { init; next }
   | rhs, _ -> rhs
 
-(* Passes mostly find nothing to change: then the right side stays the very same, which
-   takes no memory. *)
+(* Most passes change nothing. The right-hand side is then returned physically unchanged, which
+   allocates no memory. *)
 let map f rhs =
   let before = all rhs in
   let after = map_list f before in

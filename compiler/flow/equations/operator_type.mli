@@ -1,4 +1,4 @@
-(** What operators take and give. *)
+(** Types of operators. *)
 
 val result : Ir.operator -> Ir.ty list -> Ir.ty option
-(** Of arguments of these types; [None] if it does not take such. *)
+(** The result type for these argument types; [None] if the operator does not accept them. *)

@@ -43,12 +43,26 @@ let places (program : Ir.program) =
   fun (atom : Ir.atom) ->
     match atom with Signal s -> Int_table.find_opt places s.id | Bool _ | Int _ | Float _ -> None
 
-let settle program visit =
-  let calls = calls program in
-  let rec again () =
-    if List.fold_left (fun changed call -> visit call || changed) false calls then again ()
+let settle (program : Ir.program) visit =
+  let calls = Array.of_list (calls program) and place = places program in
+  (* For each node, the calls that pass on one of its parameters. *)
+  let passing_on = Array.make (Array.length program.nodes) [] in
+  let note call (_, atom) =
+    match place atom with Some (k, _) -> passing_on.(k) <- call :: passing_on.(k) | None -> ()
   in
-  again ()
+  Array.iteri (fun call { arguments; _ } -> Array.iter (note call) arguments) calls;
+  let queue = Queue.create () and waits = Array.make (Array.length calls) false in
+  let enqueue call =
+    if not waits.(call) then (
+      waits.(call) <- true;
+      Queue.add call queue)
+  in
+  Array.iteri (fun call _ -> enqueue call) calls;
+  while not (Queue.is_empty queue) do
+    let call = Queue.pop queue in
+    waits.(call) <- false;
+    if visit calls.(call) then List.iter enqueue passing_on.(calls.(call).callee)
+  done
 
 let replaced (program : Ir.program) replacement =
   let node k node =

@@ -1,19 +1,19 @@
-(** What nodes pass for each other's parameters. *)
+(** The arguments that nodes pass to each other. *)
 
 type call = { callee : int; arguments : (Ir.argument * Ir.atom) array }
-(** What one node passes for the parameters of another. *)
+(** A call: the arguments for the callee's parameters. *)
 
 val parameters : Ir.node -> Ir.signal array
-(** Its statics, then its inputs. *)
+(** The static parameters, then the inputs. *)
 
 val places : Ir.program -> Ir.atom -> (int * int) option
-(** The node that the atom is a parameter of, and its number there. *)
+(** If the atom is a parameter: its node, and its index there. *)
 
 val settle : Ir.program -> (call -> bool) -> unit
-(** Visits all calls, those of callers before those of callees, until nothing more is changed: a
-    visit tells if it changed anything. What enters a mode is a call too, and passes on the inputs.
-*)
+(** Visits all calls, in an order in which callers come before callees. A visit returns whether it
+    changed what is known about the callee's parameters; if so, the calls that pass these on are
+    visited again. A transition to a mode counts as a call that also passes the inputs. *)
 
 val replaced : Ir.program -> (int -> int -> Ir.atom option) -> Ir.program
-(** With what stands for some parameters, by node and number, in place of them. The very same
-    program if there are none. *)
+(** Replaces parameters, given by node and index, by atoms. Returns the same program, physically, if
+    there are none. *)

@@ -1,5 +1,5 @@
-(** What an equation's right side is; what it reads is in {!Operands}. *)
+(** Properties of equations' right-hand sides; {!Operands} lists what they read. *)
 
 val is_stateful : Ir.rhs -> bool
-(** It depends on instants before this one, or on when its node was started; every other one is a
+(** Whether the value depends on earlier instants or on the start of the node. Otherwise it is a
     function of its operands at the same instant. *)

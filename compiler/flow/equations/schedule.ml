@@ -6,8 +6,8 @@ type item =
   | Trial of Ir.instance * Ir.trial
   | Machine of Ir.machine
 
-(* Equations in their order; an instance before the first equation that is
-   written after it. Only equations of the instance's own file can tell. *)
+(* Merges equations in their order with instances; each instance comes before the first equation
+   that is written after it. Only equations from the same file as the instance are compared. *)
 let in_source_order (node : Ir.node) =
   let precedes (instance : Ir.instance) (equation : Ir.equation) =
     String.equal instance.span.file equation.span.file
@@ -57,14 +57,14 @@ let needs = function
       Operands.signals (List.rev_append (List.rev i.statics) (List.filter_map Fun.id trial.given))
   | Machine m -> Operands.signals (Transitions.read_in_step m)
 
-(* With what the start needs, which is static and so adds no cycles. *)
+(* Includes what the start needs. That is static, so it adds no cycles. *)
 let needs_from_start item =
   match item with
   | Equation { rhs = Delay { init; _ }; _ } -> Operands.signals [ init ]
   | Machine m -> Operands.signals (Transitions.atoms m.start) @ needs item
   | Equation _ | Instance _ | Trial _ -> needs item
 
-(* What no item defines is a parameter. *)
+(* The dependency graph of the items. Signals that no item defines are parameters. *)
 let graph ~needs items =
   let definer = Int_table.create (2 * Array.length items) in
   let define v (s : Ir.signal) = Int_table.replace definer s.id v in
@@ -76,7 +76,7 @@ let in_order items components =
   let append order component = List.fold_left (fun order v -> items.(v) :: order) order component in
   List.rev (List.fold_left append [] components)
 
-(* What is to be run of a node, its graph, and the graph's components in order. *)
+(* The items of a node, their graph, and its components in evaluation order. *)
 let components ~needs node =
   let items = Array.of_list (in_source_order node) in
   let graph = graph ~needs items in

@@ -1,12 +1,12 @@
-(** An order in which one step can compute a node's signals.
+(** Orders the computations of a step.
 
-    Takes for granted that the program is causal and that every instance can run as one call, as
-    {!Inline} leaves it: an item comes after all items whose values of the same instant it needs,
-    and an instance needs all its statics and inputs. Where that leaves a choice, the order is the
-    node's own, instances placed by their spans.
+    Requires that the program is causal and that every instance can run as one call, which {!Inline}
+    ensures. Each item comes after all items whose values it needs in the same instant; an instance
+    needs all its static parameters and inputs. Apart from this, the order is the node's own, with
+    instances placed by their spans.
 
-    [Delay] and [Integral] need nothing here: an item of one stands for its value at this instant,
-    which is in the state; what it keeps for the next instant is to be stored after all items. *)
+    [Delay] and [Integral] need nothing here: such an item represents the value for this instant,
+    which is in the state. The value for the next instant must be stored after all items. *)
 
 type item =
   | Equation of Ir.equation
@@ -15,22 +15,22 @@ type item =
   | Machine of Ir.machine
 
 val defines : item -> Ir.signal list
-(** What an instance gives on trial it does not define again. *)
+(** Outputs that a trial step has already defined are not repeated for the instance. *)
 
 val needs : item -> Ir.signal list
-(** Those whose value of the same instant it needs. *)
+(** The signals whose values of the same instant the item needs. *)
 
 val in_source_order : Ir.node -> item list
-(** The node's own order: that of its equations, each instance before the first equation that is
-    written after it. *)
+(** The node's own order: the order of its equations, with each instance before the first equation
+    that is written after it. *)
 
 val of_node : Ir.node -> item list
 (** Raises {!Basis.Diagnostic.Bug} on a cycle. *)
 
 val as_far_as_possible : Ir.node -> item list
-(** Like {!of_node}, but for nodes not yet inlined: within a cycle of items the order is the node's
-    own. What a delay or a machine starts with comes before it too. *)
+(** Like {!of_node}, but also works for nodes that are not inlined yet: items of a cycle are in the
+    node's own order. Also places the initial values of delays and machines before them. *)
 
 val loops : Ir.node -> Ir.instance list list
-(** The instances in each cycle of items: those that cannot run as one call. Empty where {!of_node}
+(** For each cycle of items, its instances, which cannot run as one call. Empty if {!of_node}
     succeeds. *)

@@ -1,5 +1,5 @@
 let leaves shape =
-  (* From the last leaf to the first, so that nothing needs reversing. *)
+  (* Goes from the last leaf to the first, so that no list needs to be reversed. *)
   let rec prepend (shape : Ir.shape) rest =
     match shape with
     | Leaf ty -> ty :: rest

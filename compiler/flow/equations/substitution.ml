@@ -1,8 +1,8 @@
 open Basis
 
 type t = {
-  atoms : Ir.atom Int_table.t;  (** by the id of the signal replaced *)
-  names : Ir.signal Int_table.t;  (** whose name and place a signal takes over *)
+  atoms : Ir.atom Int_table.t;  (** replacements, by the id of the replaced signal *)
+  names : Ir.signal Int_table.t;  (** signals whose name and place another signal inherits *)
 }
 
 let create () = { atoms = Int_table.create 16; names = Int_table.create 8 }
@@ -13,7 +13,7 @@ let rec last t = function
       match Int_table.find_opt t.atoms s.id with Some next -> last t next | None -> atom)
   | (Bool _ | Int _ | Float _) as atom -> atom
 
-(* Every signal on the way is pointed at the end, so chains stay short. *)
+(* Path compression: makes every signal of a chain point to its end. *)
 let rec shorten t goal = function
   | Ir.Signal s -> (
       match Int_table.find_opt t.atoms s.id with

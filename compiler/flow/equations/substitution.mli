@@ -1,21 +1,21 @@
-(** Replacing signals of one node by equal atoms.
+(** Replaces signals of a node by equal atoms.
 
-    A pass adds what it finds and in the end applies it to the whole node. Replacements may be
-    chained; what is replaced keeps no definition. *)
+    A pass collects replacements and finally applies them to the whole node. Replacements may be
+    chained. Replaced signals lose their definitions. *)
 
 type t
 
 val create : unit -> t
 
 val replace : t -> Ir.signal -> Ir.atom -> unit
-(** From now on the atom stands for the signal. A name that the programmer gave the signal goes on
-    to the atom, if that is a signal without one. *)
+(** Replaces a signal by an atom from now on. If the signal has a name from the programmer and the
+    atom is a signal without one, the atom inherits the name. *)
 
 val atom : t -> Ir.atom -> Ir.atom
 
 val is_empty : t -> bool
-(** Is no signal replaced? *)
+(** Whether no signal is replaced. *)
 
 val node : t -> Ir.node -> Ir.node
-(** The node without equations for replaced signals, the others' operands replaced. Outputs of
-    instances stay, read or not. *)
+(** Removes the equations of replaced signals and replaces the operands of the others. Keeps outputs
+    of instances, read or not. *)

@@ -1,6 +1,7 @@
 open Basis
 
-(* What a condition is made of, nearest first, as far as it is worth looking. *)
+(* Maximum number of signals that are considered as parts of a condition. Its nearest operands come
+   first. *)
 let most = 10
 
 let operands (rhs : Ir.rhs) =
@@ -20,7 +21,7 @@ let parts definitions (rhs : Ir.rhs) =
   in
   nearest [] (operands rhs)
 
-(* More than a negation below. *)
+(* Whether the condition contains more than a negation below its top. *)
 let is_deep definitions (rhs : Ir.rhs) =
   match rhs with
   | If _ | Op ((And | Or), _) ->
@@ -39,7 +40,8 @@ let rec pairs = function
 let simpler at_an_instant definitions (e : Ir.equation) : Ir.rhs option =
   let value known = Truth.value (at_an_instant known) (Signal e.defines) in
   let parts = parts definitions e.rhs in
-  (* The same whether another one holds or not. *)
+  (* The value that follows from [known], or else follows in both cases for the value of some other
+     part. *)
   let value_anyhow known =
     let either (other : Ir.signal) =
       match (value ((other, true) :: known), value ((other, false) :: known)) with
@@ -66,7 +68,8 @@ let simpler at_an_instant definitions (e : Ir.equation) : Ir.rhs option =
         Some (Op (Or, both))
     | _, _ -> None
   in
-  (* The farthest ones first: what lies between is then not needed. *)
+  (* The most distant signals come first, because the signals in between are then no longer
+     needed. *)
   match List.find_map one (List.rev parts) with
   | Some rhs -> Some rhs
   | None -> List.find_map two (List.rev (pairs parts))

@@ -1,8 +1,8 @@
-(** Conditions that say in a roundabout way what one or two others say: [a], [not a], [a && b] or
-    [a || b].
+(** Simplifies conditions that are equivalent to [a], [not a], [a && b] or [a || b] for one or two
+    other signals.
 
-    [mergeE] makes a choice of three cases where only whether one of two events occurs is wanted in
-    the end. What is found is tried out, with all values of the two. *)
+    For example, [mergeE] distinguishes three cases even if the program only needs to know whether
+    one of two events occurs. Candidates are verified for all values of the two signals. *)
 
 val program : Ir.program -> Ir.program
-(** The same program, physically, if there is no such condition. *)
+(** Returns the same program, physically, if there is no such condition. *)

@@ -1,11 +1,11 @@
-(* Bit for bit the same with its arguments exchanged. Not so [Minimum] and
-   [Maximum], which tell 0 from -0. *)
+(* Operators whose result is the same, bit for bit, with exchanged arguments. [Minimum] and
+   [Maximum] are not among them, because they distinguish 0 and -0. *)
 let is_commutative : Ir.operator -> bool = function
   | Add | Multiply | Equal | And | Or | Elementary Hypot | Bitwise (Bit_and | Bit_or | Bit_xor) ->
       true
   | _ -> false
 
-(* What is computed: a right side or an instance without its operands, and these. *)
+(* A right-hand side or an instance, without its operands. *)
 type work = Equation of Ir.ty * Ir.rhs | Instance of int * Ir.loop option
 
 module Table = Hashtbl.Make (struct
@@ -26,11 +26,11 @@ let key_of_equation (e : Ir.equation) rhs =
   in
   (operands, Equation (e.defines.ty, Operands.map without_operand rhs))
 
-(* Each after what it reads at the same instant: so one round finds all but what is equal
-   because its delays are. *)
+(* Visits items after those they read in the same instant. One round therefore finds everything
+   except items that are equal only because delays are equal. *)
 let round (node : Ir.node) =
   let first = Table.create 64 and substitution = Substitution.create () in
-  let twins = Hashtbl.create 4 in
+  let duplicates = Hashtbl.create 4 in
   let atom = Substitution.atom substitution in
   let meet key defined =
     match Table.find_opt first key with
@@ -49,13 +49,13 @@ let round (node : Ir.node) =
         let key a = Operands.key (atom a) in
         let operands = Basis.Long_list.map key (i.statics @ i.inputs) in
         if not (meet (operands, Instance (i.node, i.loop)) i.outputs) then
-          Hashtbl.replace twins i.name ()
+          Hashtbl.replace duplicates i.name ()
     | Trial _ | Machine _ -> ()
   in
   List.iter visit (Schedule.as_far_as_possible node);
-  if Substitution.is_empty substitution && Hashtbl.length twins = 0 then node
+  if Substitution.is_empty substitution && Hashtbl.length duplicates = 0 then node
   else
-    let stays (i : Ir.instance) = not (Hashtbl.mem twins i.name) in
+    let stays (i : Ir.instance) = not (Hashtbl.mem duplicates i.name) in
     Substitution.node substitution { node with instances = List.filter stays node.instances }
 
 let rec node before =

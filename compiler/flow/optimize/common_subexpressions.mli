@@ -1,10 +1,10 @@
-(** Every common subexpression once in each node.
+(** Common subexpression elimination within each node.
 
-    Two equations are one if their right sides are the same operation on signals that are one; so
-    are two instances of a node with the same statics and inputs, as both start together and make
-    the same steps. Delays too, but for those that are equal only because they are (two counters
-    that were never one instance). The first of each class stays, and with it a name that the
-    programmer gave to any of them. *)
+    Merges two equations if their right-hand sides apply the same operation to equal signals. Also
+    merges two instances of a node with the same static parameters and inputs, because they start
+    together and take the same steps. Delays are merged, too, except for those that are equal only
+    if they are assumed to be (such as two counters that were never one instance). The first
+    equation of each class remains, and inherits the programmer's name from any of them. *)
 
 val program : Ir.program -> Ir.program
-(** The same program, physically, if nothing is computed twice. *)
+(** Returns the same program, physically, if nothing is computed twice. *)

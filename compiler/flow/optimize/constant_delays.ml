@@ -1,4 +1,4 @@
-(* More than a mode has, and it keeps this linear. *)
+(* Limits the work, to keep the pass linear. No mode has that many. *)
 let most_candidates = 16
 
 let node (node : Ir.node) =

@@ -1,9 +1,9 @@
-(** Delays of modes that show one value for as long as their mode runs.
+(** Replaces delays that are constant as long as their mode runs.
 
-    [after] notes that it has occurred, so as to occur once; in a mode that ends there nobody ever
-    reads the note. A Bool's [delay] that starts with b is b, if at an instant at which it is b and
-    no transition of the mode occurs its next value is b again: the first instant at which it would
-    be another one is the mode's last. *)
+    [after] stores whether it has occurred, so that it occurs only once; in a mode that ends at that
+    moment, this value is never read. A [delay] of Bools with the initial value b is replaced by b
+    if its next value is b whenever it is b and no transition of the mode occurs. It could change
+    only in the last instant of the mode. *)
 
 val program : Ir.program -> Ir.program
-(** The same program, physically, if it has no such delay. *)
+(** Returns the same program, physically, if there is no such delay. *)

@@ -1,11 +1,11 @@
-(* What the calls seen so far pass for a parameter. *)
-type passed = Nothing | Always of Ir.atom  (** the same literal *) | Different
+(* The arguments for a parameter in the calls seen so far. *)
+type passed = Nothing | Always of Ir.atom  (** always the same literal *) | Different
 
 let of_atom : Ir.atom -> passed = function
   | Signal _ -> Different
   | (Bool _ | Int _ | Float _) as literal -> Always literal
 
-(* The first, the very same, where the other adds nothing to it. *)
+(* The join. Returns the first argument physically if the second adds nothing to it. *)
 let join passed other =
   match (passed, other) with
   | _, Nothing | Different, (Always _ | Different) -> passed
@@ -13,8 +13,8 @@ let join passed other =
   | Always a, Always b -> if Operands.same a b then passed else Different
   | Always _, Different -> Different
 
-(* Nodes hand parameters to each other, modes even in circles: a literal is a literal if
-   nothing else ever comes in. *)
+(* Nodes pass parameters to each other, and modes even in cycles. A parameter is constant if only
+   one literal ever reaches it. *)
 let parameters (program : Ir.program) =
   let nothing node = Array.map (fun _ -> Nothing) (Passed.parameters node) in
   let passed = Array.map nothing program.nodes and place = Passed.places program in
@@ -37,7 +37,7 @@ let replace substitution s = function
 
 let results (node : Ir.node) = List.map (fun (_, atom) -> of_atom atom) node.outputs
 
-(* What all modes put out alike is a literal. *)
+(* An output of a machine is constant if it is the same literal in all modes. *)
 let of_modes (nodes : Ir.node array) (machine : Ir.machine) =
   match List.map (fun mode -> results nodes.(mode)) machine.modes with
   | [] -> []

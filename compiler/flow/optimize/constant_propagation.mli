@@ -1,7 +1,8 @@
-(** Constants across the borders of nodes.
+(** Constant propagation between nodes.
 
-    A static or input for which every instance of a node passes the same literal becomes that
-    literal in the node; so does an output that is a literal in the callers, of a machine if it is
-    that in all modes. {!Dead_code} then drops the parameters and outputs that nobody reads. *)
+    If every instance of a node passes the same literal for a static parameter or input, the node
+    uses the literal. If an output of a node is a literal, its callers use the literal; for a
+    machine, it must be the same literal in all modes. {!Dead_code} then removes the parameters and
+    outputs that are no longer read. *)
 
 val program : Ir.program -> Ir.program

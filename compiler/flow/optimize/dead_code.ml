@@ -1,7 +1,7 @@
 open Basis
 
-(* Of each node: in the loop over it that has most. So many of the first inputs may come from
-   the outputs of those numbers. *)
+(* For each node, the largest number of accumulators in any loop over it. That many of its first
+   inputs may come from the outputs with the same index. *)
 let accumulators (program : Ir.program) =
   let most = Array.make (Array.length program.nodes) 0 in
   let is_accumulator argument = argument = Ir.Accumulator in
@@ -13,15 +13,16 @@ let accumulators (program : Ir.program) =
   most
 
 type found = {
-  needed : Bytes.t;  (** by signal id: is it? *)
-  outputs : bool array array;  (** by node and number: are they needed? *)
-  runs : bool array;  (** by node: does anything needed run it? *)
+  needed : Bytes.t;  (** whether a signal is needed, by id *)
+  outputs : bool array array;  (** whether an output is needed, by node and index *)
+  runs : bool array;  (** whether anything needed runs the node *)
 }
 
 let is_needed found (s : Ir.signal) = Bytes.get found.needed s.id <> '\000'
 let undefined () = Diagnostic.bug ~stage:"Flow.Dead_code" "a signal that is not defined"
 
-(* What is needed because a signal is: by its id, what it says when it is first asked. *)
+(* For each signal, by id, a function that returns the signals needed because of it. It is called at
+   most once. *)
 let consequences found (program : Ir.program) =
   let nodes = program.nodes in
   let of_nodes f = Array.map f nodes in
@@ -29,11 +30,11 @@ let consequences found (program : Ir.program) =
   let parameters = of_nodes (fun (n : Ir.node) -> Array.of_list (n.statics @ n.inputs)) in
   let results = of_nodes (fun (n : Ir.node) -> Array.of_list (Long_list.map snd n.outputs)) in
   let accumulators = accumulators program and owners = Transitions.owners program in
-  (* What the instances that are needed pass, by node. *)
+  (* Arguments that the needed instances of each node pass. *)
   let passed = Array.make (Array.length nodes) [] in
   let consequences = Array.make program.next_id undefined in
   let define (s : Ir.signal) why = consequences.(s.id) <- why in
-  (* An accumulator is an input too. *)
+  (* If the output of an accumulator is needed, its input is needed, too. *)
   let output k number =
     found.outputs.(k).(number) <- true;
     results.(k).(number)
@@ -122,8 +123,8 @@ let find (program : Ir.program) =
   go (List.fold_left need [] (Long_list.map snd program.nodes.(root).outputs));
   found
 
-(* Those of [items] that the flags are set for, pairwise. What is needed as a whole stays
-   the very same, as most is. *)
+(* The items whose flags are set. Returns the same list, physically, if all are, which is the usual
+   case. *)
 let select flags items =
   let add all flag item = if flag then item :: all else all in
   if List.for_all Fun.id flags then items else List.rev (List.fold_left2 add [] flags items)
@@ -144,14 +145,22 @@ let sweep found (program : Ir.program) =
   let owners = Transitions.owners program in
   let either a b = List.rev (List.rev_map2 ( || ) a b) in
   let owner k = Option.bind owners.(k) (fun owner -> program.nodes.(owner).machine) in
-  (* Modes of one machine have the same. *)
+  (* All modes of a machine must have the same inputs and outputs. *)
+  let of_machines = Int_table.create 16 in
+  let of_machine owner (m : Ir.machine) own =
+    match Int_table.find_opt of_machines owner with
+    | Some all -> all
+    | None ->
+        let add all mode = either all (flags program.nodes.(mode).inputs) in
+        let all = List.fold_left add own m.modes in
+        Int_table.replace of_machines owner all;
+        all
+  in
   let inputs k (node : Ir.node) =
     let own = flags node.inputs in
-    match owner k with
-    | Some m ->
-        let add all mode = either all (flags program.nodes.(mode).inputs) in
-        List.fold_left add own m.modes
-    | None -> if k = root then List.map (fun _ -> true) own else own
+    match (owners.(k), owner k) with
+    | Some owner, Some m -> of_machine owner m own
+    | _, _ -> if k = root then List.map (fun _ -> true) own else own
   in
   let of_statics = Array.map (fun (node : Ir.node) -> flags node.statics) program.nodes in
   let of_inputs = Array.mapi inputs program.nodes in
@@ -174,12 +183,22 @@ let sweep found (program : Ir.program) =
       let trials = List.filter_map (trial i) i.trials and loop = Option.map loop i.loop in
       { i with node = numbers.(k); statics; inputs; outputs; trials; loop }
   in
-  let transitions (m : Ir.machine) =
-    let modes = Array.of_list m.modes in
+  (* The nodes of a machine's modes, by the modes' numbers. *)
+  let modes_of_machines = Int_table.create 16 in
+  let modes_of owner (m : Ir.machine) =
+    match Int_table.find_opt modes_of_machines owner with
+    | Some modes -> modes
+    | None ->
+        let modes = Array.of_list m.modes in
+        Int_table.replace modes_of_machines owner modes;
+        modes
+  in
+  let transitions owner (m : Ir.machine) =
+    let modes = modes_of owner m in
     List.map (fun (t : Ir.transition) ->
         { t with arguments = select of_statics.(modes.(t.target)) t.arguments })
   in
-  let machine (m : Ir.machine) =
+  let machine k (m : Ir.machine) =
     let mode = List.hd m.modes in
     if not found.runs.(mode) then None
     else
@@ -187,8 +206,8 @@ let sweep found (program : Ir.program) =
         {
           m with
           modes = List.map (fun mode -> numbers.(mode)) m.modes;
-          start = transitions m m.start;
-          controls = transitions m m.controls;
+          start = transitions k m m.start;
+          controls = transitions k m m.controls;
           inputs = select of_inputs.(mode) m.inputs;
           outputs = select of_outputs.(mode) m.outputs;
         }
@@ -206,9 +225,12 @@ let sweep found (program : Ir.program) =
       && instances == node.instances
     then node
     else
-      let machine = Option.bind node.machine machine in
-      let own m = transitions m node.transitions in
-      let transitions = Option.fold (owner k) ~none:[] ~some:own in
+      let machine = Option.bind node.machine (machine k) in
+      let transitions =
+        match (owners.(k), owner k) with
+        | Some owner, Some m -> transitions owner m node.transitions
+        | _, _ -> []
+      in
       { node with statics; inputs; outputs; equations; instances; machine; transitions }
   in
   let nodes = Array.to_list (Array.mapi node program.nodes) in

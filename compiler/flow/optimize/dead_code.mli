@@ -1,9 +1,9 @@
-(** What no output of the program depends on disappears: equations, instances, statics, inputs and
-    outputs of nodes, and nodes.
+(** Dead code elimination: removes everything that no output of the program depends on, namely
+    equations, instances, static parameters, inputs and outputs of nodes, and nodes.
 
-    A node's parameter is needed if what is needed in the node reads it, at whatever instant; what
-    is passed for it, in the instances that are needed. All of it is one search from the outputs of
-    the root, linear in the size of the program. The root's own inputs and outputs stay: they are
-    the interface. *)
+    A parameter is needed if something needed in its node reads it, in whatever instant; then the
+    arguments for it are needed in all needed instances. The pass is a single search from the
+    outputs of the root, linear in the size of the program. The root's own inputs and outputs are
+    kept, because they are the interface. *)
 
 val program : Ir.program -> Ir.program

@@ -1,12 +1,12 @@
 open Basis
 
-(* The size up to which a node is inlined: about what fits on a few lines. *)
+(* Maximum size of a node that is always inlined, about what fits on a few lines. *)
 let small = 8
 
-(* A call reads like several operations, and hides more. *)
+(* A call counts as several operations, because it hides more than one. *)
 let size_of_instance = 4
 
-(* The same for a node that is called in one place. *)
+(* Maximum size of a node that is inlined if it is called only once. *)
 let small_once = 16
 
 let size (node : Ir.node) =
@@ -25,10 +25,11 @@ let uses (program : Ir.program) =
   uses
 
 type context = {
-  nodes : Ir.node array;  (** callees already done *)
-  is_small : bool array;  (** of those done *)
+  nodes : Ir.node array;  (** callees, already processed *)
+  is_small : bool array;  (** whether each processed node is inlined *)
   passages : Dependency.passage array Lazy.t;
-      (** from before: what a node passes on does not change. Only loops ask. *)
+      (** computed for the original program, because inlining does not change what a node passes
+          through. Only needed for dependency cycles *)
   mutable fresh : int;
 }
 
@@ -41,7 +42,7 @@ let names_of iter =
   iter (fun name -> if name <> "" && not (Names.mem names name) then take name);
   names
 
-(* The equations and instances that do what [instance] does. *)
+(* The equations and instances that replace [instance]. *)
 let expand context ~signals ~instances (instance : Ir.instance) =
   let callee = context.nodes.(instance.node) in
   let copies : Ir.atom Int_table.t = Int_table.create 32 in
@@ -49,7 +50,7 @@ let expand context ~signals ~instances (instance : Ir.instance) =
   let bind (s : Ir.signal) atom = Int_table.replace copies s.id atom in
   List.iter2 bind callee.statics instance.statics;
   List.iter2 bind callee.inputs instance.inputs;
-  (* An output that the caller has named is computed under that name. *)
+  (* An output that has a name in the caller keeps that name. *)
   List.iter2
     (fun (s : Ir.signal) (_, a) ->
       match (a : Ir.atom) with
@@ -110,7 +111,7 @@ let expand context ~signals ~instances (instance : Ir.instance) =
   in
   (List.rev_append (List.rev equations) (List.rev results), inner)
 
-(* Copies would add up where expanded nodes are expanded in others. *)
+(* Removes copies, which would accumulate when nodes are inlined into each other repeatedly. *)
 let without_copies (node : Ir.node) =
   let substitution = Substitution.create () in
   List.iter
@@ -119,7 +120,7 @@ let without_copies (node : Ir.node) =
     node.equations;
   Substitution.node substitution node
 
-(* The instances that [chosen] holds for are expanded where they stand. *)
+(* Inlines the instances that satisfy [chosen], each at its place. *)
 let expand_chosen context chosen (node : Ir.node) =
   let signals = names_of (fun f -> Signals.iter (fun (s : Ir.signal) -> f s.name) node) in
   let instances =
@@ -139,8 +140,7 @@ let expand_chosen context chosen (node : Ir.node) =
   in
   without_copies { node with equations = List.rev equations; instances = List.rev kept }
 
-(* Does each output need every input anyhow? Then the instance is as good as
-   one operation, and opening it breaks no cycle. *)
+(* Whether each output needs every input. Then inlining the instance cannot break a cycle. *)
 let is_one_operation context (i : Ir.instance) =
   let inputs = List.length i.inputs in
   Option.is_some i.loop
@@ -148,8 +148,7 @@ let is_one_operation context (i : Ir.instance) =
        (fun passed -> Dependency.Inputs.cardinal passed = inputs)
        (Lazy.force context.passages).(i.node).passed
 
-(* A step on trial for each set of inputs that some outputs need, if it is not
-   all of them. *)
+(* Adds a trial step for each proper subset of the inputs that some outputs need. *)
 let with_trials context (i : Ir.instance) =
   let { Dependency.passed; _ } = (Lazy.force context.passages).(i.node) in
   let all = List.length i.inputs in
@@ -194,8 +193,8 @@ let rec open_loops context (node : Ir.node) =
       |> expand_chosen context (fun i -> is_chosen i && not (is_machine context i))
       |> open_loops context
 
-(* Where the nodes that [is_small] holds for run they are expanded, from callees to callers;
-   what [also] does with a node comes after that. *)
+(* Inlines nodes that satisfy [is_small], from callees to callers, and applies [also] to each
+   resulting node. *)
 let expand_all ?(also = fun _ node -> node) ~is_small (program : Ir.program) =
   let count = Array.length program.nodes in
   let context =

@@ -1,21 +1,23 @@
-(** Instances replaced by the equations of their node.
+(** Inlining: replaces instances by the equations of their nodes.
 
-    (a) Where that is necessary: an instance whose output feeds back to an input that the output
-    does not need in the same instant cannot run as one call. A machine is stepped on trial instead.
-    Expects a causal program; afterwards {!Schedule.of_node} succeeds on every node. (b) Where the
-    node is so small that reading it in place is easier than a call. All others stay functions of
-    their own, so one definition gives one C function, however often it is used.
+    An instance is inlined in two cases. (a) It is necessary: an instance cannot run as one call if
+    one of its outputs feeds back to an input that the output does not need in the same instant. A
+    machine gets a trial step instead. The program must be causal; afterwards {!Schedule.of_node}
+    succeeds on every node.
 
-    Names are kept, those of the node's inside with the instance's name in front where they would
-    clash; spans stay where the programmer wrote. *)
+    (b) The node is so small that reading it in place is easier than reading a call. All other nodes
+    remain functions of their own, so a definition becomes one C function, however often it is used.
+
+    Names are kept; names from inside the node are prefixed by the instance's name if they would
+    clash. Spans refer to the original source. *)
 
 val to_look_at : most:int -> Ir.program -> Ir.program
-(** Every instance expanded whose node has at most so many equations then, loops and machines aside:
-    not to be compiled, but for what can be said of it. Nodes keep their numbers, and transitions
-    their order. *)
+(** Inlines every instance whose node has at most [most] equations after inlining, except loops and
+    machines. The result is for analysis only, not for compilation. Nodes keep their indices, and
+    transitions their order. *)
 
 val program : Ir.program -> Ir.program
-(** The same program, physically, if there was nothing to inline. *)
+(** Returns the same program, physically, if nothing was inlined. *)
 
 val uses : Ir.program -> int array
-(** By node: how many instances run it. *)
+(** For each node, the number of instances that run it. *)

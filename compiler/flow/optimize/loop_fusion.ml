@@ -1,25 +1,27 @@
 open Basis
 
-(* Loops to be joined. *)
+(* A group of loops to join. *)
 type group = {
   count : int;
-  varies : bool; (* what is known at the start stays so: delays may start from it *)
-  members : (Ir.instance * Ir.loop) list; (* last first *)
-  arrays : Ir.signal list; (* that members define *)
-  after : unit Int_table.t; (* signals that come out of it *)
+  varies : bool;
+      (* whether it depends on inputs. A group that does not must stay separate, because
+                    delays may start from its results *)
+  members : (Ir.instance * Ir.loop) list; (* last one first *)
+  arrays : Ir.signal list; (* arrays that members define *)
+  after : unit Int_table.t; (* signals that depend on outputs of the group *)
 }
 
 type work = {
   program : Ir.program;
   varying : unit Int_table.t; (* signals that are not known at the start *)
-  mutable groups : group list; (* latest first: only that may grow *)
+  mutable groups : group list; (* latest one first; only the latest may grow *)
 }
 
 let note table = List.iter (fun (s : Ir.signal) -> Int_table.replace table s.id ())
 let any table = List.exists (fun (s : Ir.signal) -> Int_table.mem table s.id)
 let accumulators (l : Ir.loop) = List.length (List.filter (fun a -> a = Ir.Accumulator) l.arguments)
 
-(* Each round has what another member has just made of its element. *)
+(* Whether an argument is the element that another member computes in the same iteration. *)
 let is_direct group (argument, (atom : Ir.atom)) =
   match (argument, atom) with
   | Ir.Element, Signal s -> List.exists (fun (array : Ir.signal) -> array.id = s.id) group.arrays
@@ -70,9 +72,9 @@ let groups_of program (node : Ir.node) =
 (* {1 The node of a joined loop} *)
 
 type context = {
-  mutable nodes : Ir.node list; (* done, last first *)
+  mutable nodes : Ir.node list; (* finished nodes, last one first *)
   mutable done_ : int;
-  numbers : int array; (* of the nodes of the program, where they are now *)
+  numbers : int array; (* new indices of the program's nodes *)
   names : Names.t;
   mutable fresh : int;
 }
@@ -86,13 +88,13 @@ let signal context ?(name = "") ty span : Ir.signal =
   context.fresh <- id + 1;
   { id; name; ty; group = id; span }
 
-(* What the joined loop is given: a parameter of its node for each. *)
+(* An input of the joined loop, and the parameter of its node. *)
 type given = { argument : Ir.argument; atom : Ir.atom; parameter : Ir.signal }
 
 let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
   let members = List.rev group.members in
   let statics = ref [] and given = ref [] and results = ref [] and bodies = ref [] in
-  (* Inside: the element of an array that a member defines. *)
+  (* Within an iteration: the current element of each array that a member defines. *)
   let elements = Hashtbl.create 16 in
   let pass argument (atom : Ir.atom) (like : Ir.signal) : Ir.atom =
     let same g =

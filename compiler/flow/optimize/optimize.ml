@@ -1,41 +1,51 @@
 open Basis
 
-let simplify = Pass.make "simplify" Simplify.program "what is known of operands is known"
-let dead_code = Pass.make "dead-code" Dead_code.program "last, for what all of them leave behind"
+let simplify =
+  Pass.make "simplify" Simplify.program
+    "after constant propagation, so that all known operands are literals"
 
-(* What makes each node as simple as it gets. *)
+let dead_code =
+  Pass.make "dead-code" Dead_code.program
+    "last, because every other pass leaves unused equations behind"
+
+(* Passes that simplify each node. *)
 let tidy =
   [
     Pass.make "constant-propagation" Constant_propagation.program
-      "literals first, as they decide choices";
+      "first, because literals decide choices";
     simplify;
     Pass.make "boolean-simplification" Boolean_simplification.program
-      "it looks at choices and operators as they are simplified";
-    Pass.make "constant-delays" Constant_delays.program "it takes simple conditions to see them";
+      "after simplification, because it only recognizes simplified choices and operators";
+    Pass.make "constant-delays" Constant_delays.program
+      "after the conditions are simplified, because it only recognizes simple ones";
     Pass.make "common-subexpressions" Common_subexpressions.program
-      "after simplifying, which makes equal what looked different";
-    Pass.make "equal-parameters" Equal_parameters.program "what is handed on stands there once";
+      "after simplification, which turns equivalent expressions into equal ones";
+    Pass.make "duplicate-parameters" Duplicate_parameters.program
+      "after common subexpressions, so that arguments with the same value are the same signal";
     Pass.make "unreachable-modes" Unreachable_modes.program
-      "conditions that are constant are seen to be";
-    Pass.make "sole-mode" Sole_mode.program "where others cannot be reached it may be the only one";
+      "after simplification, which shows that a condition is constant";
+    Pass.make "single-mode" Single_mode.program
+      "after unreachable modes, because only one mode may be left";
     dead_code;
   ]
 
 let loop_fusion =
   Pass.make "loop-fusion" Loop_fusion.program
-    "before inlining, which takes the joined loops' bodies together"
+    "before inlining, so that the bodies of fused loops are inlined together"
 
 let inline =
   Pass.make "inline" Inline.program
-    "sizes are those of the work that remains; what was done twice is inlined once"
+    "after the nodes are simplified, so that their sizes are final and repeated calls are inlined \
+     once"
 
-let absorb =
-  Pass.make "absorb" Absorb.program
-    "late, for a machine that so becomes a part of its user is inlined no more"
+let inline_machines =
+  Pass.make "inline-machines" Inline_machines.program
+    "late, because a node that contains an inlined machine is not inlined any more"
 
-type step = Pass of Ir.program Pass.t | Tidy  (** if anything has changed since *)
+type step = Pass of Ir.program Pass.t | Tidy  (** skipped if nothing has changed *)
 
-(* Twice, as inlining brings loops of several nodes together. *)
+(* Loop fusion and inlining occur twice, because inlining brings loops from several nodes
+   together. *)
 let steps =
   [
     Tidy;
@@ -45,15 +55,16 @@ let steps =
     Pass loop_fusion;
     Pass inline;
     Tidy;
-    Pass absorb;
+    Pass inline_machines;
     Pass simplify;
     Pass dead_code;
   ]
 
-(* Few programs need more than three; a chain of functions could have one for each. *)
+(* Few programs need more than three rounds, but a chain of functions could need one for each
+   function. *)
 let most_rounds = 8
 
-(* Modes, and outputs that are no literals. *)
+(* The number of modes, and of outputs that are not literals. *)
 let unknown (program : Ir.program) =
   let is_signal (_, (a : Ir.atom)) = match a with Signal _ -> true | _ -> false in
   let modes (m : Ir.machine) = List.length m.modes in
@@ -66,8 +77,9 @@ let unknown (program : Ir.program) =
 
 let program ?(after = fun _ _ -> ()) program =
   let run = Pass.run after in
-  (* Where an output has become a literal more can be said of who reads it; and of a machine
-     with fewer modes, for what is left may put out the same literal, or get it. *)
+  (* Another round may help if an output has become a literal, because this simplifies the nodes
+     that read it, or if a machine has lost modes, because the others may have the same literal as
+     an output or parameter. *)
   let rec tidied ?(round = 1) program =
     let once = List.fold_left run program tidy in
     if unknown once < unknown program && round < most_rounds then tidied ~round:(round + 1) once

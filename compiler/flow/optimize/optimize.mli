@@ -1,8 +1,8 @@
-(** The passes over a causal flow program, in one table: each with the reason for its place.
+(** The passes over a causal Flow program, in one table with the reason for the position of each.
 
     Every output stays the same, bit for bit. Afterwards every instance can run as one call
-    ({!Schedule.of_node} succeeds on every node), no equation is a [Copy] and every signal is
+    ({!Schedule.of_node} succeeds on every node), no equation is a [Copy], and every signal is
     needed. *)
 
 val program : ?after:(Ir.program Basis.Pass.t -> Ir.program -> unit) -> Ir.program -> Ir.program
-(** [after] is told of each pass and of the program that it has made. *)
+(** Calls [after] with each pass and its result. *)

@@ -1,7 +1,6 @@
 open Basis
 
-(* What the operands of later equations are known to be: the right sides seen
-   so far, simplified, by signal id. *)
+(* The simplified right-hand sides of the preceding equations, by signal id. *)
 type known = Ir.rhs Int_table.t
 
 let definition (known : known) : Ir.atom -> Ir.rhs option = function
@@ -15,7 +14,7 @@ let is_int : Ir.atom -> bool = function
   | Signal s -> s.ty = Int
   | Bool _ | Float _ -> false
 
-(* Equal to itself. *)
+(* Whether the value certainly equals itself, which a NaN does not. *)
 let is_no_float : Ir.atom -> bool = function
   | Int _ | Bool _ -> true
   | Signal s -> s.ty <> Float
@@ -24,13 +23,14 @@ let is_no_float : Ir.atom -> bool = function
 let positive_zero (a : Ir.atom) = same a (Float 0.)
 let negative_zero (a : Ir.atom) = same a (Float (-0.))
 
-(* Is the second what the first is not? *)
+(* Whether the second atom is the negation of the first. *)
 let is_not known a b =
   match (definition known b, (a : Ir.atom)) with
   | Some (Op (Not, [ a' ])), Signal _ -> same a a'
   | _, _ -> false
 
-(* [(if c then x else b) && not b] is [c && (x && not b)]: [Some (c, x)] of the choice. *)
+(* [(if c then x else b) && not b] equals [c && (x && not b)]. Returns [Some (c, x)] for the
+   choice. *)
 let excluding_else known choice other =
   match definition known choice with
   | Some (If { condition; then_; else_ }) when is_not known else_ other -> Some (condition, then_)
@@ -85,16 +85,15 @@ let rec choice known condition then_ else_ : Ir.rhs =
         | _ when is_not known then_ else_ -> Op (Equal, [ condition; then_ ])
         | _ -> If { condition; then_; else_ })
 
-(* Choices of values are as deep as a [case] in a [case]; what is deeper is left
-   as it is. *)
+(* Maximum depth of nested choices, which come from a [case] within a [case]; deeper ones are left
+   unchanged. *)
 let deepest = 16
 
-(* An equation of its own for what an atom cannot say. *)
+(* Adds an equation for a right-hand side that is not an atom. *)
 let atom (add : Ir.ty -> Ir.rhs -> Ir.atom) ty (rhs : Ir.rhs) =
   match rhs with Copy a -> a | rhs -> add ty rhs
 
-(* Which constructor an atom has, as a Bool, where that can be told without
-   looking at its tag. *)
+(* Whether an atom has a constructor, as a Bool, if that can be decided without reading its tag. *)
 let has_constructor known add value constructor : Ir.rhs option =
   let rec test depth value : Ir.rhs option =
     match definition known value with
@@ -109,8 +108,8 @@ let has_constructor known add value constructor : Ir.rhs option =
   in
   test 0 value
 
-(* The leaf of a payload. A value of another constructor has an unspecified
-   one there, so where only one branch has it, it is taken; where none has, a 0. *)
+(* The leaf of a payload. For values with another constructor the leaf is unspecified. If only one
+   branch has the constructor, that branch is used; if neither has, the result is 0. *)
 let payload known add ty value constructor leaf : Ir.rhs option =
   let rec part depth value =
     match definition known value with
@@ -159,13 +158,14 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
   | Payload { value; constructor; leaf } ->
       Option.value (payload known (add defines) defines.ty value constructor leaf) ~default:rhs
   | Delay { init = Bool true; next = Bool false } ->
-      (* One mark of the first instant is enough. *)
+      (* Shares one delay as the marker of the first instant. *)
       Op (Not, [ add defines Bool (Delay { init = Bool false; next = Bool true }) ])
   | Delay { init; next } when same next init || same next (Signal defines) ->
-      (* [init] is static: it is the same at every instant. *)
+      (* [init] is static, so the delay is constant. *)
       Copy init
   | Delay { init = Bool first; next } -> (
-      (* What it is a negation of is there anyway, and may be kept by another one too. *)
+      (* Delays the signal inside the negation, which exists anyway, so that another delay of it may
+         be shared. *)
       match definition (Lazy.force written) next with
       | Some (Op (Not, [ next ])) ->
           Op (Not, [ add defines Bool (Delay { init = Bool (not first); next }) ])
@@ -183,7 +183,7 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
       Copy array
   | _ -> rhs
 
-(* Each element of an array of equal ones is what it is filled with. *)
+(* If all elements of the input array are equal, passes the element instead. *)
 let of_loop known atom (i : Ir.instance) =
   let all_equal array =
     match definition known (atom array) with
@@ -204,7 +204,7 @@ let of_loop known atom (i : Ir.instance) =
 
 let node real ~fresh (node : Ir.node) =
   let known : known = Int_table.create 64 in
-  (* Few ask for it. *)
+  (* Lazy, because few equations need it. *)
   let written : known Lazy.t =
     lazy
       (let written = Int_table.create 64 in

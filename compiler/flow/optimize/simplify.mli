@@ -1,13 +1,13 @@
-(** Constants are computed, copies and choices already made disappear.
+(** Folds constants, and removes copies and choices that are already decided.
 
-    Nothing is rewritten that could change a bit of any output: on Float only identities that hold
-    for every value (not [x + 0], which turns -0 into 0). Names that the programmer gave to copies
-    go on to what is copied, where that had none. What is asked of a choice between values that are
-    known is a choice between answers. Expects no particular order, but sees most in an acyclic
-    node; linear. *)
+    No rewriting may change a bit of any output, so on Float only identities that hold for every
+    value are used (not [x + 0], which turns -0 into 0). If a copy has a name from the programmer
+    and its original has none, the original inherits it. An operation on a choice between known
+    values becomes a choice between the results. The equations may be in any order, but the pass is
+    most effective on acyclic nodes. It is linear. *)
 
 val program : Ir.program -> Ir.program
-(** The same program, physically, if nothing in it is simpler. *)
+(** Returns the same program, physically, if nothing is simplified. *)
 
 val after : (Ir.node -> Ir.node) -> Ir.program -> Ir.program
-(** Where this makes another node of one, that is simplified. *)
+(** Applies a function to each node, and simplifies those that it changes. *)

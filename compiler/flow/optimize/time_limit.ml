@@ -1,10 +1,10 @@
-(* In nanoseconds. The root's dt is no longer than that. *)
+(* In nanoseconds; an upper bound for the root's dt. *)
 let most = 1e18
 
-(* Nodes that run in a machine that has instants of its own. *)
+(* Nodes inside a machine that does not run in every instant. *)
 let with_own_instants (program : Ir.program) =
   let found = Array.make (Array.length program.nodes) false in
-  (* Callers come after callees. *)
+  (* Callers come after callees in the program, so this goes backwards. *)
   for k = Array.length program.nodes - 1 downto 0 do
     let node = program.nodes.(k) in
     List.iter (fun (i : Ir.instance) -> if found.(k) then found.(i.node) <- true) node.instances;
@@ -16,7 +16,7 @@ let with_own_instants (program : Ir.program) =
   done;
   found
 
-(* The conditions that the local time has come to a limit. *)
+(* The conditions which say that the local time has reached a limit. *)
 let reached (node : Ir.node) =
   let definition : Ir.atom -> Ir.rhs option = function
     | Signal s ->
@@ -37,7 +37,7 @@ let reached (node : Ir.node) =
       | _ -> None)
     node.equations
 
-(* A mode goes on where no transition occurs. *)
+(* A mode continues only if no transition occurs. *)
 let is_limited program =
   let with_own_instants = lazy (with_own_instants program) in
   fun k ->

@@ -1,9 +1,9 @@
-(** Local times that end long before they could come to the end of time.
+(** Finds modes that end long before their local time could overflow.
 
-    [after 2[s]] ends the mode: so its time is below 2 s at each instant that it goes on from, and
-    however long the next takes, the sum needs no check. *)
+    For example, [after 2[s]] ends the mode. The mode's time is therefore below 2 s whenever the
+    mode continues, and adding any dt to it cannot overflow. *)
 
 val is_limited : Ir.program -> int -> bool
-(** Of a node's time that never starts again: that the node, a mode, ends at the latest at half the
-    time there is. False if a machine around it has instants of its own, between which any time may
-    pass. *)
+(** Whether this node is a mode that ends at the latest when its local time, which must never
+    restart, reaches half of its range. False if the node is inside a machine that does not run in
+    every instant, because any time may pass between its instants. *)

@@ -1,8 +1,23 @@
 open Basis
 
-type t = { definitions : Ir.rhs Int_table.t; values : bool Int_table.t  (** by signal *) }
+type t = {
+  definitions : Ir.rhs Int_table.t;
+  known : (Ir.signal * bool) list;  (** a few, as given *)
+  values : bool Int_table.t option;  (** those learnt, by signal *)
+}
 
-(* Deeper than a person writes a condition, and not so deep that it takes long. *)
+let rec given (s : Ir.signal) = function
+  | [] -> None
+  | ((known : Ir.signal), b) :: rest -> if known.id = s.id then Some b else given s rest
+
+let find t (s : Ir.signal) =
+  match (t.values, t.known) with
+  | None, [] -> None
+  | None, known -> given s known
+  | Some values, known -> (
+      match Int_table.find_opt values s.id with Some b -> Some b | None -> given s known)
+
+(* Maximum depth of the search: deeper than people nest conditions, but small enough to be fast. *)
 let depth = 6
 
 let rec value ?(depth = depth) t (atom : Ir.atom) =
@@ -11,7 +26,7 @@ let rec value ?(depth = depth) t (atom : Ir.atom) =
   | Bool b -> Some b
   | Int _ | Float _ -> None
   | Signal s -> (
-      match Int_table.find_opt t.values s.id with
+      match find t s with
       | Some b -> Some b
       | None -> (
           match Int_table.find_opt t.definitions s.id with
@@ -33,13 +48,13 @@ let rec value ?(depth = depth) t (atom : Ir.atom) =
               | None, v, v' -> if v = v' then v else None)
           | Some _ | None -> None))
 
-(* Learns that an atom has this value, and what follows for its operands. *)
+(* Records the value of an atom, and derives values of its operands. *)
 let rec learn ?(depth = depth) t (atom : Ir.atom) b =
   let learn a b = if depth > 0 then learn ~depth:(depth - 1) t a b in
   match atom with
   | Bool _ | Int _ | Float _ -> ()
   | Signal s -> (
-      Int_table.replace t.values s.id b;
+      Option.iter (fun values -> Int_table.replace values s.id b) t.values;
       match (Int_table.find_opt t.definitions s.id, b) with
       | Some (Copy a), _ -> learn a b
       | Some (Op (Not, [ a ])), _ -> learn a (not b)
@@ -64,15 +79,12 @@ let definitions (node : Ir.node) =
 
 let at_an_instant (node : Ir.node) =
   let definitions = definitions node in
-  fun known ->
-    let t = { definitions; values = Int_table.create 16 } in
-    List.iter (fun ((s : Ir.signal), b) -> Int_table.replace t.values s.id b) known;
-    t
+  fun known -> { definitions; known; values = None }
 
 let while_running (node : Ir.node) =
   let at_an_instant = at_an_instant node in
   fun known ->
-    let t = at_an_instant known in
+    let t = { (at_an_instant known) with values = Some (Int_table.create 16) } in
     List.iter (fun (next : Ir.transition) -> learn t next.occurs false) node.transitions;
     t
 

@@ -1,17 +1,17 @@
-(** What is known of a node's Bools at an instant. *)
+(** Knowledge about the Bools of a node in an instant. *)
 
 type t
 
 val definitions : Ir.node -> Ir.rhs Basis.Int_table.t
-(** Of its Bools. *)
+(** The definitions of its Bools. *)
 
 val at_an_instant : Ir.node -> (Ir.signal * bool) list -> t
-(** What follows for others from these values. Apply it to the node once, to the values as often as
-    wanted. *)
+(** Derives the consequences of these values. Partially apply it to the node, and then apply the
+    result to values any number of times. *)
 
 val while_running : Ir.node -> (Ir.signal * bool) list -> t
-(** Likewise, of a mode at an instant at which it goes on running: that none of its transitions
-    occurs, and what follows from that for their conditions. *)
+(** The same for an instant in which a mode continues to run: also uses that none of its transitions
+    occurs. *)
 
 val value : t -> Ir.atom -> bool option
-(** As far as it is known. *)
+(** The value of an atom, if it is known. *)

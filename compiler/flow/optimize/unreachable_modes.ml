@@ -1,4 +1,4 @@
-(* Those that may be the first to occur. *)
+(* The transitions that may be the first to occur. *)
 let rec possible (transitions : Ir.transition list) =
   match transitions with
   | [] -> []

@@ -1,5 +1,5 @@
-(** Transitions that cannot occur, and modes that nothing leads to, disappear.
+(** Removes transitions that cannot occur, and modes that are never entered.
 
-    What is written in a mode only for such a transition is left to {!Dead_code}. *)
+    {!Dead_code} removes the equations that a mode only needs for such a transition. *)
 
 val program : Ir.program -> Ir.program

@@ -15,7 +15,7 @@ let number : Value.t -> int = function
 let element array k = Thunk.force (elements array).(k)
 let of_int k = Thunk.known (Value.Int (Int32.of_int k))
 
-(* Or a long fold would leave a long chain to be evaluated. *)
+(* Evaluates a value completely, so that a long fold does not build a long chain of thunks. *)
 let rec whole thunk =
   match (Thunk.force thunk : Value.t) with
   | Tuple parts | Array parts | Data { arguments = parts; _ } -> Array.iter whole parts

@@ -1,4 +1,4 @@
-(** The primitives on arrays, as the language reference has them (section 4). *)
+(** The primitives on arrays (language reference, section 4). *)
 
 val apply :
   (Value.t -> Value.thunk list -> Value.t) ->
@@ -6,11 +6,12 @@ val apply :
   size:int ->
   Value.thunk list ->
   Value.t option
-(** All its arguments, given how to apply a function; [size] is that of an array that has it from
-    its type. [None] for other primitives. *)
+(** Applies a primitive to all its arguments; the first parameter applies a function to arguments.
+    [size] is the size of the resulting array if its type determines it. [None] for primitives that
+    are not about arrays. *)
 
 val map_sf : size:int -> Value.thunk -> Value.instance
 val parallel : Value.thunk -> Value.instance
 
 val element : Value.t -> int -> Value.t
-(** [a ! k] *)
+(** The element [a ! k]. *)

@@ -1,18 +1,21 @@
-(** Time: counted in whole nanoseconds (language reference, section 3). *)
+(** Time, counted in whole nanoseconds (language reference, section 3). *)
 
 type instant = int64
-(** The nanoseconds since the instant before; 0 at a signal function's first. *)
+(** Nanoseconds since the previous instant; 0 in the first instant of a signal function. *)
 
 val first : instant
 
 val after : Basis.Real.t -> float -> instant
-(** An instant that many seconds, a number of this precision, after another: rounded to nanoseconds,
-    halves to even; 0 if negative or NaN, at most 10⁹ s. Of a single the fraction of a second is
-    multiplied by 10⁹ as a single too, which makes 100,000,000 ns of the single nearest to 0.1, that
-    is 1.5 ns more. *)
+(** The instant this many seconds after the previous one, where the seconds are a number of the
+    given precision. Rounds to nanoseconds, ties to even; 0 for negative numbers and NaN, at most
+    10⁹ s. In single precision the product of the seconds' fraction and 10⁹ is a single as well.
+    That turns the single nearest to 0.1 into 100,000,000 ns, which is 1.5 ns less than its value.
+*)
 
 val later : int64 -> instant -> int64
-(** A local time in nanoseconds, one instant later; it stops at 2⁶³ - 1 ns, which are 292 years. *)
+(** Adds the length of an instant to a local time in nanoseconds. Saturates at 2⁶³ - 1 ns, about 292
+    years. *)
 
 val seconds : Basis.Real.t -> int64 -> float
-(** Of nanoseconds: these in the precision of the program, divided by 10⁹. *)
+(** Converts nanoseconds to seconds: rounds them to the precision of the program, then divides by
+    10⁹. *)

@@ -1,7 +1,7 @@
 let refuse () = Basis.Diagnostic.bug ~stage:"Interp" "values without an order are compared"
 
-(* What is drawn makes no difference to what a program does; labels are in marks only.
-   The parts of two values of one type from first to last. *)
+(* Pairs the parts of two values of one type, from first to last. Drawings and texts compare as
+   equal: drawings do not influence what a program does, and texts occur only in drawings. *)
 let pairs a b = List.combine (Array.to_list a) (Array.to_list b)
 
 let rec equal (a : Value.t) (b : Value.t) =
@@ -20,7 +20,7 @@ let rec equal (a : Value.t) (b : Value.t) =
 
 and equal_parts (a, b) = equal (Thunk.force a) (Thunk.force b)
 
-(* [numbers] compares numbers; [equals] is what equal data gives. *)
+(* [numbers] compares two numbers; [equals] is the result for equal values. *)
 let rec ordered ~numbers ~equals (a : Value.t) (b : Value.t) =
   match (a, b) with
   | Bool a, Bool b -> if Bool.equal a b then equals else b
@@ -37,7 +37,8 @@ let rec ordered ~numbers ~equals (a : Value.t) (b : Value.t) =
       _ ) ->
       refuse ()
 
-(* The last parts decide as such: of two NaN one is not [<=] the other. *)
+(* The last parts decide alone, without a test for equality: of two NaN, neither is [<=] the
+   other. *)
 and ordered_parts ~numbers ~equals = function
   | [] -> equals
   | [ (a, b) ] -> ordered ~numbers ~equals (Thunk.force a) (Thunk.force b)

@@ -1,8 +1,8 @@
-(** Equality and order of data, by its structure.
+(** Structural equality and order of data.
 
-    Tuples and the fields of a constructor are compared from first to last; constructors in the
-    order of their declaration; [False] comes before [True]. Numbers compare as IEEE says, so with
-    NaN inside, data whose other parts do not decide is neither equal, less nor greater. *)
+    Compares tuples and the fields of a constructor from first to last, and constructors in the
+    order of their declaration; [False] comes before [True]. Numbers compare as IEEE 754 defines.
+    Therefore two values whose order depends on a NaN are neither equal, less nor greater. *)
 
 val equal : Value.t -> Value.t -> bool
 val less : Value.t -> Value.t -> bool

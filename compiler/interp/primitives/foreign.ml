@@ -1,6 +1,6 @@
 let bug format = Basis.Diagnostic.bug ~stage:"Interp.Foreign" format
 
-(* What C makes of a type. *)
+(* The layout of a type in C. *)
 type layout =
   | Truth
   | Whole
@@ -40,7 +40,7 @@ let aligned at layout =
   let unit_ = alignment layout in
   (at + unit_ - 1) / unit_ * unit_
 
-(* Behind the last part, with what fills up to the next struct of an array. *)
+(* Size in bytes, including the padding that C adds at the end of a struct. *)
 let rec size = function
   | Truth -> 1
   | Whole -> 4
@@ -49,7 +49,7 @@ let rec size = function
       aligned (List.fold_left (fun at part -> aligned at part + size part) 0 parts) whole
   | Elements (count, element) -> count * size element
 
-(* [f part place] for each part, from the first to the last. *)
+(* Calls [f part offset] for each part, from the first to the last. *)
 let places at parts f =
   let next (at, results) part =
     let at = aligned at part in

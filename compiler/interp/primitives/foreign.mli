@@ -1,8 +1,10 @@
-(** Calls of the runtime's kernels ({!Kernels}): values of Core as C has them, and back.
+(** Calls the kernels of the runtime ({!Kernels}): converts values of Core to their layout in C, and
+    results back.
 
-    Generated C has the same structs ([docs/foreign.md]); what they are is said here once more, from
-    the rules of C. Kernels take and give numbers, truths, images, records, tuples and arrays of
-    these, but no sums. *)
+    Generated C uses the same structs ([docs/foreign.md]). This module derives their layout once
+    more, from the rules of C. Kernels take and return numbers, Bools, images, records, tuples and
+    arrays of these, but no sums. *)
 
 val apply : Core.Ir.program -> Core.Primitive.foreign -> Value.thunk list -> Value.t
-(** Of a known kernel, on all arguments; the program's list of imports has their types. *)
+(** Calls a known kernel with all its arguments. The argument types are in the program's list of
+    imports. *)

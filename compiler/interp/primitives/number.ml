@@ -1,7 +1,7 @@
 module Stdlib_float = Float
 
-(* [x ^ k] by squaring: the order of the multiplications is part of the
-   language, for it decides how the result is rounded. *)
+(* [x ^ k] by squaring. The order of the multiplications is part of the language, because it
+   determines how the result is rounded. *)
 let rec power ~one ~times x k =
   if k = 0 then one
   else if k mod 2 = 0 then
@@ -13,7 +13,7 @@ module Int = struct
   let absolute n = if Int32.compare n 0l < 0 then Int32.neg n else n
   let signum n = Int32.of_int (Int32.compare n 0l)
 
-  (* In OCaml's wider integers nothing overflows; [Int32.of_int] wraps. *)
+  (* OCaml's wider integers do not overflow; [Int32.of_int] wraps around. *)
   let wide f a b = Int32.of_int (f (Int32.to_int a) (Int32.to_int b))
 
   let div =
@@ -59,7 +59,7 @@ module Float = struct
     let module Elementary = (val Elementary.of_precision real) in
     Elementary.pow x y
 
-  (* Halves go to even. *)
+  (* Rounds to an integer, ties to even. *)
   let nanoseconds real seconds =
     let ns = multiply real seconds 1e9 in
     let whole = Stdlib_float.floor ns in

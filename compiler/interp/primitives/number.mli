@@ -1,35 +1,37 @@
 (** Arithmetic (language reference, section 4, "Numbers are total"). *)
 
-(** Whole numbers of 32 bits, which wrap around. *)
+(** 32-bit integers that wrap around. *)
 module Int : sig
   val absolute : int32 -> int32
   val signum : int32 -> int32
 
   val div : int32 -> int32 -> int32
-  (** Rounds to minus infinity; by 0 it is 0. *)
+  (** Rounds toward minus infinity. Division by 0 gives 0. *)
 
   val modulo : int32 -> int32 -> int32
-  (** What {!div} leaves; by 0 it is 0. *)
+  (** The remainder of {!div}; modulo 0 gives 0. *)
 
   val bitwise : Core.Primitive.bitwise -> int32 -> int32 -> int32
 
   val power : int32 -> int -> int32
-  (** The exponent is not negative. *)
+  (** The exponent must not be negative. *)
 end
 
 module Float : sig
   val nan : float
-  (** The one NaN: quiet, unlike OCaml's own before 5.1, with which the C library's [pow nan 0] is
-      not 1. *)
+  (** The only NaN: quiet. Before version 5.1, OCaml's own NaN is a signaling one, for which the C
+      library's [pow nan 0] is not 1. *)
 
   val signum : float -> float
-  (** Zeros and NaN are their own. *)
+  (** Returns zeros and NaN unchanged. *)
 
   val minimum : float -> float -> float
-  (** NaN if either is; else the first of two equal ones. *)
+  (** NaN if either argument is NaN; the first argument if both are equal. *)
 
   val maximum : float -> float -> float
-  (** {1 In a precision} Of numbers of that precision, the nearest of it. *)
+  (** {1 Arithmetic in a precision}
+
+      The arguments are numbers of this precision, and the result is rounded to it. *)
 
   val add : Basis.Real.t -> float -> float -> float
   val subtract : Basis.Real.t -> float -> float -> float
@@ -40,10 +42,12 @@ module Float : sig
   val elementary : Basis.Real.t -> Core.Primitive.elementary -> float list -> float
 end
 
-(** {1 Conversions} NaN gives 0; what is out of range, the nearest in range. *)
+(** {1 Conversions}
+
+    NaN becomes 0. Numbers out of range become the nearest number in range. *)
 
 val round : float -> int32
-(** Halves away from zero. *)
+(** Rounds to the nearest integer, ties away from zero. *)
 
 val floor : float -> int32
 val ceiling : float -> int32

@@ -1,10 +1,11 @@
-(** The operator's console: a record with a field for each thing on it, by its label. *)
+(** The operator's console: a record with one field for each control, named by the control's label.
+*)
 
 val apply : Core.Ir.control list -> Core.Primitive.console -> Value.thunk list -> Value.t
-(** On all arguments; the console is the last. *)
+(** Applies a primitive of the console to all its arguments; the console is the last one. *)
 
 val at_rest : Core.Ir.control list -> Value.t
-(** The console that nobody touches. *)
+(** The console in its initial state, in which it stays until the operator uses it. *)
 
 val control_at_rest : Core.Ir.control -> Value.t
-(** One thing on it. *)
+(** The initial value of one control. *)

@@ -1,8 +1,8 @@
-(** The meaning of the primitives that are functions of values. *)
+(** The meaning of the primitives that are pure functions. *)
 
 exception Foreign_code of string
-(** That function of the user's C would have to run. *)
+(** Raised when evaluation would have to call this C function of the user. *)
 
 val apply : Basis.Real.t -> Core.Primitive.t -> Value.thunk list -> Value.t
-(** In the precision of the program; with all its arguments, as many as its arity says. [&&] and
-    [||] look at their second argument only if the first does not decide. *)
+(** Applies a primitive to all its arguments, as many as its arity says, in the given precision.
+    [&&] and [||] evaluate their second argument only if the first does not decide. *)

@@ -18,7 +18,7 @@ let delay initial : Value.instance =
         !before);
     commit =
       (fun () ->
-        (* Or it would hold on to the instants before. *)
+        (* Otherwise the thunk would keep the previous instants alive. *)
         Whole.evaluate !now;
         before := !now);
     successor;
@@ -62,7 +62,7 @@ let time_since real nesting : Value.instance =
     successor;
   }
 
-(* Nothing lasts 2^63 ns. *)
+(* No run lasts 2^63 ns. *)
 let ticks nesting period : Value.instance =
   let before = ref 0L and now = ref (Thunk.known (0L, false)) in
   let rest time period =

@@ -1,19 +1,20 @@
-(** The primitive signal functions: all that has state (language reference, section 3). That the
-    length of the first step is 0 makes the integral 0 there, and the derivative its last value,
-    initially 0. *)
+(** The primitive signal functions, which hold all the state of a program (language reference,
+    section 3). The first step has length 0, so the integral is 0 there, and the derivative keeps
+    its last value, which is initially 0. *)
 
 val delay : Value.thunk -> Value.instance
-(** From the initial value. *)
+(** The argument is the initial value. *)
 
 val time : Basis.Real.t -> Value.instance
 val step_time : Basis.Real.t -> Value.instance
 
 val time_since : Basis.Real.t -> Thunk.nesting -> Value.instance
-(** Since the input was last True, or else since the start; 0 where it is. *)
+(** Time since the input was last True, or since the start if it never was; 0 while it is True. *)
 
 val ticks : Thunk.nesting -> Value.thunk -> Value.instance
-(** Of a number of nanoseconds, a fraction of it being dropped: is a multiple of it later than the
-    instant before, and not later than this one? Always if it is less than 1, never if it is NaN. *)
+(** The period is a number of nanoseconds; its fraction is dropped. The output is True if a multiple
+    of the period lies after the previous instant and not after this one. Always True for a period
+    below 1, never for NaN. *)
 
 val integral : Basis.Real.t -> Value.instance
 val derivative : Basis.Real.t -> Thunk.nesting -> Value.instance

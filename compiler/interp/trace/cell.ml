@@ -2,8 +2,7 @@ let bug format = Basis.Diagnostic.bug ~stage:"Interp.Cell" format
 
 (* {1 Writing} *)
 
-(* A negative number or a constructor's application is an argument only in
-   parentheses. *)
+(* Negative numbers and applications of constructors need parentheses when they are arguments. *)
 type place = Alone | Argument
 
 let float (real : Basis.Real.t) x =
@@ -93,7 +92,7 @@ let write shape value =
   | _, _ -> value_ Alone shape value);
   Buffer.contents out
 
-(* {1 Reading} Recursive descent, led by the shape. *)
+(* {1 Reading} Recursive descent, guided by the shape. *)
 
 exception Expected of string
 
@@ -116,27 +115,25 @@ let accept r c =
   found
 
 let expect r c what = if not (accept r c) then fail what
-let is_name_char = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false
-let is_digit = function '0' .. '9' -> true | _ -> false
 
-(* The whole word, or nothing is read. *)
+(* Reads the whole word, or reads nothing. *)
 let accept_word r word =
   skip_blanks r;
   let start = r.at in
-  skip_while r is_name_char;
+  skip_while r Basis.Character.is_name;
   let found = String.equal word (String.sub r.text start (r.at - start)) in
   if not found then r.at <- start;
   found
 
 let sign r = if peek r = '-' || peek r = '+' then r.at <- r.at + 1
 
-(* What [scan] goes over; then no name may begin. *)
+(* Reads the text that [scan] skips. Fails if a name follows directly. *)
 let token r what scan =
   skip_blanks r;
   let start = r.at in
   sign r;
   scan ();
-  if is_name_char (peek r) then fail what;
+  if Basis.Character.is_name (peek r) then fail what;
   String.sub r.text start (r.at - start)
 
 let without_plus text =
@@ -146,18 +143,18 @@ let read_int r : Value.t =
   let what = "an integer from -2147483648 to 2147483647" in
   let text =
     token r what (fun () ->
-        if not (is_digit (peek r)) then fail what;
-        skip_while r is_digit;
+        if not (Basis.Character.is_digit (peek r)) then fail what;
+        skip_while r Basis.Character.is_digit;
         if peek r = '.' then fail what)
   in
-  (* Of a number of any length only the value counts. *)
+  (* Accepts any number of digits, as long as the value is in range. *)
   match Int32.of_string_opt (without_plus text) with
   | Some n -> Int n
   | None -> fail what
 
 let digits r =
   let start = r.at in
-  skip_while r is_digit;
+  skip_while r Basis.Character.is_digit;
   r.at > start
 
 let exponent r =
@@ -167,18 +164,29 @@ let exponent r =
     sign r;
     if not (digits r) then r.at <- start)
 
+let largest : Basis.Real.t -> string = function
+  | Double -> "a number up to 1.79e308, or `inf`"
+  | Single -> "a number up to 3.4e38, or `inf`"
+
+let overflows text =
+  String.exists Basis.Character.is_digit text
+  && Option.fold (float_of_string_opt text) ~none:false ~some:(fun x -> Float.abs x = infinity)
+
 let read_float real r : Value.t =
   let what = "a number" in
   skip_blanks r;
   let start = r.at in
   let negative = peek r = '-' in
   sign r;
-  (* Not [accept_word], which would go over blanks behind the sign. *)
-  let is_name = match peek r with 'n' | 'i' -> true | _ -> false in
-  if is_name then
-    if accept_word r "nan" then Float Number.Float.nan
-    else if accept_word r "inf" then Float (if negative then Float.neg_infinity else Float.infinity)
-    else fail what
+  (* [accept_word] would also skip blanks after the sign. *)
+  let is_name = match peek r with 'n' | 'N' | 'i' | 'I' -> true | _ -> false in
+  if is_name then (
+    let start = r.at in
+    skip_while r Basis.Character.is_name;
+    match String.lowercase_ascii (String.sub r.text start (r.at - start)) with
+    | "nan" -> Float Number.Float.nan
+    | "inf" | "infinity" -> Float (if negative then Float.neg_infinity else Float.infinity)
+    | _ -> fail what)
   else (
     r.at <- start;
     let text =
@@ -193,15 +201,16 @@ let read_float real r : Value.t =
           if not (whole || fraction) then fail what;
           exponent r)
     in
-    Float (Basis.Real.round real (float_of_string (without_plus text))))
+    let x = Basis.Real.round real (float_of_string (without_plus text)) in
+    if Float.is_finite x then Float x else fail (largest real))
 
-(* In decimal or after 0x, in 64 bits without a sign. *)
+(* Reads an unsigned 64-bit integer, in decimal, or in hexadecimal after 0x. *)
 let read_natural r =
   skip_blanks r;
   let start = r.at in
-  skip_while r is_name_char;
+  skip_while r Basis.Character.is_name;
   let word = String.sub r.text start (r.at - start) in
-  let is_decimal = word <> "" && String.for_all is_digit word in
+  let is_decimal = word <> "" && String.for_all Basis.Character.is_digit word in
   if is_decimal || (String.length word > 2 && String.sub word 0 2 = "0x") then
     Int64.of_string_opt (if is_decimal then "0u" ^ word else word)
   else None
@@ -222,7 +231,7 @@ let read_image r : Value.t =
 
 let parenthesis = "`)`"
 
-(* `A`, `B` or `C` *)
+(* Formats a list of names: `A`, `B` or `C`. *)
 let one_of constructors =
   let last = List.length constructors - 1 in
   let name i (c : Shape.constructor) =
@@ -259,7 +268,7 @@ and read_bare r (shape : Shape.t) : Value.t =
       let fields = List.map (fun (label, shape, _) -> (label, shape)) controls in
       Data { constructor = 0; arguments = read_record r fields }
   | Array (n, element) -> read_array r n element
-  | Text -> fail "no label, which is no input"
+  | Text -> fail "a label, which cannot be an input"
   | Image -> read_image r
   | Drawing -> Drawing []
   | Data { constructors; is_event = _ } ->
@@ -296,7 +305,7 @@ and read_arguments r (c : Shape.constructor) =
   if Shape.is_record c then read_record r c.fields
   else Array.of_list (List.map (fun (_, shape) -> Thunk.known (read_value r shape)) c.fields)
 
-(* Fields may come in any order, each once. *)
+(* Reads the fields of a record, which may be in any order, each once. *)
 and read_record r fields =
   expect r '{' "`{` and the record's fields";
   let rec read found = function

@@ -1,14 +1,20 @@
-(** One value as the text of one cell of a trace.
+(** Converts a value to the text of one cell of a trace, and back.
 
-    Numbers have 17 significant digits, in single precision as few as are read back as the same
-    number ([nan], [inf], [-inf]); what is read is rounded to a double and that to the precision of
-    the program. Truth values are [true] and [false], everything else stands as Frob would write it:
-    [Just 2.5], [At (-0.3)], [Left (1, true)], [Pose {heading = 1}]. An event that is the whole cell
-    is empty when it does not occur, else its value. An image is the name of its file
-    ([frob/frame.h]). *)
+    Numbers have 17 significant digits; in single precision, as few as are needed to read the same
+    number back. Special values are [nan], [inf] and [-inf]. When read, a number is rounded to
+    double and then to the precision of the program. Bools are [true] and [false]. All other values
+    are written as in Frob: [Just 2.5], [At (-0.3)], [Left (1, true)], [Pose {heading = 1}]. An
+    event that fills a whole cell is empty when it does not occur, and otherwise its value. An image
+    is written as [Image NUMBER SIZE HASH], which identifies its file ([frob/frame.h]). *)
 
 val write : Shape.t -> Value.t -> string
-(** Of a wholly evaluated value. Nothing is quoted. *)
+(** Expects a completely evaluated value. Does not quote the text for CSV. *)
 
 val read : ?frames:Kernels.frames -> Shape.t -> string -> (Value.t, string) result
-(** The error says what was expected instead. [frames]: where images are. *)
+(** On failure, returns what was expected instead. [frames] finds the images. *)
+
+val overflows : string -> bool
+(** Whether the text is a number in digits that would be rounded to infinity, as [1e400] would. *)
+
+val largest : Basis.Real.t -> string
+(** What is expected in place of such a number. *)

@@ -1,12 +1,17 @@
 type t = {
   read : unit -> char option;
-  mutable peeked : char option option;  (** what has been looked at *)
+  separator : char;
+  mutable peeked : char option option;  (** the next character, if it was read ahead *)
   mutable next_line : int;
+  mutable length : int;  (** length of the current row, in bytes *)
 }
+
+let longest = 16 * 1024 * 1024
+let most_cells = 1_000_000
 
 type cell = { column : int; text : string }
 type row = { line : int; cells : cell list }
-type problem = Unreadable of string | Unclosed_quote | Late_quote | Zero_byte
+type problem = Unreadable of string | Unclosed_quote | Late_quote | Zero_byte | Too_long
 
 exception Problem of problem
 
@@ -20,11 +25,15 @@ let peek t =
       t.peeked <- Some c;
       c
 
-let advance t = t.peeked <- None
-let line t = t.next_line
-let reader read = { read; peeked = None; next_line = 1 }
+let advance t =
+  t.peeked <- None;
+  t.length <- t.length + 1;
+  if t.length > longest then raise_notrace (Problem Too_long)
 
-(* A line ends with LF or CRLF. *)
+let line t = t.next_line
+let reader ?(separator = ',') read = { read; separator; peeked = None; next_line = 1; length = 0 }
+
+(* Reads a character; turns CRLF into LF. *)
 let next_char t =
   let c = peek t in
   advance t;
@@ -40,23 +49,26 @@ let skip_byte_order_mark t =
       advance t
     done
 
-(* A row under way. *)
+(* The row being read. *)
 type building = {
-  mutable finished : cell list;  (** the last one first *)
-  mutable start : int option;  (** where the cell under way starts *)
-  mutable column : int;  (** of the next character *)
-  mutable blank : bool;  (** the cell under way has begun, with nothing but blanks *)
-  text : Buffer.t;  (** of the cell under way *)
+  mutable count : int;  (** number of finished cells *)
+  mutable finished : cell list;  (** finished cells, the last one first *)
+  mutable start : int option;  (** column where the current cell starts *)
+  mutable column : int;  (** column of the next character *)
+  mutable blank : bool;  (** whether the current cell contains only blanks so far *)
+  text : Buffer.t;  (** text of the current cell *)
 }
 
 let finish_cell b =
   let column = Option.value b.start ~default:b.column in
   b.finished <- { column; text = Buffer.contents b.text } :: b.finished;
+  b.count <- b.count + 1;
+  if b.count > most_cells then raise_notrace (Problem Too_long);
   b.start <- None;
   b.blank <- false;
   Buffer.clear b.text
 
-(* From behind the opening quote to behind the closing one. *)
+(* Reads the rest of a quoted cell, including the closing quote. *)
 let rec quoted t b =
   match next_char t with
   | None -> raise_notrace (Problem Unclosed_quote)
@@ -73,7 +85,7 @@ let rec quoted t b =
       Buffer.add_char b.text c;
       quoted t b
 
-(* Whether there is a row. *)
+(* Reads the rest of a row. Returns false at the end of the file if there is no row. *)
 let rec characters t b =
   match next_char t with
   | None ->
@@ -85,7 +97,7 @@ let rec characters t b =
       t.next_line <- t.next_line + 1;
       finish_cell b;
       true
-  | Some ',' ->
+  | Some c when c = t.separator ->
       finish_cell b;
       b.column <- b.column + 1;
       characters t b
@@ -103,8 +115,10 @@ let rec characters t b =
       characters t b
 
 let rec next t =
-  let b = { finished = []; start = None; column = 1; blank = false; text = Buffer.create 80 } in
+  let text = Buffer.create 80 in
+  let b = { count = 0; finished = []; start = None; column = 1; blank = false; text } in
   let first_line = t.next_line in
+  t.length <- 0;
   match
     if first_line = 1 && t.peeked = None then skip_byte_order_mark t;
     characters t b
@@ -112,7 +126,7 @@ let rec next t =
   | false -> Ok None
   | true -> (
       match b.finished with
-      | [ { text = ""; _ } ] -> next t (* an empty line *)
+      | [ { text = ""; _ } ] -> next t (* skips an empty line *)
       | cells -> Ok (Some { line = first_line; cells = List.rev cells }))
   | exception Problem problem ->
       let under_way =

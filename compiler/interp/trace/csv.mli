@@ -1,22 +1,32 @@
-(** Rows of a CSV file, as in RFC 4180 (LF or CRLF; a byte-order mark at the start is skipped). *)
+(** Reads the rows of a CSV file (RFC 4180). Lines end with LF or CRLF; a byte-order mark at the
+    start is skipped. *)
 
 type t
 
-val reader : (unit -> char option) -> t
-(** Of the characters that the function gives, [None] at the end. It may raise [Sys_error]. *)
+val reader : ?separator:char -> (unit -> char option) -> t
+(** Reads the characters that the function returns, until it returns [None] at the end of the file.
+    The function may raise [Sys_error]. Cells are separated by commas, or by [separator]. *)
 
-type cell = { column : int;  (** of its first character, from 1 *) text : string }
-type row = { line : int;  (** on which it starts, from 1 *) cells : cell list }
+type cell = { column : int;  (** column of its first character, from 1 *) text : string }
+type row = { line : int;  (** line on which the row starts, from 1 *) cells : cell list }
 
 type problem =
-  | Unreadable of string  (** the system's reason *)
+  | Unreadable of string  (** the operating system's reason *)
   | Unclosed_quote
-  | Late_quote  (** the last cell has blanks before its quote *)
+  | Late_quote
+      (** a cell has blanks before its opening quote; the cell is the last one of the row that was
+          read *)
   | Zero_byte
+  | Too_long
+      (** the row has more than {!longest} bytes or {!most_cells} cells; these limits bound the
+          memory use for any file *)
+
+val longest : int
+val most_cells : int
 
 val next : t -> (row option, row * problem) result
-(** The next row that is not an empty line; [None] at the end. With a problem, what was read of the
-    row. *)
+(** The next row that is not an empty line; [None] at the end. An error comes with the part of the
+    row that was read before it. *)
 
 val line : t -> int
-(** Of the next character. *)
+(** Line number of the next character. *)

@@ -11,7 +11,7 @@ let described (p : param) =
   | Int -> "a whole number of " ^ p.unit_
   | _ -> "a number of " ^ p.unit_
 
-(* The number and what stands in brackets behind it. *)
+(* Splits a text into the number and the unit in brackets after it. *)
 let apart text =
   match String.index_opt text '[' with
   | None -> Some (text, None)
@@ -27,15 +27,15 @@ let value core (p : param) text =
   | None -> wrong ()
   | Some (_, Some unit_) when not (String.equal unit_ p.unit_) ->
       Error
-        (Printf.sprintf "the parameter `%s` is %s, and `%s` is of another unit" p.label
-           (described p) text)
+        (Printf.sprintf "the parameter `%s` is %s, but `%s` has another unit" p.label (described p)
+           text)
   | Some (number, _) -> (
       match Cell.read (Shape.of_type core p.ty) number with
       | Ok (Float x) when Float.is_nan x -> wrong ()
       | Ok value -> Ok [ (p.param, value) ]
       | Error _ -> wrong ())
 
-(* As few digits as are read back as the same number. *)
+(* Formats a number with the fewest digits from which the same number is read back. *)
 let float real x =
   let first, last = match (real : Basis.Real.t) with Double -> (15, 17) | Single -> (6, 9) in
   let rec go digits =
@@ -60,7 +60,7 @@ let unknown core name =
 
 let setting core ~set text =
   match String.index_opt text '=' with
-  | None -> (Error (Printf.sprintf "a parameter is set by NAME=VALUE, not `%s`" text), None)
+  | None -> (Error (Printf.sprintf "write a parameter as NAME=VALUE, not `%s`" text), None)
   | Some i -> (
       let name = String.sub text 0 i in
       let text = String.sub text (i + 1) (String.length text - i - 1) in
@@ -73,8 +73,10 @@ let setting core ~set text =
           | Some value ->
               ( Ok [],
                 Some
-                  (Printf.sprintf "the parameter `%s` is %s, as the option says, and was %s" name
-                     (written core p value) text) )))
+                  (Printf.sprintf
+                     "the parameter `%s` is %s, as set by the option, but it was %s in the \
+                      recording"
+                     name (written core p value) text) )))
 
 let line core (p : param) value = Printf.sprintf "%s%s=%s" prefix p.label (written core p value)
 

@@ -1,13 +1,14 @@
-(** The values of parameters that a recording was made with: the lines before its header,
-    [# param kTurn=4[1/m]]. *)
+(** The parameter values with which a recording was made. They are in the lines before the header,
+    for example [# param kTurn=4[1/m]]. *)
 
 type settings = (Core.Ir.Global.t * Value.t) list
 
 val is_line : string -> bool
-(** Before a header: is it no row? *)
+(** Whether this line before the header is a comment, not a row. *)
 
 val line : Core.Ir.program -> Core.Ir.param -> Value.t -> string
 
 val read : Core.Ir.program -> set:settings -> string -> (settings, string) result * string option
-(** What a line adds; a parameter that is [set] by option stays so. And a text for the user about
-    one that is, to something else, or that the program does not have. *)
+(** Reads a line and returns the parameters it sets, which exclude those in [set] (set by an
+    option). The second result is a warning for the user, if the line gives a parameter in [set]
+    another value, or names a parameter that the program does not have. *)

@@ -40,7 +40,7 @@ let of_type (program : Core.Ir.program) ty =
     | Data (tycon, []) when List.mem tycon images -> Image
     | Data (tycon, arguments) -> (
         match Hashtbl.find_opt data tycon with
-        | None -> bug "`%s` is no data type" tycon.name
+        | None -> bug "`%s` is not a data type" tycon.name
         | Some { constructors = [ { fields; _ } ]; _ } when Core.Console.is_console tycon ->
             Console (List.map2 control fields program.console)
         | Some d ->
@@ -49,14 +49,14 @@ let of_type (program : Core.Ir.program) ty =
             Data { is_event = tycon = event; constructors })
     | Array (Size n, element) -> Array (n, shape element)
     | String | Function _ | Signal_function _ | Array _ | Size _ ->
-        bug "functions and labels are not seen from outside"
+        bug "functions and labels cannot be inputs or outputs"
   and control (label, ty) (c : Core.Ir.control) = (label, shape ty, Operator.control_at_rest c)
   and constructor close (c : Core.Ir.constructor) =
     { name = c.name.name; fields = List.map (fun (name, ty) -> (name, shape (close ty))) c.fields }
   in
   shape ty
 
-(* The parts that have columns of their own, with their names in paths. *)
+(* The parts that have columns of their own, each with the text that its path gets. *)
 let parts = function
   | Tuple parts -> Some (List.mapi (fun i part -> ("." ^ string_of_int (i + 1), part)) parts)
   | Array (n, element) -> Some (List.init n (fun i -> (Printf.sprintf "[%d]" i, element)))

@@ -1,4 +1,4 @@
-(** The values of an input or output, as a trace has to write and read them. *)
+(** The structure of an input or output, as a trace writes and reads it. *)
 
 type t =
   | Bool
@@ -6,44 +6,46 @@ type t =
   | Float of Basis.Real.t
   | Tuple of t list
   | Array of int * t
-  | Text  (** what a label says *)
-  | Drawing  (** of which nothing is seen but by {!drawings} *)
-  | Image  (** the name of a file *)
+  | Text  (** the text of a label *)
+  | Drawing  (** a drawing, which has no column; {!drawings} returns its marks *)
+  | Image  (** an image, written as a reference to its file *)
   | Data of { is_event : bool; constructors : constructor list }
   | Console of (string * t * Value.t) list
-      (** what is on it, by its label, with what that is while nobody touches it *)
+      (** the controls by their labels, each with its initial value *)
 
 and constructor = {
   name : string;
-  fields : (string * t) list;  (** the names are [""] if positional *)
+  fields : (string * t) list;  (** the names are [""] if the fields are positional *)
 }
 
 val is_record : constructor -> bool
-(** Its fields have names; it has some. *)
+(** Whether the constructor has fields, and they have names. *)
 
 val of_type : Core.Ir.program -> Core.Ir.ty -> t
-(** Of a closed type without functions and labels. *)
+(** Shape of a closed type that contains no functions and no labels. *)
 
-(** {1 Columns} A tuple, record or array has the columns of its parts, everything
-    else is a column of its own. *)
+(** {1 Columns}
+
+    A tuple, record or array has the columns of its parts. Any other value is one column. *)
 
 type column = {
-  name : string;  (** its path, as [in.position.x] *)
+  name : string;  (** its path, such as [in.position.x] *)
   shape : t;
-  at_rest : Value.t option;  (** what stands for a column of the console that is not there *)
+  at_rest : Value.t option;  (** default for a column of the console that is missing *)
 }
 
 val columns : string -> t -> column list
-(** From the path's first word. *)
+(** The columns of a shape. The first argument is the first word of their paths. *)
 
 val cells : t -> Value.t -> Value.t list
-(** The parts of a wholly evaluated value that are the columns' cells. *)
+(** The parts of a completely evaluated value, one for each column. *)
 
 val assemble : t -> Value.t list -> Value.t
-(** The value with these cells. *)
+(** The inverse of {!cells}: builds a value from its cells. *)
 
 val drawings : t -> Value.t -> Value.thunk list list
-(** The marks of each drawing in it, the first one at the bottom; not those in a cell. *)
+(** The marks of each drawing in the value, bottommost first. Skips drawings inside a single cell.
+*)
 
 val count_drawings : t -> int
-(** How many these are. *)
+(** The number of drawings that {!drawings} returns. *)

@@ -1,25 +1,39 @@
 (** Runs an entry on recorded input: CSV in, CSV out.
 
-    The first column is [time], in seconds, written with nine decimals; then comes one column for
-    each scalar, sum or event, named by its path ({!Shape.columns}). The first row is the first
+    The first column is [time], in seconds with nine decimals. The other columns hold one scalar,
+    sum or event each, and are named by its path ({!Shape.columns}). The first row is the first
     instant. *)
 
 val run :
   ?marks:int ->
   ?params:Recorded_params.settings ->
   ?warn:(string -> unit) ->
+  ?dialect:Dialect.t ->
   Core.Ir.program ->
   entry:Core.Ir.Global.t ->
   name:string ->
   read:(unit -> char option) ->
   write:(string -> unit) ->
   (unit, string list) result
-(** [marks]: with columns of so many marks that the program draws, at most (none). [params]: those
-    that do not have the value that was recorded, or else the one by default; [warn] gets texts
-    about others that were recorded. [name]: of the input, for messages. [read] gives its
-    characters, and may raise [Sys_error]; [write] is called for each line of the output. The errors
-    are texts for the user, each with file, line and column. *)
+(** - [marks]: add columns for up to this many marks of each drawing (default: none).
+    - [params]: the values of parameters that override the recorded ones, which override the
+      defaults.
+    - [warn]: receives warnings about recorded parameters that are not used.
+    - [dialect]: the dialect of the input (default: ours).
+    - [name]: name of the input, for messages.
+    - [read]: returns the characters of the input; may raise [Sys_error].
+    - [write]: called with each line of the output.
+
+    The errors are texts for the user, each with file, line and column. *)
 
 val nanoseconds : string -> int option
-(** Seconds as an instant's time is written, in whole nanoseconds: exactly, halves away from zero.
-*)
+(** Converts seconds, as they are written for the time of an instant, to whole nanoseconds. Exact;
+    rounds ties away from zero. [None] if the text is not a number, or its absolute value exceeds 4
+    · 10^9 s. *)
+
+val too_far : string -> string
+(** A hint for the error message about such a text: says if it exceeds the limit, and if it looks
+    like a time in a smaller unit. *)
+
+val returns : string
+(** The error message about a header with a carriage return that no line feed follows. *)

@@ -32,7 +32,8 @@ let fixes ws (a : Analysis.t) (start, stop) =
     String.equal d.at.file a.shown && offset d.at.start <= stop && start <= offset d.at.stop
   in
   List.concat_map
-    (fun (d : Diagnostic.t) -> List.map (of_fix ws a d) d.fixes)
+    (fun (d : Diagnostic.t) ->
+      List.map (of_fix ws a d) (List.filter_map (Kept_comments.fix a.sources) d.fixes))
     (List.filter meets a.diagnostics)
 
 (* {1 Signatures} *)

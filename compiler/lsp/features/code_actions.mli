@@ -1,5 +1,5 @@
-(** [textDocument/codeAction]: the fixes of the messages at a place, and a signature for a
-    definition without one. *)
+(** [textDocument/codeAction]: fixes for the messages at a place, a type signature for a definition
+    without one, and lifting a local definition to the top level. *)
 
 open Basis
 

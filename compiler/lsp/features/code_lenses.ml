@@ -11,58 +11,65 @@ let needs (bounds : Report.Bounds.t) =
   Printf.sprintf "%s of state, at most %s in a step" (plural state.bytes "byte")
     (plural (operations bounds.operations.step) "operation")
 
-let lens range title command path : Json.t =
+let lens range title command arguments : Json.t =
   Object
     [
       ("range", range);
       ( "command",
         Object
           [
-            ("title", String title); ("command", String command); ("arguments", List [ String path ]);
+            ("title", String title);
+            ("command", String command);
+            ("arguments", List (List.map (fun text -> Json.String text) arguments));
           ] );
     ]
 
 let bounds ws (doc : Document.t) =
-  let files = { Driver.Program_file.files with read = Workspace.read ws } in
-  let request = { (Driver.Request.make ~library:ws.library doc.path) with files } in
+  let files = { Build.Program_file.files with read = Workspace.read ws } in
+  let request = { (Build.Request.make ~library:ws.library doc.path) with files } in
   Option.map Report.Bounds.of_program
-    (Driver.Pipeline.step (Diagnostic.sink ()) (Source.create ()) request)
+    (Build.Queries.step (Diagnostic.sink ()) (Source.create ()) request)
 
-(* Only a whole program is run, and can be said to need so much; one for any robot is not. *)
+(* Only a complete program can be run and has known costs. A program that fits any robot is
+   not complete. *)
+let of_main ws (doc : Document.t) view range =
+  let report =
+    match bounds ws doc with
+    | Some bounds -> [ lens range (needs bounds) "frob.report" [ doc.path ] ]
+    | None -> [ lens range "report" "frob.report" [ doc.path ] ]
+  in
+  let is_robot =
+    match View.facts view with
+    | None -> false
+    | Some facts -> (
+        let main : Resolve.Ir.Global.t =
+          { module_ = (View.program view).main_module; name = "main" }
+        in
+        match Facts.global facts main with
+        | Some { ty = Data { tycon = { name = "Program"; _ }; _ }; _ } -> true
+        | Some _ | None -> false)
+  in
+  let run =
+    if is_robot && Uri.is_file doc.uri then
+      [ lens range "run in the simulator" "frob.run" [ doc.path ] ]
+    else []
+  in
+  report @ run
+
 let answer ws (doc : Document.t) : Json.t =
   match (doc.typed, doc.latest) with
-  | Some { view; since }, Some { typed = Some _; _ } -> (
-      let is_main (d : Syntax.Ir.declaration) =
+  | Some { view; since }, Some { typed = Some _; _ } ->
+      let seen = View.seen view doc.text since in
+      let of_declaration (d : Syntax.Ir.declaration) =
+        let above = Option.value (View.range seen d.span) ~default:(0, 0) in
+        let range = Workspace.range ws doc.text (fst above, fst above) in
         match d.desc with
-        | Binding { left = Name n | Function_name { name = n; _ }; _ } -> String.equal n.text "main"
-        | _ -> false
+        | Binding { left = Name n | Function_name { name = n; _ }; _ } when n.text = "main" ->
+            of_main ws doc view range
+        | Check { kind; label; _ } when Uri.is_file doc.uri ->
+            let title = match kind with Test -> "run this test" | Trial -> "run this trial" in
+            [ lens range title "frob.test" [ doc.path; label.text ] ]
+        | _ -> []
       in
-      match List.find_opt is_main (View.tree view).declarations with
-      | None -> List []
-      | Some d ->
-          let seen = View.seen view doc.text since in
-          let range = Option.value (View.range seen d.span) ~default:(0, 0) in
-          let range = Workspace.range ws doc.text (fst range, fst range) in
-          let report =
-            match bounds ws doc with
-            | Some bounds -> [ lens range (needs bounds) "frob.report" doc.path ]
-            | None -> [ lens range "report" "frob.report" doc.path ]
-          in
-          let is_robot =
-            match View.facts view with
-            | None -> false
-            | Some facts -> (
-                let main : Resolve.Ir.Global.t =
-                  { module_ = (View.program view).main_module; name = "main" }
-                in
-                match Facts.global facts main with
-                | Some { ty = Data { tycon = { name = "Program"; _ }; _ }; _ } -> true
-                | Some _ | None -> false)
-          in
-          let run =
-            if is_robot && Uri.is_file doc.uri then
-              [ lens range "run in the simulator" "frob.run" doc.path ]
-            else []
-          in
-          List (report @ run))
+      List (List.concat_map of_declaration (View.tree view).declarations)
   | _ -> List []

@@ -1,6 +1,6 @@
 open Basis
 
-(* Numbers of the protocol. *)
+(* Values of [CompletionItemKind] in the protocol. *)
 let function_ = 3
 let field = 5
 let variable = 6
@@ -12,21 +12,20 @@ let snippet = 15
 let constructor = 20
 let type_kind = 22
 
-(* {1 Where the cursor is} *)
+(* {1 The context of the cursor} *)
 
 type context =
-  | Fields of { base : string list; offset : int }  (** behind [a.b.] *)
+  | Fields of { base : string list; offset : int }  (** after [a.b.] *)
   | Qualified of string
   | Units
   | Modules
-  | Names_of of string  (** in the list of an import *)
+  | Names_of of string  (** in the import list of this module *)
   | Types
   | Expression
 
-let is_name = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false
-
-(* Where the word begins that ends there. *)
-let rec word_start text i = if i > 0 && is_name text.[i - 1] then word_start text (i - 1) else i
+(* Start of the word that ends at this offset. *)
+let rec word_start text i =
+  if i > 0 && Basis.Character.is_name text.[i - 1] then word_start text (i - 1) else i
 
 let line_before text offset =
   let start =
@@ -36,7 +35,7 @@ let line_before text offset =
   in
   String.sub text start (offset - start)
 
-(* The names before a dot, the first one first; none if something else stands there. *)
+(* The names before a dot, the first one first; empty if anything else precedes the dot. *)
 let rec path_before text dot names =
   let start = word_start text dot in
   if start = dot then []
@@ -44,10 +43,12 @@ let rec path_before text dot names =
     let names = String.sub text start (dot - start) :: names in
     if start > 0 && text.[start - 1] = '.' then path_before text (start - 1) names else names
 
-(* In the bracket of a number or a type, which nothing but a unit can follow. *)
+(* Inside a bracket after a number or a type, which can only be a unit. *)
 let in_unit line =
   let n = String.length line in
-  let is_unit_char c = is_name c || c = ' ' || c = '/' || c = '^' || c = '*' || c = '.' in
+  let is_unit_char c =
+    Basis.Character.is_name c || c = ' ' || c = '/' || c = '^' || c = '*' || c = '.'
+  in
   let rec back i =
     if i < 0 then None
     else if line.[i] = '[' then Some i
@@ -55,12 +56,13 @@ let in_unit line =
     else None
   in
   match back (n - 1) with
-  | Some i when i > 0 && is_name line.[i - 1] -> (
+  | Some i when i > 0 && Basis.Character.is_name line.[i - 1] -> (
       let word = String.sub line (word_start line i) (i - word_start line i) in
       match word.[0] with '0' .. '9' | 'A' .. 'Z' -> true | _ -> String.length word = 1)
   | Some _ | None -> false
 
-(* Does the cursor stand in a type: behind `::`, or behind the `=` of `data` or `type`? *)
+(* Whether the cursor is in a type: after `::`, or after the `=` of a `data` or `type`
+   declaration. *)
 let in_type (tokens : Tokens.token array) ~from ~upto =
   let step inside (t : Tokens.token) =
     if t.start < from || t.stop > upto then inside
@@ -118,7 +120,7 @@ let kind_of : Mentions.space -> int = function
   | Unit -> unit_kind
   | Field -> field
 
-(* Enough to find it again for its doc comment. *)
+(* Identifies the entry, so that [resolve] can look up its doc comment. *)
 let data (doc : Document.t) (e : Catalogue.entry) : (string * Json.t) list =
   [
     ( "data",
@@ -137,20 +139,24 @@ let of_entry doc ?(more = []) ?(rank = 2) (e : Catalogue.entry) =
   item e.name (kind_of e.space) ~rank ~more:((("labelDetails", details) :: data doc e) @ more)
 
 let entry_item doc e = of_entry doc e
-let is_word (e : Catalogue.entry) = is_name e.name.[0]
+let is_word (e : Catalogue.entry) = Basis.Character.is_name e.name.[0]
 
 let snippets =
   [
-    ("proc", "proc ${1:x} -> ${2:y} where\n    ${2:y} = $0", "a signal function by its equations");
+    ( "proc",
+      "proc ${1:x} -> ${2:y} where\n    ${2:y} = $0",
+      "a signal function defined by equations" );
     ("if", "if ${1:condition} then ${2:a} else ${3:b}", "a choice");
     ("case", "case ${1:x} of\n    ${2:pattern} -> $0", "a choice by pattern");
-    ("switch", "switch (${1:sf} &&& ${2:event}) (\\\\${3:_} -> $0)", "from one behaviour to another");
+    ( "switch",
+      "switch (${1:sf} &&& ${2:event}) (\\\\${3:_} -> $0)",
+      "a switch from one behaviour to another" );
     ( "main",
       "main = reactimateRobot (proc i -> roMake (setVelTR v omega) where\n\
       \    v     = ${1:0.3[m/s]}\n\
       \    omega = ${2:0[rad/s]})$0",
       "a robot program" );
-    ("do", "do\n    $0", "tasks, one after the other");
+    ("do", "do\n    $0", "tasks in sequence");
     ("let", "let ${1:x} = ${2:e}\nin $0", "a name for a value");
   ]
 
@@ -158,9 +164,9 @@ let of_snippet (label, text, detail) =
   item label snippet ~rank:4 ~detail
     ~more:[ ("insertText", String text); ("insertTextFormat", Int 2) ]
 
-(* {1 What stands around} *)
+(* {1 Names in scope} *)
 
-(* Names of the definition that the cursor is in, but for the word at the cursor. *)
+(* Names that occur in the definition around the cursor, except the word at the cursor. *)
 let locals (doc : Document.t) tokens text offset known =
   let from, upto = Tokens.item text offset in
   let start = word_start text offset in
@@ -182,7 +188,7 @@ let locals (doc : Document.t) tokens text offset known =
          in
          item name variable ~rank:1 ~detail)
 
-(* Below the last import, or at the top. *)
+(* An edit that adds an import after the last one, or at the top. *)
 let import_edit ws (doc : Document.t) text module_ : Json.t =
   let tokens = Tokens.of_text text in
   let last =
@@ -201,7 +207,7 @@ let import_edit ws (doc : Document.t) text module_ : Json.t =
   in
   Object [ ("range", Workspace.range ws doc.text (at, at)); ("newText", String line) ]
 
-(* Of the library, and not imported. *)
+(* Library entries that are not imported yet. *)
 let importable ws doc text prefix in_scope =
   if String.length prefix < 2 then []
   else
@@ -226,7 +232,7 @@ let importable ws doc text prefix in_scope =
           else None)
         entries
     in
-    (* What gathers others comes first: it is what one imports. *)
+    (* Modules that re-export others come first, because users normally import these. *)
     let modules = Catalogue.library ws in
     let gathers (module_, entries) =
       List.exists (fun (e : Catalogue.entry) -> e.module_ <> module_) entries
@@ -234,7 +240,7 @@ let importable ws doc text prefix in_scope =
     let first, rest = List.partition gathers modules in
     List.concat_map of_module (first @ rest)
 
-(* Only the library has primitives. *)
+(* Only the library may declare primitives. *)
 let keywords =
   let has_snippet word = List.exists (fun (label, _, _) -> String.equal label word) snippets in
   List.filter (fun w -> w <> "primitive" && not (has_snippet w)) Syntax.Lexer.keywords
@@ -303,7 +309,7 @@ let answer ws (doc : Document.t) params : Json.t =
   in
   Object [ ("isIncomplete", Bool (String.length prefix < 2)); ("items", List items) ]
 
-(* {1 More of one} *)
+(* {1 Details of an item} *)
 
 let resolve ws (json : Json.t) : Json.t =
   let text path = Json_reader.(string (at [ "data"; path ] json)) in

@@ -1,9 +1,9 @@
-(** [textDocument/completion]: names that fit where the cursor is; fields behind a record, units in
-    brackets, modules behind [import], types in signatures. *)
+(** [textDocument/completion]: suggests names that fit the context of the cursor. These are fields
+    after a record, units in brackets, modules after [import], and types in signatures. *)
 
 open Basis
 
 val answer : Workspace.t -> Document.t -> Json.t -> Json.t
 
 val resolve : Workspace.t -> Json.t -> Json.t
-(** [completionItem/resolve]: the item with its type and its doc comment. *)
+(** [completionItem/resolve]: adds the type and the doc comment to an item. *)

@@ -1,7 +1,7 @@
 open Basis
 
 let symbol_at ws (doc : Document.t) params =
-  let ( let* ) = Option.bind in
+  let open Basis.Let_syntax.Option in
   let offset = Workspace.offset ws doc.text (Json_reader.member "position" params) in
   let of_version seen =
     let* seen = seen in

@@ -1,8 +1,8 @@
-(** [textDocument/definition]: where the name under the cursor is declared. *)
+(** [textDocument/definition]: finds the declaration of the name under the cursor. *)
 
 open Basis
 
 val answer : Workspace.t -> Document.t -> Json.t -> Json.t
 
 val symbol_at : Workspace.t -> Document.t -> Json.t -> (View.seen * Index.occurrence) option
-(** That the position in these parameters is at. *)
+(** The symbol at the position in these request parameters. *)

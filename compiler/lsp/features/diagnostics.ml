@@ -1,6 +1,6 @@
 open Basis
 
-(* The page of a code as a file, which any editor can open. *)
+(* Writes the explanation of a code to a file, which every editor can open. *)
 let page_uri code =
   let make page ~folder:_ path =
     match open_out_bin path with
@@ -12,7 +12,7 @@ let page_uri code =
   in
   let of_page page =
     let key = Digest.to_hex (Digest.string page) in
-    match Driver.Cache.entry ~name:code ~key ~suffix:".md" ~reuse:true (make page) with
+    match Build.Cache.entry ~name:code ~key ~suffix:".md" ~reuse:true (make page) with
     | Ok path -> Some (Uri.of_path path)
     | Error _ -> None
   in
@@ -62,7 +62,7 @@ let make ~range ~severity ~message ?code ~related () : Json.t =
 
 let severity (d : Diagnostic.t) = match d.severity with Error -> 1 | Warning -> 2
 
-(* In another module: told where that is imported. *)
+(* The place of the import of another module. Messages about that module are shown there. *)
 let import_of text file =
   let module_ = Filename.remove_extension (Filename.basename file) in
   let lines = String.split_on_char '\n' text in

@@ -1,11 +1,11 @@
-(** [textDocument/publishDiagnostics]: what the compiler says, as it says it. *)
+(** [textDocument/publishDiagnostics]: the compiler's messages. *)
 
 open Basis
 
 val parameters : Workspace.t -> Document.t -> Json.t
-(** Of the notification, for the text that was looked at last. *)
+(** Parameters of the notification for the text that was checked last. *)
 
 val of_diagnostic : Workspace.t -> Analysis.t -> Diagnostic.t -> Json.t
 
 val none : string -> Json.t
-(** For a text that is closed, by its URI. *)
+(** Clears the messages of a text that was closed, given by its URI. *)

@@ -1,6 +1,7 @@
 open Basis
 
-(* Only the lines from the first that changes to the last: cursors elsewhere stay. *)
+(* An edit that only replaces the lines from the first to the last change, so that cursors elsewhere
+   do not move. *)
 let edit ws (doc : Document.t) before after : Json.t =
   let n = String.length before and m = String.length after in
   let shorter = min n m in
@@ -10,7 +11,7 @@ let edit ws (doc : Document.t) before after : Json.t =
   let rec suffix i =
     if i < shorter - start && before.[n - 1 - i] = after.[m - 1 - i] then suffix (i + 1) else i
   in
-  (* Back to the beginning of a line, which is one in both. *)
+  (* Back to the start of a line, which is the start of a line in both texts. *)
   let rec whole i = if i > 0 && before.[n - i - 1] <> '\n' then whole (i - 1) else i in
   let behind =
     let i = suffix 0 in
@@ -30,4 +31,6 @@ let edits ws (doc : Document.t) =
   | Formatted after -> Ok (List [ edit ws doc before after ])
   | Broken -> Ok (List [])
   | Refused law ->
-      Error (Printf.sprintf "the text stays as it is: formatted, %s" (Formatting.Laws.name law))
+      Error
+        (Printf.sprintf "the text was left unchanged, because after formatting %s"
+           (Formatting.Laws.name law))

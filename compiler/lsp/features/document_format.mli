@@ -1,6 +1,6 @@
-(** [textDocument/formatting]: as [frobc format] writes a program. *)
+(** [textDocument/formatting]: formats a program like [frobc format]. *)
 
 open Basis
 
 val edits : Workspace.t -> Document.t -> (Json.t, string) result
-(** None if the text is no program; the error is the formatter's own fault. *)
+(** No edits if the text is not a program. An error means that the formatter has a bug. *)

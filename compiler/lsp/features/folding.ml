@@ -5,7 +5,7 @@ let indentation line =
   let i = go 0 in
   if String.trim line = "" then None else Some i
 
-(* Lines that are indented more than one before, to the last of them. *)
+(* Blocks: a line and the more deeply indented lines that follow it. *)
 let blocks lines =
   let n = Array.length lines in
   let last_of i indent =
@@ -25,7 +25,7 @@ let blocks lines =
          | Some indent when last_of i indent > i -> [ (i, last_of i indent, None) ]
          | Some _ | None -> []))
 
-(* Several lines in a row that begin so. *)
+(* Sequences of lines that start with [prefix]. *)
 let runs lines ~prefix ~kind =
   let n = Array.length lines in
   let rec go i found =
@@ -58,14 +58,12 @@ let ranges (doc : Document.t) : Json.t =
          @ runs lines ~prefix:"--" ~kind:"comment"
          @ runs lines ~prefix:"import " ~kind:"imports"))
 
-(* {1 Selections} *)
-
-let is_name = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false
+(* {1 Selection ranges} *)
 
 let word text offset =
   let n = String.length text in
-  let rec back i = if i > 0 && is_name text.[i - 1] then back (i - 1) else i in
-  let rec forth i = if i < n && is_name text.[i] then forth (i + 1) else i in
+  let rec back i = if i > 0 && Basis.Character.is_name text.[i - 1] then back (i - 1) else i in
+  let rec forth i = if i < n && Basis.Character.is_name text.[i] then forth (i + 1) else i in
   (back offset, forth offset)
 
 let line text offset =
@@ -81,7 +79,7 @@ let without_last_blanks text (start, stop) =
   let rec back i = if i > start && is_blank text.[i - 1] then back (i - 1) else i in
   (start, back stop)
 
-(* Typed trees have the spans of all expressions. *)
+(* Typed trees contain the spans of all expressions. *)
 let expressions (doc : Document.t) offset =
   match Document.types doc with
   | None -> []
@@ -107,7 +105,7 @@ let selections ws (doc : Document.t) params : Json.t =
     in
     let around (start, stop) = start <= offset && offset <= stop in
     let by_length (a, b) (c, d) = compare (b - a, a) (d - c, c) in
-    (* Each has to hold the one before. *)
+    (* Keeps only ranges that contain the previous one. *)
     let rec nest inner = function
       | [] -> []
       | (start, stop) :: rest ->

@@ -1,10 +1,10 @@
-(** [textDocument/foldingRange] and [selectionRange]: by indentation, so that a text need not be a
-    program. *)
+(** [textDocument/foldingRange] and [selectionRange]. Both use indentation, so the text need not be
+    a program. *)
 
 open Basis
 
 val ranges : Document.t -> Json.t
 
 val selections : Workspace.t -> Document.t -> Json.t -> Json.t
-(** From the word at each position outwards: what is in brackets, the line, the block, the
-    definition, the text; with expressions in between where the text is a program. *)
+(** For each position, ranges from the inside out: the word, the contents of brackets, the line, the
+    block, the definition and the text. If the text is a program, expressions are added. *)

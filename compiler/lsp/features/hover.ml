@@ -11,9 +11,9 @@ let hover ws (doc : Document.t) range text : Json.t =
       ("range", Workspace.range ws doc.text range);
     ]
 
-(* From the newest version that knows it. *)
+(* Uses the newest version of the text that contains the symbol. *)
 let of_symbol ws (doc : Document.t) offset (seen : View.seen) =
-  let ( let* ) = Option.bind in
+  let open Basis.Let_syntax.Option in
   let* position = View.position seen offset in
   let* occurrence = Index.at (View.index seen.view) position in
   let* range = View.place_at seen offset occurrence.place in
@@ -21,7 +21,7 @@ let of_symbol ws (doc : Document.t) offset (seen : View.seen) =
   Some (hover ws doc range (content description))
 
 let of_expression ws (doc : Document.t) offset (seen : View.seen) =
-  let ( let* ) = Option.bind in
+  let open Basis.Let_syntax.Option in
   let* position = View.position seen offset in
   let* facts = View.facts seen.view in
   let* span, ty = Facts.type_at facts position in
@@ -33,6 +33,6 @@ let answer ws (doc : Document.t) params =
   let offset = Workspace.offset ws doc.text (Json_reader.member "position" params) in
   let names = Document.names doc and types = Document.types doc in
   let attempts = [ (of_symbol, types); (of_symbol, names); (of_expression, types) ] in
-  (* A symbol's type is in the typed version, where it may be gone. *)
+  (* The typed version has the types of symbols, but may lack a new symbol. *)
   let attempt (f, seen) = Option.bind seen (f ws doc offset) in
   Option.value (List.find_map attempt attempts) ~default:Json.Null

@@ -1,5 +1,5 @@
-(** [textDocument/hover]: type with units, level and doc comment of a name; of any other expression
-    its type. *)
+(** [textDocument/hover]: shows the type with units, the level and the doc comment of a name. For
+    other expressions, shows the type. *)
 
 open Basis
 

@@ -11,13 +11,14 @@ let hint ws (doc : Document.t) offset text tooltip : Json.t =
 
 let longest = 60
 
-(* As a definition's name does; the variables of patterns would fill the line with types. *)
+(* Names of definitions start a line. Hints for the variables of patterns would fill the line with
+   types. *)
 let begins_line (doc : Document.t) offset =
   let text = Text.contents doc.text in
   let rec back i = i = 0 || text.[i - 1] = '\n' || (text.[i - 1] = ' ' && back (i - 1)) in
   back offset
 
-(* Definitions of the top, and those inside others, that nobody has signed. *)
+(* Top-level and local definitions without a signature. *)
 let of_version ws (doc : Document.t) (seen : View.seen) facts (start, stop) =
   let index = Index.all (View.index seen.view) in
   let signed = Hashtbl.create 64 in

@@ -1,6 +1,6 @@
-(** [textDocument/inlayHint]: behind the name of each definition and equation without a signature
-    its type, and that it is static or constant where it is no signal. Off until the setting
-    [inlayHints] is on. *)
+(** [textDocument/inlayHint]: shows the type after the name of each definition and equation without
+    a signature, and whether it is static or constant. Disabled unless the setting [inlayHints] is
+    on. *)
 
 open Basis
 

@@ -20,7 +20,7 @@ let rec start_of_line text i =
 
 let between text start stop = String.trim (String.sub text start (stop - start))
 
-(* Its lines moved to the left edge. *)
+(* Moves the lines of a text to the left by up to [column] blanks. *)
 let at_the_edge ~column piece =
   let rec blanks line i =
     if i < column && i < String.length line && line.[i] = ' ' then blanks line (i + 1) else i
@@ -40,7 +40,7 @@ let format text =
 
 let formatted piece = Option.fold (format (piece ^ "\n")) ~none:piece ~some:String.trim
 
-(* The one edit between two texts, of whole lines. *)
+(* The edit of whole lines that turns one text into the other. *)
 let difference before after =
   let n = String.length before and m = String.length after in
   let rec same_start i = if i < min n m && before.[i] = after.[i] then same_start (i + 1) else i in
@@ -51,8 +51,8 @@ let difference before after =
   let k = n - end_of_line before (n - same_end 0) in
   ((start, n - k), String.sub after start (m - start - k))
 
-(* A text that is formatted stays so: names with their arguments may make lines too long, and
-   what stood in columns beside what is gone may move. *)
+(* Keeps a formatted text formatted: names with added arguments may make lines too long, and
+   removing a line may change the alignment of its neighbors. *)
 let tidy text edits =
   let after = applied text edits in
   match (format text, format after) with
@@ -60,15 +60,15 @@ let tidy text edits =
       [ difference text tidy ]
   | _ -> edits
 
-(* {1 Out of its block} *)
+(* {1 Moving a declaration out of its block} *)
 
 type piece = {
-  from : int;  (** where what goes to the top level begins: with the comments above it *)
-  last : int;  (** and ends *)
-  cut : int * int;  (** what has to go *)
+  from : int;  (** start of the text that moves to the top level, including the comments above *)
+  last : int;  (** its end *)
+  cut : int * int;  (** the range to remove from the block *)
 }
 
-(* Lines above that are comments, as far to the right. *)
+(* Start of the comment lines directly above that have the same indentation. *)
 let rec with_comments text ~column line =
   let above = if line > 0 then start_of_line text (line - 1) else line in
   let comment = String.make column ' ' ^ "--" in
@@ -76,8 +76,8 @@ let rec with_comments text ~column line =
     with_comments text ~column above
   else line
 
-(* A declaration with the lines that it has for itself; behind a `where` that has nothing else, with
-   that `where`. *)
+(* A declaration on lines of its own. If it is the only declaration of a `where`, the `where` is
+   removed with it. *)
 let piece text ~alone (start, stop) =
   let line = start_of_line text start and behind = end_of_line text stop in
   let column = start - line in
@@ -98,7 +98,7 @@ let piece text ~alone (start, stop) =
     let cut = if has_lines then (first, next) else (first - 1, stop) in
     Some { from = first + column; last; cut }
 
-(* Whether an application can stand there without parentheses: not as an argument. *)
+(* Whether an application at this place needs no parentheses. It would as an argument. *)
 let is_free_standing text (start, stop) =
   let rec back i = if i > 0 && text.[i - 1] = ' ' then back (i - 1) else i in
   let at = back start in
@@ -115,8 +115,8 @@ let is_free_standing text (start, stop) =
 type found = {
   name : name;
   declaration : declaration;
-  signature : declaration option;  (** its own *)
-  alone : bool;  (** nothing else is in the block *)
+  signature : declaration option;  (** the definition's own signature *)
+  alone : bool;  (** the block contains nothing else *)
 }
 
 let local offset tree (start, stop) =
@@ -141,7 +141,7 @@ let local offset tree (start, stop) =
 let holds (outer : Span.t) (inner : Span.t) =
   String.equal outer.file inner.file && outer.start <= inner.start && inner.stop <= outer.stop
 
-(* What it names that is of around it, each once. *)
+(* The local variables from outside that the definition uses, each once. *)
 let captured view (d : declaration) =
   let from_around (o : Index.occurrence) =
     o.symbol.what = Local && holds d.span o.place && not (holds d.span o.symbol.at)
@@ -192,7 +192,7 @@ let edits text offset view (top : declaration) found ~parameters ~signature =
   let start, stop = range declaration.span in
   let column = Span.column declaration.span.start - 1 in
   let comments_above from start = at_the_edge ~column (String.sub text from (start - from)) in
-  (* The comments, where the definition ends, and what is cut. *)
+  (* The comments, the end of the definition, and the ranges to remove. *)
   let pieces =
     match found.signature with
     | None ->
@@ -200,7 +200,7 @@ let edits text offset view (top : declaration) found ~parameters ~signature =
           (fun p -> (comments_above p.from start, p.last, [ p.cut ]))
           (piece text ~alone:found.alone (start, stop))
     | Some s when found.alone ->
-        (* The two follow each other behind the `where`. *)
+        (* The `where` is followed by the signature and the definition, in either order. *)
         let first = min start (fst (range s.span)) in
         Option.map (fun p -> ("", p.last, [ p.cut ])) (piece text ~alone:true (first, stop))
     | Some s -> (
@@ -225,7 +225,7 @@ let edits text offset view (top : declaration) found ~parameters ~signature =
   Option.map change pieces
 
 let at ws (doc : Document.t) view place =
-  let ( let* ) = Option.bind in
+  let open Basis.Let_syntax.Option in
   let a = View.analysis view and tree = View.tree view in
   let text = Text.contents doc.text and offset = Source.offset a.sources a.shown in
   let* found = local offset tree place in

@@ -1,11 +1,12 @@
-(** What a code action needs to make a definition inside another one of the top level. *)
+(** A refactoring for code actions: moves a local definition to the top level. *)
 
 type t = {
   name : string;
-  edits : ((int * int) * string) list;  (** places in the text, as offsets, and what comes there *)
+  edits : ((int * int) * string) list;  (** ranges in the text, as offsets, and their replacements *)
 }
 
 val at : Workspace.t -> Document.t -> View.t -> int * int -> t option
-(** Of the local definition whose name is there, in a text without mistakes that the view is of.
-    What it knows from around it comes to be its parameters. The changed text has been checked:
-    [None] if something would be wrong in it, or if the name means something else already. *)
+(** The edits for the local definition whose name is at this range. The view must be of the current
+    text, without errors. Local variables that the definition uses become its parameters. The
+    changed text is checked: [None] if it would have errors, or if the name already has another
+    meaning at the top level. *)

@@ -17,7 +17,7 @@ let in_analysis symbol (a : Analysis.t) =
       let is_it (o : Index.occurrence) = Index.same o.symbol symbol in
       List.map (fun o -> (a, o)) (List.filter is_it (Index.all (View.index view)))
 
-(* Only a text that has the name can mention it. *)
+(* Skips files that do not contain the name. *)
 let in_file ws (symbol : Index.symbol) path =
   match Workspace.read ws path with
   | Ok text when contains text symbol.name ->

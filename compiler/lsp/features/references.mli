@@ -1,5 +1,5 @@
-(** [textDocument/references] and [documentHighlight]: all places of a symbol, in the programs of
-    the folders. *)
+(** [textDocument/references] and [documentHighlight]: find all occurrences of a symbol in the
+    programs of the workspace folders. *)
 
 open Basis
 
@@ -8,7 +8,7 @@ val of_symbol :
   Document.t ->
   Json.t ->
   (Index.symbol * (Analysis.t * Index.occurrence) list) option
-(** The symbol at the position of these parameters, and where it stands, each place once. *)
+(** The symbol at the position in these request parameters, and its occurrences, each once. *)
 
 val answer : Workspace.t -> Document.t -> Json.t -> Json.t
 val highlights : Workspace.t -> Document.t -> Json.t -> Json.t

@@ -2,10 +2,10 @@ open Basis
 
 let can_be_renamed ws (symbol : Index.symbol) =
   match symbol.what with
-  | Module -> Error "a module has the name of its file: rename that"
+  | Module -> Error "a module has the name of its file: rename the file"
   | _ when symbol.at.file = "" -> Error (Printf.sprintf "`%s` is built in" symbol.name)
   | _ when Analysis.path_of ~library:ws.Workspace.library symbol.at.file <> symbol.at.file ->
-      Error (Printf.sprintf "`%s` is of the library" symbol.name)
+      Error (Printf.sprintf "`%s` belongs to the library" symbol.name)
   | _ -> Ok ()
 
 let prepare ws (doc : Document.t) params : Json.t =
@@ -35,14 +35,14 @@ let check_name (symbol : Index.symbol) name =
   | (LOWER t, END), (Some false | None) when String.equal t name -> Ok ()
   | ((UPPER _ | LOWER _), END), Some capital ->
       Error
-        (Printf.sprintf "the name of this begins with a %s letter, unlike `%s`"
+        (Printf.sprintf "this name must begin with a %s letter, unlike `%s`"
            (if capital then "capital" else "small")
            name)
   | _ -> Error (Printf.sprintf "`%s` cannot be a name" name)
 
 (* {1 Edits} *)
 
-(* Of one file, from the end to the beginning, so that offsets stay. *)
+(* Renames within one file, from the end to the start, so that the remaining offsets stay valid. *)
 let renamed (a : Analysis.t) places name =
   let offset = Source.offset a.sources a.shown in
   let replace text (span : Span.t) =
@@ -63,7 +63,8 @@ let errors (a : Analysis.t) =
     (fun (d : Diagnostic.t) -> if d.severity = Error then Some d.code else None)
     a.diagnostics
 
-(* Which places mean one thing, by what of them is declared where, as numbers. *)
+(* Numbers the meaning of each occurrence. The numbers do not depend on names, so they can be
+   compared before and after renaming. *)
 let meaning (a : Analysis.t) =
   match View.of_analysis a with
   | None -> []
@@ -78,7 +79,7 @@ let meaning (a : Analysis.t) =
       in
       List.map (fun (o : Index.occurrence) -> (o.declares, number o.symbol)) all
 
-(* What each program says after the change, with the others as they will be. *)
+(* Checks each program after the change, together with the changed versions of the other files. *)
 let check ws files name =
   let texts =
     List.map (fun (path, (a, places)) -> (path, Text.contents (renamed a places name))) files
@@ -90,20 +91,21 @@ let check ws files name =
     let after = Analysis.check ~library:ws.library ~read ~path (List.assoc path texts) in
     if errors after <> errors a || meaning after <> meaning a then
       Error
-        (Printf.sprintf "`%s` means something else already where %s needs it" name
+        (Printf.sprintf "`%s` already means something else where %s is used" name
            (Filename.basename path))
     else Ok ()
   in
   List.fold_left (fun result file -> Result.bind result (fun () -> one file)) (Ok ()) files
 
 let answer ws (doc : Document.t) params =
-  let ( let* ) = Result.bind in
+  let open Basis.Let_syntax.Result in
   let name = Option.value Json_reader.(string (member "newName" params)) ~default:"" in
-  (* Places have to be those of the text as it is. *)
+  (* The places must be those of the current text. *)
   Workspace.look ws doc;
   match (References.of_symbol ws doc params, doc.latest) with
   | None, _ -> Error "there is no name here"
-  | Some _, Some { resolved = None; _ } -> Error "names are wrong in this program: mend that first"
+  | Some _, Some { resolved = None; _ } ->
+      Error "this program has errors in its names: fix them first"
   | Some (symbol, found), _ ->
       let* () = can_be_renamed ws symbol in
       let* () = check_name symbol name in

@@ -1,5 +1,6 @@
-(** [textDocument/rename] and [prepareRename]: another name for a symbol, in all programs of the
-    folders; refused if any of them would mean something else, or nothing. *)
+(** [textDocument/rename] and [prepareRename]: rename a symbol in all programs of the workspace
+    folders. The request fails if this would change the meaning of any program or make it invalid.
+*)
 
 open Basis
 

@@ -78,7 +78,8 @@ let answer ws (doc : Document.t) : Json.t =
             if p.line <> q.line || q.character <= p.character then None
             else Some (p, q.character - p.character, number type_ types, bits words)
       in
-      (* Each place is relative to the one before; two never are at one. *)
+      (* Positions are relative to the previous token. If there are several tokens at one position,
+         only the first is kept. *)
       let add ((line, character), data) ((p : Text.position), length, type_, bits) =
         if p.line = line && p.character <= character && data <> [] then ((line, character), data)
         else

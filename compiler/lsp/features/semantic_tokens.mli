@@ -1,4 +1,4 @@
-(** [textDocument/semanticTokens/full]: what each name is, and of variables whether they are
+(** [textDocument/semanticTokens/full]: classifies each name, and says whether variables are
     signals, static or constant. *)
 
 open Basis

@@ -1,7 +1,7 @@
 open Basis
 
-(* What is written before the cursor, the last one first: whole arguments, up to a name that they
-   may be the arguments of. *)
+(* The call before the cursor: the function's name, and the number of complete arguments between it
+   and the cursor. *)
 type call = { head : string; arguments : int }
 
 let closes : Syntax.Grammar.token -> bool = function
@@ -24,7 +24,7 @@ let name : Syntax.Grammar.token -> string option = function
 
 let call (tokens : Tokens.token array) ~from ~offset =
   let rec last i = if i >= 0 && tokens.(i).stop > offset then last (i - 1) else i in
-  (* From a closing bracket to its partner. *)
+  (* Finds the bracket that matches a closing bracket. *)
   let rec partner depth i =
     if i < 0 || tokens.(i).start < from then -1
     else if closes tokens.(i).token then partner (depth + 1) (i - 1)
@@ -39,7 +39,7 @@ let call (tokens : Tokens.token array) ~from ~offset =
         let open_ = partner 0 i in
         if open_ < 0 then head
         else
-          (* A unit and a record belong to what stands before. *)
+          (* A unit or a record update belongs to the preceding expression. *)
           match tokens.(open_).token with
           | UNIT_BRACKET | LBRACE -> back (open_ - 1) head arguments
           | _ -> back (open_ - 1) None (arguments + 1)
@@ -47,13 +47,13 @@ let call (tokens : Tokens.token array) ~from ~offset =
         match t with
         | FIELD _ -> back (i - 1) head arguments
         | _ when is_atom t ->
-            (* [x] of [x.y] is an argument with the field. *)
+            (* In [x.y], the field is part of the argument [x]. *)
             let head = Option.map (fun head -> { head; arguments }) (name t) in
             back (i - 1) head (arguments + 1)
         | _ -> head
   in
   let i = last (Array.length tokens - 1) in
-  (* The word that the cursor touches is being written. *)
+  (* A word that touches the cursor is still being typed. *)
   let touches = i >= 0 && tokens.(i).stop = offset && is_atom tokens.(i).token in
   if touches then match back (i - 1) None 0 with Some call -> Some call | None -> None
   else back i None 0
@@ -77,7 +77,8 @@ let answer ws (doc : Document.t) params : Json.t =
           | None -> Null
           | Some type_ ->
               let parameters = Description.parameters type_ in
-              (* A signal function at the end takes its signal as one argument more. *)
+              (* A function that returns a signal function takes the input signal as one more
+                 argument. *)
               let count = List.length parameters - 1 in
               let result = List.nth parameters count in
               let is_run = String.starts_with ~prefix:"SF " result in

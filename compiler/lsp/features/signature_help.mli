@@ -1,5 +1,5 @@
-(** [textDocument/signatureHelp]: the type of the function whose arguments are being written, and
-    which of them comes now. *)
+(** [textDocument/signatureHelp]: shows the type of the function whose arguments are being typed,
+    and which argument is next. *)
 
 open Basis
 

@@ -3,7 +3,7 @@ open Syntax.Ir
 
 type t = { name : name; kind : int; detail : string; whole : Span.t; inside : t list }
 
-(* Numbers of the protocol. *)
+(* Values of [SymbolKind] in the protocol. *)
 let class_ = 5
 let method_ = 6
 let field = 8
@@ -30,7 +30,7 @@ let rec of_bindings (ds : declaration list) =
       | _ -> [])
     ds
 
-(* The equations of a proc that is the right side. *)
+(* The equations of a proc on the right-hand side of a definition. *)
 let rec equations (e : expr) =
   match e.desc with
   | Proc { body = Output { equations; _ }; _ } -> of_bindings equations
@@ -110,7 +110,7 @@ let of_document ws (doc : Document.t) : Json.t =
       in
       List (List.filter_map json (of_tree (View.tree seen.view)))
 
-(* {1 Of all programs} *)
+(* {1 Symbols of all programs} *)
 
 let matches query name =
   let query = String.lowercase_ascii query and name = String.lowercase_ascii name in
@@ -120,7 +120,7 @@ let matches query name =
   in
   go 0 0
 
-(* Trees of files, which seldom change, by path. *)
+(* Syntax trees of files by path, cached because files rarely change. *)
 let trees : (string, string * program option) Hashtbl.t = Hashtbl.create 64
 
 let tree_of path text =

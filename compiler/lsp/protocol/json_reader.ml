@@ -35,7 +35,7 @@ let hexadecimal r =
   r.at <- r.at + 4;
   int_of_string ("0x" ^ digits)
 
-(* After [\u]; a pair of surrogates is one character. *)
+(* Reads the digits after [\u]. A surrogate pair becomes one character. *)
 let unicode r =
   let first = hexadecimal r in
   let is_low code = 0xdc00 <= code && code <= 0xdfff in
@@ -133,7 +133,7 @@ let rec value depth r : Json.t =
   | 'n' -> word r "null" Json.Null
   | _ -> number r
 
-(* After the opening bracket. *)
+(* Reads elements after the opening bracket, up to the closing one. *)
 and sequence : 'a. reader -> char -> (unit -> 'a) -> 'a list =
  fun r close element ->
   skip_blanks r;
@@ -163,7 +163,7 @@ let of_string text =
   | result, true -> Some result
   | _, false | (exception Malformed) -> None
 
-(* {1 Looking into it} *)
+(* {1 Access} *)
 
 let member name : Json.t -> Json.t = function
   | Object members -> Option.value (List.assoc_opt name members) ~default:Json.Null

@@ -1,19 +1,19 @@
-(** JSON as others write it.
+(** Parses JSON.
 
-    Strings come out as well-formed UTF-8: half a surrogate pair, and bytes that are no UTF-8,
+    Resulting strings are always valid UTF-8: unpaired surrogates and bytes that are not UTF-8
     become [U+FFFD]. *)
 
 open Basis
 
 val of_string : string -> Json.t option
-(** [None] if the text is no JSON, or nested more than 500 deep. *)
+(** [None] if the text is not JSON, or is nested more than 500 levels deep. *)
 
-(** {1 Looking into it}
+(** {1 Access}
 
-    A message that lacks something has a default in its place. *)
+    If a member is missing, these functions return a default. *)
 
 val member : string -> Json.t -> Json.t
-(** [Null] if it is not there. *)
+(** [Null] if the member is missing. *)
 
 val at : string list -> Json.t -> Json.t
 (** [at [a; b] json] is the member [b] of the member [a]. *)

@@ -1,6 +1,6 @@
 open Basis
 
-type t = { contents : string; starts : int array Lazy.t  (** where each line starts *) }
+type t = { contents : string; starts : int array Lazy.t  (** start of each line *) }
 
 let line_starts text =
   let starts = ref [ 0 ] in
@@ -18,7 +18,7 @@ let contents t = t.contents
 type encoding = Utf8 | Utf16 | Utf32
 type position = { line : int; character : int }
 
-(* How long the character is that starts there, and how many units of the encoding it has. *)
+(* Length in bytes of the character that starts there, and in units of the encoding. *)
 let character encoding text i =
   let length, code = Utf8.decode text i in
   match (length, encoding) with
@@ -27,7 +27,7 @@ let character encoding text i =
   | _, Utf16 -> (length, if code > 0xffff then 2 else 1)
   | _, Utf32 -> (length, 1)
 
-(* The last line that starts there or before. *)
+(* The last line that starts at or before this offset. *)
 let line_at starts offset =
   let rec search low high =
     if low >= high then low
@@ -49,7 +49,7 @@ let position encoding t offset =
   in
   { line; character = count starts.(line) 0 }
 
-(* Before its line end. *)
+(* End of a line, excluding its line terminator. *)
 let end_of_line t starts line =
   let next = if line + 1 < Array.length starts then starts.(line + 1) else -1 in
   if next < 0 then String.length t.contents

@@ -1,5 +1,6 @@
-(** A text and the places in it, as editors count them: lines from 0, which end at [\n], [\r\n] or
-    [\r], and within a line units of the encoding agreed on. Offsets are in bytes. *)
+(** A text with positions as editors count them. Lines are numbered from 0 and end with [\n], [\r\n]
+    or [\r]. Characters within a line are counted in units of the negotiated encoding. Offsets are
+    in bytes. *)
 
 type t
 
@@ -10,11 +11,12 @@ type encoding = Utf8 | Utf16 | Utf32
 type position = { line : int; character : int }
 
 val position : encoding -> t -> int -> position
-(** Of an offset; inside a character, where that begins. *)
+(** Position of an offset. For an offset inside a character, the position of the character's start.
+*)
 
 val offset : encoding -> t -> position -> int
-(** The other way round. Past the end of a line it is that end; past the last line the end of the
-    text. *)
+(** Offset of a position. For a position past the end of a line, the offset of the line's end; past
+    the last line, the end of the text. *)
 
 val replace : t -> int -> int -> string -> t
-(** [replace t start stop text]: what is between two offsets becomes the text. *)
+(** [replace t start stop text] replaces the text between two offsets. *)

@@ -21,7 +21,7 @@ let decode text =
   go 0;
   Buffer.contents buffer
 
-(* Behind the scheme may stand the name of this computer. *)
+(* The scheme may be followed by the name of this computer. *)
 let to_path uri =
   if not (is_file uri) then uri
   else

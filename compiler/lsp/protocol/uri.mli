@@ -1,9 +1,10 @@
-(** Names of documents. *)
+(** Converts URIs of documents to paths and back. *)
 
 val to_path : string -> string
-(** Of [file:] URIs the path; any other URI is a name as it is: of a text that is nowhere saved. *)
+(** The path of a [file:] URI. Any other URI, such as that of an unsaved text, is returned
+    unchanged. *)
 
 val of_path : string -> string
 
 val is_file : string -> bool
-(** Has this URI a path? *)
+(** Whether this URI has a path. *)

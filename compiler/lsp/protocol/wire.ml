@@ -1,6 +1,6 @@
 type t = {
   stream : Unix.file_descr;
-  buffered : Buffer.t;  (** not looked at before [from] *)
+  buffered : Buffer.t;  (** received data; everything before [from] has been processed *)
   mutable from : int;
   chunk : Bytes.t;
   mutable ended : bool;
@@ -11,10 +11,10 @@ type event = Message of string | Nothing | End
 let create stream =
   { stream; buffered = Buffer.create 65536; from = 0; chunk = Bytes.create 65536; ended = false }
 
-(* Nobody has a longer message; it is the length that is wrong. *)
+(* Maximum length of a message. A longer one means that the length is wrong. *)
 let longest = 256 * 1024 * 1024
 
-(* What was read already is dropped now and then. *)
+(* Drops processed data from time to time. *)
 let compact t =
   if t.from > 1_000_000 || t.from = Buffer.length t.buffered then (
     let rest = Buffer.sub t.buffered t.from (Buffer.length t.buffered - t.from) in
@@ -31,7 +31,7 @@ let end_of_header t =
   in
   find t.from
 
-(* The last one, should something else stand before it. *)
+(* The last [Content-Length] of the header, so that other text before it does no harm. *)
 let length_in header =
   let name = "content-length:" in
   let n = String.length name in
@@ -82,6 +82,11 @@ let rec next t ~timeout =
         read t;
         next t ~timeout)
       else Nothing
+
+let rec wait t others =
+  match Unix.select (t.stream :: others) [] [] (-1.) with
+  | ready, _, _ -> List.filter (fun other -> List.mem other ready) others
+  | exception Unix.Unix_error (EINTR, _, _) -> wait t others
 
 let write channel json =
   let text = Basis.Json.to_string json in

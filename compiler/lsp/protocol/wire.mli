@@ -1,18 +1,21 @@
-(** Messages on a stream, each behind a header with its length.
+(** Reads and writes messages on a stream, each with a header that contains its length.
 
-    What is no header is skipped up to the next one, so that whatever is sent, later messages are
-    understood. *)
+    The reader skips anything that is not a header, so it recovers from malformed input. *)
 
 type t
 
 val create : Unix.file_descr -> t
 
 type event =
-  | Message of string  (** a body; whether it is JSON is not looked at *)
-  | Nothing  (** no whole message is there yet *)
-  | End  (** and none will come *)
+  | Message of string  (** the body, not checked to be JSON *)
+  | Nothing  (** no complete message has arrived yet *)
+  | End  (** end of the stream *)
 
 val next : t -> timeout:float -> event
-(** Waits so many seconds for a message, or for ever with a negative number. *)
+(** Waits for a message for up to [timeout] seconds, without limit if it is negative. *)
+
+val wait : t -> Unix.file_descr list -> Unix.file_descr list
+(** Waits until a message may be available or one of these descriptors is readable; returns the
+    readable descriptors. *)
 
 val write : out_channel -> Basis.Json.t -> unit

@@ -13,24 +13,44 @@ type t = {
 }
 
 exception Too_long
+exception Not_at_once
 
 let patience = ref 30.
 
-let with_timer f =
-  let set seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = seconds }) in
-  let before = Sys.signal Sys.sigalrm (Signal_handle (fun _ -> raise Too_long)) in
-  set !patience;
-  Fun.protect f ~finally:(fun () ->
-      set 0.;
-      Sys.set_signal Sys.sigalrm before)
+(* After the time limit the timer raises the exception repeatedly, in case a handler catches it. It
+   may even interrupt [stop], which is therefore called twice. *)
+let with_timer timer signal exn seconds f =
+  let armed = ref true in
+  let set seconds interval =
+    ignore (Unix.setitimer timer { it_interval = interval; it_value = seconds })
+  in
+  let before = Sys.signal signal (Signal_handle (fun _ -> if !armed then raise exn)) in
+  let stop () =
+    armed := false;
+    set 0. 0.;
+    Sys.set_signal signal before
+  in
+  set seconds 0.02;
+  match Fun.protect f ~finally:stop with
+  | value -> value
+  | exception exn ->
+      stop ();
+      raise exn
+
+(* Measures processor time, so that other load on the machine does not matter. *)
+let at_once f =
+  match with_timer ITIMER_PROF Sys.sigprof Not_at_once 0.08 f with
+  | value -> Some value
+  | exception (Not_at_once | Fun.Finally_raised Not_at_once) -> None
 
 let guarded f =
   let broken stage message = Error (Printf.sprintf "internal error in %s: %s" stage message) in
-  match with_timer f with
+  match with_timer ITIMER_REAL Sys.sigalrm Too_long !patience f with
   | value -> Ok value
   | exception Diagnostic.Bug { stage; message } -> broken stage message
   | exception (Too_long | Fun.Finally_raised Too_long) ->
-      Error (Printf.sprintf "this takes longer than %.0f s, and was given up" !patience)
+      Error (Printf.sprintf "frobc gave up after %.0f s" !patience)
+  | exception (Not_at_once | Fun.Finally_raised Not_at_once) -> raise Not_at_once
   | exception Stack_overflow -> broken "frobc" "the stack overflowed"
   | exception Out_of_memory -> broken "frobc" "there is no more memory"
   | exception exn -> broken "frobc" (Printexc.to_string exn)
@@ -45,16 +65,29 @@ let name_in ~path (program : Resolve.Ir.program) =
   Option.fold (List.find_opt is_main program.modules) ~none:path
     ~some:(fun (m : Resolve.Ir.module_) -> m.file)
 
-(* The main module, as it is read: its text, and perhaps its tree. *)
+(* A request to compile this text as the main module. [parse] supplies its tree. *)
 let request ~library ~read ~path text ~parse =
-  let files = Driver.Program_file.files in
+  let files = Build.Program_file.files in
   let read other = if String.equal other path then Ok text else read other in
   let parsed ~file other =
     match files.parsed ~file other with
     | Some tree -> Some tree
     | None -> if String.equal other text then parse ~file text else None
   in
-  { (Driver.Request.make ~library path) with files = { files with read; parsed } }
+  { (Build.Request.make ~library path) with files = { files with read; parsed } }
+
+let given_up ~path text reason =
+  {
+    path;
+    text = Text.of_string text;
+    shown = path;
+    tree = None;
+    diagnostics = [];
+    sources = Source.create ();
+    resolved = None;
+    typed = None;
+    fault = Some reason;
+  }
 
 let partial ~library ~read (a : t) =
   let tree = ref None in
@@ -63,7 +96,7 @@ let partial ~library ~read (a : t) =
     !tree
   in
   let request = request ~library ~read ~path:a.path (Text.contents a.text) ~parse in
-  match guarded (fun () -> Driver.Front_end.partial a.sources request) with
+  match guarded (fun () -> Build.Queries.partial a.sources request) with
   | Ok (Some (resolved, typed)) when !tree <> None ->
       let shown = name_in ~path:a.path resolved in
       let is_it =
@@ -77,11 +110,11 @@ let partial ~library ~read (a : t) =
 let check ~library ~read ~path text =
   let sink = Diagnostic.sink () and sources = Source.create () in
   let resolved = ref None and typed = ref None in
-  let seen : Driver.Front_end.tree -> unit = function
+  let seen : Build.Pipeline.tree -> unit = function
     | Resolved program -> resolved := Some program
     | Typed program -> typed := Some program
   in
-  (* It is parsed here, once, unless it has to be parsed again for its mistakes. *)
+  (* The text is parsed only here, and a second time only if it has syntax errors. *)
   let tree = ref None in
   let parse ~file text =
     tree := Syntax.Parse.program (Diagnostic.sink ()) ~file text;
@@ -89,12 +122,12 @@ let check ~library ~read ~path text =
   in
   let request = request ~library ~read ~path text ~parse in
   let fault =
-    match guarded (fun () -> Driver.Front_end.check ~seen sink sources request) with
+    match guarded (fun () -> Build.Queries.check ~seen sink sources request) with
     | Ok () -> None
     | Error fault -> Some fault
   in
   let shown = Option.fold !resolved ~none:path ~some:(name_in ~path) in
-  (* A module of the library as it is has its tree already. *)
+  (* For an unmodified library module, the tree is already available. *)
   let tree =
     match !tree with Some tree -> Some tree | None -> Prepared.Library.tree ~file:shown text
   in

@@ -1,17 +1,17 @@
-(** What the compiler knows of one text, as the main module of a program. *)
+(** The results of compiling one text as the main module of a program. *)
 
 open Basis
 
 type t = {
-  path : string;  (** of the file, which may say something else or not be there *)
+  path : string;  (** path of the file, which may have other contents or not exist *)
   text : Text.t;
-  shown : string;  (** the name that spans in this text have *)
+  shown : string;  (** the file name in the spans of this text *)
   tree : Syntax.Ir.program option;  (** [None] if it cannot be parsed *)
   diagnostics : Diagnostic.t list;
-  sources : Source.t;  (** all texts that were read *)
-  resolved : Resolve.Ir.program option;  (** [None] if names are wrong *)
-  typed : Typing.Ir.program option;  (** [None] if types are *)
-  fault : string option;  (** the compiler's own *)
+  sources : Source.t;  (** all texts that the compiler read *)
+  resolved : Resolve.Ir.program option;  (** [None] if name resolution failed *)
+  typed : Typing.Ir.program option;  (** [None] if type checking failed *)
+  fault : string option;  (** a crash or timeout of the compiler *)
 }
 
 val check :
@@ -20,17 +20,26 @@ val check :
   path:string ->
   string ->
   t
-(** [read] has the texts of other modules. Raises nothing. *)
+(** [read] returns the texts of other modules. Never raises an exception. *)
 
 val partial : library:string -> read:(string -> (string, Resolve.Files.error) result) -> t -> t
-(** Of a text with mistakes what can be understood: with the trees of what is right in it. *)
+(** Analyzes the valid parts of a text that has errors. The result contains the trees of these
+    parts. *)
 
 val path_of : library:string -> string -> string
-(** Where the file is that spans call so. *)
+(** Path of a file, given its name in spans. *)
 
 val guarded : (unit -> 'a) -> ('a, string) result
-(** Whatever the compiler does, this ends, with a value or with what went wrong; after some time it
-    is given up. *)
+(** Runs a function of the compiler. Returns an error if it raises an exception or runs longer than
+    {!patience}. *)
+
+val given_up : path:string -> string -> string -> t
+(** The analysis of a text that could not be checked, for this reason. *)
+
+val at_once : (unit -> 'a) -> 'a option
+(** The function's result, or [None] if it takes more than 80 ms of processor time, which is as long
+    as other requests should have to wait. The function may be interrupted anywhere, so it must not
+    have lasting side effects. *)
 
 val patience : float ref
-(** That time, in seconds: half a minute. *)
+(** Time limit in seconds: half a minute. *)

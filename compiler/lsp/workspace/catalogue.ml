@@ -43,7 +43,7 @@ let imports tokens =
 
 (* {1 Modules} *)
 
-(* Each name that a list may mention, with what it brings. *)
+(* Maps each name that an import list may contain to the entries it imports. *)
 let groups module_ (tree : Syntax.Ir.program) =
   let entry space (name : Syntax.Ir.name) = { name = name.text; space; module_ } in
   let value (name : Syntax.Ir.name) = (name.text, [ entry Mentions.Value name ]) in
@@ -95,7 +95,7 @@ let parsed ws path module_ =
             | None -> Syntax.Parse.program (Diagnostic.sink ()) ~file:path text
           in
           let parsed = Option.map (fun tree -> { groups = groups module_ tree; tree }) tree in
-          (* While it is broken it is what it was. *)
+          (* A module with syntax errors keeps its previous exports. *)
           let parsed =
             match (parsed, before) with None, Some (_, was) -> was | parsed, _ -> parsed
           in
@@ -169,11 +169,11 @@ let in_scope ws (doc : Document.t) imports =
     (own @ built_in @ exports ws ~directory:ws.library "Prelude" @ List.concat_map imported imports)
 
 let library ws =
-  Driver.Program_file.files.modules_in ws.Workspace.library
+  Build.Program_file.files.modules_in ws.Workspace.library
   |> List.filter (( <> ) "Prelude")
   |> List.map (fun module_ -> (module_, exports ws ~directory:ws.library module_))
 
 let modules ws ~directory =
-  let in_ folder = Driver.Program_file.files.modules_in folder in
+  let in_ folder = Build.Program_file.files.modules_in folder in
   let is_module name = name <> "" && 'A' <= name.[0] && name.[0] <= 'Z' in
   List.filter is_module (List.sort_uniq String.compare (in_ ws.Workspace.library @ in_ directory))

@@ -1,6 +1,6 @@
-(** Which names a text may use, and which it could import. *)
+(** The names that a text can use, and those that it could import. *)
 
-type entry = { name : string; space : Mentions.space; module_ : string  (** that declares it *) }
+type entry = { name : string; space : Mentions.space; module_ : string  (** declaring module *) }
 
 type import = {
   of_module : string;
@@ -10,16 +10,17 @@ type import = {
 }
 
 val imports : Tokens.token array -> import list
-(** That are written in a text, which may be broken. *)
+(** The imports of a text, which may contain syntax errors. *)
 
 val exports : Workspace.t -> directory:string -> string -> entry list
-(** What a module gives to who imports it in this folder. *)
+(** The names that a module exports, as seen from this folder. *)
 
 val in_scope : Workspace.t -> Document.t -> import list -> entry list
-(** Without a qualifier: the module's own, the prelude's and the imports'. *)
+(** The names that can be used without a qualifier: the names of the module itself, the prelude, and
+    the imports. *)
 
 val library : Workspace.t -> (string * entry list) list
-(** The library's modules but the prelude, with what they export. *)
+(** All library modules except the prelude, with their exports. *)
 
 val modules : Workspace.t -> directory:string -> string list
-(** That could be imported in this folder. *)
+(** The modules that can be imported in this folder. *)

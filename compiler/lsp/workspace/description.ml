@@ -2,7 +2,7 @@ open Basis
 
 type t = { code : string; notes : string list; doc : string option }
 
-(* {1 What was written} *)
+(* {1 Source text} *)
 
 let squeezed text =
   String.split_on_char ' ' (String.map (function '\n' | '\r' | '\t' -> ' ' | c -> c) text)
@@ -20,7 +20,7 @@ let quote (view : View.t) (span : Span.t) =
 
 let most_lines = 14
 
-(* The lines of a declaration at the top of a module, and the doc comment above them. *)
+(* The lines of a top-level declaration, and the doc comment above them. *)
 let declaration view (at : Span.t) =
   let line n = Source.line (View.analysis view).sources at.file n in
   let first = Span.line at.start in
@@ -100,7 +100,7 @@ let is_operator name = match name.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> fals
 let shown name = if is_operator name then "(" ^ name ^ ")" else name
 
 let from view (g : Resolve.Ir.Global.t) =
-  if String.equal g.module_ (View.program view).main_module then []
+  if Resolve.Test_file.is_module_of g.module_ ~main:(View.program view).main_module then []
   else [ Printf.sprintf "from `%s`" g.module_ ]
 
 let field_type view ~record name =

@@ -9,6 +9,7 @@ type t = {
   mutable named : version option;
   mutable typed : version option;
   mutable changed : bool;
+  mutable slow : bool;
 }
 
 let opened ~uri ~version text =
@@ -21,9 +22,10 @@ let opened ~uri ~version text =
     named = None;
     typed = None;
     changed = true;
+    slow = false;
   }
 
-(* So many one after the other are remembered; then all are taken for one. *)
+(* Maximum number of edits that are remembered one by one. After more, they are merged into one. *)
 let most_steps = 200
 
 let change t text =
@@ -43,21 +45,33 @@ let change t text =
 
 let is_whole = function Some { whole; _ } -> whole | None -> false
 
-let looked_at t ~partial (a : Analysis.t) =
-  t.latest <- Some a;
+type found = { analysis : Analysis.t; whole_view : View.t option; partial_view : View.t option }
+
+let found t ~partial (a : Analysis.t) =
+  let whole_view = View.of_analysis a in
+  let named = Option.is_some whole_view || is_whole t.named in
+  let typed = Option.is_some a.typed || is_whole t.typed in
+  let partial_view = if named && typed then None else View.of_analysis (partial a) in
+  { analysis = a; whole_view; partial_view }
+
+let prepare { whole_view; partial_view; _ } =
+  Option.iter View.prepare whole_view;
+  Option.iter View.prepare partial_view
+
+let looked_at t { analysis; whole_view; partial_view } =
+  t.latest <- Some analysis;
   t.changed <- false;
   let version view ~whole before =
     match view with Some view -> Some { view; whole; since = Shift.none } | None -> before
   in
-  let view = View.of_analysis a in
-  t.named <- version view ~whole:true t.named;
-  if a.typed <> None then t.typed <- version view ~whole:true t.typed;
-  if not (is_whole t.named && is_whole t.typed) then (
-    let understood = partial a in
-    let view = View.of_analysis understood in
-    if not (is_whole t.named) then t.named <- version view ~whole:false t.named;
-    if (not (is_whole t.typed)) && understood.typed <> None then
-      t.typed <- version view ~whole:false t.typed)
+  t.named <- version whole_view ~whole:true t.named;
+  if analysis.typed <> None then t.typed <- version whole_view ~whole:true t.typed;
+  let understood view =
+    if not (is_whole t.named) then t.named <- version (Some view) ~whole:false t.named;
+    if (not (is_whole t.typed)) && (View.analysis view).typed <> None then
+      t.typed <- version (Some view) ~whole:false t.typed
+  in
+  Option.iter understood partial_view
 
 let seen t = Option.map (fun { view; since } -> View.seen view t.text since)
 let names t = seen t t.named

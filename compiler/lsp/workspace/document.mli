@@ -2,8 +2,8 @@
 
 type version = {
   view : View.t;
-  whole : bool;  (** or only what was right in it *)
-  mutable since : Shift.t;  (** to the text as it is *)
+  whole : bool;  (** false if it contains only the valid parts of the text *)
+  mutable since : Shift.t;  (** the edits from this version to the current text *)
 }
 
 type t = {
@@ -11,17 +11,33 @@ type t = {
   path : string;
   mutable version : Basis.Json.t;
   mutable text : Text.t;
-  mutable latest : Analysis.t option;  (** of the text as it is, or was when last looked at *)
-  mutable named : version option;  (** the last one in which names were right *)
-  mutable typed : version option;  (** the last one in which types were *)
-  mutable changed : bool;  (** since it was looked at *)
+  mutable latest : Analysis.t option;
+      (** analysis of the current text, or of the text when it was last checked *)
+  mutable named : version option;  (** the last version in which name resolution succeeded *)
+  mutable typed : version option;  (** the last version in which type checking succeeded *)
+  mutable changed : bool;  (** changed since it was last checked *)
+  mutable slow : bool;  (** checking it takes longer than other requests should wait *)
 }
 
 val opened : uri:string -> version:Basis.Json.t -> string -> t
 val change : t -> Text.t -> unit
 
-val looked_at : t -> partial:(Analysis.t -> Analysis.t) -> Analysis.t -> unit
-(** [partial] is asked if there never was a version without mistakes. *)
+(** {1 Checking} *)
 
+type found = {
+  analysis : Analysis.t;
+  whole_view : View.t option;
+  partial_view : View.t option;
+      (** from {!Analysis.partial}, if neither this version nor an earlier one was without errors *)
+}
+(** The analysis of the current text. *)
+
+val found : t -> partial:(Analysis.t -> Analysis.t) -> Analysis.t -> found
+(** Does not change the document. *)
+
+val prepare : found -> unit
+(** Precomputes the data that the next request will need, so that it is answered immediately. *)
+
+val looked_at : t -> found -> unit
 val names : t -> View.seen option
 val types : t -> View.seen option

@@ -1,6 +1,7 @@
 open Basis
 
-(* The local of that name which is declared nearest before, else nearest behind. *)
+(* The local variable of this name that is declared closest before the offset, or else closest after
+   it. *)
 let local (seen : View.seen) facts ~offset name =
   let source = (View.analysis seen.view).sources in
   let is_it ((span : Span.t), (l : Facts.local)) =

@@ -1,8 +1,7 @@
-(** The type of something that is just being written, as the last version without mistakes has it.
-*)
+(** The type of an expression that is being typed, taken from the last version without errors. *)
 
 val of_name : Document.t -> offset:int -> string -> Typing.Ir.ty option
-(** Of the variable or definition that this name most likely means at this offset. *)
+(** The type of the variable or definition to which this name most likely refers at this offset. *)
 
 val fields : Document.t -> Typing.Ir.ty -> (string * Typing.Ir.ty) list
-(** Of a record type. *)
+(** The fields of a record type. *)

@@ -64,8 +64,8 @@ let of_program (program : Typing.Ir.program) ~main =
   in
   { program; types = Array.of_list !types; locals; globals }
 
-(* Spans nest, so the one that starts last and ends first is the smallest. Of those that are
-   equal the outer counts, to which the walk comes first, so that it stands last. *)
+(* The type of the smallest span. Spans nest, so the smallest starts last and ends first. Of equal
+   spans the outermost expression counts, which is visited first and so comes last in the list. *)
 let type_at t p =
   let smaller best ((s : Span.t), ty) =
     if s.start <= p && p <= s.stop && s.start < s.stop then

@@ -1,10 +1,10 @@
-(** What types a text has, place by place. *)
+(** The types of a program, by place in the text. *)
 
 open Basis
 
 type level =
   | Level of Typing.Ir.level
-  | Parameter  (** of a function: of the level of what it is given *)
+  | Parameter  (** parameter of a function, which has the level of the argument *)
 
 type local = { scheme : Typing.Ir.scheme; level : level }
 type t
@@ -12,16 +12,16 @@ type t
 val of_program : Typing.Ir.program -> main:string -> t
 
 val type_at : t -> Span.position -> (Span.t * Typing.Ir.ty) option
-(** Of the smallest expression or pattern around it. *)
+(** The type of the smallest expression or pattern around this position. *)
 
 val spans_at : t -> Span.position -> Span.t list
-(** Of all of them. *)
+(** The spans of all expressions and patterns around this position. *)
 
 val local : t -> Span.t -> local option
-(** Of the variable or definition inside another whose name is declared there. *)
+(** The local variable or definition that is declared at this place. *)
 
 val global : t -> Resolve.Ir.Global.t -> Typing.Ir.scheme option
-(** Of those that the program needs. *)
+(** The type scheme of a definition, if the program uses it. *)
 
 val locals : t -> (Span.t * local) list
 val data : t -> Typing.Ir.data list

@@ -17,7 +17,7 @@ type t = occurrence array
 
 let same a b = Span.compare a.at b.at = 0 && String.equal a.name b.name
 
-(* {1 What modules declare} *)
+(* {1 Declarations of modules} *)
 
 type declared = (Mentions.space * string * string option, Span.t) Hashtbl.t
 
@@ -30,7 +30,7 @@ let declared_by (mentions : Mentions.mention list) : declared =
   List.iter add mentions;
   table
 
-(* The same modules are asked for again with each change of a program. *)
+(* Cached, because the same modules are needed again after each change of a program. *)
 let remembered : (string, string * declared) Hashtbl.t = Hashtbl.create 32
 
 let declared_in sources file =
@@ -52,14 +52,14 @@ let declared_in sources file =
           Hashtbl.replace remembered file (text, declared);
           declared)
 
-(* {1 What the resolver says of places} *)
+(* {1 Results of name resolution} *)
 
 type meant = {
   values : [ `Local of Resolve.Ir.Local.t | `Global of Global.t ] Place_table.t;
   constructors : Global.t Place_table.t;
   types : Global.t Place_table.t;
   classes : Global.t Place_table.t;
-  candidates : Global.t list Place_table.t;  (** the types that a field may be of *)
+  candidates : Global.t list Place_table.t;  (** the types that may have this field *)
 }
 
 let place = Place_table.place
@@ -172,7 +172,7 @@ let meant_by (program : Resolve.Ir.program) ~main =
     program.instances;
   meant
 
-(* The constructors of records whose fields are looked at, which types decide. *)
+(* The constructor of each record whose field is accessed. Type checking determines it. *)
 let records (typed : Typing.Ir.program) ~main =
   let table = Place_table.create 64 in
   let rec visit (e : Typing.Ir.expr) =
@@ -187,7 +187,166 @@ let records (typed : Typing.Ir.program) ~main =
     typed.definitions;
   table
 
-(* {1 All of it} *)
+(* {1 The index} *)
+
+(* What the declarations and uses of names are looked up in. *)
+type lookup = {
+  program : Resolve.Ir.program;
+  main : string;
+  sources : Source.t;
+  meant : meant;
+  records : string Place_table.t;
+  own : declared;  (** the declarations of the text itself *)
+  tables : (string, declared) Hashtbl.t;  (** those of other modules, read when first needed *)
+}
+
+let module_named lookup name =
+  List.find_opt (fun (m : Resolve.Ir.module_) -> String.equal m.name name) lookup.program.modules
+
+(* The declarations of a module. *)
+let declared lookup module_ =
+  if String.equal module_ lookup.main then lookup.own
+  else
+    match Hashtbl.find_opt lookup.tables module_ with
+    | Some table -> table
+    | None ->
+        let table =
+          Option.fold (module_named lookup module_) ~none:(Hashtbl.create 1)
+            ~some:(fun (m : Resolve.Ir.module_) -> declared_in lookup.sources m.file)
+        in
+        Hashtbl.replace lookup.tables module_ table;
+        table
+
+let nowhere = Span.start_of_file ""
+let global lookup name : Global.t = { module_ = lookup.main; name }
+
+(* {2 Symbols} *)
+
+let symbol lookup space what (g : Global.t) =
+  let at = Hashtbl.find_opt (declared lookup g.module_) (space, g.name, None) in
+  { name = g.name; what; at = Option.value at ~default:nowhere }
+
+let field lookup record name =
+  let with_field (m : Resolve.Ir.module_) =
+    Hashtbl.find_opt (declared lookup m.name) (Mentions.Field, name, Some record)
+  in
+  Option.map
+    (fun at -> { name; what = Field { record }; at })
+    (List.find_map with_field (List.rev lookup.program.modules))
+
+let unit_ lookup name =
+  let named (u : Resolve.Ir.unit_declaration) = String.equal u.unit_name.name name in
+  let all = List.filter named lookup.program.units in
+  let here (u : Resolve.Ir.unit_declaration) = String.equal u.unit_name.module_ lookup.main in
+  match (List.find_opt here all, all) with
+  | Some u, _ | None, u :: _ -> Some (symbol lookup Unit (Unit u.unit_name) u.unit_name)
+  | None, [] -> None
+
+let in_space (space : Mentions.space) (g : Global.t) =
+  match space with
+  | Value -> Value g
+  | Type -> Type g
+  | Class -> Class g
+  | Unit -> Unit g
+  | Constructor | Field -> Constructor g
+
+(* Tries all name spaces, because the name in an import or export list can be in any of them. *)
+let exported lookup module_ name =
+  let spaces : Mentions.space list = [ Value; Type; Class; Unit; Constructor ] in
+  let of_module module_ =
+    List.find_map
+      (fun space ->
+        Option.map
+          (fun at -> { name; what = in_space space { module_; name }; at })
+          (Hashtbl.find_opt (declared lookup module_) (space, name, None)))
+      spaces
+  in
+  match of_module module_ with
+  | Some symbol -> Some symbol
+  | None -> List.find_map (fun (m : Resolve.Ir.module_) -> of_module m.name) lookup.program.modules
+
+let value lookup name within =
+  match Place_table.find_opt lookup.meant.values (place within) with
+  | Some (`Local (l : Resolve.Ir.Local.t)) -> Some { name = l.name; what = Local; at = l.span }
+  | Some (`Global g) -> Some (symbol lookup Value (Value g) g)
+  | None when Hashtbl.mem lookup.own (Value, name, None) ->
+      let g = global lookup name in
+      Some (symbol lookup Value (Value g) g)
+  | None -> None
+
+let constructor lookup within = Place_table.find_opt lookup.meant.constructors (place within)
+
+let used lookup space (name : Syntax.Ir.qualified) (within : Span.t) =
+  let symbol_of space global =
+    Option.map (fun g -> symbol lookup space (in_space space g) g) global
+  in
+  match (space : Mentions.space) with
+  | Value -> value lookup name.name.text within
+  | Constructor -> symbol_of Constructor (constructor lookup within)
+  | Type -> symbol_of Type (Place_table.find_opt lookup.meant.types (place within))
+  | Class ->
+      symbol_of Class (Place_table.find_opt lookup.meant.classes (within.start, within.start))
+  | Unit -> unit_ lookup name.name.text
+  | Field -> None
+
+(* The constructor with this field, of this type. *)
+let constructor_with lookup (name : Syntax.Ir.name) tycon =
+  let is_it (t : Resolve.Ir.type_declaration) = t.tycon = tycon in
+  let has (c : Resolve.Ir.constructor) =
+    List.exists (fun (f : Resolve.Ir.field) -> f.field_name = name.text) c.fields
+  in
+  match List.find_opt is_it lookup.program.types with
+  | Some { definition = Data cs; _ } ->
+      Option.map (fun (c : Resolve.Ir.constructor) -> c.constructor.name) (List.find_opt has cs)
+  | Some { definition = Alias _ | Builtin | Foreign _; _ } | None -> None
+
+(* The constructor of the record whose field is accessed. *)
+let record_of lookup name within =
+  match (constructor lookup within, Place_table.find_opt lookup.records (place within)) with
+  | Some g, _ -> Some g.name
+  | None, Some record -> Some record
+  | None, None -> (
+      match Place_table.find_opt lookup.meant.candidates (place within) with
+      | Some [ only ] -> constructor_with lookup name only
+      | Some _ | None -> None)
+
+(* {2 Occurrences} *)
+
+let here ?(declares = false) (name : Syntax.Ir.name) symbol =
+  Option.to_list (Option.map (fun symbol -> { place = name.span; symbol; declares }) symbol)
+
+let declaration lookup space (name : Syntax.Ir.name) record =
+  let what =
+    match (space : Mentions.space) with
+    | Field -> Field { record = Option.value record ~default:"" }
+    | Value | Constructor | Type | Class | Unit -> in_space space (global lookup name.text)
+  in
+  here ~declares:true name (Some { name = name.text; what; at = name.span })
+
+let import lookup (module_ : Syntax.Ir.name) items =
+  let target (m : Resolve.Ir.module_) =
+    { name = m.name; what = Module; at = Span.start_of_file m.file }
+  in
+  here module_ (Option.map target (module_named lookup module_.text))
+  @ List.concat_map
+      (fun (item : Syntax.Ir.name) -> here item (exported lookup module_.text item.text))
+      items
+
+let occurrences lookup : Mentions.mention -> occurrence list = function
+  | Declares (space, name, record) -> declaration lookup space name record
+  | Binds name -> here ~declares:true name (Some { name = name.text; what = Local; at = name.span })
+  | Signs { name; binder = Some b } ->
+      let is_own = Hashtbl.find_opt lookup.own (Value, b.text, None) = Some b.span in
+      let what = if is_own then Value (global lookup b.text) else Local in
+      here name (Some { name = name.text; what; at = b.span })
+  | Signs { binder = None; _ } -> []
+  | Uses { space; name; within } -> here name.name (used lookup space name within)
+  | Selects { field = name; within } ->
+      let record = record_of lookup name within in
+      here name (Option.bind record (fun record -> field lookup record name.text))
+  | Imports { module_; items } -> import lookup module_ items
+  | Exports name -> here name (exported lookup lookup.main name.text)
+  | Local _ -> []
 
 let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
   match a.resolved with
@@ -195,160 +354,19 @@ let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
   | Some program ->
       let main = program.main_module in
       let mentions = Mentions.of_program tree in
-      let meant = meant_by program ~main in
-      let records = Option.fold typed ~none:(Place_table.create 1) ~some:(records ~main) in
-      let own = declared_by mentions in
-      let tables = Hashtbl.create 16 in
-      let declared module_ =
-        if String.equal module_ main then own
-        else
-          match Hashtbl.find_opt tables module_ with
-          | Some table -> table
-          | None ->
-              let is_it (m : Resolve.Ir.module_) = String.equal m.name module_ in
-              let table =
-                Option.fold (List.find_opt is_it program.modules) ~none:(Hashtbl.create 1)
-                  ~some:(fun (m : Resolve.Ir.module_) -> declared_in a.sources m.file)
-              in
-              Hashtbl.replace tables module_ table;
-              table
+      let lookup =
+        {
+          program;
+          main;
+          sources = a.sources;
+          meant = meant_by program ~main;
+          records = Option.fold typed ~none:(Place_table.create 1) ~some:(records ~main);
+          own = declared_by mentions;
+          tables = Hashtbl.create 16;
+        }
       in
-      let nowhere = Span.start_of_file "" in
-      let symbol space what (g : Global.t) =
-        let at = Hashtbl.find_opt (declared g.module_) (space, g.name, None) in
-        { name = g.name; what; at = Option.value at ~default:nowhere }
-      in
-      let field record name =
-        let with_field (m : Resolve.Ir.module_) =
-          Hashtbl.find_opt (declared m.name) (Mentions.Field, name, Some record)
-        in
-        let modules = List.rev program.modules in
-        Option.map
-          (fun at -> { name; what = Field { record }; at })
-          (List.find_map with_field modules)
-      in
-      let unit_ name =
-        let named (u : Resolve.Ir.unit_declaration) = String.equal u.unit_name.name name in
-        let all = List.filter named program.units in
-        let here (u : Resolve.Ir.unit_declaration) = String.equal u.unit_name.module_ main in
-        match (List.find_opt here all, all) with
-        | Some u, _ | None, u :: _ -> Some (symbol Unit (Unit u.unit_name) u.unit_name)
-        | None, [] -> None
-      in
-      (* In whatever name space the list of an import or a header means it. *)
-      let exported module_ name =
-        let spaces : Mentions.space list = [ Value; Type; Class; Unit; Constructor ] in
-        let of_module module_ =
-          List.find_map
-            (fun (space : Mentions.space) ->
-              Option.map
-                (fun at ->
-                  let g : Global.t = { module_; name } in
-                  let what =
-                    match space with
-                    | Value -> Value g
-                    | Type -> Type g
-                    | Class -> Class g
-                    | Unit -> Unit g
-                    | Constructor | Field -> Constructor g
-                  in
-                  { name; what; at })
-                (Hashtbl.find_opt (declared module_) (space, name, None)))
-            spaces
-        in
-        match of_module module_ with
-        | Some symbol -> Some symbol
-        | None -> List.find_map (fun (m : Resolve.Ir.module_) -> of_module m.name) program.modules
-      in
-      let constructor within = Place_table.find_opt meant.constructors (place within) in
-      let used space (name : Syntax.Ir.qualified) (within : Span.t) =
-        match (space : Mentions.space) with
-        | Value -> (
-            match Place_table.find_opt meant.values (place within) with
-            | Some (`Local l) -> Some { name = l.name; what = Local; at = l.span }
-            | Some (`Global g) -> Some (symbol Value (Value g) g)
-            | None when Hashtbl.mem own (Value, name.name.text, None) ->
-                let g : Global.t = { module_ = main; name = name.name.text } in
-                Some (symbol Value (Value g) g)
-            | None -> None)
-        | Constructor ->
-            Option.map (fun g -> symbol Constructor (Constructor g) g) (constructor within)
-        | Type ->
-            Option.map
-              (fun g -> symbol Type (Type g) g)
-              (Place_table.find_opt meant.types (place within))
-        | Class ->
-            Option.map
-              (fun g -> symbol Class (Class g) g)
-              (Place_table.find_opt meant.classes (within.start, within.start))
-        | Unit -> unit_ name.name.text
-        | Field -> None
-      in
-      let record_of (name : Syntax.Ir.name) within =
-        match (constructor within, Place_table.find_opt records (place within)) with
-        | Some g, _ -> Some g.name
-        | None, Some record -> Some record
-        | None, None -> (
-            match Place_table.find_opt meant.candidates (place within) with
-            | Some [ only ] ->
-                let is_it (t : Resolve.Ir.type_declaration) = t.tycon = only in
-                let has (c : Resolve.Ir.constructor) =
-                  List.exists (fun (f : Resolve.Ir.field) -> f.field_name = name.text) c.fields
-                in
-                Option.bind (List.find_opt is_it program.types) (fun t ->
-                    match t.definition with
-                    | Data cs ->
-                        Option.map
-                          (fun (c : Resolve.Ir.constructor) -> c.constructor.name)
-                          (List.find_opt has cs)
-                    | Alias _ | Builtin | Foreign _ -> None)
-            | Some _ | None -> None)
-      in
-      let global name : Global.t = { module_ = main; name } in
-      let occurrences : Mentions.mention -> occurrence list =
-        let here ?(declares = false) (name : Syntax.Ir.name) symbol =
-          Option.to_list (Option.map (fun symbol -> { place = name.span; symbol; declares }) symbol)
-        in
-        function
-        | Declares (space, name, record) ->
-            let g = global name.text in
-            let what =
-              match (space, record) with
-              | Value, _ -> Value g
-              | Constructor, _ -> Constructor g
-              | Type, _ -> Type g
-              | Class, _ -> Class g
-              | Unit, _ -> Unit g
-              | Field, record -> Field { record = Option.value record ~default:"" }
-            in
-            here ~declares:true name (Some { name = name.text; what; at = name.span })
-        | Binds name ->
-            here ~declares:true name (Some { name = name.text; what = Local; at = name.span })
-        | Signs { name; binder = Some b } ->
-            let is_own = Hashtbl.find_opt own (Value, b.text, None) = Some b.span in
-            let what = if is_own then Value (global b.text) else Local in
-            here name (Some { name = name.text; what; at = b.span })
-        | Signs { binder = None; _ } -> []
-        | Uses { space; name; within } -> here name.name (used space name within)
-        | Selects { field = name; within } ->
-            here name (Option.bind (record_of name within) (fun record -> field record name.text))
-        | Imports { module_; items } ->
-            let is_it (m : Resolve.Ir.module_) = String.equal m.name module_.text in
-            let target =
-              Option.map
-                (fun (m : Resolve.Ir.module_) ->
-                  { name = m.name; what = Module; at = Span.start_of_file m.file })
-                (List.find_opt is_it program.modules)
-            in
-            here module_ target
-            @ List.concat_map
-                (fun (item : Syntax.Ir.name) -> here item (exported module_.text item.text))
-                items
-        | Exports name -> here name (exported main name.text)
-        | Local _ -> []
-      in
-      let all = Array.of_list (List.concat_map occurrences mentions) in
-      (* All are in one file, and no name stands in another. *)
+      let all = Array.of_list (List.concat_map (occurrences lookup) mentions) in
+      (* All occurrences are in one file, and names do not overlap. *)
       let by_place a b = Int.compare (a.place.start :> int) (b.place.start :> int) in
       Array.stable_sort by_place all;
       all
@@ -356,7 +374,7 @@ let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
 let all = Array.to_list
 
 let at (t : t) (p : Span.position) =
-  (* The first that ends there or behind. *)
+  (* The first occurrence that ends at or after this position. *)
   let rec search low high =
     if low >= high then low
     else
@@ -366,6 +384,6 @@ let at (t : t) (p : Span.position) =
   let n = Array.length t in
   let first = search 0 n in
   let is_at i = i < n && t.(i).place.start <= p && p <= t.(i).place.stop in
-  (* Between two the second is meant. *)
+  (* Between two adjacent names, the second one counts. *)
   let rec last i = if is_at (i + 1) && t.(i).place.stop <= p then last (i + 1) else i in
   if is_at first then Some t.(last first) else None

@@ -1,4 +1,4 @@
-(** What each name in a text means: where that is declared, in whatever module. *)
+(** Maps each name in a text to its declaration, in whatever module that is. *)
 
 open Basis
 
@@ -9,26 +9,26 @@ type what =
   | Type of Resolve.Ir.Global.t
   | Class of Resolve.Ir.Global.t
   | Unit of Resolve.Ir.Global.t
-  | Field of { record : string  (** its constructor *) }
+  | Field of { record : string  (** constructor of the record *) }
   | Module
 
 type symbol = {
   name : string;
   what : what;
-  at : Span.t;  (** of the name where it is declared: tells symbols apart *)
+  at : Span.t;  (** the place of the name in its declaration, which identifies the symbol *)
 }
 
 type occurrence = { place : Span.t; symbol : symbol; declares : bool }
 type t
 
 val of_analysis : Analysis.t -> typed:Typing.Ir.program option -> Syntax.Ir.program -> t
-(** Of the text that the analysis and the tree are of; [typed], of the same text, knows of which
-    record a field is. *)
+(** Builds the index from the analysis and tree of a text. [typed], from the same text, determines
+    the records of fields. *)
 
 val all : t -> occurrence list
-(** In order of their places. *)
+(** In source order. *)
 
 val at : t -> Span.position -> occurrence option
-(** That a cursor there is in, or behind. *)
+(** The occurrence that contains this position or ends at it. *)
 
 val same : symbol -> symbol -> bool

@@ -218,7 +218,7 @@ and declarations add ds =
       | _ -> ())
     ds
 
-(* {1 The top of a module} *)
+(* {1 Top-level declarations} *)
 
 let constructor add (c : constructor) =
   add (Declares (Constructor, c.name, None));

@@ -1,4 +1,4 @@
-(** Each place in a module where a name stands, with what it is there. *)
+(** Lists each occurrence of a name in a module, with its role there. *)
 
 open Syntax.Ir
 
@@ -6,21 +6,22 @@ type space = Value | Constructor | Type | Class | Unit | Field
 
 type mention =
   | Declares of space * name * string option
-      (** at the top of the module, or as a part of a declaration there; of a field its constructor
-      *)
-  | Binds of name  (** a variable or a definition inside another *)
+      (** a top-level declaration or a part of one; for a field, with its constructor *)
+  | Binds of name  (** a local variable or definition *)
   | Signs of { name : name; binder : name option }
-      (** a signature, and the name that it is of; [None] where there is none beside it *)
+      (** a type signature, and the name that it belongs to; [None] if no definition is next to it
+      *)
   | Uses of { space : space; name : qualified; within : Basis.Span.t }
-      (** [within]: the expression, pattern, type or constraint that begins with the name *)
-  | Selects of { field : name; within : Basis.Span.t }  (** of a record there *)
+      (** [within]: the expression, pattern, type or constraint that starts with the name *)
+  | Selects of { field : name; within : Basis.Span.t }
+      (** access to a field of the record in [within] *)
   | Imports of { module_ : name; items : name list }
   | Exports of name
   | Local of { declaration : declaration; block : declaration list }
-      (** a declaration inside another, with all that stand in its block *)
+      (** a local declaration, with all declarations of its block *)
 
 val of_program : program -> mention list
-(** In no order. *)
+(** In unspecified order. *)
 
 val patterns : pattern -> name list
 (** The variables in a pattern. *)

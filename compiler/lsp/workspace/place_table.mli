@@ -1,4 +1,4 @@
-(** Tables by places of one text. *)
+(** Hash tables whose keys are places in one text. *)
 
 open Basis
 include Hashtbl.S with type key = Span.position * Span.position

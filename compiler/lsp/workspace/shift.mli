@@ -1,7 +1,7 @@
-(** Places of a text in an earlier or later version of it.
+(** Maps places in one version of a text to another version.
 
-    Between one version and the next, what stands before the first difference and behind the last
-    one is at corresponding places; what lies between them has none. *)
+    For two consecutive versions, the text before the first difference and after the last difference
+    has corresponding places. The text between them has none. *)
 
 type step
 type t = step list
@@ -9,19 +9,19 @@ type t = step list
 val none : t
 
 val between : string -> string -> t
-(** [between from to_] *)
+(** [between from to_] is the shift from one text to another. *)
 
 val and_then : t -> t -> t
-(** The second begins with the text that the first ends with. *)
+(** Composes two shifts. The second must start with the text with which the first ends. *)
 
 val back : t -> t
-(** The other way round. *)
+(** The inverse shift. *)
 
 val offset : t -> int -> int option
-(** Where this offset of the first text is in the last. *)
+(** Maps an offset in the first text to the last text. *)
 
 val place : t -> int * int -> (int * int) option
-(** Of a piece of text that is the same in both. *)
+(** Maps a range whose text is unchanged. *)
 
 val range : t -> int * int -> (int * int) option
-(** Of a piece of text that is whole in both, or has differences inside. *)
+(** Maps a range whose ends still exist; the text inside may have changed. *)

@@ -1,10 +1,10 @@
-(** The words of a text, which need not be a program. *)
+(** Splits a text into tokens. The text need not be a program. *)
 
 type token = { token : Syntax.Grammar.token; start : int; stop : int;  (** offsets *) first : bool }
 
 val of_text : string -> token array
-(** Without the end. *)
+(** The tokens, without the one for the end of the text. *)
 
 val item : string -> int -> int * int
-(** From where to where the item of the top of the text goes that the offset is in: from a line that
-    is not indented to the next. *)
+(** The range of the top-level declaration that contains the offset: from a line that is not
+    indented to the next such line. *)

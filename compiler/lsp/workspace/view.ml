@@ -30,7 +30,7 @@ type seen = { view : t; now : Text.t; shift : Shift.t; back : Shift.t }
 
 let seen view now shift = { view; now; shift; back = Shift.back shift }
 
-(* Spans count lines by [\n] and columns in bytes, whatever an editor does. *)
+(* Spans count lines by [\n] and columns in bytes, unlike editors. *)
 let position s offset =
   Option.map
     (fun offset ->
@@ -57,12 +57,10 @@ let shifted shift s (span : Span.t) =
   if String.equal span.file a.shown then shift s.shift (offset a span.start, offset a span.stop)
   else None
 
-let is_name = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false
-
-(* Still the same word: not one with more letters. *)
+(* [None] if the word is now part of a longer one. *)
 let place s span =
   let text = Text.contents s.now in
-  let is_name_at i = i >= 0 && i < String.length text && is_name text.[i] in
+  let is_name_at i = i >= 0 && i < String.length text && Basis.Character.is_name text.[i] in
   match shifted Shift.place s span with
   | Some (start, stop) when is_name_at start && (is_name_at (start - 1) || is_name_at stop) -> None
   | found -> found

@@ -1,40 +1,41 @@
-(** A version of a text that the compiler understood, seen from the text as it is now. *)
+(** A version of a text that the compiler understood, with places translated to and from the current
+    text. *)
 
 open Basis
 
 type t
 
 val of_analysis : Analysis.t -> t option
-(** [None] if names are wrong. *)
+(** [None] if name resolution failed. *)
 
 val analysis : t -> Analysis.t
 val tree : t -> Syntax.Ir.program
 val index : t -> Index.t
 
 val facts : t -> Facts.t option
-(** [None] if types are wrong. *)
+(** [None] if type checking failed. *)
 
 val program : t -> Resolve.Ir.program
 
 val prepare : t -> unit
-(** Computes what would else be computed when first asked for. *)
+(** Computes the lazy parts in advance. *)
 
 (** {1 Places}
 
-    Those of the present text are offsets, those of the version positions. *)
+    Places in the current text are offsets. Places in the version are positions or spans. *)
 
 type seen = { view : t; now : Text.t; shift : Shift.t; back : Shift.t }
 
 val seen : t -> Text.t -> Shift.t -> seen
-(** [shift]: from the version to this text. *)
+(** [shift] maps the version to the current text. *)
 
 val position : seen -> int -> Span.position option
 
 val place : seen -> Span.t -> (int * int) option
-(** Where a word of the version is now. *)
+(** The current place of a word of the version. *)
 
 val place_at : seen -> int -> Span.t -> (int * int) option
-(** If this offset of the present text is in it. *)
+(** The current place of a word, if it contains this offset of the current text. *)
 
 val range : seen -> Span.t -> (int * int) option
-(** Likewise of something larger, which may have changed inside. *)
+(** The current place of a larger range, whose contents may have changed. *)

@@ -10,7 +10,7 @@ type t = {
   mutable snippets : bool;
 }
 
-let create ?(disk = Driver.Program_file.files.read) ~library () =
+let create ?(disk = Build.Program_file.files.read) ~library () =
   {
     library;
     disk;
@@ -31,9 +31,11 @@ let read t path =
 
 let check t ~path text = Analysis.check ~library:t.library ~read:(read t) ~path text
 
-let look t (d : Document.t) =
+let analyse t (d : Document.t) =
   let partial = Analysis.partial ~library:t.library ~read:(read t) in
-  if d.changed then Document.looked_at d ~partial (check t ~path:d.path (Text.contents d.text))
+  Document.found d ~partial (check t ~path:d.path (Text.contents d.text))
+
+let look t (d : Document.t) = if d.changed then Document.looked_at d (analyse t d)
 
 let analysis_of t path =
   let is_it _ (d : Document.t) found = if String.equal d.path path then Some d else found in
@@ -48,7 +50,7 @@ let analysis_of t path =
 let most_files = 10_000
 let deepest = 12
 
-(* Where no programs are that anybody writes. *)
+(* Folders that do not contain the user's own programs. *)
 let is_skipped name =
   name = "" || name.[0] = '.' || name.[0] = '_' || String.equal name "node_modules"
 
@@ -77,7 +79,7 @@ let files t =
   let opened = Hashtbl.fold (fun _ (d : Document.t) all -> d.path :: all) t.documents [] in
   List.sort_uniq String.compare (on_disk @ opened)
 
-(* {1 What editors are told} *)
+(* {1 Places for the editor} *)
 
 let position t text offset : Json.t =
   let { Text.line; character } = Text.position t.encoding text offset in
@@ -99,7 +101,7 @@ let span_range t sources (span : Span.t) =
   let offset = Source.offset sources span.file in
   range t text (offset span.start, offset span.stop)
 
-(* By the name that the editor has for it. *)
+(* The URI that the editor uses for this file. *)
 let uri_of t file =
   let path = Analysis.path_of ~library:t.library file in
   let is_it uri (d : Document.t) found = if String.equal d.path path then Some uri else found in

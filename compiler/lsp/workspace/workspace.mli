@@ -1,49 +1,52 @@
-(** All that the server knows: folders, open texts, settings. *)
+(** The state of the server: folders, open texts and settings. *)
 
 open Basis
 
 type t = {
   library : string;  (** the folder of the standard library *)
-  disk : string -> (string, Resolve.Files.error) result;  (** files that are not open *)
-  documents : (string, Document.t) Hashtbl.t;  (** by URI *)
+  disk : string -> (string, Resolve.Files.error) result;  (** reads files that are not open *)
+  documents : (string, Document.t) Hashtbl.t;  (** open documents, by URI *)
   mutable encoding : Text.encoding;
   mutable roots : string list;
   mutable inlay_hints : bool;
-  mutable snippets : bool;  (** the editor knows them *)
+  mutable snippets : bool;  (** whether the editor supports snippets *)
 }
 
 val create : ?disk:(string -> (string, Resolve.Files.error) result) -> library:string -> unit -> t
 
 val read : t -> string -> (string, Resolve.Files.error) result
-(** The text of a file, as it is in the editor if it is open there. *)
+(** The text of a file: the editor's version if the file is open. *)
 
 val document : t -> string -> Document.t option
 val check : t -> path:string -> string -> Analysis.t
 
 val analysis_of : t -> string -> Analysis.t option
-(** Of a file that need not be open. *)
+(** The analysis of a file, which need not be open. *)
+
+val analyse : t -> Document.t -> Document.found
+(** Does not change the document. *)
 
 val look : t -> Document.t -> unit
-(** Brings what is known of the text up to date. *)
+(** Checks the text and updates the document. *)
 
 val files : t -> string list
-(** The programs in the folders, and those that are open. *)
+(** The programs in the workspace folders, and those that are open. *)
 
-(** {1 What editors are told} *)
+(** {1 Places for the editor} *)
 
 val position : t -> Text.t -> int -> Json.t
 val range : t -> Text.t -> int * int -> Json.t
 
 val offset : t -> Text.t -> Json.t -> int
-(** Of a position of the protocol. *)
+(** The offset of a position in the protocol's format. *)
 
 val offsets : t -> Text.t -> Json.t -> int * int
-(** Of a range. *)
+(** The offsets of a range in the protocol's format. *)
 
 val span_range : t -> Source.t -> Span.t -> Json.t
 
 val location : t -> Source.t -> Span.t -> Json.t
-(** Of a place in a file of a program, whose texts these are. *)
+(** The location of a span in a program with these sources. *)
 
 val uri_of : t -> string -> string
-(** Of the file that spans call so. *)
+(** The URI of a file, given its name in spans. *)

@@ -1,5 +1,5 @@
-(* Writes an OCaml module with the syntax trees of the modules whose paths are the
-   arguments: the name that diagnostics show, the text, and the tree, marshalled. *)
+(* Writes an OCaml module that contains the modules whose paths are the arguments. Each entry has
+   the file name for diagnostics, the text, and the marshalled syntax tree. *)
 
 open Basis
 
@@ -9,7 +9,7 @@ let read path =
   close_in channel;
   text
 
-(* As {!Resolve.Modules} shows a module of the library. *)
+(* The file name that {!Resolve.Modules} uses for a library module. *)
 let shown path = Filename.basename (Filename.dirname path) ^ "/" ^ Filename.basename path
 
 let prepared path =

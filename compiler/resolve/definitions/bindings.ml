@@ -5,7 +5,7 @@ type 'a resolver = Env.t -> 'a -> Ir.expr
 type right = Definition of Syntax.Ir.right | Run of Syntax.Ir.command | Judged of Syntax.Ir.expr
 type item = { left : Syntax.Ir.left; right : right; doc : string option; span : Span.t }
 
-(* What documents a signature documents what it is the signature of. *)
+(* The doc comment of a signature also documents the definition. *)
 let docs declarations =
   let add docs (d : Syntax.Ir.declaration) =
     match (d.desc, d.doc) with
@@ -66,8 +66,8 @@ let signatures declarations =
   in
   List.rev (List.fold_left add [] declarations)
 
-(* The signatures by name. Emits for one that is repeated, or has no binding:
-   is not one of the [names], which are in order. *)
+(* The signatures by name. Reports a repeated signature, and one whose name has no binding: it is
+   not among [names], which are in source order. *)
 let signature_table (scope : Scope.t) ~is_bound ~names signatures =
   let report_repeated (first : Syntax.Ir.name) (name : Syntax.Ir.name) =
     Diagnostic.error ~code:"E0211" ~at:name.span "`%s` has two signatures" name.text
@@ -75,8 +75,7 @@ let signature_table (scope : Scope.t) ~is_bound ~names signatures =
     |> Context.emit scope.context
   in
   let report_unbound (name : Syntax.Ir.name) =
-    Diagnostic.error ~code:"E0214" ~at:name.span "the signature of `%s` has no definition with it"
-      name.text
+    Diagnostic.error ~code:"E0214" ~at:name.span "the signature of `%s` has no definition" name.text
     |> Context.suggest scope.context name.text names
     |> Context.emit scope.context
   in
@@ -91,7 +90,7 @@ let signature_table (scope : Scope.t) ~is_bound ~names signatures =
   in
   List.fold_left add String_map.empty signatures
 
-(* The binder of an item with its variables. *)
+(* The binder of an item, and the variables it binds. *)
 let binder (scope : Scope.t) item : Ir.binder * Ir.Local.t list =
   let inner (name : Syntax.Ir.name) : Ir.binder * Ir.Local.t list =
     let local = Context.fresh scope.context name.text name.span in
@@ -118,7 +117,7 @@ let variables group table binders =
 
 let signature_of table (local : Ir.Local.t) = Option.map snd (String_map.find_opt local.name table)
 
-(* The signatures of variables that are bound by patterns. *)
+(* The signatures of variables bound by destructuring patterns. *)
 let destructured table binders =
   let signed local = Option.map (fun s -> (local, s)) (signature_of table local) in
   let of_binder ((name : Ir.binder), locals) =
@@ -190,28 +189,31 @@ and declarations env ~expr ~command ~items ~signatures =
       (env, { groups = Groups.sort group bindings; signatures = destructured table binders })
 
 let report_pattern (scope : Scope.t) item =
-  Diagnostic.error ~code:"E0226" ~at:item.span "a pattern cannot be defined at top level"
+  Diagnostic.error ~code:"E0226" ~at:item.span
+    "a top-level definition defines one name, not a pattern"
   |> Diagnostic.hint
        (match item.left with
        | Pattern
            { desc = Constructed ({ qualifier = None; name; _ }, [ { desc = Bound x; _ } ]); _ } ->
            Printf.sprintf
-             "no type stands before a name: `%s = …`, and if wanted `%s :: %s` on a line of its own"
+             "write `%s = …` without a type; if you want to give the type, write `%s :: %s` on the \
+              line above"
              x.text x.text name.text
        | Pattern { desc = Constructed ({ qualifier = None; name; _ }, _); _ } ->
-           Printf.sprintf "the name of a value starts with a small letter: `%s`"
+           Printf.sprintf "start the name of a value with a small letter: `%s`"
              (String.uncapitalize_ascii name.text)
        | Pattern _ | Name _ | Function_name _ ->
-           "define each name by itself, or match in a `let` or `where`")
+           "define each name separately, or match the pattern in a `let` or `where`")
   |> Context.emit scope.context
 
 let report_operator (scope : Scope.t) (name : Syntax.Ir.name) =
-  Diagnostic.error ~code:"E0227" ~at:name.span "programs define no operators"
-  |> Diagnostic.hint "give the function a name; backticks make it infix: a `f` b"
+  Diagnostic.error ~code:"E0227" ~at:name.span "a program cannot define operators"
+  |> Diagnostic.hint
+       "give the function a name; with backticks you can write it between its arguments: a `f` b"
   |> Context.emit scope.context
 
-(* The definitions of a module by name, in order. Of those of one name only the
-   first: the others are reported where the module's names are collected. *)
+(* The definitions of a module by name, in order. Only the first definition of a name is kept; the
+   others are reported where the module's names are collected. *)
 let definitions (scope : Scope.t) declarations =
   let index = String_table.create 16 in
   let add ((count, reversed) as all) item =

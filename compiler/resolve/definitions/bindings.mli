@@ -1,26 +1,27 @@
-(** Lists of declarations: [let], [where], the equations of a proc. All bindings of a list are
-    visible in all of its right sides. *)
+(** Resolves lists of declarations: [let], [where], and the equations of a proc. All bindings of a
+    list are visible in all of its right-hand sides. *)
 
 type 'a resolver = Env.t -> 'a -> Ir.expr
-(** How the expressions inside are resolved: bindings and expressions contain each other. *)
+(** Resolves the expressions inside. It is passed as an argument because bindings and expressions
+    contain each other. *)
 
-(** A binding's right side. *)
+(** The right-hand side of a binding. *)
 type right =
   | Definition of Syntax.Ir.right
   | Run of Syntax.Ir.command  (** the statement [p <- sf -< e] *)
-  | Judged of Syntax.Ir.expr  (** what an assertion says *)
+  | Judged of Syntax.Ir.expr  (** the condition of an assertion *)
 
 type item = { left : Syntax.Ir.left; right : right; doc : string option; span : Basis.Span.t }
 
 val items : Syntax.Ir.declaration list -> item list
-(** The bindings among declarations; [doc] may be that of the signature. *)
+(** The bindings among the declarations. [doc] may come from the signature. *)
 
 val equations : Syntax.Ir.declaration list -> item list
-(** Those of a proc: the assertions among them too, each an equation of a name that no source can
-    mention; see {!Labels}. *)
+(** The equations of a proc. They include its assertions, each as an equation whose name cannot
+    occur in source code; see {!Labels}. *)
 
 val signatures : Syntax.Ir.declaration list -> (Syntax.Ir.name * Syntax.Ir.qualified_type) list
-(** The signatures among them, one entry for each name. *)
+(** The signatures among the declarations, one entry per name. *)
 
 val declarations :
   Env.t ->
@@ -29,8 +30,8 @@ val declarations :
   items:item list ->
   signatures:(Syntax.Ir.name * Syntax.Ir.qualified_type) list ->
   Env.t * Ir.declarations
-(** The environment is that of what follows, such as the body of a [let]. Emits E0212 for a name
-    bound twice, E0214 for a signature without a binding. *)
+(** Returns the environment of the code that follows, such as the body of a [let]. Emits E0212 for a
+    name bound twice, E0214 for a signature without a binding. *)
 
 val top_level :
   Scope.t ->
@@ -38,7 +39,7 @@ val top_level :
   command:Syntax.Ir.command resolver ->
   Syntax.Ir.declaration list ->
   Ir.binding_group list
-(** Likewise for the declarations of a module. *)
+(** Like {!declarations}, for the declarations of a module. *)
 
 val binding :
   Env.t ->
@@ -50,7 +51,7 @@ val binding :
   Ir.binding
 
 val report_operator : Scope.t -> Syntax.Ir.name -> unit
-(** E0227: programs define none. *)
+(** Emits E0227: programs cannot define operators. *)
 
 val right :
   Env.t ->
@@ -66,4 +67,4 @@ val guarded :
   guards:(Syntax.Ir.expr option * Syntax.Ir.expr) list ->
   where:Syntax.Ir.declaration list ->
   Ir.right
-(** Alternatives under the [where] that they share. *)
+(** Guarded alternatives with the [where] that they share. *)

@@ -1,21 +1,24 @@
 open Basis
 
 let report_place (scope : Scope.t) kind span =
-  Diagnostic.error ~code:"E0234" ~at:span
-    "an `%s` stands among the equations of a `proc`, and nowhere else" (Labels.word kind)
+  Diagnostic.error ~code:"E0234" ~at:span "an `%s` is only allowed among the equations of a `proc`"
+    (Labels.word kind)
   |> Diagnostic.hint
-       (Printf.sprintf "as in `proc x -> y where`, with `%s \"label\" (y > 0)` below"
+       (Printf.sprintf
+          "move it into a `proc`, as in `proc x -> y where` with `%s \"label\" (y > 0)` in the \
+           lines below"
           (Labels.word kind))
   |> Context.emit scope.context
 
 let check_label (scope : Scope.t) (label : Syntax.Ir.name) =
   let is_control c = Char.code c < 32 || c = '\127' in
   if String.trim label.text = "" || String.exists is_control label.text then
-    Diagnostic.error ~code:"E0235" ~at:label.span "this label is not a line of text"
-    |> Diagnostic.hint "it says in a few words what is to hold; the summary of a run shows it"
+    Diagnostic.error ~code:"E0235" ~at:label.span "this label is empty or contains a line break"
+    |> Diagnostic.hint "say in a few words what must hold; the summary of a run shows the label"
     |> Context.emit scope.context
 
-(* `trial name = Trial { … }`, which defines a function. *)
+(* `trial name = Trial { … }` without quotes around the label, which parses as the definition of a
+   function `trial`. *)
 let check_quotes (scope : Scope.t) (d : Syntax.Ir.declaration) =
   let rec is_a_check (e : Syntax.Ir.expr) =
     match e.desc with
@@ -38,7 +41,7 @@ let check_quotes (scope : Scope.t) (d : Syntax.Ir.declaration) =
       }
     when is_a_check value ->
       let text = Printf.sprintf "\"%s\"" label.text in
-      Diagnostic.error ~code:"E0235" ~at:label.span "the label of a `%s` is a text, in quotes" word
+      Diagnostic.error ~code:"E0235" ~at:label.span "the label of a `%s` must be in quotes" word
       |> Diagnostic.hint (Printf.sprintf "write `%s %s = …`" word text)
       |> Diagnostic.write label.span text |> Context.emit scope.context
   | _ -> ()

@@ -4,7 +4,8 @@ open Interface
 (* {1 Definitions of methods} *)
 
 let report_pattern (scope : Scope.t) (item : Bindings.item) =
-  Diagnostic.error ~code:"E0226" ~at:item.span "a method is defined by its name, not by a pattern"
+  Diagnostic.error ~code:"E0226" ~at:item.span
+    "an instance defines methods by name, not by a pattern"
   |> Context.emit scope.context
 
 let report_twice (scope : Scope.t) (first : Syntax.Ir.name) (name : Syntax.Ir.name) =
@@ -14,24 +15,24 @@ let report_twice (scope : Scope.t) (first : Syntax.Ir.name) (name : Syntax.Ir.na
 
 let report_no_method (scope : Scope.t) (class_ : class_) (name : Syntax.Ir.name) =
   let diagnostic =
-    Diagnostic.error ~code:"E0230" ~at:name.span "`%s` is no method of the class `%s`" name.text
+    Diagnostic.error ~code:"E0230" ~at:name.span "`%s` is not a method of the class `%s`" name.text
       class_.global.name
   in
   (if is_builtin_class class_ then diagnostic
-   else Diagnostic.label ~at:class_.span "its methods have their signatures there" diagnostic)
+   else Diagnostic.label ~at:class_.span "the methods are declared here" diagnostic)
   |> Context.suggest scope.context name.text (lazy class_.methods)
   |> (fun d ->
   if d.hints = [] then
     Diagnostic.hint
       (Printf.sprintf
-         "a function of its own stands at the left edge; what every `%s` has is given its \
-          signature in the class"
+         "if it is a separate function, move it to the left margin; if every `%s` must have it, \
+          add its signature to the class"
          class_.global.name)
       d
   else d)
   |> Context.emit scope.context
 
-(* The methods defined in a block, each with its name, once, in order. *)
+(* The methods defined in a block, each once with its name, in order. *)
 let definitions (scope : Scope.t) (class_ : class_) members =
   let methods = String_set.of_list class_.methods in
   let add (seen, reversed) (item : Bindings.item) =
@@ -132,9 +133,10 @@ let classes env ~expr ~command (program : Syntax.Ir.program) =
 (* {1 Instances} *)
 
 let report_signature (scope : Scope.t) (class_ : class_) ((name : Syntax.Ir.name), _) =
-  Diagnostic.error ~code:"E0231" ~at:name.span "an instance gives no signature"
-  |> Diagnostic.label ~at:class_.span (Printf.sprintf "`%s` has its type from the class" name.text)
-  |> Diagnostic.hint "leave it out" |> Context.emit scope.context
+  Diagnostic.error ~code:"E0231" ~at:name.span "an instance cannot contain a signature"
+  |> Diagnostic.label ~at:class_.span (Printf.sprintf "the class gives the type of `%s`" name.text)
+  |> Diagnostic.hint "remove the signature"
+  |> Context.emit scope.context
 
 let constructor_name (head : Ir.ty) =
   match head.desc with
@@ -144,7 +146,7 @@ let constructor_name (head : Ir.ty) =
   | Type_variable name | Representation { variable = name; _ } -> name
   | Size n -> string_of_int n
 
-(* [area@Circle]: no name of the source has an [@] in it. *)
+(* For example [area@Circle], which cannot clash because source names contain no [@]. *)
 let rec definition_name taken text =
   if Hashtbl.mem taken text then definition_name taken (text ^ "'")
   else (

@@ -1,4 +1,4 @@
-(** The type classes and instances that a module declares. *)
+(** Resolves the type classes and instances that a module declares. *)
 
 val classes :
   Env.t ->
@@ -6,8 +6,8 @@ val classes :
   command:Syntax.Ir.command Bindings.resolver ->
   Syntax.Ir.program ->
   Ir.class_ list
-(** Each after its superclasses. Emits E0229 for a class that is its own superclass, E0230 for a
-    definition of what is no method. *)
+(** The classes, superclasses before subclasses. Emits E0229 for a class that is its own superclass,
+    E0230 for a definition that is not one of the class's methods. *)
 
 val instances :
   Env.t ->
@@ -15,4 +15,5 @@ val instances :
   command:Syntax.Ir.command Bindings.resolver ->
   Syntax.Ir.program ->
   Ir.instance list
-(** In source order. Emits E0230 likewise, E0231 for a signature. *)
+(** The instances, in source order. Emits E0230 for a definition that is not one of the class's
+    methods, E0231 for a signature. *)

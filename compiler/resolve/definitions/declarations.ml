@@ -1,7 +1,7 @@
 open Basis
 open Interface
 
-(* Sorts declarations by what they use; [report] gets each circle. *)
+(* Sorts declarations topologically. Calls [report] for each cycle. *)
 let sort ~name ~uses ~report declarations =
   let all = Array.of_list declarations in
   let index =
@@ -19,7 +19,7 @@ let sort ~name ~uses ~report declarations =
   List.iter check components;
   Long_list.map (fun i -> all.(i)) (List.concat_map Fun.id components)
 
-(* `A` → `B` → `A` *)
+(* Shows a cycle as `A` → `B` → `A`. *)
 let path names =
   match names with
   | [] -> ""
@@ -53,18 +53,19 @@ let report_circle (scope : Scope.t) (circle : Ir.type_declaration list) =
   let is_data (d : Ir.type_declaration) =
     match d.definition with Data _ -> true | Alias _ | Builtin | Foreign _ -> false
   in
-  (* A type as the place to look at first: data, since it is its size that
-     matters, else the first alias. *)
+  (* The type to report the cycle at: preferably a data type, because its size is the problem,
+     otherwise the first alias. *)
   let main = match List.find_opt is_data circle with Some d -> d | None -> List.hd circle in
   let diagnostic =
     if is_data main then
-      Diagnostic.error ~code:"E0218" ~at:main.span "data type `%s` contains itself" main.tycon.name
-      |> Diagnostic.note "every value has a fixed size, so data types are not recursive"
+      Diagnostic.error ~code:"E0218" ~at:main.span "the data type `%s` contains itself"
+        main.tycon.name
+      |> Diagnostic.note "every value has a fixed size, so a data type cannot be recursive"
       |> Diagnostic.hint
-           "several things of one kind are an array, of a size that is known: `Array 8 Distance`; \
-            a record may tell with it how many of them count"
+           "use an array of a fixed size, such as `Array 8 Distance`; if the number of valid \
+            elements varies, keep their count in a second field"
     else
-      Diagnostic.error ~code:"E0217" ~at:main.span "type alias `%s` stands for itself"
+      Diagnostic.error ~code:"E0217" ~at:main.span "the type alias `%s` is defined by itself"
         main.tycon.name
   in
   let label diagnostic (d : Ir.type_declaration) =
@@ -76,8 +77,8 @@ let report_circle (scope : Scope.t) (circle : Ir.type_declaration list) =
   |> Context.emit scope.context
 
 let report_repeated (scope : Scope.t) what (first : Syntax.Ir.name) (second : Syntax.Ir.name) =
-  Diagnostic.error ~code:"E0211" ~at:second.span "the %s `%s` is named twice" what second.text
-  |> Diagnostic.label ~at:first.span "first named here"
+  Diagnostic.error ~code:"E0211" ~at:second.span "the %s `%s` is declared twice" what second.text
+  |> Diagnostic.label ~at:first.span "first declared here"
   |> Context.emit scope.context
 
 let check_distinct scope what (names : Syntax.Ir.name list) =
@@ -97,8 +98,8 @@ let check_parameters (scope : Scope.t) (parameters : Syntax.Ir.type_parameters) 
     | None -> ()
     | Some _ ->
         Diagnostic.error ~code:"E0224" ~at:name.span
-          "the unit parameter `%s` has the name of a unit" name.text
-        |> Diagnostic.hint "take a letter that is no unit, such as `u`"
+          "the unit parameter `%s` has the same name as a unit" name.text
+        |> Diagnostic.hint "use a letter that is not a unit, such as `u`"
         |> Context.emit scope.context
   in
   List.iter check parameters.units
@@ -196,10 +197,11 @@ let check_unit_name (scope : Scope.t) (name : Syntax.Ir.name) =
     String.length name.text >= 2 || match name.text.[0] with 'A' .. 'Z' -> true | _ -> false
   in
   if not (proper || scope.library) then
-    Diagnostic.error ~code:"E0220" ~at:name.span "the unit name `%s` is a single small letter"
-      name.text
-    |> Diagnostic.note "single small letters that are not in the library are unit variables"
-    |> Diagnostic.hint "take a name of at least two characters, or a capital"
+    Diagnostic.error ~code:"E0220" ~at:name.span
+      "the name of the unit `%s` is a single small letter" name.text
+    |> Diagnostic.note
+         "single small letters are reserved for unit variables and the library's units"
+    |> Diagnostic.hint "use a name of at least two characters, or a capital letter"
     |> Context.emit scope.context
 
 let unit_declaration (scope : Scope.t) (d : Syntax.Ir.declaration) : Ir.unit_declaration option =
@@ -227,7 +229,7 @@ let report_unit_circle (scope : Scope.t) (circle : Ir.unit_declaration list) =
     Diagnostic.label ~at:d.span (Printf.sprintf "through `%s`" d.unit_name.name) diagnostic
   in
   List.fold_left label
-    (Diagnostic.error ~code:"E0219" ~at:main.span "unit `%s` is defined by itself"
+    (Diagnostic.error ~code:"E0219" ~at:main.span "the unit `%s` is defined by itself"
        main.unit_name.name)
     (List.tl circle)
   |> Context.emit scope.context

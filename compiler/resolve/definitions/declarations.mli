@@ -1,13 +1,13 @@
-(** The types and units that a module declares, each after what it uses. *)
+(** Resolves the types and units that a module declares, in dependency order. *)
 
 val types : Scope.t -> Syntax.Ir.program -> Ir.type_declaration list
-(** With the built-in ones if this is the prelude. Emits E0217 for an alias that stands for itself,
-    E0218 for data that contains itself. *)
+(** Includes the built-in types if the module is the prelude. Emits E0217 for a cyclic alias, E0218
+    for a data type that contains itself. *)
 
 val sort :
   name:('a -> string) -> uses:('a -> string list) -> report:('a list -> unit) -> 'a list -> 'a list
-(** Declarations of one module, each after those that it uses; [report] gets each circle. *)
+(** Sorts declarations of one module in dependency order. Calls [report] for each cycle. *)
 
 val units : Scope.t -> Syntax.Ir.program -> Ir.unit_declaration list
-(** Emits E0219 for a unit defined by itself, E0220 for a name that could be taken for a unit
-    variable. *)
+(** Emits E0219 for a unit defined in terms of itself, E0220 for a name that could be confused with
+    a unit variable. *)

@@ -99,13 +99,15 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
 and head_of (e : Syntax.Ir.expr) =
   match e.desc with Apply (head, _) | Parenthesized head -> head_of head | _ -> e
 
-(* Of another language, as `while (…) …`: what follows is of that language too. *)
+(* A statement of another language, such as `while (…) …`. The code after it belongs to that
+   language too, so it is not resolved. *)
 and is_statement_elsewhere head =
   match (head_of head).desc with
   | Variable { qualifier = None; name; _ } -> Other_languages.is_statement name.text
   | _ -> false
 
-(* As in `f 3 [m/s]`, where `m` and `s` are units and nothing else. *)
+(* `f 3 [m/s]`: a unit separated from its number by a space. `m` and `s` are units, and not
+   variables as well. *)
 and is_unit_of env (head : Syntax.Ir.expr) unit_ =
   match head.desc with
   | Number { unit_ = None; _ } | Apply (_, { desc = Number { unit_ = None; _ }; _ }) ->
@@ -118,38 +120,39 @@ and is_a_unit env unit_ =
   in
   Unit_word.is_expression is_unit unit_
 
-(* `(k * x)[m/s]` *)
+(* `(k * x)[m/s]`: a unit applied to a computed value. *)
 and report_unit_of_a_value env (head : Syntax.Ir.expr) unit_ whole span =
   let unit_ = Unit_word.of_expression unit_ in
   Diagnostic.error ~code:"E0205" ~at:span
-    "a unit stands on a number written out or on a type, not on what is computed"
+    "a unit can only follow a literal number or a type, not a computed value"
   |> Diagnostic.hint
        (Printf.sprintf
-          "a value has its unit already; to give one to a plain number, multiply: `x * 1[%s]`" unit_)
+          "a value already has its unit; to give a plain number a unit, multiply: `x * 1[%s]`" unit_)
   |> (match head.desc with
      | Parenthesized _ ->
          let at = { whole with start = head.span.stop } in
-         Diagnostic.fix "multiply by it" [ (at, Printf.sprintf " * 1[%s]" unit_) ]
+         Diagnostic.fix "multiply by the unit" [ (at, Printf.sprintf " * 1[%s]" unit_) ]
      | _ -> Fun.id)
   |> Context.emit (Env.context env)
 
-(* The name of a field, and of nothing else. *)
+(* Is this only the name of a field, and not a variable as well? *)
 and is_a_field env (name : Syntax.Ir.name) =
   (not (Env.is_known env name)) && Scope.records_with (Env.scope env) [ name.text ] <> []
 
 and report_field env span (name : Syntax.Ir.name) (record : Syntax.Ir.name) =
   let text = Printf.sprintf "%s.%s" record.text name.text in
-  Diagnostic.error ~code:"E0205" ~at:name.span "`%s` is a field, and no function" name.text
-  |> Diagnostic.hint (Printf.sprintf "write `%s`; the function is `\\r -> r.%s`" text name.text)
+  Diagnostic.error ~code:"E0205" ~at:name.span "`%s` is a field, not a function" name.text
+  |> Diagnostic.hint
+       (Printf.sprintf "write `%s`; as a function, write `\\r -> r.%s`" text name.text)
   |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (span, "(" ^ text ^ ")") ]
   |> Context.emit (Env.context env)
 
 and report_apart env (head : Syntax.Ir.expr) unit_ span =
   let number = match head.desc with Apply (_, argument) -> argument | _ -> head in
   let digits = match number.desc with Number { digits; _ } -> digits | _ -> "3" in
-  Diagnostic.error ~code:"E0205" ~at:span "this unit stands apart from its number"
+  Diagnostic.error ~code:"E0205" ~at:span "there is a space between this unit and its number"
   |> Diagnostic.hint
-       (Printf.sprintf "a unit stands in square brackets, without a blank before them: `%s[%s]`"
+       (Printf.sprintf "write the unit in square brackets directly after the number: `%s[%s]`"
           digits (Unit_word.of_expression unit_))
   |> (match number.desc with
      | Number { digits; _ } ->
@@ -162,7 +165,7 @@ and declarations env bindings =
   Bindings.declarations env ~expr ~command ~items:(Bindings.items bindings)
     ~signatures:(Bindings.signatures bindings)
 
-(* A function of one value. *)
+(* A lambda with one parameter. *)
 and function_of env name ~at span body : Ir.expr_desc =
   let local = Context.fresh (Env.context env) name at in
   let body = body ({ desc = Local local; span = at } : Ir.expr) in
@@ -177,7 +180,7 @@ and operator_name env (operator : Syntax.Ir.qualified) : Ir.expr =
   let desc = Option.value (operator_meaning env operator) ~default:missing in
   { desc; span = operator.span }
 
-(* In backticks there may be a constructor. *)
+(* A name in backticks may be a constructor. *)
 and operator_meaning env operator : Ir.expr_desc option =
   match operator.name.text.[0] with
   | 'A' .. 'Z' ->
@@ -195,12 +198,12 @@ and binary env span operator (left : Ir.expr) right : Ir.expr_desc =
   in
   Apply { head = partial; argument = right; style }
 
-(* [(- x)] is no section; [(`f` x)] is the function of f's first argument. *)
+(* [(- x)] is not a section. [(`f` x)] is a function of the first argument of f. *)
 and right_section env span operator right : Ir.expr_desc =
   function_of env "left" ~at:operator.span span (fun left ->
       binary env span operator left (expr env right))
 
-(* Of the elements that are missing, in order. *)
+(* A lambda whose parameters are the missing elements, in order. *)
 and tuple_section env span places : Ir.expr_desc =
   let missing = List.filter (( = ) None) places in
   let locals = List.map (fun _ -> Context.fresh (Env.context env) "element" span) missing in
@@ -298,12 +301,13 @@ and record env span constructor fields : Ir.expr_desc =
       match Patterns.construction scope found ~at:constructor.span fields with
       | None -> missing
       | Some given ->
-          (* A field that is wrong is probably the one that is missing. *)
+          (* if a field is wrong, it is probably the one that is missing *)
           if List.length given = List.length fields then
             check_complete scope found span given fields;
           Record { constructor = found.global; fields = given })
 
-(* Behind the last one; for the value stands `_`, which is none. *)
+(* Inserts the missing fields after the last one. Their values are `_`, which does not compile, so
+   the user must fill them in. *)
 and name_fields absent fields diagnostic =
   match List.rev fields with
   | (_, (last : Ir.expr)) :: _ ->
@@ -325,12 +329,12 @@ and check_complete (scope : Scope.t) (constructor : Interface.constructor) span 
   | [] -> ()
   | _ ->
       let names = Enumeration.all (List.map (Printf.sprintf "`%s`") absent) in
-      Diagnostic.error ~code:"E0228" ~at:span "`%s` is built without its field%s %s"
+      Diagnostic.error ~code:"E0228" ~at:span "this `%s` lacks its field%s %s"
         constructor.global.name
         (if List.length absent = 1 then "" else "s")
         names
       |> Diagnostic.label ~at:constructor.span "declared here"
       |> Diagnostic.hint
-           (Printf.sprintf "a record has all its fields: add %s"
+           (Printf.sprintf "give every field a value: add %s"
               (Enumeration.all (List.map (Printf.sprintf "`%s = …`") absent)))
       |> name_fields absent fields |> Context.emit scope.context

@@ -1,7 +1,7 @@
-(** Expressions: names looked up; operators and sections become applications and functions; every
-    notation of a proc becomes equations and an output. *)
+(** Resolves expressions: looks up names, turns operators and sections into applications and
+    functions, and turns every notation of a proc into equations and an output. *)
 
 val expr : Env.t -> Syntax.Ir.expr -> Ir.expr
 
 val command : Env.t -> Syntax.Ir.command -> Ir.expr
-(** [sf -< e]: [e] is what [sf] runs on. *)
+(** [sf -< e]: runs [sf] on [e]. *)

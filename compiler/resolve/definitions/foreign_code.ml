@@ -13,30 +13,29 @@ let refuse (scope : Scope.t) (text : Syntax.Ir.name) ~wanted ~hint =
   Diagnostic.error ~code:"E0232" ~at:text.span "%s is not %s in C" what wanted
   |> Diagnostic.hint hint |> Context.emit scope.context
 
-(* What C or its headers may mean by this name, so that a declaration of it is an error
-   there or another thing. *)
+(* The meaning that the name may have in C or its headers. Declaring it there would be an error or
+   refer to something else. *)
 let meaning (scope : Scope.t) ~(kind : Syntax.Ir.foreign_kind) text =
   let starts prefix = String.starts_with ~prefix text in
   let is_reserved =
     starts "__" || (starts "_" && String.length text > 1 && text.[1] = Char.uppercase_ascii text.[1])
   in
-  if is_reserved then Some "one of those that C compilers keep for themselves"
-  else if C_names.is_taken text then Some "a macro or a type of C's headers"
-  else if starts "frob_" && not scope.library then
-    Some "one of those that generated C and its runtime have"
-  else if kind = Foreign_function && text = "main" then Some "where C programs begin"
+  if is_reserved then Some "reserved by the C standard"
+  else if C_names.is_taken text then Some "a macro or a type in C's headers"
+  else if starts "frob_" && not scope.library then Some "used by generated C and its runtime"
+  else if kind = Foreign_function && text = "main" then
+    Some "the function that a C program starts with"
   else None
 
 let check_symbol (scope : Scope.t) ~kind (text : Syntax.Ir.name) =
   if not (is_name text.text) then
-    refuse scope text ~wanted:"a name"
-      ~hint:"write the name of the function alone, as in `\"cbrt\"`"
+    refuse scope text ~wanted:"a name" ~hint:"write only the name of the function, as in `\"cbrt\"`"
   else
     match meaning scope ~kind text.text with
     | None -> ()
     | Some meaning ->
-        Diagnostic.error ~code:"E0232" ~at:text.span "`%s` cannot be a function of yours: it is %s"
-          text.text meaning
+        Diagnostic.error ~code:"E0232" ~at:text.span
+          "your function cannot be called `%s` in C: that name is %s" text.text meaning
         |> Diagnostic.hint "give the function another name in C"
         |> Context.emit scope.context
 
@@ -48,7 +47,7 @@ let check_type scope (text : Syntax.Ir.name) =
   in
   if not is_type then
     refuse scope text ~wanted:"the name of a type"
-      ~hint:"write a struct as in `\"struct frame\"`, or the name of a `typedef`"
+      ~hint:"write a struct, as in `\"struct frame\"`, or the name of a `typedef`"
 
 let check_header scope (text : Syntax.Ir.name) =
   let is_plain = function '"' | '\\' | '\n' | '\r' | '\000' -> false | _ -> true in
@@ -59,7 +58,7 @@ let check_header scope (text : Syntax.Ir.name) =
     (not (Filename.is_relative text.text)) || List.mem ".." (String.split_on_char '/' text.text)
   then
     Diagnostic.error ~code:"E0232" ~at:text.span "`%s` is outside of this module's folder" text.text
-    |> Diagnostic.hint "put the header beside the module, or into a folder there"
+    |> Diagnostic.hint "move the header to the folder of this module, or to a folder inside it"
     |> Context.emit scope.context
 
 let check_includes (scope : Scope.t) (program : Syntax.Ir.program) =
@@ -67,9 +66,9 @@ let check_includes (scope : Scope.t) (program : Syntax.Ir.program) =
     match d.desc with Foreign (Foreign_include _) -> true | _ -> false
   in
   let require (name : Syntax.Ir.name) what =
-    Diagnostic.error ~code:"E0233" ~at:name.span "no C header says what %s is" what
-    |> Diagnostic.note "the state of a program has room for it, so C compilers must know its size"
-    |> Diagnostic.hint "name the header in this module, as in `foreign include \"blob.h\"`"
+    Diagnostic.error ~code:"E0233" ~at:name.span "no included C header defines %s" what
+    |> Diagnostic.note "it is part of the program's state, so the C compiler must know its size"
+    |> Diagnostic.hint "include the header in this module, as in `foreign include \"blob.h\"`"
     |> Context.emit scope.context
   in
   let declaration (d : Syntax.Ir.declaration) =

@@ -1,15 +1,16 @@
-(** The texts in [foreign] declarations, which C compilers will read: each must be what C has in its
-    place (E0232). *)
+(** Checks the texts in [foreign] declarations, which end up in generated C. Each must have the C
+    syntax required at its place (E0232). *)
 
 val check_symbol : Scope.t -> kind:Syntax.Ir.foreign_kind -> Syntax.Ir.name -> unit
-(** The name of a function, or what the names of a component begin with; none that C has already. *)
+(** The name of a function, or the prefix of a component's names. It must not be a name that C
+    already uses. *)
 
 val check_type : Scope.t -> Syntax.Ir.name -> unit
-(** A name, or [struct], [union] or [enum] and a name. *)
+(** A C type name, optionally after [struct], [union] or [enum]. *)
 
 val check_includes : Scope.t -> Syntax.Ir.program -> unit
-(** What programs keep in their own state must be known to C by its size: a module with such
-    declarations has a header (E0233). *)
+(** C must know the size of everything that programs keep in their state, so a module that declares
+    a copyable foreign type or a foreign signal function must include a header (E0233). *)
 
 val check_header : Scope.t -> Syntax.Ir.name -> unit
-(** The path of a header, not outside of the module's folder. *)
+(** The path of a header inside the module's folder. *)

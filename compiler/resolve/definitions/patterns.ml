@@ -15,7 +15,7 @@ let report_field (scope : Scope.t) (constructor : constructor) known (field : Sy
   else d)
   |> Context.emit scope.context
 
-(* Several are one mistake: another record was in mind. *)
+(* Several unknown fields are reported once: the user probably meant another record. *)
 let report_fields (scope : Scope.t) (constructor : constructor) known = function
   | [] -> ()
   | [ field ] -> report_field scope constructor known field
@@ -27,7 +27,7 @@ let report_fields (scope : Scope.t) (constructor : constructor) known = function
       |> Diagnostic.label ~at:constructor.span "declared here"
       |> (if List.compare_length_with known 8 <= 0 then
             Diagnostic.hint
-              (Printf.sprintf "it is built so: `%s { %s }`" constructor.global.name
+              (Printf.sprintf "its fields are `%s { %s }`" constructor.global.name
                  (String.concat ", " (List.map (Printf.sprintf "%s = …") known)))
           else
             Diagnostic.note
@@ -75,7 +75,7 @@ let report_arity (scope : Scope.t) (constructor : constructor) ~found at =
       else
         let name i = String.make 1 (Char.chr (Char.code 'a' + i)) in
         Diagnostic.hint
-          (Printf.sprintf "its pattern is `%s %s`, with `_` for what is not looked at"
+          (Printf.sprintf "its pattern is `%s %s`: write `_` for an argument that you do not use"
              constructor.global.name
              (String.concat " " (List.init constructor.arity name))))
   |> Context.emit scope.context
@@ -116,7 +116,7 @@ and positional scope constructor span all : Ir.pattern_desc =
     Option.value (String_map.find_opt field by_name) ~default:({ desc = Any; span } : Ir.pattern)
   in
   let arguments = Long_list.map argument (Option.value constructor.fields ~default:[]) in
-  (* What was in error keeps its place, so that its variables are known. *)
+  (* An erroneous field stays in the pattern, so that its variables are bound. *)
   let faulty = List.filter (fun (field, _) -> not (List.mem_assq field given)) all in
   Constructed (constructor.global, arguments @ Long_list.map snd faulty)
 

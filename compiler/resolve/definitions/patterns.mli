@@ -1,13 +1,13 @@
-(** Patterns: constructors looked up and their arguments counted, records made positional, variables
-    fresh. *)
+(** Resolves patterns: looks up constructors and checks their arity, turns record patterns into
+    positional ones, and creates the variables. *)
 
 val pattern : Scope.t -> Syntax.Ir.pattern -> Ir.pattern
 
 val variables : Ir.pattern -> Ir.Local.t list
-(** In source order. *)
+(** The variables bound by a pattern, in source order. *)
 
 val bind : Env.t -> Syntax.Ir.pattern list -> Env.t * Ir.pattern list
-(** Patterns whose variables come into scope together, as a function's parameters. *)
+(** Patterns whose variables come into scope together, such as the parameters of a function. *)
 
 val number : Scope.t -> Syntax.Ir.number -> Ir.number
 
@@ -17,5 +17,5 @@ val construction :
   at:Basis.Span.t ->
   (Syntax.Ir.name * 'a) list ->
   (Syntax.Ir.name * 'a) list option
-(** The given fields, each once and each a field of the constructor; [None] if it has no named
-    fields. Emits E0209 for others, E0213 for repeated ones. *)
+(** Checks the fields given for a constructor, and returns each valid field once; [None] if the
+    constructor has no named fields. Emits E0209 for an unknown field, E0213 for a repeated one. *)

@@ -18,7 +18,7 @@ let times (a : Syntax.Ir.rational) (b : Syntax.Ir.rational) : Syntax.Ir.rational
 
 let whole numerator : Syntax.Ir.rational = { numerator; denominator = 1 }
 
-(* The factors of a unit with their powers, as written. *)
+(* The factors of a unit with their powers, in source order. *)
 let factors (unit_ : Syntax.Ir.unit_) =
   let rec add power (u : Syntax.Ir.unit_) reversed =
     match u.desc with
@@ -30,13 +30,13 @@ let factors (unit_ : Syntax.Ir.unit_) =
   in
   List.rev (add (whole 1) unit_ [])
 
-(* A lower-case letter, with digits or primes after it if need be. *)
+(* A lower-case letter, optionally followed by digits or primes. *)
 let may_be_variable text =
   let rest = String.sub text 1 (String.length text - 1) in
   (match text.[0] with 'a' .. 'z' -> true | _ -> false)
   && String.for_all (function '0' .. '9' | '\'' -> true | _ -> false) rest
 
-(* `s^2`, of `s2`. *)
+(* `s^2` for `s2`, if `s` is a unit. *)
 let power_without_caret (scope : Scope.t) (name : Syntax.Ir.name) =
   let text = name.text in
   let last = String.length text - 1 in
@@ -51,7 +51,7 @@ let unknown (name : Syntax.Ir.name) =
   Diagnostic.error ~code:"E0208" ~at:name.span "unknown unit `%s`" name.text
 
 let with_power (name : Syntax.Ir.name) power d =
-  Diagnostic.hint (Printf.sprintf "a power is written `%s`" power) d
+  Diagnostic.hint (Printf.sprintf "write the power with `^`: `%s`" power) d
   |> Diagnostic.write name.span power
 
 let unknown_unit (scope : Scope.t) (name : Syntax.Ir.name) =
@@ -60,9 +60,9 @@ let unknown_unit (scope : Scope.t) (name : Syntax.Ir.name) =
       unknown name
       |> Diagnostic.hint
            (if name.text = "C" then
-              "a temperature is in kelvin, `K`, where 0 degrees Celsius are `273.15[K]`; a coulomb \
-               is `A s`"
-            else "there is no farad: it is `A s/V`")
+              "use kelvin, `K`, for a temperature: 0 degrees Celsius is `273.15[K]`; use `A s` for \
+               a coulomb"
+            else "write `A s/V` for a farad")
       |> Context.emit scope.context
   | Some power -> unknown name |> with_power name power |> Context.emit scope.context
   | None -> ignore (Scope.find scope units { qualifier = None; name; span = name.span })
@@ -86,11 +86,11 @@ let concrete_unit (scope : Scope.t) u =
     |> (match Unit_word.symbol name.text with
        | Some symbol ->
            fun d ->
-             Diagnostic.hint (Printf.sprintf "`%s` is the unit" symbol) d
+             Diagnostic.hint (Printf.sprintf "the unit is `%s`" symbol) d
              |> Diagnostic.write name.span symbol
        | None when power_without_caret scope name <> None ->
            fun d -> with_power name (Option.get (power_without_caret scope name)) d
-       | None -> Diagnostic.note "a unit variable can stand only in a type")
+       | None -> Diagnostic.note "a unit variable is only allowed in a type")
     |> Context.emit scope.context
   in
   unit_with scope ~variable u
@@ -125,21 +125,23 @@ let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
     in
     (if String.equal tycon.global.name "Array" && is_builtin tycon then
        Diagnostic.hint
-         (if found > 2 then "rows of columns are arrays in an array: `Array 2 (Array 3 Float)`"
-          else "a size and a type, as in `Array 4 Float`")
+         (if found > 2 then "write a matrix as an array of arrays: `Array 2 (Array 3 Float)`"
+          else "write the size and the type of the elements, as in `Array 4 Float`")
          diagnostic
      else if String.equal tycon.global.name "SF" && is_builtin tycon && found > 2 then
-       Diagnostic.hint "several inputs are one tuple, as in `SF (a, b) c`" diagnostic
+       Diagnostic.hint "combine several inputs in a tuple, as in `SF (a, b) c`" diagnostic
      else if String.equal tycon.global.name "SF" && is_builtin tycon then
-       Diagnostic.hint "what comes in and what comes out, as in `SF Float Bool`; `()` is nothing"
+       Diagnostic.hint
+         "write the types of the input and the output, as in `SF Float Bool`; use `()` for no input"
          diagnostic
      else if String.equal tycon.global.name "Task" && is_builtin tycon then
        Diagnostic.hint
-         "what comes in, what comes out, and what it ends with, as in `Task i o ()`; `()` is \
-          nothing"
+         "write the types of the input, the output and the result, as in `Task i o ()`; use `()` \
+          for no result"
          diagnostic
      else if String.equal tycon.global.name "Program" && is_builtin tycon then
-       Diagnostic.hint "the robot's input and output, as in `Program RobotInput RobotOutput`"
+       Diagnostic.hint
+         "write the types of the robot's input and output, as in `Program RobotInput RobotOutput`"
          diagnostic
      else if is_builtin tycon then diagnostic
      else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
@@ -183,7 +185,8 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
       | Quantified -> ()
       | Parameters { owner; _ } ->
           Diagnostic.error ~code:"E0222" ~at:name.span
-            "the representation `%s` is open, and `%s` has no such parameter" name.text owner
+            "`%s` can be a Float or an Int, and `%s` has no parameter to choose between them"
+            name.text owner
           |> Diagnostic.hint "write `Float[…]` or `Int[…]`, or make the whole type a parameter"
           |> Context.emit scope.context);
       Representation { variable = name.text; unit_ = unit_ scope variables u }

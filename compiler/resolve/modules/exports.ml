@@ -55,7 +55,7 @@ let imported context (declaration : Syntax.Ir.import option) ~module_ names : Sc
 
 let idle (scope : Scope.t) (declaration : Syntax.Ir.import option) ~module_ names =
   let idle_import listed at whole : Ir.idle = { of_module = module_; listed; at; whole } in
-  (* With the end of its last line. *)
+  (* The span of the import, including the end of its last line. *)
   let lines (import : Syntax.Ir.import) =
     let next = Span.position ~line:(Span.line import.span.stop + 1) ~column:1 in
     { import.span with stop = next }
@@ -65,19 +65,20 @@ let idle (scope : Scope.t) (declaration : Syntax.Ir.import option) ~module_ name
   | None -> []
   | Some ({ items = Some (_ :: _ as items); _ } as import) ->
       let is_idle item = not (is_used (select names (texts [ item ]))) in
-      let idle = List.filter is_idle items in
-      let rec with_comma before = function
-        | (item : Syntax.Ir.name) :: rest when List.memq item idle ->
+      let items = Long_list.map (fun item -> (item, is_idle item)) items in
+      let all_idle = List.for_all snd items in
+      let rec with_comma found before = function
+        | ((item : Syntax.Ir.name), true) :: rest ->
             let whole : Span.t =
               match (before, rest) with
-              | _ when List.compare_lengths idle items = 0 -> lines import
+              | _ when all_idle -> lines import
               | Some (previous : Syntax.Ir.name), _ -> { item.span with start = previous.span.stop }
-              | None, next :: _ -> { item.span with stop = next.span.start }
+              | None, ((next : Syntax.Ir.name), _) :: _ -> { item.span with stop = next.span.start }
               | None, [] -> item.span
             in
-            idle_import (Some item.text) item.span whole :: with_comma (Some item) rest
-        | item :: rest -> with_comma (Some item) rest
-        | [] -> []
+            with_comma (idle_import (Some item.text) item.span whole :: found) (Some item) rest
+        | (item, false) :: rest -> with_comma found (Some item) rest
+        | [] -> List.rev found
       in
-      with_comma None items
+      with_comma [] None items
   | Some import -> if is_used names then [] else [ idle_import None import.span (lines import) ]

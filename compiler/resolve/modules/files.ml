@@ -19,17 +19,19 @@ let read_regular path =
           | text -> Ok text
           | exception (Sys_error _ | End_of_file) -> Error (Unreadable "reading failed"))
 
-(* To open a pipe may take for ever. *)
+(* Reads only regular files, because opening a pipe may block forever. *)
 let read_on_disk path =
   match (Unix.stat path).st_kind with
   | S_REG -> read_regular path
   | S_DIR -> Error (Unreadable "it is a directory")
-  | _ -> Error (Unreadable "it is a pipe or a device, and no file")
+  | _ -> Error (Unreadable "it is a pipe or a device, not a file")
   | exception Unix.Unix_error (ENOENT, _, _) -> Error Missing
   | exception Unix.Unix_error (reason, _, _) -> Error (Unreadable (Unix.error_message reason))
 
 let module_of_file file =
-  if Filename.check_suffix file ".frob" then Some (Filename.chop_suffix file ".frob") else None
+  if Filename.check_suffix file ".frob" && Test_file.program file = None then
+    Some (Filename.chop_suffix file ".frob")
+  else None
 
 let modules files = List.sort String.compare (List.filter_map module_of_file files)
 

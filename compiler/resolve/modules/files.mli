@@ -1,20 +1,19 @@
-(** Where the texts of modules come from: a directory tree, or, for tests and editors, a table in
-    memory. *)
+(** Source of module texts: a directory tree, or, for tests and editors, a table in memory. *)
 
 type error = Missing | Unreadable of string  (** the reason *)
 
 type t = {
-  read : string -> (string, error) result;  (** by path *)
+  read : string -> (string, error) result;  (** reads the file at a path *)
   modules_in : string -> string list;
-      (** names [M] of the files [M.frob] in a directory, in alphabetical order; none if it cannot
-          be read *)
+      (** the names [M] of the files [M.frob] in a directory, without test files, in alphabetical
+          order; empty if the directory cannot be read *)
   parsed : file:string -> string -> Syntax.Ir.program option;
-      (** what {!Syntax.Parse.program} would make of a text, if that is known already; [file] is the
-          name that diagnostics show *)
+      (** the cached result of {!Syntax.Parse.program} for a text, if there is one; [file] is the
+          name shown in diagnostics *)
 }
 
 val on_disk : t
-(** Knows no parsed text. *)
+(** Files on disk, without cached results. *)
 
 val in_memory : (string * string) list -> t
-(** Paths and texts. Knows no parsed text. *)
+(** Takes pairs of a path and a text. There are no cached results. *)

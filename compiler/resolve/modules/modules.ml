@@ -10,9 +10,10 @@ type t = {
   syntax : Syntax.Ir.program;
   imports : import list;
   complete : bool;
+  program : string option;
 }
 
-(* Where a module is, before it is read. *)
+(* A module that has been found and read, but not parsed. *)
 type found = { path : string; shown : string; in_library : bool; text : string }
 type state = Loading | Loaded of t | Failed
 
@@ -21,11 +22,13 @@ type loader = {
   files : Files.t;
   remember : file:string -> string -> unit;
   library : string;
-  also : string option;  (** the file of a module that is there unasked *)
-  mutable texts : (string, Files.error) result String_map.t;  (** by path *)
-  mutable states : (string * state) String_map.t;  (** by module name, with the file *)
-  mutable clashes : String_set.t;  (** names of two modules, reported *)
-  mutable loaded : t list;  (** latest first *)
+  also : string option;  (** the file of a module that is loaded even if nothing imports it *)
+  mutable texts : (string, Files.error) result String_map.t;  (** texts by path *)
+  mutable beside : string list String_map.t;  (** module names by folder *)
+  mutable states : (string * state) String_map.t;  (** state and file of each module, by name *)
+  mutable clashes : String_set.t;  (** names shared by two modules, already reported *)
+  mutable loaded : t list;  (** newest first *)
+  mutable missing : int;  (** number of modules reported as missing *)
 }
 
 let prelude = "Prelude"
@@ -38,7 +41,7 @@ let beside directory name =
 
 let shown_in_library loader name = Filename.basename loader.library ^ "/" ^ file_of name
 
-(* A written import, and the way to it from the program: for messages. *)
+(* An import and the module that contains it, for messages. [written]: the import is explicit. *)
 type place = { importer : string; written : bool; at : Span.t; target : Syntax.Ir.name }
 
 let read loader path =
@@ -49,12 +52,28 @@ let read loader path =
       loader.texts <- String_map.add path result loader.texts;
       result
 
+let modules_in loader directory =
+  match String_map.find_opt directory loader.beside with
+  | Some names -> names
+  | None ->
+      let names = loader.files.modules_in directory in
+      loader.beside <- String_map.add directory names loader.beside;
+      names
+
+(* More messages are not shown, so they need no suggestion. *)
+let most_suggestions = 1_000
+
 let report_missing loader ~directory (target : Syntax.Ir.name) =
-  let known = loader.files.modules_in loader.library @ loader.files.modules_in directory in
+  loader.missing <- loader.missing + 1;
+  let known =
+    if loader.missing > most_suggestions then []
+    else modules_in loader loader.library @ modules_in loader directory
+  in
   let diagnostic =
     Diagnostic.error ~code:"E0201" ~at:target.span "there is no module `%s`" target.text
     |> Diagnostic.note
-         (Printf.sprintf "looked for `%s` beside this file and in the library" (file_of target.text))
+         (Printf.sprintf "frobc looked for `%s` in the folder of this file and in the library"
+            (file_of target.text))
   in
   let is_module name = name <> "" && 'A' <= name.[0] && name.[0] <= 'Z' in
   let modules, others = List.partition is_module known in
@@ -63,8 +82,9 @@ let report_missing loader ~directory (target : Syntax.Ir.name) =
   (match (List.find_opt same others, Other_languages.module_ target.text, near) with
   | Some file, _, _ ->
       Diagnostic.hint
-        (Printf.sprintf "a module's file begins with a capital too: call `%s` `%s`" (file_of file)
-           (file_of target.text))
+        (Printf.sprintf
+           "the file name of a module must also start with a capital: rename `%s` to `%s`"
+           (file_of file) (file_of target.text))
         diagnostic
   | None, Some hint, _ -> Diagnostic.hint hint diagnostic
   | None, None, Some near ->
@@ -77,7 +97,7 @@ let report_unreadable loader ~at shown reason =
   Diagnostic.error ~code:"E0201" ~at "cannot read `%s`: %s" shown reason
   |> Diagnostic.emit loader.sink
 
-(* [way]: the imports that led here, the latest first. *)
+(* [way]: the imports that led here, newest first. *)
 let report_cycle loader way (target : Syntax.Ir.name) =
   let rec circle taken = function
     | [] -> taken
@@ -100,7 +120,8 @@ let report_cycle loader way (target : Syntax.Ir.name) =
     places
   |> Diagnostic.emit loader.sink
 
-(* Even where a file's name is not that of its module. *)
+(* Does the module import itself? Also detects this if the file name differs from the module name.
+   *)
 let imports_itself way (target : Syntax.Ir.name) =
   match way with
   | place :: _ -> String.equal place.importer target.text && place.written
@@ -145,17 +166,17 @@ let is_module_name text =
        (function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false)
        text
 
-(* The header's name; a header must say what the file's name does, unless the
-   file's name is none for a module, as a program's may be. *)
+(* The module's name. The header must agree with the file name, unless the file name is not a valid
+   module name, which is allowed for programs. *)
 let name_of loader ~file_name (syntax : Syntax.Ir.program) =
   match syntax.header with
   | None -> if is_module_name file_name then file_name else "Main"
   | Some { module_name; _ } ->
       if is_module_name file_name && not (String.equal file_name module_name.text) then
-        Diagnostic.error ~code:"E0203" ~at:module_name.span "module `%s` is in a file named `%s`"
-          module_name.text (file_of file_name)
+        Diagnostic.error ~code:"E0203" ~at:module_name.span
+          "the module `%s` is in a file named `%s`" module_name.text (file_of file_name)
         |> Diagnostic.hint
-             (Printf.sprintf "name the module `%s` or the file `%s`" file_name
+             (Printf.sprintf "rename the module to `%s` or the file to `%s`" file_name
                 (file_of module_name.text))
         |> Diagnostic.emit loader.sink;
       if is_module_name file_name then file_name else module_name.text
@@ -179,22 +200,28 @@ let rec load_found loader ~way ~name_hint found =
   | Some syntax ->
       let name = name_of loader ~file_name:name_hint syntax in
       loader.states <- String_map.add name (found.shown, Loading) loader.states;
-      let imports = load_imports loader ~way ~name found syntax in
-      let t =
-        {
-          name;
-          file = found.shown;
-          library = found.in_library;
-          syntax;
-          imports = List.filter_map Fun.id imports;
-          complete = List.for_all Option.is_some imports;
-        }
-      in
-      loader.states <- String_map.add name (found.shown, Loaded t) loader.states;
-      loader.loaded <- t :: loader.loaded;
-      Some t
+      let prelude = not (found.in_library && String.equal name prelude) in
+      let imports = load_imports loader ~way ~name ~prelude found syntax in
+      Some (add_loaded loader ~name ~imports found syntax)
 
-and load_imports loader ~way ~name found (syntax : Syntax.Ir.program) =
+and add_loaded loader ~name ~imports ?program found syntax =
+  let t =
+    {
+      name;
+      file = found.shown;
+      library = found.in_library;
+      syntax;
+      imports = List.filter_map Fun.id imports;
+      complete = List.for_all Option.is_some imports;
+      program;
+    }
+  in
+  loader.states <- String_map.add name (found.shown, Loaded t) loader.states;
+  loader.loaded <- t :: loader.loaded;
+  t
+
+(* [prelude]: add the implicit import of the prelude. *)
+and load_imports loader ~way ~name ~prelude:implicit found (syntax : Syntax.Ir.program) =
   let directory = Filename.dirname found.path in
   let import ~declaration (target : Syntax.Ir.name) at =
     let written = Option.is_some declaration in
@@ -208,14 +235,12 @@ and load_imports loader ~way ~name found (syntax : Syntax.Ir.program) =
   in
   let written (d : Syntax.Ir.import) = import ~declaration:(Some d) d.module_ d.module_.span in
   let implied =
-    if found.in_library && String.equal name prelude then []
-    else
-      let at = Span.start_of_file found.shown in
-      [ import ~declaration:None { text = prelude; span = at } at ]
+    let at = Span.start_of_file found.shown in
+    if implicit then [ import ~declaration:None { text = prelude; span = at } at ] else []
   in
   implied @ Long_list.map written syntax.imports
 
-(* Is the module there? Loads it if it is new. *)
+(* Finds the module and loads it if it is new. Returns whether it exists. *)
 and import_module loader ~way ~directory ~importer_in_library (target : Syntax.Ir.name) =
   let found =
     if imports_itself way target then (
@@ -243,6 +268,69 @@ and import_module loader ~way ~directory ~importer_in_library (target : Syntax.I
               loader.states <- String_map.add target.text (found.shown, Failed) loader.states;
               false))
 
+let load_program loader file text =
+  let base = module_in file in
+  let found =
+    match read_library loader base with
+    | Ok found when String.equal found.text text -> found
+    | Ok _ | Error _ -> { path = file; shown = file; in_library = false; text }
+  in
+  load_found loader ~way:[] ~name_hint:base found
+
+(* {1 Test files} *)
+
+let report_no_program loader file program reason =
+  Diagnostic.error ~code:"E0236" ~at:(Span.start_of_file file)
+    "this is a test file, but the program `%s` %s" (Filename.basename program) reason
+  |> Diagnostic.hint "put the tests of `NAME.frob` into `NAME.test.frob` in the same folder"
+  |> Diagnostic.emit loader.sink
+
+let report_in_tests loader ~at what hint =
+  Diagnostic.error ~code:"E0237" ~at "a test file cannot have %s" what
+  |> Diagnostic.hint hint |> Diagnostic.emit loader.sink
+
+(* Reports the header and the [main] of a test file, which it must not have, and removes them. *)
+let without_program loader (syntax : Syntax.Ir.program) : Syntax.Ir.program =
+  Option.iter
+    (fun (h : Syntax.Ir.header) ->
+      report_in_tests loader ~at:h.module_name.span "`module` header"
+        "remove the header: the tests belong to the module of the program")
+    syntax.header;
+  let is_other (d : Syntax.Ir.declaration) =
+    match d.desc with
+    | Binding { left = Name name | Function_name { name; _ }; _ } when name.text = "main" ->
+        report_in_tests loader ~at:name.span "`main`"
+          "a program is compiled without its test file: define `main` in the program, or give this \
+           definition another name";
+        false
+    | Signature { names = [ { text = "main"; _ } ]; _ } -> false
+    | _ -> true
+  in
+  { syntax with header = None; declarations = List.filter is_other syntax.declarations }
+
+(* If its program is missing, the names in a test file have no meaning, so only its syntax is
+   checked. *)
+let load_tests loader ~program file text =
+  let found = { path = file; shown = file; in_library = false; text } in
+  let tested =
+    match read loader program with
+    | Ok text -> load_program loader program text
+    | Error Missing ->
+        report_no_program loader file program "does not exist";
+        None
+    | Error (Unreadable reason) ->
+        report_no_program loader file program ("cannot be read: " ^ reason);
+        None
+  in
+  loader.remember ~file text;
+  match (parse loader found, tested) with
+  | Some syntax, Some (tested : t) ->
+      let syntax = without_program loader syntax in
+      let name = Test_file.module_ tested.name in
+      let imports = load_imports loader ~way:[] ~name ~prelude:false found syntax in
+      ignore (add_loaded loader ~name ~imports ~program:tested.name found syntax)
+  | _, _ -> ()
+
 let load sink ~files ~remember ~library ?also main =
   let loader =
     {
@@ -252,12 +340,13 @@ let load sink ~files ~remember ~library ?also main =
       library;
       also;
       texts = String_map.empty;
+      beside = String_map.empty;
+      missing = 0;
       clashes = String_set.empty;
       states = String_map.empty;
       loaded = [];
     }
   in
-  let base = module_in main in
   let other file = not (String.equal file main) in
   (match also with
   | Some file when other file ->
@@ -270,11 +359,8 @@ let load sink ~files ~remember ~library ?also main =
   | Error Missing ->
       report_unreadable loader ~at:(Span.start_of_file main) main "there is no such file"
   | Error (Unreadable reason) -> report_unreadable loader ~at:(Span.start_of_file main) main reason
-  | Ok text ->
-      let found =
-        match read_library loader base with
-        | Ok found when String.equal found.text text -> found
-        | Ok _ | Error _ -> { path = main; shown = main; in_library = false; text }
-      in
-      ignore (load_found loader ~way:[] ~name_hint:base found));
+  | Ok text -> (
+      match Test_file.program main with
+      | Some program -> load_tests loader ~program main text
+      | None -> ignore (load_program loader main text)));
   List.rev loader.loaded

@@ -1,20 +1,22 @@
-(** Finding and reading the modules of a program.
+(** Finds and reads the modules of a program.
 
-    [import M] means [M.frob] beside the importer, else in the library. The prelude comes from the
-    library only, and every other module imports it without saying so. *)
+    [import M] refers to [M.frob] in the folder of the importing module, otherwise to the library.
+    The prelude always comes from the library, and every other module imports it implicitly. *)
 
 type import = {
-  declaration : Syntax.Ir.import option;  (** [None]: the prelude's, unwritten *)
+  declaration : Syntax.Ir.import option;  (** [None] for the implicit import of the prelude *)
   module_ : string;
 }
 
 type t = {
   name : string;
-  file : string;  (** as diagnostics show it; the library's under its folder's name *)
+  file : string;
+      (** the name shown in diagnostics; library files are shown under the library folder's name *)
   library : bool;
   syntax : Syntax.Ir.program;
-  imports : import list;  (** those that were found *)
-  complete : bool;  (** all were *)
+  imports : import list;  (** the imports whose modules were found *)
+  complete : bool;  (** were all imports found? *)
+  program : string option;  (** the module that this one tests, if it is in a {!Test_file} *)
 }
 
 val load :
@@ -25,7 +27,9 @@ val load :
   ?also:string ->
   string ->
   t list
-(** The modules that the program in a file consists of, imports before importers and the program
-    last; what cannot be read or parsed is left out with a diagnostic (E0201 to E0203). The module
-    in the file [also] is one of them whether it is imported or not, and an import of its name means
-    it. A file that is, byte for byte, a module of the library counts as that module. *)
+(** The modules of the program in a file: imported modules before those that import them, the
+    program last. A module that cannot be read or parsed is left out with a diagnostic (E0201 to
+    E0203). A test file comes after its program, which it requires (E0236), and must not have a
+    header or a [main] (E0237). A program is loaded without its test file. The module in the file
+    [also] is included whether or not it is imported, and an import of its name refers to it. A file
+    that is byte for byte equal to a library module counts as that module. *)

@@ -22,7 +22,7 @@ let declared (m : Modules.t) =
       match d.desc with Parameter p when not (is_given p.name.text) -> Some p.name | _ -> None)
     m.syntax.declarations
 
-(* The names by which the parameter is known from outside. *)
+(* The names that a command line can use for the parameter. *)
 let names (m : Modules.t) (name : Syntax.Ir.name) = [ name.text; m.name ^ "." ^ name.text ]
 
 let report sink setting ?note ?hint format =
@@ -40,13 +40,14 @@ let report_unknown sink setting modules =
   let all = List.concat_map own modules in
   let quoted = List.map (Printf.sprintf "`%s`") (List.sort_uniq String.compare all) in
   let note =
-    if all = [] then "the program has none; `param NAME :: TYPE = VALUE` declares one"
+    if all = [] then "the program has no parameters; declare one by `param NAME :: TYPE = VALUE`"
     else "the program has " ^ Enumeration.all quoted
   in
   let hint = Option.map (Printf.sprintf "did you mean `%s`?") (Suggest.closest setting.name all) in
   report sink setting ~note ?hint "the program has no parameter `%s`" setting.name
 
-(* Whose it is: of the program's own module rather than of one that it imports. *)
+(* The module whose parameter is meant. A parameter of the program's own module takes precedence
+   over imported ones. *)
 let owner sink modules setting =
   let has (m : Modules.t) = List.exists (fun n -> List.mem setting.name (names m n)) (declared m) in
   match List.filter has (List.rev modules) with
@@ -57,15 +58,17 @@ let owner sink modules setting =
   | [ owner ] -> Some owner
   | several ->
       let qualified (m : Modules.t) = Printf.sprintf "`%s.%s`" m.name setting.name in
-      report sink setting "there are several parameters `%s`" setting.name
-        ~hint:("name its module: " ^ Enumeration.one_of (List.map qualified several));
+      report sink setting "several modules have a parameter `%s`" setting.name
+        ~hint:
+          ("write the name of its module too: " ^ Enumeration.one_of (List.map qualified several));
       None
 
-(* What is shown is the whole setting; the name in it is what makes a definition of it. *)
+(* The span of the value covers the whole setting in the diagnostics. Replacing the name by a
+   placeholder of the same width turns the setting into a definition. *)
 let expression sink setting =
   let width = String.length setting.name in
   let value =
-    (* As hosts and recordings write them. *)
+    (* the spelling that hosts and recordings use *)
     match String.trim setting.text with
     | "true" -> "True"
     | "false" -> "False"
@@ -83,8 +86,8 @@ let expression sink setting =
       } ->
       Some e
   | Some _ ->
-      report sink setting "`%s` is no expression" (String.trim setting.text)
-        ~hint:(Printf.sprintf "a value is given as in `--param %s=5`" setting.name);
+      report sink setting "`%s` is not an expression" (String.trim setting.text)
+        ~hint:(Printf.sprintf "write the value as in `--param %s=5`" setting.name);
       None
   | None -> None
 
@@ -125,12 +128,12 @@ let give sink ~remember settings modules = List.fold_left (set sink ~remember) m
 
 let of_modules modules =
   let of_module (m : Modules.t) =
-    let has_given (name : Syntax.Ir.name) =
-      List.exists
-        (fun (d : Syntax.Ir.declaration) ->
-          match d.desc with Parameter p -> String.equal p.name.text (given name.text) | _ -> false)
-        m.syntax.declarations
-    in
+    let parameters = String_table.create 16 in
+    List.iter
+      (fun (d : Syntax.Ir.declaration) ->
+        match d.desc with Parameter p -> String_table.replace parameters p.name.text () | _ -> ())
+      m.syntax.declarations;
+    let has_given (name : Syntax.Ir.name) = String_table.mem parameters (given name.text) in
     let global name : Ir.Global.t = { module_ = m.name; name } in
     List.map
       (fun (name : Syntax.Ir.name) : Ir.param ->

@@ -1,16 +1,19 @@
-(** The parameters of a program ([param]), and values for them from outside, as a command line gives
-    them. *)
+(** The parameters of a program ([param]), and setting them from the command line. *)
 
-type setting = { name : string;  (** [k] or [M.k] *) text : string  (** the expression *) }
+type setting = {
+  name : string;  (** [k] or [M.k] *)
+  text : string;  (** the source text of the expression *)
+}
 
 val no_such : string
-(** E0507: the program has no parameter of that name, or two. *)
+(** E0507: the program has no parameter of that name, or more than one. *)
 
 val split : string -> setting option
-(** Of [k=text]; blanks around the name do not count. *)
+(** Parses [k=text]. Blanks around the name are ignored. *)
 
 val shown : string -> string
-(** A name as it stands in a source: of a parameter's value from outside that of the parameter. *)
+(** A name as shown to the user. For the definition of a parameter's given value, this is the
+    parameter's name. *)
 
 val give :
   Basis.Diagnostic.sink ->
@@ -18,8 +21,8 @@ val give :
   setting list ->
   Modules.t list ->
   Modules.t list
-(** Beside each parameter that is set there is another one then, which no source can mention, of its
-    type and with the expression as its value: see {!Ir.param}. *)
+(** Adds to each parameter that is set a second definition with the same type, whose value is the
+    expression. Its name cannot occur in source code. See {!Ir.param}. *)
 
 val of_modules : Modules.t list -> Ir.param list
-(** In the order of the modules and of their sources. *)
+(** All parameters, in the order of the modules and of their source text. *)

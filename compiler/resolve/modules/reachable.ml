@@ -1,11 +1,11 @@
-(* Of the library: what is not yet found, and what is. *)
+(* The library definitions not reached so far, and those reached. *)
 type search = { definitions : Ir.binding Global_table.t; found : unit Global_table.t }
 
 let rec expr search (e : Ir.expr) =
   match e.desc with
   | Global g -> mention search g
   | Field { record; field; candidates = [] } ->
-      (* No field, perhaps a function: the message about it says so. *)
+      (* not a field, but perhaps a function of that name, which the error message will mention *)
       mention_all search field.text;
       expr search record
   | _ -> Walk.expr (visitor search) e
@@ -29,17 +29,16 @@ and mention search g =
   | Some _ | None -> ()
 
 let program ~keep (program : Ir.program) =
-  let own_modules =
-    List.filter_map
-      (fun (m : Ir.module_) ->
-        if m.library && not (String.equal m.name program.main_module) then None else Some m.name)
-      program.modules
-  in
+  let own_modules = Basis.String_table.create 16 in
+  List.iter
+    (fun (m : Ir.module_) ->
+      if String.equal m.name program.main_module || not m.library then
+        Basis.String_table.replace own_modules m.name ())
+    program.modules;
+  let is_own_module name = Basis.String_table.mem own_modules name in
   let search = { definitions = Global_table.create 512; found = Global_table.create 512 } in
   let is_own (b : Ir.binding) =
-    match b.name with
-    | Top (g, _) -> List.mem g.module_ own_modules
-    | Inner _ | Destructure _ -> true
+    match b.name with Top (g, _) -> is_own_module g.module_ | Inner _ | Destructure _ -> true
   in
   let each f = List.iter (fun (g : Ir.binding_group) -> List.iter f g.bindings) program.groups in
   each (fun b ->
@@ -56,7 +55,7 @@ let program ~keep (program : Ir.program) =
     (fun (i : Ir.instance) -> List.iter (fun (_, b) -> binding search b) i.definitions)
     program.instances;
   let is_here (p : Ir.param) =
-    List.mem p.param.module_ own_modules || Global_table.mem search.found p.param
+    is_own_module p.param.module_ || Global_table.mem search.found p.param
   in
   List.iter
     (fun (p : Ir.param) -> if is_here p then Option.iter (mention search) p.given)
@@ -68,7 +67,7 @@ let program ~keep (program : Ir.program) =
     | Top (g, _) -> Global_table.mem search.found g
     | Inner _ | Destructure _ -> true
   in
-  (* Who stays in a group takes those with it that it mentions, which are all. *)
+  (* If one binding of a group stays, all do, because it reaches the others. *)
   let stays (g : Ir.binding_group) = List.exists stays g.bindings in
   let groups = List.filter stays program.groups in
   { program with groups; params = List.filter is_here program.params }

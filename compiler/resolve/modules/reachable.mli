@@ -1,9 +1,9 @@
-(** Of the standard library only the definitions that the program can come to.
+(** Removes the library definitions that the program does not use.
 
-    A module that is imported brings all of its definitions, of which a program runs a few: the
-    others need no types, levels or Core. All definitions of the program's own modules stay, and of
-    the library what these, instances and the defaults of methods mention, directly or through
-    others. *)
+    An imported module brings all of its definitions into the program, but a program uses few of
+    them. The others need no type checking or translation. All definitions of the program's own
+    modules stay. A library definition stays if these, an instance or a default method mention it,
+    directly or through other definitions. *)
 
 val program : keep:Ir.Global.t list -> Ir.program -> Ir.program
-(** [keep]: definitions of the library that stay in any case. *)
+(** [keep]: library definitions that stay in any case. *)

@@ -40,25 +40,25 @@ let report_twice t ~is_equation (first : Ir.Local.t) (second : Ir.Local.t) =
         else
           Diagnostic.hint
             (Printf.sprintf
-               "nothing is assigned: one equation says what `%s` is at every instant; what it was \
-                one instant ago is `delay x0 %s`"
+               "write one equation for `%s`: it holds at every instant, unlike an assignment; for \
+                its value one instant ago write `delay 0 %s`, where 0 is the first value"
                second.name second.name))
     |> Context.emit (context t)
 
 let warn_hidden t (outer : Ir.Local.t) (inner : Ir.Local.t) =
-  Diagnostic.warning ~code:"W0201" ~at:inner.span "`%s` hides a local variable of that name"
+  Diagnostic.warning ~code:"W0201" ~at:inner.span "`%s` hides a local variable of the same name"
     inner.name
-  |> Diagnostic.label ~at:outer.span "hidden from here on"
+  |> Diagnostic.label ~at:outer.span "this variable is hidden"
   |> Context.emit (context t)
 
-(* Whoever sets the parameter would set nothing here. *)
+(* Setting the hidden parameter would have no effect in this scope. *)
 let warn_of_param t (inner : Ir.Local.t) =
   let is_it (param : Syntax.Ir.name) = String.equal param.text inner.name in
   match List.find_opt is_it (Lazy.force t.scope.params) with
   | Some param ->
-      Diagnostic.warning ~code:"W0201" ~at:inner.span "`%s` hides the parameter of that name"
+      Diagnostic.warning ~code:"W0201" ~at:inner.span "`%s` hides the parameter of the same name"
         inner.name
-      |> Diagnostic.label ~at:param.span "what is set when a run starts does not matter there"
+      |> Diagnostic.label ~at:param.span "setting this parameter has no effect where it is hidden"
       |> Diagnostic.hint "give one of them another name"
       |> Context.emit (context t)
   | None -> ()
@@ -73,7 +73,7 @@ let bind t variables =
     | None ->
         (match String_map.find_opt name t.locals with
         | Some outer -> warn_hidden t outer.local variable.local
-        (* what is handed to a function may well be the parameter *)
+        (* a function parameter may well be the value of the program's parameter *)
         | None -> if Option.is_some variable.owner then warn_of_param t variable.local);
         (String_map.add name variable.local fresh, String_map.add name variable locals)
   in

@@ -1,36 +1,39 @@
-(** What names mean inside of a definition: local variables, then the module's scope. *)
+(** The meaning of names inside a definition: local variables first, then the module's scope. *)
 
 open Basis
 
 type t
 
 val top : Scope.t -> Groups.t -> int String_table.t -> t
-(** No locals; the module's own definitions have these numbers in the group of its top level. *)
+(** The environment of a module's top level, without local variables. The table maps the module's
+    own definitions to their numbers in the group analysis. *)
 
 val of_module : Scope.t -> t
-(** No locals, and nothing under analysis: for what stands outside of all groups. *)
+(** An environment without local variables and without group analysis, for code outside all groups.
+*)
 
 val beside_procs : t -> Syntax.Ir.right -> t
-(** In this right side, with the [proc]s in it; for messages about names that are signals of a
-    [proc] elsewhere in the definition. *)
+(** The environment of a right-hand side and its [proc]s. Messages use it to recognize names that
+    are signals of a [proc] elsewhere in the definition. *)
 
 val scope : t -> Scope.t
 val context : t -> Context.t
 
 type owner = { group : Groups.t; index : int; signed : bool }
-(** Where a local variable is defined: a binding of a group under analysis. *)
+(** The definition of a local variable: its index in the group analysis, and whether it has a
+    signature. *)
 
-type variable = { local : Ir.Local.t; owner : owner option  (** none for parameters *) }
+type variable = { local : Ir.Local.t; owner : owner option  (** [None] for parameters *) }
 
 val bind : t -> variable list -> t
-(** Adds variables that come into scope together. Emits E0212 if two have one name, W0201 if one
+(** Adds variables that come into scope together. Emits E0212 if two share a name, W0201 if one
     hides a local variable. *)
 
 val is_known : t -> Syntax.Ir.name -> bool
 
 val variable : t -> Syntax.Ir.qualified -> Ir.expr_desc option
-(** Notes the reference in the group of what it refers to. Emits a diagnostic if there is no such
-    variable. *)
+(** Looks up a variable and records the reference in the group analysis. Emits a diagnostic if it
+    does not exist. *)
 
 val global : t -> string -> Span.t -> Ir.expr_desc option
-(** An operator or other name of module level, whatever the locals. *)
+(** Looks up an operator or another module-level name, ignoring local variables. *)

@@ -1,3 +1,3 @@
-(** Tables by the names of declarations. *)
+(** Hash tables keyed by global names. *)
 
 include Hashtbl.S with type key = Ir.Global.t

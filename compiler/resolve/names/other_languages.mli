@@ -1,26 +1,26 @@
-(** Names that users bring along from Haskell, Yampa, C, Python, MATLAB and the libraries of boards,
-    and that Frob has by another name, or not.
+(** Names that users know from Haskell, Yampa, C, Python, MATLAB and board libraries, and that have
+    a different name or no counterpart in Frob.
 
-    Words that a robot's program may well have as names of its own, such as [range] and [error], are
-    left out: a misspelt one of these is more likely. *)
+    Words that a robot program may well use as its own names, such as [range] and [error], are left
+    out: an unknown [range] is more likely a misspelt name of the program. *)
 
 val value : string -> string option
-(** A hint for who writes this name of a value, unless Frob has one just like it. *)
+(** A hint for an unknown value name, used if no similar Frob name is in scope. *)
 
 val robot : string -> string option
-(** Likewise of what a robot senses and does, where the program has nothing of a like name. *)
+(** The same for robot sensors and actions, used if the program has no similar name. *)
 
 val is_statement : string -> bool
-(** Is that the word of a statement, so that what follows is of that language too? *)
+(** Is this the keyword of a statement? If so, the code after it is in that language too. *)
 
 val constructor : string -> string option
-(** Likewise of a constructor, as in an expression or a pattern. *)
+(** A hint for an unknown constructor, in an expression or a pattern. *)
 
 val type_ : string -> string option
-(** Likewise of a type. *)
+(** A hint for an unknown type. *)
 
 val class_ : string -> string option
-(** Likewise of a type class. *)
+(** A hint for an unknown type class. *)
 
 val module_ : string -> string option
-(** Likewise of a module, as in [Math.sqrt]. *)
+(** A hint for an unknown module, as in [Math.sqrt]. *)

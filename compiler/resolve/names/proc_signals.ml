@@ -22,7 +22,7 @@ let add_statement names = function
   | Bind { pattern; _ } | Bind_expr { pattern; _ } -> add_pattern names pattern
   | Let_equations declarations -> List.fold_left add_declaration names declarations
 
-(* What a [proc] binds. *)
+(* The names that a [proc] binds. *)
 let bound input = function
   | Do { statements; _ } -> List.fold_left add_statement (add_pattern [] input) statements
   | Output { equations; _ } -> List.fold_left add_declaration (add_pattern [] input) equations

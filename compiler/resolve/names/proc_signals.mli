@@ -1,32 +1,32 @@
-(** The signals of a [proc], for messages about names that are used where they cannot be seen:
-    behind the bracket or the comma that ends the [proc], or in a [where] after [proc … -> do],
-    which belongs to the definition around it. *)
+(** The signals of [proc]s, for messages about names used outside their scope: after the bracket or
+    comma that ends the [proc], or in a [where] after [proc … -> do], which belongs to the enclosing
+    definition. *)
 
 type t = {
   name : Syntax.Ir.name;
-  of_do : bool;  (** the [proc] is a whole right side, with a [do] *)
+  of_do : bool;  (** the [proc] is a whole right-hand side and uses a [do] *)
 }
 
 val of_body : Syntax.Ir.body -> t list
-(** What the [proc] that this body is binds: its input and, in its [do], the statements. *)
+(** The names bound by a body that is a [proc]: its input and, if it uses a [do], its statements. *)
 
 val of_module : Syntax.Ir.program -> t list
-(** What all [proc]s of its definitions bind. *)
+(** The names bound by all [proc]s in the module's definitions. *)
 
 val in_capitals : Syntax.Ir.program -> string list
-(** What is defined at the top level by a name with a capital, as in [Speed = 0.3]: which is a
-    pattern, and an error already. *)
+(** Top-level definitions whose name is capitalized, as in [Speed = 0.3]. These are parsed as
+    patterns, and already reported. *)
 
 val without_definition : Syntax.Ir.program -> string list
-(** What has a signature at the top level and no definition, or a type before its name, as in
-    [Velocity v = 0]: an error already. *)
+(** Names with a signature but no definition at the top level, or with a type before the name, as in
+    [Velocity v = 0]. These are already reported. *)
 
 val c_declarations : Syntax.Ir.program -> (Syntax.Ir.name * Syntax.Ir.name) list
-(** Definitions of functions whose names are types of C, with their last parameters: in
-    [int m = n + 1] these are [int] and [m]. *)
+(** Function definitions whose name is a C type, with their last parameter: [int] and [m] in
+    [int m = n + 1]. *)
 
 val of_right : Syntax.Ir.right -> t list
-(** What all [proc]s within a right side bind. *)
+(** The names bound by all [proc]s within a right-hand side. *)
 
 val params : Syntax.Ir.program -> Syntax.Ir.name list
-(** The names that [param] declares. *)
+(** The names declared by [param]. *)

@@ -33,7 +33,7 @@ type t = {
 let same_global (a : Ir.Global.t) (b : Ir.Global.t) =
   String.equal a.name b.name && String.equal a.module_ b.module_
 
-(* What the imports that pass [visible] mean by a name, each thing once. *)
+(* The distinct meanings that a name has through the imports that satisfy [visible]. *)
 let imported t space visible name =
   let add found (import : import) =
     if not (visible import) then found
@@ -89,7 +89,7 @@ let visible_names t space locals =
   in
   List.fold_left add (names_of (space.table t.own) (Lazy.force locals)) t.imports
 
-(* A name of another name space: `Velocity 3` takes a type for a constructor. *)
+(* Explains a name that exists in another namespace: `Velocity 3` uses a type as a constructor. *)
 let other_meaning t space (name : Syntax.Ir.name) diagnostic =
   if String.equal space.noun "constructor" && is_known t tycons name.text then
     Diagnostic.note (Printf.sprintf "`%s` is a type, not a constructor" name.text) diagnostic
@@ -101,19 +101,19 @@ let other_meaning t space (name : Syntax.Ir.name) diagnostic =
     let owners = List.filteri (fun i _ -> i < 3) (List.sort_uniq String.compare owners) in
     Diagnostic.note
       (Printf.sprintf
-         "`%s` is a field of %s: `r.%s` reads it; the function is `\\r -> r.%s`, the signal \
-          function `proc r -> r.%s`"
+         "`%s` is a field of %s: write `r.%s`; as a function, `\\r -> r.%s`; as a signal function, \
+          `proc r -> r.%s`"
          name.text (Enumeration.all owners) name.text name.text name.text)
       diagnostic
   else if String.equal space.noun "name" && is_known t units name.text then
     Diagnostic.note
-      (Printf.sprintf "`%s` is a unit: it stands in brackets directly after a number, as in `3[%s]`"
+      (Printf.sprintf "`%s` is a unit: write it in brackets directly after a number, as in `3[%s]`"
          name.text name.text)
       diagnostic
   else diagnostic
 
-(* Values and constructors are apart by their first letter only (`true`,
-   `Speed`), and units have symbols. *)
+(* The name in another spelling. Values and constructors differ only in the case of the first letter
+   (`true`, `Speed`), and units are written as symbols. *)
 let other_writing t space name =
   if String.equal space.noun "unit" then Unit_word.symbol name
   else
@@ -131,11 +131,11 @@ let operator_word space name =
   | "name", "xor" -> Some "a /= b"
   | _ -> None
 
-(* Of a hint such as "it is `return`", which is for nothing but another name. *)
+(* The name in a hint such as "write `return`", which suggests only another name. *)
 let only_a_name hint =
   let is_inner = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' -> true | _ -> false in
   match String.split_on_char '`' hint with
-  | [ "it is "; name; "" ] when String.for_all is_inner name -> Some name
+  | [ "write "; name; "" ] when String.for_all is_inner name -> Some name
   | _ -> None
 
 let from_elsewhere space name =
@@ -147,10 +147,10 @@ let from_elsewhere space name =
   | _ -> None
 
 let no_input =
-  "what a robot senses has a name in a `proc` only, as in `proc i -> …`; a task reads it once by \
-   `d <- ask frontSonar`"
+  "only a `proc` has a name for the robot's input, as in `proc i -> …`; in a task, write `d <- ask \
+   frontSonar` to read it once"
 
-(* As in `int m = n + 1`, the definition of a function `int`. *)
+(* `int m = n + 1`, which parses as the definition of a function `int`. *)
 let c_type_before t (name : Syntax.Ir.name) =
   let is_it ((_ : Syntax.Ir.name), (parameter : Syntax.Ir.name)) =
     String.equal parameter.text name.text
@@ -158,16 +158,15 @@ let c_type_before t (name : Syntax.Ir.name) =
   Option.map fst (List.find_opt is_it (Lazy.force t.c_declarations))
 
 let is_no_type =
-  "a class says what a type can do: it stands before `=>`, and a variable is the type, as in \
-   `(HasSonar i, DiffDrive o) => SF i o`"
+  "write the class before `=>` and use a type variable, as in `(HasSonar i, DiffDrive o) => SF i o`"
 
-(* `SF HasSonar DiffDrive`: told once of a signature. *)
+(* `SF HasSonar DiffDrive` uses classes as types; reported once per signature. *)
 let report_class t (name : Syntax.Ir.name) =
   let same (d : Diagnostic.t) =
     List.mem is_no_type d.hints && Span.line d.at.start = Span.line name.span.start
   in
   if not (Context.is_told t.context same) then
-    Diagnostic.error ~code:"E0207" ~at:name.span "`%s` is a class, and no type" name.text
+    Diagnostic.error ~code:"E0207" ~at:name.span "`%s` is a class, not a type" name.text
     |> Diagnostic.hint is_no_type |> Context.emit t.context
 
 let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
@@ -199,7 +198,7 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     | _ when by_qualifier <> None ->
         let text = Option.get by_qualifier in
         Diagnostic.hint
-          (Printf.sprintf "it is imported with its module's name: write `%s`" text)
+          (Printf.sprintf "it is imported under its module's name: write `%s`" text)
           diagnostic
         |> Diagnostic.write name.span text
     | _ when List.exists is_it (Lazy.force signals) ->
@@ -209,11 +208,11 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
           diagnostic
         |> Diagnostic.hint
              (if signal.of_do then
-                "a `where` after `do` belongs to the whole definition and sees no signals: write a \
-                 `let` in the `do`"
+                "a `where` after `do` belongs to the whole definition and cannot use signals: \
+                 write a `let` in the `do`"
               else
-                "a `proc` ends at the bracket or comma that follows it; behind that, and in a \
-                 `where` behind that, its signals are not known")
+                "a `proc` ends at the bracket or comma that follows it; its signals cannot be used \
+                 after that, nor in a `where` after that")
     | _ :: _, _ -> diagnostic
     | [], Some other ->
         Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
@@ -229,15 +228,16 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     | [], None when c_type_before t name <> None ->
         let c_type = Option.get (c_type_before t name) in
         Diagnostic.label ~at:c_type.span
-          (Printf.sprintf "this defines a function `%s` of `%s`" c_type.text name.text)
+          (Printf.sprintf "this defines a function `%s` with the parameter `%s`" c_type.text
+             name.text)
           diagnostic
         |> Diagnostic.hint
              (if List.mem c_type.text Syntax.Beginnings.needless then
-                Printf.sprintf "a definition has no `%s` before it: `%s = …`" c_type.text name.text
+                Printf.sprintf "remove `%s` before the definition: `%s = …`" c_type.text name.text
               else
                 Printf.sprintf
-                  "no type stands before a name: `%s = …`, and if wanted `%s :: %s` on a line of \
-                   its own"
+                  "write `%s = …` without a type; if you want to give the type, write `%s :: %s` \
+                   on the line above"
                   name.text name.text
                   (match c_type.text with
                   | "bool" | "boolean" -> "Bool"
@@ -250,8 +250,8 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
           diagnostic
         |> Diagnostic.hint
              (Printf.sprintf
-                "a signal is known in its `proc` only: write the equation in the `where` of that \
-                 one, or make a signal function, `proc %s -> …`"
+                "a signal can only be used inside its `proc`: move the equation to the `where` of \
+                 that `proc`, or write a signal function, `proc %s -> …`"
                 name.text)
     | [], None -> (
         let suggested =
@@ -267,7 +267,7 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
         | Some _ | None -> suggested)
   in
   let hidden = List.exists is_it (Lazy.force signals) in
-  (* its definition has been told already *)
+  (* the definition has already been reported *)
   let told =
     match space.noun with
     | "constructor" -> List.mem name.text (Lazy.force t.in_capitals)
@@ -281,7 +281,7 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     Context.not_imported t.context { imports; code = space.unknown; noun = space.noun; name }
   else Context.emit t.context diagnostic
 
-(* `Mode.Drive`, of the type `Mode`. *)
+(* `Mode.Drive`, where `Mode` is a type and not a module. *)
 let is_of_a_type t (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) =
   is_known t tycons qualifier.text && is_known t constructors name.text
 
@@ -297,10 +297,9 @@ let report_unknown_module t (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name)
        diagnostic
      |> Context.add_import t.syntax (Printf.sprintf "import qualified %s" qualifier.text)
    else if is_of_a_type t qualifier name then
-     let title = Printf.sprintf "leave out `%s.`" qualifier.text in
+     let title = Printf.sprintf "remove `%s.`" qualifier.text in
      Diagnostic.hint
-       (Printf.sprintf "`%s` is a type, of which the constructors stand alone: %s" qualifier.text
-          title)
+       (Printf.sprintf "`%s` is a type; write its constructors without it: %s" qualifier.text title)
        diagnostic
      |> Diagnostic.fix title [ ({ qualifier.span with stop = name.span.start }, "") ]
    else
@@ -365,7 +364,9 @@ let records_with t fields =
   | field :: others ->
       let records = Option.value (String_map.find_opt field (Lazy.force t.records)) ~default:[] in
       let complete (record : tycon) =
-        List.for_all (fun other -> List.mem other record.record_fields) others
+        let has = String_table.create 16 in
+        List.iter (fun field -> String_table.replace has field ()) record.record_fields;
+        List.for_all (String_table.mem has) others
       in
       List.filter_map
         (fun (record : tycon) -> if complete record then Some record.global else None)

@@ -1,11 +1,11 @@
-(** What a module-level name means at a place in a module: its own declarations hide what it
-    imports; two imports of one name clash only where the name is used. *)
+(** The meaning of module-level names in a module. Its own declarations hide imported names. Two
+    imports of the same name clash only if the name is used. *)
 
 open Basis
 
 type import = {
   module_ : string;
-  qualifiers : string list;  (** [M] and [N] of [import M as N] *)
+  qualifiers : string list;  (** for example [M] and [N] for [import M as N] *)
   unqualified : bool;  (** may be used without a qualifier *)
   names : Interface.names;
   span : Span.t;
@@ -13,10 +13,10 @@ type import = {
 
 type of_library = {
   module_ : string;
-  names : Interface.names;  (** what it declares, or what its header lists *)
-  gathers : bool;  (** its header lists names of others too: it is what one imports *)
+  names : Interface.names;  (** the names it declares, or those listed in its header *)
+  gathers : bool;  (** its header re-exports names of other modules, so users import this one *)
 }
-(** A module of the library, for hints. *)
+(** A library module, for hints. *)
 
 type t = {
   context : Context.t;
@@ -24,21 +24,21 @@ type t = {
   module_ : string;
   library : bool;
   own : Interface.names;
-  imports : import list;  (** with the prelude *)
+  imports : import list;  (** including the prelude *)
   complete : bool;
-      (** every import was found; otherwise an unknown name is not reported, since it may be the
-          missing module's *)
+      (** every import was found; otherwise unknown names are not reported, because they may belong
+          to a missing module *)
   elsewhere : of_library list Lazy.t;  (** the modules of the library *)
-  used : unit Basis.String_table.t;  (** names that the module uses of what it imports *)
+  used : unit Basis.String_table.t;  (** imported names that the module uses *)
   records : Interface.tycon list Interface.String_map.t Lazy.t;
-      (** the record types in scope, by the name of a field *)
+      (** the record types in scope, by field name *)
   records_of : Ir.Global.t list Interface.String_map.t Lazy.t;
-      (** their names: one list for all uses of a field, as it may be long *)
-  signals : Proc_signals.t list Lazy.t;  (** of all procs of the module, for messages *)
+      (** the names of these types; uses of a field share one list, because it may be long *)
+  signals : Proc_signals.t list Lazy.t;  (** signals of all procs in the module, for messages *)
   c_declarations : (Syntax.Ir.name * Syntax.Ir.name) list Lazy.t;
       (** see {!Proc_signals.c_declarations} *)
   in_capitals : string list Lazy.t;  (** see {!Proc_signals.in_capitals} *)
-  params : Syntax.Ir.name list Lazy.t;  (** those that the module declares *)
+  params : Syntax.Ir.name list Lazy.t;  (** the parameters that the module declares *)
   without_definition : string list Lazy.t;  (** see {!Proc_signals.without_definition} *)
 }
 
@@ -54,7 +54,7 @@ val create :
   t
 
 val find : t -> 'a Interface.space -> Syntax.Ir.qualified -> 'a option
-(** Emits a diagnostic if the name is unknown or ambiguous. *)
+(** Looks up a name. Emits a diagnostic if it is unknown or ambiguous. *)
 
 val find_value :
   t ->
@@ -62,11 +62,11 @@ val find_value :
   signals:Proc_signals.t list Lazy.t ->
   Syntax.Ir.qualified ->
   Interface.value option
-(** Likewise; the local names may be suggested. The [signals] are those of a [proc]s in the
-    definition; those that can be seen from here are among the locals. *)
+(** Like {!find}, for values. The local names may be suggested. [signals]: the signals of [proc]s in
+    the definition; the ones in scope are also among the locals. *)
 
 val look : t -> 'a Interface.space -> Syntax.Ir.name -> 'a option
-(** The meaning of an unqualified name that need not have one; silent unless it is ambiguous. *)
+(** Looks up an unqualified name. Reports it only if it is ambiguous, not if it is unknown. *)
 
 val records_with : t -> string list -> Ir.Global.t list
-(** The record types in scope that have all these fields, in order of their names. *)
+(** The record types in scope that have all these fields, sorted by name. *)

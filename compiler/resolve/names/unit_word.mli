@@ -1,10 +1,10 @@
 (** Units written as words: [metre], [sec], [volts]. *)
 
 val symbol : string -> string option
-(** The symbol of the unit that the word names, if the prelude has it. *)
+(** The symbol for the unit word, if it is a unit of the prelude. *)
 
 val is_expression : (Syntax.Ir.name -> bool) -> Syntax.Ir.expr -> bool
-(** Is this a unit, but for the brackets, if these names are units? *)
+(** Would the expression be a unit if it were in brackets? The predicate recognizes unit names. *)
 
 val of_expression : Syntax.Ir.expr -> string
-(** As it would be written in them. *)
+(** The unit as it would be written in brackets. *)

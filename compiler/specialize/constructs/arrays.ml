@@ -6,7 +6,7 @@ type position = Evaluator.position
 
 let bug format = Diagnostic.bug ~stage:"Specialize.Arrays" format
 
-(* Up to here an array that is written out is as good as so many variables. *)
+(* Array literals up to this length are treated as separate variables. *)
 let short = 4
 
 let size_and_element : T.ty -> int * T.ty = function
@@ -29,7 +29,7 @@ let elements (p : position) (a : Value.argument) : Value.argument list =
 
 let number k : Value.argument = { value = Atom (Int (Int32.of_int k)); ty = Int }
 
-(* What a round is called after, and its arguments. *)
+(* The name of the node for one round, and the names of its arguments. *)
 let name_of (f : Value.t) primitive =
   match f with
   | Function { name; _ } | Signal_function { name; _ } -> name
@@ -53,9 +53,9 @@ let locals (p : position) (f : Value.t) count =
 (* {1 Loops} *)
 
 type source =
-  | From of Value.argument  (** an accumulator, with the first value *)
-  | Each of Value.argument  (** of an array *)
-  | Number  (** of the element *)
+  | From of Value.argument  (** an accumulator, with its initial value *)
+  | Each of Value.argument  (** the elements of an array *)
+  | Number  (** the index of the element *)
 
 let argument source local : Loop.argument =
   match source with
@@ -63,8 +63,8 @@ let argument source local : Loop.argument =
   | Each { value; ty } -> { form = Element; ty = snd (size_and_element ty); value; local }
   | Number -> { form = Counter; ty = Int; value = Atom (Int 0l); local }
 
-(* What [f] gives in each round is the next accumulator, if there is one, and the element
-   of the array that comes out, if there is one. *)
+(* Each round, [f] returns the next accumulator (if there is one) and the element of the resulting
+   array (if there is one). *)
 let loop (p : position) (evaluator : Evaluator.t) primitive target ~count (f : Value.argument)
     sources ~final ~elements =
   let arguments = List.map2 argument sources (locals p f.value (List.length sources)) in
@@ -95,8 +95,13 @@ let loop (p : position) (evaluator : Evaluator.t) primitive target ~count (f : V
 let apply_here (p : position) (evaluator : Evaluator.t) ~result (f : Value.argument) given =
   evaluator.apply p ~result f.value given
 
-(* The array of what [f] makes of each element of [arrays], and of its number
-   where [numbered]. *)
+(* Notes that an array of functions or signal functions is expanded element by element. *)
+let one_by_one (p : position) ~by count =
+  let by = Core.Primitive.name by in
+  { p with trail = Context.expanding p.context p.trail ~by ~elements:count ~span:p.span }
+
+(* The array of the results of [f] on each element of [arrays], and on the element's index if
+   [numbered]. *)
 let elementwise (p : position) evaluator target primitive ~result ~numbered f arrays =
   let count, element = size_and_element result in
   let all_first_order =
@@ -107,6 +112,7 @@ let elementwise (p : position) evaluator target primitive ~result ~numbered f ar
     let sources = (if numbered then [ Number ] else []) @ List.map (fun a -> Each a) arrays in
     loop p evaluator primitive target ~count f sources ~final:[] ~elements:[ element ]
   else
+    let p = one_by_one p ~by:primitive count in
     let columns = List.map (fun a -> Stdlib.Array.of_list (elements p a)) arrays in
     let one k =
       let given = List.map (fun column -> column.(k)) columns in
@@ -114,7 +120,7 @@ let elementwise (p : position) evaluator target primitive ~result ~numbered f ar
     in
     Value.Elements (List.init count one)
 
-(* [foldl], and [scanl], which keeps what came on the way. *)
+(* [foldl], and [scanl], which keeps the intermediate results. *)
 let fold (p : position) evaluator primitive target (f : Value.argument) (first : Value.argument)
     (array : Value.argument) =
   let count, _ = size_and_element array.ty and ty = first.ty in
@@ -122,6 +128,7 @@ let fold (p : position) evaluator primitive target (f : Value.argument) (first :
     loop p evaluator primitive target ~count f [ From first; Each array ] ~final:[ ty ]
       ~elements:(if primitive = Core.Primitive.Scanl then [ ty ] else [])
   else
+    let p = one_by_one p ~by:primitive count in
     let next reversed element =
       let value = List.hd reversed in
       apply_here p evaluator ~result:ty f [ { first with value }; element ] :: reversed
@@ -131,7 +138,7 @@ let fold (p : position) evaluator primitive target (f : Value.argument) (first :
 
 (* {1 Single elements} *)
 
-(* Pairs the arrays that a value is made of with something for each. *)
+(* Combines the array that represents each leaf with the result of [make] for it. *)
 let for_leaves (p : position) target ty (array : Value.argument) make =
   let leaves = (Types.layout p.types ty).leaves in
   let arrays = Leaves.atoms p.types p.node ~span:p.span array.ty array.value in
@@ -206,13 +213,16 @@ let apply (p : position) evaluator target (primitive : Core.Primitive.t) ~result
   | _ -> bug "`%s` on %d arguments" (Core.Primitive.name primitive) (List.length arguments)
 
 let parallel (p : position) (evaluator : Evaluator.t) ~result signal_functions array =
-  let _, element = size_and_element result in
+  let count, element = size_and_element result in
+  let p = one_by_one p ~by:Parallel count in
   let one (f : Value.argument) input = evaluator.run p ~result:element f.value input in
-  Value.Elements (List.map2 one (elements p signal_functions) (elements p array))
+  Value.Elements (Long_list.map2 one (elements p signal_functions) (elements p array))
 
 let map_sf (p : position) (evaluator : Evaluator.t) target ~result (f : Value.argument)
     (array : Value.argument) =
   let count, element = size_and_element result in
   if is_first_order p element && is_first_order p array.ty then
     loop p evaluator Map_sf target ~count f [ Each array ] ~final:[] ~elements:[ element ]
-  else Value.Elements (List.map (evaluator.run p ~result:element f.value) (elements p array))
+  else
+    let p = one_by_one p ~by:Map_sf count in
+    Value.Elements (Long_list.map (evaluator.run p ~result:element f.value) (elements p array))

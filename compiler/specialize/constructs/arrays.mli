@@ -1,8 +1,8 @@
-(** The primitives on arrays.
+(** The array primitives.
 
-    What Flow can hold becomes a {!Loop}; an array of functions or signal functions has been written
-    out, so there each element is treated for itself. So are the elements of a short array that is
-    written out. *)
+    Operations on values that Flow can represent become a {!Loop}. An array of functions or signal
+    functions has no run-time form, so the operation is expanded for each of its elements. The same
+    happens for a short array literal. *)
 
 val apply :
   Evaluator.position ->
@@ -12,7 +12,7 @@ val apply :
   result:Core.Ir.ty ->
   Value.argument list ->
   Value.t
-(** All its arguments. The evaluator is one for the nodes of rounds. *)
+(** Applies a primitive to all its arguments. The evaluator must be the one for nodes of rounds. *)
 
 val parallel :
   Evaluator.position ->
@@ -21,7 +21,7 @@ val parallel :
   Value.argument ->
   Value.argument ->
   Value.t
-(** Of an array of signal functions, each run on an element of the second. *)
+(** Runs each signal function of the first array on the corresponding element of the second. *)
 
 val map_sf :
   Evaluator.position ->
@@ -31,4 +31,4 @@ val map_sf :
   Value.argument ->
   Value.argument ->
   Value.t
-(** The signal function, and the array that is its input. *)
+(** Runs the signal function on each element of the input array. *)

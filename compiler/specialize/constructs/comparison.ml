@@ -5,7 +5,8 @@ type position = Evaluator.position
 
 let define (p : position) target rhs = Node.define p.node target ~span:p.span Bool rhs
 
-(* Of constants it is known at once: what depends on it is then chosen here. *)
+(* Folds operations on constants, so that the code that depends on the result can be selected here.
+   *)
 let operate (p : position) target operator atoms =
   match Flow.Fold.operation p.context.real operator atoms with
   | Some known -> known
@@ -41,7 +42,7 @@ let fields (p : position) ty value constructor parts =
       (part.ty, Leaves.payload p.types p.node Unnamed ~span:p.span ty value ~constructor ~field))
     parts
 
-(* The fields of two values that both have this constructor. *)
+(* The pairs of fields of two values that both have this constructor. *)
 let field_pairs p ty a b constructor parts =
   let of_a = fields p ty a constructor parts in
   List.map2 (fun (ty, a) (_, b) -> (ty, a, b)) of_a (fields p ty b constructor parts)
@@ -57,7 +58,7 @@ let refuse ty =
   Diagnostic.bug ~stage:"Specialize.Comparison" "values of type %s are compared"
     (Types.to_string ty)
 
-(* What is drawn makes no difference to what a program does. *)
+(* Drawings and texts do not affect what a program computes, so they always compare as equal. *)
 let is_only_shown ty = Types.is_drawing ty || Types.is_text ty
 
 let rec equal (p : position) target ty a b : Ir.atom =
@@ -70,7 +71,7 @@ let rec equal (p : position) target ty a b : Ir.atom =
   | Scalar, _ -> operate p target Equal (numbers p ty a b)
   | Product parts, _ -> equal_parts p target (part_pairs parts a b)
   | Sum constructors, _ ->
-      (* By the constructor of [a]; the last one needs no test. *)
+      (* distinguish the constructors of [a]; the last one needs no test *)
       let rec from index =
         let both =
           lazy
@@ -97,7 +98,7 @@ and equal_parts p target pairs : Ir.atom =
       let first = equal p Node.Unnamed ty a b in
       and_ p target first (equal_parts p Node.Unnamed others)
 
-(* Are all elements so far equal? *)
+(* Loops over two arrays. Are all elements so far equal? *)
 and equal_arrays p target ~count element a b : Ir.atom =
   let round p values : Value.t list =
     match values with
@@ -109,7 +110,7 @@ and equal_arrays p target ~count element a b : Ir.atom =
   | [ Value.Atom same ] -> same
   | _ -> refuse element
 
-(* Rounds over the elements of two arrays, with such truth values to start. *)
+(* A loop over the elements of two arrays, with these initial truth values as accumulators. *)
 and compare_arrays (p : position) targets ~name ~count element initial a b round =
   let local name : Core.Ir.Local.t = { id = 0; name; span = p.span } in
   let accumulator initial : Loop.argument =
@@ -131,7 +132,8 @@ and compare_arrays (p : position) targets ~name ~count element initial a b round
     }
     (fun p _ values -> round p values)
 
-(* What [<] and [<=] differ in: numbers, and products whose parts are equal. *)
+(* The difference between [<] and [<=]: the operator on numbers, and the result for products whose
+   parts are all equal. *)
 type order = { of_scalars : Ir.operator; of_equals : bool }
 
 let strict = { of_scalars = Less; of_equals = false }
@@ -149,8 +151,8 @@ let rec ordered (p : position) order target ty a b : Ir.atom =
   | Scalar, _ -> operate p target order.of_scalars (numbers p ty a b)
   | Product parts, _ -> ordered_parts p order target (part_pairs parts a b)
   | Sum constructors, _ ->
-      (* Where [a] has constructor [index] and none before: [b] is less if it
-         has one of those before. *)
+      (* Case: [a] has constructor [index] and none before it. Then [b] is less if it has an earlier
+         constructor. *)
       let last = Array.length constructors - 1 in
       let rec from index b_before =
         let pairs = field_pairs p ty a b index constructors.(index) in
@@ -181,7 +183,8 @@ and ordered_parts p order target pairs : Ir.atom =
       let rest = ordered_parts p order Node.Unnamed others in
       or_ p target less (and_ p Node.Unnamed equal rest)
 
-(* Is the first array less by the elements so far; are they all equal? *)
+(* Loops over two arrays. Is the first less, judging by the elements so far, and are these all
+   equal? *)
 and ordered_arrays p order target ~count element a b : Ir.atom =
   let round p values : Value.t list =
     match values with

@@ -1,9 +1,9 @@
-(** Equality and order of data, by its structure.
+(** Structural equality and ordering of data.
 
-    Products compare their parts in order, arrays their elements; sums compare constructors in the
-    order of their declaration, then payloads. All comes down to [==] and [<] of numbers, so with
-    NaN inside, a product is neither equal to, less than nor greater than another whose other parts
-    do not decide. *)
+    Products compare their parts in order, and arrays their elements. Sums compare constructors in
+    declaration order, then payloads. Everything reduces to [==] and [<] on numbers. Therefore a
+    product that contains NaN is neither equal to, less than nor greater than another product,
+    unless other parts decide. *)
 
 type position := Evaluator.position
 

@@ -34,7 +34,7 @@ let apply (p : Evaluator.position) target (primitive : Core.Primitive.t) ~result
   in
   if primitive = Drawn then p.context.draws <- true;
   match (primitive, arguments, Types.marks p.types) with
-  | (Text_of | Blank | Drawn | Together), _, None -> Product []
+  | (Text_of | Blank | Drawn | Together), _, None -> Product [||]
   | Text_of, [ { value = Text says; _ } ], Some _ ->
       let constructor = Types.text p.types says in
       let ty = leaf result in

@@ -1,8 +1,9 @@
-(** What a program draws: the primitives of the library's module Display.
+(** Drawing: the primitives of the library's module Display.
 
-    A drawing is a number of marks and an array of events; the first so many of these occur. With as
-    many elements as marks can be drawn ({!Flow.Marks}) none is lost; with one it is still seen how
-    many there can be. Without any ({!Context.options}) all that is drawn has no leaves. *)
+    A drawing is a count of marks and an array of events, of which the first ones, as many as the
+    count, occur. If the array has room for all marks that can be drawn ({!Flow.Marks}), no mark is
+    lost. An array of one element suffices to find out how many marks are possible. If drawing is
+    disabled ({!Context.options}), drawings have no leaves. *)
 
 val apply :
   Evaluator.position ->

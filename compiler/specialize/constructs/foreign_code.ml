@@ -34,7 +34,7 @@ let build (p : Evaluator.position) (f : Core.Primitive.foreign) ~result argument
   let signals name ty =
     List.map
       (fun (leaf : Types.leaf) ->
-        Node.signal node ~name:(Types.join name leaf.path) ~span:f.span leaf.leaf)
+        Node.signal node ~name:(Types.join name (Types.path_name leaf)) ~span:f.span leaf.leaf)
       (Types.layout c.types ty).leaves
   in
   let types = List.map (fun (a : Value.argument) -> a.ty) arguments in
@@ -57,12 +57,12 @@ let build (p : Evaluator.position) (f : Core.Primitive.foreign) ~result argument
       file = f.span.file;
     }
 
-(* The same for all calls. *)
+(* All calls of a foreign function share one node. *)
 let node (p : Evaluator.position) f ~result arguments =
   let c = p.context in
-  let walk = Skeleton.walk c.keys p.node Holes in
-  Skeleton.add_text walk (Core.Primitive.key (Foreign f));
-  let key = Skeleton.key walk in
+  let walk = Specialization_key.walk c.keys p.node Holes in
+  Specialization_key.add_text walk (Core.Primitive.key (Foreign f));
+  let key = Specialization_key.key walk in
   match Variables.Table.find_opt c.specializations key with
   | Some { callee = Node known; _ } -> known
   | Some { callee = Nothing _; _ } | None ->
@@ -82,23 +82,24 @@ let apply (p : Evaluator.position) target (f : Core.Primitive.foreign) ~result a
   in
   Leaves.value p.types result outputs
 
-(* In C both would have the struct and the functions of that name. *)
+(* Detects C components whose struct and functions would have the same names as the program's own.
+   *)
 let check_names sink ~name (foreign : Core.Ir.foreign) =
-  (* [my-robot.frob] has [my_robot_step]. *)
+  (* For example, [my-robot.frob] defines [my_robot_step]. *)
   let prefix = String.map (fun c -> if c = '-' || c = ' ' || c = '.' then '_' else c) name in
   let collision ((f : Core.Primitive.foreign), _) =
     match f.kind with
     | Stateful when String.equal f.symbol prefix ->
         Some
           ( f,
-            Printf.sprintf "the program and the component `%s` in C have one name" f.symbol,
+            Printf.sprintf "the program and the component `%s` in C have the same name" f.symbol,
             Printf.sprintf "both would have `struct %s_state`, `%s_reset` and `%s_step`" prefix
               prefix prefix )
     | Stateless _ when List.mem f.symbol [ prefix ^ "_reset"; prefix ^ "_step" ] ->
         Some
           ( f,
             Printf.sprintf "the program's own C has a function `%s`" f.symbol,
-            "the functions of a program are named after its file" )
+            "frobc names the functions of a program after its file" )
     | Stateful | Stateless _ -> None
   in
   let refuse ~at ?note ~hint message =
@@ -108,8 +109,10 @@ let check_names sink ~name (foreign : Core.Ir.foreign) =
   in
   let refuse_header (h : Core.Ir.header) =
     if String.equal h.header (name ^ ".h") then
-      refuse ~at:(Span.start_of_file h.of_file) ~hint:"rename the program's file, or the header"
-        (Printf.sprintf "the program's own header would be `%s`, which it includes" h.header)
+      refuse ~at:(Span.start_of_file h.of_file) ~hint:"rename the program's file or the header"
+        (Printf.sprintf
+           "the program includes `%s`, but frobc writes the program's own header with this name"
+           h.header)
   in
   match List.find_map collision foreign.values with
   | Some ((f : Core.Primitive.foreign), message, note) ->

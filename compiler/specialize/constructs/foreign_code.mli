@@ -1,5 +1,5 @@
-(** Code in C: a node without a body for each function or signal function that is imported, called
-    like any other. *)
+(** Foreign code: each imported function or signal function is a node without a body, called like
+    any other node. *)
 
 val apply :
   Evaluator.position ->
@@ -8,10 +8,11 @@ val apply :
   result:Core.Ir.ty ->
   Value.argument list ->
   Value.t
-(** On all arguments; of a signal function, an instance on its input. *)
+(** Applies a function to all its arguments, or runs an instance of a signal function on its input.
+*)
 
 val imports : Types.table -> Core.Ir.foreign -> Flow.Ir.import list
 
 val check_names : Basis.Diagnostic.sink -> name:string -> Core.Ir.foreign -> unit
-(** [name]: of the program's C files. Emits E0431 where the program's own C has the names of what it
-    imports. *)
+(** [name]: the name of the generated C files. Emits E0431 if the generated C defines a name that
+    the program imports. *)

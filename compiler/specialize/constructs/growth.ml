@@ -1,23 +1,27 @@
 open Basis
 
 type t = {
-  head : int list; (* the code it starts with *)
+  head : int list; (* the code that the mode starts with *)
   depth : int;
-  added : string; (* the function around the deepest nest in it *)
+  added : string; (* the outermost function of the deepest nesting in it *)
   name : string;
   at : Span.t;
   from : t option;
-  steps : int; (* how often in a row it has grown *)
-  waiting : Span.t option; (* of a task: what most often waits for its end *)
-  task : string option; (* whose `do` goes on after what runs, if it is a task *)
+  steps : int; (* number of consecutive growth steps *)
+  waiting : Span.t option; (* for a task: the continuation that waits most often for its end *)
+  task : string option; (* for a task: the name of the definition that contains it *)
 }
 
 let deepest nests =
   List.fold_left (fun (n, name) (m, other) -> if m > n then (m, other) else (n, name)) (0, "") nests
 
-(* How deeply functions are nested in functions, and the outermost one of them. [known]:
-   by closure, as closures are shared. *)
+(* The name to show for a function chosen by an [if]. *)
+let an_if = "if"
+
+(* The nesting depth of functions captured in functions, and the name of the outermost one. [known]:
+   results by closure, because closures are shared. *)
 let rec nest known (value : Value.t) =
+  Work.step ();
   match value with
   | Function closure | Signal_function closure -> (
       match Variables.Table.find_opt known closure.identity with
@@ -28,9 +32,10 @@ let rec nest known (value : Value.t) =
           nest)
   | Primitive { arguments; _ } ->
       deepest (List.map (fun (a : Value.argument) -> nest known a.value) arguments)
-  | Product values | Elements values | Constructed { arguments = values; _ } ->
+  | Product values -> deepest (List.map (nest known) (Array.to_list values))
+  | Elements values | Constructed { arguments = values; _ } ->
       deepest (List.map (nest known) values)
-  | Choice { then_; else_; _ } -> deepest [ nest known then_; nest known else_ ]
+  | Choice { then_; else_; _ } -> (1 + fst (deepest [ nest known then_; nest known else_ ]), an_if)
   | Program value -> nest known value
   | Atom _ | Text _ | Array _ | Unspecified -> (0, "")
 
@@ -39,11 +44,11 @@ and inside known (closure : Value.closure) =
     (fun _ (entry : Value.entry) deeper -> deepest [ deeper; nest known (Closure.forced entry) ])
     closure.captured (0, "")
 
-(* Likewise of what a mode runs, but without the mode's own code. *)
+(* Like {!nest}, for the signal function of a mode, not counting the mode's own code. *)
 let rec nest_of_mode known (value : Value.t) =
   match value with
   | Primitive { primitive = Sequence; arguments; owner; _ } ->
-      (* What is to come after the task that runs. *)
+      (* the continuation after the running task *)
       let depth, name =
         deepest (List.map (fun (a : Value.argument) -> nest_of_mode known a.value) arguments)
       in
@@ -73,18 +78,18 @@ let rec head (value : Value.t) =
   | Unspecified ->
       []
 
-(* As far back as a circle of modes is long. *)
+(* Searches back at most as many modes as a cycle may have. *)
 let rec before head t steps =
   match t with
   | None -> None
   | Some t when t.head = head -> Some t
   | Some t -> if steps = 0 then None else before head t.from (steps - 1)
 
-(* So often in a row nothing grows that has an end. *)
+(* Growth that ends is assumed to end within this many consecutive steps. *)
 let most_steps = 20
 
-(* Of what is to come after a task that runs, what is there again and again; of
-   several the innermost. *)
+(* The continuation that occurs most often among those waiting for the running task, if it occurs
+   often. Among several, the innermost. *)
 let waiting (value : Value.t) =
   let rec all found (value : Value.t) =
     match value with
@@ -122,7 +127,7 @@ let of_value value ~at ~from =
 
 let is_endless t = t.steps > most_steps
 
-(* The modes since the last one of the same code, the first of them first. *)
+(* The modes since the last one with the same code, in order. *)
 let since t =
   let rec go found = function
     | Some earlier when earlier.head <> t.head -> go (earlier :: found) earlier.from
@@ -130,7 +135,7 @@ let since t =
   in
   go [] t.from
 
-(* The nearest place of the program itself. *)
+(* The nearest place that is outside the library. *)
 let rec in_program c (t : t) =
   match t.from with
   | Some before when Context.in_library c t.at -> in_program c before
@@ -139,35 +144,41 @@ let rec in_program c (t : t) =
 let report_task (c : Context.t) (t : t) place =
   let at = in_program c t in
   Diagnostic.(
-    error ~code:"E0420" ~at "a task starts itself again, but not as its last statement"
-    |> here "here it starts once more"
-    |> label ~at:place "this still waits for it to end"
-    |> note "more would wait each time, and memory is fixed"
+    error ~code:"E0420" ~at "a task restarts itself, but not as its last statement"
+    |> here "it restarts here"
+    |> label ~at:place "this waits for the restarted task to end"
+    |> note "each restart would leave one more statement waiting, but memory is fixed"
     |> hint
-         "make the call the last statement, or put what waits into the branch that ends the task; \
-          what is done several times is `repeatT 4 t`, or `forever t`"
+         "make the call the last statement, or move the waiting statements into the branch that \
+          ends the task; to repeat a task, write `repeatT 4 t` or `forever t`"
     |> emit c.sink);
   raise Context.Stopped
 
 let report_growth (c : Context.t) ~name (t : t) =
   let at = in_program c t in
-  (* The library's places say nothing, and each of the program's says it once. *)
+  (* Library places do not help the user, and each place of the program is shown once. *)
   let on_the_way (diagnostic, shown) hop =
     if List.mem hop.at shown || Context.in_library c hop.at || String.equal hop.name "" then
       (diagnostic, shown)
     else
-      let text = Printf.sprintf "on the way `%s` starts here" hop.name in
+      let text = Printf.sprintf "`%s` starts here on the way" hop.name in
       (Diagnostic.label ~at:hop.at text diagnostic, hop.at :: shown)
   in
   let name, what =
     match t.task with Some own -> (own, "tasks") | None -> (name, "signal functions")
   in
   Diagnostic.(
-    error ~code:"E0416" ~at "`%s` grows each time it starts itself again" name
-    |> here (Printf.sprintf "here, with one more `%s`" t.added)
+    error ~code:"E0416" ~at "`%s` grows each time it restarts itself" name
+    |> here (Printf.sprintf "it restarts here, with one more `%s`" t.added)
     |> (fun diagnostic -> fst (List.fold_left on_the_way (diagnostic, [ at ]) (since t)))
-    |> note (Printf.sprintf "which %s can run must be known, and be finitely many" what)
-    |> hint (Printf.sprintf "start it with the same %s each time; numbers may change" what)
+    |> note
+         (Printf.sprintf "frobc must know all %s that can run, so their number must be finite" what)
+    |> hint (Printf.sprintf "restart it with the same %s each time; numbers may change" what)
+    |> (if String.equal t.added an_if then
+          hint
+            (Printf.sprintf "pass the condition of the `if` as an argument, and choose inside `%s`"
+               name)
+        else Fun.id)
     |> emit c.sink);
   raise Context.Stopped
 

@@ -1,18 +1,20 @@
-(** Signal functions that get larger each time they start themselves again.
+(** Detects signal functions that grow each time they restart themselves.
 
-    [go sf = switch sf (\\_ -> go (sf >>> g))] would have a mode for each number of [g]s. Numbers do
-    not count, so a mode that comes after one of the same code and with a deeper nest of functions
-    in it, again and again, will have another like it for ever. *)
+    [go sf = switch sf (\\_ -> go (sf >>> g))] would need a mode for each number of [g]s. Numbers do
+    not count as growth. If modes with the same code but ever deeper nested functions follow each
+    other many times, the sequence is assumed to be infinite. *)
 
 open Basis
 
 type t
-(** Of a mode, with what led to it. *)
+(** The growth history of a mode: its own size and the modes that led to it. *)
 
 val of_value : Value.t -> at:Span.t -> from:t option -> t
-(** [at]: where the mode before makes it; [from]: of that mode. *)
+(** [at]: the place where the previous mode creates this one. [from]: the history of the previous
+    mode. *)
 
 val is_endless : t -> bool
 
 val report : Context.t -> name:string -> t -> 'a
-(** E0416, or E0420 of a task that is not called last; raises {!Context.Stopped}. *)
+(** Reports E0416, or E0420 for a task that does not call itself last, and raises
+    {!Context.Stopped}. *)

@@ -14,7 +14,7 @@ type request = {
   elements : Core.Ir.ty list;
 }
 
-(* In the place of the number of a definition's or a function's code. *)
+(* Takes the place of the code number of a definition or function. *)
 let code = max_int
 let array count ty : Core.Ir.ty = Array (Size count, ty)
 
@@ -24,23 +24,22 @@ let number_of_form : Ir.argument -> int = function
   | Same -> 2
   | Counter -> 3
 
-(* What the loop gets for an argument, leaf by leaf: each as a hole, so with
-   the type that the node's input has. *)
-let holes (c : Context.t) node ~span request argument : Skeleton.hole list =
+(* The leaves of an argument as holes, which have the types of the node's inputs. *)
+let holes (c : Context.t) node ~span request argument : Specialization_key.hole list =
   let given =
     match argument.form with
     | Element -> array request.count argument.ty
     | Accumulator | Same | Counter -> argument.ty
   in
   List.map2
-    (fun (leaf : Types.leaf) atom : Skeleton.hole ->
-      { atom; local = argument.local; path = leaf.path; ty = leaf.leaf })
+    (fun (leaf : Types.leaf) atom : Specialization_key.hole ->
+      { atom; local = argument.local; path = Types.path_name leaf; ty = leaf.leaf })
     (Types.layout c.types argument.ty).leaves
     (Leaves.atoms c.types node ~span given argument.value)
 
 let unnamed span : Core.Ir.Local.t = { id = 0; name = ""; span }
 
-(* Takes as many atoms for each type as it has leaves. *)
+(* Splits the atoms into values of these types. *)
 let split (c : Context.t) tys atoms =
   let take (values, atoms) ty =
     let count = List.length (Types.layout c.types ty).leaves in
@@ -50,8 +49,8 @@ let split (c : Context.t) tys atoms =
   let values, _ = List.fold_left take ([], atoms) tys in
   List.rev values
 
-(* A round that computes nothing needs no node if all that it gives is the
-   same in all rounds, or an element of an array that is there. *)
+(* A round without equations needs no node if each of its outputs is either the same in all rounds
+   or an element of an existing array. *)
 let without_node caller ~span ~count parameters outputs tys =
   let given (atom : Ir.atom) =
     match atom with
@@ -71,7 +70,7 @@ let without_node caller ~span ~count parameters outputs tys =
   let found = List.map2 output outputs tys in
   if List.mem None found then None else Some (List.filter_map Fun.id found)
 
-(* The outputs of such a node get equations after all. *)
+(* Adds an equation for each output of a round that has none. *)
 let define_outputs (c : Context.t) node ~span tys values =
   List.map2
     (fun ty value ->
@@ -80,65 +79,144 @@ let define_outputs (c : Context.t) node ~span tys values =
       Leaves.value c.types ty (List.map2 copy leaves (Leaves.atoms c.types node ~span ty value)))
     tys values
 
-let run (p : Evaluator.position) targets request round =
-  let { Evaluator.context = c; trail; node = caller; span; _ } = p in
-  let walk = Skeleton.walk c.keys caller Holes in
-  Skeleton.add_number walk code;
-  Skeleton.add_text walk request.key;
-  let form argument =
-    Skeleton.add_number walk (number_of_form argument.form);
-    Skeleton.add_number walk (Types.layout c.types argument.ty).id
-  in
-  List.iter form request.arguments;
-  let result ty = Skeleton.add_number walk (Types.layout c.types ty).id in
-  List.iter result request.final;
-  List.iter result request.elements;
+(* The key of the node, and the holes of the captured values. *)
+let key_of (c : Context.t) node ~span request =
+  let walk = Specialization_key.walk c.keys node Holes in
+  let layout ty = Specialization_key.add_number walk (Types.layout c.types ty).id in
+  Specialization_key.add_number walk code;
+  Specialization_key.add_text walk request.key;
   List.iter
-    (fun (a : Value.argument) -> Skeleton.add walk (unnamed span) a.ty a.value)
+    (fun argument ->
+      Specialization_key.add_number walk (number_of_form argument.form);
+      layout argument.ty)
+    request.arguments;
+  List.iter layout request.final;
+  List.iter layout request.elements;
+  List.iter
+    (fun (a : Value.argument) -> Specialization_key.add walk (unnamed span) a.ty a.value)
     request.captured;
-  let captured = Skeleton.take_holes walk in
-  let is_accumulator a = a.form = Ir.Accumulator in
+  let captured = Specialization_key.take_holes walk in
+  (Specialization_key.key walk, captured)
+
+(* The holes that become inputs of the node, in its order: accumulators, captured values that are
+   the same in all rounds, other arguments. In a signal function, captured values are static. *)
+type inputs = {
+  accumulated : Specialization_key.hole list;
+  same : Specialization_key.hole list;
+  given : Specialization_key.hole list;
+  statics : Specialization_key.hole list;
+  forms : Ir.argument list;  (** of each input *)
+}
+
+let is_accumulator a = a.form = Ir.Accumulator
+
+let inputs_of (c : Context.t) caller ~span request captured =
   let accumulators, others = List.partition is_accumulator request.arguments in
-  let holes_of = List.concat_map (holes c caller ~span request) in
-  let accumulated = holes_of accumulators and given = holes_of others in
   let statics, same =
     match request.kind with Signal_function -> (captured, []) | Function -> ([], captured)
   in
-  let inputs = accumulated @ same @ given in
-  let results = request.final @ request.elements in
-  let body trail node atoms =
-    (* Statics come before inputs: what is captured is first or second. *)
-    let before =
-      match request.kind with Signal_function -> 0 | Function -> List.length accumulated
-    in
-    let is_captured i = i >= before && i < before + List.length captured in
-    let own = List.filteri (fun i _ -> is_captured i) atoms in
-    let rest = List.filteri (fun i _ -> not (is_captured i)) atoms in
-    let copy = Skeleton.copy c.keys Holes own in
-    let captured =
-      List.map (fun (a : Value.argument) -> Skeleton.value copy a.ty a.value) request.captured
-    in
-    let arguments = split c (List.map (fun a -> a.ty) request.arguments) rest in
-    let values = round { p with trail; node } captured arguments in
-    let only_hands_on () =
-      let changing =
-        List.concat
-          (List.map2
-             (fun a value ->
-               match a.form with
-               | Accumulator | Counter -> Leaves.atoms c.types node ~span a.ty value
-               | Element | Same -> [])
-             request.arguments arguments)
-      in
-      let atoms ty value = Leaves.atoms c.types node ~span ty value in
-      let outputs = List.concat (List.map2 atoms results values) in
-      Node.size node = 0
-      && (accumulators <> [] || List.exists (fun a -> List.mem a changing) outputs)
-    in
-    Value.Product
-      (if Node.size node = 0 && only_hands_on () then define_outputs c node ~span results values
-       else values)
+  let holes_of = List.concat_map (holes c caller ~span request) in
+  let accumulated = holes_of accumulators in
+  let given = holes_of others in
+  let forms_of =
+    List.concat_map (fun a -> List.map (fun _ -> a.form) (Types.layout c.types a.ty).leaves)
   in
+  {
+    accumulated;
+    same;
+    given;
+    statics;
+    forms = forms_of accumulators @ List.map (fun _ -> Ir.Same) same @ forms_of others;
+  }
+
+let holes_of_inputs inputs = inputs.accumulated @ inputs.same @ inputs.given
+
+(* Splits the node's atoms into the captured ones and the arguments. Statics come before inputs, so
+   the captured values are the first or the second group. *)
+let split_captured request inputs atoms =
+  let before =
+    match request.kind with Signal_function -> 0 | Function -> List.length inputs.accumulated
+  in
+  let count = List.length inputs.same + List.length inputs.statics in
+  let is_captured i = i >= before && i < before + count in
+  ( List.filteri (fun i _ -> is_captured i) atoms,
+    List.filteri (fun i _ -> not (is_captured i)) atoms )
+
+(* Does the round have no equations of its own, but a value that it must copy: one that is handed on
+   from an argument that differs between rounds, or any value of a loop with accumulators? *)
+let only_hands_on (c : Context.t) node ~span request arguments results values =
+  let atoms ty value = Leaves.atoms c.types node ~span ty value in
+  let changing_atoms a value =
+    match a.form with Ir.Accumulator | Counter -> atoms a.ty value | Element | Same -> []
+  in
+  let changing = List.concat (List.map2 changing_atoms request.arguments arguments) in
+  let outputs = List.concat (List.map2 atoms results values) in
+  Node.size node = 0
+  && (List.exists is_accumulator request.arguments
+     || List.exists (fun a -> List.mem a changing) outputs)
+
+(* The body of the node: one round. *)
+let body (p : Evaluator.position) request inputs round trail node atoms =
+  let { Evaluator.context = c; span; _ } = p in
+  let own, rest = split_captured request inputs atoms in
+  let copy = Specialization_key.copy c.keys Holes own in
+  let captured =
+    List.map
+      (fun (a : Value.argument) -> Specialization_key.value copy a.ty a.value)
+      request.captured
+  in
+  let arguments = split c (List.map (fun a -> a.ty) request.arguments) rest in
+  let values = round { p with trail; node } captured arguments in
+  let results = request.final @ request.elements in
+  let must_copy =
+    Node.size node = 0 && only_hands_on c node ~span request arguments results values
+  in
+  let outputs = if must_copy then define_outputs c node ~span results values else values in
+  Value.Product (Array.of_list outputs)
+
+let leaf_types (c : Context.t) tys =
+  List.concat_map
+    (fun ty -> List.map (fun (l : Types.leaf) -> l.leaf) (Types.layout c.types ty).leaves)
+    tys
+
+let result_types request = request.final @ List.map (array request.count) request.elements
+let actual (hole : Specialization_key.hole) = hole.atom
+
+(* The instance that runs the node for each element. *)
+let call (p : Evaluator.position) targets request inputs node =
+  let { Evaluator.context = c; node = caller; span; _ } = p in
+  let arrays =
+    List.map (fun ty : Ir.ty -> Array (request.count, ty)) (leaf_types c request.elements)
+  in
+  let targets =
+    List.concat
+      (List.map2
+         (fun target ty -> Node.leaves target (Types.layout c.types ty).leaves)
+         targets (result_types request))
+  in
+  Node.call caller targets ~callee:request.name ~node ~span
+    ~loop:{ count = request.count; arguments = inputs.forms }
+    ~statics:(List.map actual inputs.statics)
+    ~inputs:(List.map actual (holes_of_inputs inputs))
+    (leaf_types c request.final @ arrays)
+
+(* The results of a round that needs no node, since it has no equations. *)
+let without_call (p : Evaluator.position) request inputs parameters outputs =
+  let { Evaluator.context = c; node = caller; span; _ } = p in
+  let given =
+    List.map (fun hole -> (Ir.Same, actual hole)) inputs.statics
+    @ List.combine inputs.forms (List.map actual (holes_of_inputs inputs))
+  in
+  let formed = List.map2 (fun p (form, atom) -> (p, form, atom)) parameters given in
+  let elements = leaf_types c request.elements in
+  match without_node caller ~span ~count:request.count formed outputs elements with
+  | Some atoms -> atoms
+  | None -> Diagnostic.bug ~stage:"Specialize.Loop" "a round without equations"
+
+let run (p : Evaluator.position) targets request round =
+  let { Evaluator.context = c; trail; node = caller; span; _ } = p in
+  let key, captured = key_of c caller ~span request in
+  let inputs = inputs_of c caller ~span request captured in
   let specialization =
     Specialization.find c trail
       {
@@ -146,54 +224,17 @@ let run (p : Evaluator.position) targets request round =
         name = request.name;
         span;
         call = span;
-        result = Tuple results;
+        result = Tuple (request.final @ request.elements);
         names = Destructuring.none;
-        statics;
-        inputs;
-        key = Skeleton.key walk;
+        statics = inputs.statics;
+        inputs = holes_of_inputs inputs;
+        key;
       }
-      body
-  in
-  let leaf_types tys =
-    List.concat_map
-      (fun ty -> List.map (fun (l : Types.leaf) -> l.leaf) (Types.layout c.types ty).leaves)
-      tys
-  in
-  let element_types = leaf_types request.elements in
-  let actual (hole : Skeleton.hole) = hole.atom in
-  let forms =
-    List.concat_map (fun a -> List.map (fun _ -> a.form) (Types.layout c.types a.ty).leaves)
-  in
-  let arguments = forms accumulators @ List.map (fun _ -> Ir.Same) same @ forms others in
-  let tys = request.final @ List.map (array request.count) request.elements in
-  let loop node =
-    let arrays = List.map (fun ty : Ir.ty -> Array (request.count, ty)) element_types in
-    let targets =
-      List.concat
-        (List.map2
-           (fun target ty -> Node.leaves target (Types.layout c.types ty).leaves)
-           targets tys)
-    in
-    Node.call caller targets ~callee:request.name ~node ~span
-      ~loop:{ count = request.count; arguments }
-      ~statics:(List.map actual statics) ~inputs:(List.map actual inputs)
-      (leaf_types request.final @ arrays)
+      (body p request inputs round)
   in
   let atoms =
     match specialization.callee with
-    | Node node -> loop node
-    | Nothing parameters -> (
-        let formed =
-          List.map2
-            (fun p (form, atom) -> (p, form, atom))
-            parameters
-            (List.map (fun hole -> (Ir.Same, actual hole)) statics
-            @ List.combine arguments (List.map actual inputs))
-        in
-        match
-          without_node caller ~span ~count:request.count formed specialization.outputs element_types
-        with
-        | Some atoms -> atoms
-        | None -> Diagnostic.bug ~stage:"Specialize.Loop" "a round without equations")
+    | Node node -> call p targets request inputs node
+    | Nothing parameters -> without_call p request inputs parameters specialization.outputs
   in
-  split c tys atoms
+  split c (result_types request) atoms

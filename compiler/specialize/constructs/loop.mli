@@ -1,24 +1,25 @@
-(** Loops over arrays: a node that is made for one round, and the instance that runs it for each. *)
+(** Loops over arrays: a node that computes one round, and an instance that runs it for each
+    element. *)
 
 type argument = {
   form : Flow.Ir.argument;
-  ty : Core.Ir.ty;  (** closed; of what one round gets; first-order *)
+  ty : Core.Ir.ty;  (** closed and first-order; the type in one round *)
   value : Value.t;
-      (** the initial value, the array, or the number to count from; [Same] is for what is captured,
-          see below *)
+      (** the initial value, the array, or the number to count from; [Same] is only for captured
+          values, see below *)
   local : Core.Ir.Local.t;  (** names the node's inputs *)
 }
 
 type request = {
-  name : string;  (** of the node *)
+  name : string;  (** the name of the node *)
   kind : Flow.Ir.kind;
   count : int;
-  key : string;  (** tells apart what is captured alike and does something else *)
+  key : string;  (** distinguishes loops with equal captured values but different bodies *)
   captured : Value.argument list;
-      (** used in every round as it is; in a signal function it is static *)
+      (** values used unchanged in every round; static in a signal function *)
   arguments : argument list;  (** accumulators first *)
-  final : Core.Ir.ty list;  (** of each accumulator *)
-  elements : Core.Ir.ty list;  (** of the elements of the arrays that come out *)
+  final : Core.Ir.ty list;  (** types of the final accumulators *)
+  elements : Core.Ir.ty list;  (** element types of the resulting arrays *)
 }
 
 val run :
@@ -27,6 +28,6 @@ val run :
   request ->
   (Evaluator.position -> Value.t list -> Value.t list -> Value.t list) ->
   Value.t list
-(** The final accumulators, and the arrays; a target for each. The function is one round, in a node
-    of its own: from what is captured and the arguments to the next accumulators and the elements.
-    May raise {!Context.Postponed}. *)
+(** The final accumulators and the arrays, one target each. The function builds one round in a node
+    of its own: from the captured values and the arguments, it computes the next accumulators and
+    the elements. May raise {!Context.Postponed}. *)

@@ -5,15 +5,15 @@ let bug format = Diagnostic.bug ~stage:"Specialize.Machine" format
 
 type mode = {
   number : int;
-  value : Value.t; (* in terms of the node that found it first *)
-  holes : Skeleton.hole list;
+  value : Value.t; (* its atoms belong to the node in which the mode was found first *)
+  holes : Specialization_key.hole list;
   name : string;
-  at : Span.t; (* what leads to it *)
-  place : Span.t; (* of its code *)
+  at : Span.t; (* the place that leads to it *)
+  place : Span.t; (* the place of its code *)
   growth : Growth.t;
 }
 
-(* A mode with its equations. *)
+(* A mode and its node. *)
 type built = {
   mode : mode;
   node : Node.t;
@@ -29,8 +29,8 @@ type machine = {
   trail : Context.trail;
   input : Core.Ir.ty;
   result : Core.Ir.ty;
-  known : mode Variables.Table.t; (* by key *)
-  mutable count : int;
+  known : mode Variables.Table.t; (* modes by key *)
+  count : Context.machine; (* shared with the trail *)
   waiting : mode Queue.t;
 }
 
@@ -40,9 +40,9 @@ let position ?(in_mode = Fun.id) m node span : Evaluator.position =
 let signal_function m : Core.Ir.ty = Signal_function (m.input, m.result)
 let unnamed span : Core.Ir.Local.t = { id = 0; name = ""; span }
 
-(* {1 Which modes} *)
+(* {1 Finding modes} *)
 
-(* [proc x -> sf x] is read as [sf]. *)
+(* The eta-reduction of [proc x -> sf x] to [sf]. *)
 let eta (proc : Core.Ir.proc) =
   match (proc.equations, proc.output.desc) with
   | ( [ { binder; rhs = Run { signal_function; input = { desc = Local input; _ } }; _ } ],
@@ -51,10 +51,11 @@ let eta (proc : Core.Ir.proc) =
       Some signal_function
   | _, _ -> None
 
-(* What a signal function in tail position may be, and when. *)
+(* The alternatives for a signal function in tail position, with their conditions. *)
 type choice = One of Value.t | If of Ir.atom * choice * choice
 
-(* [input]: of this instant, where it is known that what is chosen runs on it at once. *)
+(* [input]: the input of this instant, if the chosen signal function is known to run on it
+   immediately. *)
 let rec choices m node ?input ~span (value : Value.t) =
   match value with
   | Choice { condition; then_; else_ } -> (
@@ -83,12 +84,12 @@ let rec choices m node ?input ~span (value : Value.t) =
   | Signal_function _ | Program _ | Unspecified ->
       One value
 
-(* The mode in which a signal function runs, and what it gets for parameters. *)
+(* The mode that runs the signal function, and the arguments for the mode's parameters. *)
 let mode_of m node ~from ~at value =
-  let walk = Skeleton.walk m.context.keys node Holes in
-  Skeleton.add walk (unnamed at) (signal_function m) value;
-  let holes = Skeleton.take_holes walk in
-  let key = Skeleton.key walk in
+  let walk = Specialization_key.walk m.context.keys node Holes in
+  Specialization_key.add walk (unnamed at) (signal_function m) value;
+  let holes = Specialization_key.take_holes walk in
+  let key = Specialization_key.key walk in
   let mode =
     match Variables.Table.find_opt m.known key with
     | Some known -> known
@@ -97,22 +98,22 @@ let mode_of m node ~from ~at value =
         let growth = Growth.of_value value ~at ~from in
         if Growth.is_endless growth then Growth.report m.context ~name growth;
         Context.count m.context m.trail ~name ~span:at;
-        Context.check_lasting m.context m.trail ~span:at (Skeleton.types holes);
+        Context.check_lasting m.context m.trail ~span:at (Specialization_key.types holes);
         let place = Origin.mode_place ~otherwise:at value in
-        let mode = { number = m.count; value; holes; name; at; place; growth } in
-        m.count <- m.count + 1;
+        let mode = { number = m.count.modes; value; holes; name; at; place; growth } in
+        m.count.modes <- m.count.modes + 1;
         Variables.Table.replace m.known key mode;
         Queue.add mode m.waiting;
         mode
   in
-  (mode, List.map (fun (hole : Skeleton.hole) -> hole.atom) holes)
+  (mode, List.map (fun (hole : Specialization_key.hole) -> hole.atom) holes)
 
 let both node ~span (a : Ir.atom) (b : Ir.atom) : Ir.atom =
   match (a, b) with
   | Bool true, other | other, Bool true -> other
   | _, _ -> Node.define node Unnamed ~span Bool (Op (And, [ a; b ]))
 
-(* In order, of which the first that occurs counts. *)
+(* The transitions in order of priority: the first one that occurs is taken. *)
 let transitions m node ?input ~from ~by ~span ~delayed occurs value =
   let rec go occurs choice rest =
     match choice with
@@ -129,7 +130,7 @@ let transitions m node ?input ~from ~by ~span ~delayed occurs value =
 
 (* {1 Events} *)
 
-(* [Event] is the second constructor. *)
+(* Occurrence and value of an event. [Event] is the second constructor. *)
 let occurrence m node ~span ty event =
   let types = m.context.types in
   let occurs = Leaves.is_constructor types node Unnamed ~span (Core.Signature.event ty) event 1 in
@@ -140,7 +141,8 @@ let occurrence m node ~span ty event =
 
 (* {1 Modes} *)
 
-(* Whose names an input has; of a task, those of what runs first. *)
+(* The proc that supplies the names for a mode's input; for a task, that of its first signal
+   function. *)
 let rec proc_of (value : Value.t) =
   match value with
   | Signal_function { code = Proc proc; types; _ }
@@ -155,16 +157,16 @@ let rec proc_of (value : Value.t) =
       Option.bind (Task.first task) proc_of
   | _ -> None
 
-(* Names for an input of the machine in a mode. *)
+(* The names for the machine's input in a mode. *)
 let input_names m (value : Value.t) =
   match proc_of value with
   | Some (proc, types) -> (Destructuring.of_proc m.context.types types proc, Some proc.input.local)
   | None -> (Destructuring.none, None)
 
-let parameter node ~name (hole : Skeleton.hole) =
+let parameter node ~name (hole : Specialization_key.hole) =
   Node.signal node ~name ~span:hole.local.span hole.ty
 
-(* What the signal function in a mode does: its output and transitions. *)
+(* The output and transitions of a mode's signal function. *)
 let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
   let c = m.context and at = mode.place in
   let run ~name ~result =
@@ -205,11 +207,11 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
       let event : Value.t = Constructed { constructor = 1; arguments = [ input.value ] } in
       (Unspecified, next ~delayed:false input.ty event chosen.value)
   | Primitive ({ primitive = Run_task; arguments = [ task ]; _ } as runs) -> (
-      (* A machine of one task keeps the two parts of what it gives apart; among the
-         modes of a switch the task gives what [runTask] does. *)
+      (* A machine for a single task returns output and result separately; as a mode of a switch, a
+         task returns the same as [runTask]. *)
       let output ~shown ~has_ended ~ended : Value.t =
         match m.result with
-        | Tuple _ -> Product [ shown; Atom (Bool has_ended); ended ]
+        | Tuple _ -> Product [| shown; Atom (Bool has_ended); ended |]
         | _ when has_ended -> Constructed { constructor = 1; arguments = [ ended ] }
         | _ -> Constructed { constructor = 0; arguments = [ shown ] }
       in
@@ -256,16 +258,18 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
 let build m ~input_value ~input_holes (mode : mode) =
   let c = m.context in
   let node = Node.create ~fresh:c.fresh in
-  let static (hole : Skeleton.hole) =
+  let static (hole : Specialization_key.hole) =
     parameter node ~name:(Types.join hole.local.name hole.path) hole
   in
   let statics = List.map static mode.holes in
   let atoms = List.map (fun s -> Ir.Signal s) in
   let value =
-    Skeleton.value (Skeleton.copy c.keys Holes (atoms statics)) (signal_function m) mode.value
+    Specialization_key.value
+      (Specialization_key.copy c.keys Holes (atoms statics))
+      (signal_function m) mode.value
   in
   let names, local = input_names m value in
-  let input (hole : Skeleton.hole) =
+  let input (hole : Specialization_key.hole) =
     let own = Option.map (fun local -> Destructuring.name names local hole.path) local in
     match (own, hole.atom) with
     | (None | Some ""), Signal s -> parameter node ~name:s.name hole
@@ -275,7 +279,10 @@ let build m ~input_value ~input_holes (mode : mode) =
   let input : Value.argument =
     {
       ty = m.input;
-      value = Skeleton.value (Skeleton.copy c.keys Holes (atoms inputs)) m.input input_value;
+      value =
+        Specialization_key.value
+          (Specialization_key.copy c.keys Holes (atoms inputs))
+          m.input input_value;
     }
   in
   let output, transitions = behaviour m node mode value input in
@@ -290,13 +297,13 @@ let finish m name (b : built) outputs =
 
 (* {1 The machine} *)
 
-(* What a machine is made of, in its own node. *)
+(* The parts of a machine, in its own node. *)
 type parts = {
-  first : Value.t; (* the signal functions to begin with *)
-  own_input : Value.t; (* of the modes *)
+  first : Value.t; (* the initial signal function *)
+  own_input : Value.t; (* the input of the modes *)
   active : Ir.atom option;
   controls : unit -> Ir.transition list;
-  complete : Value.t -> Value.t; (* the machine's output from that of the modes *)
+  complete : Value.t -> Value.t; (* computes the machine's output from that of the modes *)
 }
 
 let parts m node ~span (value : Value.t) (input : Value.t) =
@@ -338,23 +345,24 @@ let parts m node ~span (value : Value.t) (input : Value.t) =
 
 let body ({ context = c; trail; node; span; _ } : Evaluator.position) evaluator ~name ~own_input
     ~own_result value input =
+  let count : Context.machine = { of_ = name; place = span; modes = 0 } in
   let m =
     {
       context = c;
       evaluator;
-      trail;
+      trail = Context.in_machine trail count;
       input = own_input;
       result = own_result;
       known = Variables.Table.create 16;
-      count = 0;
+      count;
       waiting = Queue.create ();
     }
   in
   let parts = parts m node ~span value input in
   let input_value = parts.own_input in
-  let walk = Skeleton.walk c.keys node Holes in
-  Skeleton.add walk (unnamed span) m.input input_value;
-  let input_holes = Skeleton.take_holes walk in
+  let walk = Specialization_key.walk c.keys node Holes in
+  Specialization_key.add walk (unnamed span) m.input input_value;
+  let input_holes = Specialization_key.take_holes walk in
   let start =
     transitions m node ~from:None ~by:(Continuation "") ~span ~delayed:false (Bool true) parts.first
   in
@@ -378,15 +386,15 @@ let body ({ context = c; trail; node; span; _ } : Evaluator.position) evaluator 
       start;
       active = parts.active;
       controls;
-      inputs = List.map (fun (hole : Skeleton.hole) -> hole.atom) input_holes;
+      inputs = List.map (fun (hole : Specialization_key.hole) -> hole.atom) input_holes;
       outputs;
       steps = 2 + List.length modes;
       span;
     };
   parts.complete value
 
-(* A machine that would be part of its own state. The outermost of the calls
-   that lead to it is that of one of its modes. *)
+(* Reports a machine that would be part of its own state. The outermost call that leads to it is
+   that of one of its modes. *)
 let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~inside =
   let calls = match Context.since outside inside with [] -> [] | _ :: calls -> List.rev calls in
   match calls with
@@ -399,7 +407,7 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~insid
       in
       let quoted = List.rev_map (Printf.sprintf "`%s`") wrappers in
       let own (place : Span.t) = String.equal place.file at.file in
-      (* It goes on by itself, and not for what is around the call of it. *)
+      (* does it restart itself directly, rather than through functions around the call? *)
       let by_itself = List.for_all (String.equal name) wrappers && own span && span <> at in
       let place = if by_itself then span else at in
       let label d (text, where) =
@@ -407,39 +415,37 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~insid
       in
       let runs_here (wrapper, where) = (Printf.sprintf "`%s` runs here" wrapper, where) in
       let error =
-        Diagnostic.error ~code:"E0415" ~at:place "`%s` would run inside itself" name
+        Diagnostic.error ~code:"E0415" ~at:place "`%s` restarts itself inside itself" name
         |> Diagnostic.here
-             (if by_itself then Printf.sprintf "`%s` goes on around what runs here" name
+             (if by_itself then
+                Printf.sprintf "`%s` continues around the signal function that runs here" name
               else "here, inside " ^ String.concat ", inside " quoted)
       in
       let labels =
-        if by_itself then [ (Printf.sprintf "here `%s` starts again" name, at) ]
+        if by_itself then [ (Printf.sprintf "`%s` restarts here" name, at) ]
         else List.map runs_here inner
       in
       List.fold_left label error labels
       |> Diagnostic.note
            (if is_task then
-              "a task may start itself again only as the last statement of its `do`, with nothing \
-               around it that goes on: then it takes no room"
+              "a task may only restart itself as the last statement of its `do`, with nothing \
+               around it that continues; otherwise each restart would need more memory"
             else
-              "a signal function may start itself again only as the whole result of a \
-               continuation: then it takes no room")
+              "a signal function may only restart itself as the whole result of a continuation; \
+               otherwise each restart would need more memory")
       |> Diagnostic.hint
            (if is_task then
-              "what is done several times is `repeatT 4 t`, `whileT condition t` or `forever t`; \
-               what comes after all of it stands behind that"
+              "to repeat a task, write `repeatT 4 t`, `whileT condition t` or `forever t`, and put \
+               the statements that follow all repetitions after it"
             else if by_itself && goes_on then
-              "`rSwitch` goes on for ever; `switch` ends, and what its continuation gives takes \
-               its place"
+              "use `switch`, whose continuation replaces it; `rSwitch` never ends"
             else if by_itself then
               Printf.sprintf
-                "let `%s` end in a `switch`, whose continuation starts the other; or keep which of \
-                 the two runs in a signal"
+                "let `%s` end in a `switch`, whose continuation starts the other signal function; \
+                 or choose between the two with a signal"
                 name
             else
-              Printf.sprintf
-                "what all modes go through (%s) stands around the first one, where it is started, \
-                 and not in the modes"
+              Printf.sprintf "apply %s once, where the first mode is started, and not in each mode"
                 (String.concat ", " quoted))
       |> Diagnostic.emit c.sink;
       raise Context.Stopped
@@ -471,27 +477,27 @@ let run (p : Evaluator.position) evaluator target ~result value (input : Value.a
     | _, _, _ -> (input.ty, result)
   in
   let ty : Core.Ir.ty = Signal_function (input.ty, result) in
-  let walk = Skeleton.walk c.keys node Holes in
-  Skeleton.add_number walk min_int;
-  Skeleton.add walk (unnamed span) ty value;
-  let statics = Skeleton.take_holes walk in
+  let walk = Specialization_key.walk c.keys node Holes in
+  Specialization_key.add_number walk min_int;
+  Specialization_key.add walk (unnamed span) ty value;
+  let statics = Specialization_key.take_holes walk in
   let names, local =
     match proc_of value with
     | Some (proc, types) -> (Destructuring.of_proc c.types types proc, proc.input.local)
     | None -> (Destructuring.none, unnamed span)
   in
-  Skeleton.add walk local input.ty input.value;
-  let inputs = Skeleton.take_holes walk in
-  let key = Skeleton.key walk in
+  Specialization_key.add walk local input.ty input.value;
+  let inputs = Specialization_key.take_holes walk in
+  let key = Specialization_key.key walk in
   Option.iter
     (fun outside ->
       refuse_nesting c ~name ~is_task:(is_task value) ~goes_on:(goes_on value) ~span ~outside
         ~inside:trail)
     (Variables.Table.find_opt c.building key);
   let make trail node atoms =
-    let copy = Skeleton.copy c.keys Holes atoms in
-    let value = Skeleton.value copy ty value in
-    let input = Skeleton.value copy input.ty input.value in
+    let copy = Specialization_key.copy c.keys Holes atoms in
+    let value = Specialization_key.value copy ty value in
+    let input = Specialization_key.value copy input.ty input.value in
     Variables.Table.replace c.building key trail;
     Fun.protect
       ~finally:(fun () -> Variables.Table.remove c.building key)

@@ -1,11 +1,13 @@
 (** Switches: several signal functions, of which one runs at a time.
 
-    Running a [switch] makes a node with a {!Flow.Ir.machine}. Its first mode runs the switch's
-    signal function, and has a transition for each signal function that the continuation can give of
-    the event's value. One that is itself a switch is a mode of the same machine, any other a mode
-    without transitions. A mode is found by its {!Skeleton}, so a definition that comes back to
-    itself through continuations closes a circle; what the skeleton leaves out, first-order values,
-    are the mode's parameters. *)
+    Running a [switch] creates a node with a {!Flow.Ir.machine}. Its first mode runs the switch's
+    signal function. It has a transition for each signal function that the continuation can return
+    for the event's value. If that one is itself a switch, it becomes a mode of the same machine
+    with transitions of its own; otherwise a mode without transitions.
+
+    A mode is identified by its {!Specialization_key}. A definition that returns to itself through
+    continuations therefore forms a cycle of modes. The first-order values, which the key leaves
+    out, are the parameters of the mode. *)
 
 val run :
   Evaluator.position ->
@@ -15,6 +17,6 @@ val run :
   Value.t ->
   Value.argument ->
   Value.t
-(** An instance of a switch, of a signal function chosen when it starts, or of [runTask t], whose
-    [result] is here of three parts: the task's output, whether it has ended, and what it ended
-    with. May raise {!Context.Stopped} and {!Context.Postponed}. *)
+(** Runs an instance of a switch, of a signal function chosen at the start, or of [runTask t]. For
+    [runTask t] the [result] has three parts: the output of the task, whether it has ended, and its
+    result. May raise {!Context.Stopped} and {!Context.Postponed}. *)

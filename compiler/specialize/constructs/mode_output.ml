@@ -4,18 +4,23 @@ module Ir = Flow.Ir
 let bug format = Diagnostic.bug ~stage:"Specialize.Mode_output" format
 
 type given = { node : Node.t; place : Span.t; value : Value.t }
-type leaves = { key : int option; (* [None] if any value would do *) holes : Skeleton.hole list }
-type variant = { key : int; shape : Value.t; holes : Skeleton.hole list }
+
+type leaves = {
+  key : int option;
+  (* [None] if any value is acceptable *) holes : Specialization_key.hole list;
+}
+
+type variant = { key : int; shape : Value.t; holes : Specialization_key.hole list }
 
 let leaves (c : Context.t) ty { node; place; value } =
   let first_order = (Types.layout c.types ty).first_order in
   match value with
   | Unspecified when not first_order -> { key = None; holes = [] }
   | value ->
-      let walk = Skeleton.walk c.keys node Holes in
-      Skeleton.add walk { id = 0; name = ""; span = place } ty value;
-      let holes = Skeleton.take_holes walk in
-      { key = Some (Skeleton.key walk); holes }
+      let walk = Specialization_key.walk c.keys node Holes in
+      Specialization_key.add walk { id = 0; name = ""; span = place } ty value;
+      let holes = Specialization_key.take_holes walk in
+      { key = Some (Specialization_key.key walk); holes }
 
 let variants givens leaves =
   let add variants (given : given) (l : leaves) =
@@ -40,8 +45,8 @@ let rec zero (c : Context.t) node ~span (ty : Ir.ty) : Ir.atom =
   | Array (_, element) -> Node.define node Unnamed ~span ty (Fill (zero c node ~span element))
   | Foreign _ -> Node.define node Unnamed ~span ty Absent
 
-let named (hole : Skeleton.hole) = (hole.path, hole.atom)
-let types holes = List.map (fun (h : Skeleton.hole) -> Flow.Operands.ty h.atom) holes
+let named (hole : Specialization_key.hole) = (hole.path, hole.atom)
+let types holes = List.map (fun (h : Specialization_key.hole) -> Flow.Operands.ty h.atom) holes
 
 let of_mode c variants (given : given) (l : leaves) =
   match variants with
@@ -63,10 +68,10 @@ let of_mode c variants (given : given) (l : leaves) =
 let of_machine (c : Context.t) node ~span ty variants : Value.t * Ir.signal list =
   let signal ~name ty = Node.signal node ~name ~span ty in
   let value (variant : variant) =
-    let names = List.map (fun (h : Skeleton.hole) -> h.path) variant.holes in
+    let names = List.map (fun (h : Specialization_key.hole) -> h.path) variant.holes in
     let signals = List.map2 (fun name ty -> signal ~name ty) names (types variant.holes) in
     let atoms = List.map (fun s -> Ir.Signal s) signals in
-    (Skeleton.value (Skeleton.copy c.keys Holes atoms) ty variant.shape, signals)
+    (Specialization_key.value (Specialization_key.copy c.keys Holes atoms) ty variant.shape, signals)
   in
   match List.map value variants with
   | [] -> (Unspecified, [])

@@ -13,7 +13,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   let leaf : Ir.ty =
     match (Types.layout p.types result).leaves with
     | [ { leaf; _ } ] -> leaf
-    | [] | _ :: _ :: _ -> Bool (* of structural [min] and [max], which do not use it *)
+    | [] | _ :: _ :: _ -> Bool (* structural [min] and [max], which do not use the type *)
   in
   let define target rhs = Node.define p.node target ~span:p.span leaf rhs in
   let operate operator : Value.t =
@@ -24,7 +24,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   in
   let one : Ir.atom = if leaf = Int then Int 1l else Float 1. in
   let times target a b = define target (Op (Multiply, [ a; b ])) in
-  (* The halves are unnamed: only the whole is what the programmer wrote. *)
+  (* the intermediate powers are unnamed, because the program names only the result *)
   let rec power target x k : Ir.atom =
     if k = 0 then one
     else if k < 0 then define target (Op (Divide, [ one; power Node.Unnamed x (-k) ]))
@@ -39,7 +39,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
         Value.Atom (comparison p target a.ty a.value b.value)
     | _ -> bug ()
   in
-  (* [min a b] is [if b < a then b else a], so the first of two equal ones. *)
+  (* [min a b] is [if b < a then b else a], so if both are equal, the first one *)
   let extreme operator ~wins =
     match (arguments, result) with
     | _, (Int | Float) -> operate operator
@@ -82,8 +82,8 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   | Minimum -> extreme Minimum ~wins:less
   | Maximum -> extreme Maximum ~wins:(fun b a -> less a b)
   | And | Or -> (
-      (* An operator needs both operands, even where one would do: causality judges
-         the program as it is written. *)
+      (* The operator requires both operands, even where one would suffice, because causality is
+         checked on the program as written. *)
       let operator : Flow.Ir.operator = if primitive = And then And else Or in
       match List.map atom arguments with
       | [ Bool a; Bool b ] -> Atom (Bool (if primitive = And then a && b else a || b))

@@ -1,8 +1,8 @@
-(** The meaning of the primitives that are functions of values. *)
+(** The meaning of primitives that are functions on values. *)
 
 type position = Evaluator.position
 
 val apply :
   position -> Node.target -> Core.Primitive.t -> result:Core.Ir.ty -> Value.argument list -> Value.t
-(** A primitive with all its arguments, in order; the type is closed. Not for primitives that are or
-    make signal functions or programs. *)
+(** Applies a primitive to all its arguments, in order. The result type is closed. Not for
+    primitives that are, or return, signal functions or programs. *)

@@ -11,15 +11,15 @@ let atom_at_rest (rest : Core.Console.rest) : Value.t =
 
 let at_rest (c : Context.t) : Value.t =
   match c.console with
-  | Sought _ -> Product []
+  | Sought _ -> Product [||]
   | Declared controls ->
       let rest (control : Ir.control) = atom_at_rest (Core.Console.at_rest control.kind) in
-      Product (List.map rest controls)
+      Product (Array.of_list (List.map rest controls))
 
 let is_looked_for (c : Context.t) body =
   match c.console with Sought _ -> Core.Console.asks_itself body | Declared _ -> false
 
-(* {1 What is asked for} *)
+(* {1 Requested controls} *)
 
 let place (p : position) = Context.own_place p.context p.trail ~span:p.span
 
@@ -29,16 +29,16 @@ let refuse (p : position) ~code ~at text more =
 
 let longest_label = 40
 
-(* It is the name of a column, a text in C, and stands beside a button. *)
+(* A label is used as a column name, as a C string, and as text beside a button. *)
 let fault_of_label text =
   let is_odd c = c < ' ' || c = '\127' || c = ',' || c = '"' || c = '\\' in
-  if String.equal text "" then Some "a label may not be empty"
+  if String.equal text "" then Some "a label cannot be empty"
   else if String.exists is_odd text then
-    Some "a label may not have a comma, a quote, a backslash or a line break in it"
+    Some "a label cannot contain a comma, a quote, a backslash or a line break"
   else if text.[0] = ' ' || text.[String.length text - 1] = ' ' then
-    Some "a label may not begin or end with a blank"
+    Some "a label cannot begin or end with a space"
   else if String.length text > longest_label then
-    Some (Printf.sprintf "a label may have at most %d characters" longest_label)
+    Some (Printf.sprintf "a label can have at most %d characters" longest_label)
   else None
 
 let label p (value : Value.t) =
@@ -49,8 +49,8 @@ let label p (value : Value.t) =
   | Text text -> (
       match fault_of_label text with None -> Some text | Some fault -> refuse fault Fun.id)
   | _ ->
-      refuse "this label is not known while compiling"
-        (Diagnostic.hint "give each button and knob its own label, and choose between their values")
+      refuse "this label is not known at compile time"
+        (Diagnostic.hint "give each button and knob a fixed label, and choose between their values")
 
 let numbers p values =
   let known (value : Value.t) = match value with Atom (Float x) -> Some x | _ -> None in
@@ -64,26 +64,26 @@ let numbers p values =
         refuse "the limits of a knob and its first value must be finite numbers" Fun.id
       else if least >= most then
         refuse
-          (Printf.sprintf "this knob goes from %s to %s: the first limit must be less"
+          (Printf.sprintf
+             "this knob goes from %s to %s: the first limit must be less than the second"
              (number least) (number most))
           Fun.id
       else if first < least || first > most then
         refuse
-          (Printf.sprintf "this knob begins at %s, which is outside of its limits, %s and %s"
+          (Printf.sprintf "this knob begins at %s, which is outside its limits, %s and %s"
              (number first) (number least) (number most))
           Fun.id
       else Some (Ir.Knob { least; most; first })
   | _ ->
-      refuse "the limits of this knob and its first value are not all known while compiling"
-        (fun d ->
+      refuse "the limits and the first value of this knob must be known at compile time" (fun d ->
           Diagnostic.note
-            "known are numbers, names and parameters that stand for known numbers, and what \
-             operators make of these"
+            "you can use literals, constants, parameters with a constant value, and operators on \
+             these"
             d
-          |> Diagnostic.hint "let the knob go over a fixed range, and scale its value")
+          |> Diagnostic.hint "give the knob a fixed range, and scale its value")
 
 let control p (kind : Core.Primitive.console) (arguments : Value.argument list) =
-  let ( let* ) = Option.bind in
+  let open Basis.Let_syntax.Option in
   match (kind, List.map (fun (a : Value.argument) -> a.value) arguments) with
   | Button, text :: _ ->
       let* label = label p text in
@@ -102,7 +102,7 @@ let control p (kind : Core.Primitive.console) (arguments : Value.argument list) 
       | Unspecified -> None
       | _ ->
           refuse p ~code:"E0441" ~at:(place p)
-            "whether this toggle is on at first is not known while compiling" Fun.id)
+            "the first position of this toggle must be known at compile time" Fun.id)
   | Camera, text :: _ ->
       let* label = label p text in
       Some (label, Ir.Camera)
@@ -125,15 +125,16 @@ let note (p : position) (found : Ir.control list) (label, kind) =
       let what = Core.Console.describe in
       ignore
         (refuse p ~code:"E0442" ~at:span
-           (Printf.sprintf "the console has another `%s` already" label) (fun d ->
+           (Printf.sprintf "the console already has another control with the label `%s`" label)
+           (fun d ->
              Diagnostic.here (what kind) d
              |> Diagnostic.label ~at:other.span (what other.kind)
-             |> Diagnostic.hint "give one of them another label"));
+             |> Diagnostic.hint "rename one of them"));
       found
 
-(* {1 Its value} *)
+(* {1 Values of controls} *)
 
-(* Whatever it may be. *)
+(* An unknown value of this type. *)
 let unknown (p : position) result =
   let leaf (leaf : Types.leaf) = Node.define p.node Unnamed ~span:p.span leaf.leaf Absent in
   Leaves.value p.types result (List.map leaf (Types.layout p.types result).leaves)

@@ -1,8 +1,8 @@
-(** The operator's console: what a program asks of it, and where that stands in its input.
+(** The operator's console: which controls a program requests, and where they are in its input.
 
-    A program is specialized twice if it asks for something. The first time everything on the
-    console is unknown, and what is asked for is noted; the second time the type [Console] has a
-    field for each. *)
+    A program that requests controls is specialized twice. The first time, all controls have unknown
+    values, and the requests are recorded. The second time, the type [Console] has a field for each
+    control. *)
 
 val apply :
   Evaluator.position ->
@@ -10,12 +10,12 @@ val apply :
   result:Core.Ir.ty ->
   Value.argument list ->
   Value.t
-(** On all arguments. Emits E0440 for a label, E0441 for a knob's limits, E0442 for two things under
-    one label. *)
+(** Evaluates a control with all its arguments. Emits E0440 for an invalid label, E0441 for invalid
+    limits of a knob, E0442 for two different controls with the same label. *)
 
 val is_looked_for : Context.t -> Core.Ir.expr -> bool
-(** Of a function's body: it asks for something itself, and what is asked for is being found out.
-    Then it is evaluated wherever it is called, for each place counts. *)
+(** Does the function body request a control itself, while requests are being recorded? Then it must
+    be evaluated at each call, because each place counts. *)
 
 val at_rest : Context.t -> Value.t
-(** The console that nobody touches. *)
+(** The console with all controls in their initial positions. *)

@@ -1,4 +1,4 @@
-(* Where the programmer wrote what a mode runs. *)
+(* The place where the programmer wrote the code of a mode. *)
 let rec place ~otherwise (value : Value.t) =
   match value with
   | Primitive { arguments; _ } -> (

@@ -1,15 +1,16 @@
-(** Where and under which name the programmer knows what a machine or one of its modes runs. *)
+(** The source places and names of the signal functions that a machine or its modes run. *)
 
 open Basis
 
 val place : otherwise:Span.t -> Value.t -> Span.t
-(** Of a signal function, or of what a continuation gives. *)
+(** The place of a signal function, or of the result of a continuation. *)
 
 val name : Value.t -> string
-(** Of a machine, by what it is made of. *)
+(** The name of a machine, taken from its signal function. *)
 
 val mode_name : Value.t -> string
-(** Of a mode, by its signal function; of a task, by what runs first in it. *)
+(** The name of a mode, taken from its signal function; for a task, from the task that runs first.
+*)
 
 val mode_place : otherwise:Span.t -> Value.t -> Span.t
-(** Likewise. *)
+(** The place of a mode, determined like {!mode_name}. *)

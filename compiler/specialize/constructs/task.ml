@@ -37,10 +37,11 @@ let rec named (c : Context.t) ~name ~at (value : Value.t) : Value.t =
 let place_of ~otherwise (continuation : Value.t) =
   match continuation with Function { code = Lambda (_, body); _ } -> body.span | _ -> otherwise
 
-(* So many tasks in a row end at once in no program that means it. *)
+(* No sensible program has this many consecutive tasks that end at once. *)
 let most_at_once = 1000
 
-(* What was gone into: what ended, who says what comes next, and where. *)
+(* A step into a continuation: which task ended, which definition determines what follows, and the
+   place. *)
 type hop = { ended : string; by : string; place : Span.t }
 
 let report_circle (c : Context.t) ~span hops =
@@ -51,34 +52,36 @@ let report_circle (c : Context.t) ~span hops =
     | _, own -> (List.nth own (List.length own - 1), own)
   in
   let others = List.filteri (fun i _ -> i < 10) (List.sort_uniq Span.compare others) in
-  (* by what had ended before *)
+  (* the task that had ended before determines the text *)
   let this_starts place =
     match List.find_opt (fun hop -> Span.compare hop.place place = 0) (List.rev hops) with
-    | Some { ended; _ } -> Printf.sprintf "this starts when `%s` has ended at once" ended
+    | Some { ended; _ } ->
+        Printf.sprintf "this starts as soon as `%s` has ended, without taking time" ended
     | None -> (
         match List.rev hops with
-        | { ended; by; _ } :: _ -> Printf.sprintf "`%s` may end at once, and `%s` goes on" ended by
-        | [] -> "this starts when the one before has ended at once")
+        | { ended; by; _ } :: _ ->
+            Printf.sprintf "`%s` may end without taking time, and `%s` follows it" ended by
+        | [] -> "this starts as soon as the previous task has ended, without taking time")
   in
   let label d place =
     if Span.compare place at = 0 then d else Diagnostic.label ~at:place (this_starts place) d
   in
   let names = List.concat_map (fun hop -> [ hop.ended; hop.by ]) hops in
-  Diagnostic.error ~code:"E0402" ~at "%s may go round for ever within one instant"
+  Diagnostic.error ~code:"E0402" ~at "%s may repeat endlessly within one instant"
     (Enumeration.circle names)
   |> Diagnostic.here (this_starts at)
   |> (fun d -> List.fold_left label d others)
   |> Diagnostic.note
-       "what ends as soon as it starts takes no time, as `return` and `snapT`: nothing here waits \
-        for the next instant"
+       "a task such as `return` or `snapT` takes no time, and no task in this loop waits for the \
+        next instant"
   |> Diagnostic.hint
-       "put a task that takes time into the circle: `untilT (proc x -> (…, condition))` takes one \
-        instant at least, `sleepT 10[ms] …` 10 ms, each with its output in place of `…`"
+       "add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least \
+        one instant, `sleepT 10[ms] …` takes 10 ms; write the robot's output in place of `…`"
   |> Diagnostic.emit c.sink;
   raise Context.Stopped
 
-(* What ends at once in a definition of the program's ends by that, and not by what the
-   library made of it: for messages. *)
+(* For messages: a task of the program that ends at once is named after the program's definition,
+   not after the library function that it uses. *)
 let rec ended_by (c : Context.t) owner (task : Value.t) : Value.t =
   let is_library's name =
     Resolve.Global_table.mem c.definitions { Core.Ir.Global.module_ = "Prelude"; name }
@@ -125,8 +128,8 @@ let keeps_nothing (proc : Core.Ir.proc) =
     (fun (e : Core.Ir.equation) -> match e.rhs with Pure _ -> true | Run _ -> false)
     proc.equations
 
-(* What a task ends with at its first instant, as far as it is known; [Event] and [Right]
-   are second constructors. *)
+(* The result of a task at its first instant, if it is known to end then. [Event] and [Right] are
+   the second constructors. *)
 let end_at_once (p : Evaluator.position) (evaluator : Evaluator.t) input = function
   | Ends _ | Passes -> None
   | Runs { signal_function; primitive; output; result } -> (
@@ -150,16 +153,19 @@ let end_at_once (p : Evaluator.position) (evaluator : Evaluator.t) input = funct
 
 let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
   let { Evaluator.context = c; node; span; _ } = p in
-  (* Continuation and result without their numbers, and these. *)
+  (* The key of continuation and result without their numbers, and these numbers. *)
   let key ~span (rest : Value.argument) (value : Value.argument) =
-    let walk = Skeleton.walk c.keys node Holes in
-    Skeleton.add walk (unnamed span) rest.ty rest.value;
-    Skeleton.add walk (unnamed span) value.ty value.value;
-    let numbers = List.map (fun (h : Skeleton.hole) -> h.atom) (Skeleton.take_holes walk) in
-    (Skeleton.key walk, numbers)
+    let walk = Specialization_key.walk c.keys node Holes in
+    Specialization_key.add walk (unnamed span) rest.ty rest.value;
+    Specialization_key.add walk (unnamed span) value.ty value.value;
+    let numbers =
+      List.map (fun (h : Specialization_key.hole) -> h.atom) (Specialization_key.take_holes walk)
+    in
+    (Specialization_key.key walk, numbers)
   in
-  (* The same once more is a circle, and so is what grows for ever. With other numbers it
-     may end: that becomes a mode, for there it can be told. *)
+  (* Returns the extended chain, or [None] if the task must become a mode. A step that recurs with
+     the same numbers is an endless cycle, and so is a chain that is too long. A step that recurs with
+     other numbers may end, which is only known at run time, so it becomes a mode. *)
   let enter ~span ~ended ~by chain (rest : Value.argument) value =
     let key, numbers = key ~span rest value in
     let rec since found = function
@@ -175,7 +181,7 @@ let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
     | None ->
         Some ((key, numbers, { ended; by; place = place_of ~otherwise:span rest.value }) :: chain)
   in
-  (* [span]: the nearest place around in the program itself. *)
+  (* [span]: the nearest enclosing place outside the prelude. *)
   let rec reduce ~span chain (task : Value.t) : Value.t =
     match task with
     | Primitive { primitive = Sequence; types; arguments = [ rest; first ]; owner; at } ->

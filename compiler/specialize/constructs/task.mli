@@ -1,47 +1,49 @@
-(** Tasks, as values: what runs first, and what comes after it.
+(** Tasks as values: the first step, and what follows it.
 
     A task is a [Primitive]: [mkTask] or [untilRight] of a signal function, [return] of a value, or
-    [do] of a task and of the function that gives the task after it. So where a task stands in a
-    program is itself a task: what is left of it. *)
+    [do] of a task and the function that returns the next task. The state of a running task is
+    therefore itself a task: the rest that remains to be done. *)
 
 open Basis
 
-(** What runs first. *)
+(** The first step of a task. *)
 type head =
   | Runs of {
       signal_function : Value.t;
       primitive : Core.Primitive.t;  (** [Make_task] or [Until_right] *)
-      output : Core.Ir.ty;  (** while it runs *)
-      result : Core.Ir.ty;  (** what it ends with *)
+      output : Core.Ir.ty;  (** the type of its output while it runs *)
+      result : Core.Ir.ty;  (** the type of its result *)
     }
-  | Ends of Value.argument  (** all of it has ended *)
-  | Passes  (** to what comes next, at once: a mode of its own, as one cannot tell yet how often *)
+  | Ends of Value.argument  (** the whole task has ended *)
+  | Passes
+      (** the first part has ended, and the task continues at once. This is a mode of its own,
+          because it is not yet known how often it happens *)
 
 val named : Context.t -> name:string option -> at:Span.t -> Value.t -> Value.t
-(** A task that the prelude has made is named after the definition of the program that it is the
-    value of, if any, and placed where the program uses the prelude's function. Any other value is
-    as it was. *)
+(** Names a task created by the prelude after the program's definition whose value it is, if there
+    is one. Its place becomes the place where the program uses the prelude's function. Other values
+    are returned unchanged. *)
 
 val name : Value.t -> string
-(** Of what runs first in a reduced task. *)
+(** The name of the task that runs first in a reduced task. *)
 
 val place : Value.t -> Span.t
-(** Likewise. *)
+(** The place of the task that runs first in a reduced task. *)
 
 val next : Value.t -> string * Span.t
-(** Who says what runs next, and where. *)
+(** The definition that determines what runs next, and the place. *)
 
 val reduced : Evaluator.position -> Evaluator.t -> ?input:Value.argument -> Value.t -> Value.t
-(** The same task, or choice of tasks, with a head: what ends at once is done with, in this node. On
-    an [input] that is known that is also what is known to end at its first instant and keeps
-    nothing, such as [snapT]: it is no mode, and takes no step. Reports tasks that end at once in a
-    circle where nothing changes; then raises {!Context.Stopped}. *)
+(** An equivalent task, or choice of tasks, that has a head: the parts that end at once are
+    evaluated in this node. If the [input] is given, this includes stateless tasks known to end at
+    their first instant, such as [snapT]; they become no modes and take no step. Reports tasks that
+    form a cycle in which each ends at once and nothing changes, and raises {!Context.Stopped}. *)
 
 val head : Value.t -> head
-(** Of a task that is reduced, and no choice. *)
+(** The head of a reduced task that is not a choice. *)
 
 val first : Value.t -> Value.t option
-(** The signal function that runs first, if that is known of a task as it stands. *)
+(** The signal function that runs first, if it is known without reduction. *)
 
 val after : Value.t -> Value.argument -> Value.t
-(** What is left when the head of a reduced task has ended with this. *)
+(** The task that remains when the head of a reduced task has ended with this result. *)

@@ -1,12 +1,12 @@
 module Ir = Core.Ir
 module Parts = Map.Make (String)
 
-(* By path; [""] is the parameter itself. *)
+(* The names of the parts by path; [""] is the path of the parameter itself. *)
 type t = { parameter : int; parts : string Parts.t }
 
 let none = { parameter = min_int; parts = Parts.empty }
 
-(* The path of a part of the parameter. *)
+(* The path of the expression, if it is a part of the parameter. *)
 let rec path types substitution (parameter : Ir.binder) (e : Ir.expr) =
   let below value part =
     let join path = Types.join path part in
@@ -47,7 +47,7 @@ let of_proc types substitution (proc : Ir.proc) =
   in
   { parameter = proc.input.local.id; parts = List.fold_left equation Parts.empty proc.equations }
 
-(* The name of the nearest part around the leaf that has one, and the rest. *)
+(* The name of the nearest enclosing part that has one, followed by the rest of the path. *)
 let rec around parts prefix rest =
   match (Parts.find_opt prefix parts, String.rindex_opt prefix '.') with
   | Some name, _ -> Types.join name rest

@@ -1,6 +1,6 @@
-(** The programmer's names for the parts of a parameter without a name.
+(** The programmer's names for the parts of an unnamed parameter.
 
-    A tuple pattern as a parameter has become a variable without a name and a binding for each
+    A tuple pattern as a parameter has been translated to an unnamed variable and a binding for each
     variable of the pattern. *)
 
 type t
@@ -10,5 +10,5 @@ val of_lambda : Types.table -> Value.substitution -> Core.Ir.binder -> Core.Ir.e
 val of_proc : Types.table -> Value.substitution -> Core.Ir.proc -> t
 
 val name : t -> Core.Ir.Local.t -> string -> string
-(** Of the leaf at a path of a variable: the leaf [1.x] of the pair [(p, v)] is [p.x]. Empty for
-    what no variable of the pattern stands for. *)
+(** The name of the leaf at a path of a variable. For example, the leaf [1.x] of the pair [(p, v)]
+    is called [p.x]. Empty if no variable of the pattern contains the leaf. *)

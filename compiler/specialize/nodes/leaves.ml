@@ -3,10 +3,10 @@ module Ir = Flow.Ir
 
 let bug format = Diagnostic.bug ~stage:"Specialize.Leaves" format
 
-(* An atom's type is not written on constants. *)
+(* The type of an atom matters only if the value is not a constant. *)
 let rec atoms table node ~span ty value = List.rev (add_atoms table node ~span ty value [])
 
-(* The leaves in front of [rest], the last one first. *)
+(* Prepends the leaves, last one first, to [rest]. *)
 and add_atoms table node ~span ty (value : Value.t) rest =
   let layout = Types.layout table ty in
   match (value, layout.kind) with
@@ -14,7 +14,7 @@ and add_atoms table node ~span ty (value : Value.t) rest =
   | Product values, Product parts ->
       List.fold_left2
         (fun rest (part : Types.part) value -> add_atoms table node ~span part.ty value rest)
-        rest parts values
+        rest parts (Array.to_list values)
   | Constructed { constructor; arguments }, Sum fields ->
       let payload =
         List.fold_left2
@@ -33,7 +33,7 @@ and add_atoms table node ~span ty (value : Value.t) rest =
       (Scalar | Product _ | Sum _ | Array _ | Opaque) ) ->
       bug "a value of type %s has no leaves" (Types.to_string ty)
 
-(* An array for each leaf; the rows are the elements, the last one first. *)
+(* One array per leaf. The rows are the elements, last one first. *)
 and columns node ~span (leaves : Types.leaf list) rows =
   match leaves with
   | [] -> []
@@ -47,7 +47,7 @@ and construct_leaf node ~span (layout : Types.layout) constructor payload =
   | [ { leaf; _ } ] -> Node.define node Unnamed ~span leaf (Construct { constructor; payload })
   | [] | _ :: _ :: _ -> bug "a sum is not one leaf"
 
-(* Some value of a type whose value does not matter. *)
+(* The leaves of an arbitrary value of the type, for a value that is not used. *)
 and zeros table node ~span ty : Ir.atom list =
   let layout = Types.layout table ty in
   match (layout.kind, layout.leaves) with
@@ -76,7 +76,9 @@ let rec known table ty (value : Value.t) : Ir.atom option list =
   | Array atoms, _ -> List.map Option.some atoms
   | Product values, Product parts ->
       List.concat
-        (List.map2 (fun (part : Types.part) value -> known table part.ty value) parts values)
+        (List.map2
+           (fun (part : Types.part) value -> known table part.ty value)
+           parts (Array.to_list values))
   | ( ( Text _ | Product _ | Constructed _ | Elements _ | Function _ | Signal_function _
       | Primitive _ | Choice _ | Program _ | Unspecified ),
       (Scalar | Product _ | Sum _ | Array _ | Opaque) ) ->
@@ -99,7 +101,7 @@ let value table ty atoms =
               (value :: values, others))
             ([], atoms) parts
         in
-        (Product (List.rev values), others)
+        (Product (Array.of_list (List.rev values)), others)
     | Array _, _ ->
         let rec split own count atoms =
           match atoms with
@@ -116,7 +118,7 @@ let of_leaves = value
 
 let rec component (value : Value.t) index : Value.t =
   match value with
-  | Product values -> List.nth values index
+  | Product values -> values.(index)
   | Choice { condition; then_; else_ } ->
       Choice { condition; then_ = component then_ index; else_ = component else_ index }
   | Unspecified -> Unspecified
@@ -139,8 +141,8 @@ let rec is_constructor table node target ~span ty (value : Value.t) index : Ir.a
   | Text _ | Array _ | Elements _ | Function _ | Signal_function _ | Primitive _ | Program _ ->
       bug "a constructor is asked of a %s" (Types.to_string ty)
 
-(* Also of two equal leaves: each needs the condition, which causality is to see.
-   {!Flow.Simplify} takes away what is too much. *)
+(* Keeps the condition even if two leaves are equal, because causality must see that the result
+   depends on it. {!Flow.Simplify} removes unnecessary choices later. *)
 let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) : Value.t =
   let layout = Types.layout table ty in
   if layout.first_order then
@@ -166,7 +168,7 @@ let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) 
           select table node target ~span part.ty condition (component a i) (component b i)
         in
         let choose_target i (part, target) = choose i part target in
-        Product (List.mapi choose_target (List.combine parts targets))
+        Product (Array.of_list (List.mapi choose_target (List.combine parts targets)))
     | Array (_, element), Elements of_a, Elements of_b ->
         Elements (List.map2 (select table node Node.Unnamed ~span element condition) of_a of_b)
     | (Scalar | Sum _ | Array _ | Opaque), _, _ -> Choice { condition; then_ = a; else_ = b }
@@ -174,7 +176,7 @@ let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) 
 let rec payload table node target ~span ty (value : Value.t) ~constructor ~field : Value.t =
   let layout = Types.layout table ty in
   match (value, layout.kind) with
-  | Product values, _ -> List.nth values field
+  | Product values, _ -> values.(field)
   | Constructed known, _ ->
       if known.constructor = constructor then List.nth known.arguments field else Unspecified
   | Atom atom, Sum fields ->

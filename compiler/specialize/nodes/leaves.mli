@@ -1,21 +1,21 @@
-(** Between values and the atoms of a node. *)
+(** Converts between values and the atoms of a node. *)
 
 open Basis
 
 val atoms : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Flow.Ir.atom list
-(** The leaves of a value of a closed first-order type; known constructors become equations. *)
+(** The leaves of a value of a closed first-order type. Known constructors become equations. *)
 
 val known : Types.table -> Core.Ir.ty -> Value.t -> Flow.Ir.atom option list
-(** Of each leaf the atom, if there is one without making an equation. *)
+(** The atom of each leaf, if it exists without adding an equation. *)
 
 val atom : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Flow.Ir.atom
-(** Of a type with a single leaf. *)
+(** The atom of a value whose type has a single leaf. *)
 
 val value : Types.table -> Core.Ir.ty -> Flow.Ir.atom list -> Value.t
 (** The value with these leaves. *)
 
 val component : Value.t -> int -> Value.t
-(** Of a tuple or of data with one constructor. *)
+(** A component of a tuple or of data with one constructor. *)
 
 val is_constructor :
   Types.table ->
@@ -49,11 +49,11 @@ val select :
   Value.t ->
   Value.t ->
   Value.t
-(** The first value of the type where the condition holds, else the second. *)
+(** The first value if the condition holds, otherwise the second. *)
 
 val element :
   Types.table -> Node.t -> Node.target -> span:Span.t -> Core.Ir.ty -> Value.t -> int -> Value.t
-(** Of an array, by the array's type. *)
+(** An element of an array, given the array's type. *)
 
 val elements : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Value.t list
-(** All of them. *)
+(** All elements of an array. *)

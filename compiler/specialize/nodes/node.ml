@@ -3,8 +3,8 @@ module Ir = Flow.Ir
 
 type t = {
   fresh : unit -> int;
-  mutable equations : Ir.equation list; (* the last one first *)
-  mutable instances : Ir.instance list; (* likewise *)
+  mutable equations : Ir.equation list; (* newest first *)
+  mutable instances : Ir.instance list; (* newest first *)
   mutable size : int;
   mutable promised : Variables.Set.t; (* signals that have no equation yet *)
   mutable machine : Ir.machine option;
@@ -49,27 +49,33 @@ let parts target table (parts : Types.part list) =
 let leaves target (leaves : Types.leaf list) =
   match target with
   | Unnamed -> List.map (fun _ -> Unnamed) leaves
-  | Named name -> List.map (fun (l : Types.leaf) -> Named (Types.join name l.path)) leaves
+  | Named name ->
+      List.map (fun (l : Types.leaf) -> Named (Types.join name (Types.path_name l))) leaves
   | Defines signals -> List.map (fun signal -> Defines [ signal ]) signals
 
-(* A path is a name only if it starts with one: not that of a component of a
-   tuple without a name. *)
+(* The cost of a signal, in steps: all later passes handle it. *)
+let steps_of_signal = 30
+
+(* A path is used as a name only if it starts with one, unlike the path of a component of an unnamed
+   tuple. *)
 let signal t ~name ~span ty : Ir.signal =
   let is_position = String.length name > 0 && name.[0] >= '0' && name.[0] <= '9' in
   let name = if is_position then "" else name in
   let id = t.fresh () in
+  Work.steps steps_of_signal;
   { id; name; ty; group = id; span }
 
 let promise t ~name ~span leaves =
   List.map
     (fun (leaf : Types.leaf) ->
-      let signal = signal t ~name:(Types.join name leaf.path) ~span leaf.leaf in
+      let signal = signal t ~name:(Types.join name (Types.path_name leaf)) ~span leaf.leaf in
       t.promised <- Variables.Set.add signal.id t.promised;
       signal)
     leaves
 
-(* The one signal that a leaf's target stands for. *)
+(* The signal that the target of a single leaf denotes. *)
 let target_signal t target ~span ty =
+  Work.step ();
   match target with
   | Defines [ signal ] ->
       t.promised <- Variables.Set.remove signal.Ir.id t.promised;

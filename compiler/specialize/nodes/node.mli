@@ -5,31 +5,31 @@ open Basis
 type t
 
 val create : fresh:(unit -> int) -> t
-(** [fresh] gives numbers that are unique in the program. *)
+(** [fresh] returns numbers that are unique within the program. *)
 
-(** Where the result of an expression goes. *)
+(** The destination of an expression's result. *)
 type target =
   | Unnamed
   | Named of string  (** the programmer's name for the value *)
   | Defines of Flow.Ir.signal list
-      (** these signals, one for each leaf; an expression's evaluation uses them for its result or
-          not at all, see {!settle} *)
+      (** these signals, one per leaf; evaluation either uses them for the result or leaves them
+          undefined, see {!settle} *)
 
 val parts : target -> Types.table -> Types.part list -> target list
-(** Of a tuple's or record's target, those of its parts. *)
+(** The targets for the components of a tuple or record. *)
 
 val leaves : target -> Types.leaf list -> target list
 val signal : t -> name:string -> span:Span.t -> Flow.Ir.ty -> Flow.Ir.signal
 
 val promise : t -> name:string -> span:Span.t -> Types.leaf list -> Flow.Ir.signal list
-(** Signals that can be read before their equations are there. *)
+(** Creates signals that can be read before their equations exist. *)
 
 val settle : t -> span:Span.t -> Flow.Ir.signal list -> Flow.Ir.atom list -> unit
-(** Keeps a promise: those signals that evaluation has not defined by itself become copies of the
-    values. *)
+(** Completes promised signals: signals that evaluation has not defined become copies of the values.
+*)
 
 val define : t -> target -> span:Span.t -> Flow.Ir.ty -> Flow.Ir.rhs -> Flow.Ir.atom
-(** One more equation; the target is one leaf's. *)
+(** Adds an equation. The target must be that of a single leaf. *)
 
 val call :
   t ->
@@ -42,26 +42,26 @@ val call :
   inputs:Flow.Ir.atom list ->
   Flow.Ir.ty list ->
   Flow.Ir.atom list
-(** One more instance; a target and a type for each output, which it returns. *)
+(** Adds an instance. There is one target and one type per output; returns the outputs. *)
 
 val set_machine : t -> Flow.Ir.machine -> unit
 val machine : t -> Flow.Ir.machine option
 
 val size : t -> int
-(** Of equations and instances; a machine counts as one. *)
+(** The number of equations and instances; a machine counts as one. *)
 
 val equations : t -> Flow.Ir.equation list
 val instances : t -> Flow.Ir.instance list
 
-(** {1 Values that are made of signals of this node} *)
+(** {1 Cached values that depend on signals of this node} *)
 
 val global : t -> int -> Value.t option
-(** Of a definition, by a key. *)
+(** The value of a definition, by a key. *)
 
 val add_global : t -> int -> Value.t -> unit
 
 val join : t -> int -> Value.t option
-(** The result of a local function of [()], where the branches of a [case] meet again, by the
-    closure's identity. *)
+(** The result of a local function of [()], a join point where branches of a [case] meet, by the
+    identity of the closure. *)
 
 val add_join : t -> int -> Value.t -> unit

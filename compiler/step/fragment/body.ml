@@ -47,11 +47,11 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root (stat
     | atoms -> (None, List.mapi (fun k atom -> (Ir.Result k, atom, output_span node atom)) atoms)
   in
   let fragment = Draft.fragment d in
-  (* What ticks last: it belongs to no other event. *)
+  (* The state of ticks is written last, because no other write shares its condition. *)
   let states = List.rev_append (List.rev delayed) fragment.states in
   ({ fragment with results; states; returned; advances }, Draft.resolve d)
 
-(* What reset does for one item; it comes after all static values. *)
+(* The effects of one item in the reset. They come after all static values. *)
 let reset_effects context draft state (item : Flow.Schedule.item) =
   match item with
   | Equation eq -> Memory.reset draft state eq

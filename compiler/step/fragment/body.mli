@@ -1,7 +1,7 @@
-(** A node's step and reset: what its items do, as a {!Fragment}.
+(** Translates a node's step and reset: the effects of its items, as a {!Fragment}.
 
-    Times and integrals advance first, then values are computed, then results and state are written.
-*)
+    Times and integrals advance first, then values are computed, and finally results and state are
+    written. *)
 
 val step :
   Calls.context ->
@@ -11,8 +11,8 @@ val step :
   is_root:bool ->
   Statics.t ->
   Fragment.t * (Flow.Ir.atom -> Flow.Ir.atom)
-(** Besides, how to look through copies. [limited] as in {!Memory.advance}. A node with one output
-    returns it, but for the root, whose outputs are always written to a struct. *)
+(** Also returns a function that resolves copies. [limited] as in {!Memory.advance}. A node with one
+    output returns it; the root always writes its outputs to a struct. *)
 
 val reset : Calls.context -> State.t -> Flow.Ir.node -> Statics.t -> Fragment.t
-(** The static values, then all that starts with them. *)
+(** Computes the static values, then everything that is initialized with them. *)

@@ -7,7 +7,7 @@ type context = { program : F.program; callee : int -> Ir.node; fresh : unit -> i
 let variable = Modes.variable
 let broken what = Diagnostic.bug ~stage:"Step.Calls" "%s" what
 
-(* The arguments for those parameters that the callee reads. *)
+(* The arguments for the parameters that the callee reads. *)
 let arguments context (i : F.instance) (code : Ir.code) =
   let node = context.program.nodes.(i.node) in
   let given = Int_table.create 16 in
@@ -21,8 +21,8 @@ let arguments context (i : F.instance) (code : Ir.code) =
       | None -> broken "a parameter that is neither static nor input")
     code.parameters
 
-(* Variables for all outputs of an instance, those of others than [defines]
-   being of no use. *)
+(* Variables for all outputs of an instance. If an output is not in [defines], its variable has no
+   name and is not used. *)
 let results context (i : F.instance) defines =
   let variable_for (s : F.signal) =
     if List.exists (fun (d : F.signal) -> d.id = s.id) defines then variable s
@@ -45,7 +45,7 @@ let rec zero context (ty : F.ty) : Ir.expr =
       Fill { count; element = Layout.ty element; value = zero context element }
   | Foreign ty -> Absent ty
 
-(* A step of a copy. What is not given is zero. *)
+(* A step on a copy of the state. Missing inputs are zero. *)
 let try_out context resolve (i : F.instance) (trial : F.trial) state =
   let node = context.callee i.node in
   let given = List.combine context.program.nodes.(i.node).inputs trial.given in

@@ -1,18 +1,18 @@
-(** The code of an instance: a call, a step of its copy of the node, a loop of such steps, or a
-    trial.
+(** Translates an instance: to a call, a step of its node's state, a loop of such steps, or a trial
+    step.
 
-    An instance without state that has one result is a value, to be placed like any other; all
-    others are actions. [resolve] looks through copies. *)
+    A stateless instance with one result is a value, which is placed like any other value; all
+    others are actions. [resolve] resolves copies. *)
 
 type context = {
   program : Flow.Ir.program;
-  callee : int -> Ir.node;  (** the nodes already translated *)
-  fresh : unit -> int;  (** an id that no signal and no variable has *)
+  callee : int -> Ir.node;  (** returns a node that is already translated *)
+  fresh : unit -> int;  (** an id that no signal or variable has *)
 }
 
 val call :
   context -> (Flow.Ir.atom -> Flow.Ir.atom) -> Flow.Ir.instance -> Ir.field option -> Fragment.item
-(** A step, with the field of its state if it has one. *)
+(** A step. The field is that of the instance's state, if it has one. *)
 
 val try_out :
   context ->
@@ -21,7 +21,7 @@ val try_out :
   Flow.Ir.trial ->
   Ir.field option ->
   Fragment.item
-(** A step for those results that the trial gives; inputs that are not known yet are zero. *)
+(** A trial step, for some of the results. Inputs that are not known yet are zero. *)
 
 val reset :
   context -> (Flow.Ir.atom -> Flow.Ir.atom) -> Flow.Ir.instance -> Ir.field -> Fragment.item

@@ -9,7 +9,7 @@ let sum_of : F.ty -> int = function
   | Sum k -> k
   | Bool | Int | Float | Array _ | Foreign _ -> broken "a constructor of what is no sum"
 
-let operation operator ty arguments : Ir.expr = Operation { operator; ty; arguments }
+let operation ~span operator ty arguments : Ir.expr = Operation { operator; ty; arguments; span }
 
 let operator_weight : F.operator -> int = function
   | Add | Subtract | Multiply | Negate | Absolute | Equal | Less | Less_equal | Not | And | Or
@@ -27,8 +27,8 @@ let operator_weight : F.operator -> int = function
 
 let one = function [ e ] -> e | _ -> broken "an operation with a wrong number of operands"
 
-(* Compilers warn of a comparison of something with itself, unless it is
-   [x == x], which asks whether x is a number. *)
+(* Replaces comparisons of a signal with itself, since C compilers warn about these. [x == x] is
+   kept, because it tests for NaN. *)
 let without_self_comparison (rhs : F.rhs) : F.rhs =
   match rhs with
   | Op (((Less | Less_equal | Equal) as operator), [ (Signal a as x); Signal b ]) when a.id = b.id
@@ -43,7 +43,7 @@ let array_type : F.ty -> int * Ir.ty = function
   | Array (n, element) -> (n, Layout.ty element)
   | Bool | Int | Float | Sum _ | Foreign _ -> broken "an element of what is no array"
 
-(* What an equation without memory computes. *)
+(* The expression of an equation without memory. *)
 let computed (eq : F.equation) rhs : computed =
   let make ?choice operands weight build =
     { signal = eq.defines; operands; build; choice; weight; span = eq.span }
@@ -54,7 +54,7 @@ let computed (eq : F.equation) rhs : computed =
       let ty =
         match operands with a :: _ -> atom_type a | [] -> broken "an operation on nothing"
       in
-      make operands (operator_weight operator) (operation operator ty)
+      make operands (operator_weight operator) (operation ~span:eq.span operator ty)
   | If { condition; then_; else_ } ->
       let choice =
         match condition with
@@ -62,7 +62,7 @@ let computed (eq : F.equation) rhs : computed =
         | Bool _ | Int _ | Float _ -> None
       in
       make ?choice [ condition; then_; else_ ] 1 (function
-        | [ condition; then_; else_ ] -> Select { condition; then_; else_ }
+        | [ condition; then_; else_ ] -> Select { condition; then_; else_; span = eq.span }
         | _ -> broken "a choice with a wrong number of operands")
   | Construct { constructor; payload } ->
       let sum = sum_of eq.defines.ty in

@@ -1,17 +1,17 @@
-(** What an equation without memory computes, as an expression to be placed. *)
+(** Translates equations without memory to expressions, which are placed later. *)
 
 open Fragment
 
 val computed : Flow.Ir.equation -> Flow.Ir.rhs -> computed
-(** The equation with this right side in place of its own, which has no {!Flow.Ir.Delay} and the
-    like. *)
+(** Translates the equation with this right-hand side instead of its own. The right-hand side must
+    not be stateful, like a {!Flow.Ir.Delay}. *)
 
 val without_self_comparison : Flow.Ir.rhs -> Flow.Ir.rhs
-(** C compilers warn of a comparison of something with itself; but [x == x] asks whether [x] is a
-    number, and stays. *)
+(** Replaces comparisons of a signal with itself, since C compilers warn about these. [x == x] is
+    kept, because it tests for NaN. *)
 
-val operation : Flow.Ir.operator -> Ir.ty -> Ir.expr list -> Ir.expr
+val operation : span:Basis.Span.t -> Flow.Ir.operator -> Ir.ty -> Ir.expr list -> Ir.expr
 val atom_type : Flow.Ir.atom -> Ir.ty
 
 val one : Ir.expr list -> Ir.expr
-(** Of a list of one. *)
+(** The element of a one-element list. *)

@@ -1,4 +1,4 @@
-(** A fragment under construction. Unnamed copies are looked through. *)
+(** A fragment under construction, which resolves unnamed copies. *)
 
 open Basis
 
@@ -7,21 +7,21 @@ type t
 val create : unit -> t
 
 val resolve : t -> Flow.Ir.atom -> Flow.Ir.atom
-(** What an atom is a copy of. *)
+(** The original of which an atom is a copy. *)
 
 val add : t -> Fragment.item -> unit
 
 val add_computed : t -> Flow.Ir.equation -> unit
-(** An equation without memory. *)
+(** Adds an equation without memory. *)
 
 val leaf : t -> Flow.Ir.signal -> Ir.expr -> unit
-(** The signal is read in place, as this. *)
+(** Makes reads of this signal use the given expression directly. *)
 
 val count_nanoseconds : t -> Flow.Ir.signal -> unit
-(** The signal is a whole number of nanoseconds, whatever its type in Flow. *)
+(** Records that the signal is a whole number of nanoseconds, whatever its type in Flow. *)
 
 val keep_at_end : t -> Ir.field -> Flow.Ir.atom -> leaf:Flow.Ir.signal option -> Span.t -> unit
-(** A field gets this value at the end of the step; [leaf] as in {!Fragment.t}. *)
+(** Assigns this value to the field at the end of the step; [leaf] as in {!Fragment.t}. *)
 
 val work :
   ?defines:Flow.Ir.signal list ->
@@ -32,8 +32,8 @@ val work :
   Span.t ->
   (Ir.expr list -> Ir.statement list) ->
   Fragment.item
-(** Statements; if nothing else is said they write state, define no variable and cost next to
-    nothing. *)
+(** An action. It writes state, defines no variables, and has almost no cost, unless the arguments
+    say otherwise. *)
 
 val fragment : t -> Fragment.t
-(** All so far; its states are those of {!keep_at_end}. *)
+(** The resulting fragment; its states are those of {!keep_at_end}. *)

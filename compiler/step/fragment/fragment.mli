@@ -1,10 +1,10 @@
-(** What a function has to compute, before it is decided where.
+(** The computations of a function, before their places are decided.
 
-    {!Body} describes a reset or step function so; {!Usage} decides which values stand inside their
-    user's expression, {!Write_order} in which order the state is written, {!Placement} in which
-    block each value is computed.
+    {!Body} translates a reset or step function to a fragment. {!Usage} decides which values are
+    inlined into the expressions that use them, {!Write_order} in which order the state is written,
+    and {!Placement} in which block each value is computed.
 
-    Always true: an item's operands are leaves or defined by items before it; operands are never
+    Invariants: an item's operands are leaves or are defined by preceding items; operands are never
     copies of other signals. *)
 
 open Basis
@@ -14,46 +14,48 @@ type atom = Flow.Ir.atom
 type computed = {
   signal : Flow.Ir.signal;
   operands : atom list;
-  build : Ir.expr list -> Ir.expr;  (** from the operands' expressions *)
+  build : Ir.expr list -> Ir.expr;  (** builds the expression from those of the operands *)
   choice : (atom * atom * atom) option;  (** condition, then, else *)
-  weight : int;  (** about how many additions it costs *)
+  weight : int;  (** approximate cost, in additions *)
   span : Span.t;
 }
-(** A value without effect. It may be computed anywhere or not at all. *)
+(** A value without side effects. It may be computed anywhere, or not at all. *)
 
 type action = {
   defines : Flow.Ir.signal list;
   operands : atom list;
   statements : Ir.expr list -> Ir.statement list;
-  always : bool;  (** it writes state, and so belongs to every step *)
-  advances : Ir.field option;  (** one that it writes, and items after it read *)
+  always : bool;  (** it writes state, so it is part of every step *)
+  advances : Ir.field option;  (** a field that it writes and that later items read *)
   weight : int;
   span : Span.t;
 }
-(** Statements that define variables. *)
+(** Statements that define variables, write state, or both. *)
 
 type item = Computed of computed | Action of action
 
-(** How a place is to change at the end of the step. *)
+(** How a place changes at the end of the step. *)
 type update = Keep | Set of atom | Branch of { condition : atom; then_ : update; else_ : update }
 
 type write = { place : Ir.place; update : update; span : Span.t }
 
 type t = {
   leaves : Ir.expr Int_table.t;
-      (** signals that are read in place: parameters, the program's too, state *)
+      (** expressions for signals that are read directly: parameters of the function and the
+          program, and state *)
   nanoseconds : unit Int_table.t;
-      (** signals that are whole nanoseconds, for which Flow has no type *)
+      (** signals that are whole nanoseconds; Flow has no type for these *)
   items : item array;
   results : (Ir.place * atom * Span.t) list;
-      (** written before any state; those that {!Late} finds come after it *)
+      (** written before any state, except for those that {!Late} moves after it *)
   states : (Ir.field * atom * Flow.Ir.signal option * Span.t) list;
-      (** field, its next value, and the signal whose leaf the field is: that value means that the
-          field keeps what it has *)
+      (** a field, its next value, and the signal whose leaf is the field. If the next value is this
+          signal, the field is unchanged *)
   returned : (atom * Span.t) option;
-  advances : Ir.statement list;  (** of times and integrals: before all else *)
-  ending : ending option;  (** see {!Early_end}; [returned] is [None] then *)
+  advances : Ir.statement list;
+      (** statements that advance times and integrals, before everything else *)
+  ending : ending option;  (** see {!Early_end}; if present, [returned] is [None] *)
 }
 
 and ending = { ends : atom; told : int; span : Span.t }
-(** Where this holds a mode ends, and then only its [results] from [told] on count. *)
+(** If [ends] holds, the mode ends, and only its [results] from number [told] on are needed. *)

@@ -8,6 +8,7 @@ let broken what = Diagnostic.bug ~stage:"Step.Memory" "%s" what
 let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
   let statements = function
     | [ now; kept ] ->
+        let operation = operation ~span in
         let change = operation F.Subtract Float [ now; Ir.Field input ] in
         [
           Ir.If
@@ -29,7 +30,7 @@ let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
   in
   Draft.add draft (Draft.work ~operands:[ atom; atom ] ~advances:value span statements)
 
-(* The time after this step. *)
+(* The local time after this step. *)
 let later ~limited (time : Ir.field) =
   if limited then Ir.Soon (Field time, Dt_nanoseconds) else Later (Field time, Dt_nanoseconds)
 
@@ -38,31 +39,32 @@ let advance ~limited state (eq : F.equation) =
   | Some (Elapsed { time; restart = Bool false }) ->
       Some (Ir.Assign { place = Own time; value = later ~limited time; span = eq.span })
   | Some (Integrated { value; input }) ->
+      let operation = operation ~span:eq.span in
       let step = operation F.Multiply Float [ Dt; input ] in
       let sum = operation F.Add Float [ Field value; step ] in
       Some (Assign { place = Own value; value = sum; span = eq.span })
   | Some (Ticked { time; period }) ->
-      (* It was less than the period, and dt is at most 10^18. *)
+      (* The time was less than the period, and dt is at most 10^18. *)
       let limited = match period with Float x -> x <= 8e18 | Signal _ | Bool _ | Int _ -> false in
       Some (Assign { place = Own time; value = later ~limited time; span = eq.span })
   | Some (Elapsed _ | Delayed _ | Differentiated _ | Kept _) | None -> None
 
-(* Where it does not start again, it goes on. *)
+(* Resets the time to 0 if the condition holds; otherwise advances it. *)
 let start_again draft time restart span =
   let statements restart =
     let else_ = later ~limited:false time in
     let value =
       match one restart with
       | Operation { operator = Not; arguments = [ condition ]; _ } ->
-          Ir.Select { condition; then_ = else_; else_ = Zero_time }
-      | condition -> Select { condition; then_ = Zero_time; else_ }
+          Ir.Select { condition; then_ = else_; else_ = Zero_time; span }
+      | condition -> Select { condition; then_ = Zero_time; else_; span }
     in
     [ Ir.Assign { place = Own time; value; span } ]
   in
   Draft.add draft (Draft.work ~operands:[ restart ] ~advances:time span statements)
 
-(* The rest is kept with the other state, last: only then has all else read what
-   is left of it. *)
+(* The remaining time is stored with the other state at the end, after everything that reads the old
+   value. *)
 let tick fresh draft (s : F.signal) time period span =
   let internal () =
     let internal = { s with id = fresh (); name = ""; ty = F.Float } in
@@ -82,11 +84,11 @@ let tick fresh draft (s : F.signal) time period span =
   computed rest [ Signal before; period ] (on_period (fun time period -> Ir.Rest { time; period }));
   computed next ~choice:(Signal s, Signal rest, Signal before)
     [ Signal s; Signal rest; Signal before ] (function
-    | [ condition; then_; else_ ] -> Select { condition; then_; else_ }
+    | [ condition; then_; else_ ] -> Select { condition; then_; else_; span }
     | _ -> broken "a choice with a wrong number of operands");
   Draft.keep_at_end draft time (Signal next) ~leaf:(Some before) span
 
-(* What is read of a time is made of its nanoseconds. *)
+(* A time is read by converting its nanoseconds. *)
 let read_time fresh draft (eq : F.equation) time build =
   let now = { eq.defines with id = fresh (); name = "" } in
   Draft.count_nanoseconds draft now;

@@ -23,14 +23,14 @@ let results_for_transitions (node : F.node) =
 
 let broken what = Basis.Diagnostic.bug ~stage:"Step.Modes" "%s" what
 
-(* For the parameters that a function reads the values given by [value]. *)
+(* The values that [value] returns for these parameters. *)
 let given value (parameters : Ir.variable list) =
   List.map (fun (v : Ir.variable) -> value v.id) parameters
 
-(* What a machine keeps for each mode. *)
+(* The modes of a machine with their fields. *)
 let targets context = Array.of_list context.kept.State.modes
 
-(* [read] makes an expression of an argument. *)
+(* [read] translates an argument to an expression. *)
 let entry context targets read (t : F.transition) : Ir.entry =
   let mode : Ir.mode = targets.(t.target) in
   let index = mode.node in
@@ -52,7 +52,7 @@ let entry context targets read (t : F.transition) : Ir.entry =
       | Some _ -> given value (context.callee index).reset.parameters);
   }
 
-(* In a mode's case its own signals are results of its step. *)
+(* In the case of a mode, its signals are results of its step. *)
 let read_result (atom : F.atom) : Ir.expr =
   match atom with
   | Signal s -> Variable (variable s)
@@ -87,7 +87,7 @@ let case context targets ~inputs (mode : Ir.mode) : Ir.case =
     transitions = List.map next node.transitions;
   }
 
-(* The expressions of an action's operands, by the atom they are of. *)
+(* Maps the operands of an action to their expressions. *)
 let reader operands exprs =
   let signals = Int_table.create 16 in
   List.iter2

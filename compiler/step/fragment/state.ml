@@ -12,20 +12,20 @@ type memory =
 type t = {
   memories : memory Int_table.t;
   instances : (string, Ir.field) Hashtbl.t;
-  mutable fields : Ir.field list;  (** last first *)
+  mutable fields : Ir.field list;  (** last one first *)
   mutable machine : machine option;
   mutable count : int;
 }
 
 and machine = { clock : Ir.clock option; modes : Ir.mode list }
 
-let numbered t ~name content ~purpose span : Ir.field =
+let numbered ?origin t ~name content ~purpose span : Ir.field =
   let id = t.count in
   t.count <- t.count + 1;
-  { id; name; content; purpose; span }
+  { id; name; content; purpose; origin; span }
 
-let new_field t ~name content ~purpose span =
-  let field = numbered t ~name content ~purpose span in
+let new_field ?origin t ~name content ~purpose span =
+  let field = numbered ?origin t ~name content ~purpose span in
   t.fields <- field :: t.fields;
   field
 
@@ -37,27 +37,34 @@ let memory t (s : signal) = Int_table.find_opt t.memories s.id
 let instance t (i : instance) = Hashtbl.find_opt t.instances i.name
 let atom_name = function Signal s -> s.name | Bool _ | Int _ | Float _ -> ""
 
-(* A name for what an operation on [atom] remembers: the signal's own name, or
-   one made of the operand's. *)
+(* A name for the state of an operation on [atom]: the name of the signal, or one derived from the
+   operand's name. *)
 let derived (s : signal) atom ~suffix ~otherwise =
   match (s.name, atom_name atom) with
   | "", "" -> otherwise
   | "", operand -> operand ^ "_" ^ suffix
   | name, _ -> name
 
+let origin (s : signal) : Ir.origin = { signal = s.name; written = s.span; role = Its_value }
+
+(* The values of a delay are those of its operand, which may have a name when the delay has none. *)
+let origin_of_delay (s : signal) next =
+  match next with Signal next when s.name = "" && next.name <> "" -> origin next | _ -> origin s
+
 let remember t (s : signal) memory = Int_table.replace t.memories s.id memory
 let value (ty : ty) : Ir.content = Value (Layout.ty ty)
 let past_first = "past the first instant"
 
 let equation t { defines = s; rhs; span } =
-  let field ~name ~purpose = new_field t ~name (Value Float) ~purpose span in
+  let field ~origin ~name purpose = new_field ~origin t ~name (Value Float) ~purpose span in
   match rhs with
   | Delay { init = Bool false; next = Bool true } ->
       let name = if String.equal s.name "" then "started" else s.name in
       remember t s (Delayed (new_field t ~name (Value Bool) ~purpose:past_first span))
   | Delay { next; _ } ->
       let name = derived s next ~suffix:"prev" ~otherwise:"delay" in
-      remember t s (Delayed (new_field t ~name (value s.ty) ~purpose:"delay" span))
+      let origin = origin_of_delay s next in
+      remember t s (Delayed (new_field ~origin t ~name (value s.ty) ~purpose:"delay" span))
   | Time { restart } ->
       let name = if String.equal s.name "" then "time" else s.name in
       let time = new_field t ~name (Value Nanoseconds) ~purpose:"time in ns" span in
@@ -68,18 +75,20 @@ let equation t { defines = s; rhs; span } =
       remember t s (Ticked { time; period })
   | Integral input ->
       let name = derived s input ~suffix:"integral" ~otherwise:"integral" in
-      let value = field ~name ~purpose:"integral" in
+      let value = field ~origin:(origin s) ~name "integral" in
       let input : Ir.expr =
         match input with
         | Float x when Float.is_finite x -> Float x
         | Signal _ | Bool _ | Int _ | Float _ ->
-            Field (field ~name:(name ^ "_input") ~purpose:"its last input")
+            let origin = { (origin s) with role = Its_integrand } in
+            Field (field ~origin ~name:(name ^ "_input") "its last input")
       in
       remember t s (Integrated { value; input })
   | Derivative input ->
       let name = derived s input ~suffix:"derivative" ~otherwise:"derivative" in
-      let value = field ~name ~purpose:"derivative" in
-      let input = field ~name:(name ^ "_input") ~purpose:"its last input" in
+      let value = field ~origin:(origin s) ~name "derivative" in
+      let origin = { (origin s) with role = Its_integral } in
+      let input = field ~origin ~name:(name ^ "_input") "its last input" in
       remember t s (Differentiated { value; input })
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Param _
   | Absent | Fill _ | Index _ | At _ | Replace _ | Step_time ->
@@ -94,15 +103,15 @@ let kept_name rhs =
   | Op (Pow, operand :: _) -> after "pow" operand
   | _ -> "start_value"
 
-(* A mode needs its parameters later if its step reads them. *)
+(* A mode stores those of its parameters that its step reads. *)
 let mode t ~callee ~statics index : Ir.mode =
   let node : Ir.node = callee index in
   let is_read (v : Ir.variable) =
     List.exists (fun (read : Ir.variable) -> read.id = v.id) node.step.parameters
   in
-  let parameter (v : Ir.variable) =
+  let parameter ((v : Ir.variable), origin) =
     let name = if String.equal v.name "" then "parameter" else v.name in
-    (v, numbered t ~name (Value v.ty) ~purpose:"parameter" node.span)
+    (v, numbered ~origin t ~name (Value v.ty) ~purpose:"parameter" node.span)
   in
   let state =
     match node.state with
@@ -112,7 +121,7 @@ let mode t ~callee ~statics index : Ir.mode =
   {
     node = index;
     name = node.name;
-    parameters = List.map parameter (List.filter is_read (statics index));
+    parameters = List.map parameter (List.filter (fun (v, _) -> is_read v) (statics index));
     state;
   }
 
@@ -120,7 +129,7 @@ let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
   let modes = List.map (mode t ~callee ~statics) m.modes in
   let keeps (mode : Ir.mode) = mode.parameters <> [] || Option.is_some mode.state in
   let field name content purpose = new_field t ~name content ~purpose m.span in
-  (* One alone needs no number. *)
+  (* A single mode needs no number. *)
   if List.compare_length_with modes 1 > 0 then
     ignore (field "mode" Ir.Running_mode "the mode that runs" : Ir.field);
   if List.exists keeps modes then
@@ -139,7 +148,8 @@ let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
   in
   t.machine <- Some { clock; modes }
 
-let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : Statics.t) =
+let of_node ~callee ~statics:(statics_of : int -> (Ir.variable * Ir.origin) list)
+    (statics : Statics.t) =
   let t =
     {
       memories = Int_table.create 16;
@@ -169,8 +179,11 @@ let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : S
   List.iter (fun (s : signal) -> Int_table.replace is_kept s.id ()) statics.kept;
   let keep ~name span (s : signal) =
     if Int_table.mem is_kept s.id then
+      (* Without a name it may be an intermediate result, whose span is that of the operation. *)
+      let origin = if String.equal s.name "" then None else Some (origin s) in
       let name = if String.equal s.name "" then name else s.name in
-      remember t s (Kept (new_field t ~name (value s.ty) ~purpose:"known at the start" span))
+      let purpose = "known at the start" in
+      remember t s (Kept (new_field ?origin t ~name (value s.ty) ~purpose span))
   in
   List.iter
     (fun (item : Flow.Schedule.item) ->

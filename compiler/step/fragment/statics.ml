@@ -11,7 +11,7 @@ type cost = Cheap | Costly
 
 let is_expensive = function Flow.Ir.Op ((Pow | Elementary _), _) -> true | _ -> false
 
-(* What is known of a node while it is being divided; tables by signal id. *)
+(* The state of the analysis of a node; tables are indexed by signal id. *)
 type work = {
   program : Flow.Ir.program;
   static : cost Int_table.t;
@@ -29,11 +29,12 @@ let cost_of_operands work atoms =
   in
   if List.exists is_costly atoms then Costly else Cheap
 
-(* What C keeps the memory of for an instant is asked for at each instant. *)
+(* Values whose memory C owns are valid only within an instant, so they must be computed in each
+   instant. *)
 let lasts work (s : Flow.Ir.signal) =
   Option.is_none (Flow.Shape.of_the_instant work.program.sums s.ty)
 
-(* Classifies an item, those it needs having been classified. *)
+(* Classifies an item. The items it depends on must have been classified before. *)
 let classify work item =
   List.iter
     (fun (s : Flow.Ir.signal) -> Int_table.replace work.definer s.id item)
@@ -61,8 +62,8 @@ let operands_of_item = function
   | Trial (i, trial) -> List.rev_append i.statics (List.filter_map Fun.id trial.given)
   | Machine m -> Flow.Transitions.read_in_step m
 
-(* All signals from which [roots] are computed by static definitions, with
-   themselves; [stop] ends the walk at a signal. *)
+(* The signals from which [roots] are computed through static definitions, including the roots. The
+   search does not continue from signals that satisfy [stop]. *)
 let closure work ~stop roots =
   let seen = Int_table.create 16 in
   let rec walk = function
@@ -84,7 +85,7 @@ let closure work ~stop roots =
 let defines_one_of table item =
   List.exists (fun (s : Flow.Ir.signal) -> Int_table.mem table s.id) (Flow.Schedule.defines item)
 
-(* What an item that is not static reads at its start, and in each step. *)
+(* The atoms that a dynamic item reads when it starts, and in each step. *)
 let read_at_start (program : Flow.Ir.program) = function
   | Flow.Schedule.Equation { rhs = Delay { init; _ }; _ } -> [ init ]
   | Equation _ -> []
@@ -136,7 +137,8 @@ let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) 
   let read = gather (read_in_step program callee) in
   let in_step = static_only (Flow.Operands.signals (List.rev_append outputs read)) in
   let is_costly (s : Flow.Ir.signal) = Int_table.find_opt work.static s.id = Some Costly in
-  (* A cheap static reads cheap ones only, so the walk ends at what is kept. *)
+  (* A cheap static value depends only on cheap ones, so the search ends at values that are
+     stored. *)
   let needed_in_step = closure work ~stop:is_costly in_step in
   let kept =
     List.concat_map

@@ -20,7 +20,7 @@ let possible (program : F.program) =
 let operands = function Computed c -> c.operands | Action a -> a.operands
 let defined = function Computed c -> [ c.signal ] | Action a -> a.defines
 
-(* From the last item to the first, each being after what it needs. *)
+(* Goes from the last item to the first, because items follow those they depend on. *)
 let needed_for ({ leaves; items; _ } : Fragment.t) (atoms : atom list) =
   let wanted = Int_table.create 16 and fields = Int_table.create 16 in
   let want (atom : atom) =
@@ -55,7 +55,7 @@ let needed (fragment : Fragment.t) ending =
 let either ~fresh (node : F.node) (items, (a : atom)) b =
   let id = fresh () in
   let signal : F.signal = { id; name = ""; ty = Bool; group = id; span = node.span } in
-  let build arguments = Ir.Operation { operator = Or; ty = Bool; arguments } in
+  let build arguments = Ir.Operation { operator = Or; ty = Bool; arguments; span = node.span } in
   let operands = [ a; b ] in
   let item = Computed { signal; operands; build; choice = None; weight = 1; span = node.span } in
   (item :: items, F.Signal signal)

@@ -1,8 +1,8 @@
-(** The instant in which a mode ends: its transitions come first.
+(** Ends the step of a mode early: its transitions come first.
 
-    What a mode puts out in that instant is dropped, and so is its state: the mode that is entered
-    is stepped in the same instant. So once it is known that a transition occurs, the rest of the
-    step can be left out, as a person would write it:
+    If a transition occurs, the outputs of the mode in that instant are discarded, and so is its
+    state, because the next mode runs in the same instant. As soon as it is known that a transition
+    occurs, the rest of the step can be skipped, as a person would write it:
 
     {v
     const bool arrived = frob_hypot(in->x - x, in->y - y) < 0.15;
@@ -13,11 +13,11 @@
     v} *)
 
 val possible : Flow.Ir.program -> bool array
-(** The modes of machines in which that is so at any transition (none is delayed). None in a program
-    with the user's components, which run at every instant. *)
+(** The modes of machines for which this is correct for all transitions (none is delayed). None in a
+    program with components in the user's C, which must run in every instant. *)
 
 val needed : Fragment.t -> Fragment.ending -> bool array
-(** The items that are needed where the mode ends. *)
+(** The items that are needed if the mode ends. *)
 
 val find :
   fresh:(unit -> int) ->
@@ -25,5 +25,5 @@ val find :
   Flow.Ir.node ->
   Fragment.t ->
   Fragment.t
-(** The step of that node, a mode for which it is possible, with its [ending]. [resolve] looks
-    through copies. *)
+(** Adds an [ending] to the step of a node, which must be a mode for which it is possible. [resolve]
+    resolves copies. *)

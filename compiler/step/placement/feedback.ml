@@ -6,8 +6,8 @@ type t = unit Int_table.t
 let none : t = Int_table.create 1
 let mem (t : t) (s : F.signal) = Int_table.mem t s.id
 
-(* An edge means "is computed from", at this instant or an earlier one. An instance's first
-   output stands between the others and the inputs. *)
+(* An edge means "is computed from", in this instant or an earlier one. The first output of an
+   instance connects the others to the inputs. *)
 let graph (node : F.node) =
   let vertices = Int_table.create 64 in
   let define (s : F.signal) = Int_table.replace vertices s.id (Int_table.length vertices) in

@@ -1,9 +1,9 @@
-(** Which choices decide about themselves from one step to the next.
+(** Finds choices whose condition depends on their own result in earlier steps.
 
-    The condition of such a choice is computed, perhaps through delays and integrals, from the value
-    that it chose an instant ago: the anti-windup of a controller, a counter that starts again. As a
-    select the value would have each step wait until the condition of the step before is known; a
-    branch is predicted, and the steps overlap. *)
+    The condition is computed from the value that was chosen in the previous instant, through delays
+    and integrals; examples are the anti-windup of a controller, and a counter that starts again. If
+    the choice were a select, each step would wait for the condition of the previous one. A branch
+    is predicted, so the steps overlap. *)
 
 type t
 
@@ -13,4 +13,4 @@ val of_node : Flow.Ir.node -> t
 (** Linear in the size of the node. *)
 
 val mem : t -> Flow.Ir.signal -> bool
-(** Is the signal defined by such a choice? *)
+(** Whether such a choice defines the signal. *)

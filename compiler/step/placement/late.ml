@@ -5,14 +5,16 @@ open Fragment
 type user =
   | Item of int
   | State
-  | Output of int  (** a result; the last one may be what is returned *)
+  | Output of int  (** a result; the number after the last one is the returned value *)
 
 type t = {
   fragment : Fragment.t;
-  definer : int Int_table.t; (* items by signal *)
-  users : user list Int_table.t; (* by signal; of what is needed *)
-  written : unit Int_table.t; (* fields *)
-  kept : (int, Ir.field) Hashtbl.t; (* y, and the field that holds it in the end *)
+  definer : int Int_table.t; (* index of the item that defines a signal *)
+  users : user list Int_table.t; (* users of a signal that are needed *)
+  written : unit Int_table.t; (* fields that are written *)
+  kept : (int, Ir.field) Hashtbl.t;
+      (* signals [y] (see the interface), and the fields that hold
+                                       them at the end *)
   late_items : bool array;
   late_outputs : bool array;
 }
@@ -48,7 +50,7 @@ let computed t (s : Flow.signal) =
 let is_signal (s : Flow.signal) (atom : atom) =
   match atom with Signal other -> other.id = s.id | Bool _ | Int _ | Float _ -> false
 
-(* Choices that keep what a field has. *)
+(* Finds choices that may leave a field unchanged. *)
 let find_kept t =
   List.iter
     (fun (field, atom, own, _) ->
@@ -80,8 +82,8 @@ let may_be_read_late t (atom : atom) =
       | None, Some k -> t.late_items.(k)
       | None, None -> false)
 
-(* Nothing is late because all else is: from all that might be, what cannot is
-   taken away until nothing changes. *)
+(* Computes the largest consistent set: everything that might be late is assumed to be, and what
+   cannot be late is removed until nothing changes. *)
 let rec settle t =
   let changed = ref false in
   let not_late late k =
@@ -116,7 +118,7 @@ let rec settle t =
     (Hashtbl.copy t.kept);
   if !changed then settle t
 
-(* What is late, or what is not. *)
+(* The late part of the fragment, or the other part. *)
 let part t late : Fragment.t =
   let { items; results; returned; _ } = t.fragment in
   let is_part flags k _ = Bool.equal flags.(k) late in

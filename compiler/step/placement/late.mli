@@ -1,9 +1,9 @@
-(** Results that are read from the state when it has been written.
+(** Reads results from the state after it has been written.
 
-    A signal that keeps its value until something happens, as [hold] makes it, is the next value of
-    a delay: [y = if c then x else before] with [before = delay x0 y]. When the state has been
-    written, [y] is what the delay's field holds. If all else that uses [y] is results, these are
-    read from there, and the choice needs no variable:
+    A signal that keeps its value until something happens, such as a [hold], is the next value of a
+    delay: [y = if c then x else before] with [before = delay x0 y]. After the state has been
+    written, the delay's field contains [y]. If all other uses of [y] are results, they are read
+    from the field, and the choice needs no variable:
 
     {v
     if (c) {
@@ -13,5 +13,5 @@
     v} *)
 
 val split : Fragment.t -> (Fragment.t * Fragment.t) option
-(** What is to be done first, and what is read from the state after that; [None] if there is nothing
-    of the kind. *)
+(** Splits a fragment into the part to execute first, and the part that reads the state afterwards;
+    [None] if there are no such results. *)

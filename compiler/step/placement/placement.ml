@@ -2,9 +2,8 @@ module Flow = Flow.Ir
 open Basis
 open Fragment
 
-(* Code is built back to front: a block's list holds what was placed last, and
-   runs first, at its head. Positions fall from 0, so a smaller one runs
-   earlier. *)
+(* Code is built from back to front: the head of a block's list is the item that was placed last and
+   runs first. Positions decrease from 0, so a smaller one runs earlier. *)
 type block = { id : int; depth : int; mutable within : branch option; mutable code : code list }
 
 and branch = {
@@ -24,11 +23,12 @@ type use = { block : block; position : int }
 
 type t = {
   usage : Usage.t;
-  uses : use list Int_table.t;  (** of signals that get variables *)
-  open_branches : (int * int, branch) Hashtbl.t;  (** by block and condition *)
+  uses : use list Int_table.t;  (** uses of signals that get variables *)
+  open_branches : (int * int, branch) Hashtbl.t;
+      (** branches that can be shared, by block and condition *)
   root : block;
   mutable next_position : int;
-  mutable next_id : int;  (** of blocks, and negated of new variables *)
+  mutable next_id : int;  (** ids for blocks and, negated, for new variables *)
 }
 
 let nesting = 20
@@ -52,7 +52,7 @@ let record t (s : Flow.signal) use =
   let others = Option.value (Int_table.find_opt t.uses s.id) ~default:[] in
   Int_table.replace t.uses s.id (use :: others)
 
-(* [leaf] says how to read a leaf. *)
+(* [leaf] transforms the expression of each leaf. *)
 let rec tree ?(leaf = Fun.id) t use (atom : atom) : Ir.expr =
   match atom with
   | Bool b -> Bool b
@@ -86,7 +86,7 @@ let block_for t uses =
       let block = List.fold_left (fun block use -> common block use.block) first.block rest in
       if block.depth >= nesting then t.root else block
 
-(* Where a use stands as seen from a block around it. *)
+(* The position of a use as seen from an enclosing block. *)
 let rec position_in block use =
   if use.block == block then Some use.position
   else
@@ -115,8 +115,8 @@ let new_branch ?leaf t block condition span =
   block.code <- Branch_here branch :: block.code;
   branch
 
-(* The [If] on a condition in this block, if it runs before all [uses]; those
-   outside the block come after the block as a whole. *)
+(* An existing [If] with this condition in the block, if it runs before all [uses]; otherwise a new
+   one. Uses outside the block come after the whole block. *)
 let shared_branch t ~uses block (condition : atom) span =
   match condition with
   | Bool _ | Int _ | Float _ -> new_branch t block condition span
@@ -136,7 +136,7 @@ let shared_branch t ~uses block (condition : atom) span =
           Hashtbl.replace t.open_branches (block.id, c.id) branch;
           branch)
 
-(* [branch] makes or finds the [If] for a condition. *)
+(* [branch] returns a new or existing [If] for a condition. *)
 let rec store ?leaf t ~branch block (w : write) =
   match w.update with
   | Keep -> ()
@@ -148,8 +148,8 @@ let rec store ?leaf t ~branch block (w : write) =
       store ?leaf t ~branch b.else_ { w with update = else_ };
       store ?leaf t ~branch b.then_ { w with update = then_ }
 
-(* Values that a block needs before it writes state: fields that would be
-   overwritten too early, and values that read such fields. *)
+(* Values that a block computes before it writes state: fields that would otherwise be overwritten
+   too early, and values that depend on such fields. *)
 type early = { saved : (Ir.variable * Ir.field) Int_table.t; mutable apart : Flow.signal list }
 
 let no_early () = { saved = Int_table.create 4; apart = [] }
@@ -184,8 +184,8 @@ let place_early t block early =
   |> List.iter (fun (_, (variable, (field : Ir.field))) ->
          put block (Declare { variable; value = Field field; span = field.span }))
 
-(* The writes of state, from the last to the first; those by one condition that follow each
-   other share its [If]. *)
+(* Places the writes of state, from the last to the first. Consecutive writes with the same
+   condition share an [If]. *)
 let place_writes t ~into writes =
   let early = no_early () in
   let place next (w : Write_order.write) =
@@ -241,7 +241,7 @@ let place_computed t (c : computed) uses =
       assign branch.else_ else_;
       assign branch.then_ then_
 
-(* [always] is where what writes state goes. *)
+(* [always] is the block for items that write state. *)
 let place_item t ~always = function
   | Computed c -> ( match uses_of t c.signal with [] -> () | uses -> place_computed t c uses)
   | Action a ->
@@ -252,11 +252,11 @@ let place_item t ~always = function
         let statements = a.statements (List.map (tree t use) a.operands) in
         List.iter (put block) (List.rev statements)
 
-(* From blocks to statements; their nesting is bounded. *)
+(* Converts blocks to statements. The recursion is bounded by the nesting limit. *)
 
-let negation : Ir.expr -> Ir.expr = function
+let negation ~span : Ir.expr -> Ir.expr = function
   | Operation { operator = Not; arguments = [ e ]; _ } -> e
-  | e -> Operation { operator = Not; ty = Bool; arguments = [ e ] }
+  | e -> Operation { operator = Not; ty = Bool; arguments = [ e ]; span }
 
 let rec emit block =
   let emit_code rest = function
@@ -265,7 +265,7 @@ let rec emit block =
         match (emit then_, emit else_) with
         | [], [] -> rest
         | [], then_ ->
-            let condition = negation condition in
+            let condition = negation ~span condition in
             Ir.If { uninitialized; condition; then_; else_ = []; predicted; span } :: rest
         | then_, else_ -> Ir.If { uninitialized; condition; then_; else_; predicted; span } :: rest)
   in

@@ -1,11 +1,13 @@
-(** Where each value is computed: from a fragment to statements.
+(** Converts a fragment to statements: decides where each value is computed.
 
-    A value gets the innermost block that holds all its uses, before the first of them; so what only
-    one branch needs is computed there. Choices by the same condition share one [If] where the order
-    allows it. Works from the last item to the first, as then all uses of a value are placed before
-    the value itself. Linear in the size of the fragment. *)
+    A value is computed in the innermost block that contains all its uses, before the first one.
+    Values that only one branch needs are therefore computed in that branch. Choices with the same
+    condition share an [If] if the order allows it. Items are placed from the last to the first,
+    because then all uses of a value are placed before the value itself. Linear in the size of the
+    fragment. *)
 
 val nesting : int
-(** No block is nested deeper; a value that would be goes to the outermost. *)
+(** Maximum nesting of blocks. A value that would be nested deeper is placed in the outermost block.
+*)
 
 val statements : Feedback.t -> Fragment.t -> Ir.statement list

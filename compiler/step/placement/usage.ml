@@ -2,7 +2,7 @@ open Basis
 module Flow = Flow.Ir
 open Fragment
 
-(* The innermost branch that all uses of a signal lie in, as far as seen. *)
+(* The innermost branch that contains all uses of a signal seen so far. *)
 type guard = Nowhere | Under of int * bool  (** the condition's signal; which branch *) | Anywhere
 
 type t = {
@@ -10,20 +10,20 @@ type t = {
   item_of : int Int_table.t;
   uses : int Int_table.t;
   apart : unit Int_table.t;
-  taken : unit Int_table.t;  (** choices absorbed by writes *)
-  branching : unit Int_table.t;  (** conditions worth an [If] *)
-  predicted : unit Int_table.t;  (** those of choices in {!Feedback} *)
+  taken : unit Int_table.t;  (** choices that have become part of writes *)
+  branching : unit Int_table.t;  (** conditions that get an [If] *)
+  predicted : unit Int_table.t;  (** conditions of the choices in {!Feedback} *)
   mutable writes : write list;
   mutable results : write list;
 }
 
 let expression_size = 16
 
-(* A mispredicted branch costs about this many additions. *)
+(* Approximate cost of a mispredicted branch, in additions. *)
 let branch_weight = 12
 let branch_count = 4
 
-(* A choice inside a choice inside … of one write. *)
+(* Maximum nesting of choices in one write. *)
 let update_depth = 8
 let get table key ~default = Option.value (Int_table.find_opt table key) ~default
 
@@ -56,7 +56,7 @@ let branches t (c : computed) =
   | Some (Signal condition, _, _) when Int_table.mem t.branching condition.id -> c.choice
   | Some _ | None -> None
 
-(* An array is computed into a variable of its own. *)
+(* Arrays always get a variable of their own. *)
 let is_array (s : Flow.signal) =
   match s.ty with Array _ -> true | Bool | Int | Float | Sum _ | Foreign _ -> false
 
@@ -71,8 +71,8 @@ let inlined t (s : Flow.signal) =
       Some c
   | Some _ | None -> None
 
-(* Counting: from the last item to the first, so that an item's users are
-   known to be needed or not before the item itself is met. *)
+(* Counts uses. Goes from the last item to the first, so that it is known whether an item's users
+   are needed before the item itself is visited. *)
 
 let count t atom =
   match atom with
@@ -107,7 +107,7 @@ let count_all t =
   Option.iter (fun ending -> count t ending.ends) t.fragment.ending;
   backwards t (fun item -> List.iter (count t) (operands item))
 
-(* State that a choice may keep. *)
+(* Whether an update may leave the state unchanged. *)
 
 let rec keeps = function
   | Keep -> true
@@ -135,8 +135,8 @@ let rec update t own depth (atom : atom) =
             else Set atom
         | Some _ | None -> Set atom)
 
-(* The choices whose branches an update has taken apart: those that no longer
-   appear as a value in it. *)
+(* Marks the choices that have been converted to branches of an update and no longer occur as values
+   in it. *)
 let rec absorb t (atom : atom) update =
   match (atom, update) with
   | Signal s, Branch { then_; else_; _ } when uses t s = 1 -> (
@@ -153,7 +153,7 @@ let state_write t (field, atom, own, span) =
   absorb t atom update;
   { place = Ir.Own field; update; span }
 
-(* Which conditions deserve an If. *)
+(* Finds the conditions that get an [If]. *)
 
 let find_predicted t feedback =
   Array.iter
@@ -221,7 +221,7 @@ let find_branching t =
         charge_guard g a.weight;
         List.iter (under g) a.operands)
 
-(* Sizes: from the first item to the last. *)
+(* Bounds the sizes of expressions, from the first item to the last. *)
 
 let bound_sizes t =
   let sizes = Int_table.create 64 in
@@ -250,7 +250,7 @@ let bound_sizes t =
       | Computed _ | Action _ -> ())
     t.fragment.items
 
-(* A place takes the branches of a choice that only it uses. *)
+(* Converts a choice with a single use into branches of the update. *)
 let rec taken_apart t depth (atom : atom) =
   match atom with
   | Bool _ | Int _ | Float _ -> Set atom

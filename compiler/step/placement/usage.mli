@@ -1,23 +1,24 @@
-(** Which values are used how often, which ones stand inside the expression of their one user, and
-    which choices are worth a branch.
+(** Counts the uses of values, and decides which values are inlined into the expression that uses
+    them, and which choices become branches.
 
-    An unnamed value with one use is inlined (but no array), unless the expression would grow past
-    {!expression_size} operations: then its largest operand gets a variable of its own. A choice
-    becomes an [If] if what only its branches need costs more than the select (or if many values are
-    chosen by one condition); state that a branch keeps is always an [If], because a chain of
-    selects through memory is slow, a branch rarely taken is not; so is a choice in {!Feedback}. *)
+    An unnamed value with one use is inlined, unless it is an array, or the expression would have
+    more than {!expression_size} operations; then its largest operand gets a variable of its own. A
+    choice becomes an [If] if the values that only its branches need cost more than a select, or if
+    one condition chooses many values. State that a branch leaves unchanged is always written in an
+    [If]: a chain of selects through memory is slow, while a rarely taken branch is fast. The
+    choices of {!Feedback} also become [If]s. *)
 
 type t
 
 val expression_size : int
 
 val update_depth : int
-(** No write takes apart choices nested deeper. *)
+(** Maximum nesting of choices that become branches of one write. *)
 
 val of_fragment : Feedback.t -> Fragment.t -> t
 
 val writes : t -> Fragment.write list
-(** The writes of state, in source order, without those that keep all. *)
+(** The writes of state in source order, without those that change nothing. *)
 
 val results : t -> Fragment.write list
 val update_atoms : Fragment.update -> Fragment.atom list
@@ -25,20 +26,20 @@ val ty : t -> Flow.Ir.signal -> Ir.ty
 val leaf : t -> Flow.Ir.signal -> Ir.expr option
 
 val inlined : t -> Flow.Ir.signal -> Fragment.computed option
-(** The value to build inside its user. *)
+(** The value to inline into its user, if it is inlined. *)
 
 val keep_apart : t -> Flow.Ir.signal -> unit
-(** From now on the value has a variable of its own. *)
+(** Gives the value a variable of its own from now on. *)
 
 val choice : t -> Fragment.computed -> (Fragment.atom * Fragment.update * Fragment.update) option
-(** Condition and branches, if the choice is to be an [If]. Choices that only the branches use
-    become part of them, and need no place of their own. *)
+(** The condition and branches of a choice that becomes an [If]. Choices that only the branches use
+    become part of them, and are not placed separately. *)
 
 val predicted : t -> Fragment.atom -> bool
-(** Is this the condition of a choice in {!Feedback}? *)
+(** Whether this is the condition of a choice in {!Feedback}. *)
 
 val item_of : t -> Flow.Ir.signal -> (int * Fragment.item) option
-(** Position and item that define a signal; [None] for leaves. *)
+(** The item that defines a signal, and its index; [None] for leaves. *)
 
 val item_uses : t -> int -> int
-(** Uses of all that the item defines. *)
+(** The number of uses of all signals that the item defines. *)

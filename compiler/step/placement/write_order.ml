@@ -35,7 +35,7 @@ let overlap a b = Int_table.fold (fun field () any -> any || Int_table.mem b fie
 let note written (w : Fragment.write) =
   match w.place with Own field -> Int_table.replace written field.id () | Local _ | Result _ -> ()
 
-(* Those by one condition that follow each other, which share its [If]. *)
+(* Groups consecutive writes with the same condition, which share an [If]. *)
 let groups writes =
   let condition (w : Fragment.write) =
     match w.update with Branch { condition = Signal c; _ } -> Some c.id | _ -> None
@@ -54,7 +54,8 @@ let of_usage usage =
     let atoms (w : Fragment.write) = Usage.update_atoms w.update in
     overlap (reads usage (List.concat_map atoms writes)) written
   in
-  (* What several writes of a group need is computed in their [If], before all of them. *)
+  (* The values that a group of several writes needs are computed in its [If], before all these
+     writes. *)
   let order group =
     let all_early = List.compare_length_with group 1 > 0 && needs_written group in
     let one (write : Fragment.write) =

@@ -1,9 +1,9 @@
-(** The order in which a step writes its state: as the fields come, but everything that reads a
-    field reads the old value. A write whose value needs a field that is written before it is
-    [early].
+(** The order in which a step writes its state: the order of the fields. Since every value must be
+    computed from the old contents of fields, a write is [early] if its value depends on a field
+    that is written before it.
 
-    What it needs counts through all values that nothing else needs, because those are computed as
-    late as possible; nothing but it, and the writes with which it shares an [If]. *)
+    The dependency includes all intermediate values that only this write, or the writes that share
+    its [If], need, because these are computed as late as possible. *)
 
 type write = {
   write : Fragment.write;
@@ -13,4 +13,4 @@ type write = {
 val of_usage : Usage.t -> write list
 
 val written : write list -> Fragment.atom -> Usage.t -> bool
-(** Does the value need a field that these write? *)
+(** Whether the value depends on a field that these writes change. *)

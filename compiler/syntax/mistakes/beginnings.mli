@@ -1,10 +1,10 @@
-(** How lines begin in other languages, and what is written in Frob instead. *)
+(** Words that begin a line in other languages, and what to write in Frob instead. *)
 
 val by_equation : string
 val no_procedures : string
 
 val of_word : string -> string option
-(** The cure, of the first word of a line. *)
+(** The hint for a line that begins with this word. *)
 
 val needless : string list
-(** Words before a definition which it does not need: [const], [var] and their like. *)
+(** Superfluous words before a definition: [const], [var] and similar ones. *)

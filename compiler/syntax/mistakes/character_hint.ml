@@ -1,12 +1,8 @@
 type t = { hint : string option; instead : string option }
 
-let is_lower c = (c >= 'a' && c <= 'z') || c = '_'
-let is_upper c = c >= 'A' && c <= 'Z'
-let is_digit c = c >= '0' && c <= '9'
-let is_name c = is_lower c || is_upper c || is_digit c || c = '\''
 let char_at text i = if i >= 0 && i < String.length text then text.[i] else '\000'
 
-(* What ends directly before this place, of such characters. *)
+(* The longest run of characters satisfying the predicate that ends at this place. *)
 let ending text at is_part =
   let rec start i = if i > 0 && is_part text.[i - 1] then start (i - 1) else i in
   let first = start at in
@@ -19,23 +15,23 @@ let line_start text at =
 
 (* {1 The colon} *)
 
-(* [f x y] of `def f(x, y)`. *)
+(* [f x y] for `def f(x, y)`. *)
 let of_def words =
   let text = String.concat " " (List.tl words) in
   let blank = function '(' | ')' | ',' | ':' -> ' ' | c -> c in
   let names = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank text)) in
-  let is_name w = String.for_all is_name w in
+  let is_name w = String.for_all Basis.Character.is_name w in
   if names <> [] && List.for_all is_name names then String.concat " " names else "f x"
 
 let of_block = "a block is made by indentation alone; a choice is written `if c then a else b`"
 
-(* How other languages begin to declare a record. *)
+(* Does the line begin like a record declaration in another language? *)
 let declares_a_record line =
   List.mem
     (List.hd (String.split_on_char ' ' (String.trim line)))
     [ "struct"; "typedef"; "class"; "record"; "interface" ]
 
-(* The line, up to there, of the brace that is open here; not that of another definition. *)
+(* The line of the innermost open brace, up to that brace. Stops at the start of the definition. *)
 let line_of_brace text at =
   let rec back i closed =
     if i < 0 then None
@@ -46,12 +42,13 @@ let line_of_brace text at =
           let start = line_start text i in
           Some (String.sub text start (i - start))
       | '{' -> back (i - 1) (closed - 1)
-      | '\n' when is_lower (char_at text (i + 1)) && line_start text at <> i + 1 -> None
+      | '\n' when Basis.Character.is_lower (char_at text (i + 1)) && line_start text at <> i + 1 ->
+          None
       | _ -> back (i - 1) closed
   in
   back (at - 1) 0
 
-(* `case 1:` and `default:`, of C's `switch`. *)
+(* `case 1:` and `default:` of a C `switch`. *)
 let starts_a_case text at =
   let start = line_start text at in
   let line = String.trim (String.sub text start (at - start)) in
@@ -61,9 +58,9 @@ let of_switch =
   "a choice by values is `case n of`, and below it a branch in each line: `1 -> …`, the last one \
    `_ -> …`"
 
-(* Of a colon after a name in braces. *)
+(* The hint for a colon after a field name in braces. *)
 let of_field text at =
-  match (line_of_brace text at, ending text at is_name) with
+  match (line_of_brace text at, ending text at Basis.Character.is_name) with
   | Some line, _ when declares_a_record line ->
       {
         hint =
@@ -84,14 +81,14 @@ let of_class =
   "there are no objects: `data` declares a record, and functions of it stand at the left edge, \
    each an equation"
 
-(* An indented `def`, below a `class`. *)
+(* An indented `def` below a `class`. *)
 let is_a_method text start =
   char_at text start = ' '
   && List.exists
        (String.starts_with ~prefix:"class ")
        (String.split_on_char '\n' (String.sub text 0 start))
 
-(* `x : xs`, as a value. *)
+(* `x : xs`, a Haskell list, used as a value. *)
 let joins text start at =
   let line = String.sub text start (at - start) in
   char_at text (at - 1) = ' '
@@ -103,12 +100,12 @@ let of_for =
   "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forEachT \
    xs f` does a task for each"
 
-(* `xs[0:2]` *)
+(* `xs[0:2]`, a Python slice. *)
 let is_a_slice text at =
-  let digits = ending text at is_name in
+  let digits = ending text at Basis.Character.is_name in
   char_at text (at - String.length digits - 1) = '['
 
-(* `f (x: Float) = …` *)
+(* `f (x: Float) = …`, a parameter with a type. *)
 let types_a_parameter text start at =
   let line = String.sub text start (at - start) in
   char_at text start <> ' '
@@ -147,7 +144,7 @@ let of_colon text at =
   | _ when List.exists (fun word -> word = "lambda" || word = "(lambda") words ->
       let parameters =
         match List.rev words with
-        | x :: ("lambda" | "(lambda") :: _ when String.for_all is_name x -> x
+        | x :: ("lambda" | "(lambda") :: _ when String.for_all Basis.Character.is_name x -> x
         | _ -> "x"
       in
       hint (Printf.sprintf "a function without a name is written `\\%s -> …`" parameters)
@@ -162,10 +159,10 @@ let of_colon text at =
 
 (* {1 Other characters} *)
 
-(* What other alphabets have for what is written here, and what is said of it. *)
+(* For characters that are not ASCII: the Frob spelling and the hint. *)
 let symbol text at = function
   | "\u{00b0}" | "\u{00ba}" ->
-      let is_part c = is_digit c || c = '.' in
+      let is_part c = Basis.Character.is_digit c || c = '.' in
       let digits = match ending text at is_part with "" -> "90" | digits -> digits in
       Some ("[deg]", Printf.sprintf "degrees are a unit: `%s[deg]`" digits)
   | "\u{00b2}" -> Some ("^2", "a power is written `^2`")
@@ -188,7 +185,7 @@ let symbol text at = function
   | "\u{2018}" | "\u{2019}" -> Some ("'", "a prime is `'`, and an infix name stands in backticks")
   | _ -> None
 
-(* `Robot`, of `#include "Robot.h"`. *)
+(* The module `Robot` for `#include "Robot.h"`. *)
 let included text at =
   let stop = Option.value (String.index_from_opt text at '\n') ~default:(String.length text) in
   let line = String.sub text at (stop - at) in
@@ -196,14 +193,14 @@ let included text at =
   | [ _; file ] when String.length file > 2 ->
       let inner = String.sub file 1 (String.length file - 2) in
       let stem = String.capitalize_ascii (Filename.remove_extension inner) in
-      if stem <> "" && String.for_all is_name stem then stem else "Control"
+      if stem <> "" && String.for_all Basis.Character.is_name stem then stem else "Control"
   | _ -> "Control"
 
-(* `speed = 0.3`, of `#define SPEED 0.3`. *)
+(* The definition `speed = 0.3` for `#define SPEED 0.3`. *)
 let defined text at =
   let stop = Option.value (String.index_from_opt text at '\n') ~default:(String.length text) in
   match String.split_on_char ' ' (String.trim (String.sub text at (stop - at))) with
-  | [ _; name; value ] when name <> "" && String.for_all is_name name ->
+  | [ _; name; value ] when name <> "" && String.for_all Basis.Character.is_name name ->
       Printf.sprintf "%s = %s" (String.lowercase_ascii name) value
   | _ -> "vMax = 0.4[m/s]"
 
@@ -218,7 +215,7 @@ let of_character ~text ~at character =
   match (character, symbol text at character) with
   | _, Some (instead, hint) -> both hint instead
   | "'", None when char_at text (at + 2) = '\'' -> only "a text stands in `\"`"
-  | "'", None when is_lower next || is_upper next ->
+  | "'", None when Basis.Character.is_lower next || Basis.Character.is_upper next ->
       only "a text stands in `\"`, and an infix name in backticks, as in ``x `mod` 2``"
   | "'", None -> only "an infix name stands in backticks, as in ``x `mod` 2``"
   | ":", None when next = '=' -> only "an equation is written with `=`"

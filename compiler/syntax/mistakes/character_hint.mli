@@ -1,15 +1,12 @@
-(** What a character may have been meant for that Frob does not have.
+(** Hints about characters that Frob does not use.
 
-    Most of them are of other languages, where they have a meaning; others are of keyboards that
-    write `≤` for `<=`. *)
+    Most of them have a meaning in other languages. Others are typographic variants such as `≤` for
+    `<=`. *)
 
-type t = {
-  hint : string option;
-  instead : string option;  (** what is to be written in its place *)
-}
+type t = { hint : string option; instead : string option  (** the text to write instead *) }
 
 val of_character : text:string -> at:int -> string -> t
-(** Of this character, which the text has at that place. *)
+(** The hint for this character, which occurs at this offset of the text. *)
 
 val is_of_each_line : string option -> bool
-(** Of a colon that other lines are likely to have as well: it is told once. *)
+(** Is this the hint for a colon that probably occurs in many lines? It is then reported once. *)

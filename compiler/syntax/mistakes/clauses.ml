@@ -10,7 +10,8 @@ let clause (d : Ir.declaration) =
 
 let invented = [ "x"; "y"; "z"; "w" ]
 
-(* In one line, and of as many patterns as the first: then its words can stay as they are. *)
+(* Is the clause on one line, with as many patterns as the first clause? Only then does the fix
+   apply. *)
 let is_simple ~like c =
   List.compare_lengths c.parameters like.parameters = 0
   && List.compare_lengths c.parameters invented <= 0
@@ -22,7 +23,7 @@ let case_of c =
   let value = match names with [ one ] -> one | _ -> "(" ^ String.concat ", " names ^ ")" in
   Printf.sprintf "%s %s = case %s of" c.name.text (String.concat " " names) value
 
-(* The edits that make branches of the clauses: what stands between the patterns goes. *)
+(* The edits that turn the clauses into branches. They remove the text between the patterns. *)
 let edits ~first c =
   let gap (from : Span.t) (till : Span.t) text =
     (Span.make ~file:from.file ~start:from.stop ~stop:till.start, text)
@@ -43,6 +44,8 @@ let edits ~first c =
       let begins = if c == first then case_of c ^ "\n" ^ indentation else String.make 4 ' ' in
       (head, begins ^ opening) :: between p rest
 
+let most_places = 10
+
 let report first others =
   let also d c = Diagnostic.label ~at:c.name.span "one more" d in
   let d =
@@ -51,7 +54,12 @@ let report first others =
         Diagnostic.error ~code:"E0115" ~at:second.name.span "`%s` is defined by several clauses"
           first.name.text
         |> Diagnostic.label ~at:first.name.span "the first"
-        |> fun d -> List.fold_left also d more
+        |> fun d ->
+        let shown, besides = Long_list.split_at (most_places - 2) more in
+        List.fold_left also d shown
+        |>
+        if besides = [] then Fun.id
+        else Diagnostic.note (Printf.sprintf "and %d more clauses" (List.length besides))
     | [] -> Diagnostic.bug ~stage:"Syntax.Clauses" "no second clause"
   in
   let all = first :: others in

@@ -1,7 +1,8 @@
-(** A function in several clauses, as Haskell has it: Frob has one with a [case]. *)
+(** Functions defined by several clauses, as in Haskell. In Frob a function has one clause with a
+    [case]. *)
 
 open Basis
 
 val joined : Ir.declaration list -> Ir.declaration list * Diagnostic.t list
-(** The declarations with only the first clause of each function, in order, and what is said of the
-    others: one error a function, with the fix that writes the [case]. *)
+(** The declarations with only the first clause of each function, in order, and the errors for the
+    other clauses: one per function, with a fix that writes the [case]. *)

@@ -8,6 +8,8 @@ type t = {
   context : Layout.context;
 }
 
+type rule = t -> string option
+
 let rec innermost : Layout.context -> (Layout.block * Layout.origin) option = function
   | (Block block, origin) :: _ -> Some (block, origin)
   | ((Paren | Bracket | Brace | If | Then | Case), _) :: rest -> innermost rest
@@ -24,7 +26,6 @@ let char_at found offset =
 let after found = char_at found found.token.stop.pos_cnum
 let is_blank = function ' ' | '\t' | '\n' | '\r' -> true | _ -> false
 let is_symbol c = String.contains "+-*/^=<>&|!.@:$" c
-let is_digit c = c >= '0' && c <= '9'
 
 let in_brackets : Layout.context -> bool = function
   | ((Paren | Bracket | Brace), _) :: _ -> true
@@ -45,14 +46,14 @@ let opens_with opener : Layout.context -> bool = function
   | (innermost, _) :: _ -> innermost = opener
   | [] -> false
 
-(* A place where a value stands and no definition can. *)
+(* Is this a place for a value, where no definition can be? *)
 let compares : Layout.context -> bool = function
   | ((Paren | If | Then | Case), _) :: _ -> true
   | ((Bracket | Brace | Block _), _) :: _ | [] -> false
 
 let is_adjacent found (before : Layout.token) = before.stop.pos_cnum = found.token.start.pos_cnum
 
-(* Where the word that starts at this offset starts and ends. *)
+(* The start and end of the word at this offset. *)
 let word_from found first =
   let rec stop i = match char_at found i with 'a' .. 'z' | 'A' .. 'Z' -> stop (i + 1) | _ -> i in
   (first, stop first)
@@ -62,11 +63,11 @@ let rec first_word_from found i =
 
 let part found (first, last) = String.sub found.text first (last - first)
 
-(* The word at the left edge of the line: what other languages begin it with. *)
+(* The word at the left margin of the line, which is often a keyword of another language. *)
 let first_word found = part found (word_from found found.token.start.pos_bol)
 let first_word_of_line found = part found (first_word_from found found.token.start.pos_bol)
 
-(* The word that ends before this offset, with only blanks between. *)
+(* The word before this offset, possibly separated from it by blanks. *)
 let word_before found offset =
   let rec blanks i = if i > 0 && is_blank (char_at found (i - 1)) then blanks (i - 1) else i in
   let stop = blanks offset in
@@ -81,7 +82,7 @@ let word_before found offset =
 let stands_after found word (t : Layout.token) =
   String.equal (word_before found t.start.pos_cnum) word
 
-(* Where the definition at the left edge starts that the found token is in. *)
+(* The start of the top-level definition that contains the token. *)
 let start_of_definition found =
   let rec start i =
     if i = 0 then 0
@@ -99,10 +100,15 @@ let first_line_of_definition found =
 
 let between found first last = String.trim (String.sub found.text first (max 0 (last - first)))
 
-(* Where the line that this offset is in ends. *)
+(* The end of the line that contains this offset. *)
 let rec end_of_line found i = if char_at found i = '\n' then i else end_of_line found (i + 1)
 
 let lines_between found first last =
   let count = ref 0 in
   String.iter (fun c -> if c = '\n' then incr count) (String.sub found.text first (last - first));
   !count
+
+let names_before found word =
+  let start = found.token.start.pos_bol in
+  let line = String.sub found.text start (found.token.start.pos_cnum - start) in
+  List.mem word (String.split_on_char ' ' line)

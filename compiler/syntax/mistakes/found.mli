@@ -1,12 +1,15 @@
-(** Where the text breaks off: the token at which the grammar stops, and what stands around it. *)
+(** A syntax error: the token at which the parser stops, and the text around it. *)
 
 type t = {
   text : string;  (** the whole source *)
-  state : int;  (** of the automaton *)
+  state : int;  (** state of the automaton *)
   before : Layout.token option;  (** [None] at the start of an item *)
   token : Layout.token;
-  context : Layout.context;  (** what was open before the token *)
+  context : Layout.context;  (** the openers before the token *)
 }
+
+type rule = t -> string option
+(** A hint, if it applies. *)
 
 (** {1 Blocks and brackets} *)
 
@@ -16,7 +19,7 @@ val in_brackets : Layout.context -> bool
 val opens_with : Layout.opener -> Layout.context -> bool
 
 val compares : Layout.context -> bool
-(** A value stands here, and no definition can. *)
+(** Is this a place for a value, where no definition can be? *)
 
 val expects_more : Layout.token option -> bool
 (** Can no expression, type or definition end after this token? *)
@@ -24,51 +27,53 @@ val expects_more : Layout.token option -> bool
 (** {1 Characters} *)
 
 val char_at : t -> int -> char
-(** A line's end outside of the text. *)
+(** The character at this offset; a newline outside the text. *)
 
 val after : t -> char
-(** The one behind the token. *)
+(** The character after the token. *)
 
 val is_blank : char -> bool
 val is_symbol : char -> bool
-val is_digit : char -> bool
 
-(** {1 Words, each by the offsets of its start and its end} *)
+(** {1 Words, each given by its start and end offsets} *)
 
 val written : t -> Layout.token -> string
 
 val is_adjacent : t -> Layout.token -> bool
-(** No blank is between that one and the token. *)
+(** Are the given token and the found one adjacent, without blanks between them? *)
 
 val word_from : t -> int -> int * int
 
 val first_word_from : t -> int -> int * int
-(** Behind blanks. *)
+(** The first word after the blanks at this offset. *)
 
 val part : t -> int * int -> string
 
 val first_word : t -> string
-(** At the left edge of the line: what other languages begin it with. *)
+(** The word at the left margin of the line, which is often a keyword of another language. *)
 
 val first_word_of_line : t -> string
-(** Of the token's line, behind its blanks. *)
+(** The first word of the token's line, after the indentation. *)
 
 val word_before : t -> int -> string
-(** That ends before the offset, with only blanks between. *)
+(** The word before the offset, possibly separated from it by blanks. *)
 
 val stands_after : t -> string -> Layout.token -> bool
+
+val names_before : t -> string -> bool
+(** Does the line contain this word before the token? *)
 
 (** {1 Lines} *)
 
 val between : t -> int -> int -> string
-(** Without blanks at its ends. *)
+(** The text between two offsets, without leading and trailing blanks. *)
 
 val end_of_line : t -> int -> int
 
 val start_of_definition : t -> int
-(** Of that at the left edge that the token is in. *)
+(** The start of the top-level definition that contains the token. *)
 
 val first_line_of_definition : t -> string
 
 val lines_between : t -> int -> int -> int
-(** How many end between the two offsets. *)
+(** The number of line ends between the two offsets. *)

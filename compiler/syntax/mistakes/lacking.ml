@@ -6,7 +6,7 @@ let line found =
   let bol = found.token.start.pos_bol in
   (bol, end_of_line found bol)
 
-(* The piece of the token's line between these offsets. *)
+(* The span between these offsets on the token's line. *)
 let span_of found (first, last) =
   let at offset = { found.token.start with pos_cnum = offset } in
   Build.span (at first, at last)
@@ -18,7 +18,7 @@ let instead found ~at text d =
 
 let is_short text = String.length text <= 90
 
-(* Before the first and behind the last of two words. *)
+(* Splits the text into the part before a string literal, the literal, and the part after it. *)
 let split_at_text text =
   match (String.index_opt text '"', String.rindex_opt text '"') with
   | Some first, Some last when first < last ->
@@ -28,16 +28,25 @@ let split_at_text text =
       Some (before, label, behind)
   | _ -> None
 
-(* `assert (x > 0)`, `assert (x > 0) "above"`, `assert "above" = x > 0` *)
+(* The code between two offsets, up to the first comment, with the offsets of its start and end. *)
+let code_between found first last =
+  let text = String.sub found.text first (max 0 (last - first)) in
+  let code = Kept_comments.code text in
+  let rec blanks k = if k < String.length text && is_blank text.[k] then blanks (k + 1) else k in
+  let start = first + blanks 0 in
+  (code, (start, start + String.length code))
+
+(* an assertion in another notation: `assert (x > 0)`, `assert (x > 0) "above"`, `assert "above" = x
+   > 0` *)
 let claim found =
   match first_word_of_line found with
   | ("assert" | "assume") as word
     when match found.token.token with END | SEMICOLON | CLOSE | EQUAL -> true | _ -> false -> (
       let ((_, stop) as at) = first_word_from found (fst (line found)) in
       let ends = found.token.start.pos_cnum in
-      let rest = (stop, if found.token.token = EQUAL then snd (line found) else ends) in
-      let text = between found (fst rest) (snd rest) in
-      let whole = (fst at, snd rest) in
+      let last = if found.token.token = EQUAL then snd (line found) else ends in
+      let text, (_, behind) = code_between found stop last in
+      let whole = (fst at, behind) in
       let written condition label =
         Printf.sprintf "%s %s %s" word label (Source.grouped condition)
       in
@@ -79,7 +88,7 @@ let claim found =
             |> cured found (written text "\"keeps off the wall\"")))
   | _ -> None
 
-(* The type of a value as it is written. *)
+(* The type of a value, guessed from its source text. *)
 let type_of value =
   let inside =
     match (String.index_opt value '[', String.rindex_opt value ']') with
@@ -92,11 +101,11 @@ let type_of value =
   | _, Some unit_ -> "Float" ^ unit_
   | _ -> "Float"
 
-(* `param gain = 0.5` *)
+(* `param gain = 0.5`, without a type *)
 let param found =
   match (first_word found, found.token.token, found.before) with
   | "param", EQUAL, Some { token = LOWER name; _ } ->
-      let value = between found found.token.stop.pos_cnum (snd (line found)) in
+      let value, (_, stop) = code_between found found.token.stop.pos_cnum (snd (line found)) in
       if value = "" || not (is_short value) then None
       else
         let text = Printf.sprintf "param %s :: %s = %s" name (type_of value) value in
@@ -104,10 +113,10 @@ let param found =
           (error found
              ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
              "a parameter has its type before its value"
-          |> instead found ~at:(line found) text)
+          |> instead found ~at:(fst (line found), stop) text)
   | _ -> None
 
-(* `let d = e`, among the equations of a `where` *)
+(* `let d = e` among the equations of a `where` *)
 let let_equation found =
   let rec in_where : Layout.context -> bool = function
     | (Block Let, _) :: rest -> in_where rest
@@ -129,7 +138,7 @@ let let_equation found =
           |> Diagnostic.fix "leave it out" [ (span_of found (first, start), "") ])
   | _ -> None
 
-(* `HasSonar i, DiffDrive o => SF i o`, whose constraints lack their parentheses *)
+(* `HasSonar i, DiffDrive o => SF i o`, without parentheses around the constraints *)
 let constraints found =
   let bol, stop = line found in
   let text = String.sub found.text bol (stop - bol) in
@@ -158,7 +167,7 @@ let constraints found =
       | _ -> None)
   | _ -> None
 
-(* `foreign import ccall "math.h sin" c_sin :: T`, as Haskell has it *)
+(* `foreign import ccall "math.h sin" c_sin :: T`, as in Haskell *)
 let foreign_import found =
   match (found.token.token, found.before) with
   | IMPORT, Some { token = FOREIGN; _ } -> (
@@ -175,7 +184,7 @@ let foreign_import found =
       | _ -> None)
   | _ -> None
 
-(* `module Pilot` *)
+(* `module Pilot`, without `where` *)
 let module_head found =
   match (found.token.token, found.before) with
   | (END | SEMICOLON), Some ({ token = UPPER name; _ } as before)
@@ -191,7 +200,7 @@ let module_head found =
              [ (span_of found (before.stop.pos_cnum, before.stop.pos_cnum), " where") ])
   | _ -> None
 
-(* `when (d < 1) (v = 0)`: an equation as what is done then *)
+(* `when (d < 1) (v = 0)`: an equation used as a conditional action *)
 let equation_in_parentheses found =
   match (found.token.token, found.before, found.context) with
   | EQUAL, Some { token = LOWER name; start; _ }, (Paren, { by; _ }) :: _

@@ -1,12 +1,12 @@
-(** Declarations and equations that lack a part, or have one too many: what is said of the whole of
-    them, and not of the token at which the grammar stops. *)
+(** Declarations and equations with a missing or a superfluous part. The messages describe the whole
+    declaration and not just the token at which the parser stops. *)
 
 val diagnostic : Found.t -> Basis.Diagnostic.t option
-(** E0110, in the words of the program: an assertion without its label, a `param` without its type,
-    a `let` among equations, constraints without parentheses and their like. *)
+(** E0110, in terms of the program: an assertion without its label, a `param` without its type, a
+    `let` among equations, constraints without parentheses, and similar mistakes. *)
 
 val path : Found.t -> string option
-(** The hint, where the name of a module is written as the path of a file. *)
+(** The hint for a module name written as a file path. *)
 
 val choices : Found.t -> string option
-(** The hint, where the constructors of a `data` begin with small letters. *)
+(** The hint for a `data` whose constructors begin with lower-case letters. *)

@@ -10,14 +10,14 @@ let written found =
   String.sub found.text found.token.start.pos_cnum
     (found.token.stop.pos_cnum - found.token.start.pos_cnum)
 
-(* {1 What was found} *)
+(* {1 Description of the found token} *)
 
 let item_of : Layout.block -> string = function
   | Top | Let | Where -> "definition"
   | Do | Rec -> "statement"
   | Of -> "branch"
 
-(* Longer texts and names would drown the message. *)
+(* Long strings and names are truncated, to keep the message readable. *)
 let shortened text = if String.length text <= 30 then text else String.sub text 0 27 ^ "…"
 
 let describe found =
@@ -56,10 +56,11 @@ let message_of_state state =
       | [] -> Diagnostic.bug ~stage:"Syntax.Parse" "state %d has an empty message" state)
   | exception Not_found -> Diagnostic.bug ~stage:"Syntax.Parse" "state %d has no message" state
 
-(* What stands for a call, as `setVelTR(0.2, 0)`, is taken for a left side. *)
+(* A call such as `setVelTR(0.2, 0)` where a definition is expected is parsed as a left-hand side.
+   *)
 let called_for_its_effect = "expected `=` after the left side of a definition"
 
-(* `speed == 0.3[m/s]`, alone on its lines. *)
+(* `speed == 0.3[m/s]`, on lines of its own. *)
 let compares_instead found =
   let of_line line =
     match String.split_on_char ' ' (String.trim line) with
@@ -76,7 +77,7 @@ let starts_with_a_text found =
   let bol = found.token.start.pos_bol in
   bol < String.length found.text && found.text.[bol] = '"'
 
-(* `"drives ahead"` at the left edge *)
+(* `"drives ahead"` at the left margin. *)
 let text_alone found =
   if starts_with_a_text found then
     Some "a comment is `-- …`, and `-- | …` before a definition describes it"
@@ -85,7 +86,7 @@ let text_alone found =
 let no_effect =
   "nothing is called for its effect: an equation gives a value a name, as in `v = 0.3[m/s]`"
 
-(* Of a `proc` or a lambda. *)
+(* Does the parser expect the `->` of a `proc` or a lambda? *)
 let awaits_arrow expected =
   List.exists
     (fun prefix -> String.starts_with ~prefix expected)
@@ -96,7 +97,7 @@ let lacks_else found =
   | (END | SEMICOLON | CLOSE | RPAREN), (Layout.Then, _) :: _ -> true
   | _ -> false
 
-(* What is written in place of the token, where nothing else can be meant. *)
+(* Adds the fix that replaces the token, if only one replacement makes sense. *)
 let cured found =
   match (found.token.token, found.before) with
   | DO, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _; _ } ->
@@ -151,18 +152,19 @@ let opening : Layout.opener -> (string * string) option = function
   | Brace -> Some ("{", "}")
   | Block _ | If | Then | Case -> None
 
-(* The innermost bracket that no block hides. *)
+(* The innermost open bracket, unless a block was opened inside it. *)
 let rec open_bracket : Layout.context -> ((string * string) * Layout.origin) option = function
   | (Block _, _) :: _ | [] -> None
   | (opener, by) :: rest -> (
       match opening opener with Some pair -> Some (pair, by) | None -> open_bracket rest)
 
-(* The innermost bracket, at the end of an item: all blocks in it have ended. *)
+(* The innermost open bracket at the end of an item, where all blocks inside the bracket have ended.
+   *)
 let rec bracket_of_item : Layout.context -> ((string * string) * Layout.origin) option = function
   | (Block (Let | Where | Do | Of | Rec), _) :: rest -> bracket_of_item rest
   | context -> open_bracket context
 
-(* Brackets behind this one, in its line, where the text breaks off. *)
+(* Are there other brackets between this one and the error, on the same line? *)
 let holds_others found (opener : Lexer.token) =
   let first = opener.stop.pos_cnum in
   let length = found.token.start.pos_cnum - first in
@@ -226,15 +228,9 @@ let bracket found =
       Option.map (unclosed found) (open_bracket found.context)
   | _ -> None
 
-(* {1 What Frob does not have, or not here} *)
+(* {1 Choices of commands} *)
 
-let absent found format =
-  Printf.ksprintf
-    (fun what ->
-      Diagnostic.error ~code:"E0112" ~at:(span found.token) "%s of this version of Frob" what)
-    format
-
-(* The `if` or `case` between this place and the [do] around it. *)
+(* The `if` or `case` between this place and the enclosing [do]. *)
 let rec choice : Layout.context -> Layout.origin option = function
   | ((If | Then | Case | Block Of), by) :: rest -> (
       match choice_around rest with true -> Some by | false -> choice rest)
@@ -263,170 +259,23 @@ let choice_of_commands found =
         (choice found.context)
   | _ -> None
 
-(* Does this bracket hold a letter, so hardly an index? *)
-let holds_a_unit found =
-  let i = found.token.stop.pos_cnum in
-  i < String.length found.text
-  && match found.text.[i] with 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
-
-(* Does the line up to here hold a name and its type, and no more? *)
-let ends_a_signature found =
-  let start = found.token.start.pos_bol in
-  let line = String.sub found.text start (found.token.start.pos_cnum - start) in
-  let has_type =
-    List.exists
-      (fun i -> line.[i] = ':' && line.[i + 1] = ':')
-      (List.init (max 0 (String.length line - 1)) Fun.id)
-  in
-  has_type && not (String.exists (function '=' | '{' | '(' | '\\' -> true | _ -> false) line)
-
-(* The word, and the classes behind it: one, or several in parentheses. *)
-let of_deriving found =
-  let text = found.text and stop = found.token.stop.pos_cnum in
-  let rec skip is i = if i < String.length text && is text.[i] then skip is (i + 1) else i in
-  let is_name = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' -> true | _ -> false in
-  let first = skip (Char.equal ' ') stop in
-  let last =
-    if first < String.length text && text.[first] = '(' then
-      let close = skip (fun c -> c <> ')' && c <> '\n') first in
-      if close < String.length text && text.[close] = ')' then close + 1 else stop
-    else skip is_name first
-  in
-  let at = span found.token in
-  { at with stop = Span.forward (last - stop) at.stop }
-
-(* `let x = 1` at the left edge. *)
-let is_a_top_let found =
-  match found.token.token with
-  | END | SEMICOLON -> part found (word_from found (start_of_definition found)) = "let"
-  | _ -> false
-
-(* `[x * 2 for x in xs]` *)
-let for_each found =
-  match found.context with
-  | (Bracket, { by; _ }) :: _ when found.token.token = IN -> (
-      let inside = between found by.stop.pos_cnum found.token.start.pos_cnum in
-      let rest =
-        between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum)
-      in
-      match (List.rev (String.split_on_char ' ' inside), String.split_on_char ']' rest) with
-      | x :: "for" :: element, xs :: _ ->
-          Some (String.concat " " (List.rev element), x, String.trim xs)
-      | _ -> None)
-  | _ -> None
-
-(* What a `[` directly behind a name holds, and where it ends. *)
-let index found =
-  let start = found.token.stop.pos_cnum in
-  match String.index_from_opt found.text start ']' with
-  | Some stop ->
-      let inside = String.sub found.text start (stop - start) in
-      if inside <> "" && String.for_all is_digit inside then Some (inside, stop + 1) else None
-  | None -> None
-
-let missing found =
-  match (found.token.token, found.before) with
-  | _ when is_a_top_let found ->
-      let bol = start_of_definition found in
-      let line = first_line_of_definition found in
-      let own = String.trim (String.sub line 3 (String.length line - 3)) in
-      let start =
-        {
-          found.token.start with
-          pos_bol = bol;
-          pos_cnum = bol;
-          pos_lnum = found.token.start.pos_lnum - lines_between found bol found.token.start.pos_cnum;
-        }
-      in
-      let at = Build.span (start, { start with pos_cnum = bol + 3 }) in
-      Some
-        (Diagnostic.error ~code:"E0110" ~at "a definition at the left edge has no `let` before it"
-        |> Diagnostic.hint
-             (if String.length own > 50 then "leave it out" else Printf.sprintf "write `%s`" own)
-        |> Diagnostic.fix "leave it out"
-             [ (Build.span (start, { start with pos_cnum = bol + 4 }), "") ])
-  | ( (THEN | ELSE | IF | IN | OF | WHERE | DO | CASE | LET | TYPE | DATA | MODULE | CLASS | REC),
-      Some { token = BACKTICK; _ } ) ->
-      Some
-        (Diagnostic.error ~code:"E0110" ~at:(span found.token) "%s" (reserved_word (written found)))
-  | IN, _ when for_each found <> None ->
-      let element, x, xs = Option.get (for_each found) in
-      Some
-        (Diagnostic.error ~code:"E0110" ~at:(span found.token) "no array is made by a `for`"
-        |> Diagnostic.hint
-             (Printf.sprintf "each element is computed with by `map (\\%s -> %s) %s`" x element
-                (Source.grouped xs)))
-  | UNIT_BRACKET, Some ({ token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } as name)
-    when index found <> None ->
-      let digits, stop = Option.get (index found) in
-      let name = word_before found name.stop.pos_cnum in
-      let whole = Build.span (found.token.start, { found.token.stop with pos_cnum = stop }) in
-      Some
-        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
-           "a `[` directly after a name starts no index and no array"
-        |> Diagnostic.hint
-             (Printf.sprintf
-                "an element of an array is `(%s ! %s)`; a tuple is taken apart by an equation, \
-                 `(a, b) = %s`, and an argument needs a blank before it"
-                name digits name)
-        |> Diagnostic.write whole (" ! " ^ digits))
-  | EQUAL, Some _ when ends_a_signature found ->
-      Some
-        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
-           "expected `->`, or the end of the type, found `=`"
-        |> Diagnostic.hint "the definition stands on a line of its own, below its type")
-  | RESERVED "deriving", _ ->
-      Some
-        (absent found "`deriving` is not part"
-        |> Diagnostic.hint "leave it out: `==` and `<` work on all data without functions"
-        |> Diagnostic.fix ~safe:true "leave it out" [ (of_deriving found, "") ])
-  | RESERVED "newtype", _ ->
-      Some
-        (absent found "`newtype` is not part"
-        |> Diagnostic.hint "`data` makes a new type, and one with a single field costs nothing"
-        |> Diagnostic.write (span found.token) "data")
-  | RESERVED word, _ -> Some (absent found "`%s` is not part" word)
-  | UNIT_BRACKET, Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } when holds_a_unit found
-    ->
-      Some
-        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
-           "a unit stands on a number written out or on a type, not on a name"
-        |> Diagnostic.hint
-             "a value has its unit already; to give one to a plain number, multiply: `x * 1[m]`")
-  | UNIT_BRACKET, Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } ->
-      Some
-        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
-           "a `[` directly after a name starts no index and no array"
-        |> Diagnostic.hint
-             "an element of an array is written `xs ! 0`, a tuple is taken apart by an equation, \
-              `(a, b) = p`; an argument needs a blank before it")
-  | LBRACKET, Some { token = DOUBLE_COLON | ARROW; _ } ->
-      Some
-        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
-           "the type of an array is not written in brackets"
-        |> Diagnostic.hint "it has the size first, as in `Array 4 Float`")
-  | LBRACKET, Some { token = UPPER _ | LOWER _ | QUALIFIED_UPPER _; _ } ->
-      Some
-        (Diagnostic.error ~code:"E0110" ~at:(span found.token) "a `[` cannot stand here"
-        |> Diagnostic.hint
-             "a unit directly follows its type, as in `Float[m]`; the type of an array is `Array 4 \
-              Float`")
-  | _ -> None
-
-let said_once = [ own_operator; Beginnings.no_procedures; Beginnings.by_equation; no_effect ]
+let said_once =
+  [ Operator_hint.own_operator; Beginnings.no_procedures; Beginnings.by_equation; no_effect ]
 
 let report sink ~text ~state ~before token =
   let found = { text; state; before; token; context = Layout.context token } in
   let first_of list = List.find_map (fun explain -> explain found) list in
   let d =
-    match first_of [ choice_of_commands; Lacking.diagnostic; missing; bracket ] with
+    match
+      first_of [ choice_of_commands; Lacking.diagnostic; Other_construct.diagnostic; bracket ]
+    with
     | Some d -> d
     | None -> plain found
   in
-  (* What is said of the whole program is said once. *)
+  (* A hint about the whole program is given once. *)
   let told (other : Diagnostic.t) = other.code = d.code && other.hints = d.hints in
   let once = List.exists (fun hint -> List.mem hint said_once) d.hints in
-  (* a block in braces, of which the lines are no definitions *)
-  let in_braces (other : Diagnostic.t) = List.mem by_indentation other.hints in
+  (* The lines of a block in braces are not definitions, so they are not reported separately. *)
+  let in_braces (other : Diagnostic.t) = List.mem Indentation_hint.by_indentation other.hints in
   let of_block = List.mem no_effect d.hints && List.exists in_braces (Diagnostic.all sink) in
   if not (of_block || (once && List.exists told (Diagnostic.all sink))) then Diagnostic.emit sink d

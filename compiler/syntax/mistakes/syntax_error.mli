@@ -1,12 +1,11 @@
-(** What to say where the grammar cannot go on.
+(** Reports syntax errors.
 
-    Each state of the automaton has a message of its own in [grammar.messages]; a few tokens
-    (reserved words, a bracket's missing partner, [<-], array brackets) say more than the state
-    does. *)
+    Each state of the automaton has its own message in [grammar.messages]. A few tokens (reserved
+    words, an unmatched bracket, [<-], array brackets) have more specific messages. *)
 
 open Basis
 
 val report :
   Diagnostic.sink -> text:string -> state:int -> before:Layout.token option -> Layout.token -> unit
-(** [report sink ~text ~state ~before token]: [token] does not fit; [before] is the one before it,
-    if it belongs to the same item. *)
+(** [report sink ~text ~state ~before token] reports that the parser cannot accept [token].
+    [before]: the token before it, if that belongs to the same item. *)

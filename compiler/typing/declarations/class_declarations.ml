@@ -61,7 +61,7 @@ let method_ (ctx : Context.t) class_ (variable : Type.rigid) (written : Resolve.
 
 let class_ (ctx : Context.t) (written : Resolve.Ir.class_) =
   let environment = ctx.reader.environment in
-  let superclasses = List.map (fun (g, span) -> (Written.class_ g, span)) written.superclasses in
+  let superclasses = List.map (fun (g, span) -> (Annotation.class_ g, span)) written.superclasses in
   let all =
     List.concat_map (fun (c, _) -> c :: Environment.superclasses environment c) superclasses
   in
@@ -76,7 +76,7 @@ let class_ (ctx : Context.t) (written : Resolve.Ir.class_) =
   in
   Hashtbl.replace ctx.owners variable.variable.id
     { by = Printf.sprintf "the class `%s`" written.class_.name; place = written.span };
-  let inside = { ctx with scope = Written.with_type written.variable.name variable ctx.scope } in
+  let inside = { ctx with scope = Annotation.with_type written.variable.name variable ctx.scope } in
   {
     class_ = written.class_;
     variable;
@@ -145,7 +145,8 @@ let report_missing (ctx : Context.t) (written : Resolve.Ir.instance) head (missi
               (Enumeration.all
                  (List.map (fun (m : method_) -> Printf.sprintf "`%s = …`" m.name.name) missing))))
 
-(* Its scheme with the variables in the order of the head. *)
+(* Finds the instance's class, and converts the instance head to a scheme whose variables are in the
+   order of the head. *)
 let of_class (ctx : Context.t) of_class (written : Resolve.Ir.instance) =
   let as_scheme : Resolve.Ir.scheme =
     { context = written.context; ty = written.head; span = written.span }

@@ -2,7 +2,7 @@ open Basis
 
 (* {1 Units} *)
 
-(* A scale is kept within what a double can hold the square of. *)
+(* Accepts a scale only if its square fits in a double. *)
 let usable scale =
   let magnitude = abs_float (Exact.to_float scale) in
   magnitude > 1e-150 && magnitude < 1e150
@@ -14,12 +14,12 @@ let scale (written : Syntax.Ir.scale) =
       Some (if written.times_pi then Exact.multiply quotient Exact.pi else quotient)
   | _ -> None
 
-let unit_ (reader : Written.t) (declared : Resolve.Ir.unit_declaration) =
+let unit_ (reader : Annotation.t) (declared : Resolve.Ir.unit_declaration) =
   let entry : Environment.unit_ =
     match declared.definition with
     | Base -> { measure = Units.base declared.unit_name; scale = Exact.one }
     | Scaled (written, unit_) -> (
-        let of_unit = Written.unit_ reader Written.empty unit_ in
+        let of_unit = Annotation.unit_ reader Annotation.empty unit_ in
         let total = Option.map (Exact.multiply of_unit.scale) (scale written) in
         match total with
         | Some total when usable total -> { of_unit with scale = total }
@@ -35,19 +35,19 @@ let unit_ (reader : Written.t) (declared : Resolve.Ir.unit_declaration) =
 
 (* {1 Types} *)
 
-(* Aliases of aliases can make much of little text. *)
-let field_type (reader : Written.t) (f : Resolve.Ir.field) t =
+(* Nested aliases can expand a short declaration to a very large type. *)
+let field_type (reader : Annotation.t) (f : Resolve.Ir.field) t =
   match Final.ty t with
   | ty -> ty
   | exception Final.Too_large ->
       Diagnostic.emit reader.sink (Mistake.too_large ~at:f.ty.span "a field");
       Tuple []
 
-let constructor (reader : Written.t) tycon (parameters : Environment.parameters) scope result
+let constructor (reader : Annotation.t) tycon (parameters : Environment.parameters) scope result
     (written : Resolve.Ir.constructor) : Environment.constructor =
   let fields =
     List.map
-      (fun (f : Resolve.Ir.field) -> (f.field_name, Written.ty reader scope f.ty))
+      (fun (f : Resolve.Ir.field) -> (f.field_name, Annotation.ty reader scope f.ty))
       written.fields
   in
   let ir : Ir.constructor =
@@ -70,9 +70,20 @@ let constructor (reader : Written.t) tycon (parameters : Environment.parameters)
       body = List.fold_right (fun (_, t) rest -> Type.Function (t, rest)) fields result;
     }
   in
-  { ir; tycon; scheme }
+  Environment.make_constructor ir ~tycon scheme
 
-let type_ (reader : Written.t) (declared : Resolve.Ir.type_declaration) =
+(* Enough for any type within the limits of {!Final}. *)
+let most_steps = 200_000
+
+let expansion (reader : Annotation.t) (declared : Resolve.Ir.type_declaration) scope body =
+  match Work.within most_steps (fun () -> Annotation.any reader scope body) with
+  | Some found -> found
+  | None ->
+      let what = Printf.sprintf "`%s`" declared.tycon.name in
+      Diagnostic.emit reader.sink (Mistake.too_large ~at:declared.span what);
+      Erroneous
+
+let type_ (reader : Annotation.t) (declared : Resolve.Ir.type_declaration) =
   let variable (p : Resolve.Ir.parameter) : Ir.variable =
     { id = Type.next reader.supply; name = p.name }
   in
@@ -82,7 +93,7 @@ let type_ (reader : Written.t) (declared : Resolve.Ir.type_declaration) =
       declared.unit_parameters
   in
   let kind =
-    Written.parameter_kinds reader
+    Annotation.parameter_kinds reader
       (match declared.definition with
       | Alias body -> [ body ]
       | Data constructors ->
@@ -98,7 +109,7 @@ let type_ (reader : Written.t) (declared : Resolve.Ir.type_declaration) =
         (p, ({ variable = variable p; kind = kind p.name; depth = 0 } : Type.rigid)))
       declared.type_parameters
   in
-  let scope = Written.of_parameters units types in
+  let scope = Annotation.of_parameters units types in
   let parameters : Environment.parameters =
     { units = List.map snd units; types = List.map snd types }
   in
@@ -116,7 +127,7 @@ let type_ (reader : Written.t) (declared : Resolve.Ir.type_declaration) =
   in
   match declared.definition with
   | Alias body ->
-      add (Alias (Written.any reader scope body));
+      add (Alias (expansion reader declared scope body));
       None
   | Foreign _ ->
       add Foreign;
@@ -143,12 +154,10 @@ let type_ (reader : Written.t) (declared : Resolve.Ir.type_declaration) =
       Some data
 
 let truth reader index name =
-  Environment.add_constructor reader.Written.environment
-    {
-      ir = { constructor = Environment.built_in name; index; record = false; fields = [] };
-      tycon = Environment.built_in "Bool";
-      scheme = Type.monomorphic Bool;
-    }
+  Environment.add_constructor reader.Annotation.environment
+    (Environment.make_constructor
+       { constructor = Environment.built_in name; index; record = false; fields = [] }
+       ~tycon:(Environment.built_in "Bool") (Type.monomorphic Bool))
 
 let program reader (program : Resolve.Ir.program) =
   List.iter (unit_ reader) program.units;

@@ -1,5 +1,5 @@
-(** The declarations of types and units, read into an {!Environment}. *)
+(** Enters the declarations of types and units into an {!Environment}. *)
 
-val program : Written.t -> Resolve.Ir.program -> Ir.data list
-(** Fills the environment; the data types, used before users. A unit that has no scale, as [0 m], is
-    [E0324]. *)
+val program : Annotation.t -> Resolve.Ir.program -> Ir.data list
+(** Fills the environment and returns the data types in dependency order. Reports a unit whose scale
+    is zero or out of range, such as [0 m], as [E0324]. *)

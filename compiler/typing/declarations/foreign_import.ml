@@ -1,6 +1,6 @@
 open Basis
 
-(* Why a type cannot cross over to C. *)
+(* The reason why a type has no counterpart in C. *)
 type obstacle = { culprit : string; why : string; cure : string option }
 
 let rec substitute by (ty : Ir.ty) : Ir.ty =
@@ -22,7 +22,7 @@ let is_program tycon =
 
 let compile_time = "functions, signal functions and labels exist only while compiling"
 
-(* The first part of the type that C has not. *)
+(* The first part of the type that has no counterpart in C. *)
 let rec obstacle environment (ty : Ir.ty) =
   let here ?cure why = Some { culprit = Show.ty ty; why; cure } in
   match ty with
@@ -108,7 +108,7 @@ let check_parts sink environment (p : Resolve.Ir.primitive) ty =
   in
   List.for_all (check "give") taken && check "take from" given
 
-(* As far as C can see. *)
+(* Do these types have the same representation in C? *)
 let rec same (a : Ir.ty) (b : Ir.ty) =
   match (a, b) with
   | Number (r, _), Number (s, _) -> r = s

@@ -1,8 +1,9 @@
-(** What the programmer imports from C, and what its type may be: C has numbers, truth, structs of
-    them, and the foreign types themselves.
+(** Checks the types of foreign imports. C has numbers, truth values, structs of them, and the
+    foreign types themselves.
 
-    A function takes at least one argument ([()] for none); a signal function has the type [SF a b]
-    itself. Types have no variables, but of units, which C does not see. *)
+    A function takes at least one argument ([()] if it needs none). A signal function has the type
+    [SF a b] itself. The types have no variables other than unit variables, which do not exist in C.
+*)
 
 val program :
   Basis.Diagnostic.sink ->
@@ -10,5 +11,5 @@ val program :
   environment:Environment.t ->
   primitives:(Ir.Global.t * Ir.scheme) list ->
   Ir.foreign
-(** Emits E0380 for a type that C has not, E0381 for a C function that is imported with two types.
-*)
+(** Emits E0380 for a type that has no counterpart in C, and E0381 for a C function imported with
+    two different types. *)

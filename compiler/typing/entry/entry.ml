@@ -18,13 +18,12 @@ let rec kind : Ir.ty -> kind = function
       | result -> Function { arguments = 1; result })
   | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ -> Value
 
-(* What a function takes last, if it gives it back. *)
+(* The type of the function's last argument, if the function returns that same type. *)
 let rec changed : Ir.ty -> Ir.ty option = function
   | Function (a, b) -> if a = b then Some a else changed b
   | _ -> None
 
-(* A variable of which a class of the program's or the library's is asked, or a type that
-   is a robot's. *)
+(* Is this a type variable constrained by a declared class, or a robot's output type? *)
 let is_robot_output (program : Ir.program) (d : Ir.definition) (ty : Ir.ty) =
   match ty with
   | Variable _ ->
@@ -40,7 +39,8 @@ let is_robot_output (program : Ir.program) (d : Ir.definition) (ty : Ir.ty) =
       List.exists gives program.instances
   | _ -> false
 
-(* As the functions of the library do that `roMake` takes. *)
+(* Such functions, for example the library's capability functions, are meant to be passed to
+   `roMake`. *)
 let sets_output program d ty =
   match changed ty with Some changed -> is_robot_output program d changed | None -> false
 
@@ -52,7 +52,7 @@ let apply name arguments =
       Printf.sprintf "`proc (%s) -> %s %s` applies it at every instant" (String.concat ", " several)
         name (String.concat " " several)
 
-(* Where what comes out is written. *)
+(* The place of the output expression. *)
 let rec output_of (e : Ir.expr) =
   match e.desc with
   | Apply (_, argument) -> output_of argument
@@ -61,7 +61,7 @@ let rec output_of (e : Ir.expr) =
 
 let is_closed (d : Ir.definition) = d.scheme.types = [] && d.scheme.representations = []
 
-(* A variable of its type that is called as a value of the program. *)
+(* A variable of its type that has the same name as a definition of the program. *)
 let size_of_a_name (program : Ir.program) (d : Ir.definition) =
   let is_a_value (v : Ir.variable) =
     List.exists
@@ -127,7 +127,7 @@ let refusal program ~closed (d : Ir.definition) =
             `main = reactimateRobot (constant e)`"
          else Printf.sprintf "`constant %s` is the signal function that always gives it" name)
 
-(* {1 Which} *)
+(* {1 Choice of the entry} *)
 
 let own (program : Ir.program) =
   List.filter
@@ -143,9 +143,14 @@ let find sink program ~file name =
     Diagnostic.error ~code:no_entry ~at:(Span.start_of_file file)
       "there is no `%s` in this module to compile" name
     |> Diagnostic.hint
-         (match Suggest.closest name (List.map (fun (d : Ir.definition) -> d.name.name) own) with
-         | Some name -> Printf.sprintf "did you mean `--entry %s`?" name
-         | None -> "define `main`, or name a signal function of this module with `--entry NAME`")
+         (match
+            ( Resolve.Test_file.program file,
+              Suggest.closest name (List.map (fun (d : Ir.definition) -> d.name.name) own) )
+          with
+         | Some program, _ when String.equal name "main" ->
+             Printf.sprintf "this is a test file: name its program, %s" (Printable.name program)
+         | _, Some name -> Printf.sprintf "did you mean `--entry %s`?" (Printable.word name)
+         | _, None -> "define `main`, or name a signal function of this module with `--entry NAME`")
     |> Diagnostic.emit sink;
   found
 

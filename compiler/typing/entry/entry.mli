@@ -1,24 +1,27 @@
-(** What a program can be compiled from: a signal function or a program whose type is known to the
-    end.
+(** Entry points: the definitions that a program can be compiled from. An entry is a signal function
+    or a [Program] without type variables.
 
-    Codes: [E0411] another definition · [E0501] there is none of that name. *)
+    Codes: [E0411] the definition cannot be an entry · [E0501] there is no definition of that name.
+*)
 
 open Basis
 
 val find : Diagnostic.sink -> Ir.program -> file:string -> string -> Ir.definition option
-(** A definition of the main module, which is [file]. Emits [E0501] if there is none. *)
+(** The definition of this name in the main module, whose path is [file]. Emits [E0501] if there is
+    none. *)
 
 val no_entry : string
-(** Its code. *)
+(** The code of that error. *)
 
 val all : Ir.program -> Ir.definition list
-(** What a check looks into: `main`, or, in a module without one, every signal function that could
-    be an entry. A `main` that cannot be one is told so. *)
+(** The entries that [frobc check] examines: `main`, or, in a module without it, every signal
+    function that could be an entry. A `main` that cannot be an entry is included, so that it is
+    reported. *)
 
 val refusal : Ir.program -> closed:bool -> Ir.definition -> Diagnostic.t option
-(** Why a definition is no entry, said before units and classes are gone, in the type that its
-    signature has or would have; [None] if it is one. [closed]: by a robot, so that no variable of
-    the type is left. *)
+(** The reason why a definition cannot be an entry; [None] if it can. The message shows the type of
+    its signature, given or inferred, from before units and classes are erased. [closed]: choosing a
+    robot leaves no variables in the type. *)
 
 val is_signed : Resolve.Ir.program -> Ir.Global.t -> bool
-(** Does the programmer say the type of this definition? *)
+(** Does this definition have a type signature? *)

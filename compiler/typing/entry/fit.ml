@@ -26,8 +26,8 @@ let rec is_closed (t : Ir.ty) =
 let is_anybodys (t : Ir.ty) others =
   match t with Data { tycon; _ } -> List.mem tycon others | _ -> false
 
-(* The variable, if it is one, and the type that it has to be. A signal function
-   that is no program may also give, or take, what is no robot's. *)
+(* The substitution that makes the type equal to the robot's; empty if they are equal. A plain
+   signal function may also have a closed type that belongs to no robot. *)
 let matches ~program ~others (t : Ir.ty) tycon =
   match t with
   | Variable v -> Some [ (v.id, tycon) ]

@@ -1,14 +1,15 @@
-(** What the classes of types need: the built-in ones hold structurally, for data without functions,
-    signal functions and labels; the others where an instance says so.
+(** Solves class constraints. The built-in classes hold structurally, for data without functions,
+    signal functions and labels. The other classes hold if there is an instance.
 
-    Codes: [E0307] no equality or order · [E0308] a class needed of a type that nothing decides ·
-    [E0309] missing in a signature's context · [E0360] no instance. *)
+    Codes: [E0307] the type has no equality or order · [E0308] a class is required of a type that
+    nothing determines · [E0309] the signature's context lacks a constraint · [E0360] there is no
+    instance. *)
 
 open Context
 
 val give : t -> Type.scheme -> unit
-(** Inside the definition that has this signature its context holds. *)
+(** Assumes the scheme's context inside the definition that has this signature. *)
 
 val solve : t -> Generalize.t -> (Ir.class_ * Type.t) list
-(** Answers all that the group needs. The variables are those that were generalized without a
-    signature: what they need is returned, as the context of the group's schemes. *)
+(** Solves the constraints of the group. The given variables were generalized without a signature;
+    their constraints are returned, as the context of the group's schemes. *)

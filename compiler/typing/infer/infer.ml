@@ -3,7 +3,7 @@ open Context
 module Global_table = Resolve.Global_table
 
 type declared = { scheme : Type.scheme; inner : Context.t; at : Span.t }
-(* by a top-level signature; [inner] is where the definition is checked *)
+(* A definition with a top-level signature. [inner]: the context in which its body is checked. *)
 
 let top (b : Resolve.Ir.binding) =
   match b.name with
@@ -15,7 +15,7 @@ let primitive ctx (p : Resolve.Ir.primitive) =
   Global_table.replace ctx.globals p.name { scheme; kind = Primitive; at = None };
   (p.name, Final.scheme scheme)
 
-(* What [do] stands for: [Task a b c -> (c -> Task a b d) -> Task a b d]. *)
+(* The primitive for [do]: [Task a b c -> (c -> Task a b d) -> Task a b d]. *)
 let sequence ctx =
   let rigid name : Type.rigid =
     { variable = { id = Type.next ctx.reader.supply; name }; kind = Of_types; depth = 1 }
@@ -32,7 +32,8 @@ let sequence ctx =
   Global_table.replace ctx.globals Environment.sequence { scheme; kind = Primitive; at = None };
   (Environment.sequence, Final.scheme scheme)
 
-(* All signatures first: what has one can be used before it is checked. *)
+(* Signatures are entered first, so that a definition with a signature can be used before it is
+   checked. *)
 let signature ctx declared (b : Resolve.Ir.binding) =
   let name, _ = top b in
   match b.signature with
@@ -60,8 +61,8 @@ let check ~name (b : Resolve.Ir.binding) (inner, expected) =
   Infer_binding.abstraction inner ~at:b.span ~name:(Some name) b.parameters expected
     (fun expected -> Infer_binding.right Infer_expression.expressions inner b.body expected)
 
-(* The schemes of those without a signature; what they share, all of them
-   quantify. *)
+(* Generalizes the definitions without a signature. Each of them quantifies the variables that they
+   share. *)
 let generalize ctx declared bindings expectations =
   let unsigned =
     List.filter
@@ -85,8 +86,8 @@ let generalize ctx declared bindings expectations =
       Global_table.replace ctx.globals (fst (top b)) { scheme; kind = Defined; at = None })
     unsigned types
 
-(* Types that are too large would only do harm later: the definition is left
-   out, which nobody sees as there is an error. *)
+(* Types beyond the size limit would slow down later stages, so the definition is left out. There is
+   an error anyway. *)
 let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option =
   let name, _ = top b in
   let refuse at what =
@@ -102,7 +103,7 @@ let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option 
   | exception Final.Too_large ->
       refuse b.span (Printf.sprintf "`%s` or of something in it" name.name)
 
-(* If the definition has the promised type; else the error says it. *)
+(* Warns only if the definition has the declared type; otherwise the error covers it. *)
 let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
   match Global_table.find_opt declared (fst (top b)) with
   | Some { scheme; at; _ } when errors ctx = 0 ->
@@ -112,8 +113,8 @@ let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
       |> List.iter (Diagnostic.emit ctx.reader.sink)
   | Some _ | None -> ()
 
-(* A signal function of which the signature says a function, or one of more parameters than
-   it says: which of them is wrong nobody knows, so that uses are not judged by the signature. *)
+(* If the body is a signal function where the signature declares a function, or has more parameters
+   than the signature, either may be wrong. Uses are then not checked against the signature. *)
 let distrust ctx declared (b : Resolve.Ir.binding) =
   let name, _ = top b in
   match (Global_table.find_opt declared name, Diagnostic.last ctx.reader.sink) with
@@ -122,6 +123,39 @@ let distrust ctx declared (b : Resolve.Ir.binding) =
       let scheme = Type.monomorphic Erroneous in
       Global_table.replace ctx.globals name { scheme; kind = Defined; at = Some at }
   | _ -> ()
+
+(* {1 Limits} *)
+
+(* The type of a few lines may need more memory than there is, and inference may visit parts of a
+   very long definition many times. *)
+let most_steps_of_one = 5_000_000
+let most_steps = 20_000_000
+
+(* Runs a check of one definition within its limit of steps; returns [otherwise] if its types are
+   too large. When the program's steps are used up, skips the remaining checks, because there is an
+   error already. *)
+let limited ctx left ~at what ~otherwise check =
+  let before = Work.left () in
+  let checked =
+    if !left <= 0 then Some otherwise
+    else
+      match Work.within (Int.min most_steps_of_one !left) check with
+      | checked -> checked
+      | exception Final.Too_large -> None
+      | exception Rational.Out_of_range ->
+          report ctx (fun _ -> Mistake.exponent_too_large ~at);
+          Some otherwise
+  in
+  left := !left - (before - Work.left ());
+  match checked with
+  | Some checked -> checked
+  | None ->
+      report ctx (fun _ -> Mistake.too_large ~at what);
+      otherwise
+
+let of_binding ctx left (b : Resolve.Ir.binding) ~otherwise check =
+  let { Ir.Global.name; _ } = fst (top b) in
+  limited ctx left ~at:b.span (Printf.sprintf "`%s` or of something in it" name) ~otherwise check
 
 let group ctx declared (g : Resolve.Ir.binding_group) =
   let ctx = in_group ctx in
@@ -145,7 +179,7 @@ let group ctx declared (g : Resolve.Ir.binding_group) =
 
 (* {1 Classes} *)
 
-(* A definition of a method, of this type. *)
+(* Checks a method's definition against this type. *)
 let method_definition ctx (inner : Context.t) (m : Class_declarations.method_)
     (scheme : Type.scheme) (b : Resolve.Ir.binding) =
   let ctx = in_group ctx in
@@ -207,7 +241,8 @@ let instance (i : Class_declarations.instance) : Ir.instance =
     span = i.place;
   }
 
-(* From use to definition, as long as both are the programmer's. *)
+(* Follows the requirement from each use to the definition used, as long as both are outside the
+   library. *)
 let need ctx ~is_library ~(otherwise : Ir.need) constraint_ : Ir.need =
   let rec follow seen otherwise constraint_ : Ir.need =
     match Hashtbl.find_opt ctx.needs constraint_ with
@@ -221,7 +256,7 @@ let need ctx ~is_library ~(otherwise : Ir.need) constraint_ : Ir.need =
   in
   follow [] otherwise constraint_
 
-(* Once all definitions are known. *)
+(* Adds the needs, when all definitions are known. *)
 let with_needs ctx (program : Resolve.Ir.program) (d : Ir.definition) : Ir.definition =
   let is_library file =
     List.exists
@@ -237,24 +272,40 @@ let with_needs ctx (program : Resolve.Ir.program) (d : Ir.definition) : Ir.defin
   | context -> { d with needs = List.map of_constraint context }
 
 let program ?(sources = Source.create ()) sink ~real (program : Resolve.Ir.program) : Ir.program =
-  let reader : Written.t = { environment = Environment.create (); supply = Type.supply (); sink } in
+  let reader : Annotation.t =
+    { environment = Environment.create (); supply = Type.supply (); sink }
+  in
   let data = Declarations.program reader program in
   let ctx = Context.start reader ~sources ~real in
   let primitives = Long_list.map (primitive ctx) program.primitives @ [ sequence ctx ] in
   let classes = Class_declarations.classes ctx program in
   let instances = Class_declarations.instances ctx classes program in
   let declared = Global_table.create 1024 in
+  let left = ref most_steps in
   List.iter
-    (fun (g : Resolve.Ir.binding_group) -> List.iter (signature ctx declared) g.bindings)
+    (fun (g : Resolve.Ir.binding_group) ->
+      List.iter
+        (fun b -> of_binding ctx left b ~otherwise:() (fun () -> signature ctx declared b))
+        g.bindings)
     program.groups;
-  let add reversed g = List.rev_append (group ctx declared g) reversed in
+  let add reversed (g : Resolve.Ir.binding_group) =
+    let check () = group ctx declared g in
+    List.rev_append (of_binding ctx left (List.hd g.bindings) ~otherwise:[] check) reversed
+  in
   let definitions = List.fold_left add [] program.groups in
   let definitions =
     List.fold_left (fun reversed c -> List.rev_append (defaults ctx c) reversed) definitions classes
   in
-  let add_instance reversed i = List.rev_append (definitions_of_instance ctx i) reversed in
+  let add_instance reversed (i : Class_declarations.instance) =
+    let check () = definitions_of_instance ctx i in
+    List.rev_append (limited ctx left ~at:i.place ~otherwise:[] "this instance" check) reversed
+  in
   let definitions = List.rev (List.fold_left add_instance definitions instances) in
-  List.iter (check_superclasses ctx) instances;
+  List.iter
+    (fun (i : Class_declarations.instance) ->
+      limited ctx left ~at:i.place ~otherwise:() "this instance" (fun () ->
+          check_superclasses ctx i))
+    instances;
   {
     main_module = program.main_module;
     real;

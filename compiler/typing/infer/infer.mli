@@ -1,16 +1,16 @@
-(** Types and units of a whole program (language reference, sections 2 and 4).
+(** Infers the types and units of a whole program (language reference, sections 2 and 4).
 
-    Hindley-Milner over the top-level groups in dependency order, with units of measure as an
-    abelian group, the classes Eq and Ord, and questions that wait for types ({!Context.question}).
-    A definition in error does not stop the others; what an error leaves unknown agrees with
-    everything, so one mistake gives one message. Levels are provisional: {!Levels} fills them in.
-*)
+    Hindley-Milner inference over the top-level groups in dependency order, extended by units of
+    measure as an abelian group, the classes Eq and Ord, and questions that are postponed until
+    types are known ({!Context.question}). An error in one definition does not stop the others.
+    Types that an error leaves unknown unify with everything, so that each mistake is reported once.
+    The levels are provisional: {!Levels} computes them. *)
 
 open Basis
 
 val program :
   ?sources:Source.t -> Diagnostic.sink -> real:Real.t -> Resolve.Ir.program -> Ir.program
-(** [sources]: what messages quote from. [real]: the precision of [Float], which says what literals
-    are in range. Emits [E03xx]. After errors the result has the shape of the program, with
-    arbitrary types where an error was: fit for further checks of what is right, not for
-    translation. *)
+(** [sources]: the files that messages quote from. [real]: the precision of [Float], which
+    determines the range of literals. Emits [E03xx]. After errors the result has the shape of the
+    program, with arbitrary types in place of erroneous ones: the correct parts can be checked
+    further, but the program cannot be translated. *)

@@ -4,11 +4,11 @@ open Context
 type argument = {
   value : Resolve.Ir.expr;
   style : Resolve.Ir.apply_style;
-  span : Span.t;  (** of the application *)
-  position : int;  (** from 1 *)
+  span : Span.t;  (** span of the whole application *)
+  position : int;  (** counted from 1 *)
 }
 
-(* The head under all applications, and its arguments, first to last. *)
+(* Splits nested applications into the head and its arguments, first to last. *)
 let spine (e : Resolve.Ir.expr) =
   let rec go (e : Resolve.Ir.expr) arguments =
     match e.desc with
@@ -27,7 +27,7 @@ let rec parameters (t : Type.t) =
   | Erroneous ->
       []
 
-(* Do both types depend on a variable of types, or on one of units? *)
+(* The unsolved type variables and unit variables of a type. *)
 let rec flexible (t : Type.t) =
   match Type.expand t with
   | Flexible v -> ([ v ], [])
@@ -44,8 +44,8 @@ and all_flexible ts =
   let types, units = List.split (List.map flexible ts) in
   (List.concat types, List.concat units)
 
-(* Of each parameter the earlier ones that decide it: those first that are nothing but a
-   variable. While the type is as general as it will ever be. *)
+(* For each parameter, the earlier parameters that share a variable with it; parameters that consist
+   of the variable alone come first. Call this while the function's type is still fully general. *)
 let deciding parameters arguments =
   let rec of_parameters earlier parameters arguments =
     match (parameters, arguments) with
@@ -76,10 +76,10 @@ let rec without_first n = function
   | _ :: rest when n > 0 -> without_first (n - 1) rest
   | list -> list
 
-(* Of the parameters that are given, those after this argument's. *)
+(* The given types of the parameters after this argument's. *)
 let later given argument = without_first argument.position given
 
-(* Why the argument must have the parameter's type. *)
+(* The reason why the argument must have the parameter's type. *)
 let reason ctx ~(head : Resolve.Ir.expr) ~takes ~arguments ~decided_by ~later ~before ~previous
     argument : Expected.reason =
   match (argument.style, previous) with
@@ -102,7 +102,7 @@ let reason ctx ~(head : Resolve.Ir.expr) ~takes ~arguments ~decided_by ~later ~b
 
 type decision = Applies | Runs
 
-(* The type of the whole stands in that of the function already. *)
+(* The type of the result is already part of the function's type. *)
 let apply decision span ty (function_ : Ir.expr) argument : Ir.expr =
   match (decision, function_.ty) with
   | Applies, Function (_, ty) ->
@@ -113,7 +113,7 @@ let apply decision span ty (function_ : Ir.expr) argument : Ir.expr =
   | Applies, _ -> node span ty (Apply (function_, argument))
   | Runs, _ -> node span ty (Run (function_, argument))
 
-(* The head's type is not known yet. *)
+(* Postpones the decision between application and run, because the head's type is not known yet. *)
 let put_off expressions ctx ~head ~because argument (function_ : typed) =
   let value = expressions.infer ctx argument.value in
   let result = Context.fresh ctx in
@@ -137,8 +137,8 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
         true
     | (Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left ->
         report ctx (fun words ->
-            Mistake.not_a_function words ~head ~position:argument.position ~at:argument.value.span
-              left);
+            Head_mistake.not_a_function words ~head ~position:argument.position
+              ~at:argument.value.span left);
         fits Erroneous Erroneous;
         true
   in
@@ -151,7 +151,7 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
   let build () = apply !decision argument.span result (function_.build ()) (value.build ()) in
   ({ ty = result; build }, value.ty)
 
-(* Is this `f -1`, a minus that touches only what follows? *)
+(* Is this `f -1`, with a minus that touches only its right operand? *)
 let looks_negative (head : Resolve.Ir.expr) arguments =
   match arguments with
   | [ ({ style = Operator "-"; _ } as left); right ] ->
@@ -165,14 +165,14 @@ let is_function t = match Type.expand t with Type.Function _ -> true | _ -> fals
 
 let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~previous
     (function_ : typed) argument =
-  (* The result, and the type of the argument. *)
+  (* Checks one argument. Returns the result of the application and the argument's type. *)
   let known decision parameter output =
     let before = errors ctx in
     let expected = Expected.make because parameter in
     let value =
       match argument.style with
       | Operator _ ->
-          (* its own words, if the other operand does not fit *)
+          (* a mismatch with the other operand has a message of its own *)
           let left_operand =
             match (argument.style, previous) with
             | Operator operator, None -> Some (argument.value, operator)
@@ -181,7 +181,8 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
           let value = expressions.infer { ctx with left_operand } argument.value in
           if negative && Option.is_none previous && is_function value.ty then
             report ctx (fun words ->
-                Mistake.negative_argument words ~minus:head.span argument.value value.ty ~operand)
+                Head_mistake.negative_argument words ~minus:head.span argument.value value.ty
+                  ~operand)
           else expect ctx ~subject:argument.value ~at:argument.value.span expected value.ty;
           value
       | Juxtaposed when Degrees.keeps head ->
@@ -214,20 +215,20 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
   | ( (Juxtaposed | Operator _),
       ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left) ) ->
       report ctx (fun words ->
-          Mistake.not_a_function words ~head ~position:argument.position ~at:argument.value.span
-            left);
+          Head_mistake.not_a_function words ~head ~position:argument.position
+            ~at:argument.value.span left);
       erroneous ()
   | ( Command,
       ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _ | Function _) as
        found) ) ->
-      report ctx (fun words -> Mistake.not_a_signal_function words ~head found);
+      report ctx (fun words -> Head_mistake.not_a_signal_function words ~head found);
       erroneous ()
 
-(* Where one argument did not fit: perhaps two of them should change places. [failed] is its
-   position, [given] are the types of all. *)
+(* If one argument has the wrong type, perhaps two of them are swapped. [failed]: the position of
+   that argument. [given]: the types of all arguments. *)
 let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments ~given
     ~failed =
-  let sink = ctx.reader.Written.sink in
+  let sink = ctx.reader.Annotation.sink in
   let argument = List.nth arguments (failed - 1) in
   match (head.desc, Diagnostic.last sink) with
   | Global name, Some d
@@ -238,7 +239,7 @@ let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
       | Some { scheme; _ } ->
           let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
           let found = (expressions.infer ctx argument.value).ty in
-          (* no text comes in: an input that is one was only taken for one here *)
+          (* an input never has type `String`: if one does, this application has just inferred it *)
           let is_input (e : Resolve.Ir.expr) =
             match e.desc with Local x -> List.mem_assoc x.name ctx.inputs | _ -> false
           in
@@ -271,9 +272,10 @@ let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
           Option.iter cure order)
   | _ -> ()
 
-(* What takes its arguments in another way than in other languages, as `switch mode event next`. *)
+(* Functions that take their arguments in a different order or number than in other languages, as in
+   `switch mode event next`. *)
 let tell_habit expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
-  let sink = ctx.reader.Written.sink in
+  let sink = ctx.reader.Annotation.sink in
   let before = errors ctx in
   let tell mistake =
     match Diagnostic.last sink with
@@ -292,14 +294,14 @@ let tell_habit expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
       tell (Event_mistake.accumulated ~name)
   | _ -> false
 
-(* How many arguments such a function takes. *)
+(* The number of arguments that a function of this type takes. *)
 let rec arity t = match Type.expand t with Type.Function (_, result) -> 1 + arity result | _ -> 0
 
-(* `forever forward 1[m]`, where a function among the arguments was to be applied to those that
-   come after it. *)
+(* Missing parentheses, as in `forever forward 1[m]`: a function among the arguments was meant to be
+   applied to the arguments after it. *)
 let tell_parentheses expressions ctx ~(head : Resolve.Ir.expr) arguments ~given ~parameters ~failed
     =
-  let sink = ctx.reader.Written.sink in
+  let sink = ctx.reader.Annotation.sink in
   let failing = List.nth arguments (failed - 1) in
   let all = List.length arguments in
   let type_at i =
@@ -307,7 +309,7 @@ let tell_parentheses expressions ctx ~(head : Resolve.Ir.expr) arguments ~given 
     else List.nth given (i - 1)
   in
   let is_reported (d : Diagnostic.t) = Span.compare d.at failing.value.span = 0 in
-  (* below each other stand statements that lack their `do` *)
+  (* arguments on separate lines are more likely the statements of a missing `do` *)
   let in_one_line =
     let ends = (List.nth arguments (all - 1)).value.span.stop in
     Span.line head.span.start = Span.line ends
@@ -334,7 +336,7 @@ let tell_parentheses expressions ctx ~(head : Resolve.Ir.expr) arguments ~given 
           let before = List.filteri (fun j _ -> j + 1 < i) texts in
           let after = List.filteri (fun j _ -> j + 1 > i + n) texts in
           let whole = String.concat " " ((name :: before) @ (("(" ^ inner ^ ")") :: after)) in
-          Diagnostic.revise_last sink (Mistake.applied_without_parentheses ~name ~inner ~whole);
+          Diagnostic.revise_last sink (Head_mistake.applied_without_parentheses ~name ~inner ~whole);
           true
       | _ -> false)
   | _ -> false
@@ -351,7 +353,7 @@ let infer expressions ctx e =
   let apply ~takes given (function_, previous) argument decided_by =
     match previous with
     | Some (_, left) when negative && is_function left ->
-        (* what follows the minus was meant otherwise *)
+        (* `f -1`: the right operand was not meant as an operand *)
         (function_, previous)
     | _ ->
         let later = later given argument in

@@ -1,9 +1,10 @@
-(** Juxtaposition: a function applied, or a signal function run.
+(** Infers juxtapositions: a function is applied, or a signal function is run.
 
-    The head's type decides. While it is unknown the question is put off, at the latest to the end
-    of the top-level group; what is unknown even then is a function. *)
+    The type of the head determines which one it is. While that type is unknown, the decision is
+    postponed, at most until the end of the top-level group. A head that is unknown even then is
+    taken to be a function. *)
 
 open Context
 
 val infer : expressions -> t -> Resolve.Ir.expr -> typed
-(** Of an [Apply], with all the applications that are its head. *)
+(** For an [Apply]; treats all nested applications at once. *)

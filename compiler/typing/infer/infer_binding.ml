@@ -15,14 +15,15 @@ let beside ~undecided (expected : Expected.t) at : Expected.t =
 
 (* {1 Functions} *)
 
-(* How many parameters such a function has, as far as that is known. *)
+(* The number of parameters that a function of this type can have; [None] if it is not known yet. *)
 let rec parameters_allowed t =
   match Type.expand t with
   | Function (_, result) -> Option.map succ (parameters_allowed result)
   | Flexible _ | Erroneous -> None
   | _ -> Some 0
 
-(* `mix (x, y) = …`, where the parameters stand one after the other. *)
+(* `mix x y = …` with a signature that takes a tuple: the corrected left-hand side, `mix (x, y) =
+   …`. *)
 let as_one_tuple words ~name parameters (expected : Expected.t) =
   match (name, Type.expand expected.ty) with
   | Some name, Function (first, _) -> (
@@ -64,7 +65,7 @@ let too_many_parameters ctx ~name ~at ~parameters (expected : Expected.t) ~left 
           Diagnostic.hint "a signal function takes its signal in a `proc`: `proc x -> …`" diagnostic
       | _ -> diagnostic)
 
-(* `f (x, y) = …`, where the signature says parameters one after the other. *)
+(* `f (x, y) = …` with a signature that takes separate parameters. *)
 let as_several parameters allowed (expected : Expected.t) =
   match ((parameters : Resolve.Ir.pattern list), Type.expand expected.ty) with
   | [ { desc = Tuple_of (_ :: _ :: _ as parts); span } ], Function (first, _)
@@ -97,7 +98,7 @@ let abstraction ctx ~at ~name parameters (expected : Expected.t) body =
     | Some n -> List.compare_length_with parameters n > 0 && (name <> None || n > 0)
     | None -> false
   in
-  (* what such parameters are used as is no other mistake *)
+  (* avoid further messages about uses of these parameters *)
   let kept =
     match (name, as_several parameters allowed expected) with
     | Some name, Some (at, parts) ->
@@ -139,7 +140,7 @@ let abstraction ctx ~at ~name parameters (expected : Expected.t) body =
         let patterns = List.rev_map (fun build -> build ()) patterns in
         node at expected.ty (Lambda (patterns, body ()))
 
-(* {1 Right sides} *)
+(* {1 Right-hand sides} *)
 
 let is_otherwise (e : Resolve.Ir.expr) =
   match e.desc with
@@ -187,7 +188,7 @@ let guards expressions ctx (guards : Resolve.Ir.guarded list) (expected : Expect
 
 let polymorphic (s : Type.scheme) = s.types <> [] || s.representations <> [] || s.units <> []
 
-(* A scheme that a local binding may have. *)
+(* Checks that a local binding may have this scheme. *)
 let local_scheme ctx ~name ~at (written : Resolve.Ir.scheme) (scheme : Type.scheme) =
   match Type.expand scheme.body with
   | Function _ -> scheme
@@ -201,7 +202,7 @@ let local_scheme ctx ~name ~at (written : Resolve.Ir.scheme) (scheme : Type.sche
       Type.monomorphic Erroneous
 
 type declared = { scheme : Type.scheme; inner : t; at : Span.t }
-(* of a local with a signature; [inner] is where its definition is checked *)
+(* A local definition with a signature. [inner]: the context in which its body is checked. *)
 
 let declare ctx (local : Ir.Local.t) (written : Resolve.Ir.scheme) =
   let scheme, inner = with_signature ctx ~name:local.name written in
@@ -233,7 +234,7 @@ and declarations expressions ctx (d : Resolve.Ir.declarations) =
   fun () -> List.concat_map (List.map (fun build -> build ())) (List.rev groups)
 
 and group expressions ctx signed (g : Resolve.Ir.binding_group) =
-  (* All names first: within a group order means nothing. *)
+  (* All names are bound first, because the order within a group is irrelevant. *)
   let prepared = List.map (prepare ctx signed) g.bindings in
   let recursive = g.recursive in
   List.map2 (binding expressions ctx ~recursive) g.bindings prepared
@@ -295,7 +296,7 @@ let annotated expressions ctx (e : Resolve.Ir.expr) inner_expr written =
   in
   if not (polymorphic scheme) then { ty = scheme.body; build = value }
   else
-    (* resolved locals count from 0 up, so these are apart from them *)
+    (* locals from resolution have ids from 0 up, so negative ids cannot clash with them *)
     let local : Ir.Local.t =
       { id = -Type.next ctx.reader.supply; name = "annotated"; span = e.span }
     in

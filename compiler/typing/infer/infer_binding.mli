@@ -1,7 +1,7 @@
-(** Bindings: right sides, local declarations, functions.
+(** Infers bindings: right-hand sides, local declarations, functions.
 
-    Local bindings generalize only if they are functions with a signature; a local value with a
-    polymorphic signature is [E0314]. *)
+    Local bindings are generalized only if they are functions with a signature. A local value with a
+    polymorphic signature is reported as [E0314]. *)
 
 open Basis
 open Context
@@ -14,20 +14,21 @@ val abstraction :
   Expected.t ->
   (Expected.t -> Ir.expr later) ->
   Ir.expr later
-(** A function of parameters, given how its body is checked; [name] if it is a definition. Without
-    parameters the body itself. *)
+(** A function with these parameters; the last argument checks the body. [name]: the name of the
+    definition, if it is one. Without parameters, the result is the body itself. *)
 
 val right : expressions -> t -> Resolve.Ir.right -> Expected.t -> Ir.expr later
-(** Guards under their [where]. *)
+(** A right-hand side: guards with their [where]. *)
 
 val declarations : expressions -> t -> Resolve.Ir.declarations -> Ir.binding list later
-(** Local ones; their names have types afterwards. *)
+(** Local declarations. Afterwards their names have types. *)
 
 val annotated : expressions -> t -> Resolve.Ir.expr -> Resolve.Ir.expr -> Resolve.Ir.scheme -> typed
-(** [(e :: T)]: as a local binding with that signature. *)
+(** [(e :: T)]: treated as a local binding with that signature. *)
 
 val undecided : Expected.t -> bool
-(** Is any type right, or a task with any result? *)
+(** Is the expected type unconstrained, or a task with an unconstrained result? *)
 
 val beside : undecided:bool -> Expected.t -> Span.t -> Expected.t
-(** What is expected of the branches after one at that place; [undecided] before that one. *)
+(** The expected type for the branches that follow the branch at this place. [undecided]:
+    {!undecided} before that branch. *)

@@ -1,7 +1,7 @@
 open Basis
 open Context
 
-(* [e ^ k]: the unit to that power. *)
+(* [e ^ k] raises the unit to the same power. *)
 let power ctx (e : Resolve.Ir.expr) (base : typed) exponent =
   let supply = ctx.reader.supply and depth = ctx.depth in
   let unit_ = Type.fresh_unit supply ~depth in
@@ -13,16 +13,18 @@ let power ctx (e : Resolve.Ir.expr) (base : typed) exponent =
   | raised -> Type.Number (representation, raised)
   | exception Rational.Out_of_range ->
       if not (Units.equal unit_ Units.one) then
-        report ctx (fun _ ->
-            Diagnostic.error ~code:"E0323" ~at:e.span "the exponent of a unit is too large");
+        report ctx (fun _ -> Mistake.exponent_too_large ~at:e.span);
       Type.Number (representation, Units.one)
 
-(* A variable, with its own instance of the scheme. *)
+(* Longer array literals slow down every stage and the editor. *)
+let most_written = 100_000
+
+(* A reference to a variable, with a new instance of its scheme. *)
 let reference ctx ~at ~name ?said scheme desc =
   let ty, instantiation = use ctx ~at ~name ?said scheme in
   { ty; build = (fun () -> node at ty (desc (instantiation ()))) }
 
-(* Within its own group a definition is used at its own variables. *)
+(* Within its own group, a definition is used at its own type variables. *)
 let own_instantiation ctx name : Ir.instantiation =
   let { scheme; _ } = Resolve.Global_table.find ctx.globals name in
   let scheme = Final.scheme scheme in
@@ -51,7 +53,8 @@ let local ctx (e : Resolve.Ir.expr) (local : Ir.Local.t) =
   | None ->
       Diagnostic.bug ~stage:"Typing.Infer" "the local %s is used before it is typed" local.name
 
-(* The whole of this is no such value at all: of what stands beside it that needs no second word. *)
+(* Was the whole of this branch just reported as having the wrong type? Then the other branch is not
+   reported as well. *)
 let told_of ctx ~before (e : Resolve.Ir.expr) =
   errors ctx > before
   &&
@@ -150,17 +153,17 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
       let elements =
         List.rev (List.rev_map2 (fun e ty -> check ctx e { expected with ty }) elements types)
       in
-      fun () -> node e.span expected.ty (Tuple (List.map (fun build -> build ()) elements))
+      fun () -> node e.span expected.ty (Tuple (Long_list.map (fun build -> build ()) elements))
   | Array (_ :: _ as elements), Data { tycon; arguments = [ _; element ]; _ }
     when tycon = Environment.array ->
       let written = Type.Size (List.length elements) in
       if not (List.exists lacks_a_comma elements) then
         expect ctx ~subject:e ~at:e.span expected (Environment.array_of written element);
       let elements = array_elements ctx { expected with ty = element } elements in
-      fun () -> node e.span expected.ty (Array (List.map (fun build -> build ()) elements))
+      fun () -> node e.span expected.ty (Array (Long_list.map (fun build -> build ()) elements))
   | Record { constructor; fields }, (Data { tycon; _ } as wanted)
     when tycon = (Environment.constructor ctx.reader.environment constructor).tycon ->
-      (* so that what does not fit is found where it stands, in a field *)
+      (* report a mismatch at the field that causes it *)
       let typed = Infer_record.construct expressions ctx ~wanted e constructor fields in
       expect ctx ~subject:e ~at:e.span expected typed.ty;
       typed.build
@@ -169,8 +172,8 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
       expect ctx ~subject:e ~at:e.span expected typed.ty;
       typed.build
 
-(* The types of both first, as the two may stand in the other order: so do an output and its
-   event, where each of them alone would be a riddle. *)
+(* Infers both components before checking them, because they may be swapped: an output and its
+   event, for example. Separate messages about each component would be confusing. *)
 and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expected.t) =
   let inferred x = if is_inferred x then Some (infer ctx x) else None in
   let first = inferred a in
@@ -179,7 +182,7 @@ and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expec
   let are_exchanged first second =
     Argument_order.pair_exchanged ~unfit ~wanted:(wanted_a, wanted_b) (first, second)
   in
-  (* of one of which the type is not known yet *)
+  (* the type of a component that is not known yet *)
   let anything = Type.Erroneous in
   let exchanged =
     match (first, second) with
@@ -199,7 +202,7 @@ and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expec
   match exchanged with
   | Some (x, y) ->
       report ctx (fun words -> Mistake.exchanged_pair words ~at:e.span expected (a, x.ty) (b, y.ty));
-      (* what comes of them is no other mistake *)
+      (* unify with the swapped types, to avoid further messages *)
       List.iter
         (fun (wanted, given) -> ignore (Unify.types wanted given))
         [ (wanted_a, y.ty); (wanted_b, x.ty) ];
@@ -220,21 +223,30 @@ and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expec
         let first = first () in
         node e.span expected.ty (Tuple [ first; second () ])
 
-(* What is checked by inferring its type first. *)
+(* Is this expression checked by inferring its type first? *)
 and is_inferred (e : Resolve.Ir.expr) =
   match e.desc with
   | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ | Tuple _ | Array _ | Record _ -> false
   | _ -> true
 
-(* As in [[1 2]], which is said of the number. *)
+(* [[1 2]]: a missing comma; reported at the number instead. *)
 and lacks_a_comma (e : Resolve.Ir.expr) =
   match e.desc with
   | Apply { head = { desc = Number _; _ }; style = Juxtaposed; _ } -> true
   | Apply { head; style = Juxtaposed; _ } -> lacks_a_comma head
   | _ -> false
 
-(* What the first element is, the others must be. *)
+(* All elements must have the type of the first. *)
 and array_elements ctx (expected : Expected.t) elements =
+  let elements, besides = Long_list.split_at most_written elements in
+  (match besides with
+  | [] -> ()
+  | first :: _ ->
+      report ctx (fun _ ->
+          Diagnostic.error ~code:"E0333" ~at:first.span
+            "an array that is written out has up to %d elements, not %d" most_written
+            (most_written + List.length besides)
+          |> Diagnostic.hint "compute the elements, as `generate (\\k -> …)` does"));
   let check (done_, (expected : Expected.t)) (element : Resolve.Ir.expr) =
     let because : Expected.reason =
       match expected.because with Element _ as first -> first | _ -> Element element.span
@@ -250,12 +262,12 @@ and array ctx (e : Resolve.Ir.expr) elements =
   let element = Context.fresh ctx in
   let ty = Environment.array_of (Size (max 1 (List.length elements))) element in
   let elements = array_elements ctx (Expected.make Unknown element) elements in
-  let build () = node e.span ty (Array (List.map (fun build -> build ()) elements)) in
+  let build () = node e.span ty (Array (Long_list.map (fun build -> build ()) elements)) in
   { ty; build }
 
 and case ctx e scrutinee branches expected =
   let value = infer ctx scrutinee in
-  (* a value of another type is said once, not once a branch *)
+  (* a scrutinee of the wrong type is reported once, not in every branch *)
   let matched = ref value.ty in
   let taken = ref [] in
   let branch (done_, expected) (b : Resolve.Ir.branch) =

@@ -1,3 +1,3 @@
-(** Expressions. *)
+(** Infers expressions. *)
 
 val expressions : Context.expressions

@@ -1,4 +1,4 @@
-(** Patterns against the type of what they match. Their variables get the types found for them,
-    unless a signature has given them one before. *)
+(** Checks patterns against the type of the matched value. The variables get the types found for
+    them, unless a signature has already given them one. *)
 
 val check : Context.t -> Resolve.Ir.pattern -> Expected.t -> Ir.pattern Context.later

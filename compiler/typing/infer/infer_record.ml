@@ -1,15 +1,9 @@
 open Basis
 open Context
 
-let position (constructor : Environment.constructor) name =
-  let rec go index = function
-    | [] -> None
-    | (field, _) :: _ when String.equal field name -> Some index
-    | _ :: rest -> go (index + 1) rest
-  in
-  go 0 constructor.ir.fields
+let position = Environment.position
 
-(* The types of the fields of a record of type [ty]. *)
+(* The field types of a record of type [ty]. *)
 let field_types ctx (constructor : Environment.constructor) ~at ty =
   let instance, _ = use ctx ~at ~name:constructor.ir.constructor.name constructor.scheme in
   let fields, result = Environment.fields constructor instance in
@@ -19,6 +13,11 @@ let field_types ctx (constructor : Environment.constructor) ~at ty =
       Diagnostic.bug ~stage:"Typing.Infer_record" "%s does not build its own type"
         constructor.ir.constructor.name
 
+let field_type ctx constructor ~at ty index =
+  match Environment.own_type constructor index with
+  | Some own -> own
+  | None -> List.nth (field_types ctx constructor ~at ty) index
+
 let suggest (name : Syntax.Ir.name) known diagnostic =
   match Suggest.closest name.text known with
   | Some near ->
@@ -26,7 +25,7 @@ let suggest (name : Syntax.Ir.name) known diagnostic =
       |> Diagnostic.write name.span near
   | None -> diagnostic
 
-(* The constructor with this field, of a type with several. *)
+(* The constructor that has this field, in a type with several constructors. *)
 let one_of_several environment ty name =
   match Type.expand ty with
   | Data { tycon; _ } -> (
@@ -36,7 +35,7 @@ let one_of_several environment ty name =
       | Alias _ | Builtin | Foreign -> None)
   | _ -> None
 
-(* A function or signal function of that name, written as a field is. *)
+(* A function or signal function of that name, used with field syntax by mistake. *)
 let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagnostic =
   let found (g : Ir.Global.t) (entry : entry) earlier =
     if not (String.equal g.name name.text) then earlier
@@ -67,7 +66,7 @@ let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagno
                  Printf.sprintf "(%s %s)" name.text (argument (words ctx)) );
              ])
 
-(* The field of this one that is a record with such a field. *)
+(* The field of this record that is itself a record with the wanted field. *)
 let field_within ctx ty name =
   let has (_, (field_type : Ir.ty)) =
     match field_type with
@@ -82,7 +81,7 @@ let field_within ctx ty name =
           Option.map fst (List.find_opt has constructor.ir.fields))
   | _ -> None
 
-(* What has no fields itself, but gives values that may have them. *)
+(* Types without fields that yield values which may have fields, such as signal functions. *)
 let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
   let text = Option.value (Show.quote words record.span) ~default:"x" in
   let grouped = Source.grouped text in
@@ -171,7 +170,7 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
                   match as_a_function ctx name ~record d with Some d -> d | None -> usual ()))))
       |> Diagnostic.label ~at:record.span ("this is " ^ described))
 
-(* Of a record whose type is not known, perhaps for another error. *)
+(* For a record whose type is unknown, perhaps because of another error. *)
 let no_such_field ctx (name : Syntax.Ir.name) ~record =
   if errors ctx = 0 then
     report ctx (fun _ ->
@@ -191,8 +190,8 @@ let several_records ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) cand
       |> Diagnostic.note ("types with such a field: " ^ String.concat ", " names)
       |> Diagnostic.hint "give the definition a signature")
 
-(* Waits for the record's type; then [found] is told the constructor, or
-   [None] after what was wrong has been reported. *)
+(* Waits until the record's type is known, then calls [found] with its constructor, or with [None]
+   after reporting an error. *)
 let when_known ctx ~(record : Resolve.Ir.expr) ty (fields : Syntax.Ir.name list) ~candidates
     (found : Environment.constructor option -> unit) =
   match fields with
@@ -259,7 +258,7 @@ let indexed (constructor : Environment.constructor) (name : Syntax.Ir.name) =
       Diagnostic.bug ~stage:"Typing.Infer_record" "%s has no field %s"
         constructor.ir.constructor.name name.text
 
-(* What the fields' units have to do with each other. *)
+(* How the units of the fields relate. *)
 let in_units (constructor : Environment.constructor) =
   let field (name, ty) =
     match (ty : Ir.ty) with
@@ -273,7 +272,7 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   let constructor = Environment.constructor ctx.reader.environment name in
   let ty, _ = use ctx ~at:e.span ~name:name.name constructor.scheme in
   let types, result = Environment.fields constructor ty in
-  (* a clash is for the caller to report *)
+  (* the caller reports a mismatch *)
   Option.iter (fun wanted -> ignore (Unify.types wanted result)) wanted;
   let types = Array.of_list types in
   let before = errors ctx in
@@ -281,7 +280,7 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   let units = if several then Some (in_units constructor) else None in
   let field ((name : Syntax.Ir.name), value) =
     let index = indexed constructor name in
-    (* one field of a wrong unit makes the others look wrong *)
+    (* after one field with a wrong unit, the others would seem wrong too *)
     let ty = if several && errors ctx > before then Type.Erroneous else types.(index) in
     let because = Expected.Field { name = name.text; at = name.span; units } in
     (index, expressions.check ctx value { ty; because })
@@ -294,7 +293,7 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   in
   { ty = result; build }
 
-(* `robotPose i.heading`, where the field was to be that of `robotPose i`. *)
+(* `robotPose i.heading`, which was meant as a field of `robotPose i`. *)
 let tell_tighter ctx (e : Resolve.Ir.expr) ~(record : Resolve.Ir.expr) (name : Syntax.Ir.name) ~by =
   report ctx (fun words ->
       let function_ = String.concat "" (String.split_on_char '`' by) in
@@ -314,7 +313,7 @@ let field expressions ctx (e : Resolve.Ir.expr) ~record (name : Syntax.Ir.name) 
         match constructor with
         | None -> Type.Erroneous
         | Some constructor ->
-            List.nth (field_types ctx constructor ~at:e.span typed.ty) (indexed constructor name)
+            field_type ctx constructor ~at:e.span typed.ty (indexed constructor name)
       in
       answer := Some constructor;
       match asked_in_vain ctx ~wanted:ty result with
@@ -340,14 +339,15 @@ let update expressions ctx (e : Resolve.Ir.expr) ~record fields ~candidates =
       fields
   in
   let answer = ref None in
-  (* Where the record is known at once, its fields' types guide the values. *)
+  (* If the record's type is known now, its field types guide the inference of the values. *)
   when_known ctx ~record typed.ty (List.map fst fields) ~candidates (fun constructor ->
       answer := Some constructor;
       let types =
         match constructor with
         | Some constructor ->
             let types = field_types ctx constructor ~at:e.span typed.ty in
-            fun name -> List.nth types (indexed constructor name)
+            let types = Array.of_list types in
+            fun name -> types.(indexed constructor name)
         | None -> fun _ -> Type.Erroneous
       in
       List.iter

@@ -1,8 +1,8 @@
-(** Records: construction, fields and updates.
+(** Infers records: construction, field access and update.
 
-    Which record [e.f] belongs to is decided by the type of [e], at the latest at the end of the
-    top-level group; if it is still unknown then and only one type in scope has the field, it is
-    that one. Codes: [E0310] no such field · [E0311] the record's type is unknown. *)
+    The type of [e] determines which record [e.f] belongs to, at the latest at the end of the
+    top-level group. If it is unknown even then, and only one type in scope has the field, that type
+    is chosen. Codes: [E0310] no such field · [E0311] the record's type is unknown. *)
 
 open Context
 
@@ -14,8 +14,8 @@ val construct :
   Ir.Global.t ->
   (Syntax.Ir.name * Resolve.Ir.expr) list ->
   typed
-(** [wanted] is a type of the constructor's type constructor: fields are checked against what they
-    are in it. The caller compares the result with it. *)
+(** [wanted]: the expected type, built by the constructor's type constructor; its instance
+    determines the expected field types. The caller compares the result with it. *)
 
 val field :
   expressions ->

@@ -1,17 +1,17 @@
 open Basis
 open Context
 
-(* What a [do] is made of, from the statement on that is being checked. *)
+(* The types in a [do], from the statement being checked onwards. *)
 type sequence = {
   input : Type.t;
   output : Type.t;
-  whole : Type.t; (* the type of what is left, whatever came before *)
+  whole : Type.t; (* the type of the remaining statements, whatever came before *)
 }
 
 let task s result = Environment.task_of s.input s.output result
 
-(* What says the input and the output, which are those of all tasks: the first
-   one if nothing around does. *)
+(* The place that determines the input and output types, which all tasks of the [do] share: the
+   enclosing code, otherwise the first task. *)
 let rec place ~first (reason : Expected.reason) =
   match reason with
   | Signature { at; _ }
@@ -26,7 +26,7 @@ let rec place ~first (reason : Expected.reason) =
   | Statement (Some at) -> Some at
   | Unknown | Operand _ | Condition | Value _ | Pattern _ | Output _ | Statement None -> first
 
-(* [do] applied to a task and to the rest as a function. *)
+(* Applies the primitive for [do] to a task and to the rest as a function. *)
 let join ctx s ~result ~at (first : Ir.expr) pattern (rest : Ir.expr) : Ir.expr =
   match Resolve.Global_table.find_opt ctx.globals Environment.sequence with
   | None -> Diagnostic.bug ~stage:"Typing.Infer" "no primitive for `do`"
@@ -51,7 +51,7 @@ let join ctx s ~result ~at (first : Ir.expr) pattern (rest : Ir.expr) : Ir.expr 
 let whatever ty (span : Span.t) : Ir.pattern later =
  fun () -> { desc = Any; ty = Final.ty ty; span = { span with stop = span.start } }
 
-(* Where what comes after a statement starts. *)
+(* The start of what follows a statement. *)
 let next (others : Resolve.Ir.statement list) (last : Resolve.Ir.expr) =
   match others with
   | [] -> Some last.span
@@ -59,7 +59,7 @@ let next (others : Resolve.Ir.statement list) (last : Resolve.Ir.expr) =
   | Task { pattern = None; task } :: _ -> Some task.span
   | Values _ :: _ -> None
 
-(* [first]: the place of the first task, once there was one. *)
+(* [first]: the place of the first task, if there has been one. *)
 let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected.t) statements last
     : Ir.expr later =
   match (statements : Resolve.Ir.statement list) with
@@ -84,7 +84,7 @@ let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected
         expressions.check ctx written
           { ty = task s result; because = Statement (place ~first expected.because) }
       in
-      (* What is wrong already says nothing about the pattern. *)
+      (* After an error in the task, the pattern is not checked against its type. *)
       let result = if errors ctx > before then Type.Erroneous else result in
       let pattern =
         match pattern with

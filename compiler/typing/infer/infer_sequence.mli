@@ -1,7 +1,7 @@
-(** [do]: tasks, one after the other.
+(** Checks [do] notation: tasks that run one after the other.
 
-    It becomes applications of {!Environment.sequence}, the rest of the statements being a function
-    of what a task ends with. *)
+    It becomes applications of {!Environment.sequence}. The rest of the statements is a function of
+    the result of the task before. *)
 
 open Context
 
@@ -13,4 +13,4 @@ val check :
   Resolve.Ir.expr ->
   Expected.t ->
   Ir.expr later
-(** The whole, its statements and its last one, which gives the result. *)
+(** Arguments: the whole [do], its statements, and its last expression, which gives the result. *)

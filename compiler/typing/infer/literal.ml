@@ -9,7 +9,7 @@ let is_only_negative (n : Resolve.Ir.number) =
   | Some value -> (not (fits value)) && fits (Exact.negate value)
   | None -> false
 
-(* The number that has the bits written in another base. *)
+(* The number with the bits of a literal in another base, in two's complement. *)
 let as_bits digits =
   match Exact.of_literal digits with
   | Some value
@@ -17,7 +17,7 @@ let as_bits digits =
       Exact.(to_int32 (add value (negate (power (of_int 2) 32))))
   | Some _ | None -> None
 
-(* What is too large for an [Int] is a [Float] if it may be. *)
+(* A literal too large for [Int] becomes a [Float] if that is allowed. *)
 let too_large (ctx : Context.t) ~at (n : Resolve.Ir.number) representation =
   let report () =
     Context.report ctx (fun _ ->
@@ -53,7 +53,7 @@ let out_of_range (ctx : Context.t) ~at (n : Resolve.Ir.number) =
   | Single ->
       Diagnostic.note "with `--real float` the largest number is 3.4028234663852886e38" diagnostic
 
-(* Only such digits can be beyond what a Float holds. *)
+(* Only literals like these can exceed the range of a Float. *)
 let is_long digits = String.length digits > 25 || String.exists (fun c -> c = 'e' || c = 'E') digits
 
 let number (ctx : Context.t) ~negative ~at (n : Resolve.Ir.number) =
@@ -68,7 +68,7 @@ let number (ctx : Context.t) ~negative ~at (n : Resolve.Ir.number) =
   let signed = if negative then Exact.negate magnitude else magnitude in
   let { Environment.measure; scale } =
     match n.unit_ with
-    | Some written -> Written.unit_ ctx.reader ctx.scope written
+    | Some written -> Annotation.unit_ ctx.reader ctx.scope written
     | None when is_zero ->
         { measure = Type.fresh_unit ctx.reader.supply ~depth:ctx.depth; scale = Exact.one }
     | None -> { measure = Units.one; scale = Exact.one }

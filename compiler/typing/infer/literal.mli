@@ -1,12 +1,13 @@
 (** Number literals: their types and exact values (language reference, section 4).
 
-    Codes: [E0313] no [Int] of that value · [E0315] out of any range. *)
+    Codes: [E0313] the value is not an [Int] · [E0315] the value is out of every range. *)
 
 open Basis
 
 val number : Context.t -> negative:bool -> at:Span.t -> Resolve.Ir.number -> Type.t * Exact.t
-(** The value in base units. Without a point or exponent [n[1]], with one [Float[1]]; with a unit,
-    of that unit; zero has every unit; a scaled unit makes it [Float]. *)
+(** The type, and the value in base units. A literal without a point or exponent has type [n[1]],
+    one with them [Float[1]]; a unit suffix replaces the unit [1]. Zero has every unit. A scaled
+    unit makes the literal a [Float]. *)
 
 val is_only_negative : Resolve.Ir.number -> bool
-(** An [Int] in range only with its minus sign, as [-2147483648]. *)
+(** Is this an [Int] that is in range only with its minus sign, such as [-2147483648]? *)

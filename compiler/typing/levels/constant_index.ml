@@ -34,7 +34,7 @@ let operation = function
   | "max" -> Some max
   | _ -> None
 
-(* Names that are defined by each other in a circle are reported elsewhere. *)
+(* Bounds the recursion. Cyclic definitions are reported elsewhere. *)
 let longest_chain = 1_000
 
 let value c e =
@@ -66,7 +66,7 @@ let value c e =
     | Run _ | Power _ | If _ | Case _ | Let _ | Lambda _ | Guards _ | Proc _ | Record _ | Update _
     | Field _ ->
         fail (Computed e.span)
-  (* The place to show is where the index names it. *)
+  (* Report the problem where the index mentions the name. *)
   and named x e evaluate =
     try evaluate () with
     | Problem (Param (p, _)) -> fail (Param (p, e.span))

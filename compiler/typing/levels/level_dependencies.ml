@@ -1,18 +1,19 @@
 open Basis
 open Ir
 
-(* A function or a proc around the place of the walk. [owner] is the innermost
-   definition in it that is being walked. *)
+(* A function or proc that encloses the current place. [owner]: the innermost definition inside the
+   frame that contains the place. *)
 type frame = {
   depth : int;
-  proc_depth : int;  (** of the innermost proc that is this frame or around it *)
+  proc_depth : int;  (** depth of the innermost proc that is this frame or encloses it *)
   mutable owner : Level_graph.node option;
 }
 
 type walk = {
   sink : Diagnostic.sink;
   graph : Level_graph.t;
-  unfinished : unit Int_table.t;  (** variables of lets whose definition is not yet behind *)
+  unfinished : unit Int_table.t;
+      (** variables of [let]s whose definitions have not been walked to the end *)
 }
 
 let origin (b : binding) : Level_graph.origin =
@@ -23,7 +24,7 @@ let origin (b : binding) : Level_graph.origin =
 
 let name w node p = List.iter (fun x -> Level_graph.name w.graph x node) (Parts.variables p)
 
-(* What may go on as itself: a value of this type is made only when it starts. *)
+(* Types that allow recursion: their values start later, so a definition may mention itself. *)
 let rec starts = function
   | Signal_function _ -> true
   | Data { tycon; _ } -> tycon = Environment.task
@@ -70,7 +71,7 @@ let innermost = function
   | frame :: _ -> frame
   | [] -> Diagnostic.bug ~stage:"Typing.Levels" "a walk outside of all frames"
 
-(* In a function too it is the proc around that an instance may belong to. *)
+(* An instance in a function may belong to the enclosing proc. *)
 let runs w frames (e : expr) =
   let proc_depth = (innermost frames).proc_depth in
   List.iter
@@ -139,7 +140,7 @@ let rec expr w frames (e : expr) =
       expr w frames record;
       List.iter (fun (_, e) -> expr w frames e) fields
 
-(* A part of a definition with variables of its own. *)
+(* A new node for a part of a definition that binds its own variables. *)
 and part_node w frames origin =
   let frame = innermost frames in
   let node = Level_graph.node w.graph ~depth:frame.depth origin in

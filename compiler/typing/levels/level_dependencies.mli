@@ -1,7 +1,7 @@
-(** The edges of a definition's {!Level_graph}, in one walk over it.
+(** Builds the {!Level_graph} of a definition in one walk.
 
-    Reports [E0346] where a [let] or [where] is recursive otherwise than by a signal function or
-    task that may go on as itself. *)
+    Reports [E0346] if a [let] or [where] is recursive, unless through a signal function or task
+    that starts itself again. *)
 
 val definition : Basis.Diagnostic.sink -> Ir.definition -> Level_graph.t
-(** Not yet solved. *)
+(** The graph is not solved yet. *)

@@ -6,7 +6,7 @@ type node = {
   depth : int;
   origin : origin;
   mutable level : Ir.level;
-  mutable cause : cause;  (** why it is a signal *)
+  mutable cause : cause;  (** why the node is a signal *)
   mutable dependents : dependent list;
 }
 
@@ -22,7 +22,7 @@ and dependent =
 
 type t = {
   variables : node Int_table.t;
-  signals : node Queue.t;  (** to be propagated *)
+  signals : node Queue.t;  (** nodes to propagate from *)
   statics : node Queue.t;
 }
 
@@ -76,8 +76,8 @@ let drain queue visit =
     List.iter (visit node) (List.rev node.dependents)
   done
 
-(* Breadth first, so that the chain that explains a signal is short. A node may
-   become a signal while it waits as static; all signals come first. *)
+(* Breadth-first, so that the chain that explains a signal is short. A node queued as static may
+   still become a signal; all signals are propagated first. *)
 let solve t =
   drain t.signals (fun node -> function
     | Mentioned { within; variable; at; inside_proc = false } ->
@@ -87,7 +87,7 @@ let solve t =
   drain t.statics (fun _ -> function
     | Mentioned { within; _ } | Contained within -> static t within)
 
-(* As much of a chain as a reader follows. *)
+(* Maximum length of the chain shown to the user. *)
 let longest_chain = 8
 
 let explain variable node d =

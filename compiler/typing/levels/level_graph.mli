@@ -1,52 +1,53 @@
-(** What makes what a signal: a graph over the local variables of a definition at the top level.
+(** Finds which local variables of a top-level definition are signals.
 
-    A node stands for variables that get their values together: those of a binding, a proc's input,
-    a function's parameter, or a [case]'s scrutinee. Edges lead from what is mentioned to where.
-    Levels are the least that agree with the edges. *)
+    In this graph, a node represents variables that get their values together: the variables of a
+    binding, of a proc's input, of a function's parameters, or of the patterns of a [case]. An edge
+    leads from a variable to each node whose definition mentions it. The levels are the least
+    solution of the constraints that the edges express. *)
 
 open Basis
 
 type t
 type node
 
-(** Why a node is at least static, whatever it mentions. *)
+(** The minimum level of a node, independent of its edges. *)
 type origin =
-  | Derived  (** it is not *)
+  | Derived  (** no minimum *)
   | Bound_signal_function
-      (** nor is this: one variable, which must be static, so that a signal is an error at its
-          definition and not also where it is used *)
-  | Parameter  (** of a function: static, seen from a proc inside it *)
-  | Input  (** of a proc *)
+      (** no minimum: a single variable that must be static; if it is a signal, that is reported at
+          its definition only, and not at its uses *)
+  | Parameter  (** a function parameter: static for the procs inside the function *)
+  | Input  (** a proc's input: a signal *)
 
 val create : unit -> t
 
 val node : t -> depth:int -> origin -> node
-(** [depth]: how many procs and functions there are around. *)
+(** [depth]: the number of enclosing procs and functions. *)
 
 val name : t -> Ir.Local.t -> node -> unit
-(** The variable belongs to the node. *)
+(** Assigns the variable to the node. *)
 
 val find : t -> Ir.Local.t -> node option
-(** [None] for what has not been met: used before its definition. *)
+(** [None] for a variable that has no node yet: used before its definition. *)
 
 val depth : node -> int
 
 val mention : Ir.Local.t -> at:Span.t -> node -> within:node -> inside_proc:bool -> unit
-(** The variable, of the first node, stands in what defines the second; [inside_proc]: in a proc in
-    the scope of the variable, where a signal of the outside may not be and what is not one is at
-    most static. *)
+(** Records that the definition of [within] mentions this variable of the first node. [inside_proc]:
+    the place is in a proc inside the variable's scope, where signals from outside are not allowed
+    and other values are at most static. *)
 
 val contain : node -> within:node -> unit
-(** The definition of the first is a part of the second's. *)
+(** Records that the definition of the first node is part of the definition of [within]. *)
 
 val runs : t -> node -> at:Span.t -> unit
-(** An instance stands in the node's definition. *)
+(** Records that the node's definition contains an instance. *)
 
 val solve : t -> unit
-(** To be called once, when all edges are known. Linear. *)
+(** Computes the levels. Call it once, when all edges are known. Linear time. *)
 
 val level : node -> Ir.level
 val origin : node -> origin
 
 val explain : Ir.Local.t -> node -> Diagnostic.t -> Diagnostic.t
-(** Adds the chain of places that makes a variable a signal. *)
+(** Adds the chain of places that makes the variable a signal. *)

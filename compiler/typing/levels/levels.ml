@@ -1,9 +1,9 @@
 open Basis
 open Ir
 
-(* An expression that may not depend on the signals of the proc around it;
-   what is outside of that proc is captured, and static here. [depth] is that
-   of the place, [proc_depth] that of the proc; at most one message for each. *)
+(* An expression that must not depend on the signals of the enclosing proc. Signals from outside
+   that proc are captured, so they are static here. [depth]: depth of the expression. [proc_depth]:
+   depth of the proc. Each region is reported at most once. *)
 type region = { depth : int; proc_depth : int; kind : kind; mutable reported : bool }
 
 and kind =
@@ -17,8 +17,10 @@ type place = {
   proc_depth : int;
   regions : region list;  (** innermost first *)
   conditional : pattern list;
-      (** what is bound since it is not every instant that is looked at, innermost first *)
-  lifted : bool;  (** within a local function that is a definition without instances *)
+      (** patterns bound inside the code that does not run at every instant, innermost first *)
+  lifted : bool;
+      (** inside a local function that is lifted out as a definition of its own and so cannot
+          contain instances *)
 }
 
 type walk = {
@@ -38,7 +40,7 @@ let enter place kind =
       :: place.regions;
   }
 
-(* {1 What must be static} *)
+(* {1 Values that must be static} *)
 
 let rec runs_a_local (h : expr) =
   match h.desc with Local _ -> true | Apply (f, _) -> runs_a_local f | _ -> false
@@ -55,7 +57,7 @@ let complaint kind what =
       Printf.sprintf "`%s` is a signal function and must be static, but %s" x.name what
   | Binding_of_task x -> Printf.sprintf "`%s` is a task and must be static, but %s" x.name what
 
-(* What the programmer likely wants of the thing that must be static. *)
+(* A hint about what the programmer likely wants instead. *)
 let cure = function
   | Head { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ } ->
       Diagnostic.hint "the initial value stands first: `delay 0 x` is 0, then `x` one instant ago"
@@ -106,9 +108,9 @@ let mention w place (x : Local.t) (e : expr) =
                 (Printf.sprintf "`%s` is a signal" x.name)
                 (Level_graph.explain x node)))
 
-(* {1 Where instances stand} *)
+(* {1 Places of instances} *)
 
-(* A variable of the expression that has no value at every instant. *)
+(* A variable of the expression that does not have a value at every instant. *)
 let bound_here place e =
   let found = ref None in
   let bound (e : expr) =
@@ -130,8 +132,8 @@ let obstacle w place (e : expr) head : Misplaced.obstacle option =
   | _ when Misplaced.runs head w.definition -> Some Own_definition
   | _ -> if Memory.remembers w.memory head then Some Depends_on_start else None
 
-(* The places of the head and of the input. One mistake is enough for an instance. What
-   remembers nothing runs at every instant wherever in its proc it stands. *)
+(* The places of the head and of the input. An instance is reported at most once. A stateless signal
+   function runs at every instant, wherever it occurs in its proc. *)
 let instance w place (e : expr) head input =
   let region around = outermost (fun (r : region) -> r.depth >= around) place.regions in
   let nothing_runs region =
@@ -160,7 +162,7 @@ let conditional place (position : Misplaced.position) =
   | In_branch (Some _) -> { place with position = In_branch None }
   | Outside | In_task | In_branch None | In_guard | In_function _ -> place
 
-(* [f]: what is applied to the rest of a [do]. *)
+(* [f]: the function in an application, possibly the [do] primitive applied to its first task. *)
 let in_task place (f : expr) =
   match f.desc with
   | Apply ({ desc = Primitive (g, _); _ }, _)
@@ -223,15 +225,14 @@ let index w array (k : expr) =
       0
 
 (* {1 The walk} *)
-(* What binds no variable is mentioned by nothing: there its level is only a
-   guess on the safe side. *)
+(* A pattern that binds no variable has no node. Its level does not matter, so this is a
+   conservative guess. *)
 let level w place (p : pattern) =
   match List.find_map (Level_graph.find w.graph) (Parts.variables p) with
   | Some node -> Level_graph.level node
   | None -> ( match place.position with Outside | In_task -> Static | _ -> Signal)
 
-(* Nothing is made anew without need: most expressions stay as they are, and large
-   programs have very many. *)
+(* Shares unchanged subexpressions: most stay the same, and large programs have very many. *)
 let rec expr w place (e : expr) : expr =
   let with_ desc : expr = { e with desc } in
   match e.desc with
@@ -260,24 +261,8 @@ let rec expr w place (e : expr) : expr =
   | Negate a -> one w place e a (fun a -> Negate a)
   | Power (a, k) -> one w place e a (fun a -> Power (a, k))
   | Field (a, c, i) -> one w place e a (fun a -> Field (a, c, i))
-  | If (condition, a, b) ->
-      let condition' = expr w place condition in
-      let branch chosen_if =
-        expr w (conditional place (In_branch (Some { test = condition; chosen_if })))
-      in
-      let a' = branch true a in
-      let b' = branch false b in
-      if condition' == condition && a' == a && b' == b then e else with_ (If (condition', a', b'))
-  | Case (scrutinee, branches) ->
-      let scrutinee' = expr w place scrutinee in
-      let place = conditional place (In_branch None) in
-      let branch (b : branch) =
-        let value = expr w (knowing place [ b.pattern ]) b.value in
-        if value == b.value then b else { b with value }
-      in
-      let branches' = Long_list.map_sharing branch branches in
-      if scrutinee' == scrutinee && branches' == branches then e
-      else with_ (Case (scrutinee', branches'))
+  | If (condition, a, b) -> choice w place e condition a b
+  | Case (scrutinee, branches) -> case w place e scrutinee branches
   | Let (bindings, body) ->
       List.iter (Memory.local w.memory) bindings;
       let bind place (b : binding) = (knowing place [ b.pattern ], binding w place b) in
@@ -286,35 +271,8 @@ let rec expr w place (e : expr) : expr =
       if List.for_all2 ( == ) bindings' bindings && body' == body then e
       else with_ (Let (bindings', body'))
   | Lambda (patterns, body) -> lambda w place "" e patterns body
-  | Guards (guarded, last) ->
-      let in_guard = conditional place In_guard
-      and in_branch = conditional place (In_branch None) in
-      let alternative ((guard, value) as unchanged) =
-        let guard' = expr w in_guard guard in
-        let value' = expr w in_branch value in
-        if guard' == guard && value' == value then unchanged else (guard', value')
-      in
-      let guarded' = Long_list.map_sharing alternative guarded in
-      let last' = Option.map (expr w in_branch) last in
-      if guarded' == guarded && Option.equal ( == ) last' last then e
-      else with_ (Guards (guarded', last'))
-  | Proc { input; equations; output } ->
-      let depth = place.depth + 1 in
-      let place =
-        {
-          place with
-          position = Every_instant;
-          depth;
-          proc_depth = depth;
-          conditional = [];
-          lifted = false;
-        }
-      in
-      List.iter (Memory.local w.memory) equations;
-      let equations' = Long_list.map_sharing (binding w place) equations in
-      let output' = expr w place output in
-      if equations' == equations && output' == output then e
-      else with_ (Proc { input; equations = equations'; output = output' })
+  | Guards (guarded, last) -> guards w place e guarded last
+  | Proc { input; equations; output } -> proc w place e input equations output
   | Record (c, fields) ->
       let fields' = Long_list.map_sharing (field w place) fields in
       if fields' == fields then e else with_ (Record (c, fields'))
@@ -322,6 +280,57 @@ let rec expr w place (e : expr) : expr =
       let record' = expr w place record in
       let fields' = Long_list.map_sharing (field w place) fields in
       if record' == record && fields' == fields then e else with_ (Update (record', c, fields'))
+
+and choice w place e condition a b =
+  let condition' = expr w place condition in
+  let branch chosen_if =
+    expr w (conditional place (In_branch (Some { test = condition; chosen_if })))
+  in
+  let a' = branch true a in
+  let b' = branch false b in
+  if condition' == condition && a' == a && b' == b then e
+  else { e with desc = If (condition', a', b') }
+
+and case w place e scrutinee branches =
+  let scrutinee' = expr w place scrutinee in
+  let place = conditional place (In_branch None) in
+  let branch (b : branch) =
+    let value = expr w (knowing place [ b.pattern ]) b.value in
+    if value == b.value then b else { b with value }
+  in
+  let branches' = Long_list.map_sharing branch branches in
+  if scrutinee' == scrutinee && branches' == branches then e
+  else { e with desc = Case (scrutinee', branches') }
+
+and guards w place e guarded last =
+  let in_guard = conditional place In_guard and in_branch = conditional place (In_branch None) in
+  let alternative ((guard, value) as unchanged) =
+    let guard' = expr w in_guard guard in
+    let value' = expr w in_branch value in
+    if guard' == guard && value' == value then unchanged else (guard', value')
+  in
+  let guarded' = Long_list.map_sharing alternative guarded in
+  let last' = Option.map (expr w in_branch) last in
+  if guarded' == guarded && Option.equal ( == ) last' last then e
+  else { e with desc = Guards (guarded', last') }
+
+and proc w place e input equations output =
+  let depth = place.depth + 1 in
+  let place =
+    {
+      place with
+      position = Every_instant;
+      depth;
+      proc_depth = depth;
+      conditional = [];
+      lifted = false;
+    }
+  in
+  List.iter (Memory.local w.memory) equations;
+  let equations' = Long_list.map_sharing (binding w place) equations in
+  let output' = expr w place output in
+  if equations' == equations && output' == output then e
+  else { e with desc = Proc { input; equations = equations'; output = output' } }
 
 and one w place e part make =
   let part' = expr w place part in
@@ -372,7 +381,7 @@ let top_level =
 
 let program ?(sources = Source.create ()) sink (p : program) =
   let constants = Constant_index.create p.params and memory = Memory.create p in
-  (* The variables of one definition are in no other. *)
+  (* Each variable occurs in one definition only, so each definition has its own graph. *)
   let definition (d : definition) =
     let graph = Level_dependencies.definition sink d in
     Level_graph.solve graph;

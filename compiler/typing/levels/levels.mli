@@ -1,17 +1,17 @@
-(** Levels: what is known when, and where instances may stand (language reference, section 2).
+(** Levels: when values are known, and where instances may occur (language reference, section 2).
 
-    An instance runs at every instant of its proc. In a branch, a guard or a function it may stand
-    if that makes no difference: what is run remembers nothing ({!Memory}), and mentions nothing
-    that has a value only there.
+    An instance runs at every instant of its proc. In a branch, a guard or a function it is allowed
+    only if that makes no difference: the signal function is stateless ({!Memory}), and mentions no
+    variable that has a value only there.
 
-    Takes an inferred program and fills in the level of each binding. Reports what is run without
-    being static ([E0340]), other misplaced instances ({!Misplaced}), signal functions bound but not
-    static ([E0344]), and recursive lets ([E0346]). Each message shows the chain of equations that
-    makes the variable a signal. What a proc inside a proc mentions of the one around it is captured
-    at the instant at which it is made.
+    Takes an inferred program and fills in the level of each binding. Reports signal functions that
+    are run without being static ([E0340]), other misplaced instances ({!Misplaced}), bound signal
+    functions that are not static ([E0344]), and recursive lets ([E0346]). Each message shows the
+    chain of equations that makes the variable a signal. A proc inside another proc captures the
+    variables it mentions at the instant at which it is created.
 
-    Method: {!Level_dependencies} builds the graph of what mentions what, {!Level_graph} solves it,
-    and a second walk checks each place. Linear. *)
+    Method: {!Level_dependencies} builds the dependency graph, {!Level_graph} solves it, and a
+    second walk checks each place. Linear time. *)
 
 val program : ?sources:Basis.Source.t -> Basis.Diagnostic.sink -> Ir.program -> Ir.program
-(** [sources]: what messages quote from. *)
+(** [sources]: the files that messages quote from. *)

@@ -11,11 +11,11 @@ let rec gives_signal_function = function
   | Function (_, result) -> gives_signal_function result
   | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ -> false
 
-(* These remember what they are given does. *)
+(* These are stateful only if their arguments are. *)
 let transparent = List.map Environment.built_in [ "mapSF"; "parZ"; "onEvent" ]
 let is_transparent g = List.mem g transparent
 
-(* What a definition is made of; its own variables are looked at where they get their values. *)
+(* Is this name stateful? A local variable is examined where it is bound. *)
 let made_of senses globals (e : expr) =
   match e.desc with
   | Global (g, _) -> Option.value (Hashtbl.find_opt globals g) ~default:true

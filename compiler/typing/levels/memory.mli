@@ -1,15 +1,15 @@
-(** Which signal functions remember: what they give depends on when they started.
+(** Finds the stateful signal functions, whose output depends on when they started.
 
-    One that does not gives the same whether it runs always or only where its value is asked for, so
-    that its place in the program says nothing about when it runs. Senses are held for such too:
-    methods of type [SF i …] in a class of [i] tell how things are for a robot now. *)
+    A stateless one gives the same output whether it runs at every instant or only when its value is
+    needed, so its place in the program does not matter. Sensor methods count as stateless: a method
+    of type [SF i …] in a class of [i] reports the robot's current readings. *)
 
 type t
 
 val create : Ir.program -> t
 
 val local : t -> Ir.binding -> unit
-(** A binding that the program's procs may run. *)
+(** Records a local binding of a signal function, which procs may run. *)
 
 val remembers : t -> Ir.expr -> bool
-(** What is run, with all the arguments in it. On the safe side where it is not known. *)
+(** Is this signal function, with all its arguments, stateful? If unknown, the answer is [true]. *)

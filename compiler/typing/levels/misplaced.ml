@@ -29,7 +29,7 @@ let rec runs (h : expr) definition =
 let name h =
   match head_name h with Some name -> Printf.sprintf "`%s`" name | None -> "a signal function"
 
-(* {1 What to write} *)
+(* {1 Hints} *)
 
 let longest = 60
 
@@ -49,7 +49,7 @@ let own_equation sources h e =
        "to run it at every instant, write the equation %s beside the others, and `%s` here"
        (equation sources h e) (signal h))
 
-(* What starts anew whenever the branch is chosen. *)
+(* A hint for restarting the signal function whenever the branch is chosen. *)
 let anew sources condition h input =
   let resets { test; chosen_if } =
     match (quote sources h, quote sources input, quote sources test) with
@@ -68,7 +68,7 @@ let anew sources condition h input =
     (Option.value (Option.bind condition resets)
        ~default:"to start it anew whenever this is chosen, `switch` between signal functions")
 
-(* {1 What is wrong} *)
+(* {1 Messages} *)
 
 let report sink sources position obstacle (e : expr) ~head ~input =
   let run where code = Diagnostic.error ~code ~at:e.span "%s is run %s" (name head) where in

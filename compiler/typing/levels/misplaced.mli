@@ -1,31 +1,35 @@
-(** Instances where not every instant looks, and what to write instead: outside of procs ([E0341]),
-    in branches and guards ([E0342]), in functions ([E0343]). *)
+(** Reports instances in places that are not evaluated at every instant, and suggests what to write
+    instead: outside all procs ([E0341]), in branches and guards ([E0342]), in functions ([E0343]).
+*)
 
 open Basis
 
-(** Whether what stands here is computed at every instant. *)
+(** Whether the code at a place is evaluated at every instant. *)
 type position =
-  | Outside  (** of all procs *)
-  | In_task  (** likewise, in a [do] *)
+  | Outside  (** outside all procs *)
+  | In_task  (** outside all procs, in a [do] *)
   | Every_instant
-  | In_branch of condition option  (** of the only choice around *)
+  | In_branch of condition option  (** the condition, if this is the only enclosing choice *)
   | In_guard
-  | In_function of string  (** its name, [""] for a lambda *)
+  | In_function of string  (** the function's name; [""] for a lambda *)
 
 and condition = { test : Ir.expr; chosen_if : bool }
 
-(** Why it cannot run at every instant all the same. *)
+(** The reason why the instance cannot simply run at every instant anyway. *)
 type obstacle =
-  | Depends_on_start  (** it could, but may not be meant to *)
-  | Bound_here of Ir.Local.t  (** this, which it mentions, has no value elsewhere *)
-  | Own_definition  (** of which it is a part *)
-  | Lifted  (** its function is polymorphic or goes on as itself, so it is of no one proc *)
+  | Depends_on_start  (** it could, but restarting may be what was meant *)
+  | Bound_here of Ir.Local.t
+      (** the instance mentions this variable, which has no value elsewhere *)
+  | Own_definition  (** the instance is part of its own definition *)
+  | Lifted
+      (** the enclosing function is polymorphic or recursive, so it does not belong to a single proc
+      *)
 
 val runs : Ir.expr -> Ir.Global.t -> bool
-(** Is this what is run, perhaps with arguments? *)
+(** Does this expression run the global, possibly applied to arguments? *)
 
 val name : Ir.expr -> string
-(** What is run, as a message says it. *)
+(** The signal function that is run, as messages name it. *)
 
 val report :
   Diagnostic.sink ->
@@ -36,4 +40,4 @@ val report :
   head:Ir.expr ->
   input:Ir.expr ->
   unit
-(** The expression runs the head on the input. The position is not [Every_instant]. *)
+(** The expression runs the head on the input. The position must not be [Every_instant]. *)

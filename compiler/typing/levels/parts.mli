@@ -1,11 +1,11 @@
-(** What expressions and patterns are made of. *)
+(** Searches in expressions, types and patterns. *)
 
 val exists : (Ir.expr -> bool) -> Ir.expr -> bool
-(** Of the names and literals in it. *)
+(** Does the predicate hold for any name or literal in the expression? *)
 
 val is_static : Ir.ty -> bool
-(** Of a function, a signal function, a task, or something with one in it: no signal of a proc has
-    this type. *)
+(** Is this the type of a function, signal function or task, or does it contain one? No signal of a
+    proc has such a type. *)
 
 val variables : Ir.pattern -> Ir.Local.t list
-(** Those that it binds, the last first. *)
+(** The variables bound by the pattern, last first. *)

@@ -1,8 +1,8 @@
-(** An array of signal functions that are run by a lambda on its elements. *)
+(** Recognizes a lambda that runs each element of an array of signal functions. *)
 
 val of_application : Ir.expr -> Ir.expr -> Ir.expr_desc option
-(** Of the function and its last argument: [map (\f -> f x) fs] is [parB fs x], and
-    [zipWith (\f x -> f x) fs xs] is [parZ fs xs]. *)
+(** Takes the function and its last argument: [map (\f -> f x) fs] becomes [parB fs x], and
+    [zipWith (\f x -> f x) fs xs] becomes [parZ fs xs]. *)
 
 val needs : Ir.Global.t list
-(** Of the library, whether the program mentions it or not. *)
+(** The library definitions that this needs, even if the program does not mention them. *)

@@ -5,7 +5,7 @@ let representations_agree a b =
   | Int, Float | Float, Int -> false
   | (Int | Float | Flexible_representation _ | Rigid_representation _), _ -> true
 
-(* What the variables of the wanted type stand for. *)
+(* The types and units that the variables of the wanted types are bound to. *)
 type bound = {
   mutable types : (Type.flexible * Type.t) list;
   mutable units : (Units.t * Units.t) list;
@@ -22,8 +22,8 @@ let units_agree bound wanted given =
         bound.units <- (wanted, given) :: bound.units;
         true
 
-(* Could what is given be meant where this is wanted? A variable of the wanted type is one
-   thing wherever it stands; [bound] tells what. *)
+(* Could an argument of type [given] be meant where [wanted] is expected? All occurrences of a
+   variable in the wanted types must agree; [bound] records their bindings. *)
 let rec agree bound wanted given =
   let all ws gs = List.compare_lengths ws gs = 0 && List.for_all2 (agree bound) ws gs in
   match (Type.expand wanted, Type.expand given) with
@@ -48,7 +48,7 @@ let rec agree bound wanted given =
       _ ) ->
       false
 
-(* As [agree], but not because nothing is known of what is given. *)
+(* Like [agree], but not merely because the given type is unknown. *)
 let surely ~unfit bound wanted given =
   match (Type.expand wanted, Type.expand given) with
   | Flexible _, _ -> (not (unfit ~wanted given)) && agree bound wanted given
@@ -61,7 +61,7 @@ let exchanged ~unfit ~parameters ~given ~position =
     | Number (_, u), Number (_, u') -> Units.equal u u'
     | _ -> false
   in
-  (* a `0` goes everywhere: that the other number is none for its place says more *)
+  (* a `0` fits any parameter, so the mismatch between Int and Float is the better explanation *)
   let is_open_number t =
     match Type.expand t with
     | Number (r, _) -> (
@@ -98,7 +98,7 @@ let pair_exchanged ~unfit ~wanted:(a, b) (a', b') =
   let is_open t = match Type.expand t with Type.Flexible _ | Erroneous -> true | _ -> false in
   (not (fits a a' && fits b b'))
   && fits a b' && fits b a'
-  (* not because nothing is known of them *)
+  (* not merely because their types are unknown *)
   && (not (is_open a' && is_open b'))
   && not (is_open a && is_open b)
 

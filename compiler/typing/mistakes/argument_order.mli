@@ -1,14 +1,14 @@
-(** Arguments that were given in another order than the function's.
+(** Recognizes arguments given in the wrong order.
 
-    Told after all arguments are known: [hold e 0], where [e] is an event, would fit as [hold 0 e].
-*)
+    It runs when the types of all arguments are known: [hold e 0], where [e] is an event, would be
+    correct as [hold 0 e]. *)
 
 open Basis
 
 val pair_exchanged :
   unfit:(wanted:Type.t -> Type.t -> bool) -> wanted:Type.t * Type.t -> Type.t * Type.t -> bool
-(** The two of a pair do not fit where they stand, and would if they changed places. [unfit]: this
-    type fits only as long as nobody asks for its classes. *)
+(** Does a pair have the wrong type, and would it be correct with its components swapped? [unfit]:
+    the given type lacks a class that is required of the wanted type. *)
 
 val exchanged :
   unfit:(wanted:Type.t -> Type.t -> bool) ->
@@ -16,20 +16,20 @@ val exchanged :
   given:Type.t list ->
   position:int ->
   int option
-(** [unfit] as above. [given] are the types of the arguments, of which that at [position], from 1,
-    does not fit [parameters], the function's as its scheme has them. The position of another
-    argument with which it could change places. *)
+(** The position of another argument that could be swapped with the one at [position], counted from
+    1, whose type is wrong. [given]: the types of the arguments. [parameters]: the parameter types
+    from the function's scheme. [unfit]: see {!pair_exchanged}. *)
 
 val exchange : int -> int -> of_:int -> int list
-(** The order of so many arguments in which these two have changed places. *)
+(** The order of [of_] arguments with these two swapped. *)
 
 val rotated :
   unfit:(wanted:Type.t -> Type.t -> bool) ->
   parameters:Type.t list ->
   given:Type.t list ->
   int list option
-(** The order in which three arguments or more fit, if the first was given last, or the last first.
-*)
+(** For at least three arguments: the order in which they fit, if the first argument was given last
+    or the last one first. *)
 
 val cure :
   Show.words ->
@@ -39,5 +39,5 @@ val cure :
   int list ->
   Diagnostic.t ->
   Diagnostic.t
-(** The diagnostic of an application, with this in place of its own hints: its arguments in this
-    order, each by its position. *)
+(** Replaces the hints of an application's diagnostic by the call with its arguments in this order.
+    Each argument is given by its position. *)

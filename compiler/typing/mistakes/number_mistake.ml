@@ -3,7 +3,7 @@ open Diagnostic
 
 (* {1 Units} *)
 
-(* Written as an angle and nothing else: which is a number without a unit. *)
+(* The angle unit, if the literal has exactly that unit. An angle is a dimensionless number. *)
 let angle : Resolve.Ir.unit_ option -> string option = function
   | Some { factors = [ (Declared { name = ("deg" | "rad") as name; _ }, _) ]; _ } -> Some name
   | Some _ | None -> None
@@ -13,7 +13,7 @@ let is_per_second words u = String.equal (Show.measure words u) "1/s"
 let is_angular_velocity (t : Type.t) =
   match Type.repr t with Alias { alias = { name = "AngularVelocity"; _ }; _ } -> true | _ -> false
 
-(* Below this a time without a unit may well be in seconds. *)
+(* A time below this value, written without a unit, may well be in seconds. *)
 let many_seconds = 20.
 
 let with_unit words ~ty ~at digits unit_ =
@@ -34,7 +34,8 @@ let with_unit words ~ty ~at digits unit_ =
       [ "ms"; "s" ]
   else cure (Printf.sprintf "write `%s[%s]` if that is its unit" digits text) [ text ]
 
-(* The numbers that an expression may be, but for 0, which has every unit. *)
+(* The number literals that an expression chooses from. Zero is left out, because it has every unit.
+   *)
 let rec chosen (e : Resolve.Ir.expr) =
   match e.desc with
   | Number { digits; _ } when float_of_string_opt digits = Some 0. -> []
@@ -43,7 +44,7 @@ let rec chosen (e : Resolve.Ir.expr) =
   | If { then_; else_; _ } -> chosen then_ @ chosen else_
   | _ -> []
 
-(* Of a signal that is chosen among several numbers, all of one unit. *)
+(* The literals behind a name that is defined as a choice among several numbers of one unit. *)
 let chosen_by_name words (e : Resolve.Ir.expr option) =
   match e with
   | Some { desc = Local x; _ } -> (
@@ -54,7 +55,7 @@ let chosen_by_name words (e : Resolve.Ir.expr option) =
       | _ -> [])
   | _ -> []
 
-(* The number that an expression is, or that it stands for. *)
+(* The number literal that an expression is, or that its name is defined as. *)
 let literal words (e : Resolve.Ir.expr) =
   match e.desc with
   | Number { digits; unit_; _ } -> Some (digits, unit_, e.span, None)
@@ -64,7 +65,7 @@ let literal words (e : Resolve.Ir.expr) =
       | _ -> None)
   | _ -> None
 
-(* A plain number written where one with a unit is needed. *)
+(* A number literal without a unit where a number with a unit is expected. *)
 let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, given) diagnostic =
   let write (e : Resolve.Ir.expr option) ~ty unit_ =
     match Option.bind e (literal words) with
@@ -112,7 +113,8 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
   | Some (cure, at, Some (x : Resolve.Ir.Local.t)) ->
       label ~at (Printf.sprintf "`%s` is this number" x.name) diagnostic |> cure
 
-(* The numbers without a unit that decide the one of a function's result. *)
+(* The unitless number literals among the arguments, which determine the unit of the function's
+   result. *)
 let numbers_without_units words (e : Resolve.Ir.expr option) =
   let rec arguments found (e : Resolve.Ir.expr) =
     match e.desc with
@@ -133,7 +135,7 @@ let numbers_without_units words (e : Resolve.Ir.expr option) =
 let is_operand (expected : Expected.t) =
   match expected.because with Operand _ -> true | _ -> false
 
-(* What makes one quantity of another. *)
+(* Suggests how to convert one quantity to the other. *)
 let conversion words ~subject ~expected (wanted, given) diagnostic =
   let factor = Show.measure words (Units.divide wanted given) in
   let e =
@@ -197,7 +199,7 @@ let conversion words ~subject ~expected (wanted, given) diagnostic =
       diagnostic
   else diagnostic
 
-(* `Float` in a signature where a quantity was meant. *)
+(* `Float` without brackets in a signature, where a quantity was meant. *)
 let without_brackets words (wanted, given) diagnostic =
   let write u =
     hint
@@ -209,7 +211,7 @@ let without_brackets words (wanted, given) diagnostic =
   else if Units.equal wanted Units.one && not (Units.is_open given) then write given
   else diagnostic
 
-(* As Yampa's [delay q]. *)
+(* The delay by a time, as in Yampa's [delay q]. *)
 let by_time ~(expected : Expected.t) diagnostic =
   match expected.because with
   | Parameter { callee = Some "delay"; position = 2; _ } ->
@@ -217,10 +219,10 @@ let by_time ~(expected : Expected.t) diagnostic =
         diagnostic
   | _ -> diagnostic
 
-(* Of no square roots. *)
+(* Does the unit have only integer exponents? *)
 let is_whole u = List.for_all (fun (_, power) -> Rational.is_integer power) (Units.base_powers u)
 
-(* A number with a point among the factors, if there is one without a unit. *)
+(* A literal with a decimal point and without a unit among the factors, if there is one. *)
 let rec plain_factor (e : Resolve.Ir.expr) =
   match e.desc with
   | Number { digits; unit_ = None; decimal = true } -> Some digits
@@ -238,7 +240,7 @@ let factor_without_unit words ~subject (wanted, given) diagnostic =
         diagnostic
   | _ -> diagnostic
 
-(* `2 * e`, of which the factor is a gain. *)
+(* `2 * e`, where the factor is meant as a gain and should have a unit. *)
 let gain words ~(subject : Resolve.Ir.expr option) (wanted, given) diagnostic =
   let is_one u = Units.equal u Units.one in
   match subject with
@@ -269,7 +271,7 @@ let gain words ~(subject : Resolve.Ir.expr option) (wanted, given) diagnostic =
       |> write span text
   | _ -> diagnostic
 
-(* A signal function that is run by what is the whole value of a definition. *)
+(* The name of the signal function that is applied, if the expression is such an application. *)
 let rec runs words (e : Resolve.Ir.expr option) =
   match e with
   | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> runs words (Some head)
@@ -279,7 +281,7 @@ let rec runs words (e : Resolve.Ir.expr option) =
       | _ -> None)
   | _ -> None
 
-(* The result may be right, and the signature not. *)
+(* The result may be correct and the signature wrong. *)
 let signature_of_this words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
   match expected.because with
   | Signature { name; _ } when runs words subject <> None ->
@@ -300,7 +302,7 @@ let signature_of_this words ~subject ~(expected : Expected.t) (wanted, given) di
         diagnostic
   | _ -> diagnostic
 
-(* A turn that grows with something, by a gain that is lacking. *)
+(* A turn rate computed from another quantity without a gain. *)
 let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
   match subject with
   | Some (e : Resolve.Ir.expr)
@@ -314,7 +316,7 @@ let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
         diagnostic
   | _ -> diagnostic
 
-(* `n > 50[px]`, where the other operand is a plain number. *)
+(* `n > 50[px]`, where the other operand has no unit. *)
 let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, _) d =
   match (expected.because, Option.bind subject (literal words)) with
   | Operand { other; _ }, Some (digits, Some _, at, _)
@@ -359,7 +361,7 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
 
 (* {1 Int and Float} *)
 
-(* Between Int and Float the unit is no matter, unless it is known. *)
+(* In a mismatch between Int and Float, an undetermined unit is irrelevant, so it is not shown. *)
 let without_open_unit t =
   match Type.expand t with
   | Number (r, u)
@@ -375,7 +377,7 @@ let without_open_units (expected : Expected.t) =
   in
   Expected.make because (without_open_unit expected.ty)
 
-(* What converts each number that is in such a value. *)
+(* The prefix that applies a conversion to each number in a value of this type. *)
 let for_each t =
   match Type.expand t with
   | Data { tycon; _ } when tycon = Environment.array -> Some "map "

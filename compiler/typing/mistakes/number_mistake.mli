@@ -1,8 +1,8 @@
-(** What is said about numbers that do not fit: their units differ ([E0320]), or one is an Int and
-    the other a Float ([E0312]).
+(** Messages about mismatched numbers: the units differ ([E0320]), or one is an Int and the other a
+    Float ([E0312]).
 
-    In both, the last argument is the pair that clashes: wanted, then given. [subject] is the
-    expression at fault, if it is one. *)
+    For both, the last argument is the pair that clashes: wanted, then given. [subject]: the
+    expression that has the wrong type, if there is one. *)
 
 open Basis
 
@@ -14,7 +14,7 @@ val units :
   found:Type.t ->
   Units.t * Units.t ->
   Diagnostic.t
-(** Of a number, or of types that have numbers in them. *)
+(** For numbers, and for types that contain numbers. *)
 
 val representations :
   Show.words ->
@@ -24,10 +24,11 @@ val representations :
   found:Type.t ->
   Type.representation * Type.representation ->
   Diagnostic.t
-(** As {!units}; [expected] is {!without_open_units}. *)
+(** Like {!units}; pass {!without_open_units} as [expected]. *)
 
 val without_open_units : Expected.t -> Expected.t
-(** Between Int and Float a unit that is still to be found is no matter. *)
+(** Replaces undetermined units by 1. In a mismatch between Int and Float they are irrelevant. *)
 
 val makes : string -> string -> string option
-(** What makes one of this type of a number, of types of which that is easily told. *)
+(** A sentence about how to make a value of the type with this name from the number written as the
+    second string, for a few types. *)

@@ -1,7 +1,7 @@
-(** What messages call an expression: the name it is, if it is one. *)
+(** The name by which messages refer to an expression. *)
 
 val of_expr : Resolve.Ir.expr -> string option
-(** Of a variable or constructor that stands alone. *)
+(** The name, if the expression is a variable or a constructor. *)
 
 val of_head : Resolve.Ir.expr -> string option
-(** Likewise of what is applied to arguments that stand beside it: of [f x y], [f]. *)
+(** Like {!of_expr}, for the head of a juxtaposition: [f] for [f x y]. *)

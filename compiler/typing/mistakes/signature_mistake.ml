@@ -11,7 +11,7 @@ let type_meant (variable : Ir.variable) =
       Some type_
   | _ -> None
 
-(* The places in a signature where this name stands. *)
+(* The places in a signature where this name occurs. *)
 let mentions words (place : Span.t) name =
   let is_part = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false in
   match Show.quote words place with
@@ -41,8 +41,8 @@ let variable_like_a_type words ~at (variable : Ir.variable) =
       | places -> fix (Printf.sprintf "write `%s`" type_) (List.map (fun at -> (at, type_)) places))
     (type_meant variable)
 
-(* The signature with what the definition needs in place of the variable. The head of an instance
-   is no signature. *)
+(* Suggests the signature with the variable replaced by the required type. The head of an instance
+   is not a signature. *)
 let less_general words { by; place } (variable : Ir.variable) needed d =
   match (Show.quote words place, mentions words place variable.name) with
   | Some text, (_ :: _ as places) when String.starts_with ~prefix:"the signature" by ->
@@ -87,7 +87,7 @@ let general_type words owner ~at (r : Type.rigid) t =
   too_general words owner ~at ~kind ~instead r.variable
     (Printf.sprintf "it to be %s" (Show.described words t))
 
-(* `s2` in brackets, which is a variable. *)
+(* The power that was meant by a name such as `s2` in brackets, which is parsed as a variable. *)
 let power_meant (variable : Ir.variable) =
   match variable.name with
   | "m2" | "m3" | "s2" | "s3" | "g2" ->

@@ -1,7 +1,10 @@
 open Basis
 open Ir
 
-type t = { constructors : constructor array Resolve.Global_table.t; most : int (* values named *) }
+type t = {
+  constructors : constructor array Resolve.Global_table.t;
+  most : int; (* maximum number of values that are named *)
+}
 
 let create data =
   let table = Resolve.Global_table.create 64 in
@@ -14,12 +17,12 @@ type row = { pattern : pattern; guarded : bool }
 type missing = { named : string list; more : int }
 type result = { missing : missing option; guarded_only : int option; useless : int list }
 
-(* {1 Values not covered} *)
+(* {1 Uncovered values} *)
 
 type value =
   | Anything
   | Constructed of string * value list
-  | Record of string * (string * value) list  (** not all of them anything *)
+  | Record of string * (string * value) list  (** at least one field is not [Anything] *)
   | Tuple of value list
   | Array of value list
 
@@ -63,12 +66,12 @@ let show value =
   go false value;
   Buffer.contents out
 
-(* {1 Heads} *)
+(* {1 Head constructors} *)
 
-(* What a pattern looks at first. [arity]: parts it then looks at. *)
+(* The outermost constructor of a pattern. [arity]: the number of subpatterns. *)
 type head =
   | Constructor of { index : int; name : string; arity : int; fields : string list }
-      (** of a record the fields' names *)
+      (** [fields]: the field names of a record *)
   | Components of int
   | Elements of int
   | Number of Exact.t
@@ -106,12 +109,12 @@ let rebuild head parts =
   | Elements _ -> Array parts
   | Number n -> Constructed (Exact.to_string n, [])
 
-(* {1 Several} *)
+(* {1 Bounded lists} *)
 
-(* The first ones of many, and how many there are besides. *)
+(* The first elements of a list, and the number of further ones. *)
 type 'a some = { first : 'a list; besides : int }
 
-(* There may be more than a number can count. *)
+(* Caps the count, because the real number may not fit in an [int]. *)
 let limited n = min n 1_000_000
 
 let some_of t all =
@@ -130,13 +133,14 @@ let append t a b =
 
 let map f some = { some with first = List.map f some.first }
 
-(* Each of the first with each of the second. *)
+(* The pairs of an element of [a] and an element of [b]. *)
 let pairs t f a b =
   let { first; _ } = some_of t (List.concat_map (fun x -> List.map (f x) b.first) a.first) in
   { first; besides = limited (count a * count b) - List.length first }
 
-(* Values of the type with heads not among these, together all that there are. *)
+(* Values of the type with other heads than these. Together they cover all other values. *)
 let others t (ty : ty) heads =
+  Work.steps (List.length heads);
   let given = Hashtbl.create 16 in
   List.iter (fun h -> Hashtbl.replace given (key h) ()) heads;
   let rec smallest n =
@@ -160,6 +164,7 @@ let others t (ty : ty) heads =
   | Data { tycon; _ } -> (
       match Resolve.Global_table.find_opt t.constructors tycon with
       | Some constructors ->
+          Work.steps (Array.length constructors);
           all_but_given
             (Array.map (fun c -> (c.constructor.name, List.length c.fields)) constructors)
       | None -> Diagnostic.bug ~stage:"Typing.Coverage" "no data type `%s`" tycon.name)
@@ -168,16 +173,16 @@ let others t (ty : ty) heads =
       some_of t [ Anything ]
   | Tuple _ -> none
 
-(* {1 The walk} *)
+(* {1 The decision tree} *)
 
-(* A row of the matrix: what is still to be looked at, from left to right. *)
+(* A row of the matrix: the patterns still to be examined, from left to right. *)
 type line = { index : int; guards : bool; rest : pattern list }
 
-(* The first column of a matrix taken apart. *)
+(* The rows of a matrix, grouped by the head in their first column. *)
 type column = {
-  ty : ty option;  (** of what is looked at, if a line does look *)
-  groups : (head * line list) list;  (** what remains for each head *)
-  others : line list;  (** and for any other *)
+  ty : ty option;  (** type of the column, if any row examines it *)
+  groups : (head * line list) list;  (** the remaining rows for each head *)
+  others : line list;  (** the remaining rows for all other heads *)
 }
 
 let first_and_rest line =
@@ -185,11 +190,11 @@ let first_and_rest line =
   | first :: rest -> (first, rest)
   | [] -> Diagnostic.bug ~stage:"Typing.Coverage" "a row is too short"
 
-(* Linear, except that a line that does not look is copied for each head. *)
+(* Linear time, except that a row without a head in this column is copied for each head. *)
 let split lines =
   let groups = Hashtbl.create 16 in
   let heads = ref [] and others = ref [] and ty = ref None in
-  (* Only the type of a pattern that looks is used. *)
+  (* The type of these wildcards is not used. *)
   let blank (p : pattern) h rest =
     List.fold_left (fun rest _ -> { p with desc = Any } :: rest) rest (List.init (arity h) Fun.id)
   in
@@ -198,7 +203,12 @@ let split lines =
     | Some group -> group
     | None ->
         let group =
-          ref (List.map (fun line -> { line with rest = blank first h line.rest }) !others)
+          ref
+            (List.map
+               (fun line ->
+                 Work.step ();
+                 { line with rest = blank first h line.rest })
+               !others)
         in
         Hashtbl.replace groups (key h) group;
         heads := (h, group) :: !heads;
@@ -206,6 +216,7 @@ let split lines =
         group
   in
   let add line =
+    Work.step ();
     let first, rest = first_and_rest line in
     match head first with
     | Some (h, parts) ->
@@ -213,7 +224,9 @@ let split lines =
         group := { line with rest = parts @ rest } :: !group
     | None ->
         List.iter
-          (fun (h, group) -> group := { line with rest = blank first h rest } :: !group)
+          (fun (h, group) ->
+            Work.step ();
+            group := { line with rest = blank first h rest } :: !group)
           !heads;
         others := { line with rest } :: !others
   in
@@ -224,8 +237,7 @@ let split lines =
     others = List.rev !others;
   }
 
-(* A row of values that no line covers, and a line passed on the way to it that
-   would have, but for its guards. *)
+(* Values that no row covers, and the row that would cover them if it had no guards. *)
 type gap = { values : value list; passed : int option }
 
 let rec take n values taken =
@@ -256,7 +268,7 @@ let rec gaps t used width lines =
         let beside value gap = { gap with values = value :: gap.values } in
         append t (pairs t beside heads (gaps t used (width - 1) rest)) below
 
-(* All that was to be looked at has been: the first line whose guards hold. *)
+(* No columns are left: the first row whose guards hold is taken. *)
 and reached t used = function
   | [] -> some_of t [ { values = []; passed = None } ]
   | line :: rest ->

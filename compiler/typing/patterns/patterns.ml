@@ -1,17 +1,32 @@
 open Basis
 open Ir
 
-type walk = { sink : Diagnostic.sink; sources : Source.t; data : data list; coverage : Coverage.t }
+type walk = {
+  sink : Diagnostic.sink;
+  sources : Source.t;
+  data : data list;
+  coverage : Coverage.t;
+  mutable left : int; (* remaining steps *)
+}
 
-(* Whether the guards that end a right side may all fail. *)
+(* The number of combinations of patterns is exponential in the number of columns. *)
+let most_steps_of_one = 3_000_000
+let most_steps = 8_000_000
+
+let within w check =
+  let before = Work.left () in
+  let checked = Work.within (Int.min most_steps_of_one w.left) check in
+  w.left <- w.left - (before - Work.left ());
+  checked
+
+(* May all guards at the end of a right-hand side fail? *)
 let rec falls (e : expr) =
   match e.desc with Guards (_, None) -> true | Let (_, body) -> falls body | _ -> false
 
 let listed ({ named; more } : Coverage.missing) =
   Enumeration.some (List.map (Printf.sprintf "`%s`") named) ~more
 
-(* Of these branches one that has a name for all values, which in capitals is a
-   constructor's. *)
+(* A branch that binds a variable whose capitalized name is a constructor's. *)
 let taken_for_a_constructor w (branches : branch list) =
   let constructor name =
     let name = String.capitalize_ascii name in
@@ -28,15 +43,15 @@ let taken_for_a_constructor w (branches : branch list) =
       | _ -> None)
     branches
 
-(* Numbers are never all named: one in an example stands for more of them. *)
+(* Numbers cannot be listed completely, so a number in an example represents many others. *)
 let has_number text =
   let is_digit c = '0' <= c && c <= '9' in
   String.split_on_char ' ' (String.map (function '(' | '[' | ',' | '-' -> ' ' | c -> c) text)
   |> List.exists (fun word -> word <> "" && is_digit word.[0])
 
-(* {1 What is missing, written} *)
+(* {1 Fixes for missing cases} *)
 
-(* The end of what is there, or of a comment beside it. *)
+(* The end of the line after the code, or after a comment on that line. *)
 let end_of_line w (at : Span.t) =
   let line = Span.line at.stop and column = Span.column at.stop in
   match Source.line w.sources at.file line with
@@ -47,7 +62,8 @@ let end_of_line w (at : Span.t) =
       else at.stop
   | Some _ | None -> at.stop
 
-(* Below what is there, from this column on; for the value stands `_`, which is none. *)
+(* Adds the fix that inserts these lines below the code, at this column. The values are `_`, which
+   does not compile, so the user must fill them in. *)
 let written w ~below:(at : Span.t) ~column lines d =
   let line text = Printf.sprintf "\n%s%s" (String.make (max 0 (column - 1)) ' ') text in
   let stop = end_of_line w at in
@@ -56,17 +72,18 @@ let written w ~below:(at : Span.t) ~column lines d =
 
 let most_written = 20
 
-(* Of a case of this span; where not all can be named, the rest too. *)
+(* The fix for a [case] with this span. If not all missing patterns can be listed, adds a `_`
+   branch. *)
 let with_branches w rows (branches : branch list) (at : Span.t) d =
-  match ((Coverage.check ~most:most_written w.coverage rows).missing, branches) with
-  | Some { named; more }, first :: _ ->
+  match (within w (fun () -> Coverage.check ~most:most_written w.coverage rows), branches) with
+  | Some { missing = Some { named; more }; _ }, first :: _ ->
       let numbers, others = List.partition has_number named in
       let patterns = if numbers = [] && more = 0 then others else others @ [ "_" ] in
       written w ~below:at
         ~column:(Span.column first.pattern.span.start)
         (List.map (fun p -> p ^ " -> _") patterns)
         d
-  | Some _, [] | None, _ -> d
+  | (Some _ | None), _ -> d
 
 let with_otherwise w ~arrow guarded d =
   match (guarded, List.rev guarded) with
@@ -78,10 +95,29 @@ let with_otherwise w ~arrow guarded d =
 let rec guards_of (e : expr) =
   match e.desc with Guards (guarded, _) -> guarded | Let (_, body) -> guards_of body | _ -> []
 
-let case w (at : Span.t) (scrutinee : expr) branches =
+(* Does the last branch match everything, and so cover all remaining values? *)
+let ends_in_any (branches : branch list) =
+  match List.rev branches with
+  | { pattern = { desc = Any | Bound _; _ }; value; _ } :: _ -> not (falls value)
+  | [] | _ :: _ -> false
+
+let refuse_many w (scrutinee : expr) branches =
+  if not (ends_in_any branches) then
+    Diagnostic.(
+      error ~code:"E0413" ~at:scrutinee.span
+        "whether this `case` covers every value takes too much to find out"
+      |> note "its branches look at many things at once, in too many combinations"
+      |> hint "end it with a branch `_ -> …`, or look at fewer things at once: a `case` in a branch"
+      |> emit w.sink)
+
+let rec case w (at : Span.t) (scrutinee : expr) branches =
   let row (b : branch) : Coverage.row = { pattern = b.pattern; guarded = falls b.value } in
   let rows = Long_list.map row branches in
-  let result = Coverage.check w.coverage rows in
+  match within w (fun () -> Coverage.check w.coverage rows) with
+  | Some result -> covered w at scrutinee branches rows result
+  | None -> refuse_many w scrutinee branches
+
+and covered w at scrutinee branches rows (result : Coverage.result) =
   (match result.missing with
   | None -> ()
   | Some missing ->
@@ -192,7 +228,7 @@ let rec expr w (e : expr) =
       expr w record;
       List.iter (fun (_, e) -> expr w e) fields
 
-(* The right side of a branch: its guards may fall through to the next. *)
+(* The right-hand side of a branch: if its guards fail, the next branch is tried. *)
 and right w (e : expr) =
   match e.desc with
   | Guards (guarded, last) -> guards w guarded last
@@ -214,5 +250,5 @@ and binding w (b : binding) =
   expr w b.value
 
 let check ?(sources = Source.create ()) sink (p : program) =
-  let w = { sink; sources; data = p.data; coverage = Coverage.create p.data } in
+  let w = { sink; sources; data = p.data; coverage = Coverage.create p.data; left = most_steps } in
   List.iter (fun (d : definition) -> expr w d.value) p.definitions

@@ -7,7 +7,7 @@ let rec always_matches (p : Resolve.Ir.pattern) =
   | Tuple_of ps | Array_of ps -> List.for_all always_matches ps
   | Constructed _ | Literal _ -> false
 
-(* The constructor of which all values are taken. *)
+(* The constructor, if the branch covers all its values. *)
 let takes (b : Resolve.Ir.branch) =
   match (b.pattern.desc, b.right.guards) with
   | Constructed (c, parts), [ { condition = None; _ } ] when List.for_all always_matches parts ->

@@ -1,5 +1,5 @@
-(** A constructor that a [case] matches twice, where another one was meant: what is wrong in the
-    second branch comes of that. *)
+(** Detects a constructor that a [case] matches twice by mistake. The mistake explains the errors in
+    the second branch. *)
 
 val tell :
   Context.t ->
@@ -9,5 +9,6 @@ val tell :
   Type.t ->
   Resolve.Ir.branch list ->
   unit
-(** Of this branch, after which there are more errors than [before], among all branches of a value
-    of that type. [taken] are the constructors of which an earlier branch takes all values. *)
+(** Replaces the last error by that explanation if this branch has errors: if their number is now
+    greater than [before]. The last arguments are the type of the matched value and all branches.
+    [taken]: the constructors that earlier branches cover completely. *)

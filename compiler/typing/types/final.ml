@@ -15,7 +15,7 @@ let without_unit : Ir.unit_ = { base = []; variables = [] }
 let plain_float = leaf (Ir.Number (Float, without_unit))
 let plain_int = leaf (Ir.Number (Int, without_unit))
 
-(* The types that most expressions have are shared. *)
+(* Common types are allocated once and shared. *)
 let number (r : Ir.representation) (u : Ir.unit_) =
   match (r, u) with
   | Float, { base = []; variables = [] } -> plain_float
@@ -54,7 +54,7 @@ let rec final (t : Type.t) : Type.final =
       let elements = List.map final elements in
       compound (Tuple (types elements)) elements
   | Function (a, b) ->
-      (* Further arguments are no deeper than the first. *)
+      (* Curried arguments do not add to the nesting depth. *)
       let a = final a in
       let b = final b in
       let nesting = Int.max (a.nesting + 1) b.nesting in

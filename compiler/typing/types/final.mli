@@ -1,24 +1,25 @@
-(** Types as inference leaves them: to be asked for only when everything that can be found has been.
-    What nothing decided gets its default: [()] for a type, [Float] for a representation, [1] for a
-    unit.
+(** Converts inferred types to their final form, when inference has finished.
 
-    During inference a type may stand in another many times at no cost; written out it grows with
-    each time, to twice its size with each [pair (pair …)]. So there is a limit to it, for the sake
-    of everything that comes after. *)
+    Type variables that nothing determines get a default: [()] for a type, [Float] for a
+    representation, [1] for a unit.
+
+    During inference, types share subterms, so a type may contain another many times at no cost. The
+    final form can be exponentially larger: each [pair (pair …)] doubles it. Limits on size and
+    nesting protect the later stages. *)
 
 exception Too_large
 
 val most_parts : int
 
 val deepest : int
-(** How deep types may nest, the arguments of a function beside each other. *)
+(** Maximum nesting depth. The curried arguments of a function count as one level. *)
 
 val ty : Type.t -> Ir.ty
-(** Work is shared between calls: linear in the types of a definition, however often they occur.
-
-    @raise Too_large beyond either limit, which also ends the work soon *)
+(** Calls share their work: the total time is linear in the size of a definition's types, however
+    often these occur.
+    @raise Too_large beyond either limit, without building the large type *)
 
 val representation : Type.representation -> Ir.representation
 
 val scheme : Type.scheme -> Ir.scheme
-(** @raise Too_large as {!ty} does. *)
+(** @raise Too_large like {!ty} *)

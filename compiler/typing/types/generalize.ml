@@ -1,6 +1,6 @@
 type t = { types : Type.rigid list; representations : Units.rigid list; units : Units.rigid list }
 
-(* How many variables there are already. *)
+(* Number of variables created so far, by kind. *)
 type counts = { of_types : int; of_sizes : int; of_representations : int; of_units : int }
 
 type state = {
@@ -10,7 +10,10 @@ type state = {
   mutable counts : counts;
 }
 
+(* Schemes have at most as many variables as a type may have parts, because larger schemes would
+   slow down later stages. *)
 let variable state kind count : Ir.variable =
+  if count > Final.most_parts then raise_notrace Final.Too_large;
   { id = Type.next state.supply; name = Variable_name.nth kind count }
 
 let new_type state kind : Type.rigid =
@@ -51,6 +54,7 @@ let representation state r =
   | Int | Float | Rigid_representation _ -> ()
 
 let rec ty state t =
+  Basis.Work.step ();
   match Type.repr t with
   | Flexible variable -> variable.found <- Some (Rigid (new_type state variable.kind))
   | Number (r, u) ->

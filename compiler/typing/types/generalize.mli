@@ -1,13 +1,12 @@
-(** Quantifying what a top-level group leaves open.
+(** Generalization: quantifies the variables that a top-level group leaves unsolved.
 
-    Every variable still open in the types of the group's definitions becomes a variable of their
-    schemes, named in the order in which it is met. Units are put into their simplest principal form
-    on the way (Kennedy, "Types for units-of-measure", 2009, section 3.5), see {!Units.generalize}.
-*)
+    Every unsolved variable in the types of the group's definitions becomes a quantified variable of
+    their schemes, named in order of occurrence. Units are brought into their simplest principal
+    form (Kennedy, "Types for units-of-measure", 2009, section 3.5), see {!Units.generalize}. *)
 
 type t = { types : Type.rigid list; representations : Units.rigid list; units : Units.rigid list }
 
 val none : t
 
 val types : Type.supply -> depth:int -> Type.t list -> t
-(** Afterwards nothing in the types is open. *)
+(** Afterwards the types contain no unsolved variables. *)

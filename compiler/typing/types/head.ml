@@ -23,7 +23,7 @@ let of_type t =
   | Signal_function (a, b) -> Some (Signal_function, [ a; b ])
   | Data { tycon; arguments; _ } -> Some (Data tycon, arguments)
 
-(* The variable that the unit is, if it is nothing else. *)
+(* The unit's variable, if the unit consists of that variable alone. *)
 let unit_variable u =
   let u = Units.resolve u in
   match (Units.base_powers u, Units.flexible_powers u, Units.rigid_powers u) with

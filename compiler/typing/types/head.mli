@@ -1,4 +1,4 @@
-(** Type constructors: what an instance of a class is chosen by. *)
+(** Type constructors, by which class instances are selected. *)
 
 type t =
   | Data of Ir.Global.t
@@ -6,14 +6,15 @@ type t =
   | Float
   | Bool
   | String
-  | Tuple of int  (** of that many parts *)
+  | Tuple of int  (** number of components *)
   | Function
   | Signal_function
 
 val of_type : Type.t -> (t * Type.t list) option
-(** With what it is applied to, but for units. A number whose representation nothing has decided is
-    a [Float], as it will be. [None] for a variable, and for what was reported. *)
+(** The type constructor and its type arguments (without unit arguments). A number of undetermined
+    representation counts as [Float], its default. [None] for a variable and for an erroneous type.
+*)
 
 val parameters : Type.t -> Type.rigid list option
-(** Of a type that is a constructor applied to distinct variables, of types and of units: those of
-    types, in order. *)
+(** If the type is a constructor applied to distinct variables: its type variables, in order. Unit
+    arguments must be distinct variables too. *)

@@ -1,11 +1,11 @@
 (** Exponents of units: small exact fractions. *)
 
 type t = Syntax.Ir.rational
-(** In lowest terms, the denominator positive. *)
+(** In lowest terms, with a positive denominator. *)
 
 exception Out_of_range
-(** Raised where a numerator or denominator would pass a million: no unit that means anything comes
-    near it. *)
+(** Raised if a numerator or denominator would exceed a million. No practical unit comes near that.
+*)
 
 val zero : t
 val one : t
@@ -19,7 +19,7 @@ val negate : t -> t
 val multiply : t -> t -> t
 
 val inverse : t -> t
-(** Of anything but zero. *)
+(** The argument must not be zero. *)
 
 val is_zero : t -> bool
 val is_negative : t -> bool

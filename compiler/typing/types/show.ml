@@ -1,13 +1,13 @@
 open Basis
 
-(* Both kinds of type become this small tree, which one printer writes. *)
+(* Final types and inferred types are both converted to this tree, which one printer writes. *)
 type tree =
   | Word of string
   | Applied of string * tree list
   | Arrow of tree * tree
   | Group of tree list
 
-(* Messages show no deeper than this. *)
+(* Messages elide types below this depth. *)
 let deepest = 12
 
 let write tree =
@@ -18,7 +18,7 @@ let write tree =
     body ();
     if condition then add ")"
   in
-  (* tightness: 0 alone, 1 left of an arrow, 2 argument of a type *)
+  (* Tightness: 0 in no context, 1 left of an arrow, 2 as a type argument. *)
   let rec go tightness = function
     | Word text -> add text
     | Applied (head, arguments) ->
@@ -47,7 +47,7 @@ let write tree =
 
 let applied head = function [] -> Word head | arguments -> Applied (head, arguments)
 
-(* Powers by name, variables first. *)
+(* A product of named powers, variables first. *)
 let product powers =
   let factor (name, p) =
     if Rational.equal p Rational.one then name
@@ -64,7 +64,7 @@ let product powers =
 
 let bracketed head units = if units = [] then head else head ^ "[" ^ String.concat ", " units ^ "]"
 
-(* [Float[1]] is written [Float]; [n[1]] needs its bracket. *)
+(* [Float[1]] is written [Float]; [n[1]] keeps its brackets. *)
 let number representation unit_ =
   match representation with
   | `Named name when unit_ = "1" -> name
@@ -72,7 +72,7 @@ let number representation unit_ =
 
 let base_names powers = List.map (fun ((g : Ir.Global.t), p) -> (g.name, p)) powers
 
-(* {1 What inference found} *)
+(* {1 Final types} *)
 
 let unit_ (u : Ir.unit_) =
   product (List.map (fun ((v : Ir.variable), p) -> (v.name, p)) u.variables @ base_names u.base)
@@ -132,8 +132,8 @@ let nowhere =
 type words = {
   named_unit : Units.t -> string option;
   place : place;
-  mutable namesakes : string list;  (** of data types of several modules *)
-  names : (int, string) Hashtbl.t;  (** of variables to be found, by id *)
+  mutable namesakes : string list;  (** names that data types of several modules share *)
+  names : (int, string) Hashtbl.t;  (** names chosen for unsolved variables, by id *)
   taken : (string, unit) Hashtbl.t;
 }
 
@@ -160,7 +160,7 @@ let signal words input =
   in
   Option.map fst (List.find_opt (fun (_, t) -> same_kind t) words.place.inputs)
 
-(* {2 Types of one name} *)
+(* {2 Types with the same name} *)
 
 let rec data_types found t =
   match Type.repr t with
@@ -260,7 +260,7 @@ let rec tree_of words depth t =
           (List.map continue_ arguments)
     | Erroneous -> Word "_"
 
-(* Names of signatures are taken before any is invented. *)
+(* Reserves the names that signatures use, before any name is invented. *)
 let rec reserve words depth t =
   if depth <= deepest then
     let continue_ = reserve words (depth + 1) in
@@ -302,18 +302,24 @@ let quoted words t =
   | Alias { units = []; _ }, Number (_, u) -> Printf.sprintf "%s (%s)" text (measure words u)
   | _ -> text
 
-(* A type in a sentence. A number whose representation is open needs no
-   invented name for it. *)
-let described words t =
+let is_any_number t =
   match Type.expand t with
   | Number (r, u) -> (
       let u = Units.resolve u in
       match (Type.representation r, Units.flexible_powers u) with
-      | Flexible_representation _, [] ->
-          if Units.equal u Units.one then "a number"
-          else Printf.sprintf "a number of `%s`" (measure words u)
-      | Flexible_representation _, [ _ ] when Units.base_powers u = [] && Units.rigid_powers u = []
-        ->
-          "a number"
+      | Flexible_representation _, [] -> Units.equal u Units.one
+      | Flexible_representation _, [ _ ] -> Units.base_powers u = [] && Units.rigid_powers u = []
+      | _ -> false)
+  | _ -> false
+
+(* A type as part of a sentence. If the representation of a number is open, the text needs no
+   invented name for it. *)
+let described words t =
+  match Type.expand t with
+  | _ when is_any_number t -> "a number"
+  | Number (r, u) -> (
+      let u = Units.resolve u in
+      match (Type.representation r, Units.flexible_powers u) with
+      | Flexible_representation _, [] -> Printf.sprintf "a number of `%s`" (measure words u)
       | _ -> quoted words t)
   | _ -> quoted words t

@@ -1,45 +1,46 @@
-(** Types and units as a programmer would write them. *)
+(** Prints types and units in Frob syntax. *)
 
 open Basis
 
-(** {1 What inference found} *)
+(** {1 Final types} *)
 
 val ty : Ir.ty -> string
 
 val scheme : Ir.scheme -> string
-(** With its context: [Eq a => a -> a -> Bool]. *)
+(** The type with its context: [Eq a => a -> a -> Bool]. *)
 
 val unit_ : Ir.unit_ -> string
-(** [m/s], [kg m/s^2], [1]. *)
+(** For example [m/s], [kg m/s^2] or [1]. *)
 
 (** {1 Types in messages}
 
-    Variables still to be found are named as a programmer would: [a], [b] for types, [u], [v] for
-    units, [n] for representations, the same in all texts of one message, and apart from the names a
-    signature uses. *)
+    Unsolved variables get names in the usual style: [a], [b] for types, [u], [v] for units, [n] for
+    representations. A name is the same in all texts of one message and differs from all names that
+    a signature uses. *)
 
 type words
-(** The names given so far in one message, and what it may speak of. *)
+(** The variable names chosen so far in one message, and the context that it may mention. *)
 
 type place = {
   sources : Source.t;
-  inputs : (string * Type.t) list;  (** the signals that come into the proc around *)
-  needs_class : Type.t -> bool;  (** something was used that asks for one *)
+  inputs : (string * Type.t) list;  (** input signals of the enclosing proc *)
+  needs_class : Type.t -> bool;  (** does some use require a class for this type? *)
   definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
-      (** the value of a local that has no parameters *)
-  fields : Type.t -> (string * string list) option;  (** a record's constructor, and its fields *)
+      (** the value of a local variable without parameters *)
+  fields : Type.t -> (string * string list) option;
+      (** the constructor and the fields of a record type *)
   choices : Type.t -> string list;
-      (** the constructors of a type, if it has a few, and none of them has parts *)
-  declared : Resolve.Ir.Global.t -> Type.t option;  (** the type of a definition *)
+      (** the constructors of an enumeration with few cases; otherwise none *)
+  declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)
   makers : Type.t -> of_:Type.t -> string list;
-      (** constructors of the first type that have a part of the second, with their parts *)
+      (** constructors of the first type that have a field of type [of_], shown with their fields *)
 }
 
 val words : ?place:place -> named_unit:(Units.t -> string option) -> unit -> words
-(** [named_unit] knows units with a name of their own, as [N] for [kg m/s^2]. *)
+(** [named_unit] returns the name of a unit that has one, such as [N] for [kg m/s^2]. *)
 
 val quote : words -> Span.t -> string option
-(** What is written there, if it is short. *)
+(** The source text at the span, if it is short. *)
 
 val needs_class : words -> Type.t -> bool
 val definition : words -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
@@ -48,33 +49,37 @@ val choices : words -> Type.t -> string list
 val makers : words -> Type.t -> of_:Type.t -> string list
 
 val declared : words -> Resolve.Ir.Global.t -> string option
-(** The type as its signature has it. *)
+(** The type in the signature. *)
 
 val is_input : words -> string -> bool
-(** Comes into the proc around under this name. *)
+(** Is this the name of an input of the enclosing proc? *)
 
 val signal : words -> Type.t -> string option
-(** An input of the proc around that may be of this type. *)
+(** An input of the enclosing proc that may have this type. *)
 
 val tell_apart : words -> Type.t list -> unit
-(** Data types among these that have one name, of several modules, are shown with the module's. *)
+(** From now on, shows the module name for data types whose name occurs in several modules among
+    these types. *)
 
 val namesakes : words -> string list
-(** Their names. *)
+(** The names that are shown with their module. *)
 
 val type_ : words -> Type.t -> string
-(** By its alias where it has one. *)
+(** Uses the type's alias if it has one. *)
 
 val quoted : words -> Type.t -> string
-(** In backticks; a number's alias is followed by the unit, as [`Velocity` (m/s)]. *)
+(** In backticks; the alias of a number is followed by its unit, as in [`Velocity` (m/s)]. *)
+
+val is_any_number : Type.t -> bool
+(** Is nothing known of the type but that it is a number? Its text needs no names. *)
 
 val described : words -> Type.t -> string
-(** A type in a sentence: quoted, or [a number]. *)
+(** A type as part of a sentence: quoted, or [a number]. *)
 
 val class_ : Ir.class_ -> string
 
 val constraint_ : words -> Ir.class_ -> Type.t -> string
-(** As [Eq (Maybe a)]. *)
+(** For example [Eq (Maybe a)]. *)
 
 val measure : words -> Units.t -> string
 val representation : words -> Type.representation -> string

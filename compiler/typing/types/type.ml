@@ -108,6 +108,7 @@ type substitution = {
 let substitute_unit s unit_ = Units.substitute (fun id -> Ids.find_opt id s.by_unit) unit_
 
 let rec apply s t =
+  Basis.Work.step ();
   match repr t with
   | Rigid { variable; _ } as t -> (
       match Ids.find_opt variable.id s.by_type with Some by -> by | None -> t)
@@ -146,6 +147,7 @@ let rec apply s t =
   | (Flexible _ | Bool | String | Size _ | Erroneous) as t -> t
 
 let rec mentions (v : Ir.variable) t =
+  Basis.Work.step ();
   match repr t with
   | Rigid { variable; _ } -> variable.id = v.id
   | Tuple elements | Data { arguments = elements; _ } -> List.exists (mentions v) elements
@@ -154,6 +156,7 @@ let rec mentions (v : Ir.variable) t =
   | Flexible _ | Number _ | Bool | String | Size _ | Erroneous -> false
 
 let rec occurs (v : flexible) t =
+  Basis.Work.step ();
   match repr t with
   | Flexible other -> other == v
   | Tuple elements | Data { arguments = elements; _ } -> List.exists (occurs v) elements

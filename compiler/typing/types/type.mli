@@ -1,12 +1,12 @@
-(** Types while they are inferred.
+(** Types during inference.
 
-    As {!Ir.ty}, with variables still to be found, with the names of aliases kept for messages (an
-    alias equals its expansion), and with a type that agrees with everything, so that one mistake is
-    reported once. *)
+    They differ from {!Ir.ty} in three ways: they may contain unsolved variables, they keep the
+    names of aliases for messages (an alias equals its expansion), and there is an erroneous type
+    that unifies with everything, so that each mistake is reported once. *)
 
 type t =
-  | Flexible of flexible  (** to be found *)
-  | Rigid of rigid  (** quantified *)
+  | Flexible of flexible  (** an unsolved or solved variable *)
+  | Rigid of rigid  (** a quantified variable *)
   | Number of representation * Units.t
   | Bool
   | String
@@ -15,26 +15,26 @@ type t =
   | Signal_function of t * t
   | Data of { tycon : Ir.Global.t; units : Units.t list; arguments : t list }
   | Alias of { alias : Ir.Global.t; units : Units.t list; arguments : t list; expansion : t }
-  | Size of int  (** of an array; only as an argument *)
-  | Erroneous  (** of something that was reported *)
+  | Size of int  (** array size; occurs only as a type argument *)
+  | Erroneous  (** the type of an expression that has been reported *)
 
 and flexible = {
   id : int;
   kind : kind;
   mutable depth : int;
   mutable found : t option;
-  mutable final : final option;  (** kept by {!Final}, once inference is over *)
+  mutable final : final option;  (** cached by {!Final} after inference *)
 }
 
 and final = {
   ty : Ir.ty;
-  parts : int;  (** constructors of types in it, written out *)
+  parts : int;  (** number of type constructors in the expanded type *)
   nesting : int;
 }
 
-and rigid = { variable : Ir.variable; kind : kind; depth : int  (** as {!Units.rigid} *) }
+and rigid = { variable : Ir.variable; kind : kind; depth : int  (** see {!Units.rigid} *) }
 
-(** What a variable, and a parameter of a type, stands for. *)
+(** Whether a variable or a type parameter ranges over types or sizes. *)
 and kind = Of_types | Of_sizes
 
 and representation =
@@ -60,7 +60,7 @@ type scheme = {
 val monomorphic : t -> scheme
 
 type supply
-(** Of numbers for variables: one for a program. *)
+(** Supply of ids for variables; one per program. *)
 
 val supply : unit -> supply
 val next : supply -> int
@@ -68,31 +68,31 @@ val next : supply -> int
 (** {1 New variables} *)
 
 val fresh : supply -> ?kind:kind -> depth:int -> unit -> t
-(** Of types unless said. *)
+(** A type variable unless [kind] says otherwise. *)
 
 val fresh_representation : supply -> depth:int -> representation
 val fresh_unit : supply -> depth:int -> Units.t
 
 val fresh_number : supply -> depth:int -> t
-(** A number of any representation and unit. *)
+(** A number of unknown representation and unit. *)
 
-(** {1 Looking at a type} *)
+(** {1 Inspecting a type} *)
 
 val kind : t -> kind
 
 val repr : t -> t
-(** Past what was found; an alias stays. *)
+(** Follows solved variables, but keeps aliases. *)
 
 val expand : t -> t
-(** Past what was found and past aliases. *)
+(** Follows solved variables and expands aliases. *)
 
 val representation : representation -> representation
 
 val shared : t -> t
-(** The same type, converted only once however often it occurs: for types that an expression adds a
-    layer to. *)
+(** An equal type whose final form is computed only once. Useful for a type that many expressions
+    extend by one layer. *)
 
-(** {1 Using a scheme} *)
+(** {1 Instantiating a scheme} *)
 
 type instance = {
   ty : t;
@@ -104,9 +104,9 @@ type instance = {
 val instantiate : supply -> depth:int -> scheme -> instance
 
 val mentions : Ir.variable -> t -> bool
-(** Does a quantified type variable occur in the type? *)
+(** Does the quantified type variable occur in the type? *)
 
 val occurs : flexible -> t -> bool
-(** Likewise of a variable to be found. *)
+(** Does the unsolved variable occur in the type? *)
 
 val substitute : types:(rigid * t) list -> units:(Units.rigid * Units.t) list -> t -> t

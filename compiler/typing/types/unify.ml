@@ -31,9 +31,10 @@ let representations a b =
   | (Int | Float | Rigid_representation _), (Int | Float | Rigid_representation _) ->
       clash (Different_representations (a, b))
 
-(* The variable may become [t] if it does not occur in it; what [t] still
-   leaves open must then stay as far out as the variable is. *)
+(* Checks that the variable may be set to [t] (occurs check), and limits the depth of the variables
+   in [t] to the variable's depth. *)
 let rec admit (variable : flexible) t =
+  Basis.Work.step ();
   match repr t with
   | Flexible other ->
       if other == variable then clash (Infinite (Flexible variable));
@@ -61,8 +62,9 @@ and admit_representation variable r =
   | Rigid_representation r -> if r.depth > variable.depth then clash Escaping
   | Int | Float -> ()
 
-(* What only an erroneous type could have decided is erroneous too. *)
+(* Marks as erroneous all variables that only an erroneous type could have determined. *)
 let rec spoil t =
+  Basis.Work.step ();
   match repr t with
   | Flexible variable -> variable.found <- Some Erroneous
   | Tuple elements -> List.iter spoil elements
@@ -74,6 +76,7 @@ let rec spoil t =
   | Rigid _ | Number _ | Bool | String | Size _ | Erroneous -> ()
 
 let rec unify a b =
+  Basis.Work.step ();
   let a = repr a and b = repr b in
   if a != b then
     match (a, b) with

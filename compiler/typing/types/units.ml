@@ -3,7 +3,7 @@ type t = {
   rigid : (rigid * Rational.t) list;
   flexible : (flexible * Rational.t) list;
 }
-(* each list sorted, without zero powers *)
+(* Each list is sorted and has no zero powers. *)
 
 and rigid = { variable : Ir.variable; depth : int }
 and flexible = { id : int; mutable depth : int; mutable solution : t option }
@@ -75,7 +75,7 @@ let rec resolve unit_ =
               multiply product (power solution p))
         { unit_ with flexible = [] } unit_.flexible
 
-(* Of units without variables that are still open. *)
+(* Compares units that have no unsolved variables. *)
 let same a b =
   let same_powers by = List.equal (fun (x, p) (y, q) -> by x y = 0 && Rational.equal p q) in
   same_powers by_name a.base b.base && same_powers by_variable a.rigid b.rigid
@@ -87,8 +87,8 @@ let equal a b =
 let is_open unit_ = (resolve unit_).flexible <> []
 let deepest rigid = List.fold_left (fun depth ((r : rigid), _) -> max depth r.depth) 0 rigid
 
-(* The variable to eliminate: the innermost, so that none further out comes to
-   depend on it; among those the newest. *)
+(* The variable to eliminate is the innermost one, so that no outer variable comes to depend on it;
+   among equally deep variables, the newest. *)
 let is_before (x : flexible) (y : flexible) = y.depth > x.depth || (y.depth = x.depth && y.id > x.id)
 
 let pivot = function
@@ -97,7 +97,7 @@ let pivot = function
       let better (x, p) (y, q) = if is_before x y then (y, q) else (x, p) in
       Some (List.fold_left better first rest)
 
-(* [x] to the [exponent], times the rest, is 1. *)
+(* Solves [x^exponent * rest = 1] for [x]. *)
 let solve ((x : flexible), exponent) product =
   let rest = { product with flexible = List.filter (fun (y, _) -> y != x) product.flexible } in
   x.solution <- Some (power rest (Rational.negate (Rational.inverse exponent)))
@@ -108,7 +108,7 @@ let unify a b =
   ||
   match (a, b) with
   | { flexible = []; _ }, { flexible = []; _ } -> same a b
-  (* Nearly always one of them is a mere variable, or both are. *)
+  (* Fast path: one or both are almost always a single variable. *)
   | { base = []; rigid = []; flexible = [ (x, power) ] }, ({ flexible = []; _ } as other)
   | ({ flexible = []; _ } as other), { base = []; rigid = []; flexible = [ (x, power) ] }
     when Rational.equal power Rational.one ->

@@ -1,47 +1,47 @@
-(** Units of measure while types are inferred: products of rational powers of base units, of the
-    unit variables that a signature names, and of unit variables still to be found.
+(** Units of measure during inference: products of rational powers of base units, of unit variables
+    named in a signature, and of unsolved unit variables.
 
-    Unifying two units is solving one linear equation in the exponents; over the rationals any
-    variable can be solved for, so the most general solution of each equation is found by
-    eliminating one variable (Gaussian elimination, one row at a time). *)
+    Unifying two units means solving one linear equation in the exponents. Over the rationals, any
+    variable of an equation can be solved for. Eliminating one variable per equation (Gaussian
+    elimination, one row at a time) therefore gives the most general solution. *)
 
 type t
-(** A product. Solutions found later show through {!resolve}. *)
+(** A product of powers. {!resolve} substitutes the solutions found later. *)
 
 type rigid = { variable : Ir.variable; depth : int }
-(** A variable that stands for every unit. [depth]: how many generalizing definitions are around the
+(** A universally quantified variable. [depth]: the number of generalizing definitions around the
     one that quantifies it; nothing further out may depend on it. *)
 
 type flexible
-(** To be found. *)
+(** An unsolved variable. *)
 
 val one : t
 val base : Ir.Global.t -> t
 val of_rigid : rigid -> t
 
 val fresh : id:int -> depth:int -> t
-(** A new variable to be found. *)
+(** A new unsolved variable. *)
 
 val multiply : t -> t -> t
 val divide : t -> t -> t
 val power : t -> Rational.t -> t
 
 val unify : t -> t -> bool
-(** Makes them equal by the most general solution; [false], and nothing changed, if there is none.
-*)
+(** Makes the units equal by the most general solution. Returns [false] and changes nothing if there
+    is none. *)
 
 val equal : t -> t -> bool
-(** Already equal, whatever is found later. *)
+(** Are the units equal, whatever is solved later? *)
 
 val resolve : t -> t
-(** With all solutions put in. *)
+(** Substitutes all solutions found so far. *)
 
 val lower : depth:int -> t -> bool
-(** Nothing found later for it may depend on rigid variables deeper than [depth]; [false] if it does
-    already. *)
+(** Ensures that solutions found later do not depend on rigid variables deeper than [depth]. Returns
+    [false] if the unit already depends on one. *)
 
 val is_open : t -> bool
-(** Has variables to be found. *)
+(** Does it contain unsolved variables? *)
 
 (** {1 The parts of a resolved unit, sorted} *)
 
@@ -49,15 +49,15 @@ val base_powers : t -> (Ir.Global.t * Rational.t) list
 val rigid_powers : t -> (rigid * Rational.t) list
 
 val flexible_powers : t -> (int * Rational.t) list
-(** By id. *)
+(** Unsolved variables, by id. *)
 
 val generalize : fresh:(unit -> rigid) -> t -> rigid option
-(** Solves one variable to be found so that the whole unit is a new rigid variable; [None] if all is
-    found. Taking a type's units from left to right in this way gives the simplest principal form:
-    [Float[u] -> Float[u^2]], never [Float[m u] -> Float[m^2 u^2]]. *)
+(** Solves one unsolved variable such that the whole unit becomes a new rigid variable; [None] if
+    nothing is unsolved. Applying this to the units of a type from left to right gives the simplest
+    principal form: [Float[u] -> Float[u^2]], never [Float[m u] -> Float[m^2 u^2]]. *)
 
 val substitute : (int -> t option) -> t -> t
-(** Replaces rigid variables, by id. *)
+(** Replaces rigid variables, given by their ids. *)
 
 val to_ir : t -> Ir.unit_
-(** What is not found is 1. *)
+(** Unsolved variables become 1. *)

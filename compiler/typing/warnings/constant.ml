@@ -5,9 +5,11 @@ type value = Float of float | Int of int
 type t = {
   definitions : expr Resolve.Global_table.t;
   found : value Resolve.Global_table.t;
-  of_ints : value Resolve.Global_table.t; (* of a definition of any numbers, where it is an Int *)
-  as_int : bool; (* this is such a definition *)
-  given : (int * value) list; (* parameters, by the local's id *)
+  of_ints : value Resolve.Global_table.t;
+      (* values of number-polymorphic definitions when used as
+                                             Int *)
+  as_int : bool; (* the current definition is number-polymorphic and is evaluated as Int *)
+  given : (int * value) list; (* values of parameters, by the id of the local *)
 }
 
 let is_int (e : expr) = match e.ty with Ir.Number (Int, _) -> true | _ -> false
@@ -54,8 +56,8 @@ let rec all_known = function
   | Some x :: rest -> Option.map (fun xs -> x :: xs) (all_known rest)
   | None :: _ -> None
 
-(* [depth]: how far to look; deeper nothing is known, so that long sums are not looked through
-   again from each of their ends. *)
+(* [depth]: the maximum depth of the evaluation. Deeper expressions are treated as unknown, so that
+   long sums are not evaluated again for each of their parts. *)
 let rec at depth t (e : expr) =
   let value e = if depth = 0 then None else at (depth - 1) t e in
   match e.desc with
@@ -78,7 +80,7 @@ let rec at depth t (e : expr) =
       | found -> found)
   | _ -> None
 
-(* A function of the program's own, of numbers that are known. *)
+(* A call of a function of the program with known numbers. *)
 and call depth t (e : expr) =
   match spine e with
   | { desc = Global (g, _); _ }, arguments -> (
@@ -92,7 +94,7 @@ and call depth t (e : expr) =
             Option.bind
               (all_known (List.map (at (depth - 1) t) arguments))
               (fun values ->
-                (* so that calls in calls stay few *)
+                (* limit the cost of nested calls *)
                 at
                   (min (depth - 1) 8)
                   { t with as_int = true; given = List.combine ids values }
@@ -108,7 +110,7 @@ and literal t ty exact =
   | Number (Int, _) -> Option.map (fun n -> Int (Int32.to_int n)) (Basis.Exact.to_int32 exact)
   | _ -> None
 
-(* Of a record that is a definition's whole value. *)
+(* A field of a record that is the whole value of a definition. *)
 and field t (record : expr) constructor index =
   match record.desc with
   | Global (g, _) -> (
@@ -127,7 +129,7 @@ let of_program (p : program) =
   in
   let params = table () in
   List.iter (fun (p : param) -> Resolve.Global_table.replace params p.param ()) p.params;
-  (* In the order of dependency: what a definition uses is known before it. *)
+  (* In dependency order, so that the values of the definitions used are known. *)
   let add (d : definition) =
     if not (Resolve.Global_table.mem params d.name) then (
       Resolve.Global_table.replace t.definitions d.name d.value;

@@ -1,23 +1,23 @@
-(** Numbers that an expression is whatever happens, as far as arithmetic with literals and with
-    definitions of such tells; for warnings, so not to the last bit. *)
+(** Evaluates constant expressions: arithmetic on literals and on constant definitions. Only for
+    warnings, so the values may differ from run-time values in the last bits. *)
 
 type t
-(** What is known of a program's definitions. *)
+(** The constant definitions of a program. *)
 
 val of_program : Ir.program -> t
 
-type value = Float of float  (** in base units *) | Int of int  (** before it wraps around *)
+type value = Float of float  (** in base units *) | Int of int  (** before wraparound *)
 
 val spine : Ir.expr -> Ir.expr * Ir.expr list
-(** What is applied, and to what. *)
+(** Splits nested applications into the head and its arguments. *)
 
 val value : t -> Ir.expr -> value option
 
 val is_of_any_numbers : t -> Ir.expr -> bool
-(** A name of a definition whose numbers are Ints only where it is used. *)
+(** Does this name have a number-polymorphic definition, whose numbers are Ints only at this use? *)
 
 val float : t -> Ir.expr -> float option
-(** Of a [Float] only. *)
+(** The value, if it is a [Float]. *)
 
 val operation : Ir.expr -> (string * Ir.expr list) option
-(** A primitive of the prelude applied to arguments. *)
+(** The name and the arguments, if it is an application of a primitive of the prelude. *)

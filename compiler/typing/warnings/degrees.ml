@@ -20,7 +20,7 @@ let operation (e : Resolve.Ir.expr) =
       Some (left, g.name, right)
   | _ -> None
 
-(* The value of a number, or of a product of numbers, without a unit. *)
+(* The value of a unitless number, or of a product or quotient of such numbers. *)
 let rec constant (e : Resolve.Ir.expr) =
   match (e.desc, operation e) with
   | Number { unit_ = None; digits; _ }, _ -> float_of_string_opt digits
@@ -32,7 +32,7 @@ let rec constant (e : Resolve.Ir.expr) =
 and both compute left right =
   match (constant left, constant right) with Some a, Some b -> Some (compute a b) | _, _ -> None
 
-(* Not by [Context.report]: what it counts are errors. *)
+(* Does not use [Context.report], which counts errors. *)
 let report (ctx : Context.t) (e : Resolve.Ir.expr) =
   let in_degrees (number : Resolve.Ir.expr) digits text d =
     Diagnostic.hint (Printf.sprintf text digits) d |> Diagnostic.write number.span (digits ^ "[deg]")

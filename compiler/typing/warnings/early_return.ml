@@ -8,7 +8,7 @@ let prelude name (e : Resolve.Ir.expr) =
 let is_return (e : Resolve.Ir.expr) =
   match e.desc with Apply { head; style = Juxtaposed; _ } -> prelude "return" head | _ -> false
 
-(* All that it does is to return, whatever holds. *)
+(* Does the task do nothing but return, in every case? *)
 let rec only_returns (e : Resolve.Ir.expr) =
   is_return e
   ||
@@ -20,7 +20,7 @@ let rec only_returns (e : Resolve.Ir.expr) =
       prelude "whenT" head && only_returns argument
   | _ -> false
 
-(* The line goes; the next statement stands in the one below it, so nothing else is in between. *)
+(* Removes the line. The next statement is on the line below, so nothing else is in between. *)
 let without (e : Resolve.Ir.expr) next d =
   match (next : Span.t option) with
   | Some next when Span.line next.start = Span.line e.span.stop + 1 ->

@@ -1,7 +1,7 @@
-(** [W0312] a `return` among the statements of a [do], which others follow: it does nothing, as it
-    ends the task only where it is the last. *)
+(** [W0312]: a `return` in a [do] that other statements follow. It has no effect, because only a
+    `return` at the end ends the task. *)
 
 open Basis
 
 val warn : Context.t -> Resolve.Ir.expr -> next:Span.t option -> unit
-(** Of a statement that binds nothing; [next] is where the one after it stands. *)
+(** Checks a statement that binds nothing. [next]: the place of the statement after it. *)

@@ -1,6 +1,6 @@
 open Basis
 
-(* A product: the number in it, and what else is multiplied, each as it is written. *)
+(* A product: its constant factor, and the source expressions of the other factors. *)
 type product = { number : float; others : Resolve.Ir.expr list }
 
 let degree = Float.pi /. 180.
@@ -25,7 +25,7 @@ let is_angular t =
 let definition ctx (e : Resolve.Ir.expr) =
   match e.desc with Local x -> Show.definition (Context.words ctx) x | _ -> None
 
-(* [depth]: how many names are looked behind. *)
+(* [depth]: the maximum number of definitions to follow. *)
 let rec product ctx depth (e : Resolve.Ir.expr) =
   let plain = { number = 1.; others = [ e ] } in
   match (e.desc, Degrees.operation e) with
@@ -55,7 +55,8 @@ let rec product ctx depth (e : Resolve.Ir.expr) =
 
 let names_behind = 3
 
-(* What it is degrees of: 57.3 is near enough to 180/π, and so is 3.14 to π. *)
+(* The factors that are converted to degrees. A factor of about 180/π counts, so 57.3 does, and 3.14
+   as π. *)
 let in_degrees ctx e =
   match product ctx names_behind e with
   | { others = _ :: _ as others; number } when Float.abs ((number *. degree) -. 1.) < 0.001 ->
@@ -73,7 +74,7 @@ let rec has_degree ctx (e : Resolve.Ir.expr) =
       | _ -> false)
   | _ -> false
 
-(* Not by [Context.report]: what it counts are errors. *)
+(* Does not use [Context.report], which counts errors. *)
 let report (ctx : Context.t) ?beside (e : Resolve.Ir.expr) others =
   let quote (e : Resolve.Ir.expr) = Show.quote (Context.words ctx) e.span in
   let itself =

@@ -1,15 +1,16 @@
-(** Angles that somebody has made degrees of, where angles in radians are: [h * 180 / pi < 90[deg]]
-    and [sin (h * 180 / pi)]. Angles have no dimension, so no unit finds this mistake.
+(** Warns of angles converted to degrees where radians are expected: [h * 180 / pi < 90[deg]] and
+    [sin (h * 180 / pi)]. Angles are dimensionless, so the unit checker cannot find this mistake.
 
     Codes: [W0313]. *)
 
 val warn : Context.t -> Resolve.Ir.expr -> Expected.t -> unit
-(** Of a product with the factor 180/π, also by the name of an equation, where an [Angle] or an
-    [AngularVelocity] is expected by that name. *)
+(** Warns of a product with the factor 180/π, or the name of an equation with such a product, where
+    the type [Angle] or [AngularVelocity] is expected by that name. *)
 
 val meets : string -> bool
-(** Does this operator compare its operands, or add, or take away? *)
+(** Does this operator compare, add or subtract its operands? *)
 
 val warn_of_operands : Context.t -> Resolve.Ir.expr * Type.t -> Resolve.Ir.expr * Type.t -> unit
-(** Of such a product beside one of these, or a number with the unit [deg], as an operand of what
-    {!meets}. For when all types are known. *)
+(** Warns if one operand of an operator for which {!meets} holds is such a product, and the other is
+    an angle, an angular velocity or a number with the unit [deg]. Call it when all types are known.
+*)

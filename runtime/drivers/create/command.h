@@ -1,17 +1,18 @@
 /* create/command.h -- the commands that the driver sends to a Create 2.
  *
- * An opcode and its data, without frame or checksum: a command must go out
- * whole, for a lost byte shifts everything after it. Numbers are high byte
- * first, two's complement. Each function writes a command and returns its
- * size.
+ * A command is an opcode and its data, without a frame or checksum. It must be sent completely,
+ * because a lost byte shifts everything after it. Numbers are two's complement, high byte first.
+ * Each function writes a command and returns its size.
  *
- * Sources: libcreate (AutonomyLab), pycreate2, and the manual of the Create 1
- * where those agree with it. */
+ * Sources: libcreate (AutonomyLab), pycreate2, and the manual of the Create 1 where those agree
+ * with it. */
 #ifndef FROB_CREATE_COMMAND_H
 #define FROB_CREATE_COMMAND_H
 
 #include <stddef.h>
 #include <stdint.h>
+
+#include "drivers/steps.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -30,12 +31,23 @@ enum frob_create_opcode {
 };
 
 enum {
-    FROB_CREATE_MAX_SPEED_MM_S = 500, /* of a wheel */
-    FROB_CREATE_MAX_COMMAND = 54      /* bytes: a stream of all single packets */
+    FROB_CREATE_MAX_SPEED_MM_S = 500, /* speed of a wheel */
+    FROB_CREATE_MAX_COMMAND = 54      /* bytes: a request for a stream of all single packets */
 };
 
 /* START, SAFE, FULL, ...: commands without data. */
 size_t frob_create_plain(enum frob_create_opcode opcode, uint8_t *bytes);
+
+/* Range and resolution of DRIVE_DIRECT: mm/s for each wheel. */
+static inline struct frob_wire frob_create_wire(double separation_m)
+{
+    struct frob_wire wire = { true,
+                              { 1e-3, 1e-3 },
+                              { (double)FROB_CREATE_MAX_SPEED_MM_S * 1e-3,
+                                (double)FROB_CREATE_MAX_SPEED_MM_S * 1e-3 },
+                              separation_m };
+    return wire;
+}
 
 /* DRIVE_DIRECT: wheel speeds, mm/s, limited to FROB_CREATE_MAX_SPEED_MM_S. The
  * right wheel is first on the wire. */
@@ -48,12 +60,12 @@ size_t frob_create_stream_request(const uint8_t *ids, size_t count, uint8_t *byt
 /* PAUSE_STREAM. */
 size_t frob_create_stream_pause(uint8_t *bytes);
 
-/* LEDS: the small lights (bit 0 debris, 1 spot, 2 dock, 3 check), and the colour
- * (0 green, 255 red) and brightness of the light round the button Clean. */
+/* LEDS: the small lights (bit 0 debris, 1 spot, 2 dock, 3 check), and the colour (0 green, 255 red)
+ * and brightness of the light around the Clean button. */
 size_t frob_create_leds(unsigned lights, unsigned colour, unsigned brightness, uint8_t *bytes);
 
-/* SONG and PLAY: one note, as MIDI counts them (69 is 440 Hz; 31 to 127), for
- * so many 1/64 s (1 to 255). */
+/* SONG and PLAY: one note, by its MIDI number (69 is 440 Hz; 31 to 127), with its duration in 1/64
+ * s (1 to 255). */
 size_t frob_create_note(unsigned note, unsigned duration, uint8_t *bytes);
 
 #ifdef __cplusplus

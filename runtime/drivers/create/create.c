@@ -3,53 +3,57 @@
 #include "drivers/create/command.h"
 #include "drivers/create/lights.h"
 #include "drivers/pause.h"
-#include "drivers/wheels.h"
 
 #include <frob/create.h>
 
 #include <math.h>
 #include <string.h>
 
-#define MOST_M_S ((double)FROB_CREATE_MAX_SPEED_MM_S * 1e-3)
 #define MOST_PADDING 8
 #define LONGEST_COMMAND 513 /* bytes: a song of 255 notes */
 
-/* What the stream has. */
-static const uint8_t streamed[] = { FROB_CREATE_BUMPS_AND_DROPS,
-                                    FROB_CREATE_CLIFF_LEFT,
-                                    FROB_CREATE_CLIFF_FRONT_LEFT,
-                                    FROB_CREATE_CLIFF_FRONT_RIGHT,
-                                    FROB_CREATE_CLIFF_RIGHT,
-                                    FROB_CREATE_VIRTUAL_WALL,
-                                    FROB_CREATE_OVERCURRENT,
-                                    FROB_CREATE_INFRARED,
-                                    FROB_CREATE_BUTTONS,
-                                    FROB_CREATE_CHARGING,
-                                    FROB_CREATE_VOLTAGE,
-                                    FROB_CREATE_CHARGE,
-                                    FROB_CREATE_CAPACITY,
-                                    FROB_CREATE_CLIFF_LEFT_SIGNAL,
-                                    FROB_CREATE_CLIFF_FRONT_LEFT_SIGNAL,
-                                    FROB_CREATE_CLIFF_FRONT_RIGHT_SIGNAL,
-                                    FROB_CREATE_CLIFF_RIGHT_SIGNAL,
-                                    FROB_CREATE_MODE,
-                                    FROB_CREATE_LEFT_COUNTS,
-                                    FROB_CREATE_RIGHT_COUNTS,
-                                    FROB_CREATE_LIGHT_LEFT,
-                                    FROB_CREATE_LIGHT_FRONT_LEFT,
-                                    FROB_CREATE_LIGHT_CENTER_LEFT,
-                                    FROB_CREATE_LIGHT_CENTER_RIGHT,
-                                    FROB_CREATE_LIGHT_FRONT_RIGHT,
-                                    FROB_CREATE_LIGHT_RIGHT };
+/* The packets in the stream. */
+static const uint8_t streamed[] = {
+    FROB_CREATE_BUMPS_AND_DROPS,
+    FROB_CREATE_CLIFF_LEFT,
+    FROB_CREATE_CLIFF_FRONT_LEFT,
+    FROB_CREATE_CLIFF_FRONT_RIGHT,
+    FROB_CREATE_CLIFF_RIGHT,
+    FROB_CREATE_VIRTUAL_WALL,
+    FROB_CREATE_OVERCURRENT,
+    FROB_CREATE_INFRARED,
+    FROB_CREATE_BUTTONS,
+    FROB_CREATE_CHARGING,
+    FROB_CREATE_VOLTAGE,
+    FROB_CREATE_CHARGE,
+    FROB_CREATE_CAPACITY,
+    FROB_CREATE_CLIFF_LEFT_SIGNAL,
+    FROB_CREATE_CLIFF_FRONT_LEFT_SIGNAL,
+    FROB_CREATE_CLIFF_FRONT_RIGHT_SIGNAL,
+    FROB_CREATE_CLIFF_RIGHT_SIGNAL,
+    FROB_CREATE_MODE,
+    FROB_CREATE_LEFT_COUNTS,
+    FROB_CREATE_RIGHT_COUNTS,
+    FROB_CREATE_LIGHT_LEFT,
+    FROB_CREATE_LIGHT_FRONT_LEFT,
+    FROB_CREATE_LIGHT_CENTER_LEFT,
+    FROB_CREATE_LIGHT_CENTER_RIGHT,
+    FROB_CREATE_LIGHT_FRONT_RIGHT,
+    FROB_CREATE_LIGHT_RIGHT,
+};
 
-/* Frames come every 15 ms. A stream that pauses is asked for again; a robot
- * that is silent longer is lost. */
+/* A frame arrives every 15 ms. If the stream pauses, the driver requests it again; if the robot is
+ * silent for longer, it is lost. */
 #define ASK_AGAIN_NS INT64_C(150000000)
 #define SILENCE_NS INT64_C(1000000000)
 #define ANSWER_NS INT64_C(500000000)
 #define MOST_ATTEMPTS 3
-/* A frame's sum is a byte: a mode is believed when two frames say so. */
+/* Number of consecutive frames that must report another mode before the driver believes it, because
+ * a frame's checksum is a single byte. */
 #define OUT_OF_MODE_FRAMES 2
+/* For this long after the stream was requested, frames may still be of an earlier session or from
+ * between START and the change of mode: a line with a radio or a busy adapter delays them. */
+#define OLD_FRAMES_NS (ANSWER_NS / 2)
 
 static int64_t ns(double seconds)
 {
@@ -59,7 +63,7 @@ static int64_t ns(double seconds)
 static enum frob_status write(struct frob_create *d, const uint8_t *bytes, size_t size)
 {
     enum frob_status status = d->serial.operations->write(d->serial.port, bytes, size);
-    /* Without room, bytes are lost, which the next command's padding mends. */
+    /* If there is no room, bytes are lost; the zeros before the next command repair that. */
     return status == FROB_TIMEOUT ? FROB_OK : status;
 }
 
@@ -70,7 +74,7 @@ static size_t pad(const struct frob_create *d, uint8_t *bytes)
     return padding;
 }
 
-/* Ends whatever command the robot is waiting for the rest of. */
+/* Completes any command that the robot is still waiting for. */
 static enum frob_status flush(struct frob_create *d)
 {
     static const uint8_t zeros[LONGEST_COMMAND] = { 0 };
@@ -94,7 +98,7 @@ static enum frob_status ask_for_stream(struct frob_create *d, int64_t now_ns)
     return write(d, bytes, size);
 }
 
-/* START also ends what another program has begun, motion included. */
+/* START also ends anything that another program has started, including motion. */
 static enum frob_status send_start(struct frob_create *d)
 {
     uint8_t bytes[1];
@@ -118,8 +122,8 @@ static enum frob_status begin_stream(struct frob_create *d, int64_t now_ns)
     return status == FROB_OK ? ask_for_stream(d, now_ns) : status;
 }
 
-/* Takes the next step of connecting if it is time. The robot needs a pause
- * after a change of mode. */
+/* Takes the next step of connecting if it is due. The robot needs a pause after a change of
+ * mode. */
 static enum frob_status connect_further(struct frob_create *d, int64_t now_ns)
 {
     int64_t since_ns = now_ns - d->step_ns;
@@ -152,7 +156,8 @@ static bool drives_in(const struct frob_create *d, unsigned mode)
                                                             : FROB_CREATE_MODE_SAFE);
 }
 
-/* Takes a frame. One with counts out of reach is damaged, and not taken. */
+/* Handles a frame. If the robot cannot have reached its counts, the frame is damaged and
+ * ignored. */
 static void take(struct frob_create *d, const struct frob_create_sensors *sensors, int64_t now_ns)
 {
     if (!frob_create_odometry_add(&d->odometry, sensors->left_counts, sensors->right_counts, now_ns,
@@ -164,9 +169,11 @@ static void take(struct frob_create *d, const struct frob_create_sensors *sensor
     d->out_of_mode = drives_in(d, sensors->mode) ? 0 : d->out_of_mode + 1;
     if (d->step == FROB_CREATE_STREAMING && d->out_of_mode == 0)
         d->step = FROB_CREATE_CONNECTED;
+    if (now_ns - d->step_ns < OLD_FRAMES_NS)
+        return;
     if (d->step == FROB_CREATE_CONNECTED && d->out_of_mode >= OUT_OF_MODE_FRAMES)
         d->refused = true;
-    if (d->step == FROB_CREATE_STREAMING && now_ns - d->step_ns >= ANSWER_NS / 2)
+    if (d->step == FROB_CREATE_STREAMING)
         d->refused = true;
 }
 
@@ -175,8 +182,7 @@ static enum frob_status read_all(struct frob_create *d)
     uint8_t bytes[256];
     size_t count;
     struct frob_create_sensors sensors = d->sensors;
-    /* More than the line brings between two polls, and an end to a line that
-     * never runs dry. */
+    /* Reads more than the line delivers between two polls, but stops if the line never runs dry. */
     for (int i = 0; i < 16; i++) {
         enum frob_status status =
             d->serial.operations->read(d->serial.port, bytes, sizeof bytes, &count);
@@ -209,7 +215,7 @@ static void start(void *device, const double *settings, const struct frob_serial
     d->sensed_ns = INT64_MIN;
     frob_create_stream_init(&d->stream, streamed, sizeof streamed,
                             settings[FROB_CREATE_HEADER_IN_SUM] != 0.0);
-    /* A line that cannot has its rate already, or no frame comes. */
+    /* Ignores failure: a line with a fixed rate either has the right rate, or no frame arrives. */
     serial->operations->set_rate(serial->port, (uint32_t)settings[FROB_CREATE_BAUD]);
     serial->operations->discard(serial->port);
 }
@@ -291,20 +297,21 @@ static void sense(void *device, void *into)
     input->obeying = drives_in(d, s->mode);
 }
 
-/* Lights are sent when they change, and each second. */
+/* Sends lights when they change, and once per second. */
 static enum frob_status command(void *device, const void *from)
 {
     struct frob_create *d = (struct frob_create *)device;
     const struct frob_create_output *output = (const struct frob_create_output *)from;
-    struct frob_wheels wheels = frob_wheels_of(output->forward, output->turn,
-                                               d->settings[FROB_CREATE_SEPARATION_M], MOST_M_S);
+    struct frob_wire wire = frob_create_wire(d->settings[FROB_CREATE_SEPARATION_M]);
     int64_t now_ns = frob_now_ns(&d->clock);
     uint8_t bytes[FROB_CREATE_MAX_COMMAND];
     size_t size;
     enum frob_status status;
     if (d->step != FROB_CREATE_CONNECTED)
         return FROB_BUSY_CONNECTING;
-    status = drive(d, (int)lround(wheels.right * 1e3), (int)lround(wheels.left * 1e3));
+    d->speeds =
+        frob_wire_next(&wire, &d->speeds, output->forward, output->turn, (double)now_ns * 1e-9);
+    status = drive(d, (int)d->speeds.number[1].sent, (int)d->speeds.number[0].sent);
     size = frob_create_lights(output, bytes);
     if (status == FROB_OK &&
         (memcmp(bytes, d->lights, size) != 0 || now_ns - d->lights_ns >= SILENCE_NS)) {
@@ -317,19 +324,20 @@ static enum frob_status command(void *device, const void *from)
     return status;
 }
 
-/* At once, and again behind zeros if the robot is not heard: noise on the line
- * may have hit its ear too. */
+/* Stops immediately. If the robot is not heard, sends zeros and stops again, because noise on the
+ * line may also have affected what the robot receives. */
 static enum frob_status stop(void *device)
 {
     struct frob_create *d = (struct frob_create *)device;
     enum frob_status status = drive(d, 0, 0);
+    memset(&d->speeds, 0, sizeof d->speeds);
     if (status != FROB_OK || frob_now_ns(&d->clock) - d->heard_ns < ASK_AGAIN_NS)
         return status;
     status = flush(d);
     return status == FROB_OK ? drive(d, 0, 0) : status;
 }
 
-/* In mode Passive, which START enters, the robot does not drive. */
+/* START enters Passive mode, in which the robot does not drive. */
 static void close(void *device)
 {
     struct frob_create *d = (struct frob_create *)device;
@@ -350,16 +358,16 @@ static const char *describe(const void *device)
     const struct frob_create *d = (const struct frob_create *)device;
     if (!d->refused)
         return "iRobot Create 2";
-    return d->step == FROB_CREATE_CONNECTED
-               ? "iRobot Create 2, which left the mode in which it drives: a cliff, a wheel drop "
-                 "or a charger"
-               : "iRobot Create 2, which does not enter the mode in which it drives";
+    return d->step == FROB_CREATE_CONNECTED ? "iRobot Create 2, which left driving mode because of "
+                                              "a cliff, a wheel drop or a charger"
+                                            : "iRobot Create 2, which does not enter driving mode";
 }
 
 static double most(const void *device, size_t i)
 {
     const struct frob_create *d = (const struct frob_create *)device;
-    return frob_wheels_most(i, d->settings[FROB_CREATE_SEPARATION_M], MOST_M_S);
+    struct frob_wire wire = frob_create_wire(d->settings[FROB_CREATE_SEPARATION_M]);
+    return frob_wheels_most(i, wire.separation_m, wire.most[0]);
 }
 
 static const struct frob_setting settings_table[FROB_CREATE_SETTING_COUNT] = {
@@ -367,35 +375,37 @@ static const struct frob_setting settings_table[FROB_CREATE_SETTING_COUNT] = {
       "rate of the serial line, bits per second (57600 for a Create 1)" },
     { "full", 0, 0, 1,
       "1 for mode Full, in which the robot does not stop at cliffs and wheel drops" },
-    { "header-in-sum", 1, 0, 1, "1 if a frame's header is part of its sum (0 for a Create 1)" },
-    { "wheel-separation", 0.235, 0.1, 1, "between the wheels, m (0.258 for a Create 1)" },
-    { "mode-pause", 0.05, 0.02, 1, "after a change of mode, s" },
+    { "header-in-sum", 1, 0, 1, "1 if the checksum includes the header (0 for a Create 1)" },
+    { "wheel-separation", 0.235, 0.1, 1, "distance between the wheels, m (0.258 for a Create 1)" },
+    { "mode-pause", 0.05, 0.02, 1, "pause after a change of mode, s" },
     { "padding", 4, 0, MOST_PADDING,
-      "zeros before each command that drives: they end an incomplete one" },
-    { "right-overcurrent", 3, 0, 7, "its bit in packet 14 (2 according to pycreate2)" },
-    { "left-overcurrent", 4, 0, 7, "its bit in packet 14 (3 according to pycreate2)" },
+      "number of zeros before each drive command, to end an incomplete one" },
+    { "right-overcurrent", 3, 0, 7, "bit in packet 14 (2 according to pycreate2)" },
+    { "left-overcurrent", 4, 0, 7, "bit in packet 14 (3 according to pycreate2)" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_create_output, forward),
                                  offsetof(struct frob_create_output, turn) };
 
-const struct frob_driver frob_create_driver = { "create",
-                                                115200,
-                                                sizeof(struct frob_create),
-                                                sizeof(struct frob_create_input),
-                                                sizeof(struct frob_create_output),
-                                                settings_table,
-                                                FROB_CREATE_SETTING_COUNT,
-                                                drives,
-                                                sizeof drives / sizeof drives[0],
-                                                most,
-                                                start,
-                                                poll,
-                                                due_ns,
-                                                sensed_ns,
-                                                sense,
-                                                command,
-                                                stop,
-                                                close,
-                                                describe,
-                                                stands };
+const struct frob_driver frob_create_driver = {
+    "create",
+    115200,
+    sizeof(struct frob_create),
+    sizeof(struct frob_create_input),
+    sizeof(struct frob_create_output),
+    settings_table,
+    FROB_CREATE_SETTING_COUNT,
+    drives,
+    sizeof drives / sizeof drives[0],
+    most,
+    start,
+    poll,
+    due_ns,
+    sensed_ns,
+    sense,
+    command,
+    stop,
+    close,
+    describe,
+    stands,
+};

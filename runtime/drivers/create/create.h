@@ -1,37 +1,38 @@
-/* create/create.h -- an iRobot Create 2 behind a serial line.
+/* create/create.h -- an iRobot Create 2 on a serial line.
  *
- * The robot is put into mode Safe (or Full) and asked for a stream of frames.
- * Leaving that mode is a fault: Safe is left at a cliff, a wheel drop or a
- * charger, and is entered again only when the host starts anew.
+ * The driver puts the robot into Safe mode (or Full mode) and requests a stream of frames. Leaving
+ * that mode is a fault: the robot leaves Safe mode at a cliff, a wheel drop or a charger. The
+ * driver enters it again only when the host restarts it.
  *
- * The robot has NO watchdog: it keeps to the last command for ever. Whoever
- * holds the line must stop it; a cable that is pulled cannot be made safe.
+ * The robot has NO watchdog: it repeats the last command forever. The host that uses the line must
+ * stop it; nothing stops it if the cable is pulled.
  *
- * Commands have neither frame nor checksum. After a lost byte the robot takes
- * the next command's first byte for data, and can go on so for long; so a few
- * zeros go out before each command that drives: they complete what is
- * incomplete, and are no command themselves. Noise can begin a command of up
- * to 513 bytes (a song), during which the robot hears nothing: when it is
- * connected to, or stopped because it is not heard, as many zeros go out.
+ * Commands have neither a frame nor a checksum. After a lost byte the robot takes the first byte of
+ * the next command for data, and may stay out of step for a long time. Therefore the driver sends a
+ * few zeros before each drive command: they complete an incomplete command, and zero is not an
+ * opcode itself. Noise can start a command of up to 513 bytes (a song), during which the robot
+ * ignores all commands. Therefore the driver sends 513 zeros when it connects, and when it stops a
+ * robot that it does not hear.
  *
- * A packet that no field of the input needs is not asked for, so that a frame
- * stays short. So 45, a bit for each light bumper, is not: the signals 46 to 51
- * tell more. Nor is 23, the battery's current: 21 tells whether it charges, 25
- * and 26 how full it is.
+ * The driver requests only packets that some field of the input needs, so that frames stay short.
+ * It omits packet 45, a bit for each light bumper, because the signals 46 to 51 contain more
+ * information, and 23, the battery's current, because 21 reports whether it charges and 25 and 26
+ * its charge and capacity.
  *
- * What sources disagree on is in the table of settings. */
+ * The settings cover the values on which sources disagree. */
 #ifndef FROB_DRIVERS_CREATE_CREATE_H
 #define FROB_DRIVERS_CREATE_CREATE_H
 
 #include "drivers/create/odometry.h"
 #include "drivers/create/stream.h"
 #include "drivers/driver.h"
+#include "drivers/steps.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* Its input and output are those of <frob/create.h>. */
+/* The driver. Its input and output are those of <frob/create.h>. */
 extern const struct frob_driver frob_create_driver;
 
 /* Settings, in the order of the driver's table. */
@@ -47,13 +48,13 @@ enum frob_create_setting {
     FROB_CREATE_SETTING_COUNT
 };
 
-/* The steps of connecting: the command of each has been sent. */
+/* Stages of connecting. The command of the current stage has been sent. */
 enum frob_create_step {
-    FROB_CREATE_RESTING, /* nothing yet */
+    FROB_CREATE_RESTING, /* no command sent yet */
     FROB_CREATE_STARTED,
     FROB_CREATE_IN_MODE,
     FROB_CREATE_STREAMING,
-    FROB_CREATE_CONNECTED /* a frame has come, and the mode is right */
+    FROB_CREATE_CONNECTED /* a frame has arrived, and the mode is right */
 };
 
 struct frob_create {
@@ -61,16 +62,17 @@ struct frob_create {
     struct frob_serial serial;
     struct frob_clock clock;
     enum frob_create_step step;
-    unsigned attempts;    /* to connect */
-    int64_t step_ns;      /* when the step's command was sent */
-    int64_t heard_ns;     /* when the last frame came, or the connection began */
-    int64_t byte_ns;      /* the last byte */
-    int64_t sensed_ns;    /* when the last frame came */
-    int64_t asked_ns;     /* when the stream was asked for */
-    unsigned out_of_mode; /* frames, one after the other */
-    bool refused;         /* the robot is not in a mode in which it drives */
-    uint8_t lights[4];    /* the command LEDS that was sent last */
-    int64_t lights_ns;    /* and when */
+    unsigned attempts;               /* number of attempts to connect */
+    int64_t step_ns;                 /* when the step's command was sent */
+    int64_t heard_ns;                /* when the last frame arrived, or the connection began */
+    int64_t byte_ns;                 /* when the last byte arrived */
+    int64_t sensed_ns;               /* when the last frame arrived; INT64_MIN: never */
+    int64_t asked_ns;                /* when the stream was requested */
+    unsigned out_of_mode;            /* number of consecutive frames with another mode */
+    bool refused;                    /* the robot is not in a mode in which it drives */
+    struct frob_wire_numbers speeds; /* the wheel speeds sent last */
+    uint8_t lights[4];               /* the LEDS command sent last */
+    int64_t lights_ns;               /* when it was sent */
     struct frob_create_stream stream;
     struct frob_create_sensors sensors;
     struct frob_create_odometry odometry;

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/* The nearest whole number in the range; NaN is the least. */
+/* Rounds a value and clamps it to the range; converts NaN to the minimum. */
 static unsigned within(double value, unsigned least, unsigned greatest)
 {
     if (!(value > least))
@@ -22,7 +22,7 @@ size_t frob_create_lights(const struct frob_create_output *output, uint8_t *byte
 
 size_t frob_create_tone(const struct frob_create_output *output, uint8_t *bytes)
 {
-    /* Not above 0: NaN or -inf, which is the lowest note. */
+    /* If the frequency is not above 0, the note is NaN or -inf, and the lowest note is played. */
     double note = 69.0 + 12.0 * log2(output->tone.f0 / 440.0);
     return frob_create_note(within(note, 31, 127), within(64.0 * output->tone.f1, 1, 255), bytes);
 }

@@ -1,5 +1,5 @@
-/* create/lights.h -- the lights and the sound of a Create, from what a program
- * wants. Any number will do: what is out of range is brought into it. */
+/* create/lights.h -- converts a program's output to commands for the lights and the sound of a
+ * Create. Any number is allowed: values out of range are clamped. */
 #ifndef FROB_DRIVERS_CREATE_LIGHTS_H
 #define FROB_DRIVERS_CREATE_LIGHTS_H
 
@@ -12,11 +12,11 @@
 extern "C" {
 #endif
 
-/* The command LEDS; gives its size, 4. */
+/* Writes the LEDS command; returns its size, 4. */
 size_t frob_create_lights(const struct frob_create_output *output, uint8_t *bytes);
 
-/* The commands that play the tone; gives their size. The robot has the notes
- * of the scale from 49 Hz, and tones up to 4 s. */
+/* Writes the commands that play the tone; returns their size. The robot plays the notes of the
+ * scale from 49 Hz up, and tones of up to 4 s. */
 size_t frob_create_tone(const struct frob_create_output *output, uint8_t *bytes);
 
 #ifdef __cplusplus

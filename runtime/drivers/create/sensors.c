@@ -2,7 +2,8 @@
 
 size_t frob_create_packet_size(unsigned id)
 {
-    /* From packet 7; 32 and 33 are unused, and as long as group 100 has them. */
+    /* Sizes from packet 7 on. Packets 32 and 33 are unused; group 100 contains them with these
+     * sizes. */
     static const uint8_t sizes[] = {
         1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, /* 7 to 18 */
         2, 2, 1, 2, 2, 1, 2, 2, 2,          /* 19 to 27 */
@@ -21,7 +22,7 @@ static uint16_t u16(const uint8_t *data)
     return (uint16_t)((unsigned)data[0] << 8 | data[1]);
 }
 
-/* Two's complement of 16 bits, whatever the machine has. */
+/* Interprets 16 bits as two's complement, portably. */
 static int s16(unsigned value)
 {
     return value < 0x8000u ? (int)value : (int)value - 0x10000;

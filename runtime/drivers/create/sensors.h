@@ -1,11 +1,10 @@
 /* create/sensors.h -- sensor packets of the iRobot Create 2's Open Interface.
  *
- * A sensor packet has an id and one or two bytes, high byte first, two's
- * complement where signed. Packets come in streams (see stream.h) or bare, in
- * answer to a query.
+ * A sensor packet has an id and one or two bytes of data, high byte first; signed numbers are two's
+ * complement. Packets arrive in streams (see stream.h) or, without their id, in answer to a query.
  *
- * Sources: libcreate (AutonomyLab), pycreate2, and the manual of the Create 1
- * where those agree with it. */
+ * Sources: libcreate (AutonomyLab), pycreate2, and the manual of the Create 1 where those agree
+ * with it. */
 #ifndef FROB_CREATE_SENSORS_H
 #define FROB_CREATE_SENSORS_H
 
@@ -46,9 +45,9 @@ enum frob_create_packet_id {
     FROB_CREATE_LIGHT_RIGHT = 51
 };
 
-/* The modes. In OFF and PASSIVE the robot ignores drive commands; SAFE leaves
- * for PASSIVE by itself at a cliff, a wheel drop or a charger. Any other value
- * means not driving, too. */
+/* The modes. In OFF and PASSIVE the robot ignores drive commands. It leaves SAFE for PASSIVE by
+ * itself at a cliff, a wheel drop or a charger. In a mode with any other value it does not drive
+ * either. */
 enum frob_create_mode {
     FROB_CREATE_MODE_OFF = 0,
     FROB_CREATE_MODE_PASSIVE = 1,
@@ -56,37 +55,36 @@ enum frob_create_mode {
     FROB_CREATE_MODE_FULL = 3
 };
 
-/* Six light bumpers and four cliff sensors, from the left to the right. */
+/* Six light bumpers and four cliff sensors, from left to right. */
 enum { FROB_CREATE_LIGHTS = 6, FROB_CREATE_CLIFFS = 4 };
 
 struct frob_create_sensors {
     bool bump_right, bump_left;
     bool drop_right, drop_left;
     bool cliff[FROB_CREATE_CLIFFS];
-    uint16_t cliff_signal[FROB_CREATE_CLIFFS]; /* infrared that the floor gives back */
+    uint16_t cliff_signal[FROB_CREATE_CLIFFS]; /* intensity of the reflected infrared light */
     bool virtual_wall;
-    uint8_t overcurrent; /* bits of the motors */
-    uint8_t infrared;    /* the character that the receiver on top sees; 0: none */
+    uint8_t overcurrent; /* one bit for each motor */
+    uint8_t infrared;    /* character received by the sensor on top; 0: none */
     uint8_t buttons; /* bit 0 clean, 1 spot, 2 dock, 3 minute, 4 hour, 5 day, 6 schedule, 7 clock */
     uint8_t charging; /* 0 no, 1 reconditioning, 2 full, 3 trickle, 4 waiting, 5 fault */
     uint16_t battery_mv;
     uint16_t charge_mah, capacity_mah;
     uint8_t mode;
-    uint16_t left_counts, right_counts; /* of the encoders; wrap both ways */
+    uint16_t left_counts, right_counts; /* encoder counts; they wrap around in both directions */
     uint16_t light_signal[FROB_CREATE_LIGHTS];
 };
 
-/* Bytes of data of a packet, 1 or 2; 0 if there is no such packet here. All of
- * the Open Interface's single packets 7 to 58 are known, whether or not they
- * have a field above. */
+/* Returns the bytes of data of a packet, 1 or 2; 0 if the id is unknown. All single packets of the
+ * Open Interface, 7 to 58, are known, whether or not they have a field above. */
 size_t frob_create_packet_size(unsigned id);
 
-/* Reads one packet's data into its field; false, and nothing changed, if no
- * field is its. */
+/* Reads one packet's data into its field. Returns false and changes nothing if the packet has no
+ * field. */
 bool frob_create_read_packet(unsigned id, const uint8_t *data, struct frob_create_sensors *sensors);
 
-/* How far a wheel turned between two readings, in counts: the difference
- * modulo 2^16, as long as it is under 2^15 (14 m of way). */
+/* Returns how far a wheel turned between two readings, in counts: the difference modulo 2^16, which
+ * is right if it is below 2^15 (a distance of 14 m). */
 int frob_create_count_step(uint16_t before, uint16_t now);
 
 #ifdef __cplusplus

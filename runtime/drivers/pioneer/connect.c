@@ -1,17 +1,17 @@
-/* From an open line to a robot whose motors are on and at rest. */
+/* Connects: from an open line to a robot whose motors are on and at rest. */
 #include "drivers/pioneer/device.h"
 
 #include <math.h>
 #include <string.h>
 
 enum {
-    OVERHEARING_MS = 150, /* longer than from one SIP to the next */
+    OVERHEARING_MS = 150, /* longer than the time between two SIPs */
     SYNC_PATIENCE_MS = 250,
-    SYNC_ATTEMPTS = 2,  /* at one rate */
-    ROUNDS = 3,         /* over all rates */
-    CLOSING_MS = 200,   /* a SIP in its second half: CLOSE was lost */
+    SYNC_ATTEMPTS = 2,  /* attempts at each rate */
+    ROUNDS = 3,         /* number of passes over all rates */
+    CLOSING_MS = 200,   /* if a SIP arrives in its second half, CLOSE was lost */
     STEP_MS = 20,       /* between the commands that open a session */
-    SWITCHING_MS = 100, /* the robot's, from HOSTBAUD to the new rate */
+    SWITCHING_MS = 100, /* the robot's delay between HOSTBAUD and the new rate */
     SIP_PATIENCE_MS = 1000,
     CONFIG_PATIENCE_MS = 300,
     CONFIG_ATTEMPTS = 3,
@@ -33,11 +33,11 @@ static enum frob_status set_rate(struct frob_pioneer *d, uint32_t rate)
     if (status == FROB_OK)
         d->rate = rate;
     d->rate_fixed = status == FROB_UNSUPPORTED;
-    /* A line that has but one rate is tried at that. */
+    /* If the line has a fixed rate, try that rate. */
     return status == FROB_UNSUPPORTED ? FROB_OK : status;
 }
 
-/* Could the line change to this rate? It is as before in the end. */
+/* Checks whether the line can change to this rate. Restores the previous rate. */
 static enum frob_status ask_rate(struct frob_pioneer *d, uint32_t rate, bool *can)
 {
     const uint32_t before = d->rate;
@@ -61,10 +61,10 @@ static enum frob_status send_sync(struct frob_pioneer *d, uint8_t sync)
     return frob_pioneer_send(d, sync);
 }
 
-/* A robot outside a session is told nothing but SYNC, for it echoes other packets or
- * goes away. One in a session takes SYNC0 for PULSE, and would take up the speed again
- * that its watchdog has stopped: it is told zeros first. It is known by its SIPs; of
- * bytes that are no packets nobody can tell. */
+/* A robot outside a session receives nothing but SYNC, because it echoes other packets or ends the
+ * connection. A robot in a session takes SYNC0 for PULSE, and would resume the speed at which its
+ * watchdog stopped it; so it receives zero speeds first. Its SIPs show that it is in a session;
+ * bytes that are not packets show nothing. */
 static enum frob_status overheard(struct frob_pioneer *d)
 {
     bool silent = d->heard_ns <= d->until_ns - OVERHEARING_MS * frob_pioneer_ms;
@@ -72,7 +72,7 @@ static enum frob_status overheard(struct frob_pioneer *d)
     return status == FROB_OK ? send_sync(d, 0) : status;
 }
 
-/* Ends a session that nobody has ended: with the robot at rest. */
+/* Ends a session that the previous host left open, with the robot at rest. */
 static enum frob_status end_session(struct frob_pioneer *d)
 {
     enum frob_status status = send_zeros(d);
@@ -83,7 +83,8 @@ static enum frob_status end_session(struct frob_pioneer *d)
     return status == FROB_OK ? frob_pioneer_send(d, FROB_P2OS_CLOSE) : status;
 }
 
-/* Which rate to try: where a robot has answered before, then the usual ones. */
+/* Returns the rate to try: first the rate at which a robot has answered before, then the usual
+ * ones. */
 static uint32_t rate_to_try(const struct frob_pioneer *d)
 {
     if (d->settings[FROB_PIONEER_BAUD] > 0.0)
@@ -96,12 +97,12 @@ static uint32_t rate_to_try(const struct frob_pioneer *d)
     return rates[d->tried % RATE_COUNT];
 }
 
-/* A robot whose answer to SYNC2 was lost is in a session, but says nothing before
- * OPEN: so, when nobody has answered, a CLOSE comes first. */
+/* A robot whose answer to SYNC2 was lost is in a session, but sends nothing before OPEN. So if no
+ * robot has answered, CLOSE is sent first. */
 static enum frob_status try_rate(struct frob_pioneer *d)
 {
     enum frob_status status = set_rate(d, rate_to_try(d));
-    /* What a user says of a line that cannot change its rate is its rate. */
+    /* If the line cannot change its rate, believe the rate in the settings. */
     if (d->rate_fixed && d->settings[FROB_PIONEER_BAUD] > 0.0)
         d->rate = (uint32_t)d->settings[FROB_PIONEER_BAUD];
     d->attempt = 1;
@@ -121,11 +122,11 @@ void frob_pioneer_connect(struct frob_pioneer *d)
     d->switch_failed = false;
     d->phase = FROB_PIONEER_SYNC;
     d->sync = 0;
-    d->attempt = SYNC_ATTEMPTS; /* so that the first poll begins with the first rate */
+    d->attempt = SYNC_ATTEMPTS; /* so that the first poll starts with the first rate */
     d->until_ns = frob_now_ns(&d->clock);
 }
 
-/* A setting, or what it leaves to the model. */
+/* Returns the setting, or the model's value if the setting is NaN. */
 static double chosen(const struct frob_pioneer *d, enum frob_pioneer_setting setting, double model)
 {
     double value = d->settings[setting];
@@ -151,7 +152,7 @@ static void describe(struct frob_pioneer *d)
     add(d->description, room, d->identity.name);
 }
 
-/* The robot has said who it is. */
+/* Handles the robot's identification. */
 static enum frob_status identified(struct frob_pioneer *d)
 {
     const struct frob_p2os_model *model = frob_p2os_find_model(d->identity.subclass);
@@ -180,7 +181,7 @@ static enum frob_status identified(struct frob_pioneer *d)
     return FROB_OK;
 }
 
-/* HOSTBAUD's number for a rate; -1 if it has none. */
+/* Returns HOSTBAUD's number for a rate, or -1 if it has none. */
 static int32_t baud_number(uint32_t rate)
 {
     switch (rate) {
@@ -199,8 +200,8 @@ static bool switches(const struct frob_pioneer *d)
            baud_number(d->model.switch_rate) >= 0;
 }
 
-/* Not where the line could not follow: there the robot would be lost, at this
- * connection and at each one after. */
+/* Skips the switch if the line cannot follow, because the robot would then be unreachable, in this
+ * connection and in later ones. */
 static enum frob_status send_hostbaud(struct frob_pioneer *d)
 {
     bool can = false;
@@ -212,8 +213,8 @@ static enum frob_status send_hostbaud(struct frob_pioneer *d)
     return status;
 }
 
-/* One command of the session's beginning. Both speeds are zero before anything that
- * a session could go on by. */
+/* Sends the next command that opens the session. Both speeds are set to zero before anything that
+ * could resume an old motion. */
 static enum frob_status open_step(struct frob_pioneer *d)
 {
     enum frob_status status = FROB_OK;
@@ -248,7 +249,7 @@ static enum frob_status open_step(struct frob_pioneer *d)
     return status;
 }
 
-/* Nobody has echoed a SYNC: again, at another rate, or never. */
+/* Handles a SYNC without an echo: tries again, tries another rate, or gives up. */
 static enum frob_status sync_again(struct frob_pioneer *d)
 {
     unsigned most = ROUNDS * RATE_COUNT;
@@ -266,7 +267,7 @@ static enum frob_status sync_again(struct frob_pioneer *d)
     return status;
 }
 
-/* No SIP: perhaps the robot did not take the new rate. */
+/* Handles missing SIPs: perhaps the robot did not switch to the new rate. */
 static enum frob_status no_sip(struct frob_pioneer *d)
 {
     if (d->rate == d->good_rate) {
@@ -293,9 +294,9 @@ static enum frob_status sync_packet(struct frob_pioneer *d, const struct frob_p2
     return end_session(d);
 }
 
-/* Nothing tells that a command has arrived, but whether ENABLE has can be seen.
- * Only until the motors have been on: later they are off because somebody wants
- * it. */
+/* Repeats ENABLE until the motors are on. Commands are not acknowledged, but SIPs report whether
+ * the motors are on. Once they have been on, the driver leaves them alone: if they are off later,
+ * somebody has turned them off. */
 static enum frob_status ask_for_motors(struct frob_pioneer *d, const struct frob_p2os_sip *sip)
 {
     if (!d->model.has_flags || d->motors_seen)
@@ -341,7 +342,7 @@ enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
     return FROB_OK;
 }
 
-/* Without a config packet the driver does without what is in it. */
+/* Requests the config packet. If none arrives, the driver does without its contents. */
 static enum frob_status ask_config(struct frob_pioneer *d)
 {
     if (d->has_config || d->config_asked >= CONFIG_ATTEMPTS ||
@@ -352,8 +353,8 @@ static enum frob_status ask_config(struct frob_pioneer *d)
     return frob_pioneer_send(d, FROB_P2OS_CONFIG);
 }
 
-/* A robot whose session has ended is back at the rate at which it shook hands,
- * if that is known. One that is not is found as at first, a little later. */
+/* After its session a robot returns to the rate at which it shook hands, so try that rate if it is
+ * known. Otherwise the robot is found as at the first connection, a little later. */
 static enum frob_status sync_after_close(struct frob_pioneer *d)
 {
     enum frob_status status = FROB_OK;

@@ -1,6 +1,6 @@
 #include "drivers/pioneer/model.h"
 
-/* THPOS counts 4096 a turn, on the Pioneer 1 1024. */
+/* Radians per unit of THPOS, which has 4096 units per turn; 1024 on the Pioneer 1. */
 #define FINE 0.0015339807878856412
 #define COARSE 0.006135923151542565
 

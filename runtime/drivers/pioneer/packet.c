@@ -16,7 +16,7 @@ uint16_t frob_p2os_checksum(const uint8_t *body, size_t length)
     return (uint16_t)(sum & 0xFFFFu);
 }
 
-/* Completes a packet whose body is in place. */
+/* Adds header and checksum to a packet whose body is in place. */
 static size_t seal(uint8_t *packet, size_t length)
 {
     uint16_t sum = frob_p2os_checksum(packet + 3, length);
@@ -73,7 +73,7 @@ size_t frob_p2os_feed(struct frob_p2os_receiver *receiver, const uint8_t *bytes,
 
 enum look { NOT_HERE, NOT_YET, HERE };
 
-/* Is there a packet at the beginning of these bytes? */
+/* Checks whether there is a packet at the beginning of these bytes. */
 static enum look look(const uint8_t *at, size_t there)
 {
     size_t count;
@@ -94,7 +94,7 @@ static enum look look(const uint8_t *at, size_t there)
 
 bool frob_p2os_next(struct frob_p2os_receiver *receiver, struct frob_p2os_packet *packet)
 {
-    bool waiting = false; /* for the rest of what may be a packet, from `start` on */
+    bool waiting = false; /* the packet at `start` may still be incomplete */
     for (size_t i = receiver->start; i < receiver->end; i++) {
         const uint8_t *at = receiver->bytes + i;
         switch (look(at, receiver->end - i)) {

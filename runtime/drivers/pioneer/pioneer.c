@@ -1,6 +1,7 @@
-/* The driver's table: starting, polling, commanding, stopping. */
+/* The functions of the driver's table: start, poll, command and stop. */
 #include "drivers/pause.h"
 #include "drivers/pioneer/device.h"
+#include "drivers/pioneer/speeds.h"
 
 #include <math.h>
 #include <string.h>
@@ -8,34 +9,43 @@
 #define PI 3.14159265358979323846
 
 enum {
-    PAUSE_MS = 5,    /* between two commands; the AROS manual asks for 3 to 5 */
-    REFRESH_MS = 100 /* a command that does not change is sent this often */
+    PAUSE_MS = 5,    /* between two commands; the AROS manual requires 3 to 5 */
+    REFRESH_MS = 100 /* how often an unchanged command is repeated */
 };
 
 static const struct frob_setting settings[FROB_PIONEER_SETTING_COUNT] = {
-    { "baud", 0, 0, 115200, "bits per second of the line; 0 tries the usual rates" },
-    { "switch-baud", NAN, 0, 115200, "rate to switch to once connected; 0: stay" },
-    { "angle", NAN, 1e-6, 1, "rad of one unit of heading" },
-    { "distance", NAN, 1e-6, 100, "mm of one unit of position" },
-    { "speed", NAN, 1e-6, 100, "mm/s of one unit of a wheel's speed" },
-    { "range", NAN, 1e-6, 100, "mm of one unit of a sonar's range" },
-    { "difference", NAN, 1e-6, 1, "rad/s of turning for each mm/s between wheels, times two" },
-    { "vel2-divisor", NAN, 1, 100, "mm/s of one unit of the command VEL2" },
-    { "max-speed", 1.2, 0.01, 2.2, "m/s that the robot is told at the most" },
-    { "max-turn", 5.2359877559829888, 0.01, 9, "rad/s that the robot is told at the most" },
-    { "wheels", 0, 0, 1, "1: command the wheels (VEL2) instead of speed and turning" },
-    { "no-echo", 5.0, 0.1, 30, "m; a range as far as this means that nothing was heard" },
+    { "baud", 0, 0, 115200, "rate of the line, bits per second; 0: try the usual rates" },
+    { "switch-baud", NAN, 0, 115200, "rate to switch to after connecting; 0: keep the rate" },
+    { "angle", NAN, 1e-6, 1, "rad per unit of heading" },
+    { "distance", NAN, 1e-6, 100, "mm per unit of position" },
+    { "speed", NAN, 1e-6, 100, "mm/s per unit of wheel speed" },
+    { "range", NAN, 1e-6, 100, "mm per unit of sonar range" },
+    { "difference", NAN, 1e-6, 1, "rad/s of turning per mm/s between the wheels, times two" },
+    { "vel2-divisor", NAN, 1, 100, "mm/s per unit of the VEL2 command" },
+    { "max-speed", FROB_PIONEER_MOST_M_S, 0.01, 2.2, "maximum commanded speed, m/s" },
+    { "max-turn", FROB_PIONEER_MOST_RAD_S, 0.01, 9, "maximum commanded turn rate, rad/s" },
+    { "wheels", 0, 0, 1, "1: command the wheels (VEL2) instead of speed and turn rate" },
+    { "no-echo", 5.0, 0.1, 30, "m; a range this long means that there was no echo" },
     { "motors-flag", NAN, 0, 1, "1: the flags say whether the motors are on" },
     { "hard-stop", 0, 0, 1, "1: stop without a ramp (E_STOP) in an emergency" },
-    { "silence", 1.0, 0.1, 60, "s without a packet after which the connection is made anew" },
+    { "silence", 1.0, 0.1, 60, "s without a packet before the driver reconnects" },
     { "interval", NAN, 0.01, 1,
-      "s between commands at the least; 0.01, at 9600 baud or an unknown rate 0.025" },
-    { "carry-on", 1, 0, 1, "1: between packets, odometry goes on by the wheels' speeds" },
+      "minimum s between commands; 0.01, or 0.025 at 9600 baud or an unknown rate" },
+    { "carry-on", 1, 0, 1, "1: between packets, extrapolate odometry from the wheel speeds" },
 };
 
 static struct frob_pioneer *pioneer(void *device)
 {
     return (struct frob_pioneer *)device;
+}
+
+/* Clears the wanted speeds and the accumulated rounding error. */
+static void forget_speeds(struct frob_pioneer *d)
+{
+    d->forward_m_s = d->turn_rad_s = 0.0;
+    memset(&d->wanted, 0, sizeof d->wanted);
+    memset(&d->sent, 0, sizeof d->sent);
+    d->has_wanted = d->second_pending = false;
 }
 
 static void start(void *device, const double *values, const struct frob_serial *serial,
@@ -55,9 +65,7 @@ static void start(void *device, const double *values, const struct frob_serial *
     d->sensed_ns = INT64_MIN;
     d->sent_ns = INT64_MIN;
     d->heard_ns = frob_now_ns(clock);
-    d->has_wanted = d->second_pending = false;
-    memset(d->wanted, 0, sizeof d->wanted);
-    memset(d->sent, 0, sizeof d->sent);
+    forget_speeds(d);
     d->description[0] = '\0';
     frob_pioneer_connect(d);
 }
@@ -67,21 +75,43 @@ static bool by_wheels(const struct frob_pioneer *d)
     return d->settings[FROB_PIONEER_WHEELS] != 0.0;
 }
 
-/* Sends what is wanted: VEL, and RVEL after a pause; or VEL2. */
+static double most(const void *device, size_t i);
+
+/* Computes the numbers that express the wanted speeds if they are sent now. */
+static struct frob_wire_numbers numbers_now(const struct frob_pioneer *d)
+{
+    struct frob_wire wire =
+        by_wheels(d) ? frob_pioneer_wheel_wire(d->model.vel2_divisor, d->model.difference)
+                     : frob_pioneer_wire(most(d, 0), most(d, 1));
+    return frob_wire_next(&wire, &d->sent, d->forward_m_s, d->turn_rad_s,
+                          (double)frob_now_ns(&d->clock) * 1e-9);
+}
+
+static int32_t number(const struct frob_wire_numbers *numbers, int i)
+{
+    return (int32_t)numbers->number[i].sent;
+}
+
+static bool differ(const struct frob_wire_numbers *a, const struct frob_wire_numbers *b)
+{
+    return number(a, 0) != number(b, 0) || number(a, 1) != number(b, 1);
+}
+
+/* Sends the wanted speeds: VEL, and RVEL after a pause; or VEL2. */
 static enum frob_status send_first(struct frob_pioneer *d)
 {
     uint8_t packet[FROB_P2OS_COMMAND_MOST];
     size_t length;
-    d->sent[0] = d->wanted[0];
-    d->sent[1] = d->wanted[1];
+    d->sent = d->wanted = numbers_now(d);
     d->sent_ns = frob_now_ns(&d->clock);
     d->has_wanted = false;
     if (by_wheels(d)) {
-        length = frob_p2os_command_bytes(packet, FROB_P2OS_VEL2, (uint8_t)(d->sent[1] & 0xFF),
-                                         (uint8_t)(d->sent[0] & 0xFF));
+        length =
+            frob_p2os_command_bytes(packet, FROB_P2OS_VEL2, (uint8_t)(number(&d->sent, 1) & 0xFF),
+                                    (uint8_t)(number(&d->sent, 0) & 0xFF));
     } else {
         d->second_pending = true;
-        length = frob_p2os_command_int(packet, FROB_P2OS_VEL, d->sent[0]);
+        length = frob_p2os_command_int(packet, FROB_P2OS_VEL, number(&d->sent, 0));
     }
     return frob_pioneer_write(d, packet, length);
 }
@@ -89,25 +119,26 @@ static enum frob_status send_first(struct frob_pioneer *d)
 static enum frob_status send_second(struct frob_pioneer *d)
 {
     d->second_pending = false;
-    return frob_pioneer_send_int(d, FROB_P2OS_RVEL, d->sent[1]);
+    return frob_pioneer_send_int(d, FROB_P2OS_RVEL, number(&d->sent, 1));
 }
 
-/* VEL and RVEL are 18 bytes: as often as a program steps they would fill a slow
- * line, and wait in it. One whose rate is not known may be slow. */
+/* Minimum interval between commands. VEL and RVEL are 18 bytes; sent at every step of a program
+ * they would saturate a slow line and queue up. A line of unknown rate may be slow. */
 static double interval_s(const struct frob_pioneer *d)
 {
     double set = d->settings[FROB_PIONEER_INTERVAL];
     return isnan(set) ? (d->rate <= 9600 ? 0.025 : 0.01) : set;
 }
 
-/* When the first command may go: at once if it is the first or if it stops. */
+/* Returns when the first command may be sent: immediately if it is the first one, or if it stops
+ * the robot. */
 static int64_t first_due_ns(const struct frob_pioneer *d)
 {
-    bool changed = d->wanted[0] != d->sent[0] || d->wanted[1] != d->sent[1];
+    bool changed = differ(&d->wanted, &d->sent);
     double pause_s = interval_s(d);
     if (!d->has_wanted)
         return INT64_MAX;
-    if (d->sent_ns == INT64_MIN || (changed && d->wanted[0] == 0 && d->wanted[1] == 0))
+    if (d->sent_ns == INT64_MIN || (changed && d->forward_m_s == 0.0 && d->turn_rad_s == 0.0))
         return INT64_MIN;
     return d->sent_ns + (changed ? (int64_t)(pause_s * 1e9) : REFRESH_MS * frob_pioneer_ms);
 }
@@ -173,7 +204,7 @@ static double smaller(double a, double b)
     return a < b ? a : b;
 }
 
-/* m/s and rad/s: what the user allows, the model can, and the robot says. */
+/* Returns the minimum of the limits set by the user, the model and the robot, in m/s and rad/s. */
 static double most(const void *device, size_t i)
 {
     const struct frob_pioneer *d = (const struct frob_pioneer *)device;
@@ -190,37 +221,23 @@ static double most(const void *device, size_t i)
     return result;
 }
 
-/* A wheel's speed in units of VEL2, which has seven bits and a sign. */
-static int32_t vel2_units(const struct frob_pioneer *d, double mm_s)
-{
-    double units = mm_s / d->model.vel2_divisor;
-    if (units > 127.0)
-        units = 127.0;
-    if (units < -127.0)
-        units = -127.0;
-    return (int32_t)lround(units);
-}
-
 static enum frob_status command(void *device, const void *output)
 {
     struct frob_pioneer *d = pioneer(device);
     const struct frob_pioneer_output *out = (const struct frob_pioneer_output *)output;
-    double forward = out->forward * 1000.0;
     if (d->phase != FROB_PIONEER_CONNECTED)
         return FROB_BUSY_CONNECTING;
-    if (by_wheels(d)) {
-        double half = out->turn / d->model.difference;
-        d->wanted[0] = vel2_units(d, forward - half);
-        d->wanted[1] = vel2_units(d, forward + half);
-    } else {
-        d->wanted[0] = (int32_t)lround(forward);
-        d->wanted[1] = (int32_t)lround(out->turn * 180.0 / PI);
-    }
+    d->forward_m_s = out->forward;
+    d->turn_rad_s = out->turn;
+    d->wanted = numbers_now(d);
+    if (!differ(&d->wanted, &d->sent))
+        d->sent = d->wanted; /* the robot already uses these numbers */
     d->has_wanted = true;
     return send_due(d);
 }
 
-/* Both setpoints to zero, for they outlive a stop; then the stop itself. */
+/* Writes the stop commands. Both setpoints are set to zero first, because they persist after a
+ * stop. */
 static size_t stopping(const struct frob_pioneer *d, uint8_t *bytes)
 {
     bool hard = d->settings[FROB_PIONEER_HARD_STOP] != 0.0;
@@ -233,8 +250,7 @@ static enum frob_status stop(void *device)
 {
     struct frob_pioneer *d = pioneer(device);
     uint8_t bytes[3 * FROB_P2OS_COMMAND_MOST];
-    d->wanted[0] = d->wanted[1] = d->sent[0] = d->sent[1] = 0;
-    d->has_wanted = d->second_pending = false;
+    forget_speeds(d);
     d->sent_ns = frob_now_ns(&d->clock);
     return frob_pioneer_write(d, bytes, stopping(d, bytes));
 }

@@ -1,17 +1,16 @@
-/* pioneer.h -- the driver of Pioneer robots: ActivMedia's and MobileRobots'
- * Pioneer 1, 2 and 3, PeopleBot and AmigoBot, on PSOS, P2OS, AROS or ARCOS.
+/* pioneer.h -- the driver of Pioneer robots: ActivMedia's and MobileRobots' Pioneer 1, 2 and 3,
+ * PeopleBot and AmigoBot, running PSOS, P2OS, AROS or ARCOS.
  *
- * Units here are metres, radians, seconds and volts; the wire's are those of
- * packet.h and sip.h, and never leave this folder.
+ * Units here are metres, radians, seconds and volts. The units of the protocol, documented in
+ * packet.h and sip.h, are used only in this folder.
  *
- * Connecting finds the line's rate, shakes hands (SYNC0 to SYNC2), looks the
- * model up, sets both speeds to zero, and only then turns the motors on. It listens
- * first: a Pioneer whose watchdog has stopped it takes up its old speed again at the
- * next command, and one in a session takes SYNC0 for PULSE. Such a one sends packets,
- * and is told zeros and CLOSE. One that is silent is told nothing before SYNC0.
- * The driver sends no PULSE once the robot can be commanded: then only commands
- * feed the robot's watchdog, so that a host that has stopped commanding is noticed
- * by the robot itself. */
+ * To connect, the driver finds the line's bit rate, performs the handshake (SYNC0 to SYNC2), looks
+ * up the model, sets both speeds to zero, and only then turns the motors on. It first listens to
+ * the line. A Pioneer that was stopped by its watchdog resumes its old speed at the next command,
+ * and a Pioneer in a session takes SYNC0 for PULSE. A robot in a session sends packets; the driver
+ * sends it zero speeds and CLOSE. To a robot that is silent it sends nothing before SYNC0. Once the
+ * robot can be commanded, the driver sends no PULSE: then only commands feed the robot's watchdog,
+ * so the robot itself detects a host that has stopped commanding. */
 #ifndef FROB_DRIVERS_PIONEER_H
 #define FROB_DRIVERS_PIONEER_H
 
@@ -21,6 +20,7 @@
 #include "drivers/pioneer/model.h"
 #include "drivers/pioneer/packet.h"
 #include "drivers/pioneer/sip.h"
+#include "drivers/steps.h"
 #include <frob/pioneer.h>
 
 #ifdef __cplusplus
@@ -51,16 +51,16 @@ enum frob_pioneer_setting {
 
 enum { FROB_PIONEER_SONARS = 16 };
 
-/* Where connecting has got to. */
+/* Phase of connecting. */
 enum frob_pioneer_phase {
-    FROB_PIONEER_OVERHEARING, /* is the robot in a session already? */
-    FROB_PIONEER_SYNC,        /* sync 0, 1 or 2 is sent, its echo awaited */
-    FROB_PIONEER_CLOSING,     /* the robot was in a session; its end is awaited */
-    FROB_PIONEER_OPENING,     /* the commands that begin a session are being sent */
-    FROB_PIONEER_LISTENING,   /* for the first SIP */
+    FROB_PIONEER_OVERHEARING, /* listening for an already open session */
+    FROB_PIONEER_SYNC,        /* SYNC 0, 1 or 2 was sent; waiting for its echo */
+    FROB_PIONEER_CLOSING,     /* the robot was in a session; waiting for its end */
+    FROB_PIONEER_OPENING,     /* sending the commands that open a session */
+    FROB_PIONEER_LISTENING,   /* waiting for the first SIP */
     FROB_PIONEER_CONNECTED,
-    FROB_PIONEER_SILENT, /* gave up: nobody answers */
-    FROB_PIONEER_UNKNOWN /* the robot is of no known model */
+    FROB_PIONEER_SILENT, /* gave up: no robot answers */
+    FROB_PIONEER_UNKNOWN /* the robot's model is unknown */
 };
 
 struct frob_pioneer_sonar {
@@ -69,8 +69,8 @@ struct frob_pioneer_sonar {
     bool fresh;       /* heard since the last input */
 };
 
-/* One robot. All zero before the first start; after that the caller leaves it
- * alone, for what was learnt (the rate, where odometry is) helps to reconnect. */
+/* The state for one robot. All zero before the first start. After that the caller must not change
+ * it: it contains what helps to reconnect, such as the rate and the odometry. */
 struct frob_pioneer {
     const double *settings;
     struct frob_serial serial;
@@ -78,22 +78,22 @@ struct frob_pioneer {
     struct frob_p2os_receiver receiver;
 
     enum frob_pioneer_phase phase;
-    uint8_t sync;       /* which of the three */
-    uint8_t attempt;    /* of what the phase sends */
-    uint8_t tried;      /* rates, so far */
-    uint8_t step;       /* of opening */
-    bool still_open;    /* a SIP came after CLOSE */
-    int64_t heard_ns;   /* the last byte */
+    uint8_t sync;       /* number of the SYNC: 0, 1 or 2 */
+    uint8_t attempt;    /* number of attempts in this phase */
+    uint8_t tried;      /* number of bit rates tried so far */
+    uint8_t step;       /* current step of opening */
+    bool still_open;    /* a SIP arrived after CLOSE */
+    int64_t heard_ns;   /* when the last byte arrived */
     bool motors_seen;   /* the motors have been on in this session */
-    int64_t until_ns;   /* when the phase loses patience, or sends its next */
-    uint32_t rate;      /* of the line now */
-    uint32_t good_rate; /* at which a robot has answered; 0: not known */
-    uint32_t sync_rate; /* at which it has shaken hands; 0: not known */
-    bool switch_failed; /* at the switched rate nothing was heard */
-    bool rate_fixed;    /* the line could not change to the rate last tried */
+    int64_t until_ns;   /* when the phase times out, or sends its next command */
+    uint32_t rate;      /* current bit rate of the line */
+    uint32_t good_rate; /* rate at which a robot has answered; 0: unknown */
+    uint32_t sync_rate; /* rate of the last successful handshake; 0: unknown */
+    bool switch_failed; /* nothing was heard at the switched rate */
+    bool rate_fixed;    /* the line could not change to the last rate */
 
     struct frob_p2os_identity identity;
-    struct frob_p2os_model model; /* with the settings that replace its factors */
+    struct frob_p2os_model model; /* its factors may be replaced by settings */
     struct frob_p2os_robot_config config;
     bool has_config;
     uint8_t config_asked;
@@ -101,24 +101,25 @@ struct frob_pioneer {
     char description[3 * FROB_P2OS_NAME_ROOM + 16];
 
     int64_t sensed_ns;
-    struct frob_p2os_sip sip; /* the newest */
-    bool has_counters;        /* the session has had a SIP */
-    uint16_t x, y;            /* its counters */
-    double turned_rad;        /* from the counters' axes to the odometry's */
+    struct frob_p2os_sip sip; /* the newest SIP */
+    bool has_counters;        /* a SIP has arrived in this session */
+    uint16_t x, y;            /* position counters of that SIP */
+    double turned_rad;        /* angle from the counters' axes to those of odometry */
     struct frob_pose odometry;
     struct frob_pioneer_sonar sonar[FROB_PIONEER_SONARS];
 
-    int32_t wanted[2]; /* VEL and RVEL in mm/s and deg/s, or VEL2's left and right */
-    int32_t sent[2];
-    bool has_wanted;     /* since the last sending */
-    bool second_pending; /* RVEL follows VEL after a pause */
-    int64_t sent_ns;     /* INT64_MIN: nothing yet */
+    double forward_m_s, turn_rad_s;  /* the commanded speeds */
+    struct frob_wire_numbers wanted; /* those as VEL and RVEL, or as VEL2's left and right */
+    struct frob_wire_numbers sent;   /* the numbers that the robot currently uses */
+    bool has_wanted;                 /* there is a command that has not been sent */
+    bool second_pending;             /* RVEL must follow VEL after a pause */
+    int64_t sent_ns;                 /* INT64_MIN: nothing sent yet */
 };
 
 extern const struct frob_driver frob_pioneer_driver;
 
-/* What transducer `i` heard last, and how long ago; false if it never did or
- * nothing was in range. */
+/* Returns the last range of transducer `i` and its age. Returns false if it never heard an echo, or
+ * if nothing was in range. */
 bool frob_pioneer_echo(const struct frob_pioneer *device, size_t i, double *range_m, double *age_s);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* Bytes to the robot, and commands in packets. */
+/* Sends bytes and packets to the robot. */
 #include "drivers/pioneer/device.h"
 
 enum frob_status frob_pioneer_write(struct frob_pioneer *d, const uint8_t *bytes, size_t count)

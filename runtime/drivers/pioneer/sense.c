@@ -1,4 +1,4 @@
-/* A SIP becomes what the robot senses. */
+/* Converts a SIP to what the robot senses. */
 #include "drivers/pioneer/device.h"
 
 #include <math.h>
@@ -6,11 +6,11 @@
 
 #define PI 3.14159265358979323846
 
-/* For longer than this the speeds of a packet say nothing. */
+/* Maximum time for which odometry is extrapolated with the speeds of a SIP. */
 #define CARRIED_MOST_S 0.2
 
-/* The way between two values of a counter of 15 bits, the shorter one. A jump
- * that no robot can make between two SIPs is a counter that was set back. */
+/* Returns the difference of two values of a 15-bit counter, modulo 2^15. If the jump is larger than
+ * a robot can travel between two SIPs, the counter was reset, and the result is 0. */
 static int32_t counted(uint16_t from, uint16_t to)
 {
     int32_t way = (int32_t)((uint32_t)(to - from) & 0x7FFFu);
@@ -19,7 +19,7 @@ static int32_t counted(uint16_t from, uint16_t to)
     return way > 0x1000 || way < -0x1000 ? 0 : way;
 }
 
-/* An angle within half a turn either way. */
+/* Reduces an angle to -pi < angle <= pi. */
 static double wrapped(double angle)
 {
     angle = fmod(angle, 2.0 * PI);
@@ -30,8 +30,8 @@ static double wrapped(double angle)
     return angle;
 }
 
-/* Odometry goes on from where it was when a session begins: the robot's own
- * counters begin anywhere, and with any heading. */
+/* When a session begins, odometry continues from its last pose, because the robot's own counters
+ * may start at any position and heading. */
 static void take_position(struct frob_pioneer *d, const struct frob_p2os_sip *sip)
 {
     double heading = d->model.angle * sip->heading;
@@ -66,11 +66,12 @@ void frob_pioneer_take_sip(struct frob_pioneer *d, const struct frob_p2os_sip *s
     }
 }
 
-/* Where the robot is by now: packets come ten times a second, and a program
- * that steps between them would see it stand and then jump. With the wheels'
- * speeds v_left and v_right, in the time t since the packet,
+/* Extrapolates the pose to the current time. Packets arrive only ten times a second, so without
+ * this a program that steps more often would see the robot stop and jump. With the wheels' speeds
+ * v_left and v_right, in the time t since the packet, the distance and the angle are
  *   d = t (v_right + v_left) / 2,   a = t difference (v_right - v_left) / 2,
- * along the heading at the middle of the turn. The next packet sets it right. */
+ * and the distance is along the heading at the middle of the turn. The next packet replaces the
+ * estimate. */
 static struct frob_pose carried_on(const struct frob_pioneer *d)
 {
     struct frob_pose pose = d->odometry;

@@ -4,8 +4,7 @@
 
 #include "drivers/pioneer/protocol.h"
 
-/* Reads from a body, one field after the other. Past the end everything is 0
- * and `short_` is set. */
+/* Reads a body field by field. Past the end every field is 0, and `short_` is set. */
 struct cursor {
     const uint8_t *at;
     size_t left;
@@ -35,14 +34,14 @@ static uint16_t u16(struct cursor *c)
     return (uint16_t)(low | high << 8);
 }
 
-/* Two's complement, without a conversion that the implementation defines. */
+/* Converts two's complement without an implementation-defined conversion. */
 static int16_t s16(struct cursor *c)
 {
     int32_t n = u16(c);
     return (int16_t)(n >= 0x8000 ? n - 0x10000 : n);
 }
 
-/* A text up to its NUL, cut to its room. */
+/* Reads a text up to its NUL, truncated to `size`. */
 static void text(struct cursor *c, char *room, size_t size)
 {
     size_t length = 0;
@@ -120,7 +119,7 @@ bool frob_p2os_read_config(const struct frob_p2os_packet *packet,
     config->speed_top = u16(&c);
     u16(&c);                           /* rotational acceleration */
     u16(&c);                           /* translational acceleration */
-    u16(&c);                           /* greatest PWM */
+    u16(&c);                           /* maximum PWM */
     text(&c, skipped, sizeof skipped); /* name */
     config->sip_period = u8(&c);
     u8(&c);  /* host baud */

@@ -1,9 +1,9 @@
-/* sip.h -- what Pioneer robots send: the standard information packet (SIP),
- * the config packet, and the answer to SYNC2. Bodies to structs in the wire's
- * own units; no I/O.
+/* sip.h -- packets that Pioneer robots send: the standard information packet (SIP), the config
+ * packet, and the answer to SYNC2. Converts packet bodies to structs in the units of the protocol,
+ * without any I/O.
  *
- * Source: the same manuals as packet.h; offsets agree with Player's sip.cc and
- * AriaCoda's ArRobot.cpp. */
+ * Source: the same manuals as packet.h; offsets agree with Player's sip.cc and AriaCoda's
+ * ArRobot.cpp. */
 #ifndef FROB_DRIVERS_PIONEER_SIP_H
 #define FROB_DRIVERS_PIONEER_SIP_H
 
@@ -20,19 +20,19 @@ struct frob_p2os_echo {
     uint16_t range;
 };
 
-/* The standard SIP. From `battery_fine` on, fields are of newer firmware, and
- * `known` has a bit for each that the packet was long enough for. */
+/* The standard SIP. The fields from `battery_fine` on exist only in newer firmware; `known` has a
+ * bit for each of them that the packet contains. */
 struct frob_p2os_sip {
     bool moving;
-    uint16_t x, y; /* counters of 15 bits that wrap */
+    uint16_t x, y; /* 15-bit counters that wrap around */
     int16_t heading;
-    int16_t left, right; /* wheels' speeds */
+    int16_t left, right; /* wheel speeds */
     uint8_t battery;     /* 0.1 V */
     bool left_stall, right_stall;
-    uint8_t rear_bumpers, front_bumpers; /* a bit for each, from bit 0 */
+    uint8_t rear_bumpers, front_bumpers; /* one bit for each bumper, from bit 0 */
     uint16_t flags;
     uint8_t compass;
-    uint8_t echo_count; /* only the sonars that have new readings are in a SIP */
+    uint8_t echo_count; /* a SIP contains only sonars with new readings */
     struct frob_p2os_echo echoes[FROB_P2OS_SONARS_MOST];
     unsigned known;        /* bits of enum frob_p2os_known */
     uint16_t battery_fine; /* 0.1 V */
@@ -51,7 +51,7 @@ enum frob_p2os_known {
 /* Bits of `flags` (ARCOS). */
 enum { FROB_P2OS_FLAG_MOTORS = 1 };
 
-/* False if the packet is none, or too short for what it says it holds. */
+/* Returns false if the packet is not a SIP, or is shorter than its contents require. */
 bool frob_p2os_read_sip(const struct frob_p2os_packet *packet, struct frob_p2os_sip *sip);
 
 /* The part of the config packet that the driver uses. */
@@ -67,7 +67,7 @@ bool frob_p2os_read_config(const struct frob_p2os_packet *packet,
 
 enum { FROB_P2OS_NAME_ROOM = 24 };
 
-/* The answer to SYNC2. Longer names are cut. */
+/* The answer to SYNC2. Longer names are truncated. */
 struct frob_p2os_identity {
     char name[FROB_P2OS_NAME_ROOM];
     char robot_class[FROB_P2OS_NAME_ROOM];

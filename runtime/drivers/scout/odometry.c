@@ -5,8 +5,8 @@
 
 #define INCH_TENTH_M 0.00254
 #define DEGREE_TENTH_RAD (3.14159265358979323846 / 1800.0)
-/* The robot makes 1 m/s, 394 units a second; some more is believed, and a foot
- * for states that were late. After some refusals it has been started anew. */
+/* The robot's maximum speed is 1 m/s, 394 units per second. The limit is somewhat higher, plus a
+ * foot for late states. After several consecutive rejections the robot must have been restarted. */
 #define BELIEVED_PER_S 600
 #define BELIEVED 120
 #define MOST_REFUSED 3
@@ -20,7 +20,8 @@ void frob_scout_odometry_reconnect(struct frob_scout_odometry *o)
     o->turn_rad_s = 0.0;
 }
 
-/* The first state of a connection: where the robot says it is, is the place. */
+/* Handles the first state of a connection: the position that the robot reports corresponds to the
+ * current pose. */
 static void begin(struct frob_scout_odometry *o, const struct frob_scout_state *state,
                   int64_t now_ns)
 {
@@ -48,7 +49,7 @@ static void move(struct frob_scout_odometry *o, const struct frob_scout_state *s
     o->place.heading_rad += frob_scout_heading_step(o->heading, state->heading) * DEGREE_TENTH_RAD;
 }
 
-/* Speeds from the way since the last measurement, along the heading halfway. */
+/* Computes speeds from the distance since the last measurement, along the mean heading. */
 static void measure(struct frob_scout_odometry *o, int64_t now_ns)
 {
     double elapsed_s = (double)(now_ns - o->measured_ns) * 1e-9;

@@ -1,11 +1,10 @@
-/* scout/odometry.h -- where a Scout is and how fast, from its states.
+/* scout/odometry.h -- the pose and speed of a Scout, computed from its state packets.
  *
- * Positions are added up from differences, since their field wraps. The place
- * is kept from connection to connection; it is zero, looking along x, where the
- * first state found the robot. A packet's sum is a byte only, so now and then a
- * damaged state gets through: places that the robot cannot have reached since
- * the last state are refused, unless it says so again and again. Speeds are
- * measured over a fifth of a second: a step of the counters is 2.54 mm. */
+ * The position fields wrap around, so the odometry adds up differences. The pose is kept from one
+ * connection to the next; it is zero, pointing along x, where the first state found the robot. A
+ * packet's checksum is a single byte, so a damaged state gets through now and then: positions that
+ * the robot cannot have reached since the last state are rejected, unless it repeats them. Speeds
+ * are measured over a fifth of a second, because one count is as much as 2.54 mm. */
 #ifndef FROB_DRIVERS_SCOUT_ODOMETRY_H
 #define FROB_DRIVERS_SCOUT_ODOMETRY_H
 
@@ -17,27 +16,27 @@ extern "C" {
 
 struct frob_scout_place {
     double x_m, y_m;
-    double heading_rad; /* not reduced to a turn */
+    double heading_rad; /* not reduced to one turn */
 };
 
-/* All zero at the start. */
+/* Initially all zero. */
 struct frob_scout_odometry {
-    bool known; /* the fields of the connection's last state: */
+    bool known; /* the next fields are valid; they are from the last state */
     int x, y, heading;
-    int64_t taken_ns; /* when it came */
-    unsigned refused; /* states, one after the other */
-    double axes_rad;  /* from the axes of these fields to those of the place */
-    struct frob_scout_place place, measured; /* now, and when the measurement of speeds began */
+    int64_t taken_ns; /* when that state arrived */
+    unsigned refused; /* number of consecutive rejected states */
+    double axes_rad;  /* angle from the axes of these fields to those of the pose */
+    struct frob_scout_place place, measured; /* current pose, and the pose at measured_ns */
     int64_t measured_ns;
     double forward_m_s, turn_rad_s;
 };
 
-/* The next state is the first of a connection: the robot may have another
- * place for where it is. */
+/* Marks the next state as the first of a connection: the robot may now report other coordinates for
+ * the same place. */
 void frob_scout_odometry_reconnect(struct frob_scout_odometry *odometry);
 
-/* Takes a state that arrived at `now_ns`; false if the robot cannot have
- * reached its place. */
+/* Adds a state that arrived at `now_ns`. Returns false and rejects it if the robot cannot have
+ * reached its position. */
 bool frob_scout_odometry_add(struct frob_scout_odometry *odometry,
                              const struct frob_scout_state *state, int64_t now_ns);
 

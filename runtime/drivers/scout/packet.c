@@ -60,13 +60,13 @@ size_t frob_scout_write_packet(const struct frob_scout_packet *packet,
 
 enum { WINDOW_MASK = sizeof(((struct frob_scout_receiver *)0)->window) - 1 };
 
-/* The byte at `index` of the last `size` bytes received. */
+/* Returns the byte at `index` of the last `size` bytes received. */
 static unsigned at(const struct frob_scout_receiver *r, unsigned size, unsigned index)
 {
     return r->window[(r->next - size + index) & WINDOW_MASK];
 }
 
-/* Are the last `size` bytes a packet, which its end is known to be? */
+/* Returns whether the last `size` bytes are a packet. The caller has checked its last byte. */
 static bool is_packet(const struct frob_scout_receiver *r, unsigned size)
 {
     unsigned sum = 0;
@@ -84,7 +84,7 @@ bool frob_scout_receive(struct frob_scout_receiver *r, uint8_t byte,
     r->next = (r->next + 1) & WINDOW_MASK;
     if (byte != FROB_SCOUT_END)
         return false;
-    /* The longest first: a shorter one could be data of it. */
+    /* Try the longest first: a shorter one could be part of its data. */
     for (unsigned size = FROB_SCOUT_MAX_PACKET; size >= FROB_SCOUT_OVERHEAD; size--) {
         if (!is_packet(r, size))
             continue;

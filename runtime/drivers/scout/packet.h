@@ -1,16 +1,16 @@
 /* scout/packet.h -- packets of the Nomadic Scout's serial protocol.
  *
- * Both directions, 38400 baud 8N1:
+ * In both directions, at 38400 baud 8N1, a packet is
  *
  *     01  L  0  TYPE  DATA...  SUM  5C
  *
- * L counts type, data and sum; two bytes, low byte first. SUM is the sum of all
- * bytes before it, modulo 256. Numbers are low byte first; signed ones are
- * sign and magnitude, not two's complement: -100 is 64 80. Every command is
- * answered by one packet, and the robot sends nothing unasked.
+ * L is the number of bytes of type, data and sum; it has two bytes, low byte first. SUM is the sum
+ * of all bytes before it, modulo 256. Numbers are low byte first. Signed numbers are sign and
+ * magnitude, not two's complement: -100 is 64 80. The robot answers every command with one packet,
+ * and sends nothing else.
  *
- * Source: Nomadics' direct-connection library, Ndirect 2.6.13 (Ndirect.c and
- * Nclient.h, as in CARMEN's scoutlib). No I/O here, and nothing allocates. */
+ * Source: Nomadics' direct-connection library, Ndirect 2.6.13 (Ndirect.c and Nclient.h, as in
+ * CARMEN's scoutlib). This module does no I/O and does not allocate. */
 #ifndef FROB_SCOUT_PACKET_H
 #define FROB_SCOUT_PACKET_H
 
@@ -22,7 +22,7 @@
 extern "C" {
 #endif
 
-/* Commands that a Scout takes; a reply has the type of its command. */
+/* Commands that a Scout accepts. A reply has the type of its command. */
 enum frob_scout_type {
     FROB_SCOUT_AC = 1,       /* accelerations */
     FROB_SCOUT_SP = 2,       /* speeds of PR */
@@ -48,7 +48,7 @@ enum frob_scout_type {
 enum {
     FROB_SCOUT_START = 0x01,
     FROB_SCOUT_END = 0x5C,
-    /* Longest data taken. A state packet has 42 bytes of it. */
+    /* Maximum length of data. A state packet has 42 bytes. */
     FROB_SCOUT_MAX_DATA = 62,
     FROB_SCOUT_OVERHEAD = 6,
     FROB_SCOUT_MAX_PACKET = FROB_SCOUT_MAX_DATA + FROB_SCOUT_OVERHEAD
@@ -56,37 +56,37 @@ enum {
 
 struct frob_scout_packet {
     uint8_t type;
-    uint8_t count; /* of data, at most FROB_SCOUT_MAX_DATA */
+    uint8_t count; /* length of data, at most FROB_SCOUT_MAX_DATA */
     uint8_t data[FROB_SCOUT_MAX_DATA];
 };
 
-/* Adds a number to the packet's data; the packet has room for it. A magnitude
- * over 32767 is sent as 32767: the wire has no more. */
+/* Appends a number to the packet's data, which must have room for it. A magnitude above 32767 is
+ * sent as 32767, the maximum of the protocol. */
 void frob_scout_add_u8(struct frob_scout_packet *packet, unsigned value);
 void frob_scout_add_u16(struct frob_scout_packet *packet, unsigned value);
 void frob_scout_add_s16(struct frob_scout_packet *packet, long value);
 
-/* Numbers as they lie in data: 0 to 65535, -32767 to 32767, 0 to 2^32 - 1. */
+/* Reads a number from data: 0 to 65535, -32767 to 32767, 0 to 2^32 - 1. */
 unsigned frob_scout_get_u16(const uint8_t *bytes);
 int frob_scout_get_s16(const uint8_t *bytes);
 uint32_t frob_scout_get_u32(const uint8_t *bytes);
 
-/* Writes the packet as it goes over the wire; returns how many bytes. */
+/* Writes the packet as the bytes on the wire; returns their number. */
 size_t frob_scout_write_packet(const struct frob_scout_packet *packet,
                                uint8_t bytes[FROB_SCOUT_MAX_PACKET]);
 
-/* What was received last. All zero is the state at the beginning.
+/* The bytes received last. Initially all zero.
  *
- * A packet is looked for backwards from each byte that can be its last. So
- * bytes before it, whatever they are, never hide it: each good packet is found
- * the moment its last byte is in. */
+ * The receiver searches for a packet backwards from each byte that can be its last. So the bytes
+ * before a packet, whatever they are, never hide it, and every good packet is found as soon as its
+ * last byte arrives. */
 struct frob_scout_receiver {
-    uint8_t window[128]; /* a ring; a power of two, over FROB_SCOUT_MAX_PACKET */
+    uint8_t window[128]; /* ring buffer; a power of two above FROB_SCOUT_MAX_PACKET */
     unsigned next;       /* where the next byte goes */
 };
 
-/* Takes a byte. True when it completes a packet, which is then in `packet`;
- * otherwise `packet` is as it was. */
+/* Handles a received byte. If it completes a packet, stores it in `packet` and returns true;
+ * otherwise `packet` stays unchanged. */
 bool frob_scout_receive(struct frob_scout_receiver *receiver, uint8_t byte,
                         struct frob_scout_packet *packet);
 

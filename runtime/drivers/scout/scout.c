@@ -1,18 +1,15 @@
 #include "drivers/scout/scout.h"
 
 #include "drivers/pause.h"
-#include "drivers/wheels.h"
 
 #include <frob/scout.h>
 
 #include <math.h>
 #include <string.h>
 
-#define UNIT_M 0.00254 /* 0.1 inch */
-#define MOST_M_S 1.0   /* of a wheel: 393 units in CARMEN's scoutlib */
 #define SILENCE_NS INT64_C(1000000000)
 #define UNHEARD_NS INT64_C(150000000)
-#define LONGEST_PACKET 259 /* bytes: a length of 255 */
+#define LONGEST_PACKET 259 /* bytes: the length byte at its maximum, 255 */
 #define FORGOTTEN_NS INT64_C(500000000)
 #define MOST_REFUSALS 3
 
@@ -21,8 +18,8 @@ static int64_t ns(double seconds)
     return (int64_t)(seconds * 1e9);
 }
 
-/* Sends a command; its answer is awaited. A line that has no room now is like
- * a lost command: the answer does not come. */
+/* Sends a command and waits for its answer. If the line has no room, this is like a lost command:
+ * no answer arrives. */
 static enum frob_status send(struct frob_scout *d, struct frob_scout_packet packet)
 {
     uint8_t bytes[FROB_SCOUT_MAX_PACKET];
@@ -35,11 +32,19 @@ static enum frob_status send(struct frob_scout *d, struct frob_scout_packet pack
 
 static enum frob_status send_velocity(struct frob_scout *d)
 {
+    struct frob_wire wire = frob_scout_wire(d->settings[FROB_SCOUT_SEPARATION_M]);
+    double now_s = (double)frob_now_ns(&d->clock) * 1e-9;
+    bool left_first = d->settings[FROB_SCOUT_LEFT_FIRST] != 0.0;
+    long left, right;
+    d->speeds = frob_wire_next(&wire, &d->speeds, d->forward_m_s, d->turn_rad_s, now_s);
+    left = (long)d->speeds.number[0].sent;
+    right = (long)d->speeds.number[1].sent;
     d->velocity_waits = false;
-    return send(d, frob_scout_velocities(d->first, d->second));
+    return send(d, left_first ? frob_scout_velocities(left, right)
+                              : frob_scout_velocities(right, left));
 }
 
-/* ST holds the position. It does not wait for an answer to come. */
+/* Sends ST, which holds the position, without waiting for a pending answer. */
 static enum frob_status send_stop(struct frob_scout *d)
 {
     static const uint8_t zeros[LONGEST_PACKET] = { 0 };
@@ -51,16 +56,16 @@ static enum frob_status send_stop(struct frob_scout *d)
     return status == FROB_LOST ? status : send(d, frob_scout_plain(FROB_SCOUT_ST));
 }
 
-/* When the state is asked for, if no velocity comes: never while the robot
- * moves and the host has forgotten it, so that the robot's watchdog ends it. */
+/* Returns when to request the state if no velocity is sent. Returns INT64_MAX (never) if the robot
+ * moves and the host has stopped commanding it, so that the robot's watchdog stops it. */
 static int64_t ask_ns(const struct frob_scout *d)
 {
     int64_t at_ns = d->sent_ns + ns(d->settings[FROB_SCOUT_POLL_S]);
-    bool moves = d->first != 0 || d->second != 0;
+    bool moves = d->forward_m_s != 0.0 || d->turn_rad_s != 0.0;
     return moves && at_ns - d->commanded_ns >= FORGOTTEN_NS ? INT64_MAX : at_ns;
 }
 
-/* Sends what is due when no answer is awaited. */
+/* Sends the next command, if no answer is pending. */
 static enum frob_status send_next(struct frob_scout *d, int64_t now_ns)
 {
     switch (d->step) {
@@ -68,8 +73,8 @@ static enum frob_status send_next(struct frob_scout *d, int64_t now_ns)
     case FROB_SCOUT_WATCHDOG:
         return send(d, frob_scout_watchdog((unsigned)d->settings[FROB_SCOUT_WATCHDOG_S]));
     case FROB_SCOUT_ACCELERATION:
-        return send(d, frob_scout_acceleration(
-                           (unsigned)lround(d->settings[FROB_SCOUT_ACCELERATION_M_S2] / UNIT_M)));
+        return send(d, frob_scout_acceleration((unsigned)lround(
+                           d->settings[FROB_SCOUT_ACCELERATION_M_S2] / FROB_SCOUT_UNIT_M)));
     case FROB_SCOUT_SONARS_ON:
         return send(d, frob_scout_sonars_on((unsigned)d->settings[FROB_SCOUT_SONAR_MS] /
                                             FROB_SCOUT_SONAR_UNIT_MS));
@@ -82,8 +87,8 @@ static enum frob_status send_next(struct frob_scout *d, int64_t now_ns)
     return FROB_OK;
 }
 
-/* Takes the next step of connecting if this answers the command of the present
- * one; a stop that came between does not. */
+/* Takes the next step of connecting if this is the answer to the current step's command. A stop
+ * that was sent in between does not count. */
 static void connect_further(struct frob_scout *d, uint8_t answered)
 {
     static const uint8_t commands[] = { FROB_SCOUT_ST, FROB_SCOUT_CONF_TM, FROB_SCOUT_AC,
@@ -106,8 +111,8 @@ static void take_state(struct frob_scout *d, const struct frob_scout_packet *pac
                          FROB_SCOUT_SONARS * ns(d->settings[FROB_SCOUT_SONAR_MS] * 1e-3));
 }
 
-/* Takes an answer. A command of connecting that is refused ends it; velocities
- * may be refused now and then, while somebody presses the stop button. */
+/* Handles an answer. If a command of connecting is refused, connecting fails. Velocities may be
+ * refused now and then, while somebody presses the stop button. */
 static void take(struct frob_scout *d, const struct frob_scout_packet *packet, int64_t now_ns)
 {
     bool refused = packet->type == FROB_SCOUT_NAK;
@@ -130,8 +135,7 @@ static enum frob_status read_all(struct frob_scout *d)
 {
     uint8_t bytes[64];
     size_t count;
-    /* More than the line brings between two polls, and an end to a line that
-     * never runs dry. */
+    /* Reads more than the line delivers between two polls, but stops if the line never runs dry. */
     for (int i = 0; i < 16; i++) {
         struct frob_scout_packet packet;
         enum frob_status status =
@@ -163,7 +167,7 @@ static void start(void *device, const double *settings, const struct frob_serial
     d->step = FROB_SCOUT_STOPPING;
     d->heard_ns = d->commanded_ns = frob_now_ns(clock);
     d->sensed_ns = INT64_MIN;
-    /* A line that cannot has its rate already, or no answer comes. */
+    /* Ignores failure: a line with a fixed rate either has the right rate, or no answer arrives. */
     serial->operations->set_rate(serial->port, (uint32_t)settings[FROB_SCOUT_BAUD]);
     serial->operations->discard(serial->port);
 }
@@ -231,13 +235,10 @@ static enum frob_status command(void *device, const void *from)
 {
     struct frob_scout *d = (struct frob_scout *)device;
     const struct frob_scout_output *output = (const struct frob_scout_output *)from;
-    struct frob_wheels wheels = frob_wheels_of(output->forward, output->turn,
-                                               d->settings[FROB_SCOUT_SEPARATION_M], MOST_M_S);
-    bool left_first = d->settings[FROB_SCOUT_LEFT_FIRST] != 0.0;
     if (d->step != FROB_SCOUT_CONNECTED)
         return FROB_BUSY_CONNECTING;
-    d->first = lround((left_first ? wheels.left : wheels.right) / UNIT_M);
-    d->second = lround((left_first ? wheels.right : wheels.left) / UNIT_M);
+    d->forward_m_s = output->forward;
+    d->turn_rad_s = output->turn;
     d->velocity_waits = true;
     d->commanded_ns = frob_now_ns(&d->clock);
     return d->awaited == 0 ? send_velocity(d) : FROB_OK;
@@ -247,7 +248,8 @@ static enum frob_status stop(void *device)
 {
     struct frob_scout *d = (struct frob_scout *)device;
     d->velocity_waits = false;
-    d->first = d->second = 0;
+    d->forward_m_s = d->turn_rad_s = 0.0;
+    memset(&d->speeds, 0, sizeof d->speeds);
     d->commanded_ns = frob_now_ns(&d->clock);
     return send_stop(d);
 }
@@ -270,14 +272,14 @@ static const char *describe(const void *device)
     const struct frob_scout *d = (const struct frob_scout *)device;
     if (!d->refused)
         return "Nomadic Scout";
-    return d->step == FROB_SCOUT_CONNECTED ? "Nomadic Scout, which refuses velocities"
-                                           : "Nomadic Scout, which refuses to be set up";
+    return d->step == FROB_SCOUT_CONNECTED ? "Nomadic Scout, which rejects velocity commands"
+                                           : "Nomadic Scout, which rejects its configuration";
 }
 
 static double most(const void *device, size_t i)
 {
     const struct frob_scout *d = (const struct frob_scout *)device;
-    return frob_wheels_most(i, d->settings[FROB_SCOUT_SEPARATION_M], MOST_M_S);
+    return frob_wheels_most(i, d->settings[FROB_SCOUT_SEPARATION_M], FROB_SCOUT_MAX_M_S);
 }
 
 static const struct frob_setting settings_table[FROB_SCOUT_SETTING_COUNT] = {
@@ -286,35 +288,38 @@ static const struct frob_setting settings_table[FROB_SCOUT_SETTING_COUNT] = {
       "the robot stops by itself after this many seconds without a command" },
     { "left-first", 0, 0, 1, "1 if the first axis of commands is the left wheel" },
     { "wheel-separation", 0.3452, 0.1, 1,
-      "between the wheels, m (13.59 inches; some have measured 13.4)" },
-    { "acceleration", NAN, 0.01, 10, "of the wheels, m/s^2 (else as the robot has it)" },
-    { "sonar-period", 40, 4, 1020, "between two transducers' turns, ms" },
-    { "poll-period", 0.05, 0.01, 1, "between two states, s" },
-    { "patience", 0.1, 0.02, 1, "until a command without answer is given up, s" },
+      "distance between the wheels, m (13.59 inches; some have measured 13.4)" },
+    { "acceleration", NAN, 0.01, 10,
+      "acceleration of the wheels, m/s^2 (default: the robot's own)" },
+    { "sonar-period", 40, 4, 1020, "time between the pings of two transducers, ms" },
+    { "poll-period", 0.05, 0.01, 1, "time between two state requests, s" },
+    { "patience", 0.1, 0.02, 1, "timeout for the answer to a command, s" },
     { "flush", LONGEST_PACKET, 0, LONGEST_PACKET,
-      "zeros before a stop of a robot that is not heard" },
+      "number of zeros before a stop command to a robot that does not answer" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_scout_output, forward),
                                  offsetof(struct frob_scout_output, turn) };
 
-const struct frob_driver frob_scout_driver = { "scout",
-                                               38400,
-                                               sizeof(struct frob_scout),
-                                               sizeof(struct frob_scout_input),
-                                               sizeof(struct frob_scout_output),
-                                               settings_table,
-                                               FROB_SCOUT_SETTING_COUNT,
-                                               drives,
-                                               sizeof drives / sizeof drives[0],
-                                               most,
-                                               start,
-                                               poll,
-                                               due_ns,
-                                               sensed_ns,
-                                               sense,
-                                               command,
-                                               stop,
-                                               close,
-                                               describe,
-                                               stands };
+const struct frob_driver frob_scout_driver = {
+    "scout",
+    38400,
+    sizeof(struct frob_scout),
+    sizeof(struct frob_scout_input),
+    sizeof(struct frob_scout_output),
+    settings_table,
+    FROB_SCOUT_SETTING_COUNT,
+    drives,
+    sizeof drives / sizeof drives[0],
+    most,
+    start,
+    poll,
+    due_ns,
+    sensed_ns,
+    sense,
+    command,
+    stop,
+    close,
+    describe,
+    stands,
+};

@@ -1,16 +1,16 @@
-/* scout/scout.h -- a Nomadic Scout behind a serial line.
+/* scout/scout.h -- a Nomadic Scout on a serial line.
  *
- * One command is on its way at a time, and each is answered by the robot's
- * state. A velocity waits for the answer to what went before; between
- * velocities the state is asked for. The robot's own watchdog (CONF_TM) is set
- * at the start. Any command feeds it, the question for the state too: so a
- * robot that was told to move is asked only while the host goes on telling it.
+ * At most one command is pending at a time, and the robot answers each with its state. A velocity
+ * command waits for the answer to the command before it; between velocity commands the driver
+ * requests the state. When it connects, the driver sets the robot's own watchdog (CONF_TM). Any
+ * command feeds this watchdog, including a request for the state. Therefore, while the robot moves,
+ * the driver requests the state only as long as the host keeps commanding.
  *
- * Noise can begin a packet of up to 259 bytes, whose end the robot awaits before
- * it hears anything else. So a stop that comes because the robot is not heard
- * is sent again behind as many zeros.
+ * Noise can start a packet of up to 259 bytes, and the robot ignores commands until the packet
+ * ends. If the driver stops a robot that it does not hear, it therefore sends as many zeros, and
+ * then the stop command again.
  *
- * What sources disagree on is in the table of settings. */
+ * The settings cover the values on which sources disagree. */
 #ifndef FROB_DRIVERS_SCOUT_SCOUT_H
 #define FROB_DRIVERS_SCOUT_SCOUT_H
 
@@ -19,12 +19,13 @@
 #include "drivers/scout/packet.h"
 #include "drivers/scout/sonar.h"
 #include "drivers/scout/state.h"
+#include "drivers/steps.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* Its input and output are those of <frob/scout.h>. */
+/* The driver. Its input and output are those of <frob/scout.h>. */
 extern const struct frob_driver frob_scout_driver;
 
 /* Settings, in the order of the driver's table. */
@@ -41,7 +42,7 @@ enum frob_scout_setting {
     FROB_SCOUT_SETTING_COUNT
 };
 
-/* The steps of connecting: each is a command that must be answered. */
+/* Stages of connecting. The robot must answer the command of each. */
 enum frob_scout_step {
     FROB_SCOUT_STOPPING,
     FROB_SCOUT_WATCHDOG,
@@ -56,15 +57,16 @@ struct frob_scout {
     struct frob_clock clock;
     enum frob_scout_step step;
     bool refused;
-    unsigned refusals;    /* of velocities, one after the other */
-    uint8_t awaited;      /* the type of answer that is due; 0: none */
-    int64_t sent_ns;      /* the command that went out last */
-    int64_t heard_ns;     /* the answer that came last, or the start */
-    int64_t byte_ns;      /* the last byte */
-    int64_t sensed_ns;    /* the state that came last */
-    int64_t commanded_ns; /* the velocity, or the stop, that the host gave last */
-    bool velocity_waits;  /* a velocity is to be sent */
-    long first, second;   /* which, 0.1 inch/s */
+    unsigned refusals;               /* number of consecutive velocities that it refused */
+    uint8_t awaited;                 /* type of the pending answer; 0: none */
+    int64_t sent_ns;                 /* when the last command was sent */
+    int64_t heard_ns;                /* when the last answer arrived, or the connection began */
+    int64_t byte_ns;                 /* when the last byte arrived */
+    int64_t sensed_ns;               /* when the last state arrived */
+    int64_t commanded_ns;            /* when the host last commanded a velocity or a stop */
+    bool velocity_waits;             /* a velocity must be sent */
+    double forward_m_s, turn_rad_s;  /* that velocity */
+    struct frob_wire_numbers speeds; /* the wheel speeds sent last */
     struct frob_scout_receiver receiver;
     struct frob_scout_state state;
     struct frob_scout_odometry odometry;

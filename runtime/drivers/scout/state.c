@@ -2,7 +2,7 @@
 
 #include <assert.h>
 
-/* Offsets in the data. */
+/* Offsets in a packet's data. */
 enum {
     SONAR = 0,
     BUMPERS = 16,
@@ -37,7 +37,7 @@ bool frob_scout_is_state(const struct frob_scout_packet *packet)
     }
 }
 
-/* Ndirect: volts = (2 + 3 raw / 255) range / 5. */
+/* According to Ndirect, volts = (2 + 3 raw / 255) range / 5. */
 static double volts(unsigned raw, double range)
 {
     return (2.0 + 3.0 * raw / 255.0) * range / 5.0;
@@ -62,8 +62,8 @@ struct frob_scout_state frob_scout_read_state(const struct frob_scout_packet *pa
     return state;
 }
 
-/* The representative of `step` modulo `period` that is nearest to 0, and
- * positive where two are; |step| is under 2^17. */
+/* Returns the representative of `step` modulo `period` nearest to 0, and the positive one if there
+ * are two; |step| is below 2^17. */
 static int nearest(int step, int period)
 {
     step %= period;

@@ -1,10 +1,9 @@
 /* scout/state.h -- the state packet, with which a Scout answers a command.
  *
- * Its layout is the order in which Ndirect 2.6.13 reads it for models other
- * than the Nomad 200; the bits of the motor status are those of two ROS nodes
- * for the Scout. It has three velocity fields, which sources read in two ways
- * (wheels, or forward and turn): they are left out, and velocities come from
- * the odometry. */
+ * The layout is the order in which Ndirect 2.6.13 reads the packet for models other than the Nomad
+ * 200. The bits of the motor status are those of two ROS nodes for the Scout. The three velocity
+ * fields are ignored, because sources interpret them in two ways (wheels, or forward and turn);
+ * velocities are computed from odometry instead. */
 #ifndef FROB_SCOUT_STATE_H
 #define FROB_SCOUT_STATE_H
 
@@ -30,31 +29,31 @@ enum {
 
 struct frob_scout_state {
     uint8_t sonar_in[FROB_SCOUT_SONARS]; /* inches; 255 is the largest reading */
-    uint32_t bumpers;                    /* 24 bits; which bit is where is not documented */
-    int x, y;                            /* 0.1 inch; wraps */
+    uint32_t bumpers;                    /* 24 bits; which bit belongs to which bumper is not
+                                          * documented */
+    int x, y;                            /* 0.1 inch; wraps around */
     int heading;                         /* 0.1 degree, counter-clockwise */
     unsigned motor_status;               /* FROB_SCOUT_... above */
-    uint32_t time_ms;                    /* the robot's clock; wraps */
+    uint32_t time_ms;                    /* the robot's clock; wraps around */
     double cpu_v, motor_v;               /* volts */
 };
 
-/* Is this packet a state? A reply to any command that moves or configures. */
+/* Returns whether this packet is a state: a reply to any command that moves or configures. */
 bool frob_scout_is_state(const struct frob_scout_packet *packet);
 
 /* Reads a packet that is a state. */
 struct frob_scout_state frob_scout_read_state(const struct frob_scout_packet *packet);
 
-/* How far a position field went from one state to the next, 0.1 inch, as long
- * as that is under 41 m.
+/* Returns the change of a position field from one state to the next, in 0.1 inch; it must be below
+ * 41 m.
  *
- * At 83.2 m the field runs out of its 15 bits. Whether it goes on at the
- * negative end or at zero is not documented, so the difference is taken modulo
- * 2^15, which is right for both (and one step of 2.54 mm off if the robot has
- * no -0). */
+ * At 83.2 m the field exceeds its 15 bits. It is not documented whether it then continues at the
+ * negative end or at zero, so the difference is taken modulo 2^15, which is right for both (and one
+ * unit of 2.54 mm off if the robot has no -0). */
 int frob_scout_position_step(int before, int now);
 
-/* The same for headings: 0.1 degree, -1799 to 1800, whether the robot counts
- * from 0 to 3600 or from -1800 to 1800. */
+/* Returns the change of the heading from one state to the next, in 0.1 degree, -1799 to 1800,
+ * whether the robot counts from 0 to 3600 or from -1800 to 1800. */
 int frob_scout_heading_step(int before, int now);
 
 #ifdef __cplusplus

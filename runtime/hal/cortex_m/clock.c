@@ -1,4 +1,5 @@
-/* Time by SysTick: milliseconds counted in its interrupt, and its own value. */
+/* Computes the time from SysTick: milliseconds counted in its interrupt, and the timer's current
+ * value. */
 #include "hal/cortex_m/board.h"
 #include "hal/cortex_m/registers.h"
 
@@ -25,8 +26,8 @@ void board_clock_start(void (*tick)(int64_t now_ns))
     SYSTICK->control = 7;
 }
 
-/* A tick may fall between reading the two: then it is pending, or the count
- * has changed; interrupts are held off so that it cannot do both unseen. */
+/* A tick may occur between the two reads. Interrupts are disabled, so that the tick is then still
+ * pending or has changed the count, and cannot go unnoticed. */
 static int64_t now_ns(void *port)
 {
     int64_t ticks;

@@ -1,4 +1,4 @@
-/* UART 0 of the Cortex-M System Design Kit: a byte in each direction, so the
+/* UART 0 of the Cortex-M System Design Kit. It buffers a single byte in each direction, so the
  * receive interrupt fills a ring. */
 #include "hal/cortex_m/board.h"
 #include "hal/cortex_m/registers.h"
@@ -7,15 +7,15 @@ enum { TRANSMITTER_FULL = 1, RECEIVER_FULL = 2 };
 enum { TRANSMIT = 1, RECEIVE = 2, RECEIVE_INTERRUPT = 8 };
 enum { RING = 1024 }; /* a power of two; holds any packet of any robot */
 
-/* The interrupt moves `end` alone, the program `start` alone. */
+/* Only the interrupt changes `end`, only the program changes `start`. */
 static struct {
     volatile uint8_t bytes[RING];
     volatile uint32_t start, end;
 } ring;
 
-/* The interrupt is cleared first: a byte that comes behind the last look raises
- * it again. The other way round that byte's interrupt would be lost, and the
- * receiver, which is full, would raise none any more. */
+/* Clears the interrupt first: a byte that arrives after the last check then raises it again. In the
+ * opposite order that byte's interrupt would be lost, and the receiver, which is then full, would
+ * never raise another. */
 void board_on_receive(void)
 {
     UART_0->interrupt = RECEIVER_FULL;
@@ -58,7 +58,7 @@ static enum frob_status line_write(void *port, const uint8_t *bytes, size_t coun
     return FROB_OK;
 }
 
-/* Any interrupt ends the sleep, and the timer's come every millisecond. */
+/* Any interrupt ends the sleep, and the timer raises one every millisecond. */
 static enum frob_status line_wait(void *port, int64_t until_ns)
 {
     (void)port;

@@ -1,15 +1,15 @@
-/* From reset to main: the table of vectors, memory, the floating-point unit. */
+/* From reset to main: the vector table, memory and the floating-point unit. */
 #include "hal/cortex_m/board.h"
 #include "hal/cortex_m/registers.h"
 
-/* From the linker script. */
+/* Defined in the linker script. */
 extern uint32_t board_data_from[], board_data_start[], board_data_end[];
 extern uint32_t board_bss_start[], board_bss_end[];
 extern uint32_t board_stack_low[], board_stack_high[];
 
 extern int main(void);
 
-/* What a stack that was never used is filled with. */
+/* Value that fills the unused part of the stack. */
 #define UNUSED 0xA5A5A5A5u
 
 size_t board_stack_size(void)
@@ -35,7 +35,7 @@ static void reset(void)
         *to = *from++;
     for (uint32_t *to = board_bss_start; to < board_bss_end; to++)
         *to = 0;
-    /* Below what this function itself uses. */
+    /* Fill the stack below the part that this function itself uses. */
     __asm__ volatile("mov %0, sp" : "=r"(here));
     for (uint32_t *to = board_stack_low; to < here - 16; to++)
         *to = UNUSED;

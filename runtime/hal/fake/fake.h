@@ -1,9 +1,8 @@
-/* hal/fake/fake.h -- a clock that only tests move, and a line whose bytes are
- * in memory.
+/* hal/fake/fake.h -- for tests: a simulated clock, and a serial line in memory.
  *
- * Time passes when something waits for it, so a test of an hour takes no
- * time. The other end of the line is the test: it writes bytes that arrive at
- * once or later, and reads what the driver wrote, each write with its time. */
+ * Time passes only when the code waits or a test advances it, so a test of an hour takes no time.
+ * The test is the other end of the line: it sends bytes that arrive immediately or later, and reads
+ * what the driver wrote and when. */
 #ifndef FROB_HAL_FAKE_H
 #define FROB_HAL_FAKE_H
 
@@ -18,7 +17,7 @@
 extern "C" {
 #endif
 
-/* Virtual time. Sleeping and waiting move it on. */
+/* Virtual time. Sleeping and waiting advance it. */
 struct frob_fake_clock {
     int64_t now_ns;
 };
@@ -27,7 +26,7 @@ struct frob_clock frob_fake_time(struct frob_fake_clock *clock);
 
 #define FROB_FAKE_ROOM 4096
 
-/* Bytes on their way, oldest first. */
+/* Bytes in transit, oldest first. */
 struct frob_fake_queue {
     uint8_t bytes[FROB_FAKE_ROOM];
     int64_t arrive_ns[FROB_FAKE_ROOM];
@@ -41,21 +40,21 @@ struct frob_fake_line {
     bool lost;          /* set by the test: the cable is pulled */
     bool blocked;       /* set by the test: writes find no room */
     bool refuses_rates; /* set by the test: set_rate is unsupported */
-    uint32_t fastest;   /* set by the test: set_rate beyond is unsupported; 0: any rate is fine */
+    uint32_t fastest;   /* set by the test: set_rate above it is unsupported; 0: no limit */
 };
 
-/* A line without bytes on the clock. */
+/* Opens a line that has no bytes in transit and uses this clock. */
 void frob_fake_line_open(struct frob_fake_line *line, struct frob_fake_clock *clock);
 
-/* The driver's end. */
+/* Returns the driver's end of the line. */
 struct frob_serial frob_fake_serial(struct frob_fake_line *line);
 
-/* The test's end. Bytes arrive at the driver after `delay_ns`, never before
- * what was sent earlier; what does not fit is dropped. */
+/* Sends bytes from the test's end. They arrive at the driver after `delay_ns`, but never before
+ * bytes sent earlier. Bytes that do not fit are dropped. */
 void frob_fake_send(struct frob_fake_line *line, const uint8_t *bytes, size_t count,
                     int64_t delay_ns);
 
-/* Takes what the driver wrote, at most `room` bytes; gives their number. */
+/* Takes at most `room` of the bytes that the driver wrote; returns their number. */
 size_t frob_fake_receive(struct frob_fake_line *line, uint8_t *bytes, size_t room);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* Who has a device open: Linux shows it in /proc. */
+/* Finds the process that has a device open, in Linux's /proc. */
 #include "hal/posix/parts.h"
 
 #include <dirent.h>

@@ -1,4 +1,4 @@
-/* The name of an adapter that stays when it is plugged in again. */
+/* Finds the persistent name of an adapter, which stays the same when it is plugged in again. */
 #include "hal/posix/serial.h"
 
 #include <dirent.h>

@@ -1,12 +1,12 @@
-/* Linux takes any rate through its own termios2, whose header cannot be
- * included beside <termios.h>. Emulators of Linux may lack it. */
+/* Linux sets any rate with its own struct termios2, whose header cannot be included together with
+ * <termios.h>. Emulators of Linux may lack it. */
 #include "hal/posix/parts.h"
 
 #include <asm/ioctls.h>
 #include <asm/termbits.h>
 #include <errno.h>
 
-/* As in <sys/ioctl.h>, which would include the other termios. */
+/* Declared as in <sys/ioctl.h>, which would include the other termios. */
 extern int ioctl(int fd, unsigned long request, ...);
 
 int frob_posix_set_terminal_rate(int fd, uint32_t bits_per_s)

@@ -1,4 +1,4 @@
-/* The rates that POSIX and its systems have names for. */
+/* The rates for which POSIX and its implementations have names. */
 #include "hal/posix/parts.h"
 
 #include <errno.h>

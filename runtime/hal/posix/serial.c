@@ -18,7 +18,7 @@
 
 #define DRAIN_PATIENCE_NS INT64_C(200000000)
 
-/* Which group may open the device, and how to join it. */
+/* Explains which group may open the device, and how to join it. */
 static void explain_denied(const char *device, char *message, size_t room)
 {
     struct stat status;
@@ -26,8 +26,8 @@ static void explain_denied(const char *device, char *message, size_t room)
     if (stat(device, &status) == 0)
         group = getgrgid(status.st_gid);
     snprintf(message, room,
-             "%s may not be opened by you: permission denied; join the group that may with `sudo "
-             "adduser $USER %s`, then log out and in again",
+             "cannot open %s: permission denied; join its group with `sudo adduser $USER %s`, then "
+             "log out and in again",
              device,
              group != NULL && strcmp(group->gr_name, "root") != 0 ? group->gr_name : "dialout");
 }
@@ -36,9 +36,9 @@ static enum frob_status explain_busy(const char *device, char *message, size_t r
 {
     char holder[128];
     if (frob_posix_holder(device, holder, sizeof holder))
-        snprintf(message, room, "%s is in use by %s; end that first", device, holder);
+        snprintf(message, room, "%s is in use by %s; end that program first", device, holder);
     else
-        snprintf(message, room, "%s is in use by another program; end that first", device);
+        snprintf(message, room, "%s is in use by another program; end that program first", device);
     return FROB_IN_USE;
 }
 
@@ -48,13 +48,14 @@ static enum frob_status explain(int error, const char *device, char *message, si
     case ENOENT:
     case ENOTDIR:
         snprintf(message, room,
-                 "there is no device %s; is it plugged in? /dev/serial/by-id lists those that are",
+                 "there is no device %s; plug it in (/dev/serial/by-id lists the devices that are "
+                 "plugged in)",
                  device);
         return FROB_NOT_FOUND;
     case ENXIO:
     case ENODEV:
     case EIO:
-        snprintf(message, room, "nothing answers behind %s: %s", device, strerror(error));
+        snprintf(message, room, "no device answers at %s: %s", device, strerror(error));
         return FROB_NOT_FOUND;
     case EACCES:
     case EPERM: explain_denied(device, message, room); return FROB_DENIED;
@@ -69,7 +70,7 @@ static enum frob_status explain(int error, const char *device, char *message, si
     }
 }
 
-/* 8N1, no flow control, no translation, the modem's lines ignored. */
+/* Sets 8N1, no flow control, no translation, and ignores the modem lines. */
 static int make_raw(int fd)
 {
     struct termios settings;
@@ -81,8 +82,8 @@ static int make_raw(int fd)
     settings.c_lflag &= (tcflag_t) ~(ECHO | ECHONL | ICANON | ISIG | IEXTEN);
     settings.c_cflag &= (tcflag_t) ~(CSIZE | PARENB | CSTOPB | CRTSCTS | HUPCL);
     settings.c_cflag |= CS8 | CREAD | CLOCAL;
-    /* With O_NONBLOCK a read gives EAGAIN when there is nothing, and 0 only
-     * when the line is gone. */
+    /* With O_NONBLOCK, read() fails with EAGAIN if there are no bytes, and returns 0 only if the
+     * line is gone. */
     settings.c_cc[VMIN] = 1;
     settings.c_cc[VTIME] = 0;
     return tcsetattr(fd, TCSANOW, &settings);
@@ -103,7 +104,7 @@ static int open_terminal(int *fd, const char *device, uint32_t bits_per_s)
         *fd = -1;
         return error;
     }
-    /* Others that do not lock are kept out too. */
+    /* Also keeps out programs that do not lock. */
     ioctl(*fd, TIOCEXCL);
     if (frob_posix_set_terminal_rate(*fd, bits_per_s) != 0) {
         error = errno;
@@ -176,8 +177,8 @@ static struct timespec until(int64_t left_ns)
     return result;
 }
 
-/* Whether the line became ready for `events`; 0 when time has run out or a
- * signal came, -1 when it is gone. */
+/* Waits until the line is ready for `events`. Returns 1 if it is ready, 0 at the timeout or a
+ * signal, and -1 if the line is gone. */
 static int ready(struct frob_posix_line *line, short events, int64_t until_ns)
 {
     struct pollfd wait = { line->fd, events, 0 };
@@ -187,7 +188,7 @@ static int ready(struct frob_posix_line *line, short events, int64_t until_ns)
         return errno == EINTR ? 0 : -1;
     if (n == 0)
         return 0;
-    /* What came before a hang-up is still to be read. */
+    /* Bytes that arrived before a hang-up can still be read. */
     if ((wait.revents & events) != 0)
         return 1;
     return -1;
@@ -261,7 +262,8 @@ struct frob_serial frob_posix_serial(struct frob_posix_line *line)
     return result;
 }
 
-/* The kernel would wait for half a minute for a line that takes nothing. */
+/* Waits until the written bytes have been transmitted, up to a limit. The kernel would wait for
+ * half a minute for a line that accepts nothing. */
 static void drain(const struct frob_posix_line *line)
 {
     int64_t end_ns = frob_now_ns(&frob_posix_clock) + DRAIN_PATIENCE_NS;

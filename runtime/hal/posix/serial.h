@@ -1,10 +1,10 @@
-/* hal/posix/serial.h -- a serial line of a POSIX system: a terminal device, or
- * a TCP connection to a robot or a serial server.
+/* hal/posix/serial.h -- a serial line on a POSIX system: a terminal device, or a TCP connection to
+ * a robot or a serial server.
  *
- * A terminal is made raw and locked: a second program that opens it this way
- * is told who holds it. A device is named by its path, best the one below
- * /dev/serial/by-id, which stays with the adapter; or `tcp:HOST:PORT`, or
- * `tcp:HOST` for the port 8101, the custom for robots. */
+ * A terminal is set to raw mode and locked. A second program that opens it with this module gets a
+ * message that names the first one. A device is named by its path, preferably one in
+ * /dev/serial/by-id, which persists when the adapter is plugged in again; or by `tcp:HOST:PORT`, or
+ * by `tcp:HOST` for port 8101, the usual port of robots. */
 #ifndef FROB_HAL_POSIX_SERIAL_H
 #define FROB_HAL_POSIX_SERIAL_H
 
@@ -20,35 +20,33 @@ struct frob_posix_line {
     int fd; /* -1: not open */
     bool is_terminal;
     bool lost;
-    bool heard;              /* at least one byte came, since it was first opened */
-    unsigned char peer[128]; /* of a TCP connection: its address, a struct sockaddr */
+    bool heard;              /* a byte has been received since the line was first opened */
+    unsigned char peer[128]; /* address of a TCP connection, a struct sockaddr */
     unsigned peer_length;
 };
 
-/* Opens the device. On failure nothing is open, and `message` says what is
- * wrong and what helps, in one line; `room` is its size.
- * FROB_NOT_FOUND, FROB_DENIED, FROB_IN_USE, FROB_UNSUPPORTED (not a serial
- * line, or not that rate), FROB_TIMEOUT (TCP), FROB_LOST. */
+/* Opens the device. On failure nothing is open, and `message`, of size `room`, explains the problem
+ * and how to fix it, in one line. Returns FROB_OK, FROB_NOT_FOUND, FROB_DENIED, FROB_IN_USE,
+ * FROB_UNSUPPORTED (not a serial line, or not that rate), FROB_TIMEOUT (TCP) or FROB_LOST. */
 enum frob_status frob_posix_open(struct frob_posix_line *line, const char *device,
                                  uint32_t bits_per_s, char *message, size_t room);
 
-/* Opens a line again that was open, at `device`, which may be another path by
- * now. A robot on TCP is sought where it was: no name is looked up, and an
- * attempt takes half a second at the most. */
+/* Reopens a line that was open, at `device`, whose path may have changed. For TCP it connects to
+ * the previous address: it looks up no name, and waits for at most half a second. */
 enum frob_status frob_posix_reopen(struct frob_posix_line *line, const char *device,
                                    uint32_t bits_per_s);
 
-/* Lets what was written leave, for at most 0.2 s, and closes. */
+/* Waits for at most 0.2 s until the written bytes have been transmitted, and closes the line. */
 void frob_posix_close(struct frob_posix_line *line);
 
 struct frob_serial frob_posix_serial(struct frob_posix_line *line);
 
-/* Whether the device is a TCP address and not a path. */
+/* Returns whether the device is a TCP address rather than a path. */
 bool frob_posix_is_tcp(const char *device);
 
-/* The path in `folder` (/dev/serial/by-id) that is a link to the same device
- * as `device`, which stays the same when the adapter is plugged in again.
- * False if there is none, or `device` is a link itself. */
+/* Finds the path in `folder` (/dev/serial/by-id) that links to the same device as `device` and
+ * persists when the adapter is plugged in again. Returns false if there is none, or if `device` is
+ * a link itself. */
 bool frob_posix_lasting_name(const char *folder, const char *device, char *name, size_t room);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* A robot behind TCP: its own computer, a serial server, or a simulator. */
+/* A robot reached over TCP: its own computer, a serial server or a simulator. */
 #include "hal/posix/parts.h"
 
 #include <errno.h>
@@ -21,7 +21,7 @@ bool frob_posix_is_tcp(const char *device)
     return strncmp(device, "tcp:", 4) == 0;
 }
 
-/* Splits HOST:PORT; a host with colons stands in brackets. */
+/* Splits HOST:PORT; a host that contains colons must be in brackets. */
 static bool split(const char *address, char *host, size_t host_room, char *port, size_t port_room)
 {
     const char *end, *colon;
@@ -47,7 +47,7 @@ static bool split(const char *address, char *host, size_t host_room, char *port,
     return true;
 }
 
-/* Waits until the connection stands. 0, or an error number. */
+/* Waits until the connection is established. Returns 0 or an error number. */
 static int finish(int fd, int patience_ms)
 {
     struct pollfd wait = { fd, POLLOUT, 0 };
@@ -72,7 +72,7 @@ static int try_address(const struct sockaddr *address, socklen_t length, int pat
     if (connect(*fd, address, length) != 0)
         error = errno == EINPROGRESS ? finish(*fd, patience_ms) : errno;
     if (error == 0) {
-        /* A packet shall leave at once, and a dead peer be noticed. */
+        /* Send packets immediately, and detect a dead peer. */
         setsockopt(*fd, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
         setsockopt(*fd, SOL_SOCKET, SO_KEEPALIVE, &one, sizeof one);
         return 0;
@@ -98,7 +98,7 @@ enum frob_status frob_posix_connect(struct frob_posix_line *line, const char *de
     int failure, error = 0;
     line->fd = -1;
     if (!split(device + 4, host, sizeof host, port, sizeof port)) {
-        snprintf(message, room, "`%s` is no address; write tcp:HOST:PORT", device);
+        snprintf(message, room, "`%s` is not an address; write tcp:HOST:PORT", device);
         return FROB_NOT_FOUND;
     }
     memset(&hints, 0, sizeof hints);

@@ -1,7 +1,7 @@
 #include "hal/template/template.h"
 
-/* A port keeps what its interrupts share with its functions here: a ring of
- * received bytes, the upper half of the timer. */
+/* The variables that a port's interrupts share with its functions: for example a ring of received
+ * bytes, and the upper half of the timer. */
 static struct {
     int64_t now_ns;
     uint32_t rate;
@@ -12,15 +12,15 @@ void frob_template_clock_start(void)
     board.now_ns = 0;
 }
 
-/* Read the free-running timer. A timer of 32 bits wraps: count its overflows
- * in its interrupt, and read both halves until they agree. */
+/* Read the free-running timer. A 32-bit timer wraps around: count its overflows in its interrupt,
+ * and read both halves until they agree. */
 static int64_t now_ns(void *port)
 {
     (void)port;
     return board.now_ns;
 }
 
-/* Wait for interrupts until the time has come. Here time passes at once. */
+/* Wait for interrupts until the time is reached. Here time passes immediately. */
 static void sleep_until(void *port, int64_t until_ns)
 {
     (void)port;
@@ -53,7 +53,7 @@ static enum frob_status line_write(void *port, const uint8_t *bytes, size_t coun
     return FROB_OK;
 }
 
-/* Sleep until the ring has bytes or the time has come. */
+/* Sleep until the ring has bytes or the time is reached. */
 static enum frob_status line_wait(void *port, int64_t until_ns)
 {
     sleep_until(port, until_ns);

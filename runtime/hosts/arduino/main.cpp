@@ -1,16 +1,16 @@
-// The main program on a board with the Arduino framework: the robot on Serial1,
-// what is said to a person on Serial. Copied by `frobc export --platformio`.
+// The main program on a board with the Arduino framework: the robot is on Serial1, messages for
+// people go to Serial. `frobc export --platformio` copies this file.
 //
-// Nothing here watches over the loop: a step of a Frob program always ends, but
-// C code that it calls may not. Where your board has a timer, let its interrupt
-// call loop_watch(now_ns(nullptr)) ten times a second, or use its watchdog.
+// Nothing here supervises the loop. A step of a Frob program always ends, but C code that it calls
+// may not. If your board has a timer, let its interrupt call loop_watch(now_ns(nullptr)) ten times
+// a second, or use the board's watchdog.
 #include <Arduino.h>
 
 #include "hosts/board/loop.h"
 
-static_assert(sizeof(double) == 8, "Frob needs a double of 64 bits, which this board lacks");
+static_assert(sizeof(double) == 8, "Frob needs 64-bit doubles, which this board does not have");
 
-// micros() wraps after 71 minutes; it is read far more often.
+// micros() wraps around after 71 minutes; it is read much more often.
 static int64_t now_ns(void *)
 {
     static uint32_t before = 0;

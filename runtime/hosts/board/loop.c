@@ -15,8 +15,7 @@
 #include "drivers/pioneer/pioneer.h"
 #include "drivers/scout/scout.h"
 
-/* The compiled program, and the memory of its state, which `frobc` defines
- * beside it. */
+/* The compiled program, and the memory for its state, which `frobc` defines in the same file. */
 extern const struct frob_program frob_program;
 extern void *const frob_program_state;
 
@@ -30,8 +29,8 @@ extern void *const frob_program_state;
 
 enum { SETTINGS_MOST = 32, RESULT_MOST = 256, CONSOLE_MOST = 256 };
 
-/* Bytes for a robot of the user's own that needs more than those of the library:
- * its driver's device_size and input_size. */
+/* For a user-defined robot that needs more memory than the library's robots: its driver's
+ * device_size and input_size, in bytes. */
 #ifndef FROB_DEVICE_MOST
 #define FROB_DEVICE_MOST 1
 #endif
@@ -53,13 +52,13 @@ union robot_input {
     unsigned char own[FROB_INPUT_MOST];
 };
 
-/* The robot's struct, and behind it the operator's console. */
+/* The robot's input struct, followed by the operator's console. */
 static union {
     union robot_input robot;
     unsigned char bytes[sizeof(union robot_input) + CONSOLE_MOST];
 } input;
 
-/* The robot's struct, and behind it what a task has ended with. */
+/* The robot's output struct, followed by the result of a task. */
 static union {
     double aligned;
     unsigned char bytes[FROB_OUTPUT_MOST + RESULT_MOST];
@@ -70,14 +69,14 @@ static struct frob_serial line;
 static struct frob_clock time_;
 static double settings[SETTINGS_MOST];
 static struct frob_robot robot;
-static int64_t due_ns;            /* the next instant; 0: when the robot is ready */
-static int64_t before_ns;         /* the last instant; 0: there was none */
-static volatile int64_t alive_ns; /* when the loop last came round; 0: not running */
+static int64_t due_ns;            /* next instant; 0: as soon as the robot is ready */
+static int64_t before_ns;         /* last instant; 0: none yet */
+static volatile int64_t alive_ns; /* start of the last round of the loop; 0: not running */
 static int64_t stopped_ns;
 static struct loop_counts counts;
 
-/* Of a robot of the user's own; NULL if the program is for another. frobc writes
- * this into the program. */
+/* The driver of a user-defined robot; NULL if the program is for another robot. frobc writes this
+ * into the program. */
 extern const struct frob_driver *const frob_own_driver;
 
 static const struct frob_driver *find_driver(void)
@@ -120,14 +119,14 @@ const char *loop_start(const struct frob_serial *serial, const struct frob_clock
 {
     const struct frob_driver *found = find_driver();
     if (!is_of(found))
-        return "this program is not for a robot with a driver here";
+        return "this board has no driver for the program's robot";
     if (!fits(found))
-        return "the robot's driver needs more memory than there is: compile this with a larger "
+        return "not enough memory for the robot's driver: compile this with a larger "
                "FROB_DEVICE_MOST or FROB_INPUT_MOST";
-    /* In the program, and in what clamps its commands. */
+    /* Check both the program and the code that limits its commands. */
     if ((frob_program.arithmetic() | frob_arithmetic_faults()) != 0)
-        return "this program must not drive: its arithmetic is not IEEE 754's; was it compiled "
-               "with -ffast-math, or without -ffp-contract=off?";
+        return "this program must not drive a robot, because its arithmetic is not IEEE 754: "
+               "compile it with -ffp-contract=off and without -ffast-math";
     for (size_t i = 0; i < found->setting_count; i++)
         settings[i] = found->settings[i].initial;
     line = *serial;
@@ -139,9 +138,8 @@ const char *loop_start(const struct frob_serial *serial, const struct frob_clock
     return NULL;
 }
 
-/* The robot's stop needs nothing that the loop, which is stuck, may be in the
- * middle of, but the line: a packet that it breaks off is one that the robot
- * drops. */
+/* Stops the robot. Of everything that the stuck loop may be using, this touches only the line: if
+ * it interrupts a packet, the robot drops that packet. */
 void loop_watch(int64_t now_ns)
 {
     if (alive_ns == 0 || now_ns - alive_ns <= PATIENCE_NS || now_ns - stopped_ns < STOP_PERIOD_NS)
@@ -158,7 +156,7 @@ void loop_stop(void)
         frob_robot_halt(&robot);
 }
 
-/* The command of a step that took too long is out of date. */
+/* Runs a step and sends its command, unless the step took too long and the command is outdated. */
 static void instant(int64_t now)
 {
     frob_robot_sense(&robot, &input);
@@ -179,7 +177,7 @@ int64_t loop_round(void)
     alive_ns = now;
     state = frob_robot_poll(&robot);
     if (state == FROB_ROBOT_FAILED) {
-        connect(); /* for as long as it takes */
+        connect(); /* retries forever */
     } else if (state != FROB_ROBOT_READY) {
         due_ns = 0;
     } else if (now >= due_ns) {

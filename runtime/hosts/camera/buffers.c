@@ -6,23 +6,24 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Places of the frames: the writer's, those in the middle, the newest first, the reader's. */
+/* Positions of the frames: the writer's frame, the middle ones from the newest on, and the reader's
+ * frame. */
 enum { BACK = 0, NEWEST = 1, FRONT = NEWEST + BUFFERS_KEPT, COUNT = FRONT + 1 };
 
 struct buffers {
     uint32_t state; /* see `order_of` */
     uint32_t beats, begun;
     struct frob_image image;
-    uint32_t published; /* the frame that was published last */
+    uint32_t published; /* the last published frame */
     struct captured frames[COUNT];
 };
 
-/* The state, taken apart. It changes as a whole, so `changes` goes up: nobody takes it for one that
- * it was before. */
+/* The unpacked state. It is replaced as a whole, and `changes` is incremented, so that no old state
+ * is mistaken for the current one (the ABA problem). */
 struct order {
-    uint32_t at[COUNT]; /* which frame is at each place: 3 bits each */
-    uint32_t fresh;     /* how many in the middle, from the newest on, can be taken: 2 bits */
-    bool has_any;       /* has been published */
+    uint32_t at[COUNT]; /* index of the frame at each position, 3 bits each */
+    uint32_t fresh;     /* number of middle frames, from the newest, not yet taken: 2 bits */
+    bool has_any;       /* a frame has been published */
     uint32_t changes;   /* 14 bits */
 };
 
@@ -72,7 +73,7 @@ static uint32_t read_state(const struct buffers *b)
     return __atomic_load_n(&b->state, __ATOMIC_ACQUIRE);
 }
 
-/* From the state that was seen. */
+/* Replaces the state if it is still the one that was seen. */
 static bool change(struct buffers *b, uint32_t *seen, struct order *next)
 {
     next->changes++;
@@ -85,7 +86,7 @@ struct captured *buffers_back(struct buffers *b)
     return &b->frames[order_of(read_state(b)).at[BACK]];
 }
 
-/* The oldest one in the middle is the writer's next. */
+/* Publishes the writer's frame. The oldest middle frame becomes the writer's next one. */
 void buffers_publish(struct buffers *b)
 {
     uint32_t seen = read_state(b);
@@ -108,7 +109,8 @@ const struct captured *buffers_published(const struct buffers *b)
     return order_of(read_state(b)).has_any ? &b->frames[b->published] : NULL;
 }
 
-/* What is read here may change meanwhile: then so does the state, and nothing is taken. */
+/* The data read here may change meanwhile. The state then changes too, so the frame cannot be
+ * taken. */
 struct fresh buffers_look(const struct buffers *b)
 {
     struct fresh fresh;
@@ -124,7 +126,7 @@ struct fresh buffers_look(const struct buffers *b)
     return fresh;
 }
 
-/* Those behind it move up, and the reader's old one comes last. */
+/* Takes a frame. The ones behind it move up, and the reader's old frame becomes the last. */
 const struct captured *buffers_take_one(struct buffers *b, const struct fresh *fresh, size_t k)
 {
     uint32_t seen = fresh->state;

@@ -1,11 +1,11 @@
-/* buffers.h -- the newest frames of a camera, handed from one process to another.
+/* buffers.h -- passes the newest frames of a camera from one process to another.
  *
- * Five frames in memory that both processes share: one that the writer fills, one that the
- * reader looks at, and the newest three between them. Each side exchanges its own for one of those
- * in the middle, in one step of the processor: nobody waits, the writer never touches what the
- * reader looks at, and a writer that dies in the middle of a frame leaves the others whole.
+ * Five frames are in memory shared by both processes: one that the writer fills, one that the
+ * reader uses, and the newest three between them. Each side exchanges its frame for one of the
+ * middle ones with an atomic operation: nobody waits, the writer never touches the reader's frame,
+ * and a writer that dies while it fills a frame leaves the others intact.
  *
- * The memory is at the same address in both processes, since it is made before they part. */
+ * The memory has the same address in both processes, because it is mapped before the fork. */
 #ifndef FROB_HOST_CAMERA_BUFFERS_H
 #define FROB_HOST_CAMERA_BUFFERS_H
 
@@ -16,41 +16,42 @@
 #include <frob/image.h>
 #include <frob/tags.h>
 
-/* Bytes of the largest frame: 1920 x 1200 in colours. */
+/* Maximum size of a frame in bytes: 1920 x 1200 in colour. */
 #define BUFFERS_ROOM ((size_t)1920 * 1200 * 3)
 
 /* A frame, without gaps between its rows. */
 struct captured {
     int32_t width, height;
-    enum frob_image_format format; /* of bytes */
+    enum frob_image_format format; /* a format with bytes, not depths */
     int64_t captured_ns;           /* on the monotonic clock */
     uint32_t number;
-    bool has_camera; /* it says itself how its camera sees */
+    bool has_camera; /* the frame contains its camera's projection and pose */
     struct frob_camera camera;
-    struct frob_tags tags; /* in it, where they are looked for */
+    struct frob_tags tags; /* tags in the frame, if they are looked for */
     uint8_t *pixels;
 };
 
 struct buffers;
 
-/* NULL without memory, with errno. */
+/* Returns NULL and sets errno if memory runs out. */
 struct buffers *buffers_make(void);
 void buffers_free(struct buffers *b);
 
-/* The writer's: where the next frame goes; then it is the newest one. */
+/* For the writer: returns where to store the next frame. buffers_publish makes it the newest
+ * frame. */
 struct captured *buffers_back(struct buffers *b);
 void buffers_publish(struct buffers *b);
 
-/* The one that was published last, as its writer sees it; NULL before the first. It is only to
- * be read. */
+/* For the writer: returns the last published frame, read-only; NULL before the first. */
 const struct captured *buffers_published(const struct buffers *b);
 
-/* The reader's: the newest frame, once; NULL if there is none that was not taken before. It stays
- * as it is until the next call that gives one. */
+/* For the reader: returns the newest frame, once; NULL if all published frames were taken. It stays
+ * unchanged until the next call that returns a frame. */
 const struct captured *buffers_take(struct buffers *b);
 
-/* Those of the three that are newer than what was taken, the newest first: when they were taken and
- * their numbers. Who has two cameras chooses frames that belong together (pair.h). */
+/* For the reader: returns the capture times and numbers of those of the middle frames that are
+ * newer than the taken one, newest first. A reader of two cameras uses them to choose frames that
+ * belong together (pair.h). */
 enum { BUFFERS_KEPT = 3 };
 
 struct fresh {
@@ -62,21 +63,24 @@ struct fresh {
 
 struct fresh buffers_look(const struct buffers *b);
 
-/* One of these, as buffers_take gives it; those before it can be taken later. NULL if the writer
- * has published another one since: look again. */
+/* For the reader: returns one of these frames, as buffers_take does; the newer ones can still be
+ * taken later. Returns NULL if the writer has published another frame since buffers_look; then call
+ * buffers_look again. */
 const struct captured *buffers_take_one(struct buffers *b, const struct fresh *fresh, size_t k);
 
-/* Waits for so long for a frame to take; whoever drives does not. */
+/* Waits for at most this time for a new frame. The process that drives the robot must not call
+ * it. */
 void buffers_wait(struct buffers *b, int wait_ms);
 
-/* Of the reader, for who it hands the address of a frame on to in another process. */
+/* Memory for the reader's image, at an address that is valid in the other process too. */
 struct frob_image *buffers_image(struct buffers *b);
 
-/* The reader has looked for the first time; whether it has. */
+/* buffers_begin reports that the reader has looked for a frame for the first time;
+ * buffers_have_begun returns whether it has. */
 void buffers_begin(struct buffers *b);
 bool buffers_have_begun(const struct buffers *b);
 
-/* The writer is alive; how often it has said so. */
+/* buffers_beat increments the writer's heartbeat; buffers_beats returns it. */
 void buffers_beat(struct buffers *b);
 uint32_t buffers_beats(const struct buffers *b);
 

@@ -34,9 +34,7 @@ bool cameras_options(struct camera_options options[CAMERAS_MOST], size_t *count,
         if (length == 0)
             continue;
         if (at == CAMERAS_MOST) {
-            fprintf(stderr,
-                    "error: %s asks for more than %d cameras, which is as many as a robot "
-                    "may have\n",
+            fprintf(stderr, "error: %s uses more than %d cameras, the maximum for a robot\n",
                     program->name, CAMERAS_MOST);
             return false;
         }
@@ -51,6 +49,7 @@ bool cameras_options(struct camera_options options[CAMERAS_MOST], size_t *count,
 
 static bool start(struct cameras *all, struct camera *c)
 {
+    const pid_t supervisor = getpid();
     int sockets[2];
     c->socket = -1;
     c->last_number = -1;
@@ -68,7 +67,7 @@ static bool start(struct cameras *all, struct camera *c)
     c->process = fork();
     if (c->process == 0) {
         close(sockets[0]);
-        capture_run(c->options, &c->way, sockets[1]);
+        capture_run(c->options, &c->way, sockets[1], supervisor);
     }
     close(sockets[1]);
     c->socket = sockets[0];
@@ -116,7 +115,8 @@ bool cameras_start(struct cameras *c, const struct frob_program *program,
     return true;
 }
 
-/* A process in a call of the system that does not come back cannot be waited for. */
+/* Kills the process. A process blocked in a system call may not end, so this waits only for a
+ * limited time. */
 static void end(struct camera *c)
 {
     static const struct timespec pause = { 0, 1000000 };
@@ -141,7 +141,7 @@ void cameras_end(struct cameras *c)
     tag_finder_close(&c->finder);
 }
 
-/* {1 What is told} */
+/* {1 Messages} */
 
 static void tell(const struct cameras *all, struct camera *c, const struct capture_report *said)
 {
@@ -149,7 +149,7 @@ static void tell(const struct cameras *all, struct camera *c, const struct captu
     if (said->state == CAPTURE_WORKS) {
         snprintf(c->seen, sizeof c->seen, "%s", said->text);
         if (c->has_failed && !c->works)
-            fprintf(stderr, "camera `%s` (%s) gives frames again\n", label, source);
+            fprintf(stderr, "camera `%s` (%s) delivers frames again\n", label, source);
         else if (all->tells)
             fprintf(stderr, "camera `%s` (%s): %s\n", label, source, said->text);
         c->works = true;
@@ -159,7 +159,7 @@ static void tell(const struct cameras *all, struct camera *c, const struct captu
         c->failures++;
     c->works = false;
     c->has_failed = true;
-    fprintf(stderr, "warning: camera `%s` (%s) gives no frames%s: %s\n", label, source,
+    fprintf(stderr, "warning: camera `%s` (%s) delivers no frames%s: %s\n", label, source,
             said->state == CAPTURE_ENDED ? " any more" : "", said->text);
 }
 
@@ -177,7 +177,7 @@ static void hear(const struct cameras *all, struct camera *c)
     if (c->socket >= 0 && got == 0) {
         memset(&said, 0, sizeof said);
         said.state = CAPTURE_ENDED;
-        snprintf(said.text, sizeof said.text, "its process is gone");
+        snprintf(said.text, sizeof said.text, "its process has ended");
         tell(all, c, &said);
         close(c->socket);
         c->socket = -1;
@@ -190,13 +190,14 @@ void cameras_hear(struct cameras *c)
         hear(c, &c->each[i]);
 }
 
-/* Frames of both cameras that are no pairs, for so long. */
+/* Reports that frames of both cameras have not formed a pair for this long, or that they do
+ * again. */
 static void tell_pair(struct stereo_pair *s, bool is_pair, int64_t without_ns)
 {
     const struct pair *p = &s->pair;
     const double period_ns = fmax(p->rhythms[0].period_ns, p->rhythms[1].period_ns);
     if (is_pair && s->has_failed)
-        fprintf(stderr, "cameras `left` and `right` give pairs of frames again\n");
+        fprintf(stderr, "cameras `left` and `right` deliver pairs of frames again\n");
     if (is_pair)
         s->has_failed = false;
     if (is_pair || s->has_failed || p->nearest_ns == INT64_MAX ||
@@ -205,26 +206,25 @@ static void tell_pair(struct stereo_pair *s, bool is_pair, int64_t without_ns)
     s->has_failed = true;
     s->failures++;
     fprintf(stderr,
-            "warning: cameras `left` and `right` give no pairs of frames: those nearest to "
-            "each other were taken %.0f ms apart, and may be %.0f ms apart (%s): ",
+            "warning: cameras `left` and `right` deliver no pairs of frames: the closest frames "
+            "were taken %.0f ms apart, but the maximum is %.0f ms (%s): ",
             (double)p->nearest_ns * 1e-6, (double)pair_most_ns(p) * 1e-6,
-            pair_most_ns(p) == p->within_ns ? "pair_within" : "0.6 of a period");
+            pair_most_ns(p) == p->within_ns ? "pair_within" : "0.6 periods");
     fprintf(stderr,
-            "have both take their frames at the same time and rate%s; if those of one come "
-            "later than those of the other, set its latency to how much\n",
-            pair_most_ns(p) == p->within_ns ? ", or set pair_within to more" : "");
+            "make both cameras take frames at the same time and rate%s; if the frames of one "
+            "camera arrive later, set its latency to the difference\n",
+            pair_most_ns(p) == p->within_ns ? ", or increase pair_within" : "");
 }
 
-/* By the seats of both no depth can be known. */
+/* Warns if the cameras are at the same position, which makes depths impossible to compute. */
 static void check_seats(const struct stereo_pair *s)
 {
     const struct frob_camera *l = &buffers_image(s->left->way.given)->camera;
     const struct frob_camera *r = &buffers_image(s->right->way.given)->camera;
     if (fabs(l->x_m - r->x_m) + fabs(l->y_m - r->y_m) + fabs(l->z_m - r->z_m) < 0.001)
-        fprintf(stderr,
-                "warning: cameras `left` and `right` are said to sit at the same place, so "
-                "that no depth can be computed: set where they sit, as `--set left.left=0.06 "
-                "--set right.left=-0.06` for two that are 12 cm apart\n");
+        fprintf(stderr, "warning: cameras `left` and `right` have the same position, so no depth "
+                        "can be computed: set their positions, such as `--set left.left=0.06 --set "
+                        "right.left=-0.06` for two cameras that are 12 cm apart\n");
 }
 
 void cameras_print(const struct cameras *all)
@@ -250,7 +250,8 @@ void cameras_print(const struct cameras *all)
 
 /* {1 Frames} */
 
-/* The process may have gone mad: what it says of a frame is looked at before anybody uses it. */
+/* Fills in the image. Validates what the camera process says about the frame, because that process
+ * may be corrupted. */
 static bool describe(struct camera *c, const struct captured *frame, int64_t first_ns)
 {
     struct frob_image *image = buffers_image(c->way.given);
@@ -274,7 +275,7 @@ static bool describe(struct camera *c, const struct captured *frame, int64_t fir
     return true;
 }
 
-/* To the program: a frame of this camera, or none. */
+/* Passes a frame of this camera, or none, to the program. */
 static void give(const struct cameras *all, struct camera *c, const struct captured *frame,
                  void *input, int64_t first_ns, int64_t now_ns)
 {

@@ -1,5 +1,5 @@
-/* cameras.h -- the cameras of a program, for the host that runs it. Each has a process of its own,
- * which may take as long as it likes: nothing here waits. */
+/* cameras.h -- the cameras of a program, for the host that runs it. Each camera has its own
+ * process, which may take as long as it needs: no function here waits. */
 #ifndef FROB_HOST_CAMERA_CAMERAS_H
 #define FROB_HOST_CAMERA_CAMERAS_H
 
@@ -20,17 +20,17 @@ struct camera {
     pid_t process; /* 0: none */
     int socket;
     bool works, has_failed;
-    char seen[640];      /* what its frames are like; empty before the first */
-    uint32_t given;      /* to the program */
-    int64_t last_number; /* of those; -1: none yet */
+    char seen[640];      /* format of its frames; empty before the first */
+    uint32_t given;      /* number of frames given to the program */
+    int64_t last_number; /* number of the last of them; -1: none yet */
     uint32_t failures;
 };
 
-/* Two of them whose frames are given in pairs, as a stereo head's. */
+/* Two cameras whose frames are given in pairs, such as a stereo head's. */
 struct stereo_pair {
-    struct camera *left, *right; /* NULL: there is none */
+    struct camera *left, *right; /* NULL: none */
     struct pair pair;
-    int64_t paired_ns; /* when there was a pair last, or could not have been */
+    int64_t paired_ns; /* last time at which there was a pair, or at which none was possible */
     bool has_failed;
     uint32_t failures;
 };
@@ -40,33 +40,34 @@ struct cameras {
     struct camera each[CAMERAS_MOST];
     size_t count;
     struct stereo_pair stereo;
-    struct tag_finder
-        finder; /* if tags are asked for: each process that looks for them has a copy */
-    bool tells; /* also of what is as it should be */
+    /* The tag finder, if the program uses tags; each process that looks for tags has a copy. */
+    struct tag_finder finder;
+    bool tells; /* also report what works */
 };
 
-/* How many cameras the program asks for, for frames or for tags in them; sets the options up, by
- * their labels. False with a line on standard error if they are too many. */
+/* Counts the cameras that the program uses, for frames or for tags in them, and initializes their
+ * options, by their labels. Prints a line on standard error and returns false if there are too
+ * many. */
 bool cameras_options(struct camera_options options[CAMERAS_MOST], size_t *count,
                      const struct frob_program *program);
 
-/* Starts the processes, which get nothing that is opened later. False with a line on standard
- * error, also where what finds tags is not here. */
+/* Starts the processes, which do not inherit descriptors opened later. Prints a line on standard
+ * error and returns false on failure, including a missing tag finder. */
 bool cameras_start(struct cameras *c, const struct frob_program *program,
                    const struct camera_options *options, size_t count, bool tells);
 
-/* What the program sees at this instant, `now_ns` after `first_ns` on the monotonic clock: the
- * newest frames that it has not been given, and their tags; of cameras `left` and `right` those that
- * were taken together. They stay as they are until the next call. */
+/* Sets what the program sees at this instant, `now_ns` after `first_ns` on the monotonic clock: the
+ * newest frames that it has not been given, and their tags. For cameras `left` and `right` these
+ * are frames taken together. They stay valid until the next call. */
 void cameras_look(struct cameras *c, void *input, int64_t first_ns, int64_t now_ns);
 
-/* Passes on to standard error what the processes say. */
+/* Prints the messages of the processes on standard error. */
 void cameras_hear(struct cameras *c);
 
-/* Lines of a summary. */
+/* Prints lines of the summary. */
 void cameras_print(const struct cameras *c);
 
-/* Also of what was started in part. */
+/* May also be called if only some of the cameras were started. */
 void cameras_end(struct cameras *c);
 
 #endif

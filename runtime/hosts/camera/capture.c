@@ -1,5 +1,6 @@
 #include "capture.h"
 
+#include "../common/child.h"
 #include "source.h"
 #include "tagger.h"
 
@@ -9,14 +10,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #define RETRY_NS INT64_C(500000000)
-#define SILENT_NS INT64_C(1000000000) /* without a frame, at least */
-#define BEGIN_NS INT64_C(5000000)     /* how soon recorded frames begin after the program */
+#define SILENT_NS INT64_C(1000000000) /* minimum time without a frame that is reported */
+#define BEGIN_NS INT64_C(5000000)     /* how soon recorded frames start after the program */
 enum { WAIT_MS = 100, HANGS_MS = 4000 };
 
 struct capture {
@@ -26,12 +26,12 @@ struct capture {
     int socket;
     struct source source;
     bool is_open;
-    int64_t opened_ns, frame_ns; /* when it was opened; the last good frame; 0: none */
-    int64_t period_ns;           /* between frames, where none is missing; 0: not known */
-    int64_t same_ns;             /* since when frames have been the same */
-    int32_t width, height;       /* of all frames; 0: of the first one yet to come */
+    int64_t opened_ns, frame_ns; /* time of opening; time of the last good frame, 0: none */
+    int64_t period_ns;           /* between frames if none is missing; 0: unknown */
+    int64_t same_ns;             /* since when all frames have been identical */
+    int32_t width, height;       /* size of all frames; 0: set by the first frame */
     enum frob_image_format format;
-    uint32_t number; /* of good frames */
+    uint32_t number; /* number of the next good frame */
     struct capture_report told;
     bool has_told;
 };
@@ -50,21 +50,21 @@ static void report(struct capture *c, enum capture_state state, const char *text
             _exit(0);
 }
 
-/* How long frames may stay away: three periods, at least a second. */
+/* Returns how long frames may be missing: three periods, but at least a second. */
 static int64_t patience_ns(const struct capture *c)
 {
     return 3 * c->period_ns > SILENT_NS ? 3 * c->period_ns : SILENT_NS;
 }
 
-/* Tells of it once no frame has come for a while: a frame or two may be missing. */
+/* Reports a fault once there has been no frame for a while, since a frame or two may be missing. */
 static void complain(struct capture *c, const char *text)
 {
     if (c->frame_ns == 0 || source_now_ns() - c->frame_ns > patience_ns(c))
         report(c, CAPTURE_FAILS, text);
 }
 
-/* What is between two frames where nothing is amiss. It gets shorter at once and longer slowly: a
- * few that stay away are no slow camera, and must not make for more patience with the next. */
+/* Updates the period between frames. It decreases immediately and increases slowly: a few missing
+ * frames do not make the camera slow, and must not increase the patience for the next. */
 static void take_period(struct capture *c, int64_t since_ns)
 {
     if (c->period_ns == 0 || since_ns < c->period_ns)
@@ -86,7 +86,7 @@ static void leave(struct capture *c)
     c->is_open = false;
 }
 
-/* The source may turn into another kind: what was not there may be a pipe now. */
+/* Opens the source. Its kind may have changed: a name that did not exist may be a pipe now. */
 static bool enter(struct capture *c)
 {
     c->source.kind = source_kind_of(c->options->source);
@@ -107,8 +107,8 @@ static bool is_same(const struct captured *a, const struct captured *b)
                       (size_t)frob_image_pixel_size(a->format)) == 0;
 }
 
-/* A camera whose frames are the same to the last bit for so long has stopped to see: each real
- * one has noise. */
+/* Returns whether a camera's frames have been identical to the last bit for too long. Such a camera
+ * is frozen, because a real one has noise. */
 static bool is_frozen(struct capture *c, const struct captured *frame)
 {
     const double limit_s = c->options->settings[CAMERA_FROZEN];
@@ -147,13 +147,13 @@ static void describe(const struct capture *c, const struct captured *frame, char
              "up, tilted down by %.0f degrees",
              (int)frame->width, (int)frame->height, name_of(frame->format),
              c->source.what[0] != '\0' ? ", " : "", c->source.what, seen.focal_x,
-             frame->has_camera         ? " as the frame says"
+             frame->has_camera         ? " from the frame's header"
              : s[CAMERA_FOCAL_X] > 0.0 ? ""
-                                       : " by its field of view",
+                                       : " from its field of view",
              seen.x_m, seen.y_m, seen.z_m, seen.pitch_rad * 57.295779513082323);
 }
 
-/* A frame that the program is not given; why is remembered until one is good. */
+/* Rejects a frame. The reason is stored until a frame is good. */
 static void refuse(struct capture *c)
 {
     c->source.lost++;
@@ -166,19 +166,18 @@ static void got_frame(struct capture *c, struct captured *frame)
     const int64_t now = source_now_ns();
     frame->number = c->number + c->source.lost;
     if (!is_right_size(c, frame)) {
-        source_fail(
-            &c->source, SOURCE_BROKEN,
-            "a frame is %d x %d, %s, and not %d x %d, %s as it should be: set width, height "
-            "and grey to what the camera gives, or the camera to these",
-            (int)frame->width, (int)frame->height, name_of(frame->format), (int)c->width,
-            (int)c->height, name_of(c->format));
+        source_fail(&c->source, SOURCE_BROKEN,
+                    "a frame is %d x %d, %s, but expected %d x %d, %s: set width, height and grey "
+                    "to the format of the camera, or configure the camera for this format",
+                    (int)frame->width, (int)frame->height, name_of(frame->format), (int)c->width,
+                    (int)c->height, name_of(c->format));
         refuse(c);
         return;
     }
     if (is_frozen(c, frame)) {
         source_fail(&c->source, SOURCE_BROKEN,
-                    "it has frozen: it gives the same frame again and again, to the last bit; plug "
-                    "it out and in again, or set frozen=0 if such frames are right");
+                    "it is frozen: all its frames are identical; unplug it and "
+                    "plug it in again, or set frozen=0 if identical frames are correct");
         refuse(c);
         return;
     }
@@ -193,7 +192,8 @@ static void got_frame(struct capture *c, struct captured *frame)
     report(c, CAPTURE_WORKS, text);
 }
 
-/* Without a frame for too long: tells why, and begins anew if that may help. */
+/* Handles a wait without a frame: after too long reports why, and reopens the source if that may
+ * help. */
 static void got_nothing(struct capture *c)
 {
     if (!is_silent(c))
@@ -243,7 +243,7 @@ static void step(struct capture *c)
 
 /* {1 Processes} */
 
-/* Signals from the terminal are the supervisor's to answer; who started it must not outlast it. */
+/* Leaves signals from the terminal to the supervisor, and ends with the parent process. */
 static void belong_to(pid_t parent)
 {
     sigset_t none;
@@ -254,12 +254,11 @@ static void belong_to(pid_t parent)
     signal(SIGTERM, SIG_DFL);
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent)
-        _exit(0);
+    child_ends_with(parent, SIGKILL);
 }
 
-/* Frames that come after it has begun anew go on with its numbers and its size. */
+/* Captures frames forever. After a restart it continues with the previous frame's number and
+ * size. */
 static void work(struct capture *c, pid_t keeper) __attribute__((noreturn));
 
 static void work(struct capture *c, pid_t keeper)
@@ -276,7 +275,7 @@ static void work(struct capture *c, pid_t keeper)
         step(c);
 }
 
-/* One of the processes that are watched. */
+/* A process that is watched. */
 struct watched {
     pid_t process;
     const struct buffers *beats_for;
@@ -285,7 +284,7 @@ struct watched {
     int hangs_ms;
 };
 
-/* True in the process. */
+/* Returns true in the new process. */
 static bool start(struct watched *w)
 {
     w->process = fork();
@@ -301,7 +300,7 @@ static void end_all(struct watched *each, size_t count)
         }
 }
 
-/* Ends it if it hangs. */
+/* Kills a process that hangs. */
 static void look_after(struct watched *w)
 {
     const uint32_t beats = buffers_beats(w->beats_for);
@@ -315,17 +314,17 @@ static void tell_end(struct capture *c, const struct watched *w, int status)
 {
     char text[640];
     if (w->hangs_ms >= HANGS_MS)
-        snprintf(text, sizeof text, "%s: it begins anew", w->hanging);
+        snprintf(text, sizeof text, "%s: restarting it", w->hanging);
     else if (WIFSIGNALED(status))
-        snprintf(text, sizeof text, "%s was ended by signal %d (%s); it begins anew", w->what,
+        snprintf(text, sizeof text, "%s was killed by signal %d (%s); restarting it", w->what,
                  WTERMSIG(status), strsignal(WTERMSIG(status)));
     else
-        snprintf(text, sizeof text, "%s has ended; it begins anew", w->what);
+        snprintf(text, sizeof text, "%s has ended; restarting it", w->what);
     c->has_told = false;
     report(c, CAPTURE_FAILS, text);
 }
 
-/* Until one of them ends. */
+/* Watches the processes until one of them ends. */
 static void watch(struct capture *c, struct watched *each, size_t count)
 {
     for (;;) {
@@ -345,10 +344,10 @@ static void watch(struct capture *c, struct watched *each, size_t count)
     }
 }
 
-void capture_run(const struct camera_options *options, const struct capture_way *way, int socket)
+void capture_run(const struct camera_options *options, const struct capture_way *way, int socket,
+                 pid_t supervisor)
 {
     struct capture c;
-    const pid_t supervisor = getppid();
     const pid_t keeper = getpid();
     belong_to(supervisor);
     memset(&c, 0, sizeof c);
@@ -359,11 +358,10 @@ void capture_run(const struct camera_options *options, const struct capture_way 
     c.width = (int32_t)options->settings[CAMERA_WIDTH];
     c.height = (int32_t)options->settings[CAMERA_HEIGHT];
     for (;;) {
-        struct watched each[2] = {
-            { 0, way->seen, "what captures it",
-              "its source does not come back from a call of the system", 0, 0 },
-            { 0, way->given, "what looks for tags", "what looks for tags does not come back", 0, 0 }
-        };
+        struct watched each[2] = { { 0, way->seen, "its capture process",
+                                     "its capture process hangs in a system call", 0, 0 },
+                                   { 0, way->given, "its tag detector", "its tag detector hangs", 0,
+                                     0 } };
         const size_t count = way->finder != NULL ? 2 : 1;
         if (start(&each[0]))
             work(&c, keeper);

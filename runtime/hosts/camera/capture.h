@@ -2,15 +2,17 @@
 #ifndef FROB_HOST_CAMERA_CAPTURE_H
 #define FROB_HOST_CAMERA_CAPTURE_H
 
+#include <sys/types.h>
+
 #include "../common/tag_finder.h"
 #include "buffers.h"
 #include "settings.h"
 
-/* What it says of itself, whenever that changes: one message on its socket. */
+/* State of the process. It sends a message on its socket whenever this changes. */
 enum capture_state {
     CAPTURE_WORKS,
-    CAPTURE_FAILS, /* no frames come; it goes on trying */
-    CAPTURE_ENDED  /* no frames will come any more */
+    CAPTURE_FAILS, /* no frames arrive; it keeps trying */
+    CAPTURE_ENDED  /* no more frames will arrive */
 };
 
 struct capture_report {
@@ -18,16 +20,16 @@ struct capture_report {
     char text[640];
 };
 
-/* The way of a camera's frames to the program. */
+/* The path of a camera's frames to the program. */
 struct capture_way {
-    struct buffers *seen;      /* as they were captured */
-    struct buffers *given;     /* what the program takes: the same, but where … */
-    struct tag_finder *finder; /* … this one looks for tags on the way; NULL: nobody does */
+    struct buffers *seen;      /* frames as captured */
+    struct buffers *given;     /* frames for the program; equal to `seen` without a finder */
+    struct tag_finder *finder; /* looks for tags and passes the frames on; NULL: none */
 };
 
-/* The process: frames on their way, until the other end of the socket is gone. Whatever happens to
- * those who capture, decode and look for tags, they begin anew. */
-void capture_run(const struct camera_options *options, const struct capture_way *way, int socket)
-    __attribute__((noreturn));
+/* Runs the camera process, a child of `supervisor`, which delivers frames until `supervisor` ends.
+ * Restarts the processes that capture, decode and look for tags whenever one of them fails. */
+void capture_run(const struct camera_options *options, const struct capture_way *way, int socket,
+                 pid_t supervisor) __attribute__((noreturn));
 
 #endif

@@ -10,7 +10,7 @@ static int digit(uint8_t c)
     return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
 }
 
-/* A byte of the line with the length; false if it cannot be there. */
+/* Handles a byte of the line with the length; returns false if the byte is invalid there. */
 static bool length(struct chunks *c, uint8_t byte)
 {
     const int d = digit(byte);

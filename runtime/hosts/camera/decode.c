@@ -15,8 +15,8 @@ const char *decode_set_size(struct captured *frame, int64_t width, int64_t heigh
     if (width < 1 || height < 1 || width > FROB_IMAGE_SIDE || height > FROB_IMAGE_SIDE ||
         (size_t)width * (size_t)height * (size_t)frob_image_pixel_size(format) > BUFFERS_ROOM) {
         snprintf(message, 256,
-                 "a frame has %lld x %lld pixels, and there is room for 1920 x 1200: have the "
-                 "camera send smaller ones",
+                 "a frame has %lld x %lld pixels, but the maximum is 1920 x 1200: configure the "
+                 "camera to send smaller frames",
                  (long long)width, (long long)height);
         return message;
     }

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What libjpeg says of pictures that are whole all the same: many cameras leave some bytes
- * between what is compressed and the end. */
+/* Returns whether libjpeg's warning is about an image that is complete nevertheless: many cameras
+ * leave some bytes between the compressed data and the end marker. */
 static bool is_harmless(const char *warning)
 {
     return strstr(warning, "extraneous bytes before marker") != NULL;
@@ -17,11 +17,11 @@ static const char *decode(const struct turbo *turbo, void *handle, const uint8_t
     int width = 0, height = 0, samples = 0, space = 0;
     const char *fault;
     if (turbo->header(handle, bytes, (unsigned long)size, &width, &height, &samples, &space) != 0) {
-        snprintf(message, 256, "a frame is no JPEG: %s", turbo->error(handle));
+        snprintf(message, 256, "a frame is not a JPEG: %s", turbo->error(handle));
         return message;
     }
     if (width < 1 || height < 1)
-        return "a frame is no JPEG: it ends before its size is told";
+        return "a frame is not a JPEG: it ends before its size";
     is_grey = is_grey || samples == TURBO_SAMPLES_GREY;
     fault = decode_set_size(frame, width, height, is_grey ? FROB_GREY8 : FROB_RGB8, message);
     if (fault != NULL)
@@ -35,8 +35,8 @@ static const char *decode(const struct turbo *turbo, void *handle, const uint8_t
     return NULL;
 }
 
-/* A decompressor that has met a damaged head goes on in it with the next frame: another one is
- * taken then. */
+/* After a damaged header the decompressor would continue with the next frame in a wrong state, so
+ * it is replaced. */
 const char *decode_jpeg(const uint8_t *bytes, size_t size, bool is_grey, struct captured *frame,
                         char message[256])
 {
@@ -46,7 +46,7 @@ const char *decode_jpeg(const uint8_t *bytes, size_t size, bool is_grey, struct 
     if (turbo == NULL)
         return fault;
     if (handle == NULL && (handle = turbo->init_decompress()) == NULL)
-        return "there is not enough memory to read JPEG";
+        return "not enough memory to read a JPEG";
     fault = decode(turbo, handle, bytes, size, is_grey, frame, message);
     if (fault != NULL) {
         turbo->destroy(handle);

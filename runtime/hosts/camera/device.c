@@ -1,5 +1,5 @@
-/* A camera of this machine, by Video4Linux (linux/videodev2.h). The driver fills buffers that are
- * mapped here; the newest one is decoded from where it is. */
+/* A camera of this computer, through Video4Linux (linux/videodev2.h). The driver fills buffers that
+ * are mapped into this process; the newest one is decoded in place. */
 #include "decode.h"
 #include "source.h"
 #include "yuyv.h"
@@ -26,7 +26,7 @@ struct device {
     } buffers[BUFFERS_MOST];
     unsigned count;
     bool has_sequence;
-    uint32_t sequence; /* of the last frame */
+    uint32_t sequence; /* number of the last frame */
 };
 
 static int request(const struct device *d, unsigned long what, void *argument)
@@ -41,7 +41,7 @@ static int request(const struct device *d, unsigned long what, void *argument)
 static enum source_result gone(struct source *s, const char *what)
 {
     if (errno == ENODEV || errno == EIO)
-        return source_fail(s, SOURCE_FAULT, "the camera is gone (%s): is it plugged in?",
+        return source_fail(s, SOURCE_FAULT, "the camera was disconnected (%s): plug it in again",
                            strerror(errno));
     return source_fail(s, SOURCE_FAULT, "%s: %s", what, strerror(errno));
 }
@@ -54,23 +54,23 @@ static bool is_camera(struct source *s, const struct device *d)
     uint32_t caps;
     memset(&can, 0, sizeof can);
     if (request(d, VIDIOC_QUERYCAP, &can) != 0) {
-        source_fail(s, SOURCE_FAULT, "it is no camera (%s): `ls /dev/video*` shows them",
+        source_fail(s, SOURCE_FAULT, "it is not a camera (%s): `ls /dev/video*` lists the cameras",
                     strerror(errno));
         return false;
     }
     caps = (can.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? can.device_caps : can.capabilities;
     if ((caps & V4L2_CAP_VIDEO_CAPTURE) == 0 || (caps & V4L2_CAP_STREAMING) == 0) {
         source_fail(s, SOURCE_FAULT,
-                    "this device of `%.32s` gives no frames: many cameras have two, "
-                    "take the other one",
+                    "this device of `%.32s` delivers no frames: many cameras have two devices, so "
+                    "use the other one",
                     (const char *)can.card);
         return false;
     }
     return true;
 }
 
-/* In which form frames are asked for: small ones as they are, large ones compressed, or USB would
- * be too slow for them. */
+/* Chooses the format to request: uncompressed for small frames, compressed for large ones, which
+ * would exceed the bandwidth of USB. */
 static uint32_t choose(const struct source *s, const struct device *d, int width)
 {
     static const uint32_t small[] = { V4L2_PIX_FMT_YUYV, V4L2_PIX_FMT_MJPEG, V4L2_PIX_FMT_JPEG,
@@ -112,31 +112,32 @@ static bool set_form(struct source *s, struct device *d)
     form.fmt.pix.field = V4L2_FIELD_ANY;
     if (wanted == 0) {
         source_fail(s, SOURCE_FAULT,
-                    "it gives its frames in no form that is known here (YUYV, MJPEG, "
-                    "grey); let ffmpeg read it, into a pipe of raw frames");
+                    "it supports none of the formats YUYV, MJPEG and grey; read it with ffmpeg "
+                    "into a pipe of raw frames");
         return false;
     }
     if (request(d, VIDIOC_S_FMT, &form) != 0) {
         if (errno == EBUSY)
-            source_fail(s, SOURCE_FAULT, "another program uses it: end that first");
+            source_fail(s, SOURCE_FAULT, "another program uses it: end that program first");
         else
-            gone(s, "it does not take the form of its frames");
+            gone(s, "it rejects the format of its frames");
         return false;
     }
     d->form = form.fmt.pix;
     if (d->form.pixelformat != wanted ||
         (set[CAMERA_WIDTH] > 0.0 &&
          (d->form.width != (uint32_t)width || d->form.height != (uint32_t)height))) {
-        source_fail(s, SOURCE_FAULT,
-                    "it gives no frames of %d x %d, but of %u x %u: set width and "
-                    "height to these",
-                    width, height, d->form.width, d->form.height);
+        source_fail(
+            s, SOURCE_FAULT,
+            "it does not deliver frames of %d x %d, but of %u x %u: set width and height to those",
+            width, height, d->form.width, d->form.height);
         return false;
     }
     return true;
 }
 
-/* Some have but one rate, and say nothing then. */
+/* Requests the frame rate and returns the actual one. Some drivers have a fixed rate and reject the
+ * request. */
 static double set_rate(const struct source *s, const struct device *d)
 {
     struct v4l2_streamparm p;
@@ -216,11 +217,11 @@ static bool open_device(struct source *s)
     d->file = open(s->options->source, O_RDWR | O_NONBLOCK | O_CLOEXEC);
     if (d->file < 0) {
         source_fail(s, SOURCE_FAULT, "it cannot be opened: %s%s", strerror(errno),
-                    errno == ENOENT ? "; is it plugged in? `ls /dev/video*` shows what is there"
-                    : errno == EACCES
-                        ? "; its users are of the group `video`: usermod -aG video YOU"
-                    : errno == EBUSY ? "; another program uses it"
-                                     : "");
+                    errno == ENOENT   ? "; plug it in, or use a device that `ls /dev/video*` lists"
+                    : errno == EACCES ? "; join the group `video` with `sudo adduser $USER video`, "
+                                        "then log out and in again"
+                    : errno == EBUSY  ? "; another program uses it"
+                                      : "");
         free(d);
         return false;
     }
@@ -230,7 +231,7 @@ static bool open_device(struct source *s)
     }
     rate = set_rate(s, d);
     if (!map_buffers(d) || request(d, VIDIOC_STREAMON, &type) != 0) {
-        gone(s, "it does not begin to give frames");
+        gone(s, "it does not start to deliver frames");
         leave(d);
         return false;
     }
@@ -246,7 +247,8 @@ static void close_device(struct source *s)
 
 /* {1 Frames} */
 
-/* The newest that the driver has, if any; those before it go back to it. */
+/* Takes the newest of the driver's frames, if there is one, and returns the older ones to the
+ * driver. */
 static enum source_result take(struct source *s, struct device *d, struct v4l2_buffer *newest)
 {
     enum source_result result = SOURCE_NOTHING;
@@ -258,12 +260,12 @@ static enum source_result take(struct source *s, struct device *d, struct v4l2_b
         if (request(d, VIDIOC_DQBUF, &buffer) != 0) {
             if (errno == EAGAIN)
                 return result;
-            return gone(s, "it gives no frame");
+            return gone(s, "it delivers no frame");
         }
         if (buffer.index >= d->count)
-            return source_fail(s, SOURCE_FAULT, "its driver gives a buffer that there is not");
+            return source_fail(s, SOURCE_FAULT, "its driver returned a buffer that does not exist");
         if (result == SOURCE_FRAME && !give_back(d, newest->index))
-            return gone(s, "it takes no buffer");
+            return gone(s, "it accepts no buffer");
         if (d->has_sequence && buffer.sequence > d->sequence)
             s->lost += buffer.sequence - d->sequence - 1;
         if (result == SOURCE_FRAME)
@@ -296,7 +298,7 @@ static const char *decode(const struct source *s, const struct device *d,
         s->options->settings[CAMERA_GREY] > 0.0 || d->form.pixelformat == V4L2_PIX_FMT_GREY;
     const char *fault;
     if ((buffer->flags & V4L2_BUF_FLAG_ERROR) != 0)
-        return "the driver says that a frame is damaged; is the cable or the hub a bad one?";
+        return "the driver reports a damaged frame; try another cable or hub";
     if (d->form.pixelformat == V4L2_PIX_FMT_MJPEG || d->form.pixelformat == V4L2_PIX_FMT_JPEG)
         return decode_jpeg(bytes, size, is_grey, frame, message);
     fault = decode_set_size(frame, d->form.width, d->form.height, is_grey ? FROB_GREY8 : FROB_RGB8,
@@ -305,7 +307,7 @@ static const char *decode(const struct source *s, const struct device *d,
         return fault;
     if (!yuyv_or_grey(bytes, size, d->form.bytesperline, d->form.pixelformat == V4L2_PIX_FMT_YUYV,
                       frame))
-        return "a frame is cut short; is the cable or the hub a bad one?";
+        return "a frame is truncated; try another cable or hub";
     return NULL;
 }
 
@@ -321,19 +323,22 @@ static enum source_result next(struct source *s, struct captured *frame, int wai
         return SOURCE_NOTHING;
     memset(&buffer, 0, sizeof buffer);
     result = take(s, d, &buffer);
-    /* A device that is always ready and has nothing is none any more. */
+    /* If poll reports an error and there is no frame, the device is gone. */
     if (result == SOURCE_NOTHING && (input.revents & (POLLERR | POLLHUP)) != 0)
-        return source_fail(s, SOURCE_FAULT, "the camera is gone: is it plugged in?");
+        return source_fail(s, SOURCE_FAULT, "the camera was disconnected: plug it in again");
     if (result != SOURCE_FRAME)
         return result;
     frame->captured_ns = time_of(&buffer);
     fault = decode(s, d, &buffer, frame, message);
     if (!give_back(d, buffer.index))
-        return gone(s, "it takes no buffer");
+        return gone(s, "it accepts no buffer");
     return fault == NULL ? SOURCE_FRAME : source_fail(s, SOURCE_BROKEN, "%s", fault);
 }
 
 const struct source_kind source_device = {
-    open_device, next, close_device, true,
-    "the driver has no frame; plug the camera out and in again, or another into its place"
+    open_device,
+    next,
+    close_device,
+    true,
+    "the driver has no frame; unplug the camera and plug it in again, or use another camera",
 };

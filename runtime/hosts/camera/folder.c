@@ -1,4 +1,4 @@
-/* A folder of pictures, in the order of their names, at a rate. */
+/* A folder of images, which are read in the order of their names, at a fixed rate. */
 #include "decode.h"
 #include "source.h"
 
@@ -40,8 +40,8 @@ static bool open_folder(struct source *s)
         free(f->names);
         free(f);
         source_fail(s, SOURCE_FAULT,
-                    "there is no picture in the folder: put .ppm, .pgm or .jpg "
-                    "files there, which are taken in the order of their names");
+                    "there is no picture in the folder: add .ppm, .pgm or .jpg files, which are "
+                    "shown in the order of their names");
         return false;
     }
     s->is_recorded = true;
@@ -51,7 +51,7 @@ static bool open_folder(struct source *s)
     return true;
 }
 
-/* All of a file, in memory to be freed; NULL with errno. */
+/* Reads a whole file into memory that the caller frees. Returns NULL with errno set on failure. */
 static uint8_t *read_file(const struct source *s, const char *name, size_t *size)
 {
     const int folder = open(s->options->source, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -91,7 +91,8 @@ static enum source_result next(struct source *s, struct captured *frame, int wai
     if (f->next == f->count) {
         snprintf(last, sizeof last, "%s", s->fault);
         return source_fail(s, SOURCE_OVER,
-                           "no picture of the folder could be read; the last one: %s", last);
+                           "no picture in the folder could be read; the error in the last one: %s",
+                           last);
     }
     if (f->due_ns > now + wait_ms * INT64_C(1000000)) {
         source_sleep_until_ns(now + wait_ms * INT64_C(1000000));
@@ -122,4 +123,4 @@ static void close_folder(struct source *s)
 }
 
 const struct source_kind source_folder = { open_folder, next, close_folder, false,
-                                           "its pictures are to come more often: set its rate" };
+                                           "its pictures come too rarely: increase its rate" };

@@ -1,4 +1,5 @@
-/* MJPEG over HTTP: JPEG after JPEG in the answer to one request, as cameras on networks send it. */
+/* MJPEG over HTTP, as network cameras send it: a sequence of JPEGs in the response to one
+ * request. */
 #include "answer.h"
 #include "chunks.h"
 #include "decode.h"
@@ -29,7 +30,7 @@ struct http {
 
 /* {1 Connecting} */
 
-/* -1 with errno, within a second. */
+/* Returns a socket, or -1 with errno set; waits for at most a second. */
 static int connect_to(const struct addrinfo *where)
 {
     const int s = socket(where->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
@@ -63,8 +64,8 @@ static int reach(struct source *s, const struct address *address)
     fault = getaddrinfo(address->host, address->port, &hints, &found);
     if (fault != 0) {
         source_fail(s, SOURCE_FAULT,
-                    "there is no address of %s: %s; is its name right, and is this "
-                    "machine on its network?",
+                    "cannot find the address of %s: %s; check its name, and that this machine is "
+                    "on its network",
                     address->host, gai_strerror(fault));
         return -1;
     }
@@ -72,14 +73,15 @@ static int reach(struct source *s, const struct address *address)
         reached = connect_to(each);
     if (reached < 0)
         source_fail(s, SOURCE_FAULT,
-                    "there is no connection to port %s of %s: %s; is the camera "
-                    "turned on, and are address and port right?",
+                    "cannot connect to port %s of %s: %s; check that the camera is on, and the "
+                    "address and port",
                     address->port, address->host, strerror(errno));
     freeaddrinfo(found);
     return reached;
 }
 
-/* Of HTTP/1.0: who keeps to it sends no chunks. It is short, and the line is new: it goes at once. */
+/* Sends an HTTP/1.0 request, because a conforming server then sends no chunks. The request is short
+ * and the connection is new, so the socket's buffer has room for it. */
 static bool ask(struct source *s, int socket, const struct address *address)
 {
     char request[2048];
@@ -95,7 +97,7 @@ static bool ask(struct source *s, int socket, const struct address *address)
     }
     if (send(socket, request, (size_t)length, MSG_NOSIGNAL) == (ssize_t)length)
         return true;
-    source_fail(s, SOURCE_FAULT, "the connection is gone at once: %s", strerror(errno));
+    source_fail(s, SOURCE_FAULT, "the connection was lost immediately: %s", strerror(errno));
     return false;
 }
 
@@ -104,7 +106,7 @@ static bool open_http(struct source *s)
     struct address address;
     struct http *h = (struct http *)calloc(1, sizeof *h);
     if (!address_read(&address, s->options->source)) {
-        source_fail(s, SOURCE_FAULT, "that is no address of the form http://HOST:PORT/PATH");
+        source_fail(s, SOURCE_FAULT, "write its address as http://HOST:PORT/PATH");
     } else if (h == NULL || !splitter_open(&h->splitter, 0)) {
         source_fail(s, SOURCE_FAULT, "not enough memory");
     } else {
@@ -136,25 +138,25 @@ static enum source_result judge(struct source *s, const struct answer *answer)
 {
     if (answer->status == 401 || answer->status == 403)
         return source_fail(s, SOURCE_FAULT,
-                           "the server answers with %d: it lets only those in whom "
-                           "it knows; have it give its stream without a password",
+                           "the server answers with %d and needs a password: configure it to send "
+                           "its stream without one",
                            answer->status);
     if (answer->status == 404)
         return source_fail(s, SOURCE_FAULT,
-                           "the server answers with 404: it has nothing of this "
-                           "path; the camera's manual says which its stream has");
+                           "the server answers with 404, so this path does not exist; look up the "
+                           "path of the stream in the camera's manual");
     if (answer->status != 200)
         return source_fail(s, SOURCE_FAULT, "the server answers with %d instead of a stream",
                            answer->status);
     if (strncmp(answer->type, "text/", 5) == 0)
         return source_fail(s, SOURCE_FAULT,
-                           "the server answers with %s, which is no stream of "
-                           "pictures; the camera's manual says which path has one",
+                           "the server answers with %s, which is not a stream of pictures; look up "
+                           "the path of the stream in the camera's manual",
                            answer->type);
     return SOURCE_FRAME;
 }
 
-/* Bytes of the answer: of its head, and then of its pictures. */
+/* Handles bytes of the response: first its head, then its images. */
 static enum source_result feed(struct source *s, struct http *h, uint8_t *bytes, size_t size)
 {
     size_t room, length = 0;
@@ -169,9 +171,7 @@ static enum source_result feed(struct source *s, struct http *h, uint8_t *bytes,
         switch (answer_read(&h->answer, h->head, h->head_size, &length)) {
         case ANSWER_MORE: return SOURCE_FRAME;
         case ANSWER_WRONG:
-            return source_fail(s, SOURCE_FAULT,
-                               "what answers there does not speak HTTP; is the port "
-                               "right?");
+            return source_fail(s, SOURCE_FAULT, "the server does not speak HTTP; check the port");
         case ANSWER_GOOD: break;
         }
         h->has_head = true;
@@ -183,10 +183,10 @@ static enum source_result feed(struct source *s, struct http *h, uint8_t *bytes,
     if (h->answer.is_chunked)
         count = chunks_take(&h->chunks, bytes, size);
     if (count < 0)
-        return source_fail(s, SOURCE_FAULT, "the server sends rubbish between its chunks");
+        return source_fail(s, SOURCE_FAULT, "the server sends invalid data between its chunks");
     space = splitter_space(&h->splitter, &room);
     if (room < (size_t)count)
-        return source_fail(s, SOURCE_FAULT, "a frame of the stream does not end");
+        return source_fail(s, SOURCE_FAULT, "a frame of the stream has no end");
     memcpy(space, bytes, (size_t)count);
     splitter_feed(&h->splitter, (size_t)count, source_now_ns());
     return SOURCE_FRAME;
@@ -201,10 +201,10 @@ static enum source_result take_in(struct source *s, struct http *h)
     if (got < 0 && (errno == EAGAIN || errno == EINTR))
         return SOURCE_NOTHING;
     if (got < 0)
-        return source_fail(s, SOURCE_FAULT, "the connection is gone: %s", strerror(errno));
+        return source_fail(s, SOURCE_FAULT, "the connection was lost: %s", strerror(errno));
     return source_fail(s, SOURCE_FAULT,
-                       h->has_head ? "the server has ended the stream"
-                                   : "the server has gone without an answer");
+                       h->has_head ? "the server ended the stream"
+                                   : "the server closed the connection without an answer");
 }
 
 static enum source_result next(struct source *s, struct captured *frame, int wait_ms)
@@ -222,7 +222,7 @@ static enum source_result next(struct source *s, struct captured *frame, int wai
         const int64_t left = until - source_now_ns();
         enum source_result result;
         if (h->splitter.torn > torn)
-            return source_fail(s, SOURCE_BROKEN, "a JPEG breaks off in the middle");
+            return source_fail(s, SOURCE_BROKEN, "a JPEG is truncated");
         if (left <= 0)
             return SOURCE_NOTHING;
         if (poll(&input, 1, (int)(left / 1000000) + 1) <= 0)
@@ -237,7 +237,10 @@ static enum source_result next(struct source *s, struct captured *frame, int wai
 }
 
 const struct source_kind source_http = {
-    open_http, next, close_http, true,
-    "the server is connected and sends no picture that is whole; is the camera in order, and is "
-    "this the address of its stream?"
+    open_http,
+    next,
+    close_http,
+    true,
+    "the server is connected but sends no complete picture; check the camera and the address of "
+    "its stream",
 };

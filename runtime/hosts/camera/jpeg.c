@@ -4,7 +4,8 @@
 
 enum { FILL = 0xFF, START = 0xD8, END = 0xD9, SCAN = 0xDA, RESTART = 0xD0, TEM = 0x01 };
 
-/* ITU-T T.81, B.1: in what is compressed, FF is followed by 0, or by a restart marker. */
+/* Returns whether compressed data continues at this marker. ITU-T T.81, B.1: in compressed data, FF
+ * is followed by 0 or by a restart marker. */
 static bool goes_on(uint8_t marker)
 {
     return marker == 0 || (marker >= RESTART && marker < RESTART + 8);
@@ -49,7 +50,7 @@ enum jpeg_result jpeg_scan(struct jpeg_scan *scan, const uint8_t *bytes, size_t 
         length = (size_t)bytes[scan->at + 2] << 8 | bytes[scan->at + 3];
         if (length < 2)
             return JPEG_TORN;
-        /* A segment that is not all there yet is looked at again. */
+        /* An incomplete segment is examined again when more bytes have arrived. */
         if (size - scan->at - 2 < length)
             return JPEG_MORE;
         scan->at += 2 + length;

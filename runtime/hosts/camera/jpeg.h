@@ -1,4 +1,4 @@
-/* jpeg.h -- where a JPEG picture ends in a stream of bytes. No I/O, no decoding. */
+/* jpeg.h -- finds the end of a JPEG image in a stream of bytes. No I/O, no decoding. */
 #ifndef FROB_HOST_CAMERA_JPEG_H
 #define FROB_HOST_CAMERA_JPEG_H
 
@@ -6,19 +6,20 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* How far a picture has been looked through. It begins with FF D8 at 0. */
+/* Progress of scanning an image, which starts with FF D8 at offset 0. */
 struct jpeg_scan {
     size_t at;
-    bool in_data; /* within what is compressed, and not in a segment */
+    bool in_data; /* in compressed data, not in a segment */
 };
 
 enum jpeg_result {
     JPEG_MORE,
-    JPEG_WHOLE, /* it ends at `at` */
-    JPEG_TORN   /* it breaks off at `at`: another one may begin there */
+    JPEG_WHOLE, /* the image ends at `at` */
+    JPEG_TORN   /* it is truncated at `at`, where another one may start */
 };
 
-/* Goes on with what has come; what was there before must be the same. Linear in what is new. */
+/* Continues scanning with the new bytes; the bytes before them must be unchanged. The time is
+ * linear in the number of new bytes. */
 enum jpeg_result jpeg_scan(struct jpeg_scan *scan, const uint8_t *bytes, size_t size);
 
 #endif

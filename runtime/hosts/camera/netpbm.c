@@ -14,7 +14,7 @@ static bool is_blank(uint8_t c)
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/* Blanks and comments, and the number behind them; at its end. */
+/* Skips blanks and comments, and reads the number after them. */
 static enum netpbm_result read_number(const uint8_t *bytes, size_t size, size_t *at, int64_t *x)
 {
     bool digits = false;
@@ -65,17 +65,16 @@ const char *decode_netpbm(const uint8_t *bytes, size_t size, struct captured *fr
     const char *fault;
     size_t pixels;
     if (netpbm_read(bytes, size, &head) != NETPBM_GOOD)
-        return "a frame is no picture that is known here: PPM, PGM (P6, P5) or JPEG";
+        return "a frame has an unknown format: use PPM, PGM (P6, P5) or JPEG";
     if (head.most != 255)
-        return "a picture has not 8 bits for each part of a pixel: its greatest value has to be "
-               "255";
+        return "a picture does not have 8 bits per channel: its maximum value must be 255";
     fault = decode_set_size(frame, head.width, head.height, head.is_grey ? FROB_GREY8 : FROB_RGB8,
                             message);
     if (fault != NULL)
         return fault;
     pixels = (size_t)head.width * (size_t)head.height * (head.is_grey ? 1 : 3);
     if (size - head.length < pixels)
-        return "a frame is cut short";
+        return "a frame is truncated";
     memcpy(frame->pixels, bytes + head.length, pixels);
     if (frob_frame_read(bytes, head.length + pixels, &own) == NULL && own.camera.focal_x > 0.0 &&
         own.camera.focal_y > 0.0) {

@@ -1,4 +1,4 @@
-/* netpbm.h -- the head of a PGM or PPM picture. No I/O. */
+/* netpbm.h -- parses the header of a PGM or PPM image. No I/O. */
 #ifndef FROB_HOST_CAMERA_NETPBM_H
 #define FROB_HOST_CAMERA_NETPBM_H
 
@@ -11,10 +11,10 @@ enum netpbm_result { NETPBM_GOOD, NETPBM_MORE, NETPBM_WRONG };
 struct netpbm_head {
     bool is_grey;
     int64_t width, height, most; /* at most 10^8 */
-    size_t length;               /* of the head, in bytes; pixels follow */
+    size_t length;               /* length of the header in bytes; the pixels follow it */
 };
 
-/* NETPBM_MORE: it may go on to be one. */
+/* Parses the header. NETPBM_MORE: more bytes are needed. */
 enum netpbm_result netpbm_read(const uint8_t *bytes, size_t size, struct netpbm_head *head);
 
 #endif

@@ -21,8 +21,8 @@ int64_t pair_most_ns(const struct pair *p)
     return p->within_ns >= 0 && p->within_ns < most ? p->within_ns : most;
 }
 
-/* Numbers count those frames, too, that did not come here. A gap of any length moves the period
- * by a tenth at most. */
+/* Updates the period. The frame numbers include frames that did not arrive here. A single gap,
+ * however long, changes the period by at most a tenth. */
 static void follow(struct rhythm *r, const struct fresh *fresh)
 {
     if (fresh->count == 0 || (r->has_any && fresh->numbers[0] <= r->number))
@@ -43,7 +43,7 @@ static int64_t distance_ns(int64_t a, int64_t b)
     return a > b ? a - b : b - a;
 }
 
-/* Of these frames the one that is nearest to a time. */
+/* Returns the frame closest to a time. */
 static size_t nearest_of(const struct fresh *fresh, int64_t captured_ns)
 {
     size_t nearest = 0;
@@ -54,7 +54,8 @@ static size_t nearest_of(const struct fresh *fresh, int64_t captured_ns)
     return nearest;
 }
 
-/* Which two are a pair, and how far apart they are; false if none are. */
+/* Chooses two frames that form a pair, and computes how far apart they are; returns false if there
+ * is no pair. */
 static bool choose(struct pair *p, const struct fresh fresh[2], size_t chosen[2], int64_t *apart_ns)
 {
     for (size_t i = 0; fresh[1].count > 0 && i < fresh[0].count; i++) {
@@ -71,8 +72,8 @@ static bool choose(struct pair *p, const struct fresh fresh[2], size_t chosen[2]
     return false;
 }
 
-/* The one of the chosen frame's number, however many the writer has published meanwhile. NULL if
- * these were so many that it has used that one again. */
+/* Takes the frame with the chosen frame's number, even if the writer has published more frames
+ * meanwhile. Returns NULL if there were so many that the writer has reused it. */
 static const struct captured *take_number(struct buffers *b, struct fresh *fresh, size_t chosen)
 {
     const uint32_t number = fresh->numbers[chosen];

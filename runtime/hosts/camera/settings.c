@@ -5,19 +5,20 @@
 #include <string.h>
 
 const struct frob_setting camera_settings[CAMERA_SETTING_COUNT] = {
-    { "width", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: as the source has it" },
-    { "height", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: as the source has it" },
-    { "grey", 0, 0, 1, "1: frames without colours; of raw frames, a byte a pixel" },
-    { "rate", 30, 0.1, 200, "Hz, of pictures in files; what a device is asked for" },
-    { "latency", 0, 0, 10, "s from a frame's exposure until it comes here" },
-    { "pair_within", NAN, 0, 10, "s: of left and right, how far apart a pair may be; 0.6 periods" },
-    { "frozen", 1, 0, 3600, "s with the same frame after which it is none any more; 0: never" },
-    { "field_of_view_deg", 60, 1, 175, "from side to side" },
-    { "focal_x", NAN, 1, 1e6, "pixels, as calibration has it, instead of the field of view" },
-    { "focal_y", NAN, 1, 1e6, "pixels; as focal_x if not given" },
-    { "centre_x", NAN, -1e4, 1e4, "pixels, where the axis meets the picture; its middle" },
+    { "width", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: the source's own" },
+    { "height", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: the source's own" },
+    { "grey", 0, 0, 1, "1: grey frames; raw frames have one byte per pixel" },
+    { "rate", 30, 0.1, 200, "Hz; rate of pictures from files, or requested from a device" },
+    { "latency", 0, 0, 10, "s from a frame's exposure to its arrival" },
+    { "pair_within", NAN, 0, 10,
+      "maximum s between the left and right frame of a pair; 0.6 periods" },
+    { "frozen", 1, 0, 3600, "s of identical frames until the camera counts as frozen; 0: never" },
+    { "field_of_view_deg", 60, 1, 175, "horizontal" },
+    { "focal_x", NAN, 1, 1e6, "pixels, from calibration, instead of the field of view" },
+    { "focal_y", NAN, 1, 1e6, "pixels; the same as focal_x" },
+    { "centre_x", NAN, -1e4, 1e4, "pixels; optical axis in the picture; its middle" },
     { "centre_y", NAN, -1e4, 1e4, "pixels; its middle" },
-    { "k1", 0, -100, 100, "distortion, as OpenCV has it" },
+    { "k1", 0, -100, 100, "distortion, as in OpenCV" },
     { "k2", 0, -100, 100, "" },
     { "k3", 0, -100, 100, "" },
     { "p1", 0, -100, 100, "" },
@@ -33,9 +34,7 @@ const struct frob_setting camera_settings[CAMERA_SETTING_COUNT] = {
 bool camera_options_init(struct camera_options *o, const char *label, size_t length)
 {
     if (length >= sizeof o->label) {
-        fprintf(stderr,
-                "error: the label of a camera, `%.*s`, is longer than %d bytes, which is as "
-                "long as one of a robot's may be\n",
+        fprintf(stderr, "error: the camera label `%.*s` is longer than %d bytes, the maximum\n",
                 (int)length, label, CAMERA_LABEL_ROOM - 1);
         return false;
     }
@@ -60,7 +59,7 @@ struct frob_camera camera_geometry(const struct camera_options *o, int32_t width
 {
     const double *s = o->settings;
     struct frob_camera c;
-    /* A pinhole that sees so much across. */
+    /* A pinhole camera with this horizontal field of view. */
     c.focal_x =
         given_or(s[CAMERA_FOCAL_X], 0.5 * width / tan(0.5 * radians(s[CAMERA_FIELD_OF_VIEW])));
     c.focal_y = given_or(s[CAMERA_FOCAL_Y], c.focal_x);

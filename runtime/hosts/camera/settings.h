@@ -1,5 +1,5 @@
-/* settings.h -- what a user says of a camera: where its frames come from, how it sees, and
- * where it sits. The names are those of a camera in a world file (sim/README.md). */
+/* settings.h -- the user's settings of a camera: the source of its frames, its projection and its
+ * pose. The names are those of a camera in a world file (sim/README.md). */
 #ifndef FROB_HOST_CAMERA_SETTINGS_H
 #define FROB_HOST_CAMERA_SETTINGS_H
 
@@ -37,23 +37,25 @@ enum camera_setting {
     CAMERA_SETTING_COUNT
 };
 
-/* In that order; their names come behind the camera's label and a point. */
+/* The settings, in the order of the enum. On the command line, their names follow the camera's
+ * label and a point. */
 extern const struct frob_setting camera_settings[CAMERA_SETTING_COUNT];
 
 enum { CAMERA_LABEL_ROOM = 64 };
 
 struct camera_options {
-    char label[CAMERA_LABEL_ROOM]; /* as the program asks for it */
-    bool has_tags;                 /* that are looked for in its frames */
-    const char *source; /* a device, an address, a folder, a pipe or file; NULL: not said */
+    char label[CAMERA_LABEL_ROOM]; /* the label in the program */
+    bool has_tags;                 /* look for tags in its frames */
+    /* A device, an address, a folder, a pipe or a file; NULL: not set. */
+    const char *source;
     double settings[CAMERA_SETTING_COUNT];
 };
 
-/* All as they are where nothing is said, of the camera whose label is so much of this one. False,
- * with a line on standard error, if there is no room for it. */
+/* Sets the defaults, and the label to the first `length` bytes of `label`. Prints a line on
+ * standard error and returns false if the label is too long. */
 bool camera_options_init(struct camera_options *o, const char *label, size_t length);
 
-/* How it sees, in frames of this size, and where it sits. */
+/* Returns the camera's projection for frames of this size, and its pose. */
 struct frob_camera camera_geometry(const struct camera_options *o, int32_t width, int32_t height);
 
 #endif

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The largest frame and its head; no JPEG is longer than what it is made of. */
+/* Room for the largest frame and its header. A JPEG is never larger than its uncompressed image. */
 #define ROOM (BUFFERS_ROOM + (64u << 10))
 
 bool splitter_open(struct splitter *s, size_t raw_size)
@@ -44,7 +44,7 @@ uint8_t *splitter_space(struct splitter *s, size_t *room)
         s->to -= s->from;
         s->from = 0;
     }
-    if (s->to == ROOM) { /* what is as long as that is no frame */
+    if (s->to == ROOM) { /* too long to be a frame */
         s->torn++;
         s->to = 0;
         use_up(s, 0);
@@ -61,14 +61,15 @@ void splitter_feed(struct splitter *s, size_t count, int64_t now_ns)
     s->to += count;
 }
 
-/* FF D8, and FF of the segment behind it, as far as there are bytes. */
+/* Returns whether the bytes may start a JPEG: FF D8, and the FF of the next segment, as far as
+ * there are bytes. */
 static bool may_be_jpeg(const uint8_t *bytes, size_t size)
 {
     static const uint8_t begin[] = { 0xFF, 0xD8, 0xFF };
     return memcmp(bytes, begin, size < sizeof begin ? size : sizeof begin) == 0;
 }
 
-/* Skips what no picture begins with. */
+/* Skips bytes that cannot start an image. */
 static void find_begin(struct splitter *s)
 {
     struct netpbm_head head;
@@ -104,7 +105,7 @@ const uint8_t *splitter_take(struct splitter *s, size_t *size, int64_t *begun_ns
                 return NULL;
             whole = head.length + (size_t)head.width * (size_t)head.height * (head.is_grey ? 1 : 3);
             if (head.width > FROB_IMAGE_SIDE || head.height > FROB_IMAGE_SIDE || whole > ROOM) {
-                /* One that is too large is for who decodes to complain about. */
+                /* If the image is too large, return its header; the decoder reports the error. */
                 return take(s, head.length, size, begun_ns);
             }
             return s->to - s->from >= whole ? take(s, whole, size, begun_ns) : NULL;

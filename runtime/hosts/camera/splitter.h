@@ -1,8 +1,8 @@
-/* splitter.h -- a stream of bytes to frames: raw ones, which have all the same size, or pictures
- * that tell their form themselves, PPM, PGM and JPEG, with anything between JPEGs. No I/O.
+/* splitter.h -- splits a stream of bytes into frames: raw frames, which all have the same size, or
+ * images in a self-describing format (PPM, PGM and JPEG), with any bytes between them. No I/O.
  *
- * Between pictures other bytes are skipped, so a stream that lost some finds its way again; also
- * the heads of a multipart stream are nothing else. */
+ * Bytes between images are skipped, so the splitter resynchronizes after lost bytes. The headers in
+ * a multipart stream are skipped in the same way. */
 #ifndef FROB_HOST_CAMERA_SPLITTER_H
 #define FROB_HOST_CAMERA_SPLITTER_H
 
@@ -13,32 +13,32 @@
 #include <stdint.h>
 
 struct splitter {
-    size_t raw_size; /* bytes of a raw frame; 0: pictures */
+    size_t raw_size; /* bytes of a raw frame; 0: images */
     uint8_t *bytes;
-    size_t from, to; /* what has come and is not used up */
+    size_t from, to; /* range of bytes received and not yet used */
     struct jpeg_scan scan;
-    int64_t begun_ns; /* when the first byte at `from` came */
+    int64_t begun_ns; /* when the first byte at `from` arrived */
     int64_t fed_ns;
-    uint32_t torn; /* frames that broke off */
+    uint32_t torn; /* number of truncated frames */
 };
 
-/* False without memory. */
+/* Returns false if memory runs out. */
 bool splitter_open(struct splitter *s, size_t raw_size);
 void splitter_close(struct splitter *s);
 
-/* What has come belongs to nothing that will come. */
+/* Discards all received bytes, for example before a new connection. */
 void splitter_forget(struct splitter *s);
 
-/* Where bytes are to be put that come next, and how many may; never 0 after all frames have been
- * taken. Then how many have come, and when. */
+/* splitter_space returns where to store the next bytes, and the room for them, which is never 0
+ * after all frames have been taken. splitter_feed reports how many were stored and when. */
 uint8_t *splitter_space(struct splitter *s, size_t *room);
 void splitter_feed(struct splitter *s, size_t count, int64_t now_ns);
 
-/* A whole frame, in the splitter's memory until it is given bytes again; NULL if there is none
- * yet. */
+/* Returns a complete frame, which stays in the splitter's memory until more bytes are fed; NULL if
+ * there is none yet. */
 const uint8_t *splitter_take(struct splitter *s, size_t *size, int64_t *begun_ns);
 
-/* The last of those that are whole; `skipped` goes up by those before it. */
+/* Returns the last complete frame, and adds the number of those before it to `skipped`. */
 const uint8_t *splitter_take_newest(struct splitter *s, size_t *size, int64_t *begun_ns,
                                     uint32_t *skipped);
 

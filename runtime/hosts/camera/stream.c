@@ -1,4 +1,4 @@
-/* Frames from a pipe, as they come, or from a file of them, at a rate. */
+/* Frames from a pipe as they arrive, or from a file at a fixed rate. */
 #include "decode.h"
 #include "source.h"
 #include "splitter.h"
@@ -16,12 +16,12 @@ enum { READ_MOST = 1 << 16 };
 
 struct stream {
     int file;
-    bool is_file; /* so its frames are not there when they were taken, and have a rate */
+    bool is_file; /* a file, so its frames are paced at the set rate */
     int64_t due_ns;
     struct splitter splitter;
 };
 
-/* Neither who writes a pipe nor who reads it waits for the other to open it. */
+/* Opens the pipe or file without waiting for a writer. */
 static bool open_stream(struct source *s)
 {
     const char *name = s->options->source;
@@ -35,7 +35,7 @@ static bool open_stream(struct source *s)
     t->file = open(name, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (t->file < 0 || fstat(t->file, &status) != 0) {
         source_fail(s, SOURCE_FAULT, "it cannot be opened: %s%s", strerror(errno),
-                    errno == ENOENT ? "; a pipe is made by mkfifo" : "");
+                    errno == ENOENT ? "; create a pipe with mkfifo" : "");
         if (t->file >= 0)
             close(t->file);
         splitter_close(&t->splitter);
@@ -49,7 +49,7 @@ static bool open_stream(struct source *s)
     return true;
 }
 
-/* Takes in what has come. A pipe stays open when its writer goes, for the next one. */
+/* Reads available bytes. A pipe stays open when its writer closes it, for the next writer. */
 static enum source_result take_in(struct source *s, struct stream *t)
 {
     size_t room;
@@ -60,11 +60,12 @@ static enum source_result take_in(struct source *s, struct stream *t)
         return SOURCE_FRAME;
     }
     if (got == 0 && t->is_file)
-        return source_fail(s, SOURCE_OVER, "all of the file has been shown");
+        return source_fail(s, SOURCE_OVER, "the whole file has been shown");
     if (got == 0) {
         splitter_forget(&t->splitter);
-        return source_fail(s, SOURCE_NOTHING,
-                           "nobody writes to the pipe: start what gives its frames");
+        return source_fail(
+            s, SOURCE_NOTHING,
+            "no program writes to the pipe: start the program that sends the frames");
     }
     if (errno == EAGAIN || errno == EINTR)
         return SOURCE_NOTHING;
@@ -89,7 +90,7 @@ static enum source_result decode(struct source *s, struct stream *t, const uint8
     return fault == NULL ? SOURCE_FRAME : source_fail(s, SOURCE_BROKEN, "%s", fault);
 }
 
-/* The newest of those that are there; of a file the next one. */
+/* Returns the newest available frame of a pipe, or the next frame of a file. */
 static const uint8_t *take(struct source *s, struct stream *t, size_t *size, int64_t *begun_ns)
 {
     return t->is_file ? splitter_take(&t->splitter, size, begun_ns)
@@ -140,7 +141,9 @@ static void close_stream(struct source *s)
 }
 
 const struct source_kind source_stream = {
-    open_stream, next, close_stream, false,
-    "what comes is no whole frame: it has to be PPM, PGM or JPEG, or raw frames whose width and "
-    "height are set"
+    open_stream,
+    next,
+    close_stream,
+    false,
+    "no complete frame arrives: send PPM, PGM or JPEG, or set width and height for raw frames",
 };

@@ -1,15 +1,16 @@
 /* tagger.h -- the process that looks for tags in the frames of one camera.
  *
- * It stands between the process that captures and the program, and hands each frame on with its
- * tags. Looking for them takes longer than a frame may: meanwhile the other one goes on capturing,
- * so that frames have their times, and the newest is looked at next. */
+ * It is between the capture process and the program, and passes each frame on with its tags.
+ * Finding tags may take longer than the period between frames. The capture process continues
+ * meanwhile, so frames have correct times, and the newest frame is searched next. */
 #ifndef FROB_HOST_CAMERA_TAGGER_H
 #define FROB_HOST_CAMERA_TAGGER_H
 
 #include "../common/tag_finder.h"
 #include "buffers.h"
 
-/* From `seen` to `given`, until the process is ended; it beats for `given`. The finder is open. */
+/* Passes frames from `seen` to `given` until the process is ended, and updates the heartbeat of
+ * `given`. The finder must be open. */
 void tagger_run(struct tag_finder *finder, struct buffers *seen, struct buffers *given)
     __attribute__((noreturn));
 

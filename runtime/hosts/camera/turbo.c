@@ -19,8 +19,8 @@ const struct turbo *turbo_find(const char **fault)
     void *library;
     if (found)
         return &turbo;
-    *fault = "JPEG is read by libjpeg-turbo, which is not there: on Debian, apt-get install "
-             "libturbojpeg0";
+    *fault = "libjpeg-turbo, which reads JPEG, is not installed: on Debian, run `sudo apt-get "
+             "install libturbojpeg0`";
     library = dlopen("libturbojpeg.so.0", RTLD_NOW);
     if (library == NULL)
         return NULL;

@@ -1,5 +1,5 @@
-/* turbo.h -- libjpeg-turbo, looked for when a JPEG is there to be read or made: so a host is
- * linked with nothing more, and only who has a camera that sends JPEG needs the library. */
+/* turbo.h -- libjpeg-turbo, loaded when the first JPEG is read or written. So hosts are not linked
+ * with it, and only users of cameras that send JPEG need the library. */
 #ifndef FROB_HOST_CAMERA_TURBO_H
 #define FROB_HOST_CAMERA_TURBO_H
 
@@ -12,7 +12,7 @@ enum {
     TURBO_GREY = 6, /* TJPF_GRAY */
     TURBO_SAMPLES_422 = 1,
     TURBO_SAMPLES_GREY = 3,
-    TURBO_ACCURATE = 4096 /* TJFLAG_ACCURATEDCT: the same pixels, however fast it is here */
+    TURBO_ACCURATE = 4096 /* TJFLAG_ACCURATEDCT: the same pixels on every machine */
 };
 
 /* The functions that are used here, as <turbojpeg.h> declares them. */
@@ -32,7 +32,7 @@ struct turbo {
     int (*destroy)(void *handle);
 };
 
-/* Once it has been found it stays. NULL, and what is missing. */
+/* Loads the library once. Returns NULL, with what is missing in `fault`, on failure. */
 const struct turbo *turbo_find(const char **fault);
 
 #ifdef __cplusplus

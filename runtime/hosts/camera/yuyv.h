@@ -1,11 +1,12 @@
-/* yuyv.h -- frames as cameras give them that do not compress: YUV 4:2:2 packed, and grey. No I/O. */
+/* yuyv.h -- converts uncompressed camera frames: packed YUV 4:2:2, and grey. No I/O. */
 #ifndef FROB_HOST_CAMERA_YUYV_H
 #define FROB_HOST_CAMERA_YUYV_H
 
 #include "buffers.h"
 
-/* Fills in the pixels of a frame whose size and format are set: colours, or brightness alone.
- * `stride`: bytes from one row to the next. False if there are not as many bytes. */
+/* Converts the pixels to the frame's format: colours, or brightness alone. The frame's size and
+ * format must be set. `stride` is the number of bytes from one row to the next. Returns false if
+ * there are not enough bytes. */
 bool yuyv_or_grey(const uint8_t *bytes, size_t size, size_t stride, bool is_yuyv,
                   struct captured *frame);
 

@@ -1,8 +1,8 @@
-/* apriltag.h -- as much of the AprilTag library, version 3, as a host needs.
+/* apriltag.h -- the part of the AprilTag library, version 3, that a host needs.
  *
- * Declared here, so that hosts are built where its headers are not. The layout is what programs
- * have been compiled against since 3.1, and the library's name (libapriltag.so.3) stands for it;
- * tests/generated/vision/apriltag_test.c compares with the headers of the one that is there. */
+ * It is declared here so that hosts can be built without the library's headers. The layout has been
+ * stable since 3.1, and the library's name (libapriltag.so.3) identifies it.
+ * tests/generated/vision/apriltag_test.c compares it with the headers of the installed library. */
 #ifndef FROB_HOST_APRILTAG_H
 #define FROB_HOST_APRILTAG_H
 
@@ -25,10 +25,10 @@ struct apriltag_array {
     char *elements;
 };
 
-/* The beginning of apriltag_detector_t, which the library makes. */
+/* The first members of apriltag_detector_t, which the library allocates. */
 struct apriltag_settings {
     int threads;
-    float decimate; /* looks at a picture that is smaller by this factor first */
+    float decimate; /* searches an image reduced by this factor first */
     float blur;
     bool refines_edges;
     double sharpening;
@@ -36,13 +36,12 @@ struct apriltag_settings {
     struct { /* apriltag_quad_thresh_params */
         int least_cluster, most_corners;
         float angle, cosine, most_error;
-        int least_contrast; /* between the lightest and the darkest pixel of a few tiles */
+        int least_contrast; /* between the lightest and darkest pixels of several tiles */
         int deglitch;
     } quads;
 };
 
-/* apriltag_detection_t. In its coordinates the middle of the upper left pixel is at
- * (0.5, 0.5). */
+/* apriltag_detection_t. In its coordinates the centre of the upper left pixel is (0.5, 0.5). */
 struct apriltag_found {
     void *family;
     int id, wrong_bits;

@@ -1,5 +1,8 @@
 #include "claims.h"
 
+#include <frob/trace.h>
+
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,6 +26,87 @@ enum verdict verdict_of(const struct frob_value *value, const void *output)
     return tag == 0 ? VERDICT_NONE : verdict_of(value->constructors[1].fields[0].value, output);
 }
 
+/* {1 NaN} */
+
+static bool any_has_nan(const struct frob_constructor *constructor, const void *base)
+{
+    for (size_t i = 0; i < constructor->count; i++)
+        if (claims_has_nan(constructor->fields[i].value, base))
+            return true;
+    return false;
+}
+
+bool claims_has_nan(const struct frob_value *value, const void *base)
+{
+    const unsigned char *at = (const unsigned char *)base + value->offset;
+    double number;
+    float single;
+    switch (value->kind) {
+    case FROB_FLOAT:
+    case FROB_ROUNDED: memcpy(&number, at, sizeof number); return isnan(number);
+    case FROB_SINGLE: memcpy(&single, at, sizeof single); return isnan(single);
+    case FROB_PRODUCT:
+    case FROB_ARRAY: return any_has_nan(&value->constructors[0], base);
+    case FROB_SUM: return *at < value->count && any_has_nan(&value->constructors[*at], base);
+    case FROB_BOOL:
+    case FROB_INT:
+    case FROB_IMAGE: break;
+    }
+    return false;
+}
+
+/* If there is no memory for a column, it is not checked. */
+static void add_column(void *context, const char *name, const struct frob_value *value)
+{
+    struct claims *claims = (struct claims *)context;
+    struct nan_column *column;
+    if (claims->nan_count == claims->nan_room) {
+        const size_t room = claims->nan_room == 0 ? 16 : 2 * claims->nan_room;
+        column = (struct nan_column *)realloc(claims->nans, room * sizeof *column);
+        if (column == NULL)
+            return;
+        claims->nans = column;
+        claims->nan_room = room;
+    }
+    column = &claims->nans[claims->nan_count];
+    memset(column, 0, sizeof *column);
+    column->value = value;
+    column->name = (char *)malloc(strlen(name) + 1);
+    if (column->name == NULL)
+        return;
+    strcpy(column->name, name);
+    claims->nan_count++;
+}
+
+static void look_for_nans(struct claims *claims, int64_t time_ns, const void *output)
+{
+    for (size_t i = 0; i < claims->nan_count && !claims->nan_is_given; i++) {
+        struct nan_column *column = &claims->nans[i];
+        if (!column->seen && claims_has_nan(column->value, output)) {
+            column->seen = true;
+            column->first_ns = time_ns;
+        }
+    }
+}
+
+/* Prints at most four columns, and the number of the others. */
+static void print_nans(const struct claims *claims, FILE *file, const char *who)
+{
+    enum { MOST = 4 };
+    size_t seen = 0;
+    for (size_t i = 0; i < claims->nan_count; i++) {
+        const struct nan_column *column = &claims->nans[i];
+        if (column->seen && seen++ < MOST)
+            fprintf(file, "%sNaN: %s, first at %.3f s%s\n", who, column->name,
+                    (double)column->first_ns * 1e-9,
+                    seen == 1 ? "; to find its origin, run `frobc view --why-nan`" : "");
+    }
+    if (seen > MOST)
+        fprintf(file, "%sNaN: in %lu more columns\n", who, (unsigned long)(seen - MOST));
+}
+
+/* {1 Assertions} */
+
 bool claims_open(struct claims *claims, const struct frob_program *program)
 {
     memset(claims, 0, sizeof *claims);
@@ -34,6 +118,8 @@ bool claims_open(struct claims *claims, const struct frob_program *program)
     }
     for (size_t i = 0; i < program->claim_count; i++)
         claims->each[i].last = VERDICT_NONE;
+    if (program->output != NULL) /* a table written by hand need not describe the output */
+        frob_trace_columns(program->output, "out", add_column, claims);
     return true;
 }
 
@@ -61,10 +147,12 @@ static void see(struct claims *claims, size_t i, int64_t time_ns, const void *ou
     }
 }
 
-/* Assumptions first: one that fails now voids what assertions say now. */
+/* Handles the assumptions first: one that fails now voids the verdicts of assertions at this
+ * instant. */
 void claims_see(struct claims *claims, int64_t time_ns, const void *output)
 {
     const size_t count = claims->program->claim_count;
+    look_for_nans(claims, time_ns, output);
     for (size_t i = 0; i < count; i++)
         if (claims->program->claims[i].is_assumption)
             see(claims, i, time_ns, output);
@@ -73,7 +161,8 @@ void claims_see(struct claims *claims, int64_t time_ns, const void *output)
             see(claims, i, time_ns, output);
 }
 
-/* Of several with one label, each with the name of its column. */
+/* Returns whether no other assertion has the same label. If several have it, each is named by its
+ * column. */
 static bool is_alone(const struct frob_program *program, const struct frob_claim *claim)
 {
     for (size_t i = 0; i < program->claim_count; i++)
@@ -87,17 +176,17 @@ void claims_fate(const struct claims *claims, size_t i, char text[CLAIMS_FATE])
     const bool is_assumption = claims->program->claims[i].is_assumption;
     const struct claim_state *state = &claims->each[i];
     if (state->failed > 0)
-        snprintf(text, CLAIMS_FATE, "%s, first at %.3f s; in all at %llu %s",
+        snprintf(text, CLAIMS_FATE, "%s, first at %.3f s; in total at %llu %s",
                  is_assumption ? "failed" : "violated", (double)state->first_ns * 1e-9,
                  (unsigned long long)state->failed, state->failed == 1 ? "instant" : "instants");
     else if (claims->is_void && !is_assumption)
         snprintf(text, CLAIMS_FATE, "%s until an assumption failed at %.3f s",
-                 state->asked > 0 ? "held" : "did not matter", (double)claims->void_ns * 1e-9);
+                 state->asked > 0 ? "held" : "not checked", (double)claims->void_ns * 1e-9);
     else
         snprintf(text, CLAIMS_FATE, "%s",
                  state->last == VERDICT_OPEN ? "undecided at the end"
                  : state->asked > 0          ? "held"
-                                             : "never came to matter");
+                                             : "never checked");
 }
 
 void claims_print(const struct claims *claims, FILE *file, const char *who)
@@ -112,6 +201,7 @@ void claims_print(const struct claims *claims, FILE *file, const char *who)
         claims_fate(claims, i, fate);
         fprintf(file, ": %s\n", fate);
     }
+    print_nans(claims, file, who);
 }
 
 void claims_complain(const struct claims *claims)
@@ -123,4 +213,7 @@ void claims_complain(const struct claims *claims)
 void claims_close(struct claims *claims)
 {
     free(claims->each);
+    for (size_t i = 0; i < claims->nan_count; i++)
+        free(claims->nans[i].name);
+    free(claims->nans);
 }

@@ -1,8 +1,9 @@
-/* claims.h -- what became of a program's assertions in a run.
+/* claims.h -- the verdicts on a program's assertions in a run, and the first NaN in each output
+ * column.
  *
- * A host that was given a program with its assertions (frob/program.h) shows each output to
- * this, and tells at the end of each whether it held. An assumption that has failed voids what
- * is said of assertions from that instant on. */
+ * A host whose program was compiled with its assertions (frob/program.h) passes each output to
+ * claims_see, and reports at the end whether each assertion held. Once an assumption has failed,
+ * verdicts on assertions no longer count. */
 #ifndef FROB_HOST_CLAIMS_H
 #define FROB_HOST_CLAIMS_H
 
@@ -12,45 +13,61 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* As the library's Verdict, in its order; of an assertion that is not judged at an instant,
- * since its signal function does not run, there is none. */
+/* The library's Verdict, in the same order. VERDICT_NONE means that the assertion is not judged at
+ * an instant, because its signal function does not run. */
 enum verdict { VERDICT_NONE = -1, VERDICT_NOT_ASKED, VERDICT_HOLDS, VERDICT_OPEN, VERDICT_FAILS };
 
-/* The worst verdict in a value: an assertion in `mapSF` has many. */
+/* Returns the worst verdict in a value: an assertion in `mapSF` has one for each element. */
 enum verdict verdict_of(const struct frob_value *value, const void *output);
 
 struct claim_state {
-    uint64_t asked;    /* instants at which it mattered */
-    uint64_t failed;   /* instants at which it failed */
-    int64_t first_ns;  /* the first of them */
-    enum verdict last; /* the last that there was */
-    bool fails;        /* at the instant that was seen last */
+    uint64_t asked;    /* number of instants at which it had to hold */
+    uint64_t failed;   /* number of instants at which it failed */
+    int64_t first_ns;  /* first instant at which it failed */
+    enum verdict last; /* the last verdict other than VERDICT_NONE */
+    bool fails;        /* whether it failed at the last instant */
+};
+
+/* A column of the output, and the time of its first NaN. */
+struct nan_column {
+    const struct frob_value *value;
+    char *name;
+    bool seen;        /* a NaN has occurred */
+    int64_t first_ns; /* time of the first NaN */
 };
 
 struct claims {
     const struct frob_program *program;
     struct claim_state *each;
-    bool is_void;                      /* an assumption has failed, … */
-    int64_t void_ns;                   /* … at this time */
-    const struct frob_claim *violated; /* the first assertion that was, or NULL */
+    bool is_void;                      /* an assumption has failed */
+    int64_t void_ns;                   /* when the first assumption failed */
+    const struct frob_claim *violated; /* the first violated assertion, or NULL */
     int64_t violated_ns;
+    struct nan_column *nans; /* every column of the output */
+    size_t nan_count, nan_room;
+    bool nan_is_given; /* NaN was in the input, so NaN in the output is no longer reported */
 };
 
-/* False without memory. */
+/* Returns whether a value contains a NaN. */
+bool claims_has_nan(const struct frob_value *value, const void *base);
+
+/* Returns false if memory runs out. */
 bool claims_open(struct claims *claims, const struct frob_program *program);
 
-/* The output of an instant. */
+/* Evaluates the output of an instant. */
 void claims_see(struct claims *claims, int64_t time_ns, const void *output);
 
 #define CLAIMS_FATE 100
 
-/* What became of one, as in `violated, first at 3.200 s; in all at 2 instants`. */
+/* Describes what happened to an assertion: `violated, first at 3.200 s; in total at 2 instants`. */
 void claims_fate(const struct claims *claims, size_t i, char text[CLAIMS_FATE]);
 
-/* A line for each, behind `who`: `assert "keeps off": held`. */
+/* Prints a line for each assertion, prefixed with `who`: `assert "keeps off": held`; and one for
+ * each column of the output that was NaN: `NaN: out.turn, first at 3.200 s`. The first of these
+ * also names the command that finds the cause. */
 void claims_print(const struct claims *claims, FILE *file, const char *who);
 
-/* `"keeps off" (wall.frob:12) was violated at 3.200 s`: says it on standard error, as an error. */
+/* Prints an error on standard error: `"keeps off" (wall.frob:12) was violated at 3.200 s`. */
 void claims_complain(const struct claims *claims);
 
 void claims_close(struct claims *claims);

@@ -22,7 +22,7 @@ int32_t console_key(struct console *console)
         return -1;
     if (read(STDIN_FILENO, &key, 1) == 1)
         return key;
-    console->open = false; /* nothing more will come */
+    console->open = false; /* end of the input */
     if (console->is_terminal)
         tcsetattr(STDIN_FILENO, TCSANOW, &console->before);
     return -1;

@@ -1,4 +1,4 @@
-/* console.h -- keys as they are typed, from standard input. */
+/* console.h -- reads keys from standard input as they are typed. */
 #ifndef FROB_HOST_CONSOLE_H
 #define FROB_HOST_CONSOLE_H
 
@@ -9,17 +9,17 @@
 struct console {
     bool open;
     bool is_terminal;
-    struct termios before; /* how the terminal was */
+    struct termios before; /* settings to restore */
 };
 
-/* From now on a terminal gives each key at once and does not show it. */
+/* Sets a terminal to deliver each key immediately and not to echo it. */
 void console_open(struct console *console);
 
-/* The character code of the next key that was typed, -1 if there is none, or if
- * the console is not open. Does not wait. */
+/* Returns the character code of the next typed key; -1 if there is none, or if the console is not
+ * open. Does not wait. */
 int32_t console_key(struct console *console);
 
-/* The terminal is as before. */
+/* Restores the terminal. */
 void console_close(struct console *console);
 
 #endif

@@ -1,13 +1,22 @@
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE /* getc_unlocked */
+#endif
+
 #include "csv.h"
+
+#include "dialect.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <sys/types.h>
 
-void csv_start(struct csv *csv, FILE *file)
+void csv_start(struct csv *csv, FILE *file, const struct csv_dialect *dialect)
 {
     memset(csv, 0, sizeof *csv);
     csv->file = file;
+    if (dialect != NULL)
+        csv->dialect = *dialect;
+    if (csv->dialect.separator == '\0')
+        csv->dialect.separator = ',';
     csv->next_line = 1;
 }
 
@@ -19,7 +28,7 @@ void csv_end(struct csv *csv)
     free(csv->read);
 }
 
-/* Room for one more character of the row's text. */
+/* Makes room for one more character of the row's text. */
 static bool grow_text(struct csv *csv, size_t length)
 {
     size_t capacity = csv->text_capacity == 0 ? 4096 : csv->text_capacity;
@@ -54,13 +63,28 @@ static bool grow_cells(struct csv *csv)
     return true;
 }
 
-/* Takes the next line of the file, whole; false at its end. */
+/* Reads the next line of the file, up to the maximum length or a NUL, which no recording contains;
+ * returns false at the end of the file, or if memory runs out. */
 static bool read_line(struct csv *csv)
 {
-    ssize_t length = getline(&csv->read, &csv->read_capacity, csv->file);
+    size_t length = 0;
+    int c;
+    bool ends = false;
+    while (length <= CSV_LONGEST && !ends && (c = getc_unlocked(csv->file)) != EOF) {
+        if (length == csv->read_capacity) {
+            const size_t capacity = length == 0 ? 4096 : length * 2;
+            char *read = (char *)realloc(csv->read, capacity);
+            if (read == NULL)
+                break;
+            csv->read = read;
+            csv->read_capacity = capacity;
+        }
+        csv->read[length++] = (char)c;
+        ends = c == '\n' || c == '\0';
+    }
     csv->at = 0;
-    csv->read_length = length < 0 ? 0 : (size_t)length;
-    return csv->read_length > 0;
+    csv->read_length = length;
+    return length > 0;
 }
 
 static int get(struct csv *csv)
@@ -70,7 +94,7 @@ static int get(struct csv *csv)
     return (unsigned char)csv->read[csv->at++];
 }
 
-/* After a character that was no end of a line, so it is in the same one. */
+/* Puts back the last character. It was not the end of a line, so it is in the current line. */
 static void unget(struct csv *csv)
 {
     csv->at--;
@@ -107,7 +131,8 @@ const char *csv_cell(const struct csv *csv, size_t index)
     return csv->text + csv->starts[index];
 }
 
-/* Is the line that was read a row as most are, of cells as they stand there? */
+/* Returns whether the line can be split at its separators alone, as most lines can: it has no
+ * quotes, carriage returns or NULs. */
 static bool is_plain(const struct csv *csv)
 {
     const char *line = csv->read;
@@ -124,7 +149,9 @@ static enum csv_status take_plain(struct csv *csv)
     memcpy(csv->text, csv->read, length);
     csv->text[length] = '\0';
     for (size_t start = 0;;) {
-        char *comma = (char *)memchr(csv->text + start, ',', length - start);
+        char *comma = (char *)memchr(csv->text + start, csv->dialect.separator, length - start);
+        if (csv->count == CSV_MOST_CELLS)
+            return CSV_TOO_LONG;
         if (!grow_cells(csv))
             return CSV_NO_MEMORY;
         csv->columns[csv->count] = start + 1;
@@ -139,7 +166,7 @@ static enum csv_status take_plain(struct csv *csv)
     return CSV_ROW;
 }
 
-enum csv_status csv_next(struct csv *csv)
+static enum csv_status next_row(struct csv *csv)
 {
     size_t length = 0, column = 1;
     bool quoted = false, cell_starts = true, blank = false;
@@ -151,11 +178,13 @@ enum csv_status csv_next(struct csv *csv)
         return take_plain(csv);
     for (;;) {
         int c = next_char(csv);
+        if (length > CSV_LONGEST || csv->count > CSV_MOST_CELLS)
+            return CSV_TOO_LONG;
         if (!grow_text(csv, length + 1) || !grow_cells(csv))
             return CSV_NO_MEMORY;
         if (cell_starts && c != EOF) {
             cell_starts = false;
-            blank = c == ' ' || c == '\t';
+            blank = (c == ' ' || c == '\t') && c != csv->dialect.separator;
             csv->columns[csv->count] = column + (c == '"' ? 1u : 0u);
             csv->starts[csv->count++] = length;
             if (c == '"') {
@@ -195,7 +224,7 @@ enum csv_status csv_next(struct csv *csv)
             if (after != EOF)
                 unget(csv);
             quoted = false;
-        } else if (!quoted && c == ',') {
+        } else if (!quoted && c == csv->dialect.separator) {
             csv->text[length++] = '\0';
             cell_starts = true;
         } else if (!quoted && c == '\n') {
@@ -213,4 +242,34 @@ enum csv_status csv_next(struct csv *csv)
     }
     csv->text[length] = '\0';
     return CSV_ROW;
+}
+
+enum csv_status csv_next(struct csv *csv)
+{
+    const enum csv_status status = next_row(csv);
+    return status == CSV_ROW ? dialect_translate(csv) : status;
+}
+
+bool csv_replace(struct csv *csv, size_t index, const char *text)
+{
+    const size_t last = csv->count - 1, length = strlen(text);
+    size_t end = 0;
+    for (size_t i = 0; i <= last; i++) {
+        const size_t after = csv->starts[i] + strlen(csv->text + csv->starts[i]) + 1;
+        end = after > end ? after : end;
+    }
+    if (!grow_text(csv, end + length + 1))
+        return false;
+    memcpy(csv->text + end, text, length + 1);
+    csv->starts[index] = end;
+    return true;
+}
+
+void csv_to_front(struct csv *csv, size_t index)
+{
+    const size_t start = csv->starts[index], column = csv->columns[index];
+    memmove(csv->starts + 1, csv->starts, index * sizeof *csv->starts);
+    memmove(csv->columns + 1, csv->columns, index * sizeof *csv->columns);
+    csv->starts[0] = start;
+    csv->columns[0] = column;
 }

@@ -1,5 +1,5 @@
-/* csv.h -- rows of a CSV file, as in RFC 4180 (LF or CRLF; a byte-order mark
- * at the start is skipped). */
+/* csv.h -- reads the rows of a CSV file, as in RFC 4180 (LF or CRLF; a byte-order mark at the start
+ * is skipped). */
 #ifndef FROB_HOST_CSV_H
 #define FROB_HOST_CSV_H
 
@@ -7,19 +7,40 @@
 #include <stddef.h>
 #include <stdio.h>
 
+/* How a recording from another program differs from ours. */
+struct csv_dialect {
+    char separator;          /* between cells; 0: a comma */
+    bool decimal_comma;      /* numbers as 0,5 */
+    const char *time_column; /* NULL: the first column, `time` */
+    const char **columns;    /* NAME=COLUMN, for a column of another name */
+    size_t column_count;
+};
+
+/* What to say of CSV_RETURN. */
+#define CSV_RETURN_REASON \
+    "the lines end with carriage returns alone: `tr '\\r' '\\n'` turns them into line feeds"
+
+/* Maximum length of a row, so that memory is bounded whatever a file holds. */
+#define CSV_LONGEST (16u << 20)
+#define CSV_MOST_CELLS 1000000u
+
 struct csv {
     FILE *file;
-    unsigned long line; /* on which the current row starts, from 1 */
+    struct csv_dialect dialect;
+    unsigned long line; /* line on which the current row starts, from 1 */
     /* the current row */
     size_t count;
-    size_t *columns; /* byte column of each cell's first character, from 1 */
+    size_t *columns;  /* byte column of each cell's first character, from 1 */
+    char reason[600]; /* the message of CSV_NO_COLUMN */
     /* private */
+    bool has_header;
+    size_t time_cell; /* index of the time in the file's rows */
     unsigned long next_line;
     char *text;
-    size_t *starts; /* of the cells in the text, which moves as it grows */
+    size_t *starts; /* offsets of the cells in the text, which realloc moves */
     size_t text_capacity, cells_capacity;
-    char *read;                            /* a line of the file, … */
-    size_t read_capacity, read_length, at; /* … as far as it is a row's already */
+    char *read;                            /* the current line of the file */
+    size_t read_capacity, read_length, at; /* `at`: number of its bytes already used */
 };
 
 enum csv_status {
@@ -29,15 +50,27 @@ enum csv_status {
     CSV_UNCLOSED_QUOTE,
     CSV_LATE_QUOTE, /* the last cell has blanks before its quote */
     CSV_NUL,
+    CSV_RETURN,    /* the header has a carriage return that no line feed follows */
+    CSV_NO_COLUMN, /* the dialect names a missing column: see `reason` */
+    CSV_TOO_LONG,  /* a row of more than CSV_LONGEST bytes or CSV_MOST_CELLS cells */
     CSV_NO_MEMORY
 };
 
-void csv_start(struct csv *csv, FILE *file);
+/* `dialect`: NULL for recordings in our own format. */
+void csv_start(struct csv *csv, FILE *file, const struct csv_dialect *dialect);
 
-/* The next row that is not an empty line. */
+/* Reads the next non-empty row and translates it from the dialect: the time comes first, as the
+ * column `time`, and the others have the program's names. Lines before the header that begin with
+ * `#` are returned unchanged. */
 enum csv_status csv_next(struct csv *csv);
 
-/* A cell of the current row, unquoted; good until the next row. */
+/* Replaces the text of a cell of the current row. Returns false if memory runs out. */
+bool csv_replace(struct csv *csv, size_t index, const char *text);
+
+/* Moves a cell of the current row to the front. */
+void csv_to_front(struct csv *csv, size_t index);
+
+/* Returns a cell of the current row, unquoted; valid until the next row. */
 const char *csv_cell(const struct csv *csv, size_t index);
 
 void csv_end(struct csv *csv);

@@ -39,7 +39,7 @@ uint32_t frames_number(uint64_t key)
     return (uint32_t)(key >> (64 - KEY_NUMBER_BITS));
 }
 
-/* LOG.frames of LOG.csv, and of LOG.csv.gz too; NULL without memory. */
+/* Returns LOG.frames for LOG.csv, and also for LOG.csv.gz; NULL if memory runs out. */
 static char *folder_of(const char *record)
 {
     static const char suffix[] = ".frames";
@@ -54,7 +54,7 @@ static char *folder_of(const char *record)
     return folder;
 }
 
-/* FOLDER/000012-6c62272e07.ppm; NULL without memory. */
+/* Returns FOLDER/000012-6c62272e07.ppm; NULL if memory runs out. */
 static char *path_of(const char *folder, uint64_t key, bool grey)
 {
     const size_t room = strlen(folder) + NAME_ROOM;
@@ -83,7 +83,7 @@ static bool is_frame_name(const char *name)
            (strcmp(name + digits + 11, ".ppm") == 0 || strcmp(name + digits + 11, ".pgm") == 0);
 }
 
-/* What is no frame stays, and so does the folder. */
+/* Removes the frames. Keeps the folder, and files that are not frames. */
 static bool remove_old(const char *folder)
 {
     DIR *listing = opendir(folder);
@@ -144,7 +144,7 @@ bool frame_writer_put(struct frame_writer *writer, const struct frob_image *imag
     if (writer->folder == NULL)
         return true;
     if (!writer->made && mkdir(writer->folder, 0777) != 0 && errno != EEXIST)
-        return cannot("make the folder", writer->folder);
+        return cannot("create the folder", writer->folder);
     writer->made = true;
     name = frob_frame_name_of(image);
     path = path_of(writer->folder, frames_key(&name), image->format == FROB_GREY8);
@@ -163,7 +163,7 @@ void frame_writer_close(struct frame_writer *writer)
 
 struct frame {
     uint64_t key;
-    struct frob_image image; /* its pixels are in the file */
+    struct frob_image image; /* its pixels point into the file's contents */
     void *file;
     size_t size;
     bool is_checked, is_unchanged;
@@ -181,7 +181,7 @@ bool frame_reader_is_unchanged(const struct frob_image *image)
     return frame->is_unchanged;
 }
 
-/* Where it is, or where it would be. */
+/* Returns the slot of a key, or the empty slot where it belongs. */
 static size_t slot_of(const struct frame_reader *reader, uint64_t key)
 {
     size_t slot = (size_t)(key * UINT64_C(0x9e3779b97f4a7c15) >> 20) & (reader->capacity - 1);
@@ -190,7 +190,7 @@ static size_t slot_of(const struct frame_reader *reader, uint64_t key)
     return slot;
 }
 
-/* At least half of the slots stay empty. */
+/* Grows the table so that at least half of the slots stay empty. */
 static bool grow(struct frame_reader *reader)
 {
     struct frame **before = reader->each;
@@ -214,12 +214,11 @@ static bool grow(struct frame_reader *reader)
 static const struct frob_image *wrong(struct frame_reader *reader, const char *path,
                                       const char *what)
 {
-    snprintf(reader->expected, sizeof reader->expected, "a frame that is there (%s: %s)", path,
-             what);
+    snprintf(reader->expected, sizeof reader->expected, "an existing frame (%s: %s)", path, what);
     return NULL;
 }
 
-/* NULL, and what was expected instead is noted. */
+/* Adds a frame. On failure returns NULL and stores a message about what was expected. */
 static const struct frob_image *add(struct frame_reader *reader, uint64_t key, const char *path,
                                     int file)
 {
@@ -237,7 +236,7 @@ static const struct frob_image *add(struct frame_reader *reader, uint64_t key, c
         if (bytes != MAP_FAILED)
             munmap(bytes, (size_t)status.st_size);
         free(frame);
-        return wrong(reader, path, "it is one too many for the memory");
+        return wrong(reader, path, "there is not enough memory for it");
     }
     frame->key = key;
     frame->file = bytes;
@@ -284,7 +283,7 @@ static const struct frob_image *find(void *context, const struct frob_frame_name
     if (image != NULL && reader->verifies) {
         const struct frob_frame_name found = frob_frame_name_of(image);
         if (found.hash != name->hash || found.size != name->size) {
-            *expected = "the frame that was recorded (its file has been changed)";
+            *expected = "the recorded frame (its file was changed)";
             return NULL;
         }
     }

@@ -1,9 +1,9 @@
-/* frames.h -- the frames of a recording, in a folder beside it: LOG.frames for LOG.csv
- * (and for LOG.csv.gz: it may be compressed later).
+/* frames.h -- the frames of a recording, in a folder next to it: LOG.frames for LOG.csv (and for
+ * LOG.csv.gz, because the recording may be compressed later).
  *
- * Each is a file of its own (<frob/frame.h>), named by its number and by a part of its hash, so
- * that frames of several cameras have room beside each other: 000012-6c62272e07.ppm. Number and
- * part together are its key, 64 bits. */
+ * Each frame is a file (<frob/frame.h>) named by its number and a part of its hash, so that the
+ * frames of several cameras have different names: 000012-6c62272e07.ppm. The number and this part
+ * together are its 64-bit key. */
 #ifndef FROB_HOST_FRAMES_H
 #define FROB_HOST_FRAMES_H
 
@@ -12,7 +12,7 @@
 
 #include <stdbool.h>
 
-/* Whether a program's input has images in it. */
+/* Returns whether a program's input contains images. */
 bool frames_has_images(const struct frob_value *value);
 
 uint64_t frames_key(const struct frob_frame_name *name);
@@ -21,12 +21,12 @@ uint32_t frames_number(uint64_t key);
 /* {1 Writing} */
 
 struct frame_writer {
-    char *folder; /* NULL: nothing is written */
+    char *folder; /* NULL: do not write frames */
     bool made;
 };
 
-/* For the frames of this recording. Those that are there of a recording of the same name go: it
- * is being written anew. False with a line on standard error. */
+/* Prepares to write the frames of this recording. Deletes the frames of an earlier recording with
+ * this name. On failure returns false and prints a line on standard error. */
 bool frame_writer_open(struct frame_writer *writer, const char *record);
 bool frame_writer_put(struct frame_writer *writer, const struct frob_image *image);
 void frame_writer_close(struct frame_writer *writer);
@@ -34,23 +34,23 @@ void frame_writer_close(struct frame_writer *writer);
 /* {1 Reading} */
 
 struct frame_reader {
-    struct frob_frames finder; /* for frob_cell_read */
+    struct frob_frames finder; /* to pass to frob_cell_read */
     char *folder;
-    bool verifies;       /* each file's hash too */
-    struct frame **each; /* by key, with gaps */
+    bool verifies;       /* also verify each file's hash */
+    struct frame **each; /* hash table by key, with empty slots */
     size_t count, capacity;
     char expected[512];
 };
 
-/* For the frames of this recording; nothing is opened yet. False without memory. Images that
- * are found stay until they are forgotten. */
+/* Prepares to read the frames of this recording, without opening any file yet. Returns false if
+ * memory runs out. Images that were found stay valid until frame_reader_forget. */
 bool frame_reader_open(struct frame_reader *reader, const char *record, bool verifies);
 
-/* By its key; NULL if it is not there. */
+/* Returns the image with this key, or NULL if there is none. */
 const struct frob_image *frame_reader_by_key(struct frame_reader *reader, uint64_t key);
 
-/* Whether the file of an image that was found has the contents that its name says; its pixels are
- * looked at once. */
+/* Returns whether the contents of a found image's file match the hash in its name. The hash is
+ * computed only once. */
 bool frame_reader_is_unchanged(const struct frob_image *image);
 
 void frame_reader_forget(struct frame_reader *reader);

@@ -18,12 +18,14 @@ const struct frob_program *frob_load(const char *path)
     }
     program = (const struct frob_program *)dlsym(object, FROB_PROGRAM_SYMBOL);
     if (program == NULL) {
-        fprintf(stderr, "error: %s has no symbol `%s`: it was not made by frobc\n", path,
+        fprintf(stderr, "error: %s has no symbol `%s`, so it was not compiled by frobc\n", path,
                 FROB_PROGRAM_SYMBOL);
         return NULL;
     }
     if (program->abi != FROB_PROGRAM_ABI) {
-        fprintf(stderr, "error: %s was compiled for another version of the runtime\n", path);
+        fprintf(stderr,
+                "error: %s was compiled for another version of the runtime; compile it again\n",
+                path);
         return NULL;
     }
     faults = program->arithmetic() | frob_arithmetic_faults();

@@ -1,13 +1,14 @@
 #ifndef _GNU_SOURCE
-#define _GNU_SOURCE /* fopencookie */
+#define _GNU_SOURCE /* fopencookie, vfork */
 #endif
 
 #include "packed.h"
 
+#include "child.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
@@ -15,15 +16,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern char **environ;
-
-/* Faults that are none of the system's, as an errno. */
+/* Errors that the system does not have, represented by unused errno values. */
 enum { NOT_INSTALLED = ENOPKG, CUT_OFF = EBADMSG, OTHER_FORMAT = EILSEQ, IS_MCAP = EPROTO };
 
 static const struct format {
     const char *tool, *ending;
-    const char *magic;   /* its first bytes */
-    const char *packing; /* its options; gzip would note the time */
+    const char *magic;   /* first bytes of a file in this format */
+    const char *packing; /* options; without -n gzip would store the time */
 } formats[] = {
     { "gzip", ".gz", "\x1f\x8b", "-cqn" },
     { "zstd", ".zst", "\x28\xb5\x2f\xfd", "-cq" },
@@ -53,28 +52,27 @@ const char *packed_reason(const char *name, int error)
     const struct format *format = format_of(name);
     const bool is_gzip = format == &formats[0];
     if (error == IS_MCAP)
-        return "it is MCAP, of which `frobc convert` makes a recording";
+        return "it is an MCAP file; convert it to a recording with `frobc convert`";
     if (format == NULL)
         return error == OTHER_FORMAT
-                   ? "it is compressed; give it a name that says how, with .gz or .zst at its end"
+                   ? "it is compressed; rename it so that its name ends in .gz or .zst"
                    : strerror(error);
     switch (error) {
     case NOT_INSTALLED:
-        return is_gzip
-                   ? "the program gzip, by which it goes, is not installed"
-                   : "the program zstd, by which it goes, is not installed (`apt install zstd`)";
-    case CUT_OFF: return "the archive is cut off or damaged (`frobc convert` keeps its whole rows)";
+        return is_gzip ? "this needs the program gzip, which is not installed"
+                       : "this needs the program zstd, which is not installed (`apt install zstd`)";
+    case CUT_OFF:
+        return "the archive is truncated or damaged (`frobc convert` recovers its complete rows)";
     case OTHER_FORMAT:
-        return is_gzip ? "it is not compressed by gzip, as its name says"
-                       : "it is not compressed by zstd, as its name says";
-    case EPIPE:
-        return is_gzip ? "gzip has ended before its time" : "zstd has ended before its time";
+        return is_gzip ? "its name says that it is compressed by gzip, but it is not"
+                       : "its name says that it is compressed by zstd, but it is not";
+    case EPIPE: return is_gzip ? "gzip ended early" : "zstd ended early";
     default: return strerror(error);
     }
 }
 
-/* What is wrong with the file's beginning, by what its name says; 0: nothing, and of one that
- * cannot be looked at, being a pipe. */
+/* Checks whether the first bytes of the file match its name. Returns an error number, or 0 if they
+ * match or cannot be examined because the file is a pipe. */
 static int wrong_beginning(int file, const struct format *named)
 {
     char head[4] = { 0 };
@@ -88,16 +86,27 @@ static int wrong_beginning(int file, const struct format *named)
     return named == NULL ? 0 : OTHER_FORMAT;
 }
 
-/* Starts the tool between two files; its process, or 0 with errno set. */
+/* Waits for the process; returns whether it succeeded. */
+static bool wait_for(pid_t process)
+{
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0)
+        if (errno != EINTR)
+            return false;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/* Starts the tool with these files as its input and output. Returns its process id, or 0 with errno
+ * set. A process that packs ignores signals from the terminal, and outlives the host until it has
+ * written all data. */
 static pid_t start(const struct format *format, bool packs, int from, int to)
 {
+    const pid_t host = getpid();
     char tool[8], options[8];
     char *arguments[] = { tool, options, NULL };
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    sigset_t deaf_to, as_usual;
-    pid_t process = 0;
-    int error;
+    sigset_t deaf_to;
+    volatile int error = 0;
+    pid_t process;
     snprintf(tool, sizeof tool, "%s", format->tool);
     snprintf(options, sizeof options, "%s", packs ? format->packing : "-dcq");
     sigemptyset(&deaf_to);
@@ -108,33 +117,27 @@ static pid_t start(const struct format *format, bool packs, int from, int to)
         sigaddset(&deaf_to, SIGHUP);
         sigaddset(&deaf_to, SIGTSTP);
     }
-    sigemptyset(&as_usual);
-    sigaddset(&as_usual, SIGPIPE);
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setsigmask(&attributes, &deaf_to);
-    posix_spawnattr_setsigdefault(&attributes, &as_usual);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, from, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, to, STDOUT_FILENO);
-    /* Why it cannot write, only it knows; what it reads is known here. */
-    if (!packs)
-        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    error = posix_spawnp(&process, tool, &actions, &attributes, arguments, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    posix_spawnattr_destroy(&attributes);
-    errno = error == ENOENT ? NOT_INSTALLED : error;
-    return error == 0 ? process : 0;
-}
-
-/* Whether it has done all that it was to. */
-static bool wait_for(pid_t process)
-{
-    int status = 0;
-    while (waitpid(process, &status, 0) < 0)
-        if (errno != EINTR)
-            return false;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    /* vfork does not copy the host's memory, which may be large or locked; `error` is shared. */
+    process = vfork();
+    if (process == 0) {
+        if (!packs)
+            child_ends_with(host, SIGKILL);
+        sigprocmask(SIG_SETMASK, &deaf_to, NULL);
+        signal(SIGPIPE, SIG_DFL);
+        dup2(from, STDIN_FILENO);
+        dup2(to, STDOUT_FILENO);
+        /* Only the tool can report write errors; the host reports read errors itself. */
+        if (!packs)
+            dup2(open("/dev/null", O_WRONLY | O_CLOEXEC), STDERR_FILENO);
+        execvp(tool, arguments);
+        error = errno;
+        _exit(127);
+    }
+    if (process > 0 && error != 0)
+        wait_for(process);
+    if (process > 0)
+        errno = error == ENOENT ? NOT_INSTALLED : error;
+    return process > 0 && error == 0 ? process : 0;
 }
 
 static void close_quietly(int file)
@@ -146,8 +149,8 @@ static void close_quietly(int file)
 
 /* {1 Writing} */
 
-/* A pair of sockets and not a pipe: one that nobody reads any more is an error and no signal,
- * and its end can be told even if a process that was forked meanwhile holds it too. */
+/* Uses a pair of sockets instead of a pipe: writing to one without a reader is an error without a
+ * signal, and its end can be shut down even if a process forked meanwhile has inherited it. */
 static bool put_tool(struct packer *packer, const struct format *format, int file)
 {
     int ends[2];
@@ -163,7 +166,8 @@ static bool put_tool(struct packer *packer, const struct format *format, int fil
     return packer->process > 0;
 }
 
-/* What is there is lost when all else is ready, and not before. */
+/* Truncates the file. This is the last step, so that its contents are lost only if everything else
+ * succeeded. */
 static bool make_empty(int file)
 {
     struct stat status;
@@ -257,7 +261,7 @@ FILE *packed_write(const char *name)
 
 struct unpacker {
     int pipe;
-    pid_t process; /* 0: it has been waited for */
+    pid_t process; /* 0: it has already been waited for */
 };
 
 static ssize_t stream_get(void *cookie, char *bytes, size_t size)
@@ -278,7 +282,7 @@ static ssize_t stream_get(void *cookie, char *bytes, size_t size)
     return got;
 }
 
-/* It may have more to say than anybody wants to hear. */
+/* Closing the pipe first ends a process that still has output. */
 static int stream_close_unpacker(void *cookie)
 {
     struct unpacker *unpacker = (struct unpacker *)cookie;

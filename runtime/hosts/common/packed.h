@@ -1,9 +1,9 @@
-/* packed.h -- recordings that are compressed: what is named .gz or .zst goes through `gzip` or
- * `zstd`, a process of its own.
+/* packed.h -- compressed recordings: files named .gz or .zst are piped through a `gzip` or `zstd`
+ * process.
  *
- * That process is deaf to what ends a run (Ctrl-C, SIGTERM, SIGHUP), and if this one is killed
- * it still writes to the end what it was given; so a recording is a whole archive whatever
- * becomes of the host. */
+ * When packing, that process ignores the signals that end a run (Ctrl-C, SIGTERM, SIGHUP). If the
+ * host is killed, it still writes all data that it received. So a recording is always a complete
+ * archive. */
 #ifndef FROB_HOST_PACKED_H
 #define FROB_HOST_PACKED_H
 
@@ -13,10 +13,11 @@
 #include <string.h>
 #include <sys/types.h>
 
-/* What compresses a file of this name, "gzip" or "zstd"; NULL: nothing does. */
+/* Returns the tool that compresses a file of this name, "gzip" or "zstd"; NULL if the file is not
+ * compressed. */
 const char *packed_by(const char *name);
 
-/* How long the name is without .gz or .zst. */
+/* Returns the length of the name without .gz or .zst. */
 static inline size_t packed_stem(const char *name)
 {
     const size_t length = strlen(name);
@@ -25,28 +26,28 @@ static inline size_t packed_stem(const char *name)
     return length > 4 && strcmp(name + length - 4, ".zst") == 0 ? length - 4 : length;
 }
 
-/* In place of strerror, for files that are opened here. */
+/* Use it instead of strerror for files opened by this module. */
 const char *packed_reason(const char *name, int error);
 
-/* {1 Streams}, to be closed by fclose */
+/* {1 Streams}, which are closed with fclose */
 
-/* NULL with errno set. An archive that is cut off or damaged is an error of reading, after
- * all that comes out of it. */
+/* Opens a file for reading. Returns NULL with errno set on failure. If an archive is truncated or
+ * damaged, reading fails after all data that can be decompressed. */
 FILE *packed_read(const char *name);
 
-/* The file is written anew. NULL with errno set. */
+/* Creates or overwrites a file. Returns NULL with errno set on failure. */
 FILE *packed_write(const char *name);
 
-/* {1 Without a stream} for who decides what goes to the file at once */
+/* {1 Without a stream}, for callers that control what is written immediately */
 
 struct packer {
-    int file;      /* the file itself, or the way to the process; -1: none */
-    pid_t process; /* 0: none */
+    int file;      /* the file, or the connection to the process; -1: none */
+    pid_t process; /* 0: no process */
     bool failed;
 };
 
-/* As fopen and fwrite without a buffer, and fclose. False with errno set; closing fails only if
- * nothing did before. */
+/* Like fopen, unbuffered fwrite, and fclose. They return false with errno set on failure;
+ * packer_close fails only if nothing failed before. */
 bool packer_open(struct packer *packer, const char *name);
 bool packer_put(struct packer *packer, const char *bytes, size_t size);
 bool packer_close(struct packer *packer);

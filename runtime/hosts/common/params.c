@@ -16,7 +16,7 @@ void params_close(struct params *params)
     params->set = NULL;
 }
 
-/* What there is, for a message. */
+/* Appends the names of the program's parameters, for a message. */
 static void list(const struct frob_program *program, char *why, size_t length)
 {
     const char *before = "; the program has";
@@ -39,7 +39,7 @@ static void describe(const struct frob_param *param, char *text, size_t size)
         snprintf(text, size, "a %snumber of %s", kind == FROB_INT ? "whole " : "", param->unit);
 }
 
-/* The number and what stands in brackets behind it, apart. */
+/* Splits the text into the number and the unit in brackets after it. */
 static bool take_apart(const char *text, char *number, size_t size, const char **unit)
 {
     const size_t length = strcspn(text, "[");
@@ -95,7 +95,7 @@ static enum params_result read_value(struct params *params, size_t i, const char
     bool ok = take_apart(text, number, sizeof number, &unit);
     describe(param, expected, sizeof expected);
     if (ok && !is_unit_of(param, unit)) {
-        snprintf(why, PARAMS_WHY, "the parameter `%s` is %s, and `%s` is of another unit",
+        snprintf(why, PARAMS_WHY, "the parameter `%s` is %s, but `%s` has another unit",
                  param->name, expected, text);
         return PARAMS_WRONG;
     }
@@ -110,7 +110,8 @@ static enum params_result read_value(struct params *params, size_t i, const char
     return PARAMS_SET;
 }
 
-/* The number of the parameter that a setting names; the count of all if there is none. */
+/* Returns the index of the parameter that a setting names; the number of parameters if there is
+ * none. */
 static size_t find(const struct frob_program *program, const char *setting)
 {
     const size_t length = strcspn(setting, "=");
@@ -121,7 +122,7 @@ static size_t find(const struct frob_program *program, const char *setting)
     return i;
 }
 
-/* The value of a parameter that was set by option, and another in the recording. */
+/* Handles a parameter that an option has set, when the recording contains a value for it too. */
 static enum params_result keep(const struct params *params, size_t i, const char *text, char *why)
 {
     struct frob_text now;
@@ -130,7 +131,8 @@ static enum params_result keep(const struct params *params, size_t i, const char
     params_write(&now, &params->program->params[i], params->values);
     if (strcmp(room, text) == 0)
         return PARAMS_SET;
-    snprintf(why, PARAMS_WHY, "the parameter `%s` is %s, as the option says, and was %.100s",
+    snprintf(why, PARAMS_WHY,
+             "the parameter `%s` is %s, as set by the option, but it was %.100s in the recording",
              params->program->params[i].name, room, text);
     return PARAMS_KEPT;
 }
@@ -141,7 +143,7 @@ enum params_result params_read(struct params *params, const char *setting, char 
     const size_t length = strcspn(setting, "=");
     int written;
     if (setting[length] == '\0') {
-        snprintf(why, PARAMS_WHY, "a parameter is set by NAME=VALUE, not `%.100s`", setting);
+        snprintf(why, PARAMS_WHY, "write a parameter as NAME=VALUE, not `%.100s`", setting);
         return PARAMS_WRONG;
     }
     if (i < params->program->param_count)
@@ -158,7 +160,7 @@ static bool set(struct params *params, const char *setting)
 {
     char why[PARAMS_WHY];
     const size_t i = find(params->program, setting);
-    params->set[i] = false; /* the last option counts */
+    params->set[i] = false; /* the last option wins */
     if (params_read(params, setting, why) != PARAMS_SET) {
         fprintf(stderr, "error: %s\n", why);
         return false;
@@ -195,11 +197,11 @@ bool params_recorded(struct params *params, const char *name, const char *line)
     case PARAMS_UNKNOWN: fprintf(stderr, "warning: %s: %s\n", name, why); return true;
     case PARAMS_WRONG: break;
     }
-    fprintf(stderr, "error: %s: %s; `--param` sets it whatever was recorded\n", name, why);
+    fprintf(stderr, "error: %s: %s; to override the recorded value, use `--param`\n", name, why);
     return false;
 }
 
-/* As few digits as are read back as the same number. */
+/* Writes the fewest digits that read back as the same number. */
 static void write_number(struct frob_text *text, const struct frob_param *param, const void *values)
 {
     const bool is_double = param->value->kind == FROB_FLOAT;

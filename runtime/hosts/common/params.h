@@ -1,5 +1,5 @@
-/* params.h -- the values of a program's parameters in a run: those that it has by
- * default, those that a recording was made with, and those that are set. */
+/* params.h -- the values of a program's parameters in a run: defaults, values from a recording, and
+ * values set by options. */
 #ifndef FROB_HOST_PARAMS_H
 #define FROB_HOST_PARAMS_H
 
@@ -10,44 +10,45 @@
 
 struct params {
     const struct frob_program *program;
-    void *values; /* what the program's reset and step take */
-    bool *set;    /* by option, which a recording does not change */
+    void *values; /* passed to the program's reset and step */
+    bool *set;    /* set by an option, so recordings do not change it */
 };
 
-/* By default, but for those that options set: each NAME=NUMBER, or NAME=NUMBER[UNIT] with the
- * parameter's own unit. False without memory or with a wrong option, with a line on standard
- * error; close it then, too. */
+/* Starts with the defaults and applies the options, each NAME=NUMBER, or NAME=NUMBER[UNIT] with the
+ * parameter's own unit. If memory runs out or an option is wrong, prints a line on standard error
+ * and returns false; call params_close in this case too. */
 bool params_open(struct params *params, const struct frob_program *program,
                  const char *const *options, size_t count);
 void params_close(struct params *params);
 
-/* What can be wrong with a setting, in a sentence. */
+/* Size of a message about a wrong setting. */
 enum { PARAMS_WHY = 1000 };
 
 enum params_result {
     PARAMS_SET,
-    PARAMS_KEPT,    /* it is set by option, and another value was recorded */
+    PARAMS_KEPT,    /* an option has set it, to another value than the recording */
     PARAMS_UNKNOWN, /* the program has no such parameter */
-    PARAMS_WRONG    /* it has, and the text is no value of it, or of another unit */
+    PARAMS_WRONG    /* the text is not a value of the parameter, or has another unit */
 };
 
-/* What was recorded, in the form of an option; `why` has room for PARAMS_WHY. */
+/* Reads a recorded value, in the form of an option; `why` has room for PARAMS_WHY. */
 enum params_result params_read(struct params *params, const char *setting, char *why);
 
-/* What a line before the header of a recording called `name` says, if it says something of
- * a parameter. A parameter that the program has not, or that an option has set to something
- * else, is told by a warning. False, with a line on standard error, for what is no value. */
+/* Reads a line before the header of the recording `name`, if the line is about a parameter. Prints
+ * a warning if the program has no such parameter, or if an option has set it to another value. If
+ * the text is not a value, prints a line on standard error and returns false. */
 bool params_recorded(struct params *params, const char *name, const char *line);
 
-/* The number of a parameter, as it would be read; the unit comes after it in brackets. */
+/* Appends the parameter's number in the form that params_read accepts, without the unit in
+ * brackets. */
 void params_write(struct frob_text *text, const struct frob_param *param, const void *values);
 
-/* A recording begins with a line for each parameter, as `# param kTurn=4[1/m]`. The
- * functions tell how long such lines are, and write them. */
+/* A recording begins with a line for each parameter, such as `# param kTurn=4[1/m]`. params_room
+ * returns the maximum length of these lines, and params_head appends them. */
 size_t params_room(const struct frob_program *program);
 void params_head(struct frob_text *text, const struct frob_program *program, const void *values);
 
-/* Of a line of a recording: its setting, or NULL if it is another. */
+/* Returns the setting in a line of a recording; NULL if the line is not about a parameter. */
 const char *params_of_line(const char *line);
 
 #endif

@@ -1,5 +1,6 @@
 #include "publisher.h"
 
+#include "child.h"
 #include "frames.h"
 
 #include <frob/camera.h>
@@ -10,20 +11,24 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
-#define PATIENCE_NS INT64_C(2000000000) /* with a viewer that is not heard */
+#define PATIENCE_NS INT64_C(2000000000) /* how long to wait for a silent viewer */
 
 static void warn(const char *what)
 {
-    fprintf(stderr, "warning: this run cannot be looked at: %s: %s; it goes on without\n", what,
-            strerror(errno));
+    fprintf(stderr, "warning: this run cannot be viewed: %s: %s; it continues without a viewer\n",
+            what, strerror(errno));
 }
 
-/* The process: as a shell would start it. */
-static void become(char **command, int file)
+/* In the child: executes the viewer with the signal mask and descriptors that a shell would give
+ * it. */
+static void become(char **command, int file, pid_t host)
 {
     sigset_t none;
+    child_ends_with(host, SIGTERM);
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
     fcntl(file, F_SETFD, 0);
@@ -32,8 +37,10 @@ static void become(char **command, int file)
     _exit(2);
 }
 
-static bool start(const struct ring *ring, char *const *viewer)
+/* Returns the viewer's process id, or a number below 1. */
+static pid_t start(const struct ring *ring, char *const *viewer)
 {
+    const pid_t host = getpid();
     size_t count = 0;
     char number[16];
     char **command;
@@ -42,7 +49,7 @@ static bool start(const struct ring *ring, char *const *viewer)
         count++;
     command = (char **)calloc(count + 3, sizeof *command);
     if (command == NULL)
-        return false;
+        return -1;
     snprintf(number, sizeof number, "%d", ring->file);
     command[0] = viewer[0];
     command[1] = (char *)"--ring";
@@ -51,9 +58,9 @@ static bool start(const struct ring *ring, char *const *viewer)
     fflush(NULL);
     child = fork();
     if (child == 0)
-        become(command, ring->file);
+        become(command, ring->file, host);
     free(command);
-    return child > 0;
+    return child;
 }
 
 void publisher_start(struct publisher *p, const struct frob_program *program, size_t truth_size,
@@ -67,13 +74,18 @@ void publisher_start(struct publisher *p, const struct frob_program *program, si
     p->program = program;
     if (frames_has_images(program->input) &&
         (p->input = (unsigned char *)malloc(program->input_size)) == NULL) {
-        warn("its frames");
+        warn("no memory for its frames");
         return;
     }
     if (!ring_make(&p->ring, &sizes, permissions)) {
-        warn("there is no shared memory");
-    } else if (!start(&p->ring, viewer)) {
-        warn("no process can be started");
+        warn("cannot create shared memory");
+        return;
+    }
+    ring_show_alive(&p->ring);
+    p->viewer = start(&p->ring, viewer);
+    if (p->viewer <= 0) {
+        warn("cannot start a process");
+        p->viewer = 0;
         ring_close(&p->ring);
     }
 }
@@ -107,10 +119,75 @@ bool publisher_is_heard(struct publisher *p, int64_t now_ns)
     return p->heard_ns != 0 && now_ns - p->heard_ns < PATIENCE_NS;
 }
 
-void publisher_end(struct publisher *p)
+void publisher_end(struct publisher *p, enum ring_fate fate)
 {
-    ring_end(&p->ring);
-    ring_close(&p->ring);
+    ring_end(&p->ring, fate);
     free(p->input);
     p->input = NULL;
+}
+
+static int64_t clock_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
+}
+
+/* Waits for a signal of the set, or for a fifth of a second. */
+static int next_signal(const sigset_t *set)
+{
+    static const struct timespec moment = { 0, 200000000 };
+    return sigtimedwait(set, NULL, &moment);
+}
+
+static bool has_ended(struct publisher *p)
+{
+    if (p->viewer > 0 && waitpid(p->viewer, NULL, WNOHANG) != 0)
+        p->viewer = 0;
+    return p->viewer == 0;
+}
+
+/* Closes the output streams, so that their readers need not wait until the page is closed. */
+static void tell_that_it_stays(void)
+{
+    const int null = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (isatty(STDERR_FILENO))
+        fprintf(stderr,
+                "The run is over. Its page stays open until you close it or press Ctrl-C.\n");
+    fflush(NULL);
+    if (null >= 0) {
+        dup2(null, STDOUT_FILENO);
+        dup2(null, STDERR_FILENO);
+        close(null);
+    }
+}
+
+void publisher_leave(struct publisher *p, bool is_wanted)
+{
+    enum { TELLS_AFTER = 3, GOES_WITHIN = 10, BEGINS_WITHIN = 50 }; /* in fifths of a second */
+    sigset_t awaited;
+    sigemptyset(&awaited);
+    sigaddset(&awaited, SIGCHLD);
+    sigaddset(&awaited, SIGINT);
+    sigaddset(&awaited, SIGTERM);
+    sigaddset(&awaited, SIGHUP);
+    sigprocmask(SIG_BLOCK, &awaited, NULL);
+    for (int waited = 0; is_wanted && !has_ended(p); waited++) {
+        const int number = next_signal(&awaited);
+        const bool is_heard =
+            publisher_is_heard(p, clock_ns()) || (p->heard_ns == 0 && waited < BEGINS_WITHIN);
+        is_wanted = (number < 0 || number == SIGCHLD) && is_heard;
+        if (waited == TELLS_AFTER)
+            tell_that_it_stays();
+    }
+    if (p->viewer > 0)
+        kill(p->viewer, SIGTERM);
+    for (int waited = 0; waited < GOES_WITHIN && !has_ended(p); waited++)
+        next_signal(&awaited);
+    if (p->viewer > 0) {
+        kill(p->viewer, SIGKILL);
+        waitpid(p->viewer, NULL, 0);
+        p->viewer = 0;
+    }
+    ring_close(&p->ring);
 }

@@ -1,7 +1,7 @@
-/* publisher.h -- a run that can be looked at: the memory that it is published in, and the
- * viewer, a process of its own.
+/* publisher.h -- publishes a run so that it can be viewed: the shared memory, and the viewer, which
+ * is a separate process.
  *
- * Whether the viewer looks, is slow, was stopped, or has ended makes no difference to the run. */
+ * The run does not depend on whether the viewer reads, is slow, was stopped or has ended. */
 #ifndef FROB_HOST_PUBLISHER_H
 #define FROB_HOST_PUBLISHER_H
 
@@ -9,31 +9,39 @@
 
 #include <frob/program.h>
 
+#include <sys/types.h>
+
 struct publisher {
-    struct ring ring; /* without memory: nobody is to look */
+    pid_t viewer;     /* 0: none */
+    struct ring ring; /* no memory: no viewer */
     const struct frob_program *program;
-    unsigned char *input; /* of a program with images, room for one that another process can
-                           * read; else NULL */
-    uint32_t beats;       /* the last of the viewer's that was heard … */
-    int64_t heard_ns;     /* … at this time */
+    unsigned char *input; /* if the program has images, a copy of the input that another process
+                           * can read; else NULL */
+    uint32_t beats;       /* last heartbeat of the viewer */
+    int64_t heard_ns;     /* when it was last heard */
 };
 
-/* Starts the viewer, a command that ends with NULL, with `--ring NUMBER` before its other
- * arguments; NULL: nobody is to look. `truth_size`, `permissions`: see ring.h. If it cannot be
- * started there is a warning, and the run goes on. */
+/* Starts the viewer: a NULL-terminated command, to which `--ring NUMBER` is added before its other
+ * arguments; NULL: no viewer. `truth_size`, `permissions`: see ring.h. If the viewer cannot be
+ * started, prints a warning, and the run continues without it. */
 void publisher_start(struct publisher *p, const struct frob_program *program, size_t truth_size,
                      unsigned permissions, char *const *viewer);
 
-/* Publishes the next instant. An image is, in place of its address, the key of its frame
- * (frames.h), which is in a file beside the recording by now. */
+/* Publishes the next instant. The address of an image is replaced by the key of its frame
+ * (frames.h), which must already be in a file next to the recording. */
 void publisher_put(struct publisher *p, int64_t time_ns, const void *input, const void *output,
                    const void *truth);
 
-/* Whether the viewer was heard of within the last seconds, so that what it has set still
- * counts. */
+/* Returns whether the viewer was heard within the last two seconds, so that its settings still
+ * apply. */
 bool publisher_is_heard(struct publisher *p, int64_t now_ns);
 
-/* The run is over. */
-void publisher_end(struct publisher *p);
+/* Reports that the run is over, with this result for the robot. */
+void publisher_end(struct publisher *p, enum ring_fate fate);
+
+/* Ends the viewer, after publisher_end, so that no process keeps running. If `is_wanted`, first
+ * waits while a page is open; SIGINT, SIGTERM or SIGHUP ends the wait, and so does a viewer that
+ * hangs. Call it when the run's results are written and its line is closed. */
+void publisher_leave(struct publisher *p, bool is_wanted);
 
 #endif

@@ -45,7 +45,7 @@ bool record_open(struct record *r, const struct frob_program *program, const voi
     return write_text(r);
 }
 
-/* In the context the writer; its folder is gone when one could not be written. */
+/* Writes a frame; `context` is the frame writer. On failure closes it, which frees its folder. */
 static void put_frame(void *context, const struct frob_image **image)
 {
     struct frame_writer *frames = (struct frame_writer *)context;
@@ -53,7 +53,8 @@ static void put_frame(void *context, const struct frob_image **image)
         frame_writer_close(frames);
 }
 
-/* False if one cannot be written; no other is then. */
+/* Writes the frames of an input. Returns false if one cannot be written; then no more are
+ * written. */
 static bool put_frames(struct record *r, void *in)
 {
     if (r->frames.folder == NULL)
@@ -70,6 +71,15 @@ bool record_row(struct record *r, int64_t time_ns, void *in, const void *out)
         return false;
     frob_trace_row(&r->text, r->program, FROB_TRACE_IN | FROB_TRACE_OUT, time_ns, in, out);
     return write_text(r);
+}
+
+void record_report_interruption(const char *name, double time_s)
+{
+    fprintf(stderr, "interrupted at %.3f s: the summary covers the run until then", time_s);
+    if (name != NULL)
+        fprintf(stderr, ", and so does %s", name);
+    fprintf(stderr, "; run the same command to start again%s\n",
+            name != NULL ? " and overwrite that file" : "");
 }
 
 bool record_close(struct record *r)

@@ -1,8 +1,8 @@
-/* record.h -- writes a run as a CSV trace, with inputs and outputs.
+/* record.h -- records a run as a CSV trace, with inputs and outputs.
  *
- * Each row goes to the file as a whole, at once: a host that is killed loses
- * no row that was complete, nor does one whose recording is compressed (packed.h). Frames of cameras are written before the row that names them
- * (frames.h). */
+ * Each row is written to the file immediately and as a whole, so a host that is killed loses no
+ * complete row, even if the recording is compressed (packed.h). Camera frames are written before
+ * the row that names them (frames.h). */
 #ifndef FROB_HOST_RECORD_H
 #define FROB_HOST_RECORD_H
 
@@ -17,19 +17,22 @@
 struct record {
     const struct frob_program *program;
     const char *name;
-    struct packer file; /* none: nothing is recorded */
+    struct packer file; /* none if nothing is recorded */
     char *buffer;
     struct frob_text text;
     struct frame_writer frames;
 };
 
-/* Opens the file and writes the values of the parameters, if the program has any, and the
- * header; without a name nothing is recorded.
- * The functions return false when it cannot be written, with a line on
- * standard error. */
+/* Opens the file, and writes the values of the parameters, if the program has any, and the header.
+ * If `name` is NULL, nothing is recorded. These functions print a line on standard error and return
+ * false if the file cannot be written. */
 bool record_open(struct record *r, const struct frob_program *program, const void *params,
                  const char *name);
 bool record_row(struct record *r, int64_t time_ns, void *in, const void *out);
 bool record_close(struct record *r);
+
+/* Prints what was saved of a run that the user interrupted after `time_s`, and how to continue.
+ * `name` is the recording's, or NULL. */
+void record_report_interruption(const char *name, double time_s);
 
 #endif

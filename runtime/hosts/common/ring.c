@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -10,25 +11,27 @@
 #include <unistd.h>
 
 #define MAGIC UINT64_C(0x46726f6252696e31) /* "FrobRin1" */
-#define MOST_BYTES (4u << 20)              /* of all slots */
+#define MOST_BYTES (4u << 20)              /* maximum size of all slots together */
 #define MOST_SLOTS 8192u
 #define LEAST_SLOTS 16u
-#define LINE 64 /* bytes that processors hand over at a time */
+#define LINE 64 /* bytes of a processor's cache line */
 
-/* Each part in lines of its own, so that nobody waits for the other's. */
+/* The host's part and the reader's part are in separate cache lines, to avoid false sharing. */
 struct ring_shared {
     uint64_t magic;
-    uint32_t slots, words; /* a power of two; of a slot, without its number */
+    uint32_t slots, words; /* number of slots, a power of two; words of data per slot */
     struct ring_sizes sizes;
     uint32_t permissions;
     unsigned char gap[LINE];
 
-    uint64_t published; /* the host writes these */
+    uint64_t published; /* written by the host */
     uint32_t ended;
     uint32_t taken;
+    uint32_t fate, late;
+    int64_t alive_ns; /* last heartbeat of the host (CLOCK_MONOTONIC); 0: none yet */
     unsigned char gap_after_host[LINE];
 
-    uint32_t beats; /* the reader writes these */
+    uint32_t beats; /* written by the reader */
     uint32_t stop, paused, steps;
     uint32_t speed; /* in thousandths */
     uint32_t sent;
@@ -51,7 +54,7 @@ static size_t size_of(size_t slots, size_t words)
     return sizeof(struct ring_shared) + slots * (words + 1) * sizeof(uint64_t);
 }
 
-/* The number of a slot, which its words follow. */
+/* Returns the sequence number of a slot; the slot's words follow it. */
 static uint64_t *slot_of(const struct ring *ring, uint64_t k)
 {
     uint64_t *slots = (uint64_t *)(ring->shared + 1);
@@ -60,7 +63,7 @@ static uint64_t *slot_of(const struct ring *ring, uint64_t k)
 
 /* {1 Making and mapping} */
 
-/* Shared memory that has no name any more. */
+/* Opens shared memory and unlinks its name. */
 static int open_memory(void)
 {
     for (unsigned attempt = 0; attempt < 100; attempt++) {
@@ -105,7 +108,7 @@ bool ring_make(struct ring *ring, const struct ring_sizes *sizes, unsigned permi
         errno = why;
         return false;
     }
-    mlock(ring->shared, ring->size); /* if it may be */
+    mlock(ring->shared, ring->size); /* if permitted */
     memset(ring->shared, 0, ring->size);
     ring->shared->slots = slots;
     ring->shared->words = (uint32_t)words;
@@ -148,8 +151,8 @@ void ring_close(struct ring *ring)
 
 /* {1 Instants} */
 
-/* Words are stored and loaded each as a whole, so that reading what is just being written is
- * no fault of the program, only to be thrown away. */
+/* Words are stored and loaded atomically, so that reading a slot that is being written is not a
+ * data race; the reader discards the result. */
 static uint64_t *put(uint64_t *to, const void *from, size_t size)
 {
     const unsigned char *bytes = (const unsigned char *)from;
@@ -197,6 +200,7 @@ void ring_publish(struct ring *ring, int64_t time_ns, const void *input, const v
     ring->published++;
     __atomic_store_n(number, 2 * ring->published, __ATOMIC_RELEASE);
     __atomic_store_n(&ring->shared->published, ring->published, __ATOMIC_RELEASE);
+    ring_show_alive(ring);
 }
 
 enum ring_status ring_read(const struct ring *ring, uint64_t k, int64_t *time_ns, void *input,
@@ -232,10 +236,65 @@ static void store(uint32_t *word, uint32_t value)
     __atomic_store_n(word, value, __ATOMIC_RELEASE);
 }
 
-void ring_end(struct ring *ring)
+void ring_stopping(struct ring *ring)
 {
     if (ring->shared != NULL)
-        store(&ring->shared->ended, 1);
+        store(&ring->shared->fate, RING_STOPPING);
+}
+
+void ring_end(struct ring *ring, enum ring_fate fate)
+{
+    if (ring->shared == NULL)
+        return;
+    store(&ring->shared->fate, (uint32_t)fate); /* readers that see the end also see the fate */
+    store(&ring->shared->ended, 1);
+}
+
+enum ring_fate ring_fate(const struct ring *ring)
+{
+    const uint32_t fate = load(&ring->shared->fate);
+    return fate <= RING_NOT_REACHED ? (enum ring_fate)fate : RING_GOES_ON;
+}
+
+static int64_t clock_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
+}
+
+void ring_show_alive(struct ring *ring)
+{
+    struct ring_shared *shared = ring->shared;
+    int64_t now_ns, before_ns;
+    if (shared == NULL)
+        return;
+    now_ns = clock_ns();
+    before_ns = shared->alive_ns;
+    if (before_ns != 0 && now_ns - before_ns > RING_PATIENCE_NS) {
+        const uint32_t sent = load(&shared->sent);
+        if (shared->taken != sent)
+            store(&shared->late, shared->late + 1);
+        store(&shared->taken, sent);
+        ring->freezes++;
+    }
+    __atomic_store_n(&shared->alive_ns, now_ns, __ATOMIC_RELEASE);
+}
+
+void ring_drop_late(struct ring *ring)
+{
+    store(&ring->shared->late, load(&ring->shared->late) + 1);
+}
+
+uint32_t ring_late(const struct ring *ring)
+{
+    return load(&ring->shared->late);
+}
+
+double ring_silence_s(const struct ring *ring)
+{
+    const int64_t alive_ns = __atomic_load_n(&ring->shared->alive_ns, __ATOMIC_ACQUIRE);
+    return alive_ns == 0 ? (double)INFINITY : (double)(clock_ns() - alive_ns) / 1e9;
 }
 
 bool ring_has_ended(const struct ring *ring)

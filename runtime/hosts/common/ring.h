@@ -1,15 +1,16 @@
-/* ring.h -- memory that a running host shares with who looks on.
+/* ring.h -- memory that a running host shares with viewers.
  *
- * One writer, the host, publishes each instant in a slot; the oldest is overwritten. A
- * number in front of each slot says what is in it, and is odd while that is being written (a
- * sequence lock), so a reader knows when it has read something torn, and the writer never
- * knows of readers: no system call, no lock, no allocation, no wait. The other way go a few
- * words (a stop, a pause, a speed) and a bounded queue of events, of one writer too.
+ * There is one writer, the host, which publishes each instant in a slot and overwrites the oldest
+ * one. A sequence number in front of each slot identifies its contents, and is odd while they are
+ * being written (a sequence lock). So a reader detects an inconsistent read, and the writer does
+ * not depend on readers: it makes no system call, takes no lock, allocates nothing and never waits.
+ * In the other direction there are a few words (stop, pause, speed) and a bounded queue of events,
+ * also with a single writer.
  *
- * What a reader writes can make nothing worse than a run that ends, stands, or takes other
- * events: all of it is checked where it is read.
+ * All data from a reader is validated where it is read. The worst that it can do is to end or pause
+ * the run, or to send other events.
  *
- * How long an instant is comes from the times of two, as in a recording. */
+ * The duration of an instant is the difference of two times, as in a recording. */
 #ifndef FROB_HOST_RING_H
 #define FROB_HOST_RING_H
 
@@ -17,18 +18,17 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Of an instant, in bytes. */
+/* Sizes of the data of an instant, in bytes. */
 struct ring_sizes {
-    uint32_t input, output; /* of the program's structs */
-    uint32_t truth;         /* of what a simulator knows besides; 0: nothing */
+    uint32_t input, output; /* sizes of the program's structs */
+    uint32_t truth;         /* size of what only a simulator knows; 0: nothing */
 };
 
-/* What happened on a console. */
+/* Operator input. */
 enum ring_event_kind {
     RING_KEY = 1,   /* `id` is its character code */
-    RING_TOUCH = 2, /* of number `id` on the program's console: see frob_console_touch */
-    RING_HOLD = 3   /* likewise, of a button that is held; `y` is when, in seconds of
-                     * CLOCK_MONOTONIC */
+    RING_TOUCH = 2, /* `id` is an index in the program's console: see frob_console_touch */
+    RING_HOLD = 3   /* the same for a held button; `y` is the time in seconds of CLOCK_MONOTONIC */
 };
 
 struct ring_event {
@@ -36,70 +36,96 @@ struct ring_event {
     double x, y;
 };
 
-#define RING_EVENTS 64 /* that wait, at most */
+#define RING_EVENTS 64 /* maximum number of pending events */
 
-/* What looks on may do besides. */
+/* Additional permissions of viewers. */
 enum ring_permission {
-    RING_PACES = 1, /* pause the run, step it, and set its speed */
+    RING_PACES = 1, /* pause the run, single-step it and set its speed */
     RING_SENDS = 2  /* send events */
 };
 
 struct ring_shared;
 
 struct ring {
-    struct ring_shared *shared; /* NULL: there is none */
+    struct ring_shared *shared; /* NULL: none */
     int file;
     size_t size;
     struct ring_sizes sizes;
-    uint64_t published; /* by this process */
+    uint64_t published; /* number of instants published by this process */
+    uint32_t freezes;   /* number of times that this process, as the host, was frozen */
 };
 
 /* {1 The host's side} */
 
-/* Makes one, with all of its memory touched. False with errno set. */
+/* Creates a ring and touches all of its memory. Returns false with errno set on failure. */
 bool ring_make(struct ring *ring, const struct ring_sizes *sizes, unsigned permissions);
 
-/* Publishes the next instant. `truth` may be NULL if there is none. */
+/* Publishes the next instant. `truth` may be NULL if its size is 0. */
 void ring_publish(struct ring *ring, int64_t time_ns, const void *input, const void *output,
                   const void *truth);
 
-/* No more instants will come. */
-void ring_end(struct ring *ring);
+/* State of the run, as reported by its host. A page says that a robot has stopped only if the
+ * host has reported it here. */
+enum ring_fate {
+    RING_GOES_ON,
+    RING_STOPPING,   /* the host is ending the run and sends the stop command */
+    RING_AT_REST,    /* the run is over, and the robot was seen to stand still */
+    RING_TOLD,       /* over; the stop was sent, but the robot was not seen to stand still */
+    RING_NOT_REACHED /* over; the stop could not be sent */
+};
 
-/* Whether the run is to be stopped. */
+/* Reports that the host is ending the run. */
+void ring_stopping(struct ring *ring);
+
+/* Reports that no more instants will come, with this result for the robot. */
+void ring_end(struct ring *ring, enum ring_fate fate);
+
+/* Updates the host's heartbeat, which tells readers that the host would obey a stop now. A host
+ * calls this at least ten times a second, whether or not it publishes instants. If it has not done
+ * so for RING_PATIENCE_NS, it was frozen, so pending events are stale: this drops them and counts
+ * them as late. It also counts the freeze, for those who hold events that they have taken. */
+#define RING_PATIENCE_NS INT64_C(500000000)
+void ring_show_alive(struct ring *ring);
+
+/* Returns whether a viewer has requested the run to stop. */
 bool ring_is_stopped(const struct ring *ring);
 
-/* How the run is to go on. */
+/* How a viewer wants the run to proceed. */
 struct ring_pace {
-    uint32_t beats; /* the reader is there while this goes on */
+    uint32_t beats; /* changes as long as the reader is alive */
     bool paused;
-    uint32_t steps; /* instants that it is to take while paused, since the beginning */
-    double speed;   /* of a clock on the wall, 0.1 to 100 */
+    uint32_t steps; /* total number of instants to take while paused */
+    double speed;   /* relative to real time, 0.1 to 100 */
 };
 struct ring_pace ring_pace(const struct ring *ring);
 
-/* Takes the oldest event that waits; false if none does. */
+/* Takes the oldest pending event. Returns false if there is none. */
 bool ring_take(struct ring *ring, struct ring_event *event);
 
 /* {1 The reader's side} */
 
-/* Maps the ring behind a file descriptor. False if it is none. */
+/* Maps the ring behind a file descriptor. Returns false if it is not a ring. */
 bool ring_attach(struct ring *ring, int file);
 
-/* How many instants were published: the newest is one less. */
+/* Returns the number of published instants; the index of the newest is one less. */
 uint64_t ring_count(const struct ring *ring);
 
 enum ring_status { RING_READ, RING_NOT_YET, RING_OVERWRITTEN };
 
-/* Copies instant `k`, in what there is room for (see ring_sizes). Only with RING_READ the
- * bytes are its. */
+/* Copies instant `k` to the buffers, which have the sizes in ring_sizes. Their contents are valid
+ * only if it returns RING_READ. */
 enum ring_status ring_read(const struct ring *ring, uint64_t k, int64_t *time_ns, void *input,
                            void *output, void *truth);
 
 bool ring_has_ended(const struct ring *ring);
+enum ring_fate ring_fate(const struct ring *ring);
+
+/* Seconds since the host's last heartbeat; infinite before the first one. */
+double ring_silence_s(const struct ring *ring);
+
 bool ring_permits(const struct ring *ring, enum ring_permission permission);
 
-/* To be called several times a second. */
+/* Updates the reader's heartbeat. Call it several times a second. */
 void ring_beat(struct ring *ring);
 
 void ring_stop(struct ring *ring);
@@ -107,7 +133,13 @@ void ring_pause(struct ring *ring, bool paused);
 void ring_step(struct ring *ring);
 void ring_set_speed(struct ring *ring, double speed); /* 0.1 to 100 */
 
-/* False if the queue is full. */
+/* Reports that the host has dropped an event that it had taken before a freeze. */
+void ring_drop_late(struct ring *ring);
+
+/* Number of times that the host has dropped stale events. */
+uint32_t ring_late(const struct ring *ring);
+
+/* Queues an event. Returns false if the queue is full. */
 bool ring_send(struct ring *ring, const struct ring_event *event);
 
 /* {1 Both} */

@@ -1,13 +1,19 @@
-/* seconds.h -- the time of an instant, as a trace writes it. */
+/* seconds.h -- reads the time of an instant in a trace. */
 #ifndef FROB_HOST_SECONDS_H
 #define FROB_HOST_SECONDS_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Seconds as whole nanoseconds, exactly, rounded half away from zero; in
- * decimal arithmetic, for a double has too few digits for a year of them. False
- * if the text is no number of seconds, or beyond 10^9 of them. */
+/* Maximum time; times since 1970 reach it in the year 2096. */
+#define MOST_SECONDS INT64_C(4000000000)
+
+/* Converts seconds to whole nanoseconds, exactly, rounding half away from zero. It uses decimal
+ * arithmetic, because a double has too few digits for a year of nanoseconds. Returns false if the
+ * text is not a number of seconds, or exceeds MOST_SECONDS. */
 bool seconds_read(const char *text, int64_t *result);
+
+/* A hint for the error message about a rejected text: that it exceeds the limit, or empty. */
+const char *seconds_too_far(const char *text);
 
 #endif

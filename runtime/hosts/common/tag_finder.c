@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is called of the library. */
+/* The functions of the library that are used. */
 static struct {
     void *object;
     void *(*make_family)(void);
@@ -19,7 +19,7 @@ static struct {
     void (*destroy_found)(struct apriltag_array *);
 } library;
 
-/* A function's address is no pointer to data for ISO C; POSIX has it that way. */
+/* ISO C does not convert a data pointer to a function pointer; POSIX allows it. */
 static bool find(const char *name, void *function)
 {
     void *address = dlsym(library.object, name);
@@ -33,11 +33,10 @@ static bool load(void)
         return true;
     library.object = dlopen(APRILTAG_LIBRARY, RTLD_NOW | RTLD_LOCAL);
     if (library.object == NULL) {
-        fprintf(
-            stderr,
-            "error: this program looks for tags, and the library that finds them, " APRILTAG_LIBRARY
-            ", is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); a "
-            "recording is run again without it\n");
+        fprintf(stderr,
+                "error: this program detects tags, but the library for that, " APRILTAG_LIBRARY
+                ", is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); "
+                "replaying a recording does not need it\n");
         return false;
     }
     if (find("tag36h11_create", &library.make_family) &&
@@ -48,7 +47,8 @@ static bool load(void)
         find("apriltag_detector_detect", &library.detect) &&
         find("apriltag_detections_destroy", &library.destroy_found))
         return true;
-    fprintf(stderr, "error: " APRILTAG_LIBRARY " is not the AprilTag library that is known here\n");
+    fprintf(stderr,
+            "error: " APRILTAG_LIBRARY " is not a supported version of the AprilTag library\n");
     dlclose(library.object);
     library.object = NULL;
     return false;
@@ -63,7 +63,7 @@ bool tag_finder_open(struct tag_finder *finder)
     finder->family = library.make_family();
     finder->detector = library.make_detector();
     if (finder->family == NULL || finder->detector == NULL) {
-        fprintf(stderr, "error: not enough memory to look for tags\n");
+        fprintf(stderr, "error: not enough memory to detect tags\n");
         return false;
     }
     memcpy(&settings, finder->detector, sizeof settings);
@@ -84,9 +84,9 @@ void tag_finder_close(struct tag_finder *finder)
     memset(finder, 0, sizeof *finder);
 }
 
-/* How much darker than its white parts a tag's black ones are at least: a sixth of what the whole
- * picture has, so that a dark picture may have less. In what has less contrast the library does not
- * look for a tag. By its own setting, 5, it looks at all that is noise, which takes most of its time. */
+/* Sets the minimum contrast between a tag's white and black parts to a sixth of the contrast of the
+ * whole image, so that it is lower in a dark image. The library ignores areas with less contrast.
+ * Its default, 5, makes it examine all noise, which takes most of its time. */
 static void set_contrast(struct tag_finder *finder, size_t size)
 {
     struct apriltag_settings settings;
@@ -103,7 +103,7 @@ static void set_contrast(struct tag_finder *finder, size_t size)
     memcpy(finder->detector, &settings, sizeof settings);
 }
 
-/* Rows without gaps, as the library wants them. */
+/* Converts the image to grey, in rows without gaps, as the library requires. */
 static bool make_grey(struct tag_finder *finder, const struct frob_image *image)
 {
     const size_t size = (size_t)image->width * (size_t)image->height;
@@ -129,7 +129,7 @@ static bool make_grey(struct tag_finder *finder, const struct frob_image *image)
     return true;
 }
 
-/* Twice the area between the corners. */
+/* Returns twice the area between the corners. */
 static double area(const struct frob_tag *tag)
 {
     const struct frob_vec2 *p = tag->corners;
@@ -142,7 +142,7 @@ static bool comes_before(const struct frob_tag *one, const struct frob_tag *othe
     return a > b || (a >= b && one->id < other->id);
 }
 
-/* At its place among those that are there; the last of too many is dropped. */
+/* Inserts a tag in order. If there are too many, the last one is dropped. */
 static void insert(struct frob_tags *tags, const struct frob_tag *tag)
 {
     size_t at = tags->count;
@@ -166,7 +166,7 @@ bool tag_finder_find(struct tag_finder *finder, const struct frob_image *image,
         image->height < 8)
         return true;
     if (!make_grey(finder, image)) {
-        fprintf(stderr, "error: not enough memory to look for tags\n");
+        fprintf(stderr, "error: not enough memory to detect tags\n");
         return false;
     }
     set_contrast(finder, (size_t)image->width * (size_t)image->height);

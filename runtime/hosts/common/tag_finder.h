@@ -1,8 +1,8 @@
-/* tag_finder.h -- AprilTags in an image, by the library of that name.
+/* tag_finder.h -- finds AprilTags in an image with the AprilTag library.
  *
- * It is loaded when a program asks for tags, and not before: whoever has no such program need not
- * have it. It allocates, and takes milliseconds: for hosts, not for programs. The same image and
- * library give the same tags. */
+ * The library is loaded only if a program uses tags, so it need not be installed otherwise. It
+ * allocates memory and takes milliseconds, so it is called by hosts, not by programs. The same
+ * image and library give the same tags. */
 #ifndef FROB_HOST_TAG_FINDER_H
 #define FROB_HOST_TAG_FINDER_H
 
@@ -12,18 +12,20 @@
 
 struct tag_finder {
     void *detector, *family;
-    uint8_t *grey; /* of the image that is looked at */
+    uint8_t *grey; /* work area: the current image in grey */
     size_t room;
 };
 
-/* For tags of the family 36h11. False, with a line on standard error, without the library. */
+/* Prepares to find tags of the family 36h11. If the library is missing, prints a line on standard
+ * error and returns false. */
 bool tag_finder_open(struct tag_finder *finder);
 
-/* What is in the image, the largest first. False, with a line, without memory. */
+/* Finds the tags in the image, largest first. If memory runs out, prints a line on standard error
+ * and returns false. */
 bool tag_finder_find(struct tag_finder *finder, const struct frob_image *image,
                      struct frob_tags *tags);
 
-/* Of one that is all zeros, too. */
+/* May also be called if the struct is all zero. */
 void tag_finder_close(struct tag_finder *finder);
 
 #endif

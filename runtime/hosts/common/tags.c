@@ -10,8 +10,8 @@ static unsigned char *place(void *base, const struct frob_value *value)
     return (unsigned char *)base + value->offset;
 }
 
-/* Leaf by leaf, in the order in which the library's module Tags has them. Sums are not among
- * them. */
+/* Sets the numeric leaves in the order of their declaration in the library's module Tags. There are
+ * no sums among them. */
 static void set_numbers(void *input, const struct frob_value *value, const double **next)
 {
     if (value->kind == FROB_PRODUCT || value->kind == FROB_ARRAY) {
@@ -22,7 +22,7 @@ static void set_numbers(void *input, const struct frob_value *value, const doubl
     frob_camera_set_number(input, value, *(*next)++);
 }
 
-/* Zeros without an image. */
+/* Sets the lens; all zero if there is no image. */
 static void set_lens(void *input, const struct frob_value *value, const struct frob_image *image)
 {
     struct frob_lens lens;
@@ -40,7 +40,7 @@ static void set_lens(void *input, const struct frob_value *value, const struct f
     }
 }
 
-/* `Just` it, or `Nothing` for NULL; what is behind a tag that is not there is 0. */
+/* Sets `Just tag`, or `Nothing` for NULL, with zeros as its payload. */
 static void set_tag(void *input, const struct frob_value *value, const struct frob_tag *tag)
 {
     struct frob_tag none;

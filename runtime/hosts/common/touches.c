@@ -47,7 +47,8 @@ static bool is_touched(const struct touches *t, size_t control)
     return false;
 }
 
-/* Who holds it says so again and again, with the time: what was long on its way is none. */
+/* Handles a held button. The page repeats this event with its time; an event that was delayed for
+ * too long is ignored. */
 static void hold(struct touches *t, size_t control, double x, double at_s, int64_t now_ns)
 {
     const double age_s = (double)now_ns / 1e9 - at_s;
@@ -60,7 +61,7 @@ static void hold(struct touches *t, size_t control, double x, double at_s, int64
         t->held_until_ns[control] = 0;
 }
 
-/* False if it has to wait for the next instant. */
+/* Takes an event. Returns false if it must wait for the next instant. */
 static bool take(struct touches *t, const struct ring_event *event, int64_t now_ns)
 {
     const struct frob_control *control;
@@ -72,7 +73,7 @@ static bool take(struct touches *t, const struct ring_event *event, int64_t now_
     }
     if ((event->kind != RING_TOUCH && event->kind != RING_HOLD) ||
         event->id >= t->program->control_count || !isfinite(event->x) || !isfinite(event->y))
-        return true; /* nothing that one could take */
+        return true; /* ignore invalid events */
     control = &t->program->console[event->id];
     if ((control->kind == FROB_HOLD) != (event->kind == RING_HOLD))
         return true;
@@ -99,8 +100,14 @@ static void let_go(struct touches *t, int64_t now_ns)
 void touches_take(struct touches *t, struct console *console, struct ring *ring)
 {
     const int64_t now_ns = clock_ns();
+    ring_show_alive(ring); /* drops stale events */
     t->key = console_key(console);
     t->count = 0;
+    if (t->has_waiting && t->freezes != ring->freezes) {
+        t->has_waiting = false;
+        ring_drop_late(ring);
+    }
+    t->freezes = ring->freezes;
     if (t->has_waiting)
         t->has_waiting = !take(t, &t->waiting, now_ns);
     for (size_t i = 0; i < RING_EVENTS && !t->has_waiting && ring_take(ring, &t->waiting); i++)

@@ -1,9 +1,12 @@
-/* touches.h -- what the operator does at an instant: a key, and what is touched on the console
- * of the program.
+/* touches.h -- the operator's input at an instant: a key, and touches of controls on the program's
+ * console.
  *
- * A button and the map have one event in an instant; a second one waits for the next, and so
- * does what came after it. A button that is held has to be heard of again and again: it is let
- * go of 0.3 s after its page, the line to it or the viewer has fallen silent. */
+ * A button and the map have at most one event in an instant; a second one waits for the next
+ * instant, and so do all events after it. A held button must be reported repeatedly: it is released
+ * 0.3 s after its page, the connection or the viewer has fallen silent.
+ *
+ * An event that waits while the host is frozen is stale afterwards: it is dropped and counted as
+ * late, like those in the ring. */
 #ifndef FROB_HOST_TOUCHES_H
 #define FROB_HOST_TOUCHES_H
 
@@ -24,18 +27,19 @@ struct touches {
     int32_t key; /* -1: none */
     size_t count;
     struct touch list[RING_EVENTS + 1];
-    int64_t *held_until_ns;    /* of each control, on the machine's clock; 0: not held */
-    struct ring_event waiting; /* for the next instant … */
-    bool has_waiting;          /* … if there is one */
+    int64_t *held_until_ns;    /* for each control, on CLOCK_MONOTONIC; 0: not held */
+    struct ring_event waiting; /* event for the next instant */
+    bool has_waiting;          /* `waiting` is valid */
+    uint32_t freezes;          /* the ring's freezes when it was taken */
 };
 
-/* False without memory, with a line on standard error. */
+/* Returns false and prints a line on standard error if memory runs out. */
 bool touches_start(struct touches *touches, const struct frob_program *program);
 
-/* Those of the next instant, from the terminal and from who looks on. Does not wait. */
+/* Collects the touches of the next instant, from the terminal and from viewers. Does not wait. */
 void touches_take(struct touches *touches, struct console *console, struct ring *ring);
 
-/* As part of an input. */
+/* Applies them to an input. */
 void touches_apply(const struct touches *touches, void *input);
 
 void touches_end(struct touches *touches);

@@ -1,10 +1,10 @@
-/* truth.h -- what a simulator knows of a robot and the robot does not, for who looks on. */
+/* truth.h -- what a simulator knows about a robot but the robot does not, for viewers. */
 #ifndef FROB_HOST_TRUTH_H
 #define FROB_HOST_TRUTH_H
 
 struct truth {
-    double x_m, y_m, heading_rad; /* in the world */
-    double touches;               /* 1: it touches a wall or another robot; else 0 */
+    double x_m, y_m, heading_rad; /* pose in the world */
+    double touches;               /* 1: touched an object since the previous instant; else 0 */
 };
 
 #endif

@@ -1,5 +1,5 @@
-/* The main program on a board with a Cortex-M: the loop of hosts/board, the
- * timer's interrupt that watches it, and a line for a person now and then. */
+/* The main program on a Cortex-M board: the loop of hosts/board, the timer interrupt that watches
+ * it, and a periodic status line for people. */
 #include "hal/cortex_m/board.h"
 #include "hosts/board/loop.h"
 
@@ -8,7 +8,7 @@
 void board_on_fault(void)
 {
     loop_stop();
-    board_say("fault: the robot was told to stop\n");
+    board_say("fault: sent a stop command to the robot\n");
     for (;;)
         __asm__ volatile("wfi");
 }

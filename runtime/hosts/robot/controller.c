@@ -5,15 +5,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "../common/child.h"
 #include "realtime.h"
 
-/* The process: a step for each message, until the supervisor is gone. */
+/* The controller process: runs a step for each message, until the supervisor is gone. */
 static void serve(const struct controller *c, int socket, const struct params *params)
 {
     const struct frob_program *program = params->program;
@@ -42,8 +42,8 @@ static void serve(const struct controller *c, int socket, const struct params *p
     }
 }
 
-/* Signals from the terminal are the supervisor's to answer. */
-static void leave_signals_to_supervisor(void)
+/* Leaves signals from the terminal to the supervisor. */
+static void leave_signals_to_supervisor(pid_t supervisor)
 {
     sigset_t none;
     signal(SIGINT, SIG_IGN);
@@ -52,7 +52,7 @@ static void leave_signals_to_supervisor(void)
     signal(SIGTERM, SIG_DFL);
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    child_ends_with(supervisor, SIGKILL);
 }
 
 bool controller_start(struct controller *c, const struct params *params,
@@ -60,6 +60,7 @@ bool controller_start(struct controller *c, const struct params *params,
 {
     const struct frob_program *program = params->program;
     int sockets[2];
+    pid_t supervisor;
     size_t room =
         sizeof(double) +
         (program->input_size > program->output_size ? program->input_size : program->output_size);
@@ -73,6 +74,7 @@ bool controller_start(struct controller *c, const struct params *params,
         return false;
     }
     fflush(NULL);
+    supervisor = getpid();
     c->pid = fork();
     if (c->pid < 0) {
         fprintf(stderr, "error: cannot start the controller: %s\n", strerror(errno));
@@ -81,7 +83,7 @@ bool controller_start(struct controller *c, const struct params *params,
     }
     if (c->pid == 0) {
         close(sockets[0]);
-        leave_signals_to_supervisor();
+        leave_signals_to_supervisor(supervisor);
         realtime_apply(options, REALTIME_CONTROLLER);
         serve(c, sockets[1], params);
     }
@@ -115,7 +117,7 @@ const char *controller_end(struct controller *c, int patience_ms)
     pid_t gone = 0;
     if (c->pid == 0)
         return NULL;
-    /* A process that ends closes its socket some time before it is gone. */
+    /* A process closes its socket some time before it can be waited for. */
     for (int ms = 0; gone == 0 && ms <= patience_ms; ms++) {
         static const struct timespec pause = { 0, 1000000 };
         gone = waitpid(c->pid, &status, WNOHANG);
@@ -131,7 +133,7 @@ const char *controller_end(struct controller *c, int patience_ms)
     close(c->socket);
     free(c->message);
     if (WIFSIGNALED(status) && !(gone == 0 && WTERMSIG(status) == SIGKILL))
-        snprintf(fate, sizeof fate, "was ended by signal %d (%s)", WTERMSIG(status),
+        snprintf(fate, sizeof fate, "was killed by signal %d (%s)", WTERMSIG(status),
                  strsignal(WTERMSIG(status)));
     else if (WIFSIGNALED(status))
         snprintf(fate, sizeof fate, "was killed");

@@ -1,8 +1,7 @@
-/* controller.h -- the program's step in a process of its own, so that whatever
- * it does (crash, hang, be killed or stopped) its supervisor goes on.
+/* controller.h -- runs the program's step in a separate process, so that its supervisor continues
+ * whatever happens to it (a crash, a hang, a kill or stop signal).
  *
- * One message asks for a step, with dt and the input; one answers, with the
- * output. */
+ * One message requests a step, with dt and the input; the answer contains the output. */
 #ifndef FROB_HOST_ROBOT_CONTROLLER_H
 #define FROB_HOST_ROBOT_CONTROLLER_H
 
@@ -18,25 +17,25 @@ struct controller {
     pid_t pid; /* 0: none */
     int socket;
     size_t input_size, output_size;
-    char *message; /* room for either */
+    char *message; /* room for either message */
 };
 
-/* Starts the process, in the state after reset. False with a line on standard
- * error. */
+/* Starts the process, with the program reset. On failure prints a line on standard error and
+ * returns false. */
 bool controller_start(struct controller *c, const struct params *params,
                       const struct options *options);
 
-/* Asks for a step; false if the process is gone. */
+/* Requests a step; returns false if the process is gone. */
 bool controller_ask(struct controller *c, double dt, const void *input);
 
 enum controller_answer { CONTROLLER_BUSY, CONTROLLER_ANSWERED, CONTROLLER_GONE };
 
-/* Takes the answer, if it has come. Never waits. */
+/* Takes the answer if it has arrived. Never waits. */
 enum controller_answer controller_take(struct controller *c, void *output);
 
-/* Ends the process, whatever it does, and says how it ended: "was ended by
- * signal 9", "ended with status 1"; NULL if there is none. `patience_ms` is how
- * long it may take to end by itself. */
+/* Ends the process, whatever it is doing, and returns how it ended: "was killed by signal 9", "ended
+ * with status 1"; NULL if there is no process. Waits up to `patience_ms` for it to end by
+ * itself. */
 const char *controller_end(struct controller *c, int patience_ms);
 
 #endif

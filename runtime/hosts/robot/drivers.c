@@ -6,8 +6,8 @@
 #include "drivers/pioneer/pioneer.h"
 #include "drivers/scout/scout.h"
 
-/* Of a robot of the user's own; NULL if the program is for another. frobc writes
- * this into the program. */
+/* The driver of a user-defined robot; NULL if the program is for another robot. frobc writes this
+ * into the program. */
 extern const struct frob_driver *const frob_own_driver;
 
 static const struct frob_driver *const drivers[] = { &frob_pioneer_driver, &frob_scout_driver,

@@ -6,11 +6,23 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
-enum { STOP_PERIOD_MS = 100, LAST_WORDS = 3 };
+#include "hal/posix/clock.h"
+
+/* APART_MS: delay of the second guard, so that the packets of the two guards do not interleave. */
+enum { STOP_PERIOD_MS = 100, LAST_WORDS = 3, APART_MS = 50 };
+
+#define HANGS_NS INT64_C(1000000000)
+#define RETRY_NS INT64_C(1000000000)
+
+static int64_t now_ns(void)
+{
+    return frob_now_ns(&frob_posix_clock);
+}
 
 static void pause_ms(long ms)
 {
@@ -20,15 +32,17 @@ static void pause_ms(long ms)
     nanosleep(&pause, NULL);
 }
 
-/* The process. What it knows of the robot is as it was when it was started;
- * a driver's stop is good in any state. */
-static void watch(int pipe, struct frob_robot *robot, int patience_ms)
+/* {1 The process} */
+
+/* Runs the guard. Its copy of the robot's state dates from the start of the guard, but a driver's
+ * stop works in any state. */
+static void watch(int pipe, struct frob_robot *robot, int patience_ms, int after_ms)
 {
     for (;;) {
         struct pollfd heard = { pipe, POLLIN, 0 };
         char beats[64];
         ssize_t got;
-        int n = poll(&heard, 1, patience_ms);
+        int n = poll(&heard, 1, patience_ms + after_ms);
         if (n == 0) {
             frob_robot_halt(robot);
             pause_ms(STOP_PERIOD_MS);
@@ -40,6 +54,7 @@ static void watch(int pipe, struct frob_robot *robot, int patience_ms)
         if (got < 0 && errno != EINTR)
             break;
     }
+    pause_ms(after_ms);
     for (int i = 0; i < LAST_WORDS; i++) {
         frob_robot_halt(robot);
         pause_ms(STOP_PERIOD_MS);
@@ -47,53 +62,126 @@ static void watch(int pipe, struct frob_robot *robot, int patience_ms)
     _exit(0);
 }
 
-void guard_start(struct guard *g, struct frob_robot *robot, int64_t patience_ns, int closes)
+/* A pipe reports its end only if no process holds the other end, so this process must close its
+ * copies. */
+static void become_guard(const struct guards *g, size_t i, const int ends[2])
 {
+    /* Leave the terminal's session, so that signals from the terminal do not end the guard. */
+    setsid();
+    for (int number = 1; number < 32; number++)
+        if (number != SIGKILL && number != SIGSTOP && number != SIGCHLD)
+            signal(number, SIG_IGN);
+    close(ends[1]);
+    close(g->closes);
+    for (size_t k = 0; k < GUARDS; k++)
+        if (g->each[k].pid != 0)
+            close(g->each[k].pipe);
+    watch(ends[0], g->robot, (int)(g->patience_ns / 1000000), (int)i * APART_MS);
+}
+
+/* {1 The supervisor's side} */
+
+static bool start(struct guards *g, size_t i)
+{
+    struct guard *guard = &g->each[i];
     int ends[2];
-    memset(g, 0, sizeof *g);
-    g->pipe = -1;
-    if (pipe2(ends, O_CLOEXEC) != 0) {
-        fprintf(stderr, "warning: there is no guard: %s\n", strerror(errno));
-        return;
-    }
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        return false;
     fflush(NULL);
-    g->pid = fork();
-    if (g->pid == 0) {
-        /* Not in the group of the terminal: nothing from there ends it. */
-        setsid();
-        for (int number = 1; number < 32; number++)
-            if (number != SIGKILL && number != SIGSTOP && number != SIGCHLD)
-                signal(number, SIG_IGN);
-        close(ends[1]);
-        close(closes);
-        watch(ends[0], robot, (int)(patience_ns / 1000000));
-    }
+    guard->pid = fork();
+    if (guard->pid == 0)
+        become_guard(g, i, ends);
     close(ends[0]);
-    if (g->pid < 0) {
-        fprintf(stderr, "warning: there is no guard: %s\n", strerror(errno));
+    if (guard->pid < 0) {
         close(ends[1]);
-        g->pid = 0;
-        return;
+        guard->pid = 0;
+        return false;
     }
     fcntl(ends[1], F_SETFL, O_NONBLOCK);
-    g->pipe = ends[1];
+    guard->pipe = ends[1];
+    guard->awake_ns = now_ns();
+    return true;
 }
 
-void guard_hear(const struct guard *g)
+/* Starts the missing guards. */
+static void start_missing(struct guards *g)
 {
-    /* A pipe that is full has been heard often enough; a guard that is gone
-     * is no reason to stop. */
-    if (g->pid != 0 && write(g->pipe, "", 1) < 0)
-        return;
+    for (size_t i = 0; i < GUARDS; i++) {
+        if (g->each[i].pid == 0 && !start(g, i)) {
+            fprintf(stderr, "warning: cannot start a guard process: %s\n", strerror(errno));
+            g->retry_ns = now_ns() + RETRY_NS;
+            return;
+        }
+    }
 }
 
-void guard_end(struct guard *g)
+void guards_start(struct guards *g, struct frob_robot *robot, int64_t patience_ns, int closes)
 {
-    if (g->pid == 0)
-        return;
-    kill(g->pid, SIGKILL);
-    while (waitpid(g->pid, NULL, 0) < 0 && errno == EINTR)
+    memset(g, 0, sizeof *g);
+    g->robot = robot;
+    g->patience_ns = patience_ns;
+    g->closes = closes;
+    start_missing(g);
+}
+
+/* Checks whether a guard hangs: a working guard empties its pipe before the next beat. */
+static bool hangs(struct guard *guard)
+{
+    int unread = 0;
+    if (ioctl(guard->pipe, FIONREAD, &unread) != 0 || unread == 0)
+        guard->awake_ns = now_ns();
+    return now_ns() - guard->awake_ns > HANGS_NS;
+}
+
+static void end(struct guard *guard, int *status)
+{
+    kill(guard->pid, SIGKILL);
+    while (waitpid(guard->pid, status, 0) < 0 && errno == EINTR)
         continue;
-    close(g->pipe);
-    g->pid = 0;
+    close(guard->pipe);
+    guard->pid = 0;
+}
+
+/* Returns whether the guard is gone; if so, prints why. */
+static bool is_gone(struct guard *guard)
+{
+    int status = 0;
+    if (waitpid(guard->pid, &status, WNOHANG) == guard->pid) {
+        close(guard->pipe);
+        guard->pid = 0;
+        if (WIFSIGNALED(status))
+            fprintf(stderr,
+                    "warning: a guard process was killed by signal %d (%s); starting another one\n",
+                    WTERMSIG(status), strsignal(WTERMSIG(status)));
+        else
+            fprintf(stderr, "warning: a guard process ended with status %d; starting another one\n",
+                    WEXITSTATUS(status));
+    } else if (hangs(guard)) {
+        end(guard, NULL);
+        fprintf(stderr, "warning: a guard process hangs; starting another one\n");
+    }
+    return guard->pid == 0;
+}
+
+void guards_hear(struct guards *g)
+{
+    bool lacks = false;
+    if (g->robot == NULL)
+        return;
+    for (size_t i = 0; i < GUARDS; i++) {
+        struct guard *guard = &g->each[i];
+        /* If the pipe is full, the guard has enough beats to read. */
+        if (guard->pid == 0 || is_gone(guard) || write(guard->pipe, "", 1) < 0)
+            lacks = lacks || guard->pid == 0;
+    }
+    if (lacks && now_ns() >= g->retry_ns)
+        start_missing(g);
+}
+
+void guards_end(struct guards *g)
+{
+    for (size_t i = 0; i < GUARDS; i++)
+        if (g->each[i].pid != 0)
+            end(&g->each[i], NULL);
+    g->robot = NULL;
 }

@@ -1,10 +1,11 @@
-/* guard.h -- a process that stops the robot when the supervisor itself is gone
- * or has stopped.
+/* guard.h -- processes that stop the robot when the supervisor itself is gone or has stopped.
  *
- * The guard holds the line too. It does nothing while it hears from the
- * supervisor; when it does not for the patience, it tells the robot to stop,
- * and again ten times a second until the supervisor is back. When the
- * supervisor has ended without ending the guard, it stops the robot and ends. */
+ * A guard has the line open, too. It does nothing while it hears from the supervisor. If it hears
+ * nothing for the patience, it sends the stop command ten times a second until the supervisor is
+ * back. If the supervisor ends without ending the guard, the guard stops the robot and ends.
+ *
+ * There are two, so that the supervisor and one guard may be killed at the same moment. The
+ * supervisor replaces a guard that has ended or hangs. */
 #ifndef FROB_HOST_ROBOT_GUARD_H
 #define FROB_HOST_ROBOT_GUARD_H
 
@@ -13,18 +14,32 @@
 
 #include "core/robot.h"
 
+enum { GUARDS = 2 };
+
 struct guard {
     pid_t pid; /* 0: none */
     int pipe;
+    int64_t awake_ns; /* when its pipe was last empty */
 };
 
-/* Starts the guard of a robot on an open line; `closes` is a descriptor that
- * is none of its business. Without a guard the run goes on. */
-void guard_start(struct guard *g, struct frob_robot *robot, int64_t patience_ns, int closes);
+struct guards {
+    struct guard each[GUARDS];
+    struct frob_robot *robot; /* NULL: there is no session to guard */
+    int64_t patience_ns;
+    int64_t retry_ns; /* when to try again after a failed start */
+    int closes;
+};
 
-/* To be called several times within the patience. */
-void guard_hear(const struct guard *g);
+/* Starts the guards of a robot on an open line; `closes` is a descriptor that the guards close. If
+ * a guard cannot be started, the run continues with a warning, and guards_hear tries again. */
+void guards_start(struct guards *g, struct frob_robot *robot, int64_t patience_ns, int closes);
 
-void guard_end(struct guard *g);
+/* Sends a heartbeat to the guards; call it several times within the patience. Replaces a guard that
+ * has ended (noticed immediately) or has read nothing for a second, and prints a line on standard
+ * error. */
+void guards_hear(struct guards *g);
+
+/* Ends the guards, at the end of a session. */
+void guards_end(struct guards *g);
 
 #endif

@@ -28,8 +28,7 @@ bool line_reopen(struct line *line, int64_t now_ns)
     if (now_ns < line->retry_ns)
         return false;
     line->retry_ns = now_ns + RETRY_NS;
-    /* The old path may meanwhile be another device's; the lasting name comes
-     * first. */
+    /* Prefer the lasting name, because the old path may now belong to another device. */
     return frob_posix_reopen(&line->port, device, line->rate) == FROB_OK;
 }
 

@@ -1,9 +1,9 @@
-/* The main program of an executable that drives a robot: `frobc build` links
- * it with a compiled program, and `frobc run --device` starts that.
+/* The main program of an executable that drives a robot: `frobc build` links it with a compiled
+ * program, and `frobc run --device` starts it.
  *
- * Exit status: 0; 2 for wrong use, arithmetic that the program was not compiled
- * for (<frob/arithmetic.h>), or a device that cannot be opened; 4 when
- * the run was ended by a signal or a fault, after the robot was stopped. */
+ * Exit status: 0; 2 for wrong usage, arithmetic that the program was not compiled for
+ * (<frob/arithmetic.h>), or a device that cannot be opened; 4 if the run was ended by a signal or a
+ * fault, after the robot was stopped. */
 #include "../common/params.h"
 #include "../common/streams.h"
 #include "drivers.h"
@@ -28,12 +28,12 @@ int main(int argc, char **argv)
     struct params params;
     int status = WRONG_USE;
     const struct frob_driver *driver = find_driver(frob_program.robot);
-    /* In the program, and in what clamps its commands. */
+    /* Check both the program and the code that limits its commands. */
     const unsigned faults = frob_program.arithmetic() | frob_arithmetic_faults();
     streams_open();
     if (driver == NULL) {
         fprintf(stderr,
-                "error: %s is a program for %s, which has no driver; there are drivers for: %s\n",
+                "error: %s is a program for %s, which has no driver; the drivers are for %s\n",
                 frob_program.name, frob_program.robot[0] != '\0' ? frob_program.robot : "no robot",
                 driver_names);
         return WRONG_USE;
@@ -41,8 +41,9 @@ int main(int argc, char **argv)
     if (frob_program.input_size < driver->input_size ||
         frob_program.output_size < driver->output_size || driver->output_size > FROB_OUTPUT_MOST ||
         driver->setting_count > SETTINGS_MOST) {
-        fprintf(stderr, "error: %s was compiled with another <frob/%s.h>\n", frob_program.name,
-                driver->robot);
+        fprintf(stderr,
+                "error: %s was compiled with another version of <frob/%s.h>; compile it again\n",
+                frob_program.name, driver->robot);
         return WRONG_USE;
     }
     if (faults != 0) {

@@ -9,37 +9,37 @@
 #include <string.h>
 
 static const char usage[] =
-    "  --device DEV       the serial line, as /dev/ttyUSB0 or a path below\n"
+    "  --device DEV       the serial line, such as /dev/ttyUSB0 or a path below\n"
     "                     /dev/serial/by-id; or tcp:HOST:PORT\n"
-    "  --for SECONDS      how long to run (until it is ended)\n"
+    "  --for SECONDS      how long to run (until interrupted)\n"
     "  --rate HZ          how often the controller runs (50)\n"
-    "  --record FILE.csv  write what the program read and commanded (FILE.csv.gz: compressed)\n"
-    "  --patience SECONDS how old a reading may be, and how long a step may take,\n"
+    "  --record FILE.csv  record the inputs and outputs of the program (FILE.csv.gz: compressed)\n"
+    "  --patience SECONDS maximum age of a reading, and maximum duration of a step,\n"
     "                     before the robot is stopped (0.2)\n"
     "  --reconnect SECONDS\n"
-    "                     how long to wait for a robot that was lost (30)\n"
-    "  --camera SOURCE    where the frames of the program's camera come from: a device, as\n"
+    "                     how long to try to reconnect to the robot (30)\n"
+    "  --camera SOURCE    source of the frames of the program's camera: a device, such as\n"
     "                     /dev/video0; http://HOST:PORT/PATH, a stream of MJPEG; a folder of\n"
     "                     pictures; a pipe or file of pictures, or of raw frames.\n"
     "                     LABEL=SOURCE for one of several cameras\n"
-    "  --param NAME=VALUE the value of a parameter of the program, in its unit\n"
+    "  --param NAME=VALUE set a parameter of the program, in its unit\n"
     "  --set NAME=VALUE   change a setting of the driver, see below\n"
     "  --priority N       run with real-time priority N, 1 to 99\n"
-    "  --lock-memory      keep all memory from being swapped out\n"
-    "  --console          the program reads the keys that are typed, one each instant\n"
-    "  --exit-when-done   end when the program's task has ended\n"
+    "  --lock-memory      lock all memory, so that none is swapped out\n"
+    "  --console          pass the typed keys to the program, one per instant\n"
+    "  --exit-when-done   end when the program's task ends\n"
     "  --stop-when-violated\n"
     "                     stop the robot and end when an assertion is violated, if the program\n"
     "                     was built with its assertions\n"
-    "  --progress         tell about connections even where it is not a terminal\n"
-    "  --control          who looks on may send events to the program\n"
+    "  --progress         report connections even if standard error is not a terminal\n"
+    "  --control          let viewers send events to the program\n"
     "  --viewer COMMAND...\n"
-    "                     start what shows the run; takes the rest of the line\n"
+    "                     start this viewer; takes the rest of the line\n"
     "\n"
-    "Exit status: 0 when the time is over; 2 for wrong use or a device that cannot be\n"
-    "opened; 4 when the run was ended by a signal or a fault, with the robot stopped.\n";
+    "Exit status: 0 when the run is complete; 2 for wrong use or a device that cannot be\n"
+    "opened; 4 when a signal or a fault ended the run and the robot was stopped.\n";
 
-/* With the values by default. */
+/* Lists the parameters with their defaults. */
 static void show_params(const struct frob_program *program)
 {
     char room[200];
@@ -52,7 +52,7 @@ static void show_params(const struct frob_program *program)
     }
 }
 
-/* What is set of each, behind its label and a point. */
+/* Lists the settings of a camera, whose names follow its label and a point. */
 static void show_cameras(const struct frob_program *program)
 {
     struct camera_options cameras[CAMERAS_MOST];
@@ -78,7 +78,7 @@ static void show_usage(const struct frob_program *program, const struct frob_dri
         const struct frob_setting *s = &driver->settings[i];
         printf("  %-18s %s, %g to %g", s->name, s->meaning, s->least, s->greatest);
         if (isnan(s->initial))
-            printf(" (as the robot or its model has it)\n");
+            printf(" (default: from the robot or its model)\n");
         else
             printf(" (%g)\n", s->initial);
     }
@@ -99,7 +99,8 @@ static bool number(const char *option, const char *text, double low, double high
     return true;
 }
 
-/* The camera of the label that the text begins with, before `mark`; NULL if there is none. */
+/* Returns the camera whose label the text begins with, followed by `mark`; NULL if there is
+ * none. */
 static struct camera_options *camera_of(struct options *o, const char *text, char mark)
 {
     for (size_t i = 0; i < o->camera_count; i++) {
@@ -110,7 +111,7 @@ static struct camera_options *camera_of(struct options *o, const char *text, cha
     return NULL;
 }
 
-/* NAME=VALUE, of a camera. */
+/* Reads NAME=VALUE for a camera. */
 static bool set_camera(struct camera_options *camera, const char *text)
 {
     const char *equals = strchr(text, '=');
@@ -120,7 +121,8 @@ static bool set_camera(struct camera_options *camera, const char *text)
         if (strlen(s->name) == length && strncmp(s->name, text, length) == 0 && equals != NULL)
             return number(s->name, equals + 1, s->least, s->greatest, &camera->settings[i]);
     }
-    fprintf(stderr, "error: `%s` is no setting of a camera; write %s.NAME=VALUE with one of:", text,
+    fprintf(stderr,
+            "error: `%s` is not a setting of a camera; write %s.NAME=VALUE with one of:", text,
             camera->label);
     for (size_t i = 0; i < CAMERA_SETTING_COUNT; i++)
         fprintf(stderr, "%s %s", i == 0 ? "" : ",", camera_settings[i].name);
@@ -128,7 +130,7 @@ static bool set_camera(struct camera_options *camera, const char *text)
     return false;
 }
 
-/* SOURCE, or LABEL=SOURCE. */
+/* Reads SOURCE or LABEL=SOURCE. */
 static bool set_source(struct options *o, const char *program, const char *text)
 {
     struct camera_options *camera = camera_of(o, text, '=');
@@ -138,9 +140,8 @@ static bool set_source(struct options *o, const char *program, const char *text)
     if (camera == NULL) {
         fprintf(stderr,
                 o->camera_count == 0
-                    ? "error: %s looks through no camera: --camera is nothing for it\n"
-                    : "error: %s looks through several cameras: say which one it is, as "
-                      "--camera %s=%s\n",
+                    ? "error: %s uses no camera: remove --camera\n"
+                    : "error: %s uses several cameras: name one of them, as in --camera %s=%s\n",
                 program, o->camera_count == 0 ? "" : o->cameras[0].label, text);
         return false;
     }
@@ -148,7 +149,8 @@ static bool set_source(struct options *o, const char *program, const char *text)
     return true;
 }
 
-/* Each camera needs a source; raw frames have both sides or none. */
+/* Checks that each camera has a source, and that raw frames have both a width and a height, or
+ * neither. */
 static bool check_cameras(const struct options *o, const char *program)
 {
     for (size_t i = 0; i < o->camera_count; i++) {
@@ -156,20 +158,21 @@ static bool check_cameras(const struct options *o, const char *program)
         const double width = c->settings[CAMERA_WIDTH], height = c->settings[CAMERA_HEIGHT];
         if (c->source == NULL || c->source[0] == '\0') {
             fprintf(stderr,
-                    "error: %s looks through a camera, `%s`: name its source with --camera "
-                    "%s%sSOURCE, as /dev/video0 or http://HOST:PORT/PATH\n",
+                    "error: %s uses a camera, `%s`: add its source with --camera %s%sSOURCE, such "
+                    "as /dev/video0 or http://HOST:PORT/PATH\n",
                     program, c->label, o->camera_count > 1 ? c->label : "",
                     o->camera_count > 1 ? "=" : "");
             return false;
         }
         if ((width > 0.0) != (height > 0.0)) {
-            fprintf(stderr, "error: of camera `%s` set both width and height, or none\n", c->label);
+            fprintf(stderr,
+                    "error: camera `%s` has only a width or a height: set both, or neither\n",
+                    c->label);
             return false;
         }
         if (width * height * 3.0 > (double)BUFFERS_ROOM) {
             fprintf(stderr,
-                    "error: camera `%s`: there is room for frames of 1920 x 1200 pixels, "
-                    "and not %g x %g\n",
+                    "error: camera `%s`: frames can have at most 1920 x 1200 pixels, not %g x %g\n",
                     c->label, width, height);
             return false;
         }
@@ -177,7 +180,7 @@ static bool check_cameras(const struct options *o, const char *program)
     return true;
 }
 
-/* NAME=VALUE */
+/* Reads NAME=VALUE for the driver. */
 static bool set_driver(const struct frob_driver *driver, const char *text, double *settings)
 {
     const char *equals = strchr(text, '=');
@@ -187,7 +190,7 @@ static bool set_driver(const struct frob_driver *driver, const char *text, doubl
         if (strlen(s->name) == length && strncmp(s->name, text, length) == 0 && equals != NULL)
             return number(s->name, equals + 1, s->least, s->greatest, &settings[i]);
     }
-    fprintf(stderr, "error: `%s` is no setting of a %s; write NAME=VALUE with one of:", text,
+    fprintf(stderr, "error: `%s` is not a setting of a %s; write NAME=VALUE with one of:", text,
             driver->robot);
     for (size_t i = 0; i < driver->setting_count; i++)
         fprintf(stderr, "%s %s", i == 0 ? "" : ",", driver->settings[i].name);
@@ -202,7 +205,8 @@ static bool set(const struct frob_driver *driver, const char *text, struct optio
                           : set_driver(driver, text, o->settings);
 }
 
-/* With no patience nothing would ever stop the robot, or everything would. */
+/* Rejects a patience close to 0, which would disable the watchdog or stop the robot at every
+ * step. */
 static bool patience(const char *text, double *result)
 {
     double x;
@@ -283,7 +287,8 @@ enum options_result read_options(int argc, char **argv, const struct frob_progra
             o->viewer = argv + i + 1;
             break;
         } else if (i + 1 == argc) {
-            fprintf(stderr, "error: `%s` is unknown, or needs a value\n", argv[i]);
+            fprintf(stderr, "error: the option `%s` is unknown, or its value is missing\n",
+                    argv[i]);
             return OPTIONS_WRONG;
         } else if (!valued(driver, program, o, argv[i], argv[i + 1])) {
             return OPTIONS_WRONG;
@@ -292,18 +297,15 @@ enum options_result read_options(int argc, char **argv, const struct frob_progra
         }
     }
     if (o->device == NULL) {
-        fprintf(stderr,
-                "error: --device is missing: the serial line of the %s; --help says how to "
-                "use this\n",
+        fprintf(stderr, "error: --device is missing: add the serial line of the %s; see --help\n",
                 driver->robot);
         return OPTIONS_WRONG;
     }
     if (!check_cameras(o, program->name))
         return OPTIONS_WRONG;
     if (o->viewer != NULL && o->record == NULL && frames_has_images(program->input)) {
-        fprintf(stderr,
-                "error: this program sees, and what it saw is shown from the frames beside a "
-                "recording: `--view` needs `--record LOG.csv` too\n");
+        fprintf(stderr, "error: this program uses a camera, and the viewer reads its frames from a "
+                        "recording: add `--record LOG.csv` to `--view`\n");
         return OPTIONS_WRONG;
     }
     return OPTIONS_RUN;

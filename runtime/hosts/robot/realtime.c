@@ -17,14 +17,15 @@ void realtime_apply(const struct options *options, enum realtime_process process
         if (process == REALTIME_CONTROLLER && parameters.sched_priority > 1)
             parameters.sched_priority--;
         if (sched_setscheduler(0, SCHED_FIFO, &parameters) != 0 && tells)
-            fprintf(stderr,
-                    "warning: real-time priority %d: %s; the run goes on without. Run it as root, "
-                    "or allow it with a line `YOU - rtprio %d` in /etc/security/limits.conf\n",
-                    options->priority, strerror(errno), options->priority);
+            fprintf(
+                stderr,
+                "warning: cannot set real-time priority %d: %s; the run continues without it. Run "
+                "it as root, or add a line `YOU - rtprio %d` to /etc/security/limits.conf\n",
+                options->priority, strerror(errno), options->priority);
     }
     if (options->lock_memory && mlockall(MCL_CURRENT | MCL_FUTURE) != 0 && tells)
         fprintf(stderr,
-                "warning: locking memory: %s; the run goes on without. Run it as root, or allow it "
-                "with a line `YOU - memlock unlimited` in /etc/security/limits.conf\n",
+                "warning: cannot lock memory: %s; the run continues without it. Run it as root, or "
+                "add a line `YOU - memlock unlimited` to /etc/security/limits.conf\n",
                 strerror(errno));
 }

@@ -1,4 +1,4 @@
-/* realtime.h -- real-time priority and memory that stays. */
+/* realtime.h -- real-time priority and locked memory. */
 #ifndef FROB_HOST_ROBOT_REALTIME_H
 #define FROB_HOST_ROBOT_REALTIME_H
 
@@ -6,8 +6,8 @@
 
 enum realtime_process { REALTIME_SUPERVISOR, REALTIME_CONTROLLER };
 
-/* Does for this process what the options ask for. What is not allowed is told
- * (once, by the supervisor), and the run goes on without. */
+/* Applies the options to this process. If the system does not permit something, the supervisor
+ * prints a warning, and the run continues without it. */
 void realtime_apply(const struct options *options, enum realtime_process process);
 
 #endif

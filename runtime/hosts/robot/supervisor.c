@@ -27,9 +27,9 @@
 
 enum { DONE = 0, WRONG_USE = 2, FAULT = 4 };
 
-#define BEAT_NS INT64_C(20000000)       /* how often the guard hears from here, at least */
-#define FAREWELL_NS INT64_C(2000000000) /* for a robot that was told to stop to stand */
-enum { GIVE_UP = 10 };                  /* patiences, with a step */
+#define BEAT_NS INT64_C(20000000)       /* maximum time between heartbeats to the guards */
+#define FAREWELL_NS INT64_C(2000000000) /* how long a stopped robot may take to come to rest */
+enum { GIVE_UP = 10 };                  /* longest step, as a multiple of the patience */
 
 static volatile sig_atomic_t ended_by = 0;
 
@@ -48,7 +48,7 @@ struct supervisor {
     struct line line;
     struct frob_robot robot;
     void *device;
-    struct guard guard;
+    struct guards guards;
     struct controller controller;
     struct record record;
     struct claims claims;
@@ -56,20 +56,22 @@ struct supervisor {
     struct touches touches;
     struct publisher publisher;
     struct cameras cameras;
-    sigset_t waiting_mask; /* signals come only while waiting */
+    sigset_t waiting_mask; /* unblocks signals, only while waiting */
     bool tells;
 
     void *input, *output;
-    int64_t first_ns;   /* the first instant; 0: not yet */
-    int64_t instant_ns; /* the last */
-    int64_t due_ns;     /* the next; 0: when the robot is ready */
-    bool stepping;      /* the controller has been asked and has not answered */
-    bool late;          /* for longer than the patience */
-    int64_t lost_ns;    /* when the robot was lost; 0: it is not */
+    int64_t first_ns;   /* time of the first instant; 0: none yet */
+    int64_t instant_ns; /* last instant */
+    int64_t due_ns;     /* next instant; 0: as soon as the robot is ready */
+    bool stepping;      /* a step was requested and has not been answered */
+    bool late;          /* this step has exceeded the patience */
+    int64_t lost_ns;    /* when the robot was lost; 0: it is not lost */
+    int64_t looped_ns;  /* start of the last loop iteration; 0: none yet */
+    int64_t awake_ns;   /* when this process last resumed after it was stopped or starved */
 
     uint64_t steps, overruns, late_steps;
     int64_t longest_ns;
-    bool ended; /* the program's task */
+    bool ended; /* the program's task has ended */
     int64_t ended_ns;
 
     bool over;
@@ -93,7 +95,7 @@ static void tell(const struct supervisor *s, const char *format, ...)
     fputc('\n', stderr);
 }
 
-/* Ends the run; the first cause is the one that is told. */
+/* Ends the run. Only the first cause is reported. */
 static void end(struct supervisor *s, int status, const char *format, ...)
 {
     va_list arguments;
@@ -108,7 +110,7 @@ static void end(struct supervisor *s, int status, const char *format, ...)
 
 /* {1 The robot} */
 
-/* A setting of the driver by its name; null if it has none of that name. */
+/* Returns a setting of the driver by name; NULL if it has no such setting. */
 static const double *setting(const struct supervisor *s, const char *name)
 {
     for (size_t i = 0; i < s->driver->setting_count; i++) {
@@ -118,19 +120,19 @@ static const double *setting(const struct supervisor *s, const char *name)
     return NULL;
 }
 
-/* Begins a session on the line, which has just been opened. */
+/* Starts a session on the newly opened line. */
 static void begin_session(struct supervisor *s)
 {
     struct frob_serial serial = frob_posix_serial(&s->line.port);
     frob_robot_start(&s->robot, s->driver, s->device, s->options->settings, &serial,
                      &frob_posix_clock, s->patience_ns);
-    guard_start(&s->guard, &s->robot, s->patience_ns, s->controller.socket);
+    guards_start(&s->guards, &s->robot, s->patience_ns, s->controller.socket);
     s->due_ns = 0;
 }
 
 static void leave_line(struct supervisor *s)
 {
-    guard_end(&s->guard);
+    guards_end(&s->guards);
     line_close(&s->line);
     s->due_ns = 0;
     if (s->lost_ns == 0)
@@ -139,27 +141,26 @@ static void leave_line(struct supervisor *s)
 
 static const char *reason(enum frob_status status)
 {
-    return status == FROB_TIMEOUT ? "it does not answer" : "its line is gone";
+    return status == FROB_TIMEOUT ? "it does not answer" : "its line was disconnected";
 }
 
-/* What was tried, and what may be the cause: bytes that are no answer point to
- * the rate or to another device, silence to power and cable as well. */
+/* Reports what was tried and the likely cause: bytes that are not an answer point to the rate or to
+ * another device, silence may also mean power or cable. */
 static void nobody_answers(struct supervisor *s)
 {
     const char *device = s->line.device, *robot = s->driver->robot;
     const double *baud = setting(s, "baud");
     bool has_rate = !frob_posix_is_tcp(device) && (baud == NULL || *baud > 0.0);
-    const char *its = has_rate && baud != NULL
-                          ? "are this its line and its rate (`--set baud=...`)?"
-                          : "is this its line?";
+    const char *its = has_rate && baud != NULL ? "check the line and its rate (`--set baud=...`)"
+                                               : "check the line";
     char rate[40] = "";
     if (has_rate)
         snprintf(rate, sizeof rate, " at %.0f baud", baud != NULL ? *baud : s->driver->rate);
     if (s->line.port.heard)
-        end(s, FAULT, "something sends on %s, but no %s answers%s: %s", device, robot, rate, its);
+        end(s, FAULT, "a device sends on %s, but no %s answers%s: %s", device, robot, rate, its);
     else
-        end(s, FAULT, "no %s answers on %s%s: is it turned on, is its cable plugged in, and %s",
-            robot, device, rate, its);
+        end(s, FAULT, "no %s answers on %s%s: turn it on, plug in its cable, and %s", robot, device,
+            rate, its);
 }
 
 static void robot_failed(struct supervisor *s)
@@ -171,9 +172,9 @@ static void robot_failed(struct supervisor *s)
     } else if (s->robot.connections == 0) {
         nobody_answers(s);
     } else {
-        tell(s, "the robot is lost: %s", reason(status));
+        tell(s, "lost the connection to the robot: %s", reason(status));
         if (s->options->reconnect_s <= 0.0)
-            end(s, FAULT, "the robot was lost: %s", reason(status));
+            end(s, FAULT, "lost the connection to the robot: %s", reason(status));
         leave_line(s);
     }
 }
@@ -190,7 +191,7 @@ static void look_after_robot(struct supervisor *s)
         s->lost_ns = 0;
     }
     if (s->lost_ns != 0 && (double)(now_ns() - s->lost_ns) > s->options->reconnect_s * 1e9)
-        end(s, FAULT, "the robot was lost, and did not come back within %g s",
+        end(s, FAULT, "lost the connection to the robot, and could not reconnect within %g s",
             s->options->reconnect_s);
 }
 
@@ -207,7 +208,16 @@ static void halt(struct supervisor *s)
 
 /* {1 The controller} */
 
-/* The step's end: it is recorded, and commanded if it came in time. */
+/* The step has taken longer than the patience: discards its output. */
+static void be_late(struct supervisor *s)
+{
+    s->late = true;
+    s->late_steps++;
+    halt(s);
+    tell(s, "a step takes longer than %g s: stopping the robot", s->options->patience_s);
+}
+
+/* Handles the end of a step: records it, and commands its output if it ended in time. */
 static void answered(struct supervisor *s)
 {
     int64_t took_ns = now_ns() - (s->first_ns + s->instant_ns);
@@ -215,10 +225,12 @@ static void answered(struct supervisor *s)
     s->steps++;
     if (took_ns > s->longest_ns)
         s->longest_ns = took_ns;
+    if (!s->late && took_ns > s->patience_ns)
+        be_late(s);
     if (!s->late && is_ready(s))
         frob_robot_command(&s->robot, s->output);
     if (!record_row(&s->record, s->instant_ns, s->input, s->output))
-        end(s, FAULT, "the record could not be written");
+        end(s, FAULT, "the recording could not be written");
     publisher_put(&s->publisher, s->instant_ns, s->input, s->output, NULL);
     claims_see(&s->claims, s->instant_ns, s->output);
     if (s->options->stop_when_violated && s->claims.violated != NULL)
@@ -234,33 +246,31 @@ static void answered(struct supervisor *s)
 
 static void look_after_controller(struct supervisor *s)
 {
-    int64_t since_ns = now_ns() - (s->first_ns + s->instant_ns);
+    int64_t now = now_ns(), asked_ns = s->first_ns + s->instant_ns;
     const char *fate;
     switch (controller_take(&s->controller, s->output)) {
     case CONTROLLER_ANSWERED: answered(s); return;
     case CONTROLLER_GONE:
         halt(s); /* before anything else */
         fate = controller_end(&s->controller, 100);
-        end(s, FAULT, "the controller %s", fate != NULL ? fate : "is gone");
+        end(s, FAULT, "the controller %s", fate != NULL ? fate : "has ended");
         return;
     case CONTROLLER_BUSY: break;
     }
     if (!s->stepping)
         return;
-    if (!s->late && since_ns > s->patience_ns) {
-        s->late = true;
-        s->late_steps++;
-        halt(s);
-        tell(s, "a step takes longer than %g s: the robot is stopped", s->options->patience_s);
-    }
-    if (since_ns > GIVE_UP * s->patience_ns)
+    if (!s->late && now - asked_ns > s->patience_ns)
+        be_late(s);
+    if (asked_ns < s->awake_ns)
+        asked_ns = s->awake_ns;
+    if (now - asked_ns > GIVE_UP * s->patience_ns)
         end(s, FAULT, "the controller has not finished a step for %g s",
             (double)GIVE_UP * s->options->patience_s);
 }
 
-/* Instant k is due at a multiple of the period from when the robot was ready;
- * dt is measured. An instant that comes when others were due already counts
- * them as overruns. */
+/* Starts the next instant if it is due. Instant k is due at a multiple of the period after the
+ * robot was ready; dt is measured. If an instant is so late that others are due too, these are
+ * counted as overruns. */
 static void next_instant(struct supervisor *s)
 {
     int64_t now = now_ns(), missed, before;
@@ -315,10 +325,21 @@ static void wait_for_something(struct supervisor *s)
     ppoll(inputs, 2, &patience, &s->waiting_mask);
 }
 
+/* All processes of the run may have been stopped, including the controller. */
+static void note_own_gap(struct supervisor *s)
+{
+    int64_t now = now_ns();
+    if (s->looped_ns == 0 || now - s->looped_ns > s->patience_ns)
+        s->awake_ns = now;
+    s->looped_ns = now;
+}
+
 static void run(struct supervisor *s)
 {
     while (!s->over) {
-        guard_hear(&s->guard);
+        note_own_gap(s);
+        guards_hear(&s->guards);
+        ring_show_alive(&s->publisher.ring);
         look_after_controller(s);
         if (!s->over)
             look_after_robot(s);
@@ -331,29 +352,37 @@ static void run(struct supervisor *s)
             end(s, FAULT, "the run was ended by %s",
                 ended_by == SIGINT ? "an interrupt" : strsignal(ended_by));
         if (ring_is_stopped(&s->publisher.ring))
-            end(s, FAULT, "the run was ended by the Stop of its page");
+            end(s, FAULT, "the run was ended by the Stop button of its page");
         if (!s->over)
             wait_for_something(s);
     }
 }
 
-/* Stops the robot, sees it stand, and leaves it. */
-static void say_farewell(struct supervisor *s)
+/* Stops the robot, waits until it stands still, and disconnects. Returns the result. */
+static enum ring_fate say_farewell(struct supervisor *s)
 {
+    enum ring_fate fate;
     int64_t until;
+    ring_stopping(&s->publisher.ring);
     if (!line_is_open(&s->line))
-        return;
+        return RING_NOT_REACHED;
     halt(s);
     until = now_ns() + FAREWELL_NS;
     while (s->robot.state != FROB_ROBOT_CONNECTING && now_ns() < until &&
            frob_robot_poll(&s->robot) != FROB_ROBOT_FAILED && !frob_robot_stands(&s->robot)) {
         struct frob_serial serial = frob_posix_serial(&s->line.port);
-        guard_hear(&s->guard);
+        guards_hear(&s->guards);
+        ring_show_alive(&s->publisher.ring);
         serial.operations->wait(serial.port, earlier(until, now_ns() + BEAT_NS));
     }
+    if (s->robot.state == FROB_ROBOT_FAILED || s->robot.state == FROB_ROBOT_CONNECTING)
+        fate = RING_NOT_REACHED;
+    else
+        fate = frob_robot_stands(&s->robot) ? RING_AT_REST : RING_TOLD;
     frob_robot_close(&s->robot);
-    guard_end(&s->guard);
+    guards_end(&s->guards);
     line_close(&s->line);
+    return fate;
 }
 
 static void print_result(const struct supervisor *s)
@@ -370,7 +399,7 @@ static void print_result(const struct supervisor *s)
     free(buffer);
 }
 
-/* False if it could not be written. */
+/* Returns false if the summary could not be written. */
 static bool print_summary(const struct supervisor *s)
 {
     const char *who = s->driver->describe(s->device);
@@ -446,6 +475,7 @@ int supervise(const struct params *params, const struct frob_driver *driver,
               const struct options *options)
 {
     struct supervisor s;
+    bool has_run;
     memset(&s, 0, sizeof s);
     s.options = options;
     s.program = params->program;
@@ -456,37 +486,44 @@ int supervise(const struct params *params, const struct frob_driver *driver,
     s.tells = options->progress || isatty(STDERR_FILENO) != 0;
     s.record.file.file = -1;
     line_init(&s.line, options->device, driver->rate);
-    /* With signals as they were, and without the robot's line. */
+    /* Start the viewer before signals are changed and the robot's line is opened. */
     publisher_start(&s.publisher, s.program, 0, options->control ? RING_SENDS : 0, options->viewer);
     catch_signals(&s);
-    /* Before the line is open: neither cameras nor the controller must hold it. Frames are in
-     * memory that the controller has too. */
+    /* Start these processes before the line is opened, because neither cameras nor the controller
+     * may hold it. The controller shares the memory of the cameras' frames. */
     if (!cameras_start(&s.cameras, s.program, options->cameras, options->camera_count, s.tells) ||
         !controller_start(&s.controller, params, options)) {
         cameras_end(&s.cameras);
+        publisher_end(&s.publisher, RING_NOT_REACHED);
+        publisher_leave(&s.publisher, false);
         return WRONG_USE;
     }
     s.status = WRONG_USE;
-    if (set_up(&s)) {
+    has_run = set_up(&s);
+    if (has_run) {
         realtime_apply(options, REALTIME_SUPERVISOR);
         begin_session(&s);
         if (options->console)
             console_open(&s.console);
         run(&s);
         console_close(&s.console);
-        say_farewell(&s);
-        publisher_end(&s.publisher);
+        publisher_end(&s.publisher, say_farewell(&s));
         if (!print_summary(&s) && s.status == DONE)
             s.status = WRONG_USE;
-        else if (s.status != DONE)
-            fprintf(stderr, "error: %s; the robot %s\n", s.cause,
-                    s.robot.status == FROB_LOST ? "was not reached to be stopped"
-                                                : "was told to stop");
+        if (ended_by == SIGINT)
+            record_report_interruption(options->record, (double)s.instant_ns * 1e-9);
+        if (s.status != DONE && s.cause[0] != '\0')
+            fprintf(stderr, "error: %s; %s\n", s.cause,
+                    s.robot.status == FROB_LOST ? "the robot could not be reached to stop it"
+                                                : "sent a stop command to the robot");
+    } else {
+        publisher_end(&s.publisher, RING_NOT_REACHED);
     }
     controller_end(&s.controller, 0);
     cameras_end(&s.cameras);
     if (!record_close(&s.record) && s.status == DONE)
         s.status = WRONG_USE;
+    publisher_leave(&s.publisher, has_run && (ended_by == 0 || ended_by == SIGINT));
     touches_end(&s.touches);
     claims_close(&s.claims);
     free(s.device);

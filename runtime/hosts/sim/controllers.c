@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* LOG.csv, or LOG-3.csv for the third of several, and LOG-3.csv.gz. NULL without memory. */
+/* Returns LOG.csv; for the third of several robots LOG-3.csv, or LOG-3.csv.gz. NULL if memory runs
+ * out. */
 static char *name_of_record(const char *name, size_t robot, size_t count)
 {
     const char *slash = strrchr(name, '/');
@@ -58,11 +59,11 @@ static bool is_of_a_pair(const char *label)
     return strcmp(label, "left") == 0 || strcmp(label, "right") == 0;
 }
 
-/* Tells of the robot's cameras that have other names, which a stereo head's cannot change. False if
+/* Prints the names of the robot's cameras that are not part of a stereo head. Returns false if
  * there are none. */
 static bool tell_other_cameras(const struct frob_sim *sim)
 {
-    const char *name, *before = " none of this name, but";
+    const char *name, *before = " none of this name; it has";
     for (size_t i = 0; (name = frob_sim_camera_name(sim, i)) != NULL; i++) {
         if (is_of_a_pair(name))
             continue;
@@ -72,18 +73,17 @@ static bool tell_other_cameras(const struct frob_sim *sim)
     return *before == ',';
 }
 
-/* What is missing in the world file. The cameras of a stereo head are one table. */
+/* Prints what is missing in the world file. Both cameras of a stereo head are one table. */
 static void tell_missing_camera(const struct frob_sim *sim, const char *label)
 {
     const bool is_pair = is_of_a_pair(label);
     const char *table = is_pair ? "[stereo]" : "[camera]";
-    fprintf(stderr,
-            "error: the program looks through a camera, `%s`, and the robot of this world has",
+    fprintf(stderr, "error: the program uses a camera, `%s`, but the robot of this world has",
             label);
     if (!is_pair && tell_other_cameras(sim))
         fprintf(stderr,
-                ": give one of them `name = \"%s\"` in the world file, or write [[camera]] "
-                "for each there and add one\n",
+                ": add `name = \"%s\"` to one of them in the world file, or write [[camera]] for "
+                "each and add another one\n",
                 label);
     else if (is_pair || strcmp(label, "camera") == 0)
         fprintf(stderr, " none: add a table %s to the world file\n", table);
@@ -92,7 +92,8 @@ static void tell_missing_camera(const struct frob_sim *sim, const char *label)
                 label);
 }
 
-/* Through which camera this one looks: that of a control before it, or a new one of the world. */
+/* Returns the camera that control `i` uses: the camera of an earlier control with the same label,
+ * or another one of the world. */
 static int look_through(struct controllers *c, size_t i)
 {
     const struct frob_control *console = c->program->console;
@@ -116,7 +117,7 @@ static int look_through(struct controllers *c, size_t i)
     return number;
 }
 
-/* The world's cameras, by the labels that the program asks for; and what finds tags. */
+/* Opens the world's cameras by the labels that the program uses, and the tag finder. */
 static bool open_cameras(struct controllers *c)
 {
     const struct frob_program *program = c->program;
@@ -147,7 +148,8 @@ bool controllers_open(struct controllers *c, const struct params *params, struct
     c->params = params->values;
     c->sim = sim;
     c->each = (struct controller *)calloc(frob_sim_robots(sim), sizeof *c->each);
-    if (c->each == NULL) {
+    c->rest = calloc(1, c->program->output_size + 1);
+    if (c->each == NULL || c->rest == NULL) {
         fprintf(stderr, "error: not enough memory for the robots\n");
         return false;
     }
@@ -160,7 +162,7 @@ bool controllers_open(struct controllers *c, const struct params *params, struct
     return open_cameras(c);
 }
 
-/* A frame comes once, for all that ask for it. */
+/* Passes each new frame once to all controls that use its camera. */
 static bool look(struct controllers *c, size_t robot, int64_t now_ns)
 {
     const struct frob_program *program = c->program;
@@ -187,11 +189,22 @@ static bool look(struct controllers *c, size_t robot, int64_t now_ns)
     return ok;
 }
 
-bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
-                      const struct touches *touches)
+static void command_rest(struct controllers *c, size_t k, int64_t now_ns)
+{
+    frob_sim_command_robot(c->sim, k, now_ns, c->rest);
+}
+
+bool controllers_step(struct controllers *c, int64_t now_ns, const struct touches *touches)
 {
     const struct frob_program *program = c->program;
+    const double dt_s = (double)(now_ns - c->stepped_ns) / 1e9;
     bool ok = true;
+    c->is_away = frob_sim_is_away(c->sim, now_ns) != 0;
+    c->rests = c->rests || c->is_away;
+    for (size_t k = 0; c->is_away && k < c->count; k++)
+        command_rest(c, k, now_ns);
+    if (c->is_away)
+        return true;
     for (size_t k = 0; k < c->count; k++) {
         struct controller *one = &c->each[k];
         frob_sim_read_robot(c->sim, k, one->input);
@@ -200,7 +213,10 @@ bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
         touches_apply(touches, one->input);
         memset(one->output, 0, program->output_size);
         program->step(one->state, c->params, dt_s, one->input, one->output);
-        frob_sim_command_robot(c->sim, k, now_ns, one->output);
+        if (c->rests)
+            command_rest(c, k, now_ns);
+        else
+            frob_sim_command_robot(c->sim, k, now_ns, one->output);
         ok = record_row(&one->record, now_ns, one->input, one->output) && ok;
         claims_see(&one->claims, now_ns, one->output);
         if (!one->ended && frob_has_ended(program, one->output)) {
@@ -210,6 +226,8 @@ bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
             c->running--;
         }
     }
+    c->stepped_ns = now_ns;
+    c->rests = false;
     return ok;
 }
 
@@ -235,6 +253,7 @@ bool controllers_close(struct controllers *c)
         free(one->record_name);
     }
     free(c->each);
+    free(c->rest);
     free(c->cameras);
     free(c->frames);
     tag_finder_close(&c->finder);

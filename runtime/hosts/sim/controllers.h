@@ -1,7 +1,6 @@
-/* controllers.h -- the program, once for each robot of the simulation.
+/* controllers.h -- the program, run once for each robot of the simulation.
  *
- * The robots share the code and nothing else: each has a state of its own, its
- * own input and output, and its own record. */
+ * The robots share only the code: each has its own state, input, output and recording. */
 #ifndef FROB_SIM_CONTROLLERS_H
 #define FROB_SIM_CONTROLLERS_H
 
@@ -24,42 +23,49 @@ struct controller {
     void *output;
     struct record record;
     struct claims claims;
-    char *record_name; /* NULL: nothing is recorded */
-    bool ended;        /* the program's task has, … */
-    int64_t ended_ns;  /* … at this time, … */
-    void *result;      /* … with this output */
+    char *record_name; /* NULL: no recording */
+    bool ended;        /* the program's task has ended */
+    int64_t ended_ns;  /* when it ended */
+    void *result;      /* the output at its end */
 };
 
 struct controllers {
     const struct frob_program *program;
-    const void *params; /* the same for all */
+    const void *params; /* shared by all robots */
     struct frob_sim *sim;
-    int *cameras; /* of each thing on the console that is one's, its number in the world */
-    const struct frob_image **frames; /* of each of these, at the instant; else NULL */
-    struct tag_finder finder;         /* if tags are asked for */
+    /* For each control of the console that uses a camera: the camera's number in the world. */
+    int *cameras;
+    const struct frob_image **frames; /* their new frames at this instant, or NULL */
+    struct tag_finder finder;         /* if the program uses tags */
+    int64_t stepped_ns;               /* time of the last instant */
+    bool is_away;                     /* during an outage of the world: no instants */
+    bool rests;                       /* replace the next command by zero, as after a real outage */
+    void *rest;                       /* an output that is all zero */
     size_t count;
-    size_t running; /* those that have not ended */
+    size_t running; /* number of controllers whose program has not ended */
     struct controller *each;
 };
 
-/* Makes a controller for each robot, of the program of these parameters, which must stay. `record` is the file for the rows of the
- * only robot; of several, robot k has NAME-k.csv for NAME.csv, from 1. NULL:
- * nothing is recorded. False when there is not enough memory, when a file cannot
- * be written, when the world lacks a camera that the program asks for, or what finds tags is not
- * there, with a line on standard error; close it then, too. */
+/* Creates a controller for each robot, running the program with these parameters, which must stay
+ * valid. `record` is the recording's file name if there is one robot; if there are several, robot k
+ * (from 1) records to NAME-k.csv instead of NAME.csv. NULL: no recording. Prints a line on standard
+ * error and returns false if memory runs out, if a file cannot be written, if the world lacks a
+ * camera that the program uses, or if the tag finder is not installed; call controllers_close in
+ * this case too. */
 bool controllers_open(struct controllers *c, const struct params *params, struct frob_sim *sim,
                       const char *record);
 
-/* An instant of all of them, `dt_s` after the one before: each reads its sensors,
- * steps and commands. The touches are for all. False when a record cannot be written, or
- * there is not enough memory. */
-bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
-                      const struct touches *touches);
+/* Runs an instant of all controllers: each reads its sensors, steps and commands. During an outage
+ * of the world no program steps, nothing is recorded, and the robots are commanded to stop; the
+ * first command after an outage is also a stop. `touches` apply to all robots. Returns false if a
+ * recording cannot be written, or if memory runs out. */
+bool controllers_step(struct controllers *c, int64_t now_ns, const struct touches *touches);
 
-/* Of the first robot whose program has violated an assertion; NULL if none has. */
+/* Returns the claims of the first robot whose program has violated an assertion; NULL if there is
+ * none. */
 const struct claims *controllers_violated(const struct controllers *c);
 
-/* False when a record cannot be closed. */
+/* Returns false if a recording cannot be closed. */
 bool controllers_close(struct controllers *c);
 
 #endif

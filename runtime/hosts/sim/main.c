@@ -1,9 +1,10 @@
 /* frob-sim -- runs a compiled robot program in the simulator.
  *
- * Prints a summary, one `name: value unit` a line. Exit status: 0; 2 for wrong
- * use, an unreadable file, or a program for another robot; 4 with --strict if
- * the robot ran into something, and with --stop-when-violated if an assertion was. An interrupt ends the run early, and the
- * summary and the picture are of what has been run. */
+ * Prints a summary with one `name: value unit` per line. Exit status: 0; 2 for wrong usage, an
+ * unreadable file, or a program for another robot; 4 with --strict if the robot collided with something,
+ * and with --stop-when-violated if an assertion was violated. SIGINT, SIGTERM and SIGHUP end the
+ * run early; the summary and the picture then cover the completed part. After SIGTERM and SIGHUP
+ * the signal then ends the process. */
 #include "../common/console.h"
 #include "../common/load.h"
 #include "../common/params.h"
@@ -27,17 +28,31 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <time.h>
 #include <unistd.h>
 
 enum { DONE = 0, WRONG_USE = 2, FAULT = 4 };
 
-static volatile sig_atomic_t interrupted = 0;
+enum { ENDS_WITHIN_S = 2 };
 
+static volatile sig_atomic_t interrupted = 0; /* number of the signal */
+
+/* An endless step in the user's C code must not keep the process alive: the alarm ends it. */
 static void interrupt(int signal_number)
 {
-    (void)signal_number;
-    interrupted = 1;
+    interrupted = signal_number;
+    alarm(ENDS_WITHIN_S);
+}
+
+static void catch_signals(void)
+{
+    static const int caught[] = { SIGINT, SIGTERM, SIGHUP };
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = interrupt;
+    for (size_t i = 0; i < sizeof caught / sizeof caught[0]; i++)
+        sigaction(caught[i], &action, NULL);
 }
 
 static int64_t clock_ns(void)
@@ -47,14 +62,20 @@ static int64_t clock_ns(void)
     return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
 }
 
+/* Prints the progress in one line of the terminal. */
 static void show_progress(int64_t now_ns, double duration_s)
 {
-    double now_s = (double)now_ns * 1e-9;
+    const double now_s = (double)now_ns * 1e-9;
+    struct winsize size;
+    const int room =
+        ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? (int)size.ws_col - 1 : 79;
+    char text[100];
     if (!isfinite(duration_s))
-        fprintf(stderr, "\rsimulating: %.0f s", now_s);
+        snprintf(text, sizeof text, "simulating: %.0f s", now_s);
     else
-        fprintf(stderr, "\rsimulating: %.0f of %g s (%.0f %%)", now_s, duration_s,
-                duration_s > 0.0 ? 100.0 * now_s / duration_s : 100.0);
+        snprintf(text, sizeof text, "simulating: %.0f of %g s (%.0f %%)", now_s, duration_s,
+                 duration_s > 0.0 ? 100.0 * now_s / duration_s : 100.0);
+    fprintf(stderr, "\r\033[K%.*s", room, text);
     fflush(stderr);
 }
 
@@ -65,22 +86,22 @@ static const struct frob_program *load(const char *path)
     if (program == NULL)
         return NULL;
     if (program->robot[0] == '\0') {
-        fprintf(stderr, "error: %s is a program for no robot; `reactimateRobot` makes one\n",
+        fprintf(stderr, "error: %s is not a robot program; use `reactimateRobot` to make one\n",
                 program->name);
         return NULL;
     }
     return program;
 }
 
-/* A message has a line for each fault of a world. */
+/* Prints a message that has a line for each fault of a world. */
 static void tell_faults(char *message)
 {
     for (char *line = strtok(message, "\n"); line != NULL; line = strtok(NULL, "\n"))
         fprintf(stderr, "error: %s\n", line);
 }
 
-/* Opens the world with the program's robot in it; NULL with a line for each
- * mistake on standard error. */
+/* Opens the world with the program's robot in it. On failure returns NULL and prints a line for
+ * each fault on standard error. */
 static struct frob_sim *open_world(const struct options *options,
                                    const struct frob_program *program)
 {
@@ -91,6 +112,7 @@ static struct frob_sim *open_world(const struct options *options,
     settings.seed = options->seed;
     settings.wall_distance_m = options->wall_distance_m;
     settings.picture = options->picture != NULL;
+    settings.served = 0;
     settings.body = (const struct frob_body *)frob_load_part(program->robot, "body");
     sim = frob_sim_open(options->world, &settings, message, sizeof message);
     if (sim == NULL) {
@@ -99,20 +121,21 @@ static struct frob_sim *open_world(const struct options *options,
     }
     if (program->input_size < frob_sim_input_size(sim) ||
         program->output_size < frob_sim_output_size(sim)) {
-        fprintf(stderr, "error: %s was compiled with another <frob/%s.h>\n", program->name,
-                program->robot);
+        fprintf(stderr,
+                "error: %s was compiled with another version of <frob/%s.h>; compile it again\n",
+                program->name, program->robot);
         frob_sim_close(sim);
         return NULL;
     }
     return sim;
 }
 
-/* For who looks on: the first robot's instant, and where all of them really are. */
+/* Publishes the first robot's instant, and the true poses of all robots, for viewers. */
 static void publish(struct publisher *publisher, const struct controllers *controllers,
                     int64_t now_ns, struct truth *truths)
 {
     const struct controller *first = &controllers->each[0];
-    if (publisher->ring.shared == NULL)
+    if (publisher->ring.shared == NULL || controllers->is_away)
         return;
     for (size_t i = 0; i < controllers->count; i++) {
         const struct frob_sim_place place = frob_sim_place_robot(controllers->sim, i);
@@ -123,9 +146,9 @@ static void publish(struct publisher *publisher, const struct controllers *contr
     publisher_put(publisher, now_ns, first->input, first->output, truths);
 }
 
-/* Runs the controllers at their instants. Instant k is at the absolute time
- * k / rate, in whole nanoseconds, and dt is the difference of two of them: so
- * nothing adds up. Returns false when a record cannot be written. */
+/* Runs the controllers at their instants. Instant k is at the absolute time k / rate, in whole
+ * nanoseconds, and dt is the difference of two such times, so rounding errors do not accumulate.
+ * Returns false if a recording cannot be written. */
 static bool run(const struct options *options, struct controllers *controllers,
                 struct console *console, struct touches *touches, struct publisher *publisher,
                 struct truth *truths)
@@ -134,7 +157,7 @@ static bool run(const struct options *options, struct controllers *controllers,
     bool progress = options->progress || isatty(STDERR_FILENO);
     int64_t end_ns =
         isfinite(options->duration_s) ? (int64_t)llround(options->duration_s * 1e9) : INT64_MAX;
-    int64_t before_ns = 0, shown_ns = 0;
+    int64_t shown_ns = 0;
     bool ok = true;
     pace_start(&pace, publisher, &interrupted, !options->realtime);
     for (int64_t k = 0; ok && !interrupted; k++) {
@@ -143,13 +166,12 @@ static bool run(const struct options *options, struct controllers *controllers,
             break;
         touches_take(touches, console, &publisher->ring);
         frob_sim_advance(controllers->sim, now_ns);
-        ok = controllers_step(controllers, now_ns, (double)(now_ns - before_ns) / 1e9, touches);
+        ok = controllers_step(controllers, now_ns, touches);
         publish(publisher, controllers, now_ns, truths);
         if (controllers->running == 0 && options->exit_when_done)
             break;
         if (options->stop_when_violated && controllers_violated(controllers) != NULL)
             break;
-        before_ns = now_ns;
         if (progress && (k & 15) == 0 && clock_ns() - shown_ns > 100000000) {
             show_progress(now_ns, options->duration_s);
             shown_ns = clock_ns();
@@ -160,17 +182,17 @@ static bool run(const struct options *options, struct controllers *controllers,
     return ok;
 }
 
-/* Who looks on finds the frames of a camera beside the recording. */
+/* Viewers find camera frames next to the recording, so a program with images needs one. */
 static bool has_frames_for_viewer(const struct options *options, const struct frob_program *program)
 {
     if (options->viewer == NULL || options->record != NULL || !frames_has_images(program->input))
         return true;
-    fprintf(stderr, "error: this program sees, and what it saw is shown from the frames beside a "
-                    "recording: `--view` needs `--record LOG.csv` too\n");
+    fprintf(stderr, "error: this program uses a camera, and the viewer reads its frames from a "
+                    "recording: add `--record LOG.csv` to `--view`\n");
     return false;
 }
 
-/* Better now than after the run. A file that was not there is not left behind. */
+/* Checks this before the run rather than after it. Removes the file if it did not exist before. */
 static bool is_writable(const char *path)
 {
     FILE *file = fopen(path, "rb");
@@ -188,7 +210,7 @@ static bool is_writable(const char *path)
     return true;
 }
 
-/* Runs the program in an opened simulation, and tells how it went. */
+/* Runs the program in an opened simulation, and prints the summary. */
 static int simulate(const struct options *options, const struct params *params,
                     struct frob_sim *sim)
 {
@@ -209,7 +231,7 @@ static int simulate(const struct options *options, const struct params *params,
         free(truths);
         return WRONG_USE;
     }
-    /* Before files are open that are none of the viewer's. */
+    /* Start the viewer before opening files that it must not inherit. */
     publisher_start(&publisher, params->program, frob_sim_robots(sim) * sizeof *truths,
                     RING_PACES | RING_SENDS, ok ? options->viewer : NULL);
     ok = controllers_open(&controllers, params, sim, options->record) && ok;
@@ -218,7 +240,8 @@ static int simulate(const struct options *options, const struct params *params,
     if (options->console)
         console_open(&console);
     ok = ok && run(options, &controllers, &console, &touches, &publisher, truths);
-    publisher_end(&publisher);
+    alarm(0);
+    publisher_end(&publisher, RING_AT_REST);
     touches_end(&touches);
     free(truths);
     console_close(&console);
@@ -235,17 +258,21 @@ static int simulate(const struct options *options, const struct params *params,
         violated = controllers_violated(&controllers) != NULL;
     if (violated)
         claims_complain(controllers_violated(&controllers));
-    if (!controllers_close(&controllers) || !ok)
+    ok = controllers_close(&controllers) && ok;
+    publisher_leave(&publisher, interrupted == 0 || interrupted == SIGINT);
+    if (ok && interrupted == SIGINT)
+        record_report_interruption(options->record, frob_sim_summarize(sim).time_s);
+    if (!ok)
         return WRONG_USE;
     if (options->strict && collisions > 0) {
-        fprintf(stderr, controllers.count == 1 ? "error: the robot ran into something\n"
-                                               : "error: a robot ran into something\n");
+        fprintf(stderr, controllers.count == 1 ? "error: the robot collided with something\n"
+                                               : "error: a robot collided with something\n");
         return FAULT;
     }
     return violated ? FAULT : DONE;
 }
 
-/* Tells the robot of a world: an empty text if it leaves it open. */
+/* Prints the robot of a world; nothing if the world leaves it open. */
 static int tell_robot(const char *world)
 {
     char message[8192];
@@ -259,7 +286,7 @@ static int tell_robot(const char *world)
     return DONE;
 }
 
-/* Each run of a trial is of a simulation of its own. */
+/* Runs a trial with each seed, each in a new simulation. */
 static int try_seeds(const struct options *options, const struct params *params,
                      const struct frob_program *judge)
 {
@@ -301,12 +328,12 @@ static int tell_plan(const char *plan)
 
 static int start(const struct options *options)
 {
-    /* Parts of a robot of the user's own are found in what was loaded last. */
+    /* Load the judge first, because the parts of a user-defined robot are looked up in the object
+     * loaded last. */
     const struct frob_program *judge = options->judge != NULL ? frob_load(options->judge) : NULL;
     const struct frob_program *program = load(options->program);
     struct params params;
     struct frob_sim *sim;
-    struct sigaction action;
     int status = WRONG_USE;
     if (program == NULL || (options->judge != NULL && judge == NULL))
         return WRONG_USE;
@@ -317,9 +344,8 @@ static int start(const struct options *options)
             status = try_seeds(options, &params, judge);
     } else if (params_open(&params, program, options->params, options->param_count) &&
                (sim = open_world(options, program)) != NULL) {
-        memset(&action, 0, sizeof action);
-        action.sa_handler = interrupt;
-        sigaction(SIGINT, &action, NULL);
+        catch_signals();
+        streams_plain_output();
         status = simulate(options, &params, sim);
         frob_sim_close(sim);
     }
@@ -343,5 +369,9 @@ int main(int argc, char **argv)
     if (read_options(argc, argv, &options))
         status = start(&options);
     free(options.params);
+    if (interrupted != 0 && interrupted != SIGINT) {
+        signal(interrupted, SIG_DFL);
+        raise(interrupted);
+    }
     return status;
 }

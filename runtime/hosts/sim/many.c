@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { MOST_SETTINGS = 64 };
 
@@ -16,7 +15,7 @@ struct job {
     size_t count;
 };
 
-/* Takes a line apart, in its place. */
+/* Splits a line in place. */
 static bool read_job(char *line, struct job *job)
 {
     char *cell = strtok(line, "\t\n"), *end;
@@ -39,7 +38,7 @@ static uint64_t checksum(const char *text)
     return hash;
 }
 
-/* The line, which has an end already. */
+/* Writes the line, whose text already ends in a line feed. */
 static bool write_line(const char *key, char *said)
 {
     const size_t room = strlen(key) + strlen(said) + 2;
@@ -50,13 +49,13 @@ static bool write_line(const char *key, char *said)
         snprintf(line, room, "%s\t%s", key, said);
         ok = printf("%s\t%016" PRIx64 "\n", line, checksum(line)) > 0 && fflush(stdout) == 0;
         if (!ok)
-            fprintf(stderr, "error: cannot write what a run came to: %s\n", strerror(errno));
+            fprintf(stderr, "error: cannot write the result of a run: %s\n", strerror(errno));
     }
     free(line);
     return ok;
 }
 
-/* Those of the program's that the judge has too. */
+/* Sets the judge's parameters that have the same names as the program's. */
 static bool set_judge(struct trial *trial, const struct job *job, struct params *params)
 {
     char why[PARAMS_WHY];
@@ -102,7 +101,6 @@ bool many_runs(struct trial *trial, const struct options *options,
     FILE *list = fopen(options->runs, "r");
     char *line = NULL;
     size_t room = 0;
-    const pid_t parent = getppid();
     bool ok = list != NULL;
     if (!ok)
         fprintf(stderr, "error: cannot read %s: %s\n", options->runs, strerror(errno));
@@ -110,11 +108,8 @@ bool many_runs(struct trial *trial, const struct options *options,
         struct job job;
         ok = read_job(line, &job);
         if (!ok)
-            fprintf(stderr, "error: %s has a line that is no run\n", options->runs);
+            fprintf(stderr, "error: %s has a line that does not describe a run\n", options->runs);
         ok = ok && one_run(trial, options, program, open_world, &job);
-        /* Whoever asked is gone: who goes on has the rest made anew, not twice. */
-        if (getppid() != parent)
-            break;
     }
     free(line);
     if (list != NULL)

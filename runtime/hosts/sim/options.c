@@ -9,35 +9,35 @@
 const char usage[] =
     "usage: frob-sim PROGRAM.so --world WORLD.toml [OPTION]...\n"
     "\n"
-    "  --world FILE       the world the robot is in\n"
+    "  --world FILE       the world of the robot\n"
     "  --for SECONDS      how long to run (60)\n"
     "  --rate HZ          how often the controller runs (50)\n"
-    "  --seed N           of all noise (1)\n"
-    "  --param NAME=VALUE the value of a parameter of the program, in its unit\n"
-    "  --target METRES    the distance to the wall that is measured against\n"
-    "  --realtime         as fast as the clock, not as fast as possible\n"
-    "  --record FILE.csv  write what the program read and commanded (FILE.csv.gz: compressed)\n"
-    "  --picture FILE     draw the run, as .svg or .png\n"
-    "  --console          the program reads the keys that are typed, one each instant\n"
-    "  --exit-when-done   end when the program has ended, not after the time that is set\n"
+    "  --seed N           the seed of all noise (1)\n"
+    "  --param NAME=VALUE set a parameter of the program, in its unit\n"
+    "  --target METRES    the wall distance to compare the robot's with\n"
+    "  --realtime         run in real time, not as fast as possible\n"
+    "  --record FILE.csv  record the inputs and outputs of the program (FILE.csv.gz: compressed)\n"
+    "  --picture FILE     draw the run as .svg or .png\n"
+    "  --console          pass the typed keys to the program, one per instant\n"
+    "  --exit-when-done   end when the program ends, not after the time of --for\n"
     "  --stop-when-violated\n"
     "                     end with status 4 when an assertion of the program is violated\n"
-    "  --strict           exit with status 4 if the robot ran into something\n"
+    "  --strict           exit with status 4 if the robot collided with something\n"
     "  --judge JUDGE.so   judge each run, and print a line for it instead of a summary\n"
-    "  --last-seed N      with --judge: a run with each seed, from that of --seed on\n"
-    "  --runs LIST        with --judge: the runs of a list, each with its seed and parameters\n"
-    "  --progress         show progress even where it is not a terminal\n"
+    "  --last-seed N      with --judge: run with each seed from that of --seed to N\n"
+    "  --runs LIST        with --judge: run each line of a list, with its seed and parameters\n"
+    "  --progress         show progress even if standard error is not a terminal\n"
     "  --viewer COMMAND...\n"
-    "                     start what shows the run, and go on in real time, until it is\n"
-    "                     ended if there is no --for; takes the rest of the line\n"
+    "                     start this viewer and run in real time, until interrupted if\n"
+    "                     there is no --for; takes the rest of the line\n"
     "\n"
     "       frob-sim --robot-of WORLD.toml\n"
     "\n"
-    "                     tells the robot that a world names, if it does\n"
+    "                     prints the robot that a world names, if it names one\n"
     "\n"
     "       frob-sim --plan PLAN.toml\n"
     "\n"
-    "                     tells what the plan of a sweep says\n";
+    "                     prints the content of a sweep's plan\n";
 
 static bool number(const char *option, const char *text, double low, double high, double *result)
 {
@@ -64,7 +64,7 @@ static bool whole(const char *option, const char *text, uint64_t *result)
     return true;
 }
 
-/* An option that stands alone; NULL if it is none of them. */
+/* Returns the variable of an option without a value; NULL if there is no such option. */
 static bool *flag(struct options *o, const char *name)
 {
     if (strcmp(name, "--realtime") == 0)
@@ -113,14 +113,14 @@ static bool valued(struct options *o, const char *name, const char *value)
     return true;
 }
 
-/* The simulator draws these two; better to say so before the run than after. */
+/* The simulator draws only these formats; report others before the run. */
 static bool is_picture(const char *name)
 {
     size_t length = strlen(name);
     if (length > 4 &&
         (strcmp(name + length - 4, ".svg") == 0 || strcmp(name + length - 4, ".png") == 0))
         return true;
-    fprintf(stderr, "error: the picture `%s` must be named .svg or .png\n", name);
+    fprintf(stderr, "error: the name of the picture `%s` must end in .svg or .png\n", name);
     return false;
 }
 
@@ -143,13 +143,14 @@ bool read_options(int argc, char **argv, struct options *o)
             *alone = true;
         } else if (argv[i][0] != '-') {
             if (o->program != NULL) {
-                fprintf(stderr, "error: one program at a time: `%s` and `%s`\n", o->program,
-                        argv[i]);
+                fprintf(stderr, "error: there are two programs, `%s` and `%s`; give only one\n",
+                        o->program, argv[i]);
                 return false;
             }
             o->program = argv[i];
         } else if (i + 1 == argc) {
-            fprintf(stderr, "error: `%s` is unknown, or needs a value\n", argv[i]);
+            fprintf(stderr, "error: the option `%s` is unknown, or its value is missing\n",
+                    argv[i]);
             return false;
         } else if (!valued(o, argv[i], argv[i + 1])) {
             return false;
@@ -162,7 +163,7 @@ bool read_options(int argc, char **argv, struct options *o)
     if (isnan(o->duration_s))
         o->duration_s = o->viewer != NULL ? (double)INFINITY : 60.0;
     if (o->program == NULL || o->world == NULL) {
-        fprintf(stderr, "error: %s is missing; `frob-sim --help` says how to use it\n",
+        fprintf(stderr, "error: %s is missing; see `frob-sim --help`\n",
                 o->program == NULL ? "the program" : "--world");
         return false;
     }

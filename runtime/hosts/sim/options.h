@@ -9,26 +9,26 @@
 struct options {
     const char *program; /* PROGRAM.so */
     const char *world;
-    double duration_s; /* may be without end */
-    double rate_hz;    /* of the controller */
+    double duration_s; /* may be infinite */
+    double rate_hz;    /* rate of the controller */
     uint64_t seed;
-    double wall_distance_m; /* 0: as the world file says */
+    double wall_distance_m; /* 0: from the world file */
     bool realtime, strict, progress;
-    bool console;            /* keys typed on standard input are the program's */
+    bool console;            /* pass keys typed on standard input to the program */
     bool exit_when_done;     /* end the run when the program has ended */
-    bool stop_when_violated; /* and when an assertion of it is violated */
+    bool stop_when_violated; /* end the run when an assertion is violated */
     const char *record;      /* CSV; NULL: none */
     const char *picture;     /* NULL: none */
-    char *const *viewer;     /* a command, which ends with NULL; NULL: none */
+    char *const *viewer;     /* NULL-terminated command; NULL: none */
     const char *judge;       /* JUDGE.so of a trial; NULL: an ordinary run */
-    const char *runs;        /* of a trial, a file with runs instead of seeds; NULL: none */
-    uint64_t last_seed;      /* of a trial, from `seed` on */
-    const char **params;     /* values of the program's parameters, NAME=VALUE each */
+    const char *runs;        /* for a trial: file with runs instead of seeds; NULL: none */
+    uint64_t last_seed;      /* for a trial: last seed; the first is `seed` */
+    const char **params;     /* NAME=VALUE for each parameter that is set */
     size_t param_count;
 };
 
-/* Reads the command line; `params` is memory to be freed. False if it is wrong, with a line on
- * standard error. */
+/* Reads the command line; the caller frees `params`. If it is wrong, prints a line on standard
+ * error and returns false. */
 bool read_options(int argc, char **argv, struct options *options);
 
 /* The usage text. */

@@ -4,8 +4,8 @@
 #include <string.h>
 #include <time.h>
 
-#define LOOK_NS INT64_C(5000000)   /* how often to look whether something else is wanted */
-#define LATE_NS INT64_C(100000000) /* what is later is not made up for */
+#define LOOK_NS INT64_C(5000000)   /* how often to check for requests while waiting */
+#define LATE_NS INT64_C(100000000) /* longer delays are not made up for */
 
 static int64_t clock_now(void)
 {
@@ -35,7 +35,7 @@ void pace_start(struct pace *pace, struct publisher *publisher,
     pace->clock_ns = clock_now();
 }
 
-/* The time of the run is this one, now. */
+/* Restarts the pace: the run's time is `time_ns` now. */
 static void begin_again(struct pace *pace, int64_t time_ns, double speed)
 {
     pace->clock_ns = clock_now();
@@ -43,7 +43,7 @@ static void begin_again(struct pace *pace, int64_t time_ns, double speed)
     pace->speed = speed;
 }
 
-/* While somebody looks on, who may want something else at any time. */
+/* Waits for the instant while there is a viewer, which may change the pace at any time. */
 static bool wait_as_wanted(struct pace *pace, int64_t time_ns)
 {
     while (!*pace->interrupted && !ring_is_stopped(&pace->publisher->ring)) {
@@ -51,6 +51,7 @@ static bool wait_as_wanted(struct pace *pace, int64_t time_ns)
         const bool is_heard = publisher_is_heard(pace->publisher, now);
         struct ring_pace wanted = ring_pace(&pace->publisher->ring);
         int64_t due;
+        ring_show_alive(&pace->publisher->ring);
         if (!is_heard) {
             wanted.paused = false;
             wanted.speed = 1.0;

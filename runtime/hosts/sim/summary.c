@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* What is measured of a robot; each line begins with `who`. */
+/* Prints what was measured for a robot; each line starts with `who`. */
 static void print_wall_distance(const char *who, const struct frob_sim_summary *s)
 {
     if (!s->measured)
@@ -29,7 +29,7 @@ static void print_tape_distance(const char *who, const struct frob_sim_summary *
     } else {
         printf("%smean distance from the tape: %.4f m\n", who, s->mean_tape_m);
         printf("%slargest distance from the tape: %.4f m\n", who, s->largest_tape_m);
-        printf("%sway along the tape: %.3f m\n", who, s->tape_way_m);
+        printf("%sdistance along the tape: %.3f m\n", who, s->tape_way_m);
     }
 }
 
@@ -46,14 +46,26 @@ static void print_ball_distance(const char *who, const struct frob_sim_summary *
     }
 }
 
-static void print_robot(const char *who, const struct frob_sim_summary *s)
+static void print_collisions(const char *who, const struct frob_sim *sim, size_t robot, int count)
+{
+    struct frob_sim_collision collision;
+    printf("%scollisions: %d\n", who, count);
+    for (size_t i = 0; frob_sim_collision_robot(sim, robot, i, &collision); i++) {
+        char text[400];
+        frob_sim_describe_collision(&collision, text, sizeof text);
+        printf("%s%s\n", who, text);
+    }
+}
+
+static void print_robot(const char *who, const struct frob_sim *sim, size_t robot,
+                        const struct frob_sim_summary *s)
 {
     printf("%sdistance driven: %.3f m\n", who, s->distance_m);
     print_wall_distance(who, s);
     print_tape_distance(who, s);
     print_ball_distance(who, s);
     printf("%sodometry error at the end: %.3f m\n", who, s->odometry_error_m);
-    printf("%scollisions: %d\n", who, s->collisions);
+    print_collisions(who, sim, robot, s->collisions);
 }
 
 static void print_result(const char *who, const struct frob_program *program,
@@ -85,7 +97,7 @@ static int print_single(const struct options *options, const struct controllers 
 {
     struct frob_sim_summary s = frob_sim_summarize(c->sim);
     printf("time simulated: %.3f s\n", s.time_s);
-    print_robot("", &s);
+    print_robot("", c->sim, 0, &s);
     print_speed(options, s.time_s, wall_s);
     if (options->record != NULL)
         printf("log: %s\n", options->record);
@@ -102,7 +114,7 @@ static int print_several(const struct options *options, const struct controllers
         struct frob_sim_summary s = frob_sim_summarize_robot(c->sim, k);
         char who[32];
         snprintf(who, sizeof who, "robot %zu ", k + 1);
-        print_robot(who, &s);
+        print_robot(who, c->sim, k, &s);
         if (c->each[k].record_name != NULL)
             printf("%slog: %s\n", who, c->each[k].record_name);
         print_result(who, c->program, &c->each[k]);

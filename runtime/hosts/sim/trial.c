@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is true, by the names of the judge's columns, in the order in which it is seen. */
+/* The judge's input columns for the true state, in the order of fill's array. */
 enum { TRUTHS = TRIAL_TRUTHS };
 
 static const char *const truth_names[TRUTHS] = {
@@ -16,7 +16,7 @@ static const char *const truth_names[TRUTHS] = {
     "in.touches",         "in.driven",          "in.odometryError", "in.ended",
 };
 
-/* Remembers where a column is. */
+/* Stores where a column is in the judge's input. */
 static void find(void *context, const char *name, const struct frob_value *value)
 {
     struct trial *trial = (struct trial *)context;
@@ -93,7 +93,7 @@ static bool was_asked(const struct claims *claims)
     return false;
 }
 
-/* Is this the last instant, since something has failed? */
+/* Returns whether something has failed, so that this is the last instant. */
 static bool has_failed(const struct controllers *controllers, const struct claims *judged,
                        enum verdict said, int64_t now_ns, struct end *end)
 {
@@ -143,7 +143,7 @@ static bool run(struct trial *trial, const struct options *options, struct contr
         if (now_ns > end_ns)
             break;
         frob_sim_advance(controllers->sim, now_ns);
-        ok = controllers_step(controllers, now_ns, dt_s, &touches);
+        ok = controllers_step(controllers, now_ns, &touches);
         see_truth(controllers, truths);
         fill(trial, truths);
         trial->judge->step(trial->state, trial->params, dt_s, trial->input, trial->output);
@@ -167,7 +167,20 @@ static bool run(struct trial *trial, const struct options *options, struct contr
     return ok;
 }
 
-/* What the judge measures, behind a tab each: `name=value`. */
+/* Prints the number of collisions of the first robot, and for the first collision the time, place,
+ * clearance and object, each after a tab. The cells are empty if there was no collision. */
+static void print_collisions(const struct frob_sim *sim, FILE *file)
+{
+    struct frob_sim_collision first;
+    fprintf(file, "\t%d", frob_sim_summarize_robot(sim, 0).collisions);
+    if (frob_sim_collision_robot(sim, 0, 0, &first))
+        fprintf(file, "\t%.9f\t%.9g\t%.9g\t%.9g\t%s", first.time_s, first.x_m, first.y_m,
+                first.clearance_m, first.with);
+    else
+        fputs("\t\t\t\t\t", file);
+}
+
+/* Prints what the judge measures: a tab and `name=value` for each. */
 static bool print_measures(const struct trial *trial, FILE *file)
 {
     const struct frob_value *probes = trial->judge->probes;
@@ -177,7 +190,7 @@ static bool print_measures(const struct trial *trial, FILE *file)
         char *buffer = (char *)malloc(room);
         struct frob_text text;
         if (buffer == NULL) {
-            fprintf(stderr, "error: not enough memory for what is measured\n");
+            fprintf(stderr, "error: not enough memory for the measurements\n");
             return false;
         }
         text = frob_text_in(buffer, room);
@@ -209,8 +222,10 @@ bool trial_run(struct trial *trial, const struct options *options, const struct 
                 (double)end.time_ns * 1e-9, end.label);
         for (size_t i = 0; i + 1 < TRUTHS; i++)
             fprintf(file, "\t%.9g", truths[i]);
+        print_collisions(sim, file);
         ok = print_measures(trial, file);
         putc('\n', file);
+        fflush(file); /* so that frobc can determine which run a crash ended */
     }
     claims_close(&judged);
     return controllers_close(&controllers) && ok;

@@ -1,5 +1,5 @@
-/* trial.h -- runs of a program that are judged by another program, which sees what really
- * happens: `trial` in the language, and the library's module Trial. */
+/* trial.h -- runs a program and judges it with another program, which sees the true state of the
+ * world: `trial` in the language, and the library's module Trial. */
 #ifndef FROB_SIM_TRIAL_H
 #define FROB_SIM_TRIAL_H
 
@@ -11,22 +11,24 @@
 enum { TRIAL_TRUTHS = 8 };
 
 struct trial {
-    const struct frob_program *judge; /* from a Truth to a Verdict */
-    const void *params;               /* the judge's; its default */
+    const struct frob_program *judge; /* a signal function from a Truth to a Verdict */
+    const void *params;               /* the judge's parameters; initially its defaults */
     void *state, *input, *output;
-    const struct frob_value *truths[TRIAL_TRUTHS]; /* where what is true goes in the input */
+    const struct frob_value *truths[TRIAL_TRUTHS]; /* input fields for the true state */
 };
 
-/* False without memory, with a line on standard error; close it then, too. */
+/* Returns false and prints a line on standard error if memory runs out; call trial_close in this
+ * case too. */
 bool trial_open(struct trial *trial, const struct frob_program *judge);
 
-/* A run in an opened simulation, which ends at the first instant at which something fails.
- * Writes a line with tabs between its cells: the seed; `held`, `violated`, `undecided` (the judge
- * waits for something when the time is over), `unasked` (nothing was to hold at any instant) or
- * `void` (an assumption failed); at what time; the label of what failed, or `judge`; and of the
- * first robot at that time x, y, heading, clearance, whether something touches it, the way
- * driven and the error of its odometry; and then each probe of the judge, `name=value`. False
- * when a record or a picture cannot be written. */
+/* Performs a run in an opened simulation, which ends at the first instant at which something fails.
+ * Writes a line of tab-separated cells: the seed; the verdict: `held`, `violated`, `undecided` (the
+ * judge was still waiting for something when the time was over), `unasked` (nothing had to hold at
+ * any instant) or `void` (an assumption failed); the time; the label of what failed, or `judge`;
+ * for the first robot at that time its x, y, heading, clearance, whether something touches it, the
+ * distance driven and the error of its odometry; the number of its collisions, and for the first
+ * collision the time, x, y, clearance and object; and `name=value` for each probe of the judge.
+ * Returns false if a recording or a picture cannot be written. */
 bool trial_run(struct trial *trial, const struct options *options, const struct params *params,
                struct frob_sim *sim, FILE *file);
 

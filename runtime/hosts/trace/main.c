@@ -1,22 +1,30 @@
 /* frob-trace -- runs a compiled program on recorded input: CSV in, CSV out.
  *
- *   frob-trace [--modes] [--stop-when-violated] [--param NAME=VALUE]... PROGRAM.so IN.csv [OUT.csv]
+ *   frob-trace [--modes] [--stop-when-violated] [--param NAME=VALUE]... [--separator C]
+ *              [--decimal-comma] [--time-column NAME] [--column NAME=COLUMN]...
+ *              PROGRAM.so IN.csv [OUT.csv]
  *
- * `-` for IN.csv is standard input; without OUT.csv the output goes to
- * standard output. With --modes the output has a column for each machine, with
- * the mode that runs. With --param a parameter has that value, and otherwise the one that the
- * recording was made with. Frames of cameras are read from IN.frames, beside the recording. What
- * became of the program's assertions is told on standard error. Exit status: 0; 2 when a file
- * cannot be read or written or is not a trace of this program; 4 with --stop-when-violated at the
- * first instant at which an assertion is violated. The trace's format is described
- * in <frob/trace.h>. */
+ * If IN.csv is `-`, reads standard input; without OUT.csv, writes standard output. --modes adds a
+ * column for each machine, with the mode that runs. --param sets a parameter; parameters that are
+ * not set have the values that the recording was made with. The options from --separator on are for
+ * recordings from other programs (dialect.h). Camera frames are read from IN.frames, next to the
+ * recording. The results of the program's assertions are printed on standard error. Exit status: 0;
+ * 2 if a file cannot be read or written or is not a trace of this program; 4 with
+ * --stop-when-violated, at the first instant at which an assertion is violated. <frob/trace.h>
+ * describes the trace's format. */
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE /* open_memstream */
+#endif
+
 #include "../common/claims.h"
 #include "../common/csv.h"
+#include "../common/dialect.h"
 #include "../common/frames.h"
 #include "../common/load.h"
 #include "../common/packed.h"
 #include "../common/params.h"
 #include "../common/seconds.h"
+#include "../common/streams.h"
 
 #include <frob/cell.h>
 #include <frob/console.h>
@@ -33,9 +41,9 @@ enum { DONE = 0, WRONG_USE = 2, FAULT = 4 };
 struct column {
     char *name;
     const struct frob_value *value;
-    size_t cell; /* its place in the file's rows */
+    size_t cell; /* index in the file's rows */
     bool found;
-    bool on_console; /* as nobody touched it, where the file has no such column */
+    bool on_console; /* on the console; a missing column means that nobody touched it */
 };
 
 struct trace {
@@ -43,30 +51,81 @@ struct trace {
     struct params params;
     const char *input_name;
     struct csv csv;
-    struct frame_reader frames; /* beside the recording */
+    struct frame_reader frames; /* frames next to the recording */
     FILE *output;
     struct column *columns;
     size_t count, capacity;
-    size_t width;   /* cells in the header */
-    unsigned parts; /* of the output's rows */
+    size_t width;   /* number of cells in the header */
+    unsigned parts; /* contents of the output's rows */
     struct claims claims;
-    bool stops; /* at an assertion that is violated */
+    bool stops; /* stop when an assertion is violated */
     bool no_memory;
 };
 
 static void complain(const struct trace *t, size_t cell, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* One line: file, line, column in the line, and what is wrong there. */
+/* A message on one line, whatever the names and cells in it contain. */
+struct complaint {
+    FILE *stream; /* NULL: not enough memory */
+    char *text;
+    size_t length;
+};
+
+static void begin(struct complaint *c)
+{
+    c->text = NULL;
+    c->stream = open_memstream(&c->text, &c->length);
+}
+
+/* Begins with file, line, and column in the line. */
+static void begin_complaint(struct complaint *c, const struct trace *t, size_t cell)
+{
+    begin(c);
+    if (c->stream != NULL)
+        fprintf(c->stream, "error: %s:%lu:%lu: ", t->input_name, t->csv.line,
+                (unsigned long)(cell < t->csv.count ? t->csv.columns[cell] : 1));
+}
+
+/* Writes line feeds and tabs as decimal codes; standard error does so with other control
+ * characters (streams.h). */
+static void end_complaint(struct complaint *c)
+{
+    if (c->stream == NULL || fclose(c->stream) != 0) {
+        fputs("error: not enough memory for a message\n", stderr);
+    } else {
+        for (const char *at = c->text; *at != '\0'; at++) {
+            if (*at == '\n' || *at == '\t')
+                fprintf(stderr, "\\%03d", *at);
+            else
+                fputc(*at, stderr);
+        }
+        fputc('\n', stderr);
+    }
+    free(c->text);
+}
+
 static void complain(const struct trace *t, size_t cell, const char *format, ...)
 {
+    struct complaint c;
     va_list arguments;
-    fprintf(stderr, "error: %s:%lu:%lu: ", t->input_name, t->csv.line,
-            (unsigned long)(cell < t->csv.count ? t->csv.columns[cell] : 1));
+    begin_complaint(&c, t, cell);
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    if (c.stream != NULL)
+        vfprintf(c.stream, format, arguments);
     va_end(arguments);
-    fputc('\n', stderr);
+    end_complaint(&c);
+}
+
+/* `what` is "read" or "write". */
+static void complain_of_file(const char *what, const char *name)
+{
+    const char *reason = packed_reason(name, errno);
+    struct complaint c;
+    begin(&c);
+    if (c.stream != NULL)
+        fprintf(c.stream, "error: cannot %s %s: %s", what, name, reason);
+    end_complaint(&c);
 }
 
 static void add_column(void *context, const char *name, const struct frob_value *value)
@@ -94,7 +153,7 @@ static void add_column(void *context, const char *name, const struct frob_value 
     t->count++;
 }
 
-/* Reports what csv_next says besides CSV_ROW and CSV_END. */
+/* Reports any status of csv_next other than CSV_ROW and CSV_END. */
 static bool readable(const struct trace *t, enum csv_status status)
 {
     switch (status) {
@@ -107,22 +166,29 @@ static bool readable(const struct trace *t, enum csv_status status)
         complain(t, 0, "a quoted cell that starts in this row is never closed");
         break;
     case CSV_LATE_QUOTE:
-        complain(t, t->csv.count - 1, "a blank before a quote; leave no blanks beside the commas");
+        complain(t, t->csv.count - 1,
+                 "a space before a quote; remove the spaces beside the commas");
         break;
     case CSV_NUL: complain(t, 0, "a zero byte: this is not a CSV file"); break;
+    case CSV_RETURN: complain(t, 0, "%s", CSV_RETURN_REASON); break;
+    case CSV_NO_COLUMN: complain(t, 0, "%s", t->csv.reason); break;
+    case CSV_TOO_LONG:
+        complain(t, 0,
+                 "a row of more than 16 MB or more than a million cells: this is not a recording");
+        break;
     case CSV_NO_MEMORY: complain(t, 0, "not enough memory for this row"); break;
     }
     return false;
 }
 
-/* What to add to a message on a column's name or a time: blanks beside commas
- * belong to it, and are hard to see. Empty if there are none. */
+/* Returns the end of a message about a column's name or a time: blanks next to commas belong to the
+ * name or time, and are hard to see. Empty if there are none. */
 static const char *on_blanks(const char *text)
 {
     size_t length = strlen(text);
     bool blank = length > 0 && (text[0] == ' ' || text[0] == '\t' || text[length - 1] == ' ' ||
                                 text[length - 1] == '\t');
-    return blank ? "; leave no blanks beside the commas" : "";
+    return blank ? "; remove the spaces beside the commas" : "";
 }
 
 static bool is_output(const char *name)
@@ -144,35 +210,46 @@ static bool is_missing(const struct column *column)
     return !column->found && !column->on_console;
 }
 
-/* What the header lacks, and what it should be: of a robot's input the names are
- * many, so not all of them twice. */
-static void complain_missing(const struct trace *t)
+/* Reports which columns the header lacks. A robot's input has many names, so this avoids printing
+ * them all twice. The header has `unknown` unknown columns, one of which is `other`. */
+static void complain_missing(struct trace *t, size_t unknown, const char *other)
 {
+    const char *first = NULL;
     enum { MOST = 4 };
     const char *comma = "";
     size_t missing = 0, named = 0;
     for (size_t i = 0; i < t->count; i++)
         missing += is_missing(&t->columns[i]) ? 1 : 0;
     const size_t most = missing <= MOST ? missing : MOST - 1;
-    fprintf(stderr, "error: %s:%lu:1: missing: ", t->input_name, t->csv.line);
+    struct complaint c;
+    begin_complaint(&c, t, t->csv.count);
+    if (c.stream == NULL) {
+        end_complaint(&c);
+        return;
+    }
+    fputs("missing: ", c.stream);
     for (size_t i = 0; i < t->count && named < most; i++) {
         if (is_missing(&t->columns[i])) {
-            fprintf(stderr, "%s`%s`", comma, t->columns[i].name);
+            fprintf(c.stream, "%s`%s`", comma, t->columns[i].name);
+            first = first == NULL ? t->columns[i].name : first;
             comma = ", ";
             named++;
         }
     }
     if (named < missing)
-        fprintf(stderr, " and %lu more", (unsigned long)(missing - named));
-    fputs("; the header for this program is `time", stderr);
+        fprintf(c.stream, " and %lu more", (unsigned long)(missing - named));
+    fputs("; the header for this program is `time", c.stream);
     for (size_t i = 0; i < t->count; i++)
-        fprintf(stderr, ",%s", t->columns[i].name);
-    fputs("`\n", stderr);
+        fprintf(c.stream, ",%s", t->columns[i].name);
+    fprintf(c.stream, "`%s", dialect_column_hint(&t->csv, first, unknown, other));
+    end_complaint(&c);
 }
 
 static bool read_header(struct trace *t)
 {
     bool ok = true;
+    size_t unknown = 0;
+    const char *other = NULL;
     enum csv_status status = csv_next(&t->csv);
     while (status == CSV_ROW && csv_cell(&t->csv, 0)[0] == '#') {
         if (!params_recorded(&t->params, t->input_name, csv_cell(&t->csv, 0)))
@@ -187,27 +264,36 @@ static bool read_header(struct trace *t)
     }
     t->width = t->csv.count;
     if (strcmp(csv_cell(&t->csv, 0), "time") != 0) {
-        complain(t, 0, "the first column must be `time`, but it is `%s`%s", csv_cell(&t->csv, 0),
-                 on_blanks(csv_cell(&t->csv, 0)));
+        const char *name = csv_cell(&t->csv, 0), *blanks = on_blanks(name);
+        complain(t, 0, "the first column must be `time`, but it is `%s`%s", name,
+                 blanks[0] != '\0' ? blanks : dialect_time_hint(&t->csv));
+        if (dialect_separator_hint(&t->csv) != NULL)
+            return false;
         ok = false;
     }
     for (size_t i = 1; i < t->csv.count; i++) {
         const char *name = csv_cell(&t->csv, i);
         struct column *column = find_column(t, name);
         if (column != NULL && column->found) {
-            complain(t, i, "column `%s` is there twice", name);
+            complain(t, i, "the column `%s` occurs twice", name);
             ok = false;
         } else if (column != NULL) {
             column->found = true;
             column->cell = i;
         } else if (!is_output(name)) {
+            if (on_blanks(name)[0] == '\0') {
+                unknown++;
+                other = name;
+            }
+            if (dialect_names(&t->csv.dialect))
+                continue;
             complain(t, i, "the program's input has no `%s`%s", name, on_blanks(name));
             ok = false;
         }
     }
     for (size_t i = 0; i < t->count; i++) {
         if (is_missing(&t->columns[i])) {
-            complain_missing(t);
+            complain_missing(t, unknown, other);
             return false;
         }
     }
@@ -219,7 +305,7 @@ static bool is_blank(const char *cell)
     return cell[strspn(cell, " \t")] == '\0';
 }
 
-/* `A`, `B` or `C`; cut where the buffer ends. */
+/* Lists the constructors as `A`, `B` or `C`, truncated at the end of the buffer. */
 static const char *constructors(char *buffer, size_t size, const struct frob_value *value)
 {
     size_t length = 0;
@@ -243,23 +329,24 @@ static void complain_of_cell(const struct trace *t, const struct column *column,
         complain(t, column->cell, "column `%s`: expected %s, found an empty cell", column->name,
                  expected);
     else
-        complain(t, column->cell, "column `%s`: expected %s, found `%s`", column->name, expected,
-                 cell);
+        complain(t, column->cell, "column `%s`: expected %s, found `%s`%s", column->name, expected,
+                 cell, dialect_number_hint(&t->csv, cell));
 }
 
 static bool read_row(struct trace *t, void *input, int64_t *time)
 {
     struct frob_cell_error error;
     if (t->csv.count != t->width) {
-        complain(t, t->width, "the header names %lu columns, but cells in this row: %lu%s",
+        complain(t, t->width,
+                 "this row has the wrong number of cells: the header has %lu columns, found %lu%s",
                  (unsigned long)t->width, (unsigned long)t->csv.count,
-                 t->csv.count > t->width ? "; a cell with a comma in it stands in double quotes"
-                                         : "");
+                 dialect_width_hint(&t->csv, t->width));
         return false;
     }
     if (!seconds_read(csv_cell(&t->csv, 0), time)) {
-        complain(t, 0, "`%s` is not a time in seconds%s", csv_cell(&t->csv, 0),
-                 on_blanks(csv_cell(&t->csv, 0)));
+        const char *text = csv_cell(&t->csv, 0);
+        complain(t, 0, "`%s` is not a time in seconds%s%s%s", text, on_blanks(text),
+                 dialect_number_hint(&t->csv, text), seconds_too_far(text));
         return false;
     }
     frame_reader_forget(&t->frames);
@@ -277,7 +364,7 @@ static bool read_row(struct trace *t, void *input, int64_t *time)
 
 static bool cannot_write(const char *output_name)
 {
-    fprintf(stderr, "error: cannot write %s: %s\n", output_name, packed_reason(output_name, errno));
+    complain_of_file("write", output_name);
     return false;
 }
 
@@ -290,7 +377,7 @@ static bool flush(const struct trace *t, struct frob_text *text, const char *out
     return true;
 }
 
-/* The instants, one a row. */
+/* Runs the program: one instant per row. */
 static int run(struct trace *t, const char *output_name)
 {
     const struct frob_program *program = t->program;
@@ -314,7 +401,7 @@ static int run(struct trace *t, const char *output_name)
         while (ok && (status = csv_next(&t->csv)) == CSV_ROW) {
             ok = read_row(t, input, &now);
             if (ok && !first && now < before) {
-                complain(t, 0, "time goes back: `%s` comes after a later time",
+                complain(t, 0, "the time goes backwards: `%s` comes after a later time",
                          csv_cell(&t->csv, 0));
                 ok = false;
             }
@@ -327,6 +414,8 @@ static int run(struct trace *t, const char *output_name)
             else
                 frob_trace_row(&text, program, t->parts, now, NULL, output);
             ok = flush(t, &text, output_name);
+            if (!t->claims.nan_is_given && claims_has_nan(program->input, input))
+                t->claims.nan_is_given = true;
             claims_see(&t->claims, now, output);
             if (t->stops && t->claims.violated != NULL)
                 break;
@@ -347,14 +436,16 @@ static int run(struct trace *t, const char *output_name)
 struct arguments {
     const char **params; /* settings */
     size_t param_count;
+    struct csv_dialect dialect;
     bool modes, stops;
-    const char *program, *input, *output; /* of the output NULL: standard output */
+    const char *program, *input, *output; /* if output is NULL: standard output */
 };
 
 static bool read_arguments(int argc, char **argv, struct arguments *a)
 {
     int i = 1;
     a->params = (const char **)calloc((size_t)argc, sizeof *a->params);
+    a->dialect.columns = (const char **)calloc((size_t)argc, sizeof *a->dialect.columns);
     for (; a->params != NULL && i < argc && strncmp(argv[i], "--", 2) == 0; i++) {
         if (strcmp(argv[i], "--modes") == 0)
             a->modes = true;
@@ -362,13 +453,14 @@ static bool read_arguments(int argc, char **argv, struct arguments *a)
             a->stops = true;
         else if (strcmp(argv[i], "--param") == 0 && i + 1 < argc)
             a->params[a->param_count++] = argv[++i];
-        else
+        else if (!dialect_option(&a->dialect, argc, argv, &i))
             break;
     }
     if (a->params == NULL || argc - i < 2 || argc - i > 3) {
         fprintf(stderr,
                 "usage: frob-trace [--modes] [--stop-when-violated] [--param NAME=VALUE]... "
-                "PROGRAM.so IN.csv [OUT.csv]\n");
+                "[--separator C] [--decimal-comma] [--time-column NAME] "
+                "[--column NAME=COLUMN]... PROGRAM.so IN.csv [OUT.csv]\n");
         return false;
     }
     a->program = argv[i];
@@ -377,14 +469,15 @@ static bool read_arguments(int argc, char **argv, struct arguments *a)
     return true;
 }
 
-/* What was wrong may be so because the archive is damaged, which shows at its end. */
+/* An error may be caused by a damaged archive, which is detected only at its end. Reads up to
+ * 64 MiB of the rest, because a small archive may expand to very much data, and reports damage. */
 static void tell_damage(const char *name, FILE *input)
 {
     char some[4096];
-    while (fread(some, 1, sizeof some, input) > 0)
+    for (size_t n = 0; n < 16384 && fread(some, 1, sizeof some, input) > 0; n++)
         continue;
     if (ferror(input))
-        fprintf(stderr, "error: cannot read %s: %s\n", name, packed_reason(name, errno));
+        complain_of_file("read", name);
 }
 
 static int trace(struct trace *t, const struct arguments *a)
@@ -402,10 +495,10 @@ static int trace(struct trace *t, const struct arguments *a)
     t->input_name = standard ? "standard input" : a->input;
     input = standard ? stdin : packed_read(a->input);
     if (input == NULL) {
-        fprintf(stderr, "error: cannot read %s: %s\n", a->input, packed_reason(a->input, errno));
+        complain_of_file("read", a->input);
         return WRONG_USE;
     }
-    csv_start(&t->csv, input);
+    csv_start(&t->csv, input, &a->dialect);
     frob_trace_columns(t->program->input, "in", add_column, t);
     if (!frame_reader_open(&t->frames, a->input, true) || t->no_memory) {
         fprintf(stderr, "error: not enough memory for the columns\n");
@@ -443,6 +536,7 @@ int main(int argc, char **argv)
     struct trace t = { 0 };
     struct arguments arguments = { 0 };
     int status = WRONG_USE;
+    streams_keep_plain();
     if (read_arguments(argc, argv, &arguments))
         status = trace(&t, &arguments);
     for (size_t i = 0; i < t.count; i++)
@@ -451,5 +545,6 @@ int main(int argc, char **argv)
     params_close(&t.params);
     claims_close(&t.claims);
     free(arguments.params);
+    free(arguments.dialect.columns);
     return status;
 }

@@ -68,8 +68,8 @@ void buffer_format(struct buffer *b, const char *format, ...)
     b->length += (size_t)length;
 }
 
-/* How many bytes the character at `at` has; 0 if it is not UTF-8 (RFC 3629: no
- * longer form than needed, no surrogate, at most U+10FFFF). */
+/* Returns the number of bytes of the character at `at`; 0 if it is not valid UTF-8 (RFC 3629: the
+ * shortest form, no surrogates, at most U+10FFFF). */
 static size_t utf8_length(const unsigned char *at)
 {
     static const uint32_t least[] = { 0, 0, 0x80, 0x800, 0x10000 };

@@ -1,6 +1,6 @@
-/* buffer.h -- text that grows, and JSON written into it.
+/* buffer.h -- a growing text, and functions that write JSON to it.
  *
- * What there is no memory for is dropped and remembered in `failed`. */
+ * If memory runs out, the text that does not fit is dropped, and `failed` is set. */
 #ifndef FROB_VIEW_BUFFER_H
 #define FROB_VIEW_BUFFER_H
 
@@ -8,10 +8,10 @@
 #include <stddef.h>
 
 struct buffer {
-    char *data; /* ends in a NUL; NULL while nothing was added */
+    char *data; /* ends with a NUL; NULL while nothing was added */
     size_t length, capacity;
     bool failed;
-    bool is_binary; /* of a message: it is not all text */
+    bool is_binary; /* of a message: contains more than text */
 };
 
 void buffer_clear(struct buffer *b);
@@ -21,10 +21,10 @@ void buffer_bytes(struct buffer *b, const char *bytes, size_t length);
 void buffer_text(struct buffer *b, const char *text);
 void buffer_format(struct buffer *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* A JSON string, with its quotes; bytes that are not UTF-8 become U+FFFD. */
+/* Adds a JSON string with its quotes. Bytes that are not UTF-8 become U+FFFD. */
 void buffer_string(struct buffer *b, const char *text);
 
-/* A JSON number that reads back as the same double; `null` if it is not finite. */
+/* Adds a JSON number that reads back as the same double; `null` if it is not finite. */
 void buffer_number(struct buffer *b, double x);
 
 #endif

@@ -1,17 +1,19 @@
-/* frob-view -- shows a run of a program on a page, recorded or going on.
+/* frob-view -- shows a recorded or live run of a program on a page.
  *
- *   frob-view [--print] [--port N] [--source FILE]... [--library FILE]... [--world FILE]
+ *   frob-view [--why-nan] [--print] [--port N] [--source FILE]... [--library FILE]... [--world FILE]
  *             [--param NAME=VALUE]... [--at SECONDS] [--ring N] PROGRAM.so RUN.csv [COMMAND...]
  *
- * With --ring, the number of an open file, it shows the run of the process that has started
- * this one (../common/ring.h); RUN.csv is what that records in, or `-`.
- * COMMAND, whose last argument is the program's file, compiles it as PROGRAM.so is compiled,
- * and prints the path. Prints the page's address, and opens a browser on it unless --print
- * is given. Ends with SIGINT or SIGTERM; a run that goes on is shown until it is over and no
- * page is open. Exit status: 0, or 2 when a file cannot be read or
- * is no recording, or the port cannot be had. */
+ * With --ring, the number of an open file descriptor, it shows the run of its parent process
+ * (../common/ring.h); RUN.csv is then the file that the run is recorded in, or `-`. COMMAND, whose
+ * last argument is the program's file, compiles the program in the same way as PROGRAM.so, and
+ * prints the path. frob-view prints the page's address, and opens a browser on it unless --print is
+ * given. It ends at SIGINT or SIGTERM; it shows a live run until the run is over and no page is
+ * open. Exit status: 0, or 2 if a file cannot be read or is not a recording, or if the port is not
+ * available. */
+#include "../common/dialect.h"
 #include "../common/load.h"
 #include "../common/streams.h"
+#include "answers/nan.h"
 #include "server/browser.h"
 #include "server/server.h"
 #include "server/token.h"
@@ -25,14 +27,14 @@
 enum { DONE = 0, WRONG_USE = 2 };
 
 struct options {
-    bool print;
+    bool print, why_nan;
     int port;
     int ring; /* -1: none */
     struct view_files files;
     const char *program;
 };
 
-/* What is to be told when the page can be asked for. */
+/* What to print when the server is ready. */
 struct start {
     const struct options *options;
     const char *token;
@@ -44,7 +46,7 @@ static void add_source(struct view_files *files, const char *name, bool is_own)
     files->own_count += is_own ? 1 : 0;
 }
 
-/* Of building and of driving again, each ended by NULL. */
+/* Reads the commands for building and for driving again, each of which ends with NULL. */
 static void read_commands(struct options *o, char **at)
 {
     if (*at == NULL)
@@ -64,11 +66,15 @@ static bool read_options(struct options *o, int argc, char **argv)
     o->ring = -1;
     o->files.sources = (const char **)calloc((size_t)argc, sizeof *o->files.sources);
     o->files.params = (const char **)calloc((size_t)argc, sizeof *o->files.params);
+    o->files.dialect.columns =
+        (const char **)calloc((size_t)argc, sizeof *o->files.dialect.columns);
     for (; o->files.sources != NULL && o->files.params != NULL && i < argc &&
            strncmp(argv[i], "--", 2) == 0;
          i++) {
         if (strcmp(argv[i], "--print") == 0)
             o->print = true;
+        else if (strcmp(argv[i], "--why-nan") == 0)
+            o->why_nan = true;
         else if (strcmp(argv[i], "--port") == 0 && i + 1 < argc)
             o->port = atoi(argv[++i]);
         else if (strcmp(argv[i], "--ring") == 0 && i + 1 < argc)
@@ -83,7 +89,7 @@ static bool read_options(struct options *o, int argc, char **argv)
             o->files.world = argv[++i];
         else if (strcmp(argv[i], "--at") == 0 && i + 1 < argc)
             o->files.at = strtod(argv[++i], NULL);
-        else
+        else if (!dialect_option(&o->files.dialect, argc, argv, &i))
             break;
     }
     if (o->files.sources == NULL || o->files.params == NULL || i + 2 > argc || o->port < 0 ||
@@ -98,7 +104,8 @@ static bool read_options(struct options *o, int argc, char **argv)
     return true;
 }
 
-/* Who waits for the end of the run's output is not to wait for the last page. */
+/* Closes the standard streams, so that readers of the run's output do not wait until the last page
+ * is closed. */
 static void leave_streams(void)
 {
     int null = open("/dev/null", O_RDWR);
@@ -111,7 +118,7 @@ static bool tell(void *context, int port)
     const struct start *start = (const struct start *)context;
     char address[128];
     snprintf(address, sizeof address, "http://127.0.0.1:%d/#%s", port, start->token);
-    printf("view: %s%s\n", address, start->options->ring >= 0 ? "" : " (ends with Ctrl-C)");
+    printf("view: %s%s\n", address, start->options->ring >= 0 ? "" : " (press Ctrl-C to end)");
     if (!streams_flush())
         return false;
     if (!start->options->print)
@@ -137,20 +144,26 @@ int main(int argc, char **argv)
     if (program == NULL)
         return WRONG_USE;
     if (options.ring >= 0 && !ring_attach(&ring, options.ring)) {
-        fprintf(stderr, "error: --ring %d: there is no run that goes on\n", options.ring);
+        fprintf(stderr, "error: --ring %d: there is no run in progress\n", options.ring);
     } else if (!token_make(token)) {
         fprintf(stderr, "error: this computer has no random numbers (/dev/urandom)\n");
     } else if (view_start(&view, program, frob_load_columns(), frob_load_origins(), &options.files,
                           options.ring >= 0 ? &ring : NULL)) {
-        /* Of a run of minutes all is known before the page is there. */
-        view_advance(&view, 0.02);
-        view_say(&view);
-        status = server_run(&view, options.port, token, tell, &start) ? DONE : WRONG_USE;
-        browser_forget();
+        /* Work briefly first: a run of a few minutes is then complete before the page connects. */
+        if (options.why_nan) {
+            view_say(&view);
+            status = nan_print(&view) && streams_flush() ? DONE : WRONG_USE;
+        } else {
+            view_advance(&view, 0.02);
+            view_say(&view);
+            status = server_run(&view, options.port, token, tell, &start) ? DONE : WRONG_USE;
+            browser_forget();
+        }
     }
     view_end(&view);
     ring_close(&ring);
     free(options.files.sources);
     free(options.files.params);
+    free(options.files.dialect.columns);
     return status;
 }

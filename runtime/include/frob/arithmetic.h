@@ -1,23 +1,21 @@
-/* frob/arithmetic.h -- whether arithmetic here is what programs are compiled for.
+/* frob/arithmetic.h -- checks that floating-point arithmetic here is what compiled programs need.
  *
- * A program's meaning is fixed to the last bit: its numbers are IEEE 754's
- * binary64, each operation rounds once, to nearest, and NaN, infinities,
- * subnormal numbers and the sign of zero count. Options of compilers take parts
- * of that away (-ffast-math and its parts, -ffp-contract=fast), and so do
- * control registers of processors (rounding mode, flush to zero), which any
- * library in the process may have set.
+ * A program's meaning is fixed to the last bit: its numbers are IEEE 754 binary64, each operation
+ * rounds once, to nearest, and NaN, infinities, subnormal numbers and the sign of zero are
+ * significant. Some compiler options give up parts of that (-ffast-math and its parts,
+ * -ffp-contract=fast), and so do some settings of a processor's control registers (rounding mode,
+ * flush to zero). Any library in the process may have changed these registers.
  *
- * This is a header without a file of its own in C, since what it finds out
- * holds for the options that it is compiled with, and for the thread that calls it:
+ * The checks are in a header and have no C file, because their result holds only for the options
+ * that they are compiled with and for the thread that calls them:
  *
  *   #include <frob/arithmetic.h>
  *   if (frob_arithmetic_faults() != 0)
  *       do not move
  *
- * The table of a program for hosts (<frob/program.h>) calls it, compiled as the
- * program is; hosts call that, and their own, before a robot may move. It is a few
- * dozen operations, touches no memory but its stack, and calls nothing of the C
- * library but memcpy. */
+ * The program's table for hosts (<frob/program.h>) calls it, compiled with the program's options.
+ * Before a robot may move, hosts call both that copy and their own. A call takes a few dozen
+ * operations, touches no memory but its stack, and uses nothing of the C library but memcpy. */
 #ifndef FROB_ARITHMETIC_H
 #define FROB_ARITHMETIC_H
 
@@ -29,18 +27,18 @@
 extern "C" {
 #endif
 
-/* What can be wrong; each a bit of its own. */
+/* The faults that can be found. Each is one bit. */
 enum frob_arithmetic_fault {
     FROB_ARITHMETIC_FORMAT = 1,      /* double is not binary64 */
-    FROB_ARITHMETIC_ROUNDING = 2,    /* not to nearest */
-    FROB_ARITHMETIC_PRECISION = 4,   /* results of more than 53 bits are carried on */
-    FROB_ARITHMETIC_CONTRACTION = 8, /* a product and a sum with one rounding */
-    FROB_ARITHMETIC_ALGEBRA = 16,    /* operations are reordered, divisions replaced */
-    FROB_ARITHMETIC_SUBNORMAL = 32,  /* small numbers become zero */
-    FROB_ARITHMETIC_SPECIAL = 64     /* NaN, infinities or -0.0 are not told apart */
+    FROB_ARITHMETIC_ROUNDING = 2,    /* does not round to nearest */
+    FROB_ARITHMETIC_PRECISION = 4,   /* keeps more than 53 bits of a result */
+    FROB_ARITHMETIC_CONTRACTION = 8, /* rounds a product and a sum only once */
+    FROB_ARITHMETIC_ALGEBRA = 16,    /* reorders operations, replaces divisions */
+    FROB_ARITHMETIC_SUBNORMAL = 32,  /* flushes subnormal numbers to zero */
+    FROB_ARITHMETIC_SPECIAL = 64     /* mishandles NaN, infinities or -0.0 */
 };
 
-/* The format's own bits, so that no comparison of numbers has to be trusted. */
+/* Returns the bits of x. Comparing bits does not rely on the arithmetic that is under test. */
 static inline uint64_t frob_arithmetic_bits(double x)
 {
     uint64_t bits = 0;
@@ -53,24 +51,24 @@ static inline int frob_arithmetic_is(double x, double expected)
     return frob_arithmetic_bits(x) == frob_arithmetic_bits(expected);
 }
 
-/* Zero, or the sum of the faults that are found. */
+/* Returns the faults that were found, or-ed together; 0 if there are none. */
 static inline unsigned frob_arithmetic_faults(void)
 {
-    /* Volatile: the compiler may know nothing of what it computes with. */
+    /* Volatile hides the values from the optimizer. */
     volatile double one_ = 1.0, half_ulp_ = DBL_EPSILON / 2.0, less_ = -1.0, zero_ = 0.0;
     volatile double three_ = 3.0, least_ = DBL_MIN, most_ = DBL_MAX;
     const double one = one_, half_ulp = half_ulp_, less = less_, zero = zero_;
     const double three = three_, least = least_, most = most_;
     unsigned faults = 0;
 
-    /* 1 and -1/3 have these bits in binary64 only. */
+    /* Only binary64 represents 1 and -1/3 by these bits. */
     if (FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || sizeof(double) != 8)
         return FROB_ARITHMETIC_FORMAT;
     if (frob_arithmetic_bits(one) != UINT64_C(0x3ff0000000000000) ||
         frob_arithmetic_bits(-0x1.5555555555555p-2) != UINT64_C(0xbfd5555555555555))
         return FROB_ARITHMETIC_FORMAT;
     {
-        /* A tie goes to the even number, three quarters of a unit to the next. */
+        /* A tie rounds to even; three quarters of a unit round up. */
         const double tie = one + half_ulp, tie_below = less - half_ulp;
         const double past = one + 1.5 * half_ulp, past_below = less - 1.5 * half_ulp;
         if (!frob_arithmetic_is(tie, 1.0) || !frob_arithmetic_is(tie_below, -1.0) ||
@@ -79,8 +77,8 @@ static inline unsigned frob_arithmetic_faults(void)
             faults |= FROB_ARITHMETIC_ROUNDING;
     }
     {
-        /* Rounded to 64 bits first this is a tie, and then 1; and a sum that
-         * keeps more bits, or a range beyond, still knows what was added. */
+        /* Rounding to 64 bits first turns `twice` into a tie, which then rounds to 1. A sum with
+         * excess range does not overflow, so subtracting `most` leaves a finite `kept`. */
         const double twice = one + half_ulp * (one + half_ulp * 2.0);
         const double kept = (most + most_) - most;
         if (!frob_arithmetic_is(twice, 1.0 + DBL_EPSILON) ||
@@ -88,9 +86,9 @@ static inline unsigned frob_arithmetic_faults(void)
             faults |= FROB_ARITHMETIC_PRECISION;
     }
     {
-        /* (1 + e)(1 - e) is 1 - e^2, which rounds to 1; all bits of the product
-         * show when 1 is subtracted before it was rounded. Each product is read
-         * anew, for compilers join only one that has no other use. */
+        /* (1 + e)(1 - e) is 1 - e^2, which rounds to 1. Subtracting 1 from the unrounded product
+         * leaves e^2. Each product is read anew, because compilers fuse only a product that has no
+         * other use. */
         volatile double up = 1.0 + 0x1p-30, down = 1.0 - 0x1p-30;
         const double from_product = up * down - one;
         const double product_from = one - up * down;
@@ -100,7 +98,7 @@ static inline unsigned frob_arithmetic_faults(void)
             faults |= FROB_ARITHMETIC_CONTRACTION;
     }
     {
-        /* What is lost in a sum stays lost; 3 / 10 is not 3 times 0.1. */
+        /* A bit lost in a sum must stay lost, and 3 / 10 differs from 3 times 0.1. */
         const double lost = (half_ulp + one) - one, tenth = three / 10.0;
         const double sum = (half_ulp + half_ulp) + one, other = half_ulp + (half_ulp + one);
         if (!frob_arithmetic_is(lost, 0.0) || !frob_arithmetic_is(tenth, 0.3) ||
@@ -108,7 +106,7 @@ static inline unsigned frob_arithmetic_faults(void)
             faults |= FROB_ARITHMETIC_ALGEBRA;
     }
     {
-        /* Made, and taken for what it is. */
+        /* A subnormal result must be kept, and a subnormal operand must not be read as zero. */
         const double half = least * 0.5;
         volatile double kept = half;
         if (frob_arithmetic_bits(half) != UINT64_C(0x0008000000000000) ||
@@ -127,9 +125,9 @@ static inline unsigned frob_arithmetic_faults(void)
     return faults;
 }
 
-/* Likewise of floats, for programs of single precision: a processor may have a unit
- * of its own for them, with settings of its own. What only options of compilers take
- * away is found with doubles. */
+/* Checks single precision in the same way, for programs that compute with floats: a processor may
+ * have a separate unit for them, with its own settings. Faults that only compiler options cause are
+ * left to the checks with doubles. */
 static inline unsigned frob_arithmetic_float_faults(void)
 {
     volatile float one_ = 1.0f, half_ulp_ = FLT_EPSILON / 2.0f, less_ = -1.0f;
@@ -172,25 +170,25 @@ static inline unsigned frob_arithmetic_float_faults(void)
     return faults;
 }
 
-/* What is wrong and its cure, as the end of a sentence on "the arithmetic …"; of
- * several faults the one that others can come from. An empty text for 0. */
+/* Describes the faults and how to fix them, as the end of a sentence that starts with "the
+ * arithmetic". Of several faults it names the one that may have caused the others. Returns an empty
+ * text for 0. */
 static inline const char *frob_arithmetic_reason(unsigned faults)
 {
     if ((faults & FROB_ARITHMETIC_FORMAT) != 0)
-        return "has a double that is not IEEE 754's binary64";
+        return "uses a double that is not an IEEE 754 binary64";
     if ((faults & FROB_ARITHMETIC_ROUNDING) != 0)
-        return "does not round to nearest: some code has set another rounding mode";
-    /* What is carried on makes products look as if they were joined with sums, and
-     * -ffast-math may look as if more were carried on. */
+        return "does not round to nearest: remove the code that sets another rounding mode";
+    /* Excess precision looks like contraction too, and -ffast-math can look like excess precision. */
     if ((faults & FROB_ARITHMETIC_PRECISION) != 0 && (faults & FROB_ARITHMETIC_SPECIAL) == 0)
-        return "computes with more than 53 bits: compile for SSE2 or another unit for doubles";
+        return "uses more than 53 bits of precision: compile for SSE2 or another unit for doubles";
     if ((faults & FROB_ARITHMETIC_CONTRACTION) != 0)
-        return "joins products and sums into one rounding: compile with -ffp-contract=off";
+        return "rounds a product and a sum only once: compile with -ffp-contract=off";
     if ((faults & (FROB_ARITHMETIC_ALGEBRA | FROB_ARITHMETIC_SPECIAL)) != 0)
-        return "takes floating-point numbers for real ones: compile without -ffast-math and its "
+        return "treats floating-point numbers as real numbers: compile without -ffast-math and its "
                "parts";
     if ((faults & FROB_ARITHMETIC_SUBNORMAL) != 0)
-        return "makes zero of small numbers: compile and link without -ffast-math";
+        return "flushes small numbers to zero: compile and link without -ffast-math";
     return "";
 }
 

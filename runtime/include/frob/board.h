@@ -1,13 +1,13 @@
-/* frob/board.h -- the simulated end of the line of a robot of the user's own, for
- * `frobc serve`: what the robot's own computer does with the bytes that come.
+/* frob/board.h -- simulates the robot's end of the serial line for a user-defined robot, for `frobc
+ * serve`: how the robot's own computer reacts to the bytes it receives.
  *
- * A board is a constant table in a C file that is given with `--with`, beside the
- * body (<frob/body.h>): the robot `rover` has
+ * A board is a constant table in a C file passed with `--with`, next to the body (<frob/body.h>).
+ * For the robot `rover` it is
  *
  *   const struct frob_board frob_rover_board = { … };
  *
- * Write it from the protocol's description and not from the driver, so that each
- * judges the other. Nothing waits, and time is what it is told. */
+ * Write it from the description of the protocol, not from the driver, so that each checks the
+ * other. No function waits; the simulation passes in the time. */
 #ifndef FROB_BOARD_H
 #define FROB_BOARD_H
 
@@ -18,7 +18,7 @@
 extern "C" {
 #endif
 
-/* What goes back over the line; who calls the board takes it. */
+/* Bytes that the board sends. The caller takes them. */
 struct frob_answer {
     uint8_t bytes[512];
     size_t count;
@@ -26,19 +26,21 @@ struct frob_answer {
 
 struct frob_board {
     const char *robot; /* "rover", as in struct frob_program */
-    uint32_t rate;     /* of the line, bits per second */
-    size_t size;       /* of the board's memory, all zero when it is turned on */
+    uint32_t rate;     /* bit rate of the line */
+    size_t size;       /* bytes of the board's memory, which is all zero at power-on */
 
-    /* What the body senses from `now_ns` on, as the robot's input struct. An event is in it once. */
+    /* Passes what the body senses from `now_ns` on, as the robot's input struct. Each event is
+     * passed once. */
     void (*sense)(void *board, const void *input, int64_t now_ns);
 
-    /* A byte has come; it is still the time of the last `sense` or `advance`. */
+    /* Handles a received byte. The time is that of the last `sense` or `advance`. */
     void (*receive)(void *board, uint8_t byte, struct frob_answer *answer);
 
-    /* Lets watchdogs, and answers that take their time, look at the time. */
+    /* Advances the time, for watchdogs and delayed answers. */
     void (*advance)(void *board, int64_t now_ns, struct frob_answer *answer);
 
-    /* What the body shall do now: fills in the robot's output struct, all zero before. */
+    /* Stores the current command for the body in the robot's output struct, which is all zero
+     * before the call. */
     void (*drive)(const void *board, void *output);
 };
 

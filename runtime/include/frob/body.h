@@ -1,18 +1,18 @@
-/* frob/body.h -- the simulated body of a robot of the user's own.
+/* frob/body.h -- the simulated body of a user-defined robot.
  *
- * A body is a constant table in a C file that is given with `--with`: the
- * robot `rover`, whose module is Rover.frob, has
+ * A body is a constant table in a C file passed with `--with`. For the robot `rover`, whose module
+ * is Rover.frob, it is
  *
  *   const struct frob_body frob_rover_body = { .robot = "rover", … };
  *
- * With its members named (C, and C++ from C++20 on) the table stays right when a later
- * version has more of them: what is left out is zero. Without names C compilers warn
- * of what is left out, and a member in between would shift the others.
+ * Use designated initializers (C, and C++ from C++20 on): then the table stays correct when a later
+ * version adds members, because omitted members are zero. If members are initialized by position, C
+ * compilers warn about omitted members, and a member added in the middle shifts the rest.
  *
- * Bodies are round, on two wheels, with rangers that fire one after the other, and
- * perhaps with sensors that look down at the floor or see the light of lamps.
- * The robot's frame: origin midway between the wheels and in the middle of the
- * body, x forward, y left; angles in radians, counter-clockwise. */
+ * A body is round and has two wheels and rangers that fire one after the other. It may also have
+ * sensors that look down at the floor, and photocells that measure the light of lamps. The robot's
+ * frame: the origin is midway between the wheels, at the centre of the body; x points forward, y
+ * left; angles are in radians, counter-clockwise. */
 #ifndef FROB_BODY_H
 #define FROB_BODY_H
 
@@ -24,67 +24,79 @@
 extern "C" {
 #endif
 
-/* Where a ranger sits and looks. */
+/* Position and direction of a ranger or photocell. */
 struct frob_seat {
     double x_m, y_m, heading_rad;
 };
 
-/* Where a sensor looks straight down. */
+/* Position of a sensor that looks straight down. */
 struct frob_spot {
     double x_m, y_m;
 };
 
-/* What the body senses at an instant. */
+/* The body's readings at one instant. */
 struct frob_senses {
-    int64_t time_ns;              /* since the start */
-    double x_m, y_m, heading_rad; /* by odometry, from where it started */
-    double left_m_s, right_m_s;   /* measured speeds of the wheels */
+    int64_t time_ns;              /* since the start of the run */
+    double x_m, y_m, heading_rad; /* odometry; the origin is the starting pose */
+    double left_m_s, right_m_s;   /* measured wheel speeds */
     bool left_stalled, right_stalled;
-    bool pressed_ahead, pressed_behind; /* something touches the body before or behind its middle */
+    /* Something touches the front or the rear half of the body. */
+    bool pressed_ahead, pressed_behind;
     double battery_v;
-    const double
-        *echoes_m; /* of each ranger: NaN, or an echo that has come since the last instant */
-    const double
-        *floor; /* of each floor sensor: the share of its light that comes back, 0 (black, or no
-                               floor) to 1 (white), with noise */
-    const double *light_lux; /* of each photocell: illuminance, cd/m^2 */
+    /* One reading for each ranger: the range of an echo that arrived since the last instant, or
+     * NaN. */
+    const double *echoes_m;
+    /* One reading for each floor sensor: the share of its light that the floor reflects, from 0
+     * (black, or no floor) to 1 (white), with noise. */
+    const double *floor;
+    const double *light_lux; /* one reading for each photocell: illuminance */
 };
 
 struct frob_body {
     const char *robot;              /* "rover", as in struct frob_program */
-    const char *title;              /* "Rover", for pictures */
-    size_t input_size, output_size; /* of the robot's structs */
+    const char *title;              /* "Rover", shown in pictures */
+    size_t input_size, output_size; /* sizes of the robot's structs */
     double mass_kg;
     double radius_m;
     double wheel_radius_m;
     double wheel_separation_m;
-    double wheel_force_n; /* that a motor can bring to the floor */
-    double count_m;       /* way of a wheel that an encoder's count is; 0: as if continuous */
-    double battery_v;     /* at the start, where the world file does not say */
+    double wheel_force_n; /* maximum force of a wheel on the floor */
+    double count_m;       /* distance per encoder count; 0: continuous */
+    double battery_v;     /* initial voltage, unless the world file sets it */
 
-    /* What the firmware limits commands to, where the world file does not say. */
+    /* Limits that the firmware applies to commands, unless the world file sets them. */
     double speed_m_s, turn_rad_s, acceleration_m_s2, turn_acceleration_rad_s2;
 
-    const struct frob_seat *rangers; /* at least one, in the order in which they fire */
+    const struct frob_seat *rangers; /* at least one, in firing order */
     size_t ranger_count;
-    double half_angle_rad;        /* of the cone of each */
-    double nearest_m, farthest_m; /* what is nearer reads so, what is farther gives no echo */
-    double resolution_m;          /* 0: none */
-    double period_s;              /* from one ranger to the next */
-    size_t left, ahead, right;    /* the rangers that look there most, for pictures */
+    double half_angle_rad; /* half the opening angle of each ranger's beam */
+    /* Nearer obstacles read as `nearest_m`; farther ones return no echo. */
+    double nearest_m, farthest_m;
+    double resolution_m; /* 0: continuous */
+    double period_s;     /* from the firing of one ranger to the next */
+    /* Indices of the rangers that point most nearly to the left, ahead and to the right; for
+     * pictures. */
+    size_t left, ahead, right;
 
-    /* Fills in the robot's input struct, which is all zero before. */
+    /* Fills in the robot's input struct, which is all zero before the call. */
     void (*sense)(const struct frob_senses *senses, void *input);
 
-    /* What the robot's output struct asks for; values out of range are limited. */
+    /* Reads the commanded speeds from the robot's output struct. The simulator limits values that
+     * are out of range. */
     void (*command)(const void *output, double *forward_m_s, double *turn_rad_s);
 
-    /* What many bodies do not have: left out, there is none. */
+    /* Optional sensors. The body has none if these members are omitted. */
     const struct frob_spot *floor_sensors;
     size_t floor_sensor_count;
-    double floor_spot_m; /* the width of what each sees, at least a millimetre */
+    double floor_spot_m; /* diameter of the spot that each sees, at least 0.001 */
     const struct frob_seat *photocells;
     size_t photocell_count;
+
+    /* Resolution of the speeds in the robot's protocol, for a robot whose driver rounds with
+     * drivers/steps.h; the simulator then rounds in the same way. Set either the resolution of
+     * wheel speeds, or both others. */
+    double wheel_step_m_s;
+    double speed_step_m_s, turn_step_rad_s;
 };
 
 #ifdef __cplusplus

@@ -1,8 +1,8 @@
-/* frob/camera.h -- what cameras saw, as part of a program's input.
+/* frob/camera.h -- camera frames as part of a program's input.
  *
- * The cameras that a program asks for are in its table (`console`, of the kind FROB_CAMERA),
- * under their labels: "camera", or "left" and "right". At each instant a host gives each of them
- * the newest frame that it has, once; or none. */
+ * The program's table lists the cameras that it uses (`console`, with the kind FROB_CAMERA) under
+ * their labels: "camera", or "left" and "right". At each instant a host gives each camera its
+ * newest frame, or none if there is no new one. Each frame is given once. */
 #ifndef FROB_CAMERA_H
 #define FROB_CAMERA_H
 
@@ -13,27 +13,27 @@
 extern "C" {
 #endif
 
-/* How much of the label of something on the console is that of a camera: all of it, or for tags
- * (frob/tags.h) what stands before " tags"; 0 if it has no camera. */
+/* Returns the length of the camera's label in a control's label: the whole label of a camera; for
+ * tags (frob/tags.h) the part before " tags"; 0 for a control without a camera. */
 size_t frob_camera_label(const struct frob_control *control);
 
-/* The event of this instant: the frame, with its age at the time `now_ns`; NULL for none. The
- * image and its pixels stay until the instant is over. */
+/* Sets the camera's event for this instant: the frame, and its age at the time `now_ns`; no event
+ * if `image` is NULL. The image and its pixels must stay valid until the end of the instant. */
 void frob_camera_give(const struct frob_control *camera, void *input,
                       const struct frob_image *image, int64_t now_ns);
 
-/* A number of a frame that is no image: `age` or `number`, by the field's name; 0 without an image.
- * For all that comes with frames, as tags do (frob/tags.h). */
+/* Sets a number that comes with a frame, `age` or `number`, chosen by the field's name; 0 if
+ * `image` is NULL. Also used for other data that comes with frames, such as tags (frob/tags.h). */
 void frob_camera_give_number(const struct frob_field *field, void *input,
                              const struct frob_image *image, int64_t now_ns);
 
-/* Puts a number where the value is, which is an Int or a Float of either precision. */
+/* Stores a number at the place of `value`, which is an Int or a Float of either precision. */
 void frob_camera_set_number(void *input, const struct frob_value *value, double x);
 
-/* Called for each image that is there in a value, and for the place of its address. */
+/* Called for each image within a value, with the location of its pointer. */
 typedef void frob_image_visitor(void *context, const struct frob_image **image);
 
-/* Visits the images in the struct that the value describes. */
+/* Visits the images in the struct that `value` describes. */
 void frob_camera_images(const struct frob_value *value, void *base, frob_image_visitor *visit,
                         void *context);
 

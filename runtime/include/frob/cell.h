@@ -1,12 +1,11 @@
-/* frob/cell.h -- one value of a program's input or output as the text of one
- * cell of a trace.
+/* frob/cell.h -- converts a value of a program's input or output to and from the text of one cell
+ * of a trace.
  *
- * Numbers have 17 significant digits, floats as few as are read back as the same
- * float (`nan`, `inf`, `-inf`), truth values are
- * `true` and `false`, everything else stands as Frob would write it: `Just
- * 2.5`, `At (-0.3)`, `Left (1, true)`, `Pose {heading = 1}`. An event that is
- * the whole cell is empty when it does not occur, else its value. An image is its name
- * (frob/frame.h). */
+ * A double has 17 significant digits. A float has as few digits as identify it uniquely. Non-finite
+ * numbers are `nan`, `inf` and `-inf`, truth values are `true` and `false`. Everything else is
+ * written in Frob's syntax: `Just 2.5`, `At (-0.3)`, `Left (1, true)`, `Pose {heading = 1}`. An
+ * event that fills the whole cell is empty if it does not occur; otherwise the cell contains its
+ * value. An image is represented by its name (frob/frame.h). */
 #ifndef FROB_CELL_H
 #define FROB_CELL_H
 
@@ -18,23 +17,24 @@
 extern "C" {
 #endif
 
-/* Appends the value that lies in `base`, the input or output struct. No
- * quoting: that is the trace's business. */
+/* Appends the value stored in `base`, the input or output struct. Does not add CSV quotes;
+ * frob/trace.h does. */
 void frob_cell_write(struct frob_text *text, const struct frob_value *value, const void *base);
 
-/* A bound for the length of a cell. */
+/* Returns an upper bound for the length of a cell. */
 size_t frob_cell_room(const struct frob_value *value);
 
-/* What was wrong with a cell. */
+/* Describes why a cell could not be read. */
 struct frob_cell_error {
-    size_t position;                 /* in bytes from the start of the cell */
-    const char *expected;            /* a static text: "a number" */
-    const struct frob_value *choice; /* one of its constructors was expected; or NULL */
+    size_t position;      /* byte offset in the cell */
+    const char *expected; /* a static text: "a number" */
+    /* If not NULL, one of this value's constructors was expected. */
+    const struct frob_value *choice;
 };
 
-/* Reads a cell into `base`, whose other bytes are left alone. All slots of a
- * sum that its constructor does not use are set to zero. Images are found in `frames`; NULL
- * where there are none. False, with the error filled in, if the text is not such a value. */
+/* Reads a cell into `base` and leaves the other bytes of `base` unchanged. Sets the slots of a sum
+ * that the constructor does not use to zero. Looks up images in `frames`, which is NULL if there
+ * are none. If the text is not such a value, fills in `error` and returns false. */
 bool frob_cell_read(const char *cell, const struct frob_value *value, void *base,
                     const struct frob_frames *frames, struct frob_cell_error *error);
 

@@ -1,8 +1,8 @@
-/* frob/columns.h -- what a programmer knows of the columns of a trace: their units, and
- * where inner signals are written.
+/* frob/columns.h -- describes the columns of a trace: their units, and where inner signals are
+ * defined in the source.
  *
- * `frobc view` puts such a table beside the program's; hosts look up the symbol
- * `frob_columns`, and need not find it. */
+ * `frobc view` builds such a table into the program's shared object. Hosts look up the symbol
+ * `frob_columns`; it may be missing. */
 #ifndef FROB_COLUMNS_H
 #define FROB_COLUMNS_H
 
@@ -10,19 +10,21 @@
 extern "C" {
 #endif
 
-/* Of a column, and of those below it: `probe.follow.pose` is of `probe.follow.pose.x`,
- * `in.sonar` of `in.sonar[3]`. */
+/* Describes a column and all columns below it: the row `probe.follow.pose` also applies to
+ * `probe.follow.pose.x`, and `in.sonar` to `in.sonar[3]`. */
 struct frob_column {
     const char *name;
-    const char *unit;     /* "m/s"; "" without one */
-    int is_event;         /* of a probe: an event, and not what is not there at all instants */
-    const char *instance; /* of a probe: of which signal function, as in its name; else "" … */
-    const char *own;      /* … its own name there … */
-    const char *file;     /* … and where that is written, without folders … */
-    unsigned line;        /* … from 1 */
+    const char *unit; /* "m/s"; "" if dimensionless or unknown */
+    /* For a probe: whether it is an event. Other probes may also be absent at some instants. */
+    int is_event;
+    /* For a probe: the signal function that it belongs to, as in its name; else "". */
+    const char *instance;
+    const char *own;  /* for a probe: its name in that signal function */
+    const char *file; /* for a probe: its source file, without folders */
+    unsigned line;    /* for a probe: its line in the file, from 1 */
 };
 
-/* The symbol that hosts look up: an array that ends in a row without a name. */
+/* Symbol that hosts look up. The array ends with a row whose name is NULL. */
 #define FROB_COLUMNS_SYMBOL "frob_columns"
 
 #ifdef __cplusplus

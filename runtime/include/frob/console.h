@@ -1,9 +1,10 @@
 /* frob/console.h -- the operator's console, as part of a robot's input.
  *
- * Keys that are typed on the host are its field `key`. The buttons, knobs, toggles and map
- * that a program asks for are in its table (`console`), and behind the robot's struct in its
- * input. A host starts them once, and clears them after each instant; in between it may touch
- * them whenever something happens: the program sees it at the next instant. */
+ * Keys typed on the host set the input field `key`. The program's table (`console`) lists the
+ * buttons, knobs, toggles and the map that the program uses; their values follow the robot's struct
+ * in the input. A host calls frob_console_start once, and frob_console_clear after each instant. In
+ * between it may call frob_console_touch at any time; the program sees the change at the next
+ * instant. */
 #ifndef FROB_CONSOLE_H
 #define FROB_CONSOLE_H
 
@@ -15,35 +16,35 @@
 extern "C" {
 #endif
 
-/* Sets the event of an instant: a key's character code, or -1 for none. Nothing
- * happens if the program's input has no such field. */
+/* Sets the key event of an instant: a character code, or -1 for none. Does nothing if the program's
+ * input has no field for keys. */
 void frob_console_key(const struct frob_program *program, void *input, int32_t key);
 
-/* The console that nobody has touched: no events, nothing held down, knobs and toggles as
- * they are at first. */
+/* Initializes the console: no events, no button held down, knobs and toggles at their initial
+ * values. */
 void frob_console_start(const struct frob_program *program, void *input);
 
-/* The number of what has this label; the table's count if there is none. */
+/* Returns the index of the control with this label, or `control_count` if there is none. */
 size_t frob_console_find(const struct frob_program *program, const char *label);
 
-/* Whether the value, a part of the input, is on the console. */
+/* Returns whether this part of the input belongs to the console. */
 bool frob_console_is_on(const struct frob_program *program, const struct frob_value *value);
 
-/* What happens to number `control`:
+/* Operates the control with index `control`:
  *   a button   is pressed
- *   a hold     is held down from now on if x is not 0, else let go of
- *   a knob     is turned to x, in base units, or to the limit next to it
- *   a toggle   is on from now on if x is not 0, else off
- *   the map    is clicked at x, y, in metres, where odometry has its origin
- * A number that is not on the console, a camera and a NaN change nothing; then the answer is
- * false. */
+ *   a hold     is held down from now on if x is not 0, and released otherwise
+ *   a knob     is turned to x, in base units, clamped to its range
+ *   a toggle   is on from now on if x is not 0, and off otherwise
+ *   the map    is clicked at x, y, in metres, in the frame of odometry
+ * Returns false and changes nothing if there is no such control, if it is a camera, or if a number
+ * is NaN. */
 bool frob_console_touch(const struct frob_program *program, void *input, size_t control, double x,
                         double y);
 
-/* The instant is over: no event occurs any more. */
+/* Ends the instant: removes all events. */
 void frob_console_clear(const struct frob_program *program, void *input);
 
-/* Nothing is held down any more: the operator is gone. */
+/* Releases all held buttons, for example when the operator has disconnected. */
 void frob_console_release(const struct frob_program *program, void *input);
 
 #ifdef __cplusplus

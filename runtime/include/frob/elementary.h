@@ -1,16 +1,15 @@
-/* Elementary functions with the same bits on every machine.
+/* Elementary functions that return the same bits on every machine.
  *
- * The C library's sin, exp and their like differ in the last bit from machine
- * to machine. These use only addition, subtraction, multiplication, division
- * and square root of IEEE 754 doubles, which every machine rounds alike, so a
- * run that was recorded on a robot replays bit for bit on a desk. Build them,
- * like generated code, with contraction off (-ffp-contract=off) and without
- * -ffast-math.
+ * The C library's sin, exp and similar functions differ in the last bit between machines. These
+ * functions use only addition, subtraction, multiplication, division and square root of IEEE 754
+ * doubles, which every machine rounds in the same way, so a run recorded on a robot replays bit for
+ * bit on a desktop. Compile them, like generated code, with contraction off (-ffp-contract=off) and
+ * without -ffast-math.
  *
- * Errors are in units in the last place of the result (ulp) against the exact
- * value; 0.5 would be correctly rounded. tests/generated/elementary measures them (those of
- * single precision for every float: make elementary).
- * Special cases are those of C99, Annex F; no function sets errno. */
+ * Error bounds are in units in the last place (ulp) of the result, relative to the exact value; a
+ * correctly rounded result has an error of at most 0.5 ulp. tests/generated/elementary measures
+ * them (`make elementary` measures the single-precision functions for every float). Special cases
+ * follow C99, Annex F. No function sets errno. */
 #ifndef FROB_ELEMENTARY_H
 #define FROB_ELEMENTARY_H
 
@@ -18,36 +17,36 @@
 extern "C" {
 #endif
 
-/* e to the power x; within 0.53 ulp, 1 ulp where the result is subnormal. */
+/* e to the power x; within 0.53 ulp, or 1 ulp if the result is subnormal. */
 double frob_exp(double x);
 
 /* The natural logarithm; within 0.51 ulp. */
 double frob_log(double x);
 
-/* x to the power y; within 0.55 ulp, 1 ulp where the result is subnormal. */
+/* x to the power y; within 0.55 ulp, or 1 ulp if the result is subnormal. */
 double frob_pow(double x, double y);
 
-/* Sine, cosine and tangent of an angle in radians, of any size; sine and
- * cosine within 0.8 ulp, the tangent within 0.9 ulp. */
+/* Sine, cosine and tangent of an angle of any size, in radians; sine and cosine within 0.8 ulp,
+ * tangent within 0.9 ulp. */
 double frob_sin(double x);
 double frob_cos(double x);
 double frob_tan(double x);
 
-/* Their inverses, in radians; within 0.55 ulp. */
+/* Inverse sine, cosine and tangent, in radians; within 0.55 ulp. */
 double frob_asin(double x);
 double frob_acos(double x);
 double frob_atan(double x);
 
-/* The direction of the point (x, y), in radians from -pi to pi; within
- * 0.55 ulp, 1 ulp where the result is subnormal. */
+/* The direction of the point (x, y), in radians from -pi to pi; within 0.55 ulp, or 1 ulp if the
+ * result is subnormal. */
 double frob_atan2(double y, double x);
 
-/* The distance of the point (x, y) from the origin, without overflow on the
- * way; within 0.51 ulp, 1 ulp where the result is subnormal. */
+/* The distance of the point (x, y) from the origin, without intermediate overflow; within 0.51 ulp,
+ * or 1 ulp if the result is subnormal. */
 double frob_hypot(double x, double y);
 
-/* The same in single precision, for processors that have no doubles: with integers
- * and floats only. exp and log are within 0.52 ulp, the others within 0.55 ulp. */
+/* The same functions in single precision, computed with integers and floats only, for processors
+ * without hardware for doubles. exp and log are within 0.52 ulp, the others within 0.55 ulp. */
 float frob_expf(float x);
 float frob_logf(float x);
 float frob_powf(float x, float y);

@@ -1,8 +1,8 @@
-/* frob/frame.h -- a frame of a camera as a file, and as the cell of a trace.
+/* frob/frame.h -- a camera frame as a file, and as the cell of a trace.
  *
- * The file is netpbm's: PGM of grey pixels, PPM of colours; frames of depths have none.
- * Comments in its head have what else a struct frob_image says, with all digits, so what is
- * read is what was written, bit for bit:
+ * The file is in a netpbm format: PGM for grey pixels, PPM for colours. Depth images have no file
+ * format. Comments in the header store the other members of struct frob_image with all their
+ * digits, so a frame that is read equals the written one bit for bit:
  *
  *   P6
  *   # frob frame 12 captured_ns 400000000
@@ -11,7 +11,7 @@
  *   320 240
  *   255
  *
- * A cell names a file: `Image 12 230583 0x6c62272e07bb0142`, the frame's number, the file's
+ * A cell names a file: `Image 12 230583 0x6c62272e07bb0142` contains the frame's number, the file's
  * size in bytes, and a hash of its contents. */
 #ifndef FROB_FRAME_H
 #define FROB_FRAME_H
@@ -26,7 +26,7 @@
 extern "C" {
 #endif
 
-/* What a cell says. */
+/* The contents of such a cell. */
 struct frob_frame_name {
     uint32_t number;
     uint64_t size;
@@ -35,19 +35,20 @@ struct frob_frame_name {
 
 struct frob_frame_name frob_frame_name_of(const struct frob_image *image);
 
-/* Room for the head of any file, with the NUL. */
+/* Size of a buffer that is large enough for the header of any file, with the NUL. */
 #define FROB_FRAME_HEAD_ROOM 1024
 
-/* Writes the head, all that comes before the pixels, and returns its length. The rows follow
- * it without anything between them. */
+/* Writes the header, which is everything before the pixels, and returns its length. The rows of
+ * pixels follow it without gaps. */
 size_t frob_frame_head(const struct frob_image *image, char head[FROB_FRAME_HEAD_ROOM]);
 
-/* Fills in the image from a file of `size` bytes in memory, where its pixels stay. NULL, or
- * what is wrong with the file: a static text about "it". */
+/* Fills in the image from a file of `size` bytes in memory. The image's pixels point into that
+ * memory. Returns NULL, or what is wrong with the file: a static text whose subject is "it". */
 const char *frob_frame_read(const void *file, size_t size, struct frob_image *image);
 
-/* Who has frames, for cells that name them: an image that is good until the instant is over,
- * or NULL and a text on why there is none, which goes on after "expected". */
+/* Finds the frames that cells name. `find` returns an image that is valid until the end of the
+ * instant. If there is none, it returns NULL and sets `expected` to a text that continues "expected
+ * …". */
 struct frob_frames {
     const struct frob_image *(*find)(void *context, const struct frob_frame_name *name,
                                      const char **expected);

@@ -1,13 +1,12 @@
-/* frob/image.h -- what a camera saw: pixels, when, and from where.
+/* frob/image.h -- a camera image: its pixels, when it was taken, and from where.
  *
- * A host (the simulator, a robot's camera, a replay) fills in such a struct and hands
- * the program its address for one instant; the program passes it on to the kernels of
- * <frob/vision.h>, or to C of the user's own. Nothing is copied on the way: the pixels
- * belong to the host, which keeps them unchanged until the instant is over.
+ * A host (the simulator, a robot's camera, a replay) fills in such a struct and passes its address
+ * to the program for one instant. The program passes it on to the kernels of <frob/vision.h>, or to
+ * the user's own C functions. Pixels are never copied: they belong to the host, which keeps them
+ * unchanged until the end of the instant.
  *
- * Image coordinates: x to the right, y down, in pixels; whole numbers are the middles
- * of pixels, so the picture covers -0.5 … width - 0.5. Metres, radians and
- * nanoseconds for all else. */
+ * Image coordinates are in pixels: x to the right, y down. Pixel centres have integer coordinates,
+ * so the image covers -0.5 … width - 0.5. Everything else is in metres, radians and nanoseconds. */
 #ifndef FROB_IMAGE_H
 #define FROB_IMAGE_H
 
@@ -19,31 +18,33 @@
 extern "C" {
 #endif
 
-/* No picture is wider or higher: sums over one fit in 64 bits, a row's runs on the stack. */
+/* Maximum width and height. With this limit, sums over an image fit in 64 bits, and the runs of a
+ * row fit on the stack. */
 #define FROB_IMAGE_SIDE 4096
 
 enum frob_image_format {
-    FROB_GREY8 = 0,  /* a byte a pixel, 0 black, 255 white */
-    FROB_RGB8 = 1,   /* three bytes a pixel: red, green, blue */
-    FROB_DEPTH_M = 2 /* a float a pixel: metres along the camera's axis, NaN where unknown */
+    FROB_GREY8 = 0,  /* one byte per pixel: 0 is black, 255 white */
+    FROB_RGB8 = 1,   /* three bytes per pixel: red, green, blue */
+    FROB_DEPTH_M = 2 /* a float per pixel: metres along the optical axis, NaN if unknown */
 };
 
-/* How a camera projects, and where it sits.
+/* Projection and pose of a camera.
  *
- * A point at X (right), Y (down), Z (ahead, along the axis) of the camera is seen at
+ * A point at X (right), Y (down), Z (ahead, along the optical axis) in the camera's frame appears
+ * at
  *   x = centre_x + focal_x a',  y = centre_y + focal_y b',   where a = X / Z, b = Y / Z
- * and, with r^2 = a^2 + b^2 (Brown's model, the names and order that OpenCV has),
+ * and, with r^2 = a^2 + b^2 (Brown's distortion model, with OpenCV's names and order),
  *   a' = a (1 + k1 r^2 + k2 r^4 + k3 r^6) + 2 p1 a b + p2 (r^2 + 2 a^2)
  *   b' = b (1 + k1 r^2 + k2 r^4 + k3 r^6) + p1 (r^2 + 2 b^2) + 2 p2 a b.
  * Without distortion k1 to p2 are 0.
  *
- * In the robot's frame (x ahead, y left, z up from the floor, origin between the
- * wheels) the camera sits at x_m, y_m, z_m. With all angles 0 it looks straight ahead,
- * its picture upright. yaw turns it to the left, then pitch down, then roll clockwise
- * as seen from behind it: the rotation is Rz(yaw) Ry(pitch) Rx(roll). */
+ * The camera is at x_m, y_m, z_m in the robot's frame (x ahead, y left, z up from the floor, origin
+ * between the wheels). If all angles are 0, it looks straight ahead and its image is upright. yaw
+ * turns it to the left, then pitch turns it down, then roll turns it clockwise as seen from behind:
+ * the rotation is Rz(yaw) Ry(pitch) Rx(roll). */
 struct frob_camera {
-    double focal_x, focal_y;   /* pixels; above 0 */
-    double centre_x, centre_y; /* where the axis meets the picture, pixels */
+    double focal_x, focal_y;   /* pixels, greater than 0 */
+    double centre_x, centre_y; /* principal point, pixels */
     double k1, k2, k3, p1, p2; /* distortion */
     double x_m, y_m, z_m;
     double yaw_rad, pitch_rad, roll_rad;
@@ -51,18 +52,21 @@ struct frob_camera {
 
 struct frob_image {
     int32_t width, height; /* pixels, 0 … FROB_IMAGE_SIDE */
-    int32_t stride;        /* bytes from one row to the next: at least a row's own; of depths a
-                            * multiple of sizeof(float) */
+    /* Bytes from one row to the next: at least the size of a row. For depths a multiple of
+     * sizeof(float). */
+    int32_t stride;
     enum frob_image_format format;
-    const void *pixels;  /* the upper left one; of depths aligned as floats. NULL only if
-                            * there is none */
-    int64_t captured_ns; /* the middle of its exposure, on the clock of the program's time */
-    uint32_t number;     /* of the frame since the camera started, from 0; those that never
-                            * reached the program count too */
+    /* The upper left pixel. Depths are aligned like floats. NULL only if there are no pixels. */
+    const void *pixels;
+    /* The middle of the exposure, on the clock of the program's time. */
+    int64_t captured_ns;
+    /* Frame number since the camera started, from 0. Frames that did not reach the program count
+     * too. */
+    uint32_t number;
     struct frob_camera camera;
 };
 
-/* Bytes of a pixel; 0 of a format that there is not. */
+/* Returns the bytes per pixel, or 0 if the format is invalid. */
 static inline int32_t frob_image_pixel_size(enum frob_image_format format)
 {
     switch (format) {
@@ -73,8 +77,8 @@ static inline int32_t frob_image_pixel_size(enum frob_image_format format)
     return 0;
 }
 
-/* Whether what is said of the pixels fits together. Kernels take an image of which
- * it does not for one without pixels; hosts check what a camera or a file says. */
+/* Returns whether the image's members are consistent. Kernels treat an inconsistent image as an
+ * image without pixels. Hosts check the data of cameras and files with this function. */
 static inline bool frob_image_is_sound(const struct frob_image *image)
 {
     const int32_t size = frob_image_pixel_size(image->format);
@@ -88,7 +92,7 @@ static inline bool frob_image_is_sound(const struct frob_image *image)
     return image->pixels != NULL || image->width == 0 || image->height == 0;
 }
 
-/* Row y, 0 … height - 1; of depths cast it to const float *. */
+/* Returns row y, 0 … height - 1. If the pixels are depths, cast it to const float *. */
 static inline const uint8_t *frob_image_row(const struct frob_image *image, int32_t y)
 {
     return (const uint8_t *)image->pixels + (ptrdiff_t)y * image->stride;

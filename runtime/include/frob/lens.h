@@ -1,5 +1,5 @@
-/* frob/lens.h -- what an image says besides its pixels, as numbers for a program: how its camera
- * sees, the record Lens of the library's module Vision, and a key. */
+/* frob/lens.h -- the data of an image other than its pixels, as numbers for a program: the
+ * projection of its camera (the record Lens of the library's module Vision), and a key. */
 #ifndef FROB_LENS_H
 #define FROB_LENS_H
 
@@ -12,7 +12,7 @@ extern "C" {
 #ifndef FROB_LENS_DEFINED
 #define FROB_LENS_DEFINED
 
-/* As in struct frob_camera; pixels, metres, radians. */
+/* The members of struct frob_camera, and the size of the image; pixels, metres, radians. */
 struct frob_lens {
     double width, height;
     double focalX, focalY, centreX, centreY;
@@ -25,9 +25,9 @@ struct frob_lens {
 
 void frob_image_lens(const struct frob_image *image, struct frob_lens *result);
 
-/* Tells the images that are there at about the same time from each other: those of one camera by
- * their number and when they were taken, those of several by how these see and where they sit. It
- * looks at no pixel, and is the same on every machine. */
+/* Returns a key that distinguishes the images of about the same time: images of one camera by their
+ * number and capture time, images of several cameras also by projection and pose. It does not read
+ * pixels, and is the same on every machine. */
 int32_t frob_image_key(const struct frob_image *image);
 
 #ifdef __cplusplus

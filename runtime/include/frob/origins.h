@@ -1,8 +1,8 @@
-/* frob/origins.h -- where the values of a trace's columns come from: one step back along
- * the equations of the program.
+/* frob/origins.h -- which signals the values of a trace's columns are computed from: one step back
+ * along the equations of the program.
  *
- * `frobc view` puts such a table beside the program's; hosts look up the symbol
- * `frob_origins`, and need not find it. */
+ * `frobc view` builds such a table into the program's shared object. Hosts look up the symbol
+ * `frob_origins`; it may be missing. */
 #ifndef FROB_ORIGINS_H
 #define FROB_ORIGINS_H
 
@@ -11,45 +11,49 @@ extern "C" {
 #endif
 
 enum {
-    FROB_ANY = -1,   /* whatever mode ran before, … */
-    FROB_BEFORE = -2 /* … or none, as the machine itself began */
+    FROB_ANY = -1,   /* any previous mode */
+    FROB_BEFORE = -2 /* no previous mode: the machine itself has just started */
 };
 
 enum {
-    FROB_FIRST = -1, /* only at the first instant of what the signal is in */
-    FROB_ENTRY = -2  /* when the mode began that the signal is a parameter in */
+    FROB_FIRST = -1, /* only the first instant of the signal function that contains the signal */
+    FROB_ENTRY = -2  /* the instant when the mode that has the signal as a parameter began */
 };
 
 struct frob_source {
-    const char *column;  /* or what the names of several begin with, as `in.sonar` */
-    int back;            /* so many instants ago, 0 for the same one, or one of the above */
-    const char *machine; /* only where this column, … */
-    int mode;            /* … the running mode of a machine, is this one of its constructors; of
-                          * FROB_ENTRY: was it before the mode began that runs now, or one of
-                          * the below. Else "" */
+    const char *column; /* a column, or the common start of several names, such as `in.sonar` */
+    int back;           /* how many instants earlier, 0 for the same one, or one of the values
+                          * above */
+    /* The source applies only in one mode of this machine; "" if it always applies. */
+    const char *machine;
+    /* The number of that mode, which must run at the source's instant. With FROB_ENTRY it is
+     * instead the mode that ran before the current one began, or FROB_ANY or FROB_BEFORE. */
+    int mode;
 };
 
-/* From one mode of a machine to another. */
+/* A transition of a machine from one mode to another. */
 struct frob_transition {
-    int from, target;    /* numbers of modes; `from` may be FROB_ANY or FROB_BEFORE */
-    const char *label;   /* what it waits for, as far as that is known; else "" */
-    int delayed;         /* the instant at which it happens is still of the mode that is left */
-    int at_once;         /* it may happen at the first instant of the mode that it leaves */
-    const char *file;    /* where it is written, without folders, … */
-    unsigned line, last; /* … from and to which line, from 1 */
-    const struct frob_source *sources; /* of its event; as in an origin */
+    int from, target;                  /* mode numbers; `from` may be FROB_ANY or FROB_BEFORE */
+    const char *label;                 /* the event that it waits for, if known; else "" */
+    int delayed;                       /* the old mode still runs at the instant of the event */
+    int at_once;                       /* it can happen at the first instant of the old mode */
+    const char *file;                  /* source file, without folders */
+    unsigned line, last;               /* first and last line of its source, from 1 */
+    const struct frob_source *sources; /* sources of its event, as in an origin */
 };
 
 struct frob_origin {
     const char *column;
-    const char *file; /* where its equation is, or where a parameter is given, … */
+    /* The place of its equation; for a parameter, the place of its argument. */
+    const char *file;
     unsigned line, last;
-    const struct frob_source *sources;         /* ends in one without a column; or NULL */
-    const struct frob_transition *transitions; /* of the running mode of a machine, as it
-                                                * is a column: ends in one without a label */
+    const struct frob_source *sources; /* ends with one whose column is NULL; or NULL */
+    /* If the column is a machine's running mode: its transitions. The array ends with one whose
+     * label is NULL. */
+    const struct frob_transition *transitions;
 };
 
-/* The symbol that hosts look up: an array that ends in a row without a column. */
+/* Symbol that hosts look up. The array ends with a row whose column is NULL. */
 #define FROB_ORIGINS_SYMBOL "frob_origins"
 
 #ifdef __cplusplus

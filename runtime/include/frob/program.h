@@ -1,12 +1,11 @@
-/* frob/program.h -- how a host sees a compiled program.
+/* frob/program.h -- the interface between a host and a compiled program.
  *
- * `frobc` writes, beside NAME.c and NAME.h, a table of this form for hosts
- * that do not know the program: the trace host (CSV in, CSV out), the
- * simulator, the robot host. The table and the program are one shared
- * object; hosts look up the symbol `frob_program`.
+ * `frobc` writes, next to NAME.c and NAME.h, a table of this form for hosts that work with any
+ * program: the trace host (CSV in, CSV out), the simulator and the robot host. The table and the
+ * program are one shared object; hosts look up the symbol `frob_program`.
  *
- * Everything here is constant data. Offsets are in bytes from the start of
- * the program's input or output struct, at every depth of the tree. */
+ * Everything here is constant data. All offsets, at every depth of the tree, are in bytes from the
+ * start of the program's input or output struct. */
 #ifndef FROB_PROGRAM_H
 #define FROB_PROGRAM_H
 
@@ -22,11 +21,11 @@ enum frob_kind {
     FROB_INT,     /* int32_t */
     FROB_FLOAT,   /* double */
     FROB_SINGLE,  /* float */
-    FROB_ROUNDED, /* double, of which the program sees the nearest float */
+    FROB_ROUNDED, /* double, rounded by the program to the nearest float */
     FROB_PRODUCT, /* tuple, record or () */
-    FROB_SUM,     /* uint8_t tag, and slots for the payloads */
-    FROB_ARRAY,   /* like a tuple; the fields of its one constructor are the elements */
-    FROB_IMAGE    /* const struct frob_image * (frob/image.h), good for the instant */
+    FROB_SUM,     /* uint8_t tag, and slots for the arguments of the constructors */
+    FROB_ARRAY,   /* like a tuple; the elements are the fields of its only constructor */
+    FROB_IMAGE    /* const struct frob_image * (frob/image.h), valid during the instant */
 };
 
 struct frob_value;
@@ -39,107 +38,115 @@ struct frob_field {
 
 struct frob_constructor {
     const char *name; /* as in the source: "Just"; NULL for a tuple or array */
-    int is_record;    /* fields are written {name = value} */
-    size_t count;     /* of fields */
+    int is_record;    /* fields are written {name = value} in Frob */
+    size_t count;     /* number of fields */
     const struct frob_field *fields;
 };
 
-/* One value inside the input or output struct. */
+/* A value inside the input or output struct. */
 struct frob_value {
     enum frob_kind kind;
-    size_t offset; /* of the bool, int32_t, double, float, pointer, or the sum's tag */
-    int is_event;  /* a sum that is `Event a`: constructor 0 is NoEvent */
-    size_t count;  /* constructors: 1 for a product or array, its tag is not stored */
+    size_t offset; /* of the bool, int32_t, double, float or pointer, or of the sum's tag */
+    int is_event;  /* a sum of type `Event a`: constructor 0 is NoEvent */
+    /* Number of constructors: 1 for a product or array, which store no tag. */
+    size_t count;
     const struct frob_constructor *constructors;
 };
 
-/* Several modes, of which one runs at a time: a switch, or a task. */
+/* A state machine of which one mode runs at a time: a switch or a task. */
 struct frob_machine {
     const char *name;         /* from the source; unique in the program */
-    size_t offset;            /* in the state, of the number of the mode that runs */
-    size_t size;              /* of that number: 1 (uint8_t) or 4 (int32_t) */
-    size_t count;             /* of modes */
-    const char *const *modes; /* names, by number */
-    size_t within;            /* 0, or n + 1: this one is in a mode of machine n, … */
-    int32_t mode;             /* … the mode of this number, and is there only while it runs */
+    size_t offset;            /* offset, in the state struct, of the running mode's number */
+    size_t size;              /* size of that number: 1 (uint8_t) or 4 (int32_t) */
+    size_t count;             /* number of modes */
+    const char *const *modes; /* names of the modes, by number */
+    /* 0, or n + 1 if this machine is part of a mode of machine n. It then exists only while that
+     * mode runs. */
+    size_t within;
+    int32_t mode; /* the number of that mode */
 };
 
 enum frob_control_kind {
     FROB_BUTTON, /* an event of () */
     FROB_HOLD,   /* a bool: a button is held down */
-    FROB_KNOB,   /* a number, from least to most */
+    FROB_KNOB,   /* a number from `least` to `most` */
     FROB_TOGGLE, /* a bool */
-    FROB_MAP,    /* an event of a place: two numbers, in metres, in the frame of odometry */
-    FROB_CAMERA, /* an event of a frame (frob/camera.h): not the operator's, but the host's */
-    FROB_TAGS    /* an event of the tags in a frame (frob/tags.h), likewise; its label is that
-                  * of the camera, and " tags" */
+    FROB_MAP,    /* an event of a position: two numbers, in metres, in the frame of odometry */
+    FROB_CAMERA, /* an event of a frame (frob/camera.h), set by the host, not by the operator */
+    /* An event of the tags in a frame (frob/tags.h), also set by the host. Its label is the
+     * camera's label and " tags". */
+    FROB_TAGS
 };
 
-/* Something on the operator's console; see frob/console.h. */
+/* A control on the operator's console; see frob/console.h. */
 struct frob_control {
     enum frob_control_kind kind;
-    const char *label;  /* unique in the program, in UTF-8 */
-    const char *unit;   /* of a knob: "m/s"; "" without one */
-    double least, most; /* of a knob; 0 and 1 of what is a bool */
-    double first;       /* where a knob is, and whether a toggle is on, before it is touched */
+    const char *label;              /* unique in the program, in UTF-8 */
+    const char *unit;               /* of a knob: "m/s"; "" if it has none */
+    double least, most;             /* range of a knob; 0 and 1 if the value is a bool */
+    double first;                   /* initial value of a knob or toggle */
     const struct frob_value *value; /* its part of the input */
 };
 
-/* What is fixed when a run starts. */
+/* A parameter of the program, which is fixed when a run starts. */
 struct frob_param {
-    const char *name;               /* "kTurn"; of another module perhaps "M.kTurn" */
-    const char *unit;               /* as in brackets: "1/m", "1"; "" of a truth value */
-    const struct frob_value *value; /* a bool, an int32_t, a double or a float, in the
-                                     * struct of the parameters */
+    const char *name;               /* "kTurn", or "M.kTurn" for one of another module */
+    const char *unit;               /* as in the source: "1/m", "1"; "" for a truth value */
+    const struct frob_value *value; /* bool, int32_t, double or float; in the parameter struct */
 };
 
 /* An assertion in the program; see `assert` in the language reference. */
 struct frob_claim {
     const char *label; /* "keeps off the wall" */
-    const char
-        *column; /* of a trace, if it is shown there: "wallFollow.assert keeps off the wall" */
+    /* Its column in a trace, without `probe.`, if the trace has one:
+     * "wallFollow.assert keeps off the wall". */
+    const char *column;
     const char *place; /* "wall_follow.frob:12" */
     int is_assumption;
+    /* The verdict within the output struct: NotAsked, Holds, Open or Fails. It is an event of a
+     * verdict if its signal function does not run at each instant, and an array if there are
+     * several instances. */
     const struct frob_value *value;
-    /* the verdict, within the output struct: NotAsked, Holds, Open or Fails; an event of
-         * one where its signal function does not run at each instant; an array of such */
 };
 
 struct frob_program {
     unsigned abi;      /* FROB_PROGRAM_ABI */
-    const char *name;  /* of the program */
-    const char *robot; /* "pioneer", …; "" for a plain signal function */
+    const char *name;  /* name of the program */
+    const char *robot; /* "pioneer", …; "" for a program without a robot */
     size_t state_size, input_size, output_size;
     const struct frob_value *input;
     const struct frob_value *output;
     void (*reset)(void *state, const void *params);
     void (*step)(void *state, const void *params, double dt, const void *input, void *output);
-    unsigned (*arithmetic)(void); /* frob_arithmetic_faults, compiled as the program
-                                   * is; and of floats, if it computes with them */
+    /* frob_arithmetic_faults, compiled with the program's options; checks floats too if the program
+     * computes with them. */
+    unsigned (*arithmetic)(void);
+    /* For a program that ends: an event within the output that occurs when it ends and at each
+     * later instant, with the program's result; else NULL. The robot's output struct is at the
+     * beginning of the output. */
     const struct frob_value *result;
-    /* of a program that ends: the event, part of its output, that occurs at
-         * its end and from then on, with what it has ended with; else NULL. The
-         * robot's output struct is at the beginning of the output. */
-    const struct frob_machine *machines; /* each after the one it is within */
+    const struct frob_machine *machines; /* a machine within another one follows it */
     size_t machine_count;
+    /* Inner signals, as a record within the output struct; NULL if there are none. */
     const struct frob_value *probes;
-    /* inner signals, a record within the output struct; NULL without any */
+    /* The controls of the operator's console, which are part of the input. The robot's input struct
+     * is at the beginning of the input. */
     const struct frob_control *console;
-    /* what the operator is asked for, part of the input, where a robot's input struct
-         * comes first */
     size_t control_count;
-    const void *default_params; /* the struct of the parameters; NULL without any. What is
-                                 * passed stays the same from a reset to the last step */
-    size_t params_size;         /* of that struct */
+    /* Default values in the parameter struct; NULL if there are no parameters. The struct passed to
+     * reset and step must not change between a reset and the last step. */
+    const void *default_params;
+    size_t params_size; /* size of the parameter struct */
     const struct frob_param *params;
     size_t param_count;
-    const struct frob_claim *claims; /* if it was compiled for them to be judged; else none */
+    /* Assertions that the program was compiled to check; none otherwise. */
+    const struct frob_claim *claims;
     size_t claim_count;
 };
 
 #define FROB_PROGRAM_ABI 9u
 
-/* The symbol that hosts look up. */
+/* Symbol that hosts look up. */
 #define FROB_PROGRAM_SYMBOL "frob_program"
 
 #ifdef __cplusplus

@@ -1,7 +1,7 @@
-/* frob/result.h -- whether a program has ended, and with what.
+/* frob/result.h -- whether a program has ended, and its result.
  *
- * The program of a task ends when the task does. From that step on the robot
- * rests, and the output holds what the task has ended with. */
+ * A program that is a task ends when the task ends. From that step on the robot is at rest, and the
+ * output contains the task's result. */
 #ifndef FROB_RESULT_H
 #define FROB_RESULT_H
 
@@ -12,16 +12,16 @@
 extern "C" {
 #endif
 
-/* Has it ended, by what its last step put out? Never for a program that is
- * not of a task. */
+/* Returns whether the program has ended, according to the output of its last step. Always false if
+ * the program is not a task. */
 bool frob_has_ended(const struct frob_program *program, const void *output);
 
-/* Appends what it has ended with, as Frob would write it: `()`, `Just 2.5`.
- * Nothing if it has not ended. */
+/* Appends the result in Frob's syntax: `()`, `Just 2.5`. Appends nothing if the program has not
+ * ended. */
 void frob_result_write(struct frob_text *text, const struct frob_program *program,
                        const void *output);
 
-/* Room that is enough for a result, with the NUL. */
+/* Returns the size of a buffer that is large enough for any result, with the NUL. */
 size_t frob_result_room(const struct frob_program *program);
 
 #ifdef __cplusplus

@@ -1,14 +1,14 @@
-/* What the C that frobc generates calls: integers that wrap around, division that is
- * total, conversions that saturate, minimum and maximum that let a NaN through, time in
- * whole nanoseconds (docs/language.md, "Numbers are total" and "Time").
+/* Functions that generated C calls: integers that wrap around, total division, conversions that
+ * saturate, minimum and maximum that propagate NaN, time in whole nanoseconds (docs/language.md,
+ * "Numbers are total" and "Time").
  *
- * What ends in f is of floats, as in <math.h>, for programs in single precision. All is
- * static inline: what a program does not call costs it nothing. Nothing here has state,
- * traps, or calls more of the C library than <math.h> and memcpy.
+ * Functions whose names end in f take floats, as in <math.h>, for programs in single precision.
+ * Everything is static inline, so functions that a program does not call cost nothing. Nothing here
+ * has state or traps, and of the C library it uses only <math.h> and memcpy.
  *
- * frobc knows this header too: `frobc compile --standalone` puts what a program needs of
- * it into the file, and a program's own names are none of these. It takes the file apart
- * at blank lines, of which none may be within a definition. */
+ * frobc reads this header too: `frobc compile --standalone` copies the definitions that a program
+ * needs into the generated file, and generated code avoids the names defined here. frobc splits
+ * this file at blank lines, so a definition must not contain a blank line. */
 #ifndef FROB_STEP_H
 #define FROB_STEP_H
 
@@ -20,34 +20,33 @@
 
 #include <frob/elementary.h>
 
-/* Generated code defines FROB_SINGLE where all its numbers are floats. */
+/* Generated code defines FROB_SINGLE if all its numbers are floats. */
 #if !defined(FROB_SINGLE) && defined(DBL_MANT_DIG) && DBL_MANT_DIG != 53
-#error "the program's numbers are IEEE doubles: here it wants `frobc compile --real float`"
+#error "this processor has no IEEE doubles: compile the program with `frobc compile --real float`"
 #endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) || \
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
-#error "the program's numbers are IEEE 754's: compile without -ffast-math and its parts"
+#error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
 #endif
 
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
-#error "the program's numbers are IEEE 754's: FLT_EVAL_METHOD must be 0"
+#error "the program needs IEEE 754 arithmetic: FLT_EVAL_METHOD must be 0"
 #endif
 
-/* ---- For compilers */
+/* ---- Compilers */
 
-/* gcc 11 to 13 for aarch64 read a struct too early where two of different types share
- * their place on the stack, unless all accesses may be of the same memory
- * (tests/generated/matrix/shared_stack.c is the whole of it). No attribute of the structs
- * helps, as these are variables and no pointers. Only for that machine: a function with
- * the pragma is not taken into a caller without it, which link-time optimization does
- * otherwise. */
+/* gcc 11 to 13 for aarch64 read a struct too early if two structs of different types share a stack
+ * slot, unless strict aliasing is off (tests/generated/matrix/shared_stack.c is a complete
+ * example). An attribute of the structs does not help, because they are variables, not pointers.
+ * The pragma is limited to aarch64, because a function with it is not inlined into a caller without
+ * it, which link-time optimization would otherwise do. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__aarch64__)
 #pragma GCC optimize("no-strict-aliasing")
 #endif
 
-/* The condition of a branch that is to stay one, for the processor to predict:
- * a select in its place would have each step wait for the one before. */
+/* Marks a condition that should compile to a branch, which the processor can predict. A conditional
+ * select instead would make each step wait for the result of the previous one. */
 #ifdef __GNUC__
 #define FROB_BRANCH(condition) (__builtin_expect((condition), 0) != 0)
 #else
@@ -56,7 +55,7 @@
 
 /* ---- Truth values */
 
-/* a && b, a || b, where a C compiler would warn that it knows what they come to. */
+/* a && b and a || b, for operands that would make a C compiler warn that the result is constant. */
 static inline bool frob_both(bool a, bool b)
 {
     return a && b;
@@ -69,7 +68,7 @@ static inline bool frob_either(bool a, bool b)
 
 /* ---- Integers */
 
-/* The number that a 32-bit register holds, read as signed. */
+/* Interprets a 32-bit number as signed, in two's complement. */
 static inline int32_t frob_wrap(uint32_t u)
 {
     const uint32_t above = u - 0x80000000u;
@@ -96,7 +95,7 @@ static inline int32_t frob_int_neg(int32_t a)
     return frob_wrap(0u - (uint32_t)a);
 }
 
-/* The least integer is its own absolute value. */
+/* The least integer is its own absolute value, because the result wraps around. */
 static inline int32_t frob_int_abs(int32_t a)
 {
     return a < 0 ? frob_int_neg(a) : a;
@@ -117,7 +116,7 @@ static inline int32_t frob_int_max(int32_t a, int32_t b)
     return b > a ? b : a;
 }
 
-/* Rounds to minus infinity; by 0 gives 0. */
+/* Rounds towards minus infinity; division by 0 returns 0. */
 static inline int32_t frob_int_div(int32_t a, int32_t b)
 {
     if (b == 0) {
@@ -129,7 +128,7 @@ static inline int32_t frob_int_div(int32_t a, int32_t b)
     return a / b - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
 }
 
-/* Has the sign of the divisor; by 0 gives 0. */
+/* The remainder has the sign of the divisor; division by 0 returns 0. */
 static inline int32_t frob_int_mod(int32_t a, int32_t b)
 {
     int32_t rest;
@@ -155,8 +154,8 @@ static inline int32_t frob_int_xor(int32_t a, int32_t b)
     return frob_wrap((uint32_t)a ^ (uint32_t)b);
 }
 
-/* By a negative number to the right, where the sign stays; by 32 or more, what as
- * many by 1 come to. */
+/* A negative `by` shifts right and preserves the sign. A shift by 32 or more equals that many
+ * shifts by 1. */
 static inline int32_t frob_int_shift_left(int32_t a, int32_t by)
 {
     const uint32_t sign = a < 0 ? 0xffffffffu : 0u;
@@ -173,21 +172,21 @@ static inline int32_t frob_int_shift_right(int32_t a, int32_t by)
 
 /* ---- Local times, in nanoseconds */
 
-/* A local time after some more nanoseconds; stops at the end of time. */
+/* Adds nanoseconds to a local time; saturates at INT64_MAX. */
 static inline int64_t frob_later(int64_t time, int64_t ns)
 {
     const uint64_t later = (uint64_t)time + (uint64_t)ns;
     return later < (uint64_t)INT64_MAX ? (int64_t)later : INT64_MAX;
 }
 
-/* A local time after some more nanoseconds, where it stays far from the end of time. */
+/* Adds nanoseconds to a local time that stays far below INT64_MAX. */
 static inline int64_t frob_soon(int64_t time, int64_t ns)
 {
     const uint64_t soon = (uint64_t)time + (uint64_t)ns;
     return (int64_t)soon;
 }
 
-/* A dt in nanoseconds: not negative, at most 1e18. */
+/* Limits a dt in nanoseconds to 0 … 1e18. */
 static inline int64_t frob_span(int64_t dt_ns)
 {
     const int64_t most = INT64_C(1000000000000000000);
@@ -196,19 +195,28 @@ static inline int64_t frob_span(int64_t dt_ns)
 
 /* ---- Doubles */
 
-/* Of a zero; a function, for gcc 12 folds fabs(x) in such a sum to the wrong zero. */
+/* Adds a zero. This is a function because gcc 12 folds fabs(x) in such a sum to the wrong zero. */
 static inline double frob_add(double a, double b)
 {
     return a + b;
 }
 
-/* From a zero; a function, for gcc 12 folds 0.0 - fabs(x) to the wrong zero. */
+/* Subtracts from a zero. This is a function because gcc 12 folds 0.0 - fabs(x) to the wrong
+ * zero. */
 static inline double frob_subtract(double a, double b)
 {
     return a - b;
 }
 
-/* NaN if either is; the first of two equal ones. */
+/* Negative zero, hidden from the optimizer: clang 13 to 15 compile `x > 0.0 ? -0.0 : x` as `x >=
+ * 0.0 ? -0.0 : x`. Generated code contains no other literal that is a negative zero. */
+static inline double frob_negative_zero(void)
+{
+    const volatile double zero = -0.0;
+    return zero;
+}
+
+/* NaN if either argument is NaN; the first argument if both are equal. */
 static inline double frob_min(double a, double b)
 {
     if (FROB_BRANCH(b != b)) {
@@ -217,7 +225,7 @@ static inline double frob_min(double a, double b)
     return b < a ? b : a;
 }
 
-/* NaN if either is; the first of two equal ones. */
+/* NaN if either argument is NaN; the first argument if both are equal. */
 static inline double frob_max(double a, double b)
 {
     if (FROB_BRANCH(b != b)) {
@@ -226,19 +234,19 @@ static inline double frob_max(double a, double b)
     return b > a ? b : a;
 }
 
-/* The minimum with a limit that is not NaN; NaN if x is. */
+/* Minimum of x and a limit that is not NaN; NaN if x is NaN. */
 static inline double frob_at_most(double x, double limit)
 {
     return limit < x ? limit : x;
 }
 
-/* The maximum with a limit that is not NaN; NaN if x is. */
+/* Maximum of x and a limit that is not NaN; NaN if x is NaN. */
 static inline double frob_at_least(double x, double limit)
 {
     return limit > x ? limit : x;
 }
 
-/* max (-x) (min x y): y within x of 0; NaN if either is. */
+/* max (-x) (min x y): clamps y to -x … x; NaN if either is NaN. */
 static inline double frob_limit(double x, double y)
 {
     if (FROB_BRANCH(y != y)) {
@@ -248,13 +256,13 @@ static inline double frob_limit(double x, double y)
     return high > -x ? high : -x;
 }
 
-/* Of a zero or NaN, itself. */
+/* A zero or NaN is returned unchanged. */
 static inline double frob_signum(double x)
 {
     return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;
 }
 
-/* To an integer, toward 0; saturates, and NaN gives 0. */
+/* Converts to an integer, rounding towards 0; saturates, and converts NaN to 0. */
 static inline int32_t frob_truncate(double x)
 {
     if (x >= 2147483648.0) {
@@ -266,7 +274,7 @@ static inline int32_t frob_truncate(double x)
     return x == x ? (int32_t)x : 0;
 }
 
-/* The greatest integer that is not above; saturates, and NaN gives 0. */
+/* The greatest integer not above x; saturates, and converts NaN to 0. */
 static inline int32_t frob_floor(double x)
 {
     if (FROB_BRANCH(x != x)) {
@@ -278,7 +286,7 @@ static inline int32_t frob_floor(double x)
     return n - ((double)n > inside ? 1 : 0);
 }
 
-/* The least integer that is not below; saturates, and NaN gives 0. */
+/* The least integer not below x; saturates, and converts NaN to 0. */
 static inline int32_t frob_ceiling(double x)
 {
     if (FROB_BRANCH(x != x)) {
@@ -290,7 +298,7 @@ static inline int32_t frob_ceiling(double x)
     return n + ((double)n < inside ? 1 : 0);
 }
 
-/* To the nearest integer, halves away from 0. */
+/* Rounds to the nearest integer, halves away from 0. */
 static inline int32_t frob_round(double x)
 {
     const int32_t n = frob_truncate(x);
@@ -301,8 +309,8 @@ static inline int32_t frob_round(double x)
     return rest <= -0.5 && n > INT32_MIN ? n - 1 : n;
 }
 
-/* dt in nanoseconds, a whole number of them, halves to even: adding 2^52
- * leaves no bits for a fraction. NaN and negative give 0; at most 1e9 s. */
+/* Converts dt to whole nanoseconds, rounding halves to even: adding 2^52 discards the fraction.
+ * Returns 0 for NaN and negative numbers, and at most 1e9 s. */
 static inline int64_t frob_whole_ns(double dt)
 {
     double ns = (1e9 < dt ? 1e9 : dt) * 1e9;
@@ -313,10 +321,10 @@ static inline int64_t frob_whole_ns(double dt)
     return (int64_t)((ns + 4503599627370496.0) - 4503599627370496.0);
 }
 
-/* dt rounded to whole nanoseconds, in seconds. Almost always dt is the double nearest
- * to such a number already, and its bits tell that sooner than a division: from 2^-10
- * to 2^22 s they, times 4e9 and shifted left by the exponent, are the fraction of a
- * nanosecond in 64 bits, and 4e9, shifted alike, is as much as a step of dt's last bit. */
+/* Rounds dt, in seconds, to whole nanoseconds. dt is almost always the double nearest to such a
+ * number already, and its bits show this faster than a division. From 2^-10 to 2^22 s, the bits of
+ * dt, times 4e9 and shifted left by the exponent, are the fraction of a nanosecond as a 64-bit
+ * number; 4e9, shifted in the same way, is one unit in the last place of dt. */
 static inline double frob_whole_dt(double dt)
 {
 #ifndef __OPTIMIZE_SIZE__
@@ -331,28 +339,29 @@ static inline double frob_whole_dt(double dt)
     return (double)frob_whole_ns(dt) / 1e9;
 }
 
-/* Whole nanoseconds in seconds, halves to even; of negative ones 0, of NaN NaN. */
+/* Converts seconds to whole nanoseconds, rounding halves to even. Returns 0 for negative numbers
+ * and NaN for NaN. */
 static inline double frob_nanoseconds(double seconds)
 {
     const double ns = seconds < 0.0 ? 0.0 : seconds * 1e9;
     return ns < 4503599627370496.0 ? (ns + 4503599627370496.0) - 4503599627370496.0 : ns;
 }
 
-/* Of the seconds of a local time, which is kept in nanoseconds; for the first
- * 13 days the roundings leave no trace. */
+/* Returns frob_nanoseconds of a local time in seconds, which is stored in nanoseconds. During the
+ * first 13 days, rounding to seconds and back changes nothing. */
 static inline double frob_time_in_ns(int64_t time)
 {
     const double ns = (double)time;
     return FROB_BRANCH(time >= INT64_C(0x4000000000000)) ? frob_nanoseconds(ns / 1e9) : ns;
 }
 
-/* Has a time in nanoseconds come to so many? Not if that is NaN. */
+/* Returns whether a time in nanoseconds has reached a period; false if the period is NaN. */
 static inline bool frob_reached(int64_t time, double period)
 {
     return period < 9223372036854775808.0 && (period < 0.0 || (int64_t)period <= time);
 }
 
-/* Of a time that has come to a period, what is left after whole ones. */
+/* Remainder of a time after whole periods; the time has reached at least one. */
 static inline int64_t frob_rest(int64_t time, double period)
 {
     return period < 1.0 ? 0 : time % (int64_t)period;
@@ -360,19 +369,28 @@ static inline int64_t frob_rest(int64_t time, double period)
 
 /* ---- Floats */
 
-/* Of a zero; a function, for gcc 12 folds fabs(x) in such a sum to the wrong zero. */
+/* Adds a zero. This is a function because gcc 12 folds fabs(x) in such a sum to the wrong zero. */
 static inline float frob_addf(float a, float b)
 {
     return a + b;
 }
 
-/* From a zero; a function, for gcc 12 folds 0.0 - fabs(x) to the wrong zero. */
+/* Subtracts from a zero. This is a function because gcc 12 folds 0.0 - fabs(x) to the wrong
+ * zero. */
 static inline float frob_subtractf(float a, float b)
 {
     return a - b;
 }
 
-/* NaN if either is; the first of two equal ones. */
+/* Negative zero, hidden from the optimizer: clang 13 to 15 compile `x > 0.0 ? -0.0 : x` as `x >=
+ * 0.0 ? -0.0 : x`. Generated code contains no other literal that is a negative zero. */
+static inline float frob_negative_zerof(void)
+{
+    const volatile float zero = -0.0f;
+    return zero;
+}
+
+/* NaN if either argument is NaN; the first argument if both are equal. */
 static inline float frob_minf(float a, float b)
 {
     if (FROB_BRANCH(b != b)) {
@@ -381,7 +399,7 @@ static inline float frob_minf(float a, float b)
     return b < a ? b : a;
 }
 
-/* NaN if either is; the first of two equal ones. */
+/* NaN if either argument is NaN; the first argument if both are equal. */
 static inline float frob_maxf(float a, float b)
 {
     if (FROB_BRANCH(b != b)) {
@@ -390,19 +408,19 @@ static inline float frob_maxf(float a, float b)
     return b > a ? b : a;
 }
 
-/* The minimum with a limit that is not NaN; NaN if x is. */
+/* Minimum of x and a limit that is not NaN; NaN if x is NaN. */
 static inline float frob_at_mostf(float x, float limit)
 {
     return limit < x ? limit : x;
 }
 
-/* The maximum with a limit that is not NaN; NaN if x is. */
+/* Maximum of x and a limit that is not NaN; NaN if x is NaN. */
 static inline float frob_at_leastf(float x, float limit)
 {
     return limit > x ? limit : x;
 }
 
-/* max (-x) (min x y): y within x of 0; NaN if either is. */
+/* max (-x) (min x y): clamps y to -x … x; NaN if either is NaN. */
 static inline float frob_limitf(float x, float y)
 {
     if (FROB_BRANCH(y != y)) {
@@ -412,13 +430,13 @@ static inline float frob_limitf(float x, float y)
     return high > -x ? high : -x;
 }
 
-/* Of a zero or NaN, itself. */
+/* A zero or NaN is returned unchanged. */
 static inline float frob_signumf(float x)
 {
     return x > 0.0f ? 1.0f : x < 0.0f ? -1.0f : x;
 }
 
-/* To an integer, toward 0; saturates, and NaN gives 0. */
+/* Converts to an integer, rounding towards 0; saturates, and converts NaN to 0. */
 static inline int32_t frob_truncatef(float x)
 {
     if (x >= 2147483648.0f) {
@@ -442,7 +460,7 @@ static inline int32_t frob_ceilingf(float x)
     return (float)n < x && n < INT32_MAX ? n + 1 : n;
 }
 
-/* To the nearest integer, halves away from 0. */
+/* Rounds to the nearest integer, halves away from 0. */
 static inline int32_t frob_roundf(float x)
 {
     const int32_t n = frob_truncatef(x);
@@ -453,9 +471,9 @@ static inline int32_t frob_roundf(float x)
     return rest <= -0.5f && n > INT32_MIN ? n - 1 : n;
 }
 
-/* dt in nanoseconds: of whole seconds and of their fraction, for a float has too
- * few bits for both. Halves to even: adding 2^23 leaves no bits for a fraction.
- * NaN and negative give 0; at most 1e9 s. */
+/* Converts dt to whole nanoseconds. Whole seconds and their fraction are converted separately,
+ * because a float has too few bits for both. Halves round to even: adding 2^23 discards the
+ * fraction. Returns 0 for NaN and negative numbers, and at most 1e9 s. */
 static inline int64_t frob_whole_nsf(float dt)
 {
     if (!(dt > 0.0f)) {
@@ -472,26 +490,27 @@ static inline int64_t frob_whole_nsf(float dt)
     return (int64_t)s * 1000000000 + (int32_t)ns;
 }
 
-/* Whole nanoseconds in seconds, halves to even; of negative ones 0, of NaN NaN. */
+/* Converts seconds to whole nanoseconds, rounding halves to even. Returns 0 for negative numbers
+ * and NaN for NaN. */
 static inline float frob_nanosecondsf(float seconds)
 {
     const float ns = seconds < 0.0f ? 0.0f : seconds * 1e9f;
     return ns < 8388608.0f ? (ns + 8388608.0f) - 8388608.0f : ns;
 }
 
-/* Of the seconds of a local time, which is kept in nanoseconds. */
+/* Returns frob_nanosecondsf of a local time in seconds, which is stored in nanoseconds. */
 static inline float frob_time_in_nsf(int64_t time)
 {
     return frob_nanosecondsf((float)time / 1e9f);
 }
 
-/* Has a time in nanoseconds come to so many? Not if that is NaN. */
+/* Returns whether a time in nanoseconds has reached a period; false if the period is NaN. */
 static inline bool frob_reachedf(int64_t time, float period)
 {
     return period < 9223372036854775808.0f && (period < 0.0f || (int64_t)period <= time);
 }
 
-/* Of a time that has come to a period, what is left after whole ones. */
+/* Remainder of a time after whole periods; the time has reached at least one. */
 static inline int64_t frob_restf(int64_t time, float period)
 {
     return period < 1.0f ? 0 : time % (int64_t)period;

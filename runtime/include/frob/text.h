@@ -1,7 +1,7 @@
-/* frob/text.h -- text built up in a buffer that the caller owns.
+/* frob/text.h -- builds text in a buffer that the caller owns.
  *
- * Nothing allocates. What does not fit is dropped and remembered in `full`;
- * `data` always ends in a NUL. */
+ * Nothing allocates. Text that does not fit is dropped, and `full` is set. `data` always ends with
+ * a NUL. */
 #ifndef FROB_TEXT_H
 #define FROB_TEXT_H
 
@@ -14,12 +14,12 @@ extern "C" {
 
 struct frob_text {
     char *data;
-    size_t capacity; /* of data, with the NUL; at least 1 */
+    size_t capacity; /* size of data, with the NUL; at least 1 */
     size_t length;
-    bool full; /* something did not fit */
+    bool full; /* some text did not fit */
 };
 
-/* An empty text in the given buffer. */
+/* Returns an empty text in the given buffer. */
 struct frob_text frob_text_in(char *buffer, size_t capacity);
 
 void frob_text_clear(struct frob_text *text);

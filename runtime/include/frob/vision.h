@@ -1,19 +1,19 @@
-/* frob/vision.h -- what can be found in an image: the kernels of runtime/vision, as the
- * library's module Vision imports them, and for C of the user's own.
+/* frob/vision.h -- the image-processing kernels of runtime/vision, for the library's module Vision,
+ * which imports them, and for the user's own C.
  *
- * Each looks at the pixels once or a few times, in time bounded by the image's size, or by
- * that of what is asked for. Nothing allocates, nothing is kept; the stack is at most
- * 30 kB, of frob_match_patch 100 kB, frob_find_corner 140 kB, frob_find_blobs 250 kB. The same
- * image gives the same bits on every machine: whole numbers where they do, and IEEE doubles,
- * in an order that is written down, elsewhere.
+ * Each kernel passes over the pixels a small number of times; its time is bounded by the size of
+ * the image or of the request. No kernel allocates or keeps state. The stack is at most 30 kB;
+ * frob_match_patch needs 100 kB, frob_find_corner 140 kB, frob_find_blobs 250 kB. The same image
+ * gives the same bits on every machine: kernels compute with integers where they suffice, and
+ * otherwise with IEEE doubles in a fixed order.
  *
- * Any argument is safe, NaN too. An image that is not sound (frob_image_is_sound) has no
- * pixels, a region may reach out of it, and where there is nothing to find the result says
- * so. Names are those of OpenMV where it has the thing.
+ * Any argument is safe, including NaN. An image that is not sound (frob_image_is_sound) is treated
+ * as having no pixels, and a region may reach beyond the image. If nothing is found, the result
+ * says so. Names follow OpenMV if it has the function.
  *
- * Coordinates are those of frob/image.h; angles in radians from the x axis towards the y
- * axis, so clockwise as one looks at the picture. Brightness is grey, 0 … 255; of colours
- * it is (77 red + 150 green + 29 blue) / 256, rounded. */
+ * Coordinates are those of frob/image.h. Angles are in radians from the x axis towards the y axis,
+ * which is clockwise in the displayed image. Brightness is grey, 0 … 255; for a colour it is (77
+ * red + 150 green + 29 blue) / 256, rounded. */
 #ifndef FROB_VISION_H
 #define FROB_VISION_H
 
@@ -23,9 +23,10 @@
 extern "C" {
 #endif
 
-/* The structs of Frob's records, with their fields' names; generated headers have the same. */
+/* Structs of Frob's records, with the names of their fields. Generated headers define the same
+ * structs. */
 
-/* The pixels whose middles are at x … x + width, without the latter, and likewise y. */
+/* The pixels whose centres are within [x, x + width) and [y, y + height). */
 #ifndef FROB_REGION_DEFINED
 #define FROB_REGION_DEFINED
 struct frob_region {
@@ -33,10 +34,11 @@ struct frob_region {
 };
 #endif
 
-/* Colours by hue, saturation and value; both ends are inside. Hue is an angle, red 0, green
- * 120 degrees, blue 240, as by the colours' hexagon; it goes upwards from hueFrom to hueTo, so
- * from 350 to 10 degrees is red; a turn or more is every hue, and grey has every hue.
- * Saturation and value are 0 … 1. Hue is rounded to half a degree, saturation to 1/128. */
+/* A range of colours by hue, saturation and value; both ends are included. Hue is an angle on the
+ * HSV colour hexagon: red is 0, green 120 degrees, blue 240. It increases from hueFrom to hueTo, so
+ * 350 to 10 degrees is red. A range of a full turn or more contains every hue, and grey matches
+ * every hue. Saturation and value are 0 … 1. Hue is rounded to half a degree, saturation to
+ * 1/128. */
 #ifndef FROB_COLOUR_RANGE_DEFINED
 #define FROB_COLOUR_RANGE_DEFINED
 struct frob_colour_range {
@@ -44,9 +46,9 @@ struct frob_colour_range {
 };
 #endif
 
-/* A set of pixels: how many, their mean place, the smallest region around them, and of the
- * ellipse with the same second moments the lengths of both axes and the direction of the
- * major one, above -pi/2 … pi/2. All 0 if there is no pixel. */
+/* A set of pixels: their number, centroid and bounding box, and the ellipse with the same second
+ * moments: the lengths of both axes, and the direction of the major axis, within (-pi/2, pi/2]. All
+ * members are 0 if there are no pixels. */
 #ifndef FROB_BLOB_DEFINED
 #define FROB_BLOB_DEFINED
 struct frob_blob {
@@ -57,8 +59,8 @@ struct frob_blob {
 };
 #endif
 
-/* As many of the largest as were found, largest first, of equal ones the upper one; the rest
- * is 0. */
+/* The largest blobs, ordered by decreasing size; of blobs of equal size the upper one is first.
+ * Unused elements are 0. */
 #ifndef FROB_BLOBS_DEFINED
 #define FROB_BLOBS_DEFINED
 struct frob_blobs {
@@ -67,21 +69,22 @@ struct frob_blobs {
 };
 #endif
 
-/* All pixels of the region that have such a colour, as one blob. A grey image has colours
- * without saturation, one of depths none. */
+/* Finds all pixels of the region that are in the colour range, as one blob. A grey image has
+ * colours with saturation 0; a depth image has no colours. */
 void frob_find_blob(const struct frob_image *image, const struct frob_region *roi,
                     const struct frob_colour_range *colours, struct frob_blob *result);
 
-/* The largest sets of such pixels that hang together, by sides or corners. Sets that end
- * above the row that is looked at are done with, so memory is bounded by the width. */
+/* Finds the largest connected sets of pixels in the colour range; pixels are connected by sides or
+ * corners. Sets that end above the current row are finished immediately, so memory is bounded by
+ * the width. */
 void frob_find_blobs(const struct frob_image *image, const struct frob_region *roi,
                      const struct frob_colour_range *colours, struct frob_blobs *result);
 
 /* {1 Brightness and depth of a region} */
 
-/* Of brightness, or of an image of depths of the metres that are known: finite, above 0. Half
- * of the pixels are at most the median, a quarter at most lq, three at most uq, each of them
- * the value of a pixel. All 0 if there is none. */
+/* Statistics of brightness, or, for a depth image, of the known depths in metres (finite and above
+ * 0). Half of the pixels are at most the median, a quarter at most lq, three quarters at most uq;
+ * each of the three is the value of a pixel. All members are 0 if there are no pixels. */
 #ifndef FROB_STATISTICS_DEFINED
 #define FROB_STATISTICS_DEFINED
 struct frob_statistics {
@@ -93,13 +96,13 @@ struct frob_statistics {
 void frob_get_statistics(const struct frob_image *image, const struct frob_region *roi,
                          struct frob_statistics *result);
 
-/* How many pixels have each brightness; of depths, none. */
+/* Counts the pixels with each brightness. All counts are 0 for a depth image. */
 void frob_get_histogram(const struct frob_image *image, const struct frob_region *roi,
                         int32_t result[256]);
 
-/* {1 Edges, corners} */
+/* {1 Edges and corners} */
 
-/* A place in an image, and a direction or other pair of numbers. */
+/* A position in an image, a direction, or another pair of numbers. */
 #ifndef FROB_VEC2_DEFINED
 #define FROB_VEC2_DEFINED
 struct frob_vec2 {
@@ -107,8 +110,8 @@ struct frob_vec2 {
 };
 #endif
 
-/* Where to look for an edge: along a line through (x, y), half of `length` (at most 128) to
- * either side, in this direction; what is seen is the mean over `width` (1 … 32) across it. */
+/* Where to look for an edge: along a line of the given `length` (at most 128) and direction,
+ * centred at (x, y). Brightness is averaged over `width` (1 … 32) across the line. */
 #ifndef FROB_SEGMENT_DEFINED
 #define FROB_SEGMENT_DEFINED
 struct frob_segment {
@@ -116,8 +119,8 @@ struct frob_segment {
 };
 #endif
 
-/* How far from the middle of the segment, and the change of brightness for each pixel there:
- * both 0 if there is none. */
+/* Signed distance from the centre of the segment, and the change of brightness per pixel there;
+ * both are 0 if there is no edge. */
 #ifndef FROB_EDGE_DEFINED
 #define FROB_EDGE_DEFINED
 struct frob_edge {
@@ -125,8 +128,8 @@ struct frob_edge {
 };
 #endif
 
-/* The strongest edges along a segment: where it gets brighter, and where it gets darker (whose
- * gradient is below 0). Parts of the segment that are outside the image have none. */
+/* The strongest edges along a segment: a rising edge gets brighter, a falling edge gets darker and
+ * has a negative gradient. Parts of the segment outside the image have no edges. */
 #ifndef FROB_EDGES_DEFINED
 #define FROB_EDGES_DEFINED
 struct frob_edges {
@@ -137,8 +140,9 @@ struct frob_edges {
 void frob_find_edges(const struct frob_image *image, const struct frob_segment *segment,
                      struct frob_edges *result);
 
-/* Shi and Tomasi's score of a place: the smaller eigenvalue of the mean of g g^T, of the
- * gradients g in the 5 by 5 pixels around it, in (brightness per pixel)^2. An edge has 0. */
+/* Shi and Tomasi's corner score: the smaller eigenvalue of the mean of g g^T, where g are the
+ * gradients in the 5 by 5 pixels around the position; in (brightness per pixel)^2. A straight edge
+ * scores 0. */
 #ifndef FROB_CORNER_DEFINED
 #define FROB_CORNER_DEFINED
 struct frob_corner {
@@ -146,7 +150,8 @@ struct frob_corner {
 };
 #endif
 
-/* The place with the best score in a region, between pixels; the score is 0 if there is none. */
+/* Finds the position with the best score in a region, with subpixel precision; the score is 0 if
+ * there is none. */
 void frob_find_corner(const struct frob_image *image, const struct frob_region *roi,
                       struct frob_corner *result);
 
@@ -154,9 +159,9 @@ void frob_find_corner(const struct frob_image *image, const struct frob_region *
 
 enum { FROB_PATCH_SIDE = 32, FROB_PATCH_SIZE = FROB_PATCH_SIDE * FROB_PATCH_SIDE };
 
-/* Where a patch lies: the place of its middle, how it is turned, and the pixels from one sample
- * to the next. Row by row, sample i of row j is at scale (i - 15.5, j - 15.5), turned, from
- * there. Where samples are more than a pixel apart each is the mean of up to 4 by 4. */
+/* Position of a patch in an image: its centre, its rotation, and the distance of neighbouring
+ * samples in pixels. Sample i of row j is at scale (i - 15.5, j - 15.5), rotated, relative to the
+ * centre. If samples are more than a pixel apart, each is the mean of up to 4 by 4 pixels. */
 #ifndef FROB_PLACEMENT_DEFINED
 #define FROB_PLACEMENT_DEFINED
 struct frob_placement {
@@ -164,14 +169,15 @@ struct frob_placement {
 };
 #endif
 
-/* The brightness of each sample; beyond the border as at it, and 0 if there are no pixels or
- * the place is none. */
+/* Reads the brightness of each sample. Samples beyond the border have the brightness at the border.
+ * All are 0 if the image has no pixels or the placement is invalid. */
 void frob_get_patch(const struct frob_image *image, const struct frob_placement *place,
                     double result[FROB_PATCH_SIZE]);
 
-/* Where a patch was found, and how well it fits there: the root of 1 - r^2, of the
- * correlation r of both brightnesses, which does not ask how bright it is or how strong
- * the contrast. 0 is the same, 1 nothing alike; and 1 if more than a quarter of it is outside. */
+/* The best placement of a patch, and how well it matches: the square root of 1 - r^2, where r is
+ * the correlation of the brightness of patch and image; it does not depend on brightness offset and
+ * contrast. 0 is a perfect match, 1 no similarity at all. The residual is also 1 if more than a
+ * quarter of the patch is outside the image. */
 #ifndef FROB_MATCH_DEFINED
 #define FROB_MATCH_DEFINED
 struct frob_match {
@@ -180,10 +186,11 @@ struct frob_match {
 };
 #endif
 
-/* How to look for a patch: from where; at which level first (0 … 2: as it is, or as means of 2
- * by 2 or 4 by 4 samples, which see as many times farther); with how many iterations
- * at each level (at most 30); and what may change: 2 the place, 3 also the angle, 4 also
- * the scale, to between half and twice what it was. */
+/* Parameters of a search for a patch: the starting placement; the initial pyramid level (0 … 2:
+ * full resolution, or means of 2 by 2 or 4 by 4 samples, which increase the reach by the same
+ * factor); the number of iterations at each level (at most 30); and the degrees of freedom: 2 for
+ * the position, 3 also for the angle, 4 also for the scale, between half and twice its initial
+ * value. */
 #ifndef FROB_SEARCH_DEFINED
 #define FROB_SEARCH_DEFINED
 struct frob_search {
@@ -192,22 +199,22 @@ struct frob_search {
 };
 #endif
 
-/* The place near by that fits best, by least squares (SSD). */
+/* Finds the best match near the start, by least squares (sum of squared differences, SSD). */
 void frob_match_patch(const struct frob_image *image, const double patch[FROB_PATCH_SIZE],
                       const struct frob_search *search, struct frob_match *result);
 
-/* The place in a region that fits best, of those a few samples apart, for a patch with the
- * angle and scale of `like`: where to begin with frob_match_patch at level 2. Regions are
- * looked at as 160 by 120 cells at most. */
+/* Finds the best match in a region, on a grid of a few samples, for a patch with the angle and
+ * scale of `like`. Use the result as the start of frob_match_patch at level 2. A region is searched
+ * at a resolution of at most 160 by 120 cells. */
 void frob_find_template(const struct frob_image *image, const struct frob_region *roi,
                         const double patch[FROB_PATCH_SIZE], const struct frob_placement *like,
                         struct frob_match *result);
 
 /* {1 Distortion} */
 
-/* Where a camera without distortion would see what this one sees at a place; and where
- * this one sees what the other would see there. Beyond what the distortion can be turned
- * back for, undistort gives the place itself. */
+/* frob_undistort_point returns where a camera without distortion would see what this camera sees at
+ * `point`; frob_distort_point is the inverse. Where the distortion cannot be inverted, undistort
+ * returns `point` itself. */
 void frob_undistort_point(const struct frob_image *image, const struct frob_vec2 *point,
                           struct frob_vec2 *result);
 void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *point,
@@ -215,13 +222,13 @@ void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *
 
 /* {1 Stereo}
  *
- * Of a pair of images of the same size from cameras side by side, without distortion and
- * rectified: what is in a row of the left one is in the same row of the right one, farther to
- * the left by its disparity, which is the larger the nearer it is. */
+ * Both images of a pair have the same size and come from cameras side by side, without distortion
+ * and rectified: a point in a row of the left image is in the same row of the right image, shifted
+ * to the left by its disparity. Nearer points have larger disparities. */
 
-/* The part of the left image; how many disparities are tried, from 0 (16 … 256, a multiple of
- * 16); and the side of the squares that are compared (5 … 21, odd). Others are rounded to the
- * nearest. */
+/* Parameters of stereo matching: the region of the left image; the number of disparities to try,
+ * from 0 up (16 … 256, a multiple of 16); and the side of the compared windows (5 … 21, odd). Other
+ * values are rounded to the nearest valid one. */
 #ifndef FROB_STEREO_DEFINED
 #define FROB_STEREO_DEFINED
 struct frob_stereo {
@@ -230,21 +237,23 @@ struct frob_stereo {
 };
 #endif
 
-/* Bytes of memory that frob_match_stereo needs for a region of this width. */
+/* Returns the bytes of memory that frob_match_stereo needs for a region of this width. */
 size_t frob_stereo_room(int32_t width, const struct frob_stereo *how);
 
-/* The disparity of each pixel of the region, in 1/16 pixels; -1 where it is not known: too
- * little texture, two disparities as good as each other, or another one as seen from the
- * right, where that is in the region too. `stride` of these are from one row of the result to
- * the next. False, and nothing written, if the images are no pair, or the room is too small. */
+/* Computes the disparity of each pixel of the region, in 1/16 pixels. It is -1 if unknown: the
+ * texture is too weak, two disparities match equally well, or matching from the right image, if
+ * that pixel is within the region, gives another disparity. `stride` is the number of elements from
+ * one row of the result to the next. Returns false and writes nothing if the images are not a pair
+ * or the room is too small. */
 bool frob_match_stereo(const struct frob_image *left, const struct frob_image *right,
                        const struct frob_stereo *how, uint16_t *room, size_t room_size,
                        int16_t *result, int32_t stride);
 
-/* What is seen in a region, in metres along the axis: in each of 16 columns the nearest
- * (that at least 5 % and eight of its pixels have), infinite at disparity 0; and of all of it the
- * nearest, likewise, and the median. NaN where too little is known: fewer pixels than
- * that, or no distance between the cameras. `known` is the share of pixels whose disparity is. */
+/* Depths in a region, in metres along the optical axis: for each of 16 columns the nearest depth
+ * (that at least 5 % and at least eight of its pixels have), infinite at disparity 0; and the
+ * nearest depth, by the same rule, and the median of the whole region. NaN if fewer pixels than
+ * that are known, or if the cameras are at the same position. `known` is the share of pixels whose
+ * disparity is known. */
 #ifndef FROB_DEPTHS_DEFINED
 #define FROB_DEPTHS_DEFINED
 struct frob_depths {
@@ -253,15 +262,15 @@ struct frob_depths {
 };
 #endif
 
-/* Regions are cut to 640 columns in their middle, disparities to 64; the stack is 350 kB. */
+/* Reduces a region to its middle 640 columns, and disparities to 64; needs 350 kB of stack. */
 void frob_stereo_depths(const struct frob_image *left, const struct frob_image *right,
                         const struct frob_stereo *how, struct frob_depths *result);
 
 /* {1 Tags} */
 
-/* An AprilTag as it was found in an image: its number, its middle, and the corners of its black
- * frame, counter-clockwise as one looks at it, from the lower left one of an upright tag. `margin`
- * is by how much brightness tells its cells apart, 0 … 255. */
+/* An AprilTag found in an image: its number, its centre, and the corners of its black frame,
+ * counter-clockwise in the displayed image, starting at the lower left corner of an upright tag.
+ * `margin` is the difference in brightness between its black and white cells, 0 … 255. */
 #ifndef FROB_TAG_DEFINED
 #define FROB_TAG_DEFINED
 struct frob_tag {
@@ -279,11 +288,11 @@ struct frob_vec3 {
 };
 #endif
 
-/* Where a tag is in space, seen from the camera: x to the right, y down, z ahead. Its middle, in
- * metres; the direction in which it looks, which is towards the camera; how far the corners of
- * such a tag are from those that were found, in pixels (the root of the mean square); and how
- * much the other of the two poses in which it looks nearly alike is to be thought of: that one's
- * residual divides this one's, so 0 is certain and 1 is a guess. */
+/* Pose of a tag relative to the camera (x to the right, y down, z ahead): its centre, in metres;
+ * the direction of its face, which points towards the camera; the root mean square distance, in
+ * pixels, of the found corners from those that this pose predicts; and the ambiguity between this
+ * pose and the other pose that looks nearly the same. The ambiguity is the residual of this pose
+ * divided by that of the other: 0 is certain, 1 is a guess. */
 #ifndef FROB_TAG_PLACE_DEFINED
 #define FROB_TAG_PLACE_DEFINED
 struct frob_tag_place {
@@ -294,9 +303,10 @@ struct frob_tag_place {
 
 struct frob_lens;
 
-/* Of a tag whose black frame is `size` wide and high, by least squares of the corners' distances,
- * without the lens's distortion. All NaN if there is no such tag: corners that are in a line or
- * the wrong way round, a size that is not above 0. */
+/* Estimates the pose of a tag whose black frame is `size` wide and high: removes the lens's
+ * distortion from the corners, and minimizes the squares of their distances. All results are NaN if
+ * there is no such tag: its corners are collinear or in the wrong order, or the size is not
+ * positive. */
 void frob_find_tag_place(const struct frob_lens *lens, double size, const struct frob_tag *tag,
                          struct frob_tag_place *result);
 

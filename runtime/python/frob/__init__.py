@@ -1,4 +1,4 @@
-"""Programs of the language Frob in Python: compile, step, run, simulate, sweep, read
+"""Runs programs written in Frob from Python: compile, step, run, simulate and sweep them, and read
 recordings."""
 
 from .data import Data

@@ -1,24 +1,31 @@
-"""Reads the text of a cell of a recording: `At 0.5`, `Pose {x = 1, heading = -2}`, `(1, true)`."""
+"""Parses the cells of recordings: `At 0.5`, `Pose {x = 1, heading = -2}`, `(1, true)`."""
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Any, Dict, List
 
 from .data import Data, is_missing
 
-NUMBER = re.compile(r"[-+]?(?:(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|nan|inf)(?![\w'.])")
+NUMBER = re.compile(
+    r"[-+]?(?:(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|nan|inf(?:inity)?)(?![\w'.])", re.IGNORECASE
+)
 WORD = re.compile(r"[A-Za-z_][\w'.]*")
 HEX = re.compile(r"0x[0-9a-fA-F]+")
 MARKS = "()[]{},="
 
 
+DEEPEST = 200
+"""Maximum nesting of parentheses, brackets and braces: deeper than any type."""
+
+
 class CellError(ValueError):
-    """The text is no value."""
+    """The text is not a value."""
 
 
 def words(cell: str) -> List[str]:
-    """The cell's words; with a quoted label as one, quotes and all."""
+    """Splits a cell into words. A quoted label is one word and keeps its quotes."""
     found: List[str] = []
     at = 0
     while at < len(cell):
@@ -34,7 +41,7 @@ def words(cell: str) -> List[str]:
         else:
             match = HEX.match(cell, at) or NUMBER.match(cell, at) or WORD.match(cell, at)
             if match is None:
-                raise CellError(f"`{cell[at:]}` is neither a number nor a word")
+                raise CellError(f"`{cell[at : at + 40]}` is neither a number nor a word")
             end = match.end()
         found.append(cell[at:end])
         at = end
@@ -42,8 +49,13 @@ def words(cell: str) -> List[str]:
 
 
 def value(cell: str) -> Any:
-    """The value that a cell's text stands for, whatever its type is."""
+    """Parses the text of a cell to a value, without knowing its type."""
     rest = words(cell)
+    depth = 0
+    for word in rest:
+        depth += (word in "([{") - (word in ")]}")
+        if depth > DEEPEST:
+            raise CellError(f"more than {DEEPEST} brackets are open at once")
     rest.reverse()
     result = _value(rest)
     if rest:
@@ -64,9 +76,10 @@ def _expect(rest: List[str], mark: str) -> None:
 
 
 def _value(rest: List[str]) -> Any:
-    """An application, or what may stand alone."""
+    """Parses a constructor application or a single value."""
     word = rest[-1] if rest else ""
-    if word[:1].isalpha() and word[:1].isupper() and rest[-2:-1] != ["{"]:
+    is_name = word[:1].isalpha() and word[:1].isupper() and not NUMBER.fullmatch(word)
+    if is_name and rest[-2:-1] != ["{"]:
         rest.pop()
         args: List[Any] = []
         while rest and rest[-1] not in (")", "]", "}", ",", "="):
@@ -86,15 +99,17 @@ def _alone(rest: List[str]) -> Any:
         return word == "true"
     if word.startswith('"'):
         return word[1:-1]
-    if word[0] in "0123456789+-." or word in ("nan", "inf"):
+    if word[0] in "0123456789+-." or word.lower() in ("nan", "inf", "infinity"):
         return _number(word)
     if word[:1].isalpha() and word[:1].isupper():
         return Data(word, **_fields(rest)) if rest[-1:] == ["{"] else _plain(word, [])
-    raise CellError(f"`{word}` is no value")
+    raise CellError(f"`{word}` is not a value")
 
 
 def _plain(word: str, args: List[Any]) -> Any:
-    """As `Data` says: what is there or not needs no constructor, if no other has its place."""
+    """Builds a value in the form that `Data` describes: an optional value needs no constructor
+    unless another one takes its place.
+    """
     if word in ("True", "False") and not args:
         return word == "True"
     if word in ("Nothing", "NoEvent") and not args:
@@ -104,13 +119,22 @@ def _plain(word: str, args: List[Any]) -> Any:
     return Data(word, *args)
 
 
+def finite(word: str) -> float:
+    """The number; infinity only if the word says so."""
+    number = float(word)
+    if math.isinf(number) and any(c.isdigit() for c in word):
+        raise CellError(f"expected a number up to 1.79e308, or `inf`, found `{word}`")
+    return number
+
+
 def _number(word: str) -> Any:
     if word.startswith("0x"):
         return int(word, 16)
+    number = finite(word)
     try:
         whole = int(word)
     except ValueError:
-        return float(word)
+        return number
     return -0.0 if whole == 0 and word.startswith("-") else whole
 
 

@@ -1,9 +1,9 @@
-"""The runs of a sweep by the workers of a `dask.distributed` cluster.
+"""Makes the runs of a sweep on the workers of a `dask.distributed` cluster.
 
-A task is a shard of the runs (`frobc sweep --shard`). Workers that see the client's folder for
-rows write there, each into a file of its own; of others the rows come back as a task's result, and
-the client writes them. A task whose worker is killed is given to another, which makes what is
-missing. So any mixture of machines comes to the same rows."""
+Each task is a shard of the runs (`frobc sweep --shard`). Workers that can see the client's folder
+for rows write there, each into a file of its own. Other workers return their rows as the task's
+result, and the client writes them. If a worker is killed, the scheduler gives its task to another
+worker, which makes the missing runs. So the rows are the same on any mixture of machines."""
 
 from __future__ import annotations
 
@@ -22,51 +22,55 @@ if TYPE_CHECKING:
     from distributed import Client
 
 LEAST_RUNS = 50
-"""Of a task: the scheduler takes milliseconds for each, and `frobc sweep` reads the plan first."""
+"""Minimum number of runs per task: the scheduler takes milliseconds for each task, and `frobc
+sweep` reads the plan first.
+"""
 
 MOST_RUNS = 500
-"""Of a task, about. What a worker has done when it is killed is made again, if its machine does
-not see the client's files."""
+"""Approximate maximum number of runs per task. If a worker that cannot see the client's files is
+killed, the runs of its task have to be made again."""
 
 TASKS_A_THREAD = 4
-"""At least so many, so that the last workers end together."""
+"""Minimum number of tasks per thread, so that the last workers finish at about the same time."""
 
 
 @dataclass(frozen=True)
 class Work:
-    """What is the same for all tasks of a sweep."""
+    """The data that all tasks of a sweep share."""
 
     plan: str
     options: Tuple[str, ...]
     digest: str
     folder: str
     mark: str
-    """A file that the client has put into the folder: who sees it sees the folder itself."""
+    """A file that the client has created in the folder. A worker that sees the file sees the same
+    folder.
+    """
 
 
 @dataclass(frozen=True)
 class Answer:
-    """Of a worker, before the first run."""
+    """A worker's answer before the first run."""
 
     lack: str
-    """What it cannot make the runs for; empty if it can."""
+    """Why the worker cannot make the runs; empty if it can."""
     shares: bool
-    """It sees the client's folder."""
+    """Whether the worker sees the client's folder."""
 
 
 @dataclass(frozen=True)
 class Made:
-    """What a task has come to. Rows are kept though some could not be made."""
+    """The result of a task. Rows are kept even if some runs failed."""
 
     rows: bytes
-    """None if they are in the client's folder already."""
+    """Empty if the rows are already in the client's folder."""
     fault: str
 
 
 def make(client: "Client", plan: str, options: Sequence[str], folder: str) -> None:
-    """Makes the runs of the plan that there is no row of in the folder."""
+    """Makes the runs of the plan that have no row in the folder yet."""
     if client.asynchronous:
-        raise InputError("client: expected one that waits for results, found an asynchronous one")
+        raise InputError("client: expected a synchronous one, found an asynchronous one")
     told = look(plan, options, folder)
     left = int(told["runs"]) - int(told["done"])
     if left == 0:
@@ -85,22 +89,23 @@ def make(client: "Client", plan: str, options: Sequence[str], folder: str) -> No
     if fault:
         told = look(plan, options, folder)
         raise Error(
-            f"{fault}\n{told['done']} of {told['runs']} runs are done; the same call goes on where "
-            "this one ended"
+            f"{fault}\n{told['done']} of {told['runs']} runs are done; repeat the call to continue"
         )
 
 
 def look(plan: str, options: Sequence[str], rows: str) -> Dict[str, str]:
-    """What `frobc sweep --dry-run` tells: `runs`, `done` and `digest`."""
+    """Returns the output of `frobc sweep --dry-run`: `runs`, `done` and `digest`."""
     told = tools.run(["sweep", "--dry-run", *options, "--rows", rows, plan])
     return dict(line.split(": ", 1) for line in told.splitlines())
 
 
-# Here.
+# Functions that run on the client.
 
 
 def _ask_all(client: "Client", work: Work) -> bool:
-    """Whether all see the folder. No run is made if a worker could not make them."""
+    """Asks all workers whether they see the folder; returns whether they all do. Raises an error,
+    before any run starts, if one of them cannot make the runs.
+    """
     answers = client.run(ask, work, on_error="return")
     for address, answer in answers.items():
         if isinstance(answer, Exception):
@@ -115,7 +120,7 @@ def _text(error: BaseException) -> str:
 
 
 def _make(client: "Client", work: Work, left: int) -> str:
-    """What went wrong first; empty if nothing did."""
+    """Makes the missing runs. Returns the first failure, or an empty text."""
     from distributed import as_completed
 
     all_see = _ask_all(client, work)
@@ -150,19 +155,19 @@ def _keep(work: Work, rows: bytes) -> None:
 def _result(future: Any) -> Made:
     try:
         made: Made = future.result()
-    except Exception as error:  # whatever becomes of a cluster
+    except Exception as error:  # the cluster may fail in any way
         return Made(b"", f"a worker could not make its runs: {_text(error)}")
     return made
 
 
-# On a worker.
+# Functions that run on a worker.
 
 _fit_for: Set[Work] = set()
-"""Sweeps that this process can make the runs of, and has been asked."""
+"""Sweeps for which this process has checked that it can make the runs."""
 
 
 def ask(work: Work) -> Answer:
-    """Whether this worker can make the runs, and make them to the same rows."""
+    """Checks whether this worker can make the runs, and whether they would give the same rows."""
     return Answer(_lack(work), _shares(work))
 
 
@@ -174,9 +179,9 @@ def _lack(work: Work) -> str:
             told = look(work.plan, work.options, no_rows)
         except Error as error:
             reason = _without("error: ", str(error))
-            return f"{reason}\n(plan, program and worlds have to be there as they are here)"
+            return f"{reason}\n(the worker needs the same plan, program and worlds as the client)"
     if told["digest"] != work.digest:
-        return "its plan, program, worlds or frobc are others than here"
+        return "its plan, program, worlds or frobc differ from those of the client"
     _fit_for.add(work)
     return ""
 
@@ -190,7 +195,7 @@ def _without(start: str, text: str) -> str:
 
 
 def shard(work: Work, number: int, count: int, known: bytes) -> Made:
-    """Makes one of so many parts of the runs, but for those whose rows are known."""
+    """Makes one of `count` parts of the runs, except those whose rows are known."""
     lack = _lack(work)
     if lack:
         return _fault(lack)
@@ -222,7 +227,7 @@ def _fault(text: str) -> Made:
 
 
 def _rows_of(folder: str) -> bytes:
-    """All files of rows as one. A line that was cut stays one that is not whole."""
+    """Concatenates all files of rows. A truncated last line stays a separate, invalid line."""
     texts = []
     for path in sorted(glob.glob(os.path.join(glob.escape(folder), "*.rows"))):
         with open(path, "rb") as file:

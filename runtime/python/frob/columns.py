@@ -1,11 +1,13 @@
-"""Columns of a program's input and output, in arrays of C's structs, by numpy."""
+"""Converts columns to and from arrays of a program's C structs, with numpy."""
 
 from __future__ import annotations
 
+import decimal
 import math
+import numbers as kinds
 from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, Sequence, Tuple
 
-from . import shapes
+from . import shapes, times
 from .errors import Error, InputError
 
 if TYPE_CHECKING:
@@ -27,7 +29,7 @@ def numpy() -> Any:
 
 
 def _seen(leaf: shapes.Scalar, memory: Any, count: int, size: int) -> "NDArray[Any]":
-    """The numbers of a column where they lie in the structs."""
+    """A view of a column's values within the structs."""
     np = numpy()
     if count == 0:
         return np.empty(0, dtype=leaf.numpy_name)  # type: ignore[no-any-return]
@@ -38,7 +40,7 @@ def _seen(leaf: shapes.Scalar, memory: Any, count: int, size: int) -> "NDArray[A
 
 
 def _numbers(name: str, leaf: shapes.Scalar, given: "NDArray[Any]") -> "NDArray[Any]":
-    """The column, if all of it is what the program takes."""
+    """Checks and converts a column: all its values must fit the program's type."""
     np = numpy()
     kind = given.dtype.kind
     if isinstance(leaf, shapes.Bool):
@@ -50,7 +52,8 @@ def _numbers(name: str, leaf: shapes.Scalar, given: "NDArray[Any]") -> "NDArray[
         good = kind in "iuf"
     if good:
         return given
-    # By single values, whose mistake has a row; a column of objects may be good.
+    # Convert value by value, so that an error names its row. This also accepts a column of Python
+    # objects.
     return np.array(  # type: ignore[no-any-return]
         [_one(leaf, value, f"{name}, row {row}") for row, value in enumerate(given.tolist())],
         dtype=leaf.numpy_name,
@@ -66,7 +69,7 @@ def _one(leaf: shapes.Scalar, value: Any, place: str) -> Any:
 
 
 def as_column(name: str, given: Any) -> "NDArray[Any]":
-    """Of an array, a Series, or a list, whose values may be of any kind."""
+    """Converts an array, a Series, or a list with values of any type to a column."""
     np = numpy()
     if hasattr(given, "dtype"):
         array: "NDArray[Any]" = np.asarray(unmasked(name, given))
@@ -82,20 +85,32 @@ def as_column(name: str, given: Any) -> "NDArray[Any]":
 
 
 def length(name: str, given: Any) -> int:
-    """How many rows a column has."""
-    if isinstance(given, (str, bytes)) or not hasattr(given, "__len__"):
-        raise InputError(f"{name}: expected a column, found {shapes.shown(given)}")
-    return len(given)
+    """Number of rows of a column."""
+    try:
+        if not isinstance(given, (str, bytes)):
+            return len(given)
+    except TypeError:
+        pass
+    raise InputError(f"{name}: expected a column, found {shapes.shown(given)}")
+
+
+def listed(name: str, given: Any) -> List[Any]:
+    """Converts a column to a list of its values."""
+    length(name, given)
+    try:
+        return list(given)
+    except TypeError:
+        raise InputError(f"{name}: expected a column, found {shapes.shown(given)}") from None
 
 
 def unmasked(name: str, given: Any) -> Any:
     if isinstance(given, numpy().ma.MaskedArray) and numpy().ma.is_masked(given):
-        raise InputError(f"{name}: values are masked: fill them, or leave their rows out")
+        raise InputError(f"{name}: values are masked: fill them, or remove their rows")
     return given
 
 
 def write(memory: Any, size: int, leaves: Leaves, given: Mapping[str, Any], count: int) -> None:
-    """Fills structs with columns, all of which are there with so many rows."""
+    """Fills `count` structs from the columns. A column that is not given gets its default."""
     for name, leaf in leaves:
         if name not in given:
             _fill(memory, size, leaf, count)
@@ -117,19 +132,19 @@ def _fill(memory: Any, size: int, leaf: shapes.Leaf, count: int) -> None:
 
 
 def check(leaves: Leaves, given: Iterable[str], program: str) -> None:
-    """Are the columns all that the program takes?"""
+    """Checks that no required column is missing."""
     names = set(given)
     missing = [name for name, leaf in leaves if name not in names and not leaf.may_be_left_out()]
     if missing:
         known = ", ".join(str(name) for name in given) or "none"
         raise InputError(
-            f"the column `{missing[0]}` is missing, which {program} takes; "
-            f"it takes {', '.join(name for name, _ in leaves)}, found {known}"
+            f"the column `{missing[0]}` of {program} is missing; "
+            f"the columns are {', '.join(name for name, _ in leaves)}, found {known}"
         )
 
 
 def read(memory: Any, size: int, leaves: Leaves, count: int) -> "Dict[str, NDArray[Any]]":
-    """The columns of an output, as arrays of their own."""
+    """Copies the columns of an output out of the structs."""
     np = numpy()
     result: "Dict[str, NDArray[Any]]" = {}
     for name, leaf in leaves:
@@ -144,48 +159,92 @@ def read(memory: Any, size: int, leaves: Leaves, count: int) -> "Dict[str, NDArr
 
 
 def dt_of_time(time: Any) -> "NDArray[np.float64]":
-    """The steps between times in seconds, each of whole nanoseconds; the first is 0."""
+    """Computes the steps between times in seconds. Each step is a whole number of nanoseconds; the
+    first is 0.
+    """
     np = numpy()
     column = as_column("time", time)
-    if column.dtype.kind not in "iuf":
-        column = np.array([_time(value, row) for row, value in enumerate(column.tolist())], float)
-    if not bool(np.all(np.abs(column) < 1e9)):
-        row = int(np.argmin(np.abs(column) < 1e9))
-        raise InputError(f"time, row {row}: {column[row]} is not a time in seconds")
-    ns = np.rint(column.astype(np.float64) * 1e9).astype(np.int64)
+    if column.dtype.kind in "Mm":
+        ns = _of_dates(column)
+    elif column.dtype.kind in "iuf" and column.dtype.itemsize <= 8:
+        ns = _of_floats(column)
+    else:
+        values = [_time_ns(value, row) for row, value in enumerate(column.tolist())]
+        ns = np.array(values, dtype=np.int64)
     dt = np.zeros(len(ns))
     dt[1:] = np.diff(ns) / 1e9
     if bool(np.any(dt < 0)):
         row = int(np.argmax(dt < 0))
-        raise InputError(f"time, row {row}: time goes back: {column[row]} comes after a later time")
+        raise InputError(
+            f"time, row {row}: the time goes backwards: {column[row]} comes after a later time"
+        )
     return dt  # type: ignore[no-any-return]
 
 
-def listed_dt_of_time(times: Sequence[Any]) -> List[float]:
-    """Likewise, without numpy."""
+def _of_floats(column: "NDArray[Any]") -> "NDArray[Any]":
+    np = numpy()
+    near = np.abs(column.astype(np.float64)) <= times.MOST_NS / 1e9
+    if not bool(np.all(near)):
+        row = int(np.argmin(near))
+        raise InputError(
+            f"time, row {row}: {column[row]} is not a time in seconds{times.hint(column[row])}"
+        )
+    if column.dtype.kind in "iu":
+        return column.astype(np.int64) * 10**9  # type: ignore[no-any-return]
+    # Convert in two parts, because a float near 1.7e18 ns cannot represent single nanoseconds.
+    whole = np.floor(column)
+    parts = np.rint((column - whole).astype(np.float64) * 1e9)
+    return whole.astype(np.int64) * 10**9 + parts.astype(np.int64)  # type: ignore[no-any-return]
+
+
+def _of_dates(column: "NDArray[Any]") -> "NDArray[Any]":
+    """Converts a column of dates or durations to nanoseconds."""
+    np = numpy()
+    missing = np.isnat(column)
+    if bool(missing.any()):
+        row = int(np.argmax(missing))
+        raise InputError(f"time, row {row}: {column[row]} is not a time in seconds")
+    exact = column.astype(f"{column.dtype.kind}8[ns]")
+    if not bool(np.all(exact.astype(column.dtype) == column)):
+        raise InputError("time: dates must be from 1678 to 2262, in nanoseconds")
+    return exact.astype(np.int64)  # type: ignore[no-any-return]
+
+
+def listed_dt_of_time(given: Sequence[Any]) -> List[float]:
+    """Does the same without numpy."""
     ns: List[int] = []
-    for row, value in enumerate(times):
-        seconds = _time(value, row)
-        if not abs(seconds) < 1e9:
-            raise InputError(f"time, row {row}: {seconds} is not a time in seconds")
-        ns.append(round(seconds * 1e9))
+    for row, value in enumerate(given):
+        ns.append(_time_ns(value, row))
         if row > 0 and ns[row] < ns[row - 1]:
-            raise InputError(f"time, row {row}: time goes back: {seconds} comes after a later time")
+            raise InputError(
+                f"time, row {row}: the time goes backwards: {value} comes after a later time"
+            )
     return [0.0, *((b - a) / 1e9 for a, b in zip(ns, ns[1:]))][: len(ns)]
 
 
-def _time(value: Any, row: int) -> float:
-    if hasattr(value, "__float__") and not shapes.is_truth(value):
-        return float(value)
-    raise InputError(f"time, row {row}: {shapes.shown(value)} is not a time in seconds")
+def _time_ns(value: Any, row: int) -> int:
+    try:
+        given = value if isinstance(value, (str, decimal.Decimal, kinds.Rational)) else None
+        if shapes.is_truth(value):
+            given = None
+        ns = times.of_value(shapes.number(value) if given is None else given)
+    except (TypeError, ValueError, ArithmeticError):
+        ns = None
+    if ns is None:
+        raise InputError(
+            f"time, row {row}: {shapes.shown(value)} is not a time in seconds{times.hint(value)}"
+        )
+    return ns
 
 
 SOME = 8192
-"""Instants whose steps stay in the processor's cache."""
+"""Number of instants whose steps fit into the processor's cache."""
 
 
 def steps(dt: Any, count: int) -> "NDArray[np.float64]":
-    """One dt for each instant; or, of one for all, as many as there are at once."""
+    """Returns one dt for each instant. If all instants have the same dt, returns at most SOME of
+    them, for reuse.
+    """
     np = numpy()
     if getattr(dt, "ndim", None) == 0 or isinstance(dt, (int, float)):
         return np.full(min(count, SOME), step(dt, "dt"))  # type: ignore[no-any-return]
@@ -199,23 +258,24 @@ def steps(dt: Any, count: int) -> "NDArray[np.float64]":
 
 
 def step(dt: Any, place: str) -> float:
-    """The seconds of a step."""
-    if isinstance(dt, bool) or not hasattr(dt, "__float__"):
-        raise InputError(f"{place}: expected seconds, found {shapes.shown(dt)}")
-    seconds = float(dt)
+    """Checks a step and converts it to seconds."""
+    try:
+        seconds = shapes.number(dt)
+    except (TypeError, ValueError, ArithmeticError):
+        raise InputError(f"{place}: expected seconds, found {shapes.shown(dt)}") from None
     if math.isnan(seconds) or seconds < 0:
-        raise InputError(f"{place}: {seconds} is no time that passes; it is seconds from 0 on")
+        raise InputError(f"{place}: {seconds} is not a duration: give seconds, 0 or more")
     return seconds
 
 
 def numbers(leaves: Leaves, program: str) -> List[Tuple[str, shapes.Scalar]]:
-    """The columns, if each is a number or a truth value, as an array can have them."""
+    """Checks that each column is a number or a boolean, so that an array can hold them all."""
     found: List[Tuple[str, shapes.Scalar]] = []
     for name, leaf in leaves:
         if not isinstance(leaf, shapes.Scalar):
             raise InputError(
-                f"`{name}` of {program} is no number ({leaf.meaning}), and an array has numbers "
-                "only: give a mapping of columns, or a DataFrame"
+                f"`{name}` of {program} is not a number ({leaf.meaning}), but an array can only have "
+                "numbers: give a mapping of columns, or a DataFrame"
             )
         found.append((name, leaf))
     return found

@@ -1,20 +1,22 @@
-"""Values of Frob's data types in Python."""
+"""Python representation of Frob's data types."""
 
 from __future__ import annotations
 
 import math
 from typing import Any, Dict, Tuple
 
+from .errors import InputError
+
 
 class Data:
     """A value made by a constructor: `Data("At", 0.5)`, `Data("Pose", x=1.0, heading=0.0)`.
 
-    What a constructor carries is found by its place, `value[0]`, or by the name of its field,
-    `value["heading"]` or `value.heading`. The text of it, `str(value)`, is as Frob writes it.
+    You read a constructor's arguments by position, `value[0]`, or by field name, `value["heading"]`
+    or `value.heading`. `str(value)` is the value in Frob's syntax.
 
-    Truth values, numbers, tuples and arrays (lists) are Python's own, `Nothing` and an event
-    that does not occur are None, and `Just x` and an event are x. Where that would be
-    another None, or a NaN, it is `Data("Just", x)` or `Data("Event", x)`.
+    Booleans, numbers, tuples and arrays (lists) are Python's own types. `Nothing` and an event that
+    does not occur are None; `Just x` and an occurrence of an event are x. If x itself is None or
+    NaN, they are `Data("Just", x)` or `Data("Event", x)` instead.
     """
 
     __slots__ = ("constructor", "args", "fields")
@@ -25,13 +27,15 @@ class Data:
 
     def __init__(self, constructor: str, /, *args: Any, **fields: Any) -> None:
         if args and fields:
-            raise TypeError(f"{constructor}: a constructor has places or fields, and not both")
+            raise InputError(
+                f"{constructor}: a constructor has positional arguments or fields, not both"
+            )
         object.__setattr__(self, "constructor", constructor)
         object.__setattr__(self, "args", args or tuple(fields.values()))
         object.__setattr__(self, "fields", fields)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError("a value of Frob does not change")
+        raise AttributeError("a value of Frob is immutable")
 
     def __getattr__(self, name: str) -> Any:
         try:
@@ -68,14 +72,21 @@ def _rebuilt(constructor: str, args: "tuple[Any, ...]", fields: "dict[str, Any]"
 
 
 def is_missing(value: Any) -> bool:
-    """None, NaN, and what pandas has in their place."""
+    """Whether the value is None, NaN, or one of pandas' missing values."""
     if value is None or type(value).__name__ in ("NAType", "NaTType"):
         return True
     return isinstance(value, float) and math.isnan(value)
 
 
-def text(value: Any, argument: bool = False) -> str:
-    """A value as Frob writes it, and as it stands in a recording."""
+def text(value: Any) -> str:
+    """Formats a value in Frob's syntax, as in recordings."""
+    try:
+        return _text(value)
+    except RecursionError:
+        raise InputError("a value that contains itself cannot be written as text") from None
+
+
+def _text(value: Any, argument: bool = False) -> str:
     if value is None:
         return "Nothing"
     if isinstance(value, str):
@@ -85,19 +96,19 @@ def text(value: Any, argument: bool = False) -> str:
     if isinstance(value, Data):
         return _text_of_data(value, argument)
     if isinstance(value, tuple):
-        return "(" + ", ".join(text(part) for part in value) + ")"
+        return "(" + ", ".join(_text(part) for part in value) + ")"
     if isinstance(value, list):
-        return "[" + ", ".join(text(part) for part in value) + "]"
+        return "[" + ", ".join(_text(part) for part in value) + "]"
     number = _number(value)
     return f"({number})" if argument and number.startswith("-") else number
 
 
 def _text_of_data(value: Data, argument: bool) -> str:
     if value.fields:
-        parts = (f"{name} = {text(part)}" for name, part in value.fields.items())
+        parts = (f"{name} = {_text(part)}" for name, part in value.fields.items())
         whole = f"{value.constructor} {{{', '.join(parts)}}}"
     else:
-        whole = " ".join([value.constructor, *(text(part, True) for part in value.args)])
+        whole = " ".join([value.constructor, *(_text(part, True) for part in value.args)])
     return f"({whole})" if argument and value.args else whole
 
 

@@ -1,19 +1,22 @@
-"""A program that drives a robot in the simulator, instant by instant, and what is put in the
-place of some of its inputs and outputs."""
+"""Steps a program that drives a robot in the simulator, instant by instant, and can override some
+of its inputs and outputs."""
 
 from __future__ import annotations
 
 import ctypes
+import math
 import os
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 
 from . import library, shapes, tools
 from .errors import Error, InputError
-from .simulator import Simulator, Truth, default_world, robot_of
+from .simulator import Simulator, Truth, robot_of, world_path
 
 
 def number_of(leaf: shapes.Leaf) -> Optional[shapes.Scalar]:
-    """Of a column that is a number or a truth value, or an event of one."""
+    """Returns the scalar of a column that is a number, a boolean, or an event with one; None for
+    other columns.
+    """
     if isinstance(leaf, shapes.Sum) and leaf.is_optional:
         (inner,) = leaf.constructors[1].parts
         return inner if isinstance(inner, shapes.Scalar) else None
@@ -21,7 +24,7 @@ def number_of(leaf: shapes.Leaf) -> Optional[shapes.Scalar]:
 
 
 class Drive:
-    """`start`, then `step` at each instant."""
+    """A program in the simulator. Call `start`, then `step` for each instant."""
 
     def __init__(
         self,
@@ -33,15 +36,19 @@ class Drive:
         sources: Sequence[tools.PathLike],
         rate: float,
         picture: bool,
+        lasts: float = math.inf,
     ) -> None:
         path = tools.existing(file, "program")
-        self._world = default_world(path) if world is None else tools.existing(world, "world")
+        self._world = world_path(path, world)
         if robot is None:
             robot = robot_of(self._world) or None
         self.code = library.build(path, entry, robot, sources)
         if not self.code.robot:
-            raise Error(f"{self.code.name} is a program for no robot; `reactimateRobot` makes one")
+            raise Error(
+                f"{self.code.name} is not a robot program; use `reactimateRobot` to make one"
+            )
         self._rate = rate
+        self._lasts = lasts
         self._picture = picture
         self._sim: Optional[Simulator] = None
         self._input = ctypes.create_string_buffer(self.code.table.input_size + 1)
@@ -56,7 +63,9 @@ class Drive:
                     self._columns[name] = leaf, memory
 
     def numbers(self, names: Sequence[str]) -> List[shapes.Scalar]:
-        """Of the columns of these names, each a number, a truth value, or an event of one."""
+        """Returns the scalars of the named columns. Each must be a number, a boolean, or an event
+        with one.
+        """
         for name in names:
             if name not in self._columns:
                 known = ", ".join(self._columns)
@@ -65,7 +74,7 @@ class Drive:
         return [leaf for leaf in found if leaf is not None]
 
     def start(self, seed: int, params: Mapping[str, Any]) -> None:
-        """A world anew, and the program: the robot has read its sensors at time 0."""
+        """Starts a new simulation and resets the program, and reads the sensors at time 0."""
         self.close()
         self._params = self.code.params_with(params)
         self._state = self.code.new_state()
@@ -81,8 +90,8 @@ class Drive:
         for name, leaf in self.code.input_columns:
             if leaf.may_be_left_out():
                 leaf.write(self._input, 0, leaf.default, name)
-        self._instant = 0
-        self._running().read(0, self._input)
+        self._instant, self._stepped_ns = 0, 0
+        self._arrive()
 
     def _running(self) -> Simulator:
         if self._sim is None:
@@ -90,17 +99,25 @@ class Drive:
         return self._sim
 
     def step(self, inputs: Mapping[str, Any], outputs: Mapping[str, Any]) -> None:
-        """The program's instant, with these values in the place of its own; then the world goes
-        on, and at the next instant the sensors are read."""
+        """Runs one instant of the program, with these values in place of its own inputs and
+        outputs. Then runs the world to the program's next instant and reads the sensors. During an
+        outage of the world the program has no instants, so the next one comes after it."""
         sim = self._running()
-        now, before = self._time_ns(self._instant), self._time_ns(self._instant - 1)
+        now = self._time_ns(self._instant)
         self._put(inputs)
-        dt = 0.0 if self._instant == 0 else (now - before) / 1e9
+        dt = (now - self._stepped_ns) / 1e9
+        self._stepped_ns = now
         self.code.table.step(self._state, self._params, dt, self._input, self._output)
         self._put(outputs)
         sim.command(now, self._output)
         self._instant += 1
-        sim.read(self._time_ns(self._instant), self._input)
+        self._arrive()
+
+    def _arrive(self) -> None:
+        """Runs the world to the next instant of the program, or to the end of the run."""
+        sim = self._running()
+        while not sim.read(self._time_ns(self._instant), self._input) and self.time < self._lasts:
+            self._instant += 1
 
     def _put(self, values: Mapping[str, Any]) -> None:
         for name, value in values.items():
@@ -115,7 +132,7 @@ class Drive:
         return self._time_ns(self._instant) / 1e9
 
     def values(self, names: Sequence[str]) -> List[Any]:
-        """What they are now; of an event that does not occur None."""
+        """Returns the current values of the columns; None for an event that does not occur."""
         pairs = (self._columns[name] for name in names)
         return [leaf.read(memory, 0) for leaf, memory in pairs]
 

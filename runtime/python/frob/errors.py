@@ -1,19 +1,31 @@
-"""What can go wrong, as exceptions: each says where, why, and what to do."""
+"""The exceptions of this package. Each message says where the problem is, why, and what to do."""
 
 from __future__ import annotations
 
+import re
+
+_CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+
+
+def printable(text: str) -> str:
+    """Escapes control characters for a terminal: an escape becomes \\027."""
+    return _CONTROLS.sub(lambda found: f"\\{ord(found.group()):03d}", text)
+
 
 class Error(Exception):
-    """Any error of this package; the text is the compiler's own where it comes from there."""
+    """Base class of this package's errors. For compiler errors, the text is the compiler's own."""
+
+    def __str__(self) -> str:
+        return printable(super().__str__())
 
 
 class CompileError(Error):
-    """The program was rejected: the text is what `frobc` writes, message by message."""
+    """The compiler rejected the program. The text contains all messages of `frobc`."""
 
 
 class InputError(Error, ValueError):
-    """What a program was given is not what it takes."""
+    """An argument or an input of a program is invalid."""
 
 
 class FrobWarning(UserWarning):
-    """What `frobc` warns of."""
+    """A warning of `frobc`."""

@@ -1,12 +1,12 @@
-"""Looks for a run in which an assertion of a program does not hold."""
+"""Searches for runs that violate an assertion of a program."""
 
 from __future__ import annotations
 
 import csv
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Sequence
 
-from . import columns, library, ranges, search, simulated, tools
+from . import columns, library, ranges, search, shapes, simulated, tools
 from .errors import InputError
 from .judging import FAR, Claim, Subject
 
@@ -16,38 +16,41 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Drive:
-    """What makes a run in the simulator, beside the parameters."""
+    """The settings of a run in the simulator, apart from the parameters."""
 
     world: str
     """The path of the world file."""
     seed: int
     disturbances: Dict[str, float]
     text: str
-    """The world file with them."""
+    """The world file with these disturbances."""
 
 
 @dataclass(frozen=True)
 class Counterexample:
-    """A run in which an assertion was violated."""
+    """A run that violates an assertion."""
 
     label: str
     time: float
-    """When it was violated first, in seconds."""
+    """The time of the first violation, in seconds."""
     margin: float
-    """How far it was from holding; 0 where nothing can be said."""
+    """The margin of the violation; 0 if it is unknown."""
     runs: int
     """How many runs it took to find it."""
     params: Dict[str, Any]
     settings: Dict[str, str]
     """The parameters as texts with their units, for `--param`."""
     inputs: "Dict[str, NDArray[Any]]"
-    """The columns of the run, `time` first, as `Program.run` takes them. Of a run in the
-    simulator there is nothing but `time`."""
+    """The columns of the run, `time` first, in the form that `Program.run` takes. For a run in the
+    simulator, only `time`."""
     drive: Optional[Drive] = None
-    """Of a run in the simulator."""
+    """The settings of a run in the simulator."""
+    collision: str = ""
+    """If the robot touched something: the first collision, with object, time, place and clearance,
+    as `frobc run` prints it."""
 
     def write(self, file: tools.PathLike) -> None:
-        """As a trace that `frobc trace --input` takes."""
+        """Writes the inputs as a trace for `frobc trace --input`."""
         with open(file, "w", newline="") as out:
             writer = csv.writer(out, lineterminator="\n")
             writer.writerow(self.inputs)
@@ -61,15 +64,15 @@ def _cell(value: Any) -> str:
 
 @dataclass(frozen=True)
 class Search:
-    """What became of the search for one assertion."""
+    """The result of the search for one assertion."""
 
     label: str
     found: Optional[Counterexample]
     runs: int
     nearest: float
-    """The least margin of all runs: how nearly it was violated."""
+    """The smallest margin of all runs: how close the search came to a violation."""
     has_margin: bool
-    """If not, nothing was compared, and the search was blind."""
+    """If False, the assertion has no margin, and the search had nothing to guide it."""
 
 
 def falsify(
@@ -92,20 +95,27 @@ def falsify(
     entry: str = "main",
     robot: Optional[tools.PathLike] = None,
     sources: Sequence[tools.PathLike] = (),
+    progress: Optional[Callable[[str, int, int], None]] = None,
+    ended: Optional[Callable[[Search], None]] = None,
 ) -> List[Search]:
-    """Looks for runs in which the program's assertions do not hold, one assertion after the other.
+    """Searches for runs that violate the program's assertions, one assertion after the other.
 
-    `params` and `inputs` are ranges by name, as `(low, high)` or as a text `"2[1/m] to 8[1/m]"`;
-    of an input, which is a column as in a trace, also one value. An input has `points` values in
-    the run, each kept to the next (`shape` is `"constant"`) or with straight lines between them
-    (`"linear"`). The search is guided by how nearly the assertion held; `only` names some of
-    them, `runs` is the most for each. What is found is found again with the same `seed`.
-    With `check_rate` only what is violated with so many instants a second too has been found.
+    `params` and `inputs` map names to ranges, either `(low, high)` or a text such as
+    `"2[1/m] to 8[1/m]"`. An input, which is a column as in a trace, may also have a fixed value.
+    Each input has `points` values during the run; it keeps each value until the next
+    (`shape="constant"`) or changes linearly between them (`shape="linear"`). The margin of the
+    assertion guides the search. `only` selects assertions by label, and `runs` is the maximum
+    number of runs for each. The same `seed` gives the same search. With `check_rate`, a violation
+    counts only if it also occurs with that many instants a second.
 
-    A program that drives a robot does so in the simulator: in `world`, or the one that
-    `frobc run` takes. Varied are parameters, `seeds` of the noise (`"1 to 100"`) and
-    `disturbances`, numbers of the world file, as `{"sonar.noise": (0, 0.05)}`. There it is an
-    assertion too that the robot touches nothing.
+    A program that drives a robot runs in the simulator, in `world` or else in the world that
+    `frobc run` uses. The search varies parameters, `seeds` of the noise (`"1 to 100"`), and
+    `disturbances`, which are numbers of the world file, such as `{"sonar.noise": (0, 0.05)}`. There
+    is one additional assertion: that the robot touches nothing.
+
+    After each run, `progress` is called with the assertion's label, the number of its runs so far,
+    and the maximum number of runs. `ended` is called with the result of each search as soon as it
+    is complete.
     """
     _check("duration", duration, 1e-3, 1e6)
     _check("rate", rate, 0.1, 1e6)
@@ -113,13 +123,16 @@ def falsify(
         _check("check_rate", check_rate, 0.1, 1e6)
     _check("points", points, 1, 10000)
     _check("runs", runs, 1, 10**9)
-    if shape not in search.SHAPES:
+    params, inputs = library.settings(params, "params"), library.settings(inputs, "inputs")
+    beside = library.settings(disturbances, "disturbances")
+    only = tools.words(only, "only")
+    if isinstance(seed, bool) or not isinstance(seed, int):
+        raise InputError(f"seed: expected a whole number, found {shapes.shown(seed)}")
+    if not isinstance(shape, str) or shape not in search.SHAPES:
         raise InputError(f'shape: expected "constant" or "linear", found {shape!r}')
-    if method not in search.METHODS:
+    if not isinstance(method, str) or method not in search.METHODS:
         raise InputError(f'method: expected "cma" or "random", found {method!r}')
-    search.need_numpy()
-    if method == "cma":
-        search.cma()
+    search.need_packages(method)
     path = tools.existing(file, "program")
     robot = simulated.robot_for(path, world) if robot is None else robot
     code = library.build(path, entry, robot, sources, asserts="margin")
@@ -127,23 +140,23 @@ def falsify(
         if inputs or check_rate is not None:
             raise InputError(
                 f"{code.name} drives a robot, so its inputs come from the simulator: vary "
-                "parameters, disturbances and seeds instead of inputs; and check_rate is for others"
+                "parameters, disturbances and seeds instead of inputs, and remove check_rate"
             )
-        beside = simulated.disturbances(disturbances or {})
-        place = simulated.world_of(path, world, [one.name for one in beside])
+        shaken = simulated.disturbances(beside)
+        place = simulated.world_of(path, world, [one.name for one in shaken])
         subject: Subject = simulated.Simulated(code, place, duration, rate)
-        beside += simulated.seeds(seeds)
-        varied, signals = ranges.of_params(code, params or {}), ranges.Inputs([], {})
+        shaken += simulated.seeds(seeds)
+        varied, signals = ranges.of_params(code, params), ranges.Inputs([], {})
     else:
-        if world is not None or disturbances or seeds is not None:
+        if world is not None or beside or seeds is not None:
             raise InputError(
-                f"{code.name} is a program for no robot, so it has no world: vary parameters and "
-                "inputs (`reactimateRobot` makes a program for a robot)"
+                f"{code.name} is not a robot program, so it has no world: vary parameters and "
+                "inputs, or use `reactimateRobot` to make a robot program"
             )
-        subject, beside = Subject(code, duration, rate), []
-        varied, signals = ranges.of_program(code, params or {}, inputs or {})
+        subject, shaken = Subject(code, duration, rate), []
+        varied, signals = ranges.of_program(code, params, inputs)
     chosen = subject.chosen(only)
-    space = search.Space([*varied, *beside], signals.varied, int(points), shape)
+    space = search.Space([*varied, *shaken], signals.varied, int(points), shape)
     if space.size == 0:
         raise InputError(
             "nothing is varied: give a range to a parameter, a disturbance or the seeds"
@@ -151,15 +164,21 @@ def falsify(
             else "nothing is varied: give a range to a parameter or to an input"
         )
     finer = None if check_rate is None else Subject(code, duration, check_rate)
-    looking = Looking(subject, finer, space, signals.fixed)
-    return [looking.searched(claim, int(runs), seed, method) for claim in chosen]
+    looking = Looking(subject, finer, space, signals.fixed, progress)
+    searches = []
+    for claim in chosen:
+        searches.append(looking.searched(claim, int(runs), seed, method))
+        if ended is not None:
+            ended(searches[-1])
+    return searches
 
 
 def _check(name: str, value: Any, least: float, most: float) -> None:
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise InputError(f"{name}: expected a number, found {value!r}")
+        raise InputError(f"{name}: expected a number, found {shapes.shown(value)}")
     if not least <= value <= most:
-        raise InputError(f"{name}: expected a number from {least:g} to {most:g}, found {value:g}")
+        found = f"{value:g}" if isinstance(value, float) else shapes.shown(value)
+        raise InputError(f"{name}: expected a number from {least:g} to {most:g}, found {found}")
 
 
 def _setting(value: Any) -> str:
@@ -168,12 +187,13 @@ def _setting(value: Any) -> str:
 
 @dataclass(frozen=True)
 class Looking:
-    """What is looked at: the program, once more with a finer step, and what is varied."""
+    """The program, a copy that runs with a finer step, and the values to vary."""
 
     subject: Subject
     finer: Optional[Subject]
     space: search.Space
     fixed: Dict[str, Any]
+    progress: Optional[Callable[[str, int, int], None]]
 
     def searched(self, claim: Claim, runs: int, seed: int, method: str) -> Search:
         found: List[Counterexample] = []
@@ -188,6 +208,8 @@ class Looking:
                 if finer is None:
                     value, failed = again, None
             nearest.append(value)
+            if self.progress is not None:
+                self.progress(claim.label, len(nearest), runs)
             if failed is None:
                 return max(value, 0.0)
             found.append(
@@ -200,6 +222,7 @@ class Looking:
                     settings=self._settings(params),
                     inputs={"time": self.subject.time, **inputs},
                     drive=self._drive(params),
+                    collision=self._collision(claim),
                 )
             )
             return -1.0
@@ -221,6 +244,11 @@ class Looking:
             name: _setting(value) + (f"[{units[name]}]" if units[name] not in ("", "1") else "")
             for name, value in self.subject.params_of(params).items()
         }
+
+    def _collision(self, claim: Claim) -> str:
+        if not isinstance(self.subject, simulated.Simulated) or claim is not simulated.TOUCHES:
+            return ""
+        return self.subject.collision
 
     def _drive(self, values: Dict[str, Any]) -> Optional[Drive]:
         if not isinstance(self.subject, simulated.Simulated):

@@ -1,5 +1,5 @@
-"""The simulator as an environment of Gymnasium: an agent acts in the place of a program's
-outputs, as a controller, or of its inputs, as an operator who turns knobs."""
+"""The simulator as a Gymnasium environment. The agent replaces either a program's outputs, as a
+controller, or its inputs, as an operator who turns knobs."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Moment:
-    """What a reward is for: the instant that an action has led to."""
+    """The instant that follows an action; the reward function's argument."""
 
     time: float
     """Seconds since the start."""
@@ -35,19 +35,22 @@ class Moment:
     action: Dict[str, float]
     truth: Truth
     before: Truth
-    """The truth at the instant before."""
+    """The true state at the instant before."""
 
 
 class RobotEnv(gymnasium.Env[Floats, Floats]):
-    """A program in the simulator, some of whose columns are the agent's.
+    """A program in the simulator, with some of its columns controlled by an agent.
 
-    `action` names the columns that the agent sets, of the output (`out.turn`), or of the input
-    (`in.console.speed`); all of the output without it. `observation` names what it sees, all
-    numbers of the input without it. Of an event it is the number that it last occurred with; before
-    that, the most that `limits` say. The program runs in any case: what the agent does not set
-    is as the program says. `reward` is given a `Moment`; `done` tells of one whether the
-    episode has come to its end, which is at a collision without it. After `duration` seconds
-    it is cut off. `limits` are the least and the most of columns.
+    `action` names the columns that the agent sets: outputs (`out.turn`) or inputs
+    (`in.console.speed`); the default is all outputs. `observation` names the columns that it
+    observes; the default is all numeric inputs. The observation of an event is the value of its
+    last occurrence, or the upper limit before the first one. The program always runs, and
+    determines every column that the agent does not set.
+
+    `reward` takes a `Moment`. `done` takes a `Moment` and returns whether the episode has ended; by
+    default, it ends at a collision. After `duration` seconds the episode is truncated. During an
+    outage of the world (`[outage]`) the program has no instants, so a step can take as long as the
+    outage. `limits` gives the lowest and highest value of columns.
     """
 
     metadata: Dict[str, Any] = {"render_modes": []}
@@ -71,7 +74,7 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
         picture: bool = False,
     ) -> None:
         if not 0.1 <= rate <= 10000:
-            raise InputError(f"rate: expected steps in a second from 0.1 to 10000, found {rate}")
+            raise InputError(f"rate: expected steps per second from 0.1 to 10000, found {rate}")
         if not duration > 0:
             raise InputError(f"duration: expected seconds, found {duration}")
         self._drive = Drive(
@@ -82,13 +85,14 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
             sources=sources,
             rate=rate,
             picture=picture,
+            lasts=duration,
         )
         self._reward, self._done, self._duration = reward, done, duration
         self._params = dict(params or {})
         code = self._drive.code
         code.params_with(self._params)
         self._action = list(_numbers(code.output_columns) if action is None else action)
-        # A key that is typed is a whole number, and nothing to be seen by a robot.
+        # Leaves out keys typed on the console: they are integers, but not sensor readings.
         inputs = (
             name
             for name, leaf in code.input_columns
@@ -106,18 +110,20 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
     def _space(self, names: Sequence[str], ranges: Mapping[str, Tuple[float, float]]) -> Any:
         leaves = self._drive.numbers(names)
         if not names or len(set(names)) != len(names):
-            raise InputError("an action and an observation have at least one column, each once")
+            raise InputError(
+                "an action and an observation need at least one column, and each column only once"
+            )
         bounds = [ranges.get(n, _natural(leaf)) for n, leaf in zip(names, leaves)]
         low, high = (np.array([b[k] for b in bounds], dtype=np.float64) for k in (0, 1))
         if not bool(np.all(low <= high)):
-            raise InputError(f"limits: the least is more than the most, of {list(names)}")
+            raise InputError(f"limits: the minimum is greater than the maximum in {list(names)}")
         return gymnasium.spaces.Box(low, high, dtype=np.float64)
 
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> "tuple[Floats, dict[str, Any]]":
-        """A new episode. The seed is that of `frobc run`; without one each has another. `options`
-        may have `params`, for this one and those after it."""
+        """Starts a new episode. The seed is that of `frobc run`; without a seed, each episode gets
+        a different one. `options` may contain `params`, which apply from this episode on."""
         super().reset(seed=seed)
         self._params.update((options or {}).get("params", {}))
         number = int(self.np_random.integers(2**31)) if seed is None else seed
@@ -127,7 +133,7 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
         return self._seen(), self._info()
 
     def step(self, action: Floats) -> "tuple[Floats, float, bool, bool, dict[str, Any]]":
-        """An instant. What is beyond the limits is taken as the limit; NaN is an error."""
+        """Runs one instant. Values beyond the limits are clipped; NaN is an error."""
         chosen = self._chosen(action)
         of_input = {n: v for n, v in chosen.items() if n.startswith("in")}
         of_output = {n: v for n, v in chosen.items() if n.startswith("out")}
@@ -171,9 +177,9 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
         return {"time": self._drive.time, "truth": self._truth}
 
     def picture(self) -> Picture:
-        """The world and the path so far, as an SVG; needs `picture=True`."""
+        """Draws the world and the path so far as an SVG; requires `picture=True`."""
         if not self._picture:
-            raise Error("no path was kept: make the environment with `picture=True`")
+            raise Error("no path was recorded: create the environment with `picture=True`")
         with tempfile.TemporaryDirectory(prefix="frob-") as folder:
             path = os.path.join(folder, "run.svg")
             self._drive.draw(path)
@@ -201,14 +207,16 @@ def _natural(leaf: shapes.Scalar) -> Tuple[float, float]:
 
 
 def _as(leaf: shapes.Scalar, value: float) -> Any:
-    """A truth value is what is nearer; so is a whole number."""
+    """Converts a float to the column's type: rounds to the nearest integer, or to False or True at
+    0.5.
+    """
     if isinstance(leaf, shapes.Bool):
         return value >= 0.5
     return round(value) if isinstance(leaf, shapes.Int) else value
 
 
 def _ranges(code: Any) -> Dict[str, Tuple[float, float]]:
-    """Of knobs, which have limits of their own."""
+    """Returns the limits of the console's knobs, which the program declares."""
     found: Dict[str, Tuple[float, float]] = {}
     places = {leaf.offset: name for name, leaf in code.input_columns if hasattr(leaf, "offset")}
     for control in (code.table.console[i] for i in range(code.table.control_count)):

@@ -1,4 +1,4 @@
-"""Runs a program in which assertions are watched, and says how nearly each held."""
+"""Runs a program and computes the margins of its assertions."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 FAILS = 3
-"""The tag of the verdict `Fails`."""
+"""The tag of the constructor `Fails` of a verdict."""
 
 FAR = 1e9
-"""As good as certain: more than any difference that is worth a search."""
+"""The margin of certainty: larger than any difference that a search needs to consider."""
 
 
 @dataclass(frozen=True)
 class Claim:
-    """An assertion or an assumption, with where its verdict is; in an array of instances each
-    has its own."""
+    """An assertion or an assumption, with the place of its verdict. In an array of instances each
+    instance has its own claim."""
 
     label: str
     is_assumption: bool
@@ -32,7 +32,7 @@ class Claim:
 
 
 class Subject:
-    """The program that is looked at, with its assertions."""
+    """The program under test, with its assertions."""
 
     def __init__(self, code: library.Library, duration: float, rate: float) -> None:
         np = columns.numpy()
@@ -47,7 +47,7 @@ class Subject:
         shown = shapes.columns(shapes.of_value(probes[0], {}), "probe") if probes else ()
         self.leaves = dict(shown)
 
-    # What is searched
+    # The assertions and parameters of a search.
 
     def assertions(self) -> List[Claim]:
         return [claim for claim in self.claims if not claim.is_assumption]
@@ -56,7 +56,7 @@ class Subject:
         assertions = self.assertions()
         if not assertions:
             raise InputError(
-                f"{self.code.name} asserts nothing, so there is nothing to be violated: "
+                f"{self.code.name} has no assertion that could be violated: "
                 'write `assert "label" (condition)` among the equations of a proc'
             )
         known = [claim.label for claim in assertions]
@@ -69,16 +69,16 @@ class Subject:
         return [claim for claim in assertions if not only or claim.label in only]
 
     def params_of(self, values: Mapping[str, Any]) -> Dict[str, Any]:
-        """Of all that a search varies those that are the program's."""
+        """Selects the program's own parameters from all values that a search varies."""
         return dict(values)
 
-    # Runs
+    # Runs of the program.
 
     def judged(
         self, claim: Claim, params: Mapping[str, Any], inputs: "Mapping[str, NDArray[Any]]"
     ) -> Tuple[float, Optional[int]]:
-        """The margin of a run, and the first instant at which it is violated. What comes after
-        an assumption has failed does not count."""
+        """Runs the program. Returns the margin of the claim, and the first instant at which the
+        claim is violated. Instants after a failed assumption do not count."""
         memory = self._output(params, inputs)
         void = self.void(memory)
         failed = self._first_failure(claim, memory)
@@ -88,16 +88,20 @@ class Subject:
         return value + self.voided(void), None
 
     def void(self, memory: "NDArray[Any]") -> int:
-        """From which instant on nothing counts, as an assumption has failed."""
+        """Returns the first instant at which an assumption fails, or the number of instants. Later
+        instants do not count.
+        """
         assumed = [one for one in self.claims if one.is_assumption]
         return min((self._first_failure(one, memory) for one in assumed), default=len(self.time))
 
     def voided(self, void: int) -> float:
-        """The sooner the assumption fails the farther is it from a run that counts."""
+        """A penalty for a failed assumption: the earlier it fails, the larger."""
         return FAR * (1.0 - void / len(self.time)) if void < len(self.time) else 0.0
 
     def _first_failure(self, claim: Claim, memory: "NDArray[Any]") -> int:
-        """The number of instants if there is none."""
+        """Returns the first instant at which the claim fails, or the number of instants if it never
+        does.
+        """
         np = columns.numpy()
         runs, tags = _seen(claim.verdict, memory, len(self.time), self.code.table.output_size)
         failed = tags == FAILS if runs is None else (tags == FAILS) & runs
@@ -115,7 +119,7 @@ class Subject:
         return output
 
     def _margin(self, claim: Claim, memory: "NDArray[Any]", void: int) -> float:
-        """The least of the run, up to that instant."""
+        """The smallest margin of the run before the instant `void`."""
         np = columns.numpy()
         if claim.margin is None:
             return FAR
@@ -149,8 +153,8 @@ def _claims(code: library.Library) -> Iterator[Claim]:
 def _seen(
     leaf: shapes.Leaf, memory: "NDArray[Any]", count: int, size: int
 ) -> "Tuple[Optional[NDArray[Any]], NDArray[Any]]":
-    """A column: at which instants its signal function runs, where that is not at all of them,
-    and the numbers, or the tags of what has several constructors."""
+    """Reads a column. Returns the instants at which its signal function runs (None if at all of
+    them), and the values, or the constructors' tags for a sum type."""
     np = columns.numpy()
 
     def view(kind: str, offset: int) -> "NDArray[Any]":
@@ -169,7 +173,9 @@ def _seen(
 
 
 def _stretches(running: Any, count: int) -> Iterator[Tuple[int, int]]:
-    """From which instant up to which a signal function runs without a gap."""
+    """Yields the first and last (exclusive) instant of each uninterrupted stretch in which a signal
+    function runs.
+    """
     np = columns.numpy()
     if running is None:
         yield 0, count

@@ -1,4 +1,4 @@
-"""Loads a compiled program, and says what it takes and gives."""
+"""Loads a compiled program and reads its description."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ class Param:
 
     name: str
     unit: str
-    """As in brackets: `1/m`."""
+    """The unit without brackets, such as `1/m`."""
     default: Number
     shape: shapes.Scalar
 
     def value(self, given: Any) -> Any:
-        """A number in the parameter's unit, or a text with the unit: `4[1/m]`."""
+        """Converts a number in the parameter's unit, or a text with a unit such as `4[1/m]`."""
         place = f"param {self.name}"
         if isinstance(given, str) and given.endswith("]") and "[" in given:
             text, unit = given[:-1].split("[", 1)
             if unit != self.unit:
-                raise InputError(f"{place}: its unit is [{self.unit}], and not [{unit}]")
+                raise InputError(f"{place}: its unit is [{self.unit}], not [{unit}]")
             given = text.strip()
         if isinstance(given, str):
             given = shapes.from_text(self.shape, given, place)
@@ -38,7 +38,7 @@ class Param:
 
 
 class Library:
-    """The code of a program; it stays loaded until the process ends."""
+    """The code of a program, which stays loaded until the process ends."""
 
     def __init__(self, path: str) -> None:
         try:
@@ -47,11 +47,13 @@ class Library:
         except (OSError, ValueError) as error:
             raise Error(f"{path} is not a compiled program: {error}") from None
         if found.abi != table.ABI:
-            raise Error(f"{path} was compiled by another version of frobc: update one of both")
+            raise Error(
+                f"{path} was compiled by another version of frobc: update frobc or the package frob"
+            )
         if found.arithmetic() != 0:
             raise Error(
-                f"{path} cannot be run: this process rounds or flushes numbers otherwise than "
-                "programs are compiled for; some library has changed the processor's settings"
+                f"{path} cannot be run: this process rounds or flushes numbers differently than "
+                "compiled programs expect, because a library has changed the processor's settings"
             )
         self.table = found
         self.name: str = found.name.decode()
@@ -64,14 +66,18 @@ class Library:
         self.params = _params(found)
 
     def part(self, name: str) -> Optional[int]:
-        """The address of something of the user's own in the object; None if it is not there."""
+        """Returns the address of a user-defined symbol in the object, or None if there is no such
+        symbol.
+        """
         try:
             return ctypes.addressof(ctypes.c_char.in_dll(self._object, name))
         except ValueError:
             return None
 
     def margins(self, count: int) -> List[Optional[str]]:
-        """Of so many assertions, how nearly each holds, where the program was compiled for that."""
+        """Returns the margin formula of each of the first `count` assertions; None if the program
+        has none.
+        """
         try:
             texts = (ctypes.c_char_p * count).in_dll(self._object, "frob_margins")
         except ValueError:
@@ -79,12 +85,12 @@ class Library:
         return [text.decode() if text is not None else None for text in texts]
 
     def steps(self) -> Tuple[Any, bool]:
-        """The C function of many steps, and whether it takes parameters."""
+        """Returns the C function that runs many steps, and whether it takes parameters."""
         name = self.name + "_steps"
         try:
             function = getattr(self._object, name)
         except AttributeError:
-            text = f"{self.name} has a definition `{name}` itself: give it another name"
+            text = f"{self.name} already has a definition `{name}`: give it another name"
             raise Error(text) from None
         has_params = bool(self.table.default_params)
         params = [ctypes.c_void_p] if has_params else []
@@ -94,14 +100,12 @@ class Library:
         return function, has_params
 
     def params_with(self, given: Mapping[str, Any]) -> Any:
-        """Memory with the struct of the parameters."""
+        """Creates the parameter struct with the given values."""
         size = self.table.params_size
         memory = ctypes.create_string_buffer(max(size, 1))
         if size > 0:
             ctypes.memmove(memory, self.table.default_params, size)
-        if not isinstance(given, Mapping):
-            raise InputError(f"params: expected a mapping of names, found {shapes.shown(given)}")
-        for name, value in given.items():
+        for name, value in settings(given, "params").items():
             param = self.params.get(name)
             if param is None:
                 known = ", ".join(self.params) or "none"
@@ -111,12 +115,21 @@ class Library:
         return memory
 
     def new_state(self) -> Any:
-        # One byte more: a program may keep nothing.
+        # One byte more, because the state may be empty.
         return ctypes.create_string_buffer(self.table.state_size + 1)
 
 
+def settings(given: Optional[Mapping[str, Any]], what: str) -> Mapping[str, Any]:
+    """Checks that this is a mapping from names to values; None counts as empty."""
+    if given is None:
+        return {}
+    if not isinstance(given, Mapping):
+        raise InputError(f"{what}: expected a mapping of names, found {shapes.shown(given)}")
+    return given
+
+
 def _console(found: table.Program) -> Dict[int, Any]:
-    """What stands on the console, as nobody has touched it."""
+    """Returns the initial values of the operator's console."""
     untouched: Dict[int, Any] = {}
     for control in (found.console[i] for i in range(found.control_count)):
         address = ctypes.addressof(control.value[0])
@@ -147,14 +160,14 @@ def build(
     sources: Sequence[tools.PathLike],
     asserts: str = "off",
 ) -> Library:
-    """Has frobc compile the program, and loads it."""
+    """Compiles the program with frobc and loads it."""
     path = tools.existing(file, "program")
-    options: List[str] = ["--entry", entry, "--asserts", asserts]
+    options: List[str] = ["--entry", tools.word(entry, "entry"), "--asserts", asserts]
     if robot is not None:
-        options += ["--robot", os.fspath(robot)]
-    for source in sources:
+        options += ["--robot", tools.path_text(robot, "robot")]
+    for source in tools.paths(sources, "sources"):
         options += ["--with", tools.existing(source, "C file")]
-    # Under a name of its own: the code of a file that is loaded must not change.
+    # Use a new file name: the code of a loaded file must not change.
     with tempfile.TemporaryDirectory(prefix="frob-") as folder:
         made = os.path.join(folder, "program.so")
         tools.run(["build", "--shared", *options, "-o", made, path])

@@ -1,9 +1,9 @@
-"""How nearly assertions held: the compiler's formulas over the columns of a run.
+"""Computes the margins of assertions from the compiler's formulas and the columns of a run.
 
-A margin is a number at each instant, above 0 where the condition is true and below 0 where it is
-false: the robustness of signal temporal logic (Donzé and Maler 2010) over the instants of a run,
-looking back as the module Past does. Where nothing was compared it is infinite, and so what makes
-no difference.
+A margin is a number at each instant, positive if the condition is true and negative if it is false:
+the robustness of signal temporal logic (Donzé and Maler 2010) over the instants of a run, for the
+past-time operators of the module Past. A condition that compares no numbers has an infinite margin,
+and so does an operand that makes no difference.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ if TYPE_CHECKING:
 
 
 class Margin:
-    """Of one assertion, from the formula that the compiler has put into the program."""
+    """The margin of one assertion, given by the formula that the compiler put into the program."""
 
     def __init__(self, text: str) -> None:
         self._formula: Any = json.loads(text)
         self.columns: List[str] = sorted(_columns(self._formula))
 
     def over(self, nanoseconds: "Times", values: "Mapping[str, NDArray[Any]]") -> "Series":
-        """At each instant. `values` are the columns, without gaps: where the signal function
-        does not run there is nothing to be said."""
+        """Computes the margin at each instant. `values` are the columns over a stretch without
+        gaps: while the signal function does not run, its assertion has no margin."""
         return _over(self._formula, nanoseconds, values)
 
 
@@ -73,7 +73,7 @@ def _over(f: Any, ns: "Times", values: "Mapping[str, NDArray[Any]]") -> "Series"
 
 
 def _column(values: "NDArray[Any]") -> "Series":
-    """A truth is certain; what is no number is no truth."""
+    """Booleans have infinite margins; NaN counts as false."""
     np = columns.numpy()
     if values.dtype == bool:
         return np.where(values, np.inf, -np.inf)  # type: ignore[no-any-return]
@@ -82,7 +82,7 @@ def _column(values: "NDArray[Any]") -> "Series":
 
 
 def _nanoseconds(seconds: float) -> Optional[int]:
-    """As programs round times: None is never over."""
+    """Rounds a time as programs do. None means a time that never passes."""
     if seconds != seconds or seconds * 1e9 >= 2**63:
         return None
     return max(0, round(seconds * 1e9))
@@ -99,14 +99,16 @@ def _since(p: "Series", q: "Series") -> "Series":
 
 
 def _within(ns: "Times", q: Optional[int], p: "Series") -> "Series":
-    """The largest over the last time q."""
+    """The maximum over the last q nanoseconds."""
     np = columns.numpy()
     first = np.zeros(len(ns), int) if q is None else np.searchsorted(ns, ns - q, side="left")
     return _largest(p, first, np.arange(len(ns)))
 
 
 def _held_for(ns: "Times", q: Optional[int], p: "Series") -> "Series":
-    """The least since the last instant that is at least q ago, if there is one."""
+    """The minimum since the last instant that is at least q ago; minus infinity if there is
+    none.
+    """
     np = columns.numpy()
     if q is None:
         return np.full(len(ns), -np.inf)  # type: ignore[no-any-return]
@@ -116,7 +118,7 @@ def _held_for(ns: "Times", q: Optional[int], p: "Series") -> "Series":
 
 
 def _by(ns: "Times", q: Optional[int], p: "Series") -> "Series":
-    """The largest up to the time q; open till then."""
+    """The maximum up to time q; infinity until then, because the result is still open."""
     np = columns.numpy()
     is_late = np.zeros(len(ns), bool) if q is None else ns - ns[:1] > q
     largest = np.max(p[~is_late], initial=-np.inf)
@@ -124,13 +126,13 @@ def _by(ns: "Times", q: Optional[int], p: "Series") -> "Series":
 
 
 def _responds(ns: "Times", q: Optional[int], p: "Series", answer: "Series") -> "Series":
-    """Of all instants that are more than q ago the worst: either p was not so, or the answer has
-    been since."""
+    """The minimum over all instants more than q ago: at each of them, either p was false, or the
+    answer has come since."""
     np = columns.numpy()
     count = len(ns)
     if q is None:
         return np.full(count, np.inf)  # type: ignore[no-any-return]
-    # Each is judged at the first instant that is late for it.
+    # Judge each instant at the first instant after its deadline.
     asked, when = np.arange(count), np.searchsorted(ns, ns + q, side="right")
     asked, when = asked[when < count], when[when < count]
     first = np.full(count, np.inf)
@@ -144,7 +146,9 @@ def _responds(ns: "Times", q: Optional[int], p: "Series", answer: "Series") -> "
 
 
 def _largest(x: "Series", first: "NDArray[Any]", last: "NDArray[Any]") -> "Series":
-    """Of each range, both ends included: by a table of the largest of 1, 2, 4, … from each on."""
+    """The maximum of each range, both ends included. Uses a table of the maxima of the 1, 2, 4, …
+    values from each index on.
+    """
     np = columns.numpy()
     if len(x) == 0 or len(first) == 0:
         return np.empty(len(first))  # type: ignore[no-any-return]

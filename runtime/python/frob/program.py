@@ -1,4 +1,4 @@
-"""A compiled program that can be run: step by step, or many instants at once."""
+"""A compiled program. You can run it step by step, or for many instants at once."""
 
 from __future__ import annotations
 
@@ -14,11 +14,13 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 CHUNK = 1 << 24
-"""How many instants go to C at once: it counts in 32 bits, and an interrupt waits so long."""
+"""Maximum number of instants per call to C: the C function counts in 32 bits, and cannot be
+interrupted.
+"""
 
 
 class Program:
-    """A program and its state, as `frob.compile` makes one."""
+    """A program and its state; `frob.compile` returns one."""
 
     def __init__(self, code: library.Library, params: Mapping[str, Any]) -> None:
         self._code = code
@@ -40,7 +42,7 @@ class Program:
         return f"<frob program {self.name}>"
 
     def __reduce__(self) -> Any:
-        raise TypeError("a compiled program does not go to another process: compile it there")
+        raise TypeError("a compiled program cannot be sent to another process: compile it there")
 
     @property
     def name(self) -> str:
@@ -48,40 +50,41 @@ class Program:
 
     @property
     def robot(self) -> str:
-        """The robot that it is a program for; empty for a plain signal function."""
+        """The robot that the program drives; empty for a plain signal function."""
         return self._code.robot
 
     @property
     def params(self) -> "Dict[str, library.Number]":
-        """The values of its parameters, in their units."""
+        """The values of the parameters, in their units."""
         return dict(self._values)
 
     @property
     def units(self) -> Dict[str, str]:
-        """Of its parameters."""
+        """The units of the parameters."""
         return {name: p.unit for name, p in self._code.params.items()}
 
     @property
     def inputs(self) -> List[str]:
-        """The columns that it takes, as in a trace."""
+        """The names of the input columns, as in a trace."""
         return [name for name, _ in self._code.input_columns]
 
     @property
     def outputs(self) -> List[str]:
-        """The columns that it gives."""
+        """The names of the output columns."""
         return [name for name, _ in self._code.output_columns]
 
     def reset(self, params: Optional[Mapping[str, Any]] = None) -> None:
-        """Starts anew. Parameters that are not named keep their values."""
+        """Resets the state. Parameters that are not given keep their values."""
         with self._lock:
+            changed = library.settings(params, "params")
             values: Dict[str, Any] = dict(self._values)
-            values.update(params or {})
+            values.update(changed)
             self._params = self._code.params_with(values)
-            self._note(params or {})
+            self._note(changed)
             self._code.table.reset(self._state, self._params)
 
     def copy(self) -> "Program":
-        """Another one, in the same state, which goes its own way from here."""
+        """Returns an independent copy in the same state."""
         with self._lock:
             other = Program(self._code, self._values)
             ctypes.memmove(other._state, self._state, self._code.table.state_size)
@@ -94,7 +97,9 @@ class Program:
         return self.copy()
 
     def step(self, dt: float, inputs: Any) -> Any:
-        """One instant, `dt` seconds after the one before; the first `dt` is not looked at."""
+        """Runs one instant, `dt` seconds after the previous one. `dt` is ignored in the first
+        instant.
+        """
         seconds = columns.step(dt, "dt")
         code = self._code
         with self._lock:
@@ -126,16 +131,19 @@ class Program:
     ) -> "pd.DataFrame": ...
 
     def run(self, inputs: Any, *, dt: Any = None, time: Any = None, out: Any = None) -> Any:
-        """Many instants, from the start; the state that `step` has come to stays as it is.
+        """Runs many instants from the initial state; the state that `step` has reached does not
+        change.
 
-        Of inputs as an array, a column each, outputs are an array; of a mapping of columns
-        named as in a trace they are a dict of arrays, of a DataFrame a DataFrame, and of a
-        list of what `step` takes a list. `dt` is the seconds of a step, of all or of each;
-        or `time` has the seconds of each instant, where the inputs have no column `time`.
-        Outputs of an array are put into the array `out`, if there is one.
+        The type of `inputs` determines the type of the result. For an array with one column for
+        each input, it is an array; for a mapping of columns, named as in a trace, a dict of arrays;
+        for a DataFrame, a DataFrame; and for a list of values as `step` takes them, a list.
+
+        `dt` is the duration of a step in seconds, one for all steps or one for each. Alternatively,
+        `time` gives the time of each instant in seconds; the default is the inputs' column `time`,
+        if there is one. If `inputs` is an array, `out` may be an array for the outputs.
         """
         if out is not None and (isinstance(inputs, list) or not hasattr(inputs, "dtype")):
-            raise InputError("out: is for inputs that are an array")
+            raise InputError("out: use it only if the inputs are an array")
         if isinstance(inputs, list):
             return self._run_list(inputs, dt, time)
         np = columns.numpy()
@@ -172,10 +180,11 @@ class Program:
         are_floats = shapes.only_floats(code.output_columns, code.table.output_size)
         if out is not None:
             shape = (count,) if len(outs) == 1 else (count, len(outs))
-            if not are_floats or not _takes(out, shape) or np.may_share_memory(out, memory):
+            if not (are_floats and _takes(out, shape, apart_from=(memory, seconds))):
                 raise InputError(
-                    f"out: expected an array of float64 of shape {shape}, row by row, writable, "
-                    "and apart from the inputs, for a program that gives nothing but Float"
+                    f"out: expected a writable array of float64 of shape {shape}, row by row, "
+                    "that shares no memory with the inputs or dt, for a program whose outputs "
+                    "are all Float"
                 )
             self._steps(count, seconds, memory, out)
             return out
@@ -218,8 +227,8 @@ class Program:
         return type(inputs)({**framed, **parts}, index=inputs.index)
 
     def _steps(self, count: int, seconds: Any, memory: Any, output: Any = None) -> Any:
-        """The outputs, as bytes. All arrays are contiguous, and of `count` elements; of `seconds`
-        there may be fewer, which are all the same and serve again and again."""
+        """Returns the outputs as bytes. All arrays are contiguous and have `count` elements, except
+        that `seconds` may be shorter: then its elements are all the same, and are reused."""
         np = columns.numpy()
         code = self._code
         steps, has_params = code.steps()
@@ -240,15 +249,17 @@ class Program:
         return output
 
 
-def _takes(out: Any, shape: Any) -> bool:
-    """May C write an output of that shape there?"""
+def _takes(out: Any, shape: Any, apart_from: Sequence[Any]) -> bool:
+    """Whether C can write outputs of this shape to `out` while it reads the other arrays."""
     np = columns.numpy()
     is_such = isinstance(out, np.ndarray) and out.dtype == np.float64 and out.shape == shape
-    return is_such and bool(out.flags.c_contiguous and out.flags.aligned and out.flags.writeable)
+    if not is_such or any(np.may_share_memory(out, array) for array in apart_from):
+        return False
+    return bool(out.flags.c_contiguous and out.flags.aligned and out.flags.writeable)
 
 
 def _truths(leaf: shapes.Scalar, column: "NDArray[Any]") -> "NDArray[Any]":
-    """In an array of numbers a truth value is 0 or 1."""
+    """Converts 0 and 1 in an array of numbers to booleans."""
     if not isinstance(leaf, shapes.Bool) or column.dtype.kind not in "iuf":
         return column
     if not bool(((column == 0) | (column == 1)).all()):
@@ -272,8 +283,7 @@ def _listed_steps(count: int, dt: Any, time: Any) -> Sequence[float]:
     if time is None and isinstance(dt, (int, float)):
         return [columns.step(dt, "dt")] * count
     what = "dt" if time is None else "time"
-    columns.length(what, dt if time is None else time)
-    given = list(dt if time is None else time)
+    given = columns.listed(what, dt if time is None else time)
     if len(given) != count:
         raise InputError(f"{what} has {len(given)} rows, and the input {count}")
     if time is None:
@@ -284,8 +294,8 @@ def _listed_steps(count: int, dt: Any, time: Any) -> Sequence[float]:
 def _one_of(dt: Any, time: Any) -> None:
     if (dt is None) == (time is None):
         raise InputError(
-            "how much time passes from instant to instant? Give `dt`, in seconds, or the `time` "
-            "of each instant" + ("" if dt is None else ", and not both")
+            "give the time between instants, `dt`, in seconds, or the `time` of each instant"
+            + ("" if dt is None else ", not both")
         )
 
 
@@ -297,6 +307,6 @@ def compile(
     params: Optional[Mapping[str, Any]] = None,
     sources: Sequence[tools.PathLike] = (),
 ) -> Program:
-    """Compiles a program. `params` are the values of its parameters, in their units; `sources`
-    the C files of a program that calls C; `robot` for one that leaves its robot open."""
-    return Program(library.build(file, entry, robot, sources), params or {})
+    """Compiles a program. `params` are the values of its parameters, in their units; `sources` are
+    the C files that it calls; `robot` is the robot, if the program leaves it open."""
+    return Program(library.build(file, entry, robot, sources), library.settings(params, "params"))

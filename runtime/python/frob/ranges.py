@@ -1,4 +1,4 @@
-"""What may be varied in a program, and between what: parameters and inputs."""
+"""The ranges of the parameters and inputs that a search varies."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .errors import InputError
 class Inputs:
     varied: List[search.Range]
     fixed: Dict[str, Any]
-    """What has one value all the time."""
+    """Inputs that have one value for the whole run."""
 
 
 def of_program(
@@ -33,7 +33,7 @@ def of_params(code: library.Library, params: Mapping[str, Any]) -> List[search.R
         if len(given_ends) == 1:
             unit = f"[{param.unit}]" if param.unit not in ("", "1") else ""
             raise InputError(
-                f'param {name}: expected a range, as "{_text(param.default)}{unit} to …", '
+                f'param {name}: expected a range, such as "{_text(param.default)}{unit} to …", '
                 f"found {shapes.shown(given)}"
             )
         low, high = (param.value(end) for end in given_ends)
@@ -50,7 +50,9 @@ def _inputs(code: library.Library, inputs: Mapping[str, Any]) -> Inputs:
             known = ", ".join(leaves) or "none"
             raise InputError(f"{code.name} has no input `{name}`; it has: {known}")
         if not isinstance(leaf, shapes.Scalar):
-            raise InputError(f"{name}: it is no number ({leaf.meaning}), so it has no range")
+            raise InputError(
+                f"{name}: it is not a number ({leaf.meaning}), so it cannot have a range"
+            )
         values = [_value(leaf, end, name) for end in ends(name, given)]
         if len(values) == 1:
             found.fixed[name] = values[0]
@@ -61,7 +63,7 @@ def _inputs(code: library.Library, inputs: Mapping[str, Any]) -> Inputs:
 
 
 def ends(place: str, given: Any) -> List[Any]:
-    """Two of a range, one of a value."""
+    """Splits a range into its two ends; a single value gives a list of one."""
     if isinstance(given, str):
         return [part.strip() for part in given.split(" to ")] if " to " in given else [given]
     if isinstance(given, (tuple, list)):

@@ -1,4 +1,4 @@
-"""Reads recordings: CSV with a row for each instant, and what stands at their head."""
+"""Reads recordings: CSV files with a header and one row for each instant."""
 
 from __future__ import annotations
 
@@ -8,13 +8,29 @@ import io
 import os
 import subprocess
 import zlib
+from contextlib import closing
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Optional, Tuple
+from typing import (
+    IO,
+    TYPE_CHECKING,
+    Any,
+    Dict,
+    Generator,
+    Iterable,
+    Iterator,
+    List,
+    Mapping,
+    Optional,
+    Sequence,
+    Tuple,
+    cast,
+)
 
-from . import cells
+from . import cells, times
 from .data import Data, is_missing
-from .errors import Error
-from .tools import PathLike
+from .dialect import OURS, Dialect, to_front
+from .errors import Error, InputError
+from .tools import PathLike, path_text
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -23,7 +39,9 @@ if TYPE_CHECKING:
 
 
 class Columns(Dict[str, Any]):
-    """Columns by name, where pandas is not installed; `attrs` is as a DataFrame's."""
+    """A table of columns by name, used if pandas is not installed. `attrs` is the same as a
+    DataFrame's.
+    """
 
     def __init__(self, columns: Dict[str, Any]) -> None:
         super().__init__(columns)
@@ -32,82 +50,135 @@ class Columns(Dict[str, Any]):
 
 @dataclass(frozen=True)
 class Assertion:
-    """What became of an assertion, or of an assumption, in a recording."""
+    """The result of an assertion or assumption in a recording."""
 
     label: str
     verdict: str
     """`held`, `violated`, `undecided`, or `never asked`."""
     first: Optional[float]
-    """The time at which it was violated first, in seconds."""
+    """The time of the first violation, in seconds."""
     count: int
-    """At how many instants it was violated."""
+    """The number of instants with a violation."""
 
 
-def read(file: PathLike) -> "Table":
-    """The rows of a recording, or of any trace, as a DataFrame; as `Columns` without pandas.
+def read(
+    file: PathLike,
+    *,
+    separator: str = ",",
+    decimal_comma: bool = False,
+    time_column: Optional[str] = None,
+    columns: Optional[Mapping[str, str]] = None,
+) -> "Table":
+    """Reads a recording, or any trace, as a DataFrame; without pandas, as `Columns`.
 
-    Numbers are numbers, truth values are bool; what a program's data is in Python, `frob.Data`
-    tells. Where an event does not occur there is None. `attrs` has `params`, the values that
-    the program ran with, `units`, theirs, and `assertions`, what became of each. Names that
-    end in .gz and .zst are decompressed, the latter by the program zstd.
+    Numbers and booleans are Python's; `frob.Data` describes all other values. An event that does
+    not occur is None. `attrs` contains `params`, the values that the program ran with, `units`,
+    their units, and `assertions`, the result of each assertion. Files whose names end in .gz and
+    .zst are decompressed, the latter with the program zstd.
+
+    These options read recordings from other programs: `separator` is the separator between cells
+    (`"tab"` or a character); `decimal_comma` says that numbers have a decimal comma; `time_column`
+    names the column with the times; and `columns` maps names of columns to those in the file, as in
+    `{"in.speed": "wheel_speed"}`. Times that a float cannot represent to the nanosecond (beyond
+    2^53 ns), such as times since 1970, are exact and relative to the first row;
+    `attrs["origin_ns"]` is the time of the first row.
     """
-    path = os.fspath(file)
+    dialect = Dialect.checked(separator, decimal_comma, time_column, columns)
+    path = path_text(file, "file")
     try:
-        with open(path, "rb") as raw:
-            data = raw.read()
-        text = _unpacked(path, data).decode("utf-8-sig")
+        with open(path, "rb", buffering=0) as raw, closing(_unpacked(path, raw)) as pieces:
+            text = b"".join(_with_short_lines(path, pieces)).decode("utf-8-sig")
     except OSError as error:
         raise Error(f"cannot read {path}: {error.strerror or error}") from None
     except UnicodeDecodeError:
         raise Error(f"{path} is not a recording: it is not text") from None
-    table: "Table" = parsed(path, text)
+    table: "Table" = parsed(path, text, dialect)
     return table
 
 
 _TOOLS = {".gz": ("gzip", b"\x1f\x8b"), ".zst": ("zstd", b"\x28\xb5\x2f\xfd")}
 
 
-def _unpacked(path: str, data: bytes) -> bytes:
+LONGEST = 16 << 20
+"""Maximum length of a row in bytes; it bounds the memory use for any file."""
+
+
+def _with_short_lines(path: str, pieces: Iterable[bytes]) -> Iterator[bytes]:
+    length = 0
+    for piece in pieces:
+        first, last = piece.find(b"\n"), piece.rfind(b"\n")
+        if length + (len(piece) if first < 0 else first) > LONGEST:
+            raise Error(f"{path} is not a recording: it has a row of more than {LONGEST >> 20} MB")
+        length = length + len(piece) if last < 0 else len(piece) - last - 1
+        yield piece
+
+
+def _pieces(stream: IO[bytes]) -> Iterator[bytes]:
+    while piece := stream.read(1 << 16):
+        yield piece
+
+
+def _unpacked(path: str, raw: IO[bytes]) -> Generator[bytes, None, None]:
     tool, magic = _TOOLS.get(os.path.splitext(path)[1], (None, b""))
     if tool is None:
-        return data
-    reason = "the archive is cut off or damaged (`frobc convert` keeps its whole rows)"
+        yield from _pieces(raw)
+        return
+    reason = "the archive is truncated or damaged (`frobc convert` recovers its complete rows)"
     try:
-        if not data.startswith(magic):
-            reason = f"it is not compressed by {tool}, as its name says"
+        if raw.seekable() and os.pread(raw.fileno(), len(magic), 0) != magic:
+            reason = f"its name says that it is compressed by {tool}, but it is not"
         elif tool == "gzip":
-            return gzip.decompress(data)
+            yield from _pieces(gzip.GzipFile(fileobj=raw))
+            return
         else:
-            done = subprocess.run([tool, "-dcq"], input=data, capture_output=True)
-            if done.returncode == 0:
-                return done.stdout
+            with subprocess.Popen(
+                [tool, "-dcq"], stdin=raw, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+            ) as unpacking:
+                try:
+                    yield from _pieces(cast(IO[bytes], unpacking.stdout))
+                except GeneratorExit:
+                    unpacking.kill()
+                    raise
+            if unpacking.returncode == 0:
+                return
     except FileNotFoundError:
-        reason = f"the program {tool}, by which it goes, is not installed (`apt install {tool}`)"
+        reason = f"this needs the program {tool}, which is not installed (`apt install {tool}`)"
     except (EOFError, OSError, zlib.error):
         pass
     raise Error(f"cannot read {path}: {reason}")
 
 
-def parsed(path: str, text: str) -> Any:
+def parsed(path: str, text: str, dialect: Dialect = OURS) -> Any:
     head, rest, lines = _head(text)
     try:
-        rows = [row for row in csv.reader(io.StringIO(rest, newline=""), strict=True) if row]
+        rows = [row for row in _cells(rest, dialect) if row]
     except csv.Error as error:
         raise Error(f"{path} is not a recording: {error}") from None
-    if not rows or rows[0][0] != "time":
-        found = f", found `{rows[0][0]}`" if rows else ""
-        raise Error(f"{path}:{lines + 1}: not a recording: its first column is `time`{found}")
-    names, body = rows[0], rows[1:]
+    if not rows:
+        raise Error(f"{path}:{lines + 1}: not a recording: its first column is `time`")
+    try:
+        time, names = dialect.header(rows[0])
+    except InputError as error:
+        raise InputError(f"{path}:{lines + 1}: {error}") from None
+    if names[0] != "time":
+        raise Error(
+            f"{path}:{lines + 1}: not a recording: its first column is `time`, found "
+            f"`{names[0]}`{dialect.time_hint(names)}"
+        )
+    body = rows[1:]
     for number, row in enumerate(body):
         if len(row) != len(names):
             raise Error(
                 f"{path}:{lines + number + 2}: {len(names)} columns, but {len(row)} cells in this "
-                "row; the recording may have been cut"
+                f"row{dialect.width_hint(len(names), len(row))}"
             )
     by_column = zip(*body) if body else ((),) * len(names)
-    columns = {n: _column(path, n, c, lines) for n, c in zip(names, by_column)}
+    given = to_front(time, list(by_column))
+    columns = {n: _column(path, n, c, lines, dialect) for n, c in zip(names, given)}
+    columns["time"], origin = _times(columns["time"], given[0], dialect)
     table = as_table({name: _array(column) for name, column in columns.items()})
-    table.attrs["params"], table.attrs["units"] = _params(head)
+    table.attrs["origin_ns"] = origin
+    table.attrs["params"], table.attrs["units"] = _params(path, head)
     table.attrs["assertions"] = _assertions(columns)
     return table
 
@@ -121,7 +192,9 @@ def as_table(columns: Dict[str, Any]) -> Any:
 
 
 def _head(text: str) -> Tuple[List[str], str, int]:
-    """The comment lines before the names of columns, what comes after, and how many they are."""
+    """Splits a file into the comment lines before the header, and the rest; also returns the number
+    of comment lines.
+    """
     head: List[str] = []
     at = 0
     while text.startswith("#", at):
@@ -131,24 +204,42 @@ def _head(text: str) -> Tuple[List[str], str, int]:
     return head, text[at:], len(head)
 
 
-def _params(head: Iterable[str]) -> Tuple[Dict[str, Any], Dict[str, str]]:
+def _params(path: str, head: Iterable[str]) -> Tuple[Dict[str, Any], Dict[str, str]]:
     params: Dict[str, Any] = {}
     units: Dict[str, str] = {}
-    for line in head:
+    for place, line in enumerate(head):
         if line.startswith("# param ") and "=" in line:
             name, value = line[len("# param ") :].split("=", 1)
             number, _, unit = value.partition("[")
-            params[name] = cells.value(number)
+            try:
+                params[name] = cells.value(number)
+            except cells.CellError as error:
+                raise Error(f"{path}:{place + 1}: parameter `{name}`: {error}") from None
             units[name] = unit.rstrip("]")
     return params, units
 
 
-def _column(path: str, name: str, texts: Iterable[str], lines: int) -> List[Any]:
-    texts = list(texts)
+def _cells(text: str, dialect: Dialect) -> Iterable[List[str]]:
+    return csv.reader(io.StringIO(text, newline=""), delimiter=dialect.separator, strict=True)
+
+
+def _times(seconds: List[Any], texts: Sequence[str], dialect: Dialect) -> Tuple[List[Any], int]:
+    """Counts times from the first row if floats cannot hold them; also returns the origin in ns."""
+    if not any(isinstance(one, float) and abs(one) * 1e9 > times.IN_A_FLOAT for one in seconds):
+        return seconds, 0
+    exact = [times.of_text(dialect.cell(text)) for text in texts]
+    if exact[0] is None:
+        return seconds, 0
+    rest = zip(exact, seconds)
+    return [(ns - exact[0]) / 1e9 if ns is not None else one for ns, one in rest], exact[0]
+
+
+def _column(path: str, name: str, texts: Iterable[str], lines: int, dialect: Dialect) -> List[Any]:
+    texts = [dialect.cell(text) for text in texts]
     try:
-        return [float(text) for text in texts]
+        return [_float(text) for text in texts]
     except ValueError:
-        pass
+        pass  # including CellError, which is reported for its row below
     if set(texts) <= {"true", "false"}:
         return [text == "true" for text in texts]
     values: List[Any] = []
@@ -156,14 +247,25 @@ def _column(path: str, name: str, texts: Iterable[str], lines: int) -> List[Any]
         try:
             values.append(_cell(text))
         except cells.CellError as error:
-            raise Error(f"{path}:{lines + number + 2}: column `{name}`: {error}") from None
+            if dialect.names and name not in dialect.columns and name != "time":
+                return texts
+            hint = dialect.number_hint(text)
+            raise Error(f"{path}:{lines + number + 2}: column `{name}`: {error}{hint}") from None
     if all(value is None or isinstance(value, Data) and not value.args for value in values):
         return [value and value.constructor for value in values]
     return values
 
 
+def _float(text: str) -> float:
+    if "_" in text:
+        raise ValueError
+    return cells.finite(text)
+
+
 def _cell(text: str) -> Any:
-    """An empty cell is an event that does not occur; one that occurs with NaN needs a name."""
+    """Parses a cell. An empty cell is an event that does not occur; an event that occurs with NaN
+    needs its constructor.
+    """
     if text.strip() == "":
         return None
     value = cells.value(text)
@@ -188,7 +290,9 @@ VERDICTS = {"NotAsked", "Holds", "Open", "Fails", None}
 
 
 def _assertions(columns: Dict[str, List[Any]]) -> Dict[str, Assertion]:
-    """As a host tells it at the end: an assumption that fails voids what comes after."""
+    """Computes the results of the assertions as a host prints them: after an assumption has failed,
+    nothing counts.
+    """
     told = {
         name: column
         for name, column in columns.items()

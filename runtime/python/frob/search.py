@@ -1,12 +1,13 @@
-"""What a search varies, and the searches.
+"""The space of parameters and inputs that a search varies, and the search algorithms.
 
-A point of the search has a number from 0 to 1 for each parameter, and for each input as many as it
-has control points.
+A point of the space has one number from 0 to 1 for each parameter, and one for each control point
+of each input.
 """
 
 from __future__ import annotations
 
 import heapq
+import importlib.util
 import itertools
 import random
 import warnings
@@ -26,7 +27,7 @@ METHODS = ("cma", "random")
 
 @dataclass(frozen=True)
 class Range:
-    """What a parameter or an input may be, in the unit that the program has it in."""
+    """The range of a parameter or an input, in the unit that the program uses."""
 
     name: str
     low: float
@@ -44,7 +45,7 @@ class Range:
 
 
 class Space:
-    """All that is varied: parameters, then inputs by their control points."""
+    """The search space: the parameters, then the control points of the inputs."""
 
     def __init__(
         self, params: Sequence[Range], inputs: Sequence[Range], points: int, shape: str
@@ -61,8 +62,8 @@ class Space:
     def inputs_at(
         self, point: Sequence[float], time: "NDArray[Any]", duration: float
     ) -> "Dict[str, NDArray[Any]]":
-        """The inputs at these times: constant from each control point to the next, or linear
-        between the first instant and the last."""
+        """The inputs at these times. They are constant from each control point to the next, or
+        linear between control points that are spread evenly from the first instant to the last."""
         np = columns.numpy()
         found = {}
         at = len(self.params)
@@ -73,15 +74,16 @@ class Space:
                 places = np.linspace(0.0, duration, self.points)
                 found[input_.name] = _values(input_, np.interp(time, places, shares))
             else:
-                # Half a nanosecond, that an instant on the border is on this side of it.
+                # Add half a nanosecond, so that an instant on a boundary reliably belongs to the
+                # next value.
                 index = ((time + 5e-10) * (self.points / duration)).astype(int)
                 values = _values(input_, shares)
                 found[input_.name] = values[np.minimum(index, self.points - 1)]
         return found
 
     def corners(self, most: int, drawn: random.Random) -> Iterator[List[float]]:
-        """Everything at one of its ends, inputs all the time; some of them where these are
-        more than `most`."""
+        """Yields points in which every parameter and input is at one end of its range, inputs for
+        the whole run. If there are more than `most` such points, yields a random selection."""
         count = len(self.params) + len(self.inputs)
         if 2**count <= most:
             numbers: Sequence[int] = range(2**count)
@@ -91,9 +93,11 @@ class Space:
             yield self._steady([float(number >> k & 1) for k in range(count)])
 
     def sketch(self, most: int, drawn: random.Random, is_restless: bool) -> "Sketch":
-        """Parameters anywhere, and inputs that are constant but for a few changes: at most so
-        many parts each, or if they are restless as many as there are control points. Half of the changes are early, as those have the rest of the run to act
-        in; many values are at an end, and most last ones, where things come to rest."""
+        """Draws a random point: parameters anywhere in their ranges, and inputs that change a few
+        times. An input has at most `most` constant parts, or, if `is_restless`, as many parts as
+        there are control points. Half of the changes come early, so that they have the rest of the
+        run to take effect. Many values are at an end of their range, and most of the last ones,
+        where the run settles."""
 
         def value(at_end: float) -> float:
             return float(drawn.getrandbits(1)) if drawn.random() < at_end else drawn.random()
@@ -117,17 +121,17 @@ class Space:
 
 @dataclass(frozen=True)
 class Sketch:
-    """A point of a space by fewer numbers, each from 0 to 1."""
+    """A point of a space, described by fewer numbers, each from 0 to 1."""
 
     space: Space
     parts: List[int]
-    """Of each input."""
+    """Number of constant parts of each input."""
     numbers: List[float]
-    """A number for each parameter; then of each input the times at which it changes, and its
+    """One number for each parameter; then, for each input, the times at which it changes, and its
     values between them."""
 
     def at(self, numbers: Sequence[float]) -> List[float]:
-        """The point for other numbers. What is beyond an end is at the end."""
+        """Returns the point that these numbers describe. Clips them to 0 and 1."""
         within = [min(max(number, 0.0), 1.0) for number in numbers]
         first = len(self.space.params)
         point = within[:first]
@@ -151,42 +155,43 @@ def _values(range_: Range, shares: "NDArray[Any]") -> "NDArray[Any]":
 
 
 Objective = Callable[[Sequence[float]], float]
-"""Less is better, and below 0 is what is looked for."""
+"""The function to minimize. A negative value ends the search."""
 
 CORNERS = 8
-"""At most so many of a search's runs are spent on them."""
+"""Maximum number of corners that a search tries."""
 
 OFTEN, MOSTLY = 0.4, 0.8
-"""How likely a value is at an end."""
+"""Probability that a value is at an end of its range."""
 
 FEW = 3
-"""So many parts an input has at most in the first sketches."""
+"""Maximum number of parts of an input in the first round of sketches."""
 
 RESTLESS = 10
-"""One sketch of so many has as many parts as inputs have control points."""
+"""Every RESTLESS-th sketch has as many parts as there are control points."""
 
 SKETCHES = 30
-"""So many are tried before the best of them is bettered."""
+"""Number of sketches in a round, after which the best one is improved."""
 
 WIDTH = 0.1
-"""How far CMA-ES goes at first from the sketch that it betters."""
+"""Initial step size of CMA-ES."""
 
 PATIENCE = 3
-"""CMA-ES ends when so many generations have come no nearer."""
+"""Number of generations without progress after which CMA-ES ends."""
 
 
 class Over(Exception):
-    """It is found, or there are no runs left."""
+    """A point has been found, or no runs are left."""
 
 
 class Search:
-    """Looks for a point whose value is below 0, in so many runs at most.
+    """Searches for a point with a negative value, in a limited number of runs.
 
-    First the corners. Then sketches: inputs that change a few times, and are often at an end, as
-    what has modes is broken by such runs rather than by restless ones, of which there are some
-    too. Whenever some have been tried, CMA-ES (Hansen) betters the best that has not been yet:
-    the times of its changes, its values and the parameters. Sketches may have more parts from
-    round to round, in the end as many as inputs have control points.
+    The search first tries the corners. Then it tries random sketches: most inputs change only a few
+    times and are often at an end of their range, because such runs break programs with modes more
+    easily than restless ones, of which it tries a few too. After each round of sketches, CMA-ES
+    (Hansen) improves the best sketch that it has not worked on yet: its parameters, and the times
+    and values of its inputs. From round to round sketches may have more parts, up to the number of
+    control points.
     """
 
     def __init__(self, space: Space, objective: Objective, runs: int, seed: int) -> None:
@@ -221,7 +226,8 @@ class Search:
         return value
 
     def better(self, value: float, sketch: Sketch) -> None:
-        # It adapts a covariance, which one number has none of: the second makes no difference.
+        # CMA-ES adapts a covariance matrix, so it needs at least two numbers; a second number that
+        # has no effect is added if there is only one.
         count = len(sketch.numbers)
         beginning = sketch.numbers if count > 1 else sketch.numbers * 2
         options = {"seed": self.drawn.randrange(1, 2**31), "verbose": -9}
@@ -235,20 +241,31 @@ class Search:
             nearest = min(nearest, *values)
 
 
-def need_numpy() -> None:
-    try:
-        import numpy  # noqa: F401
-    except ImportError:
-        raise Error(
-            "falsify needs numpy, which is not installed: `apt install python3-numpy` or "
-            "`pip install numpy`"
-        ) from None
+def need_packages(method: str) -> None:
+    """Checks, before anything is compiled, that all packages are installed; otherwise says how to
+    install the missing ones.
+    """
+    needed = ["numpy", "cma"] if method == "cma" else ["numpy"]
+    missing = [name for name in needed if importlib.util.find_spec(name) is None]
+    if not missing:
+        return
+    which = " and ".join(missing) + (", which is" if len(missing) == 1 else ", which are")
+    apt = "`apt install python3-numpy` or " if missing == ["numpy"] else ""
+    blind = (
+        "; or search at random (`--method random`), which takes more runs"
+        + ("" if missing == ["cma"] else " and needs numpy only")
+        if "cma" in missing
+        else ""
+    )
+    raise Error(
+        f"falsify needs {which} not installed: {apt}`pip install {' '.join(missing)}`{blind}"
+    )
 
 
 def cma() -> Any:
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # that it cannot draw, without matplotlib
+            warnings.simplefilter("ignore")  # the warning that it cannot plot without matplotlib
             import cma
     except ImportError:
         raise Error(

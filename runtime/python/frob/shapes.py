@@ -1,4 +1,4 @@
-"""The types of a program's values: how each lies in C's structs, and what it is in Python."""
+"""The types of a program's values: their layout in C structs, and their form in Python."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Buffer = Any  # writable memory: a ctypes array, a memoryview
 
 
 def shown(value: Any) -> str:
-    """For messages, no longer than a line."""
+    """The value's text for messages, shortened to a line."""
     whole = repr(value)
     return whole if len(whole) <= 60 else whole[:57] + "..."
 
@@ -33,13 +33,15 @@ TAG = struct.Struct("=B")
 
 
 class Shape:
-    """A type. `read` gives the value at a struct's beginning, `write` puts one there."""
+    """A type. `read` reads a value from a struct, and `write` writes one to a struct."""
 
     meaning: str
-    """In words: `a number`."""
+    """Description for messages, such as `a number`."""
 
     default: Any = REQUIRED
-    """What it is where it is left out: of an operator's console, as nobody has touched it."""
+    """The value of an input that may be omitted, such as the initial value of a control on the
+    operator's console.
+    """
 
     def may_be_left_out(self) -> bool:
         return self.default is not REQUIRED
@@ -52,7 +54,7 @@ class Shape:
 
 
 class Scalar(Shape):
-    """A number or a truth value."""
+    """A number or a boolean."""
 
     def __init__(self, meaning: str, code: str, numpy_name: str, offset: int) -> None:
         self.meaning = meaning
@@ -91,7 +93,7 @@ class Int(Scalar):
             raise wrong(place, self.meaning, value)
         try:
             whole = operator.index(value)
-        except TypeError:
+        except (TypeError, ValueError, ArithmeticError):
             raise wrong(place, self.meaning, value) from None
         if not -(2**31) <= whole < 2**31:
             raise wrong(place, self.meaning, value)
@@ -103,27 +105,29 @@ class Float(Scalar):
         super().__init__("a number", code, numpy_name, offset)
 
     def converted(self, value: Any, place: str) -> float:
-        if is_truth(value):
-            raise wrong(place, self.meaning, value)
         try:
-            return float(operator.index(value)) if isinstance(value, int) else _float(value)
-        except (TypeError, OverflowError):
+            return number(value)
+        except (TypeError, ValueError, ArithmeticError):
             raise wrong(place, self.meaning, value) from None
 
 
-def _float(value: Any) -> float:
-    if not hasattr(value, "__float__") or getattr(value, "ndim", 0) != 0:
+def number(value: Any) -> float:
+    """Converts a number to a float. Raises TypeError, ValueError or ArithmeticError for anything
+    else: booleans, strings, arrays, integers beyond the largest float."""
+    is_other = isinstance(value, (str, bytes, complex)) or getattr(value, "ndim", 0) != 0
+    is_other = is_other or type(value).__name__ in ("complex64", "MaskedConstant")
+    if is_other or is_truth(value) or not hasattr(value, "__float__"):
         raise TypeError
-    return float(value)
+    return float(operator.index(value)) if isinstance(value, int) else float(value)
 
 
 class Parts(Shape):
-    """Several values beside each other: a tuple, a record, an array."""
+    """A product type: a tuple, a record, or an array."""
 
     def __init__(self, name: str, is_array: bool, labels: Sequence[str], parts: Sequence[Shape]):
         self.name = name
         self.is_array = is_array
-        self.labels = labels  # of a record; else none
+        self.labels = labels  # of a record; empty for other types
         self.parts = parts
         kind = f"a list of {len(parts)}" if is_array else f"a tuple of {len(parts)}"
         fields = ", ".join(labels)
@@ -158,10 +162,14 @@ class Parts(Shape):
     def _listed(self, value: Any, place: str) -> Sequence[Any]:
         if isinstance(value, (str, bytes, Mapping)) or not hasattr(value, "__len__"):
             raise wrong(place, self.meaning, value)
-        if len(value) != len(self.parts):
-            found = f"{len(value)}: {shown(value)}"
+        try:
+            values = list(value)
+        except TypeError:
+            raise wrong(place, self.meaning, value) from None
+        if len(values) != len(self.parts):
+            found = f"{len(values)}: {shown(value)}"
             raise InputError(f"{place}: expected {self.meaning}, found {found}")
-        return value  # type: ignore[no-any-return]
+        return values
 
     def _write_fields(self, memory: Buffer, base: int, value: Any, place: str) -> None:
         fields = value.fields if isinstance(value, Data) else value
@@ -185,7 +193,7 @@ class Parts(Shape):
 
 
 class Sum(Shape):
-    """One of several constructors; a tag, and slots for what they carry."""
+    """A sum type: a tag, and slots for the arguments of its constructors."""
 
     def __init__(self, offset: int, is_event: bool, constructors: Sequence[Parts]) -> None:
         self.offset = offset
@@ -235,14 +243,14 @@ class Sum(Shape):
             constructor.write(memory, base, value, place)
         elif len(value.args) != len(constructor.parts):
             raise InputError(
-                f"{place}: `{constructor.name}` carries {len(constructor.parts)}, found "
+                f"{place}: `{constructor.name}` has arity {len(constructor.parts)}, found "
                 f"{shown(value)}"
             )
         for part, one in zip(constructor.parts, () if constructor.labels else value.args):
             part.write(memory, base, one, place)
 
     def _told(self, value: Any) -> Any:
-        """With its constructor."""
+        """Wraps an optional value in its constructor."""
         empty, full = self.constructors[0].name, self.constructors[1].name
         if isinstance(value, Data) and value.constructor in (empty, full):
             return value
@@ -250,7 +258,9 @@ class Sum(Shape):
 
 
 def clear(shape: Shape, memory: Buffer, base: int) -> None:
-    """Zero in every slot, so that what no constructor uses holds no news."""
+    """Sets every slot to zero, so that slots that the current constructor does not use contain no
+    old values.
+    """
     if isinstance(shape, Scalar):
         shape.packed.pack_into(memory, base + shape.offset, 0)
     elif isinstance(shape, Sum):
@@ -264,12 +274,15 @@ def clear(shape: Shape, memory: Buffer, base: int) -> None:
 
 
 def from_text(shape: Shape, text: str, place: str) -> Any:
-    """Of a cell; the event that is a whole cell stands there without its constructor."""
+    """Parses a value. In a cell that holds an event, the text omits the constructor `Event`."""
     if text.strip() == "" and isinstance(shape, Sum) and shape.is_event:
         return None
+    if isinstance(shape, Sum) and text.strip() in shape.numbers and not shape.is_event:
+        return Data(text.strip())
     try:
         value = cells.value(text)
     except cells.CellError as error:
+        text = text if len(text) <= 60 else text[:57] + "..."
         raise InputError(f"{place}: expected {shape.meaning}, found `{text}`: {error}") from None
     if isinstance(shape, Sum) and shape.is_event:
         return Data(shape.constructors[1].name, value)
@@ -277,11 +290,11 @@ def from_text(shape: Shape, text: str, place: str) -> Any:
 
 
 Defaults = Mapping[int, Any]
-"""What values are where they are left out, by the addresses of their tables."""
+"""Defaults of values that may be omitted, by the addresses of their tables."""
 
 
 def of_value(value: table.Value, defaults: Defaults) -> Shape:
-    """Of a table's value."""
+    """The shape that a table describes."""
     shape = _of_kind(value, defaults)
     shape.default = defaults.get(ctypes.addressof(value), REQUIRED)
     return shape
@@ -298,7 +311,7 @@ def _of_kind(value: table.Value, defaults: Defaults) -> Shape:
     if kind == table.SINGLE:
         return Float("f", "float32", offset)
     if kind == table.IMAGE:
-        raise Error("it looks at images: let `frobc trace` or `frob.simulate` run it")
+        raise Error("it uses camera images: run it with `frobc trace` or `frob.simulate`")
     constructors = [_parts(value.constructors[i], kind, defaults) for i in range(value.count)]
     if kind == table.SUM:
         return Sum(offset, bool(value.is_event), constructors)
@@ -317,7 +330,7 @@ Leaf = Union[Scalar, Sum, Parts]
 
 
 def columns(shape: Shape, root: str) -> Iterator[Tuple[str, Leaf]]:
-    """What has a column of its own in a trace, with its name (frob/trace.h)."""
+    """Yields the columns of a trace for a value of this shape, with their names (frob/trace.h)."""
     assert isinstance(shape, (Scalar, Sum, Parts))
     if not isinstance(shape, Parts) or not (shape.is_array or not shape.name or shape.labels):
         yield root, shape
@@ -333,7 +346,7 @@ def columns(shape: Shape, root: str) -> Iterator[Tuple[str, Leaf]]:
 
 
 def only_floats(leaves: List[Tuple[str, Leaf]], size: int) -> bool:
-    """Is the struct an array of as many doubles as it has columns?"""
+    """Whether the struct is an array of doubles, one for each column."""
     return size == 8 * len(leaves) and all(
         isinstance(leaf, Float) and leaf.numpy_name == "float64" and leaf.offset == 8 * number
         for number, (_, leaf) in enumerate(leaves)

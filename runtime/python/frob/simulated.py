@@ -1,4 +1,6 @@
-"""Runs of a program that drives a robot in the simulator, in which assertions are watched."""
+"""Runs a program in the simulator, where it drives a robot, and computes its assertions'
+margins.
+"""
 
 from __future__ import annotations
 
@@ -12,20 +14,20 @@ from . import columns, library, search, shapes, tools
 from .errors import Error, InputError
 from .judging import Claim, Subject
 from .ranges import between, ends
-from .simulator import Simulator, default_world, robot_of
+from .simulator import Simulator, robot_of, world_path
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 SEED = "--seed"
-"""Of the noise: what a search varies beside parameters and disturbances."""
+"""The seed of the noise, which a search varies along with parameters and disturbances."""
 
 TOUCHES = Claim("touches nothing", False, shapes.Bool(0), None, "")
-"""What is judged by the simulator and not by the program."""
+"""The additional assertion of simulated runs; the simulator decides it, not the program."""
 
 
 class World:
-    """A world file, some of whose numbers are varied."""
+    """A world file in which a search varies some numbers."""
 
     def __init__(self, path: str, varied: Sequence[str]) -> None:
         self.path = path
@@ -34,12 +36,14 @@ class World:
         self.varied = list(varied)
         if varied and re.search(r"^\s*picture\s*=", self._text, re.MULTILINE):
             raise InputError(
-                f"{path} names pictures, which it would not find from elsewhere: "
-                "leave out the disturbances"
+                f"{path} names pictures, which a modified world file cannot find: "
+                "remove the disturbances"
             )
 
     def text(self, values: Mapping[str, float]) -> str:
-        """The file with its varied numbers, named `table.key`, as they are here."""
+        """Returns the file with these values for the varied numbers, which are named
+        `table.key`.
+        """
         text = self._text
         for name in self.varied:
             table, key = name.split(".")
@@ -63,17 +67,17 @@ def _set(text: str, table: str, key: str, value: str) -> str:
 
 
 def disturbances(given: Mapping[str, Any]) -> List[search.Range]:
-    """As ranges of numbers of the world file."""
+    """Checks disturbances and converts them to ranges."""
     found = []
     for name, value in given.items():
         place = f"disturbance {name}"
-        if not re.fullmatch(r"[a-z_]+\.[a-z_]+", name):
+        if not isinstance(name, str) or not re.fullmatch(r"[a-z_]+\.[a-z_]+", name):
             raise InputError(
-                f"{place}: expected a table of the world file and its key, as sonar.noise"
+                f"{place}: expected a table of the world file and its key, such as sonar.noise"
             )
         numbers = [_number(place, end) for end in ends(place, value)]
         if len(numbers) != 2:
-            raise InputError(f'{place}: expected a range, as "0 to 0.1", found {value!r}')
+            raise InputError(f'{place}: expected a range, such as "0 to 0.1", found {value!r}')
         found.append(between(place, name, "float", *numbers))
     return found
 
@@ -83,22 +87,24 @@ def seeds(given: Any) -> List[search.Range]:
         return []
     numbers = [_number("seeds", end) for end in ends("seeds", given)]
     if len(numbers) != 2 or not all(x == int(x) and 0 <= x < 2**31 for x in numbers):
-        raise InputError(f'seeds: expected whole numbers, as "1 to 100", found {given!r}')
+        raise InputError(f'seeds: expected whole numbers, such as "1 to 100", found {given!r}')
     return [between("seeds", SEED, "int", int(numbers[0]), int(numbers[1]))]
 
 
 def _number(place: str, given: Any) -> float:
     try:
         return float(given)
-    except (TypeError, ValueError):
-        raise InputError(f"{place}: expected a number, found {given!r}") from None
+    except (TypeError, ValueError, ArithmeticError):
+        raise InputError(f"{place}: expected a number, found {shapes.shown(given)}") from None
 
 
 class Simulated(Subject):
-    """A run is a world anew, and the program that drives in it."""
+    """A program under test in the simulator. Each run starts a new world."""
 
     def __init__(self, code: library.Library, world: World, duration: float, rate: float) -> None:
         super().__init__(code, duration, rate)
+        # `time` and `nanoseconds` hold the instants of the last run only, which an outage reduces.
+        self._all = self.time, self.nanoseconds
         self.world = world
         self._input = ctypes.create_string_buffer(code.table.input_size + 1)
 
@@ -130,28 +136,39 @@ class Simulated(Subject):
     ) -> "NDArray[Any]":
         np = columns.numpy()
         table = self.code.table
-        memory = np.zeros(len(self.time) * table.output_size, dtype=np.uint8)
+        time, nanoseconds = self._all
+        memory = np.zeros(len(time) * table.output_size, dtype=np.uint8)
         set_params = self.code.params_with(self.params_of(params))
         state = self.code.new_state()
         table.reset(state, set_params)
         self._touches: List[bool] = []
         self._clearance: List[float] = []
-        self._memory = memory
+        self.collision = ""
+        ran: List[int] = []
+        stepped = 0
         sim = self._simulator(params)
         try:
             self._blank(sim)
             place, input_ = memory.ctypes.data, self._input
-            for k, (now, dt) in enumerate(zip(self.nanoseconds.tolist(), self.dt.tolist())):
-                sim.read(now, input_)
+            for k, now in enumerate(nanoseconds.tolist()):
+                if not sim.read(now, input_):
+                    continue
                 truth = sim.truth()
                 self._touches.append(truth.touches)
                 self._clearance.append(truth.clearance)
-                output = place + k * table.output_size
-                table.step(state, set_params, dt, input_, output)
+                output = place + len(ran) * table.output_size
+                table.step(state, set_params, (now - stepped) / 1e9, input_, output)
                 sim.command(now, output)
+                stepped = now
+                ran.append(k)
+            self.collision = sim.first_collision()
         finally:
             sim.close()
-        return memory  # type: ignore[no-any-return]
+        if not ran:
+            raise Error(f"the outage of {self.world.path} leaves the program no instant")
+        self.time, self.nanoseconds = time[ran], nanoseconds[ran]
+        self._memory = memory[: len(ran) * table.output_size]
+        return self._memory  # type: ignore[no-any-return]
 
     def _simulator(self, values: Mapping[str, Any]) -> Simulator:
         world = self.world
@@ -184,11 +201,11 @@ class Simulated(Subject):
 
 
 def world_of(program: str, world: Optional[tools.PathLike], varied: Sequence[str]) -> World:
-    path = default_world(program) if world is None else tools.existing(world, "world")
+    path = world_path(program, world)
     return World(path, varied)
 
 
 def robot_for(program: str, world: Optional[tools.PathLike]) -> Optional[str]:
-    """The robot that the world of a program names."""
-    path = default_world(program) if world is None else tools.existing(world, "world")
+    """Returns the robot that the program's world names, or None."""
+    path = world_path(program, world)
     return robot_of(path) or None

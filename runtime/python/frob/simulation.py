@@ -7,15 +7,16 @@ import os
 import tempfile
 from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Union
 
-from . import data, recording, tools
+from . import data, library, recording, shapes, tools
 from .errors import InputError
+from .simulator import world_path
 
 if TYPE_CHECKING:
     from .recording import Table
 
 
 class Picture(str):
-    """A picture as the text of an SVG; a notebook shows it."""
+    """A picture as SVG text, which notebooks display."""
 
     def __repr__(self) -> str:
         return f"<a picture: SVG of {len(self)} characters>"
@@ -39,33 +40,38 @@ def simulate(
     picture: bool = False,
     sources: Sequence[tools.PathLike] = (),
 ) -> "Table":
-    """Drives a robot in a world, and gives the recording of it, as `frob.read` does.
+    """Drives a robot in a world and returns the recording, in the form that `frob.read` returns.
 
-    Without `world` it is the `world.toml` beside the program, or else the room that comes with
-    frobc. `params` are numbers in the parameters' units, or texts as `"20[cm]"`; `probe` names
-    inner signals to be recorded too; `until_done` ends the run when the program has ended.
-    `attrs` have, besides those of a recording, `summary`, what `frobc run` prints, by names,
-    and `picture` if that is asked for. In a world of several robots the table is that of the
-    first, and `robots` in `attrs` has all of them.
+    The default for `world` is the `world.toml` in the program's folder, or else the room that is
+    installed with frobc. `params` are numbers in the parameters' units, or texts such as
+    `"20[cm]"`. `probe` names internal signals to record. With `until_done`, the run ends when the
+    program does. In addition to those of a recording, `attrs` has `summary`, the summary that
+    `frobc run` prints, as a dict, and `picture` if it was requested. In a world with several robots
+    the table is that of the first one, and `attrs["robots"]` has the tables of all.
     """
     path = tools.existing(file, "program")
+    for name, flag in (("until_done", until_done), ("picture", picture)):
+        if not isinstance(flag, bool):
+            raise InputError(f"{name}: expected True or False, found {shapes.shown(flag)}")
     if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**62:
-        raise InputError(f"seed: expected a whole number from 0 on, found {seed!r}")
-    if not 0.001 <= _seconds(duration, "duration") <= 1e5:
+        raise InputError(f"seed: expected a whole number of at least 0, found {shapes.shown(seed)}")
+    duration, rate = _seconds(duration, "duration"), _seconds(rate, "rate")
+    if not 0.001 <= duration <= 1e5:
         raise InputError(f"duration: expected seconds from 0.001 to 100000, found {duration}")
-    if not 0.1 <= _seconds(rate, "rate") <= 10000:
-        raise InputError(f"rate: expected steps in a second from 0.1 to 10000, found {rate}")
-    options = ["--entry", entry, "--seed", str(seed), "--rate", repr(float(rate))]
+    if not 0.1 <= rate <= 10000:
+        raise InputError(f"rate: expected steps per second from 0.1 to 10000, found {rate}")
+    options = ["--entry", tools.word(entry, "entry"), "--seed", str(seed), "--rate", repr(rate)]
     if world is not None:
-        options += ["--world", tools.existing(world, "world")]
+        options += ["--world", world_path(path, world)]
     if robot is not None:
-        options += ["--robot", os.fspath(robot)]
-    for source in sources:
+        options += ["--robot", tools.path_text(robot, "robot")]
+    for source in tools.paths(sources, "sources"):
         options += ["--with", tools.existing(source, "C file")]
     with tempfile.TemporaryDirectory(prefix="frob-") as folder:
-        settings = _settings(params or {}, [*options, path], folder)
-        if probe:
-            options += ["--probe", probe if isinstance(probe, str) else ",".join(probe)]
+        settings = _settings(library.settings(params, "params"), [*options, path], folder)
+        probes = tools.words(probe, "probe")
+        if any(probes):
+            options += ["--probe", ",".join(probes)]
         if until_done:
             options.append("--exit-when-done")
         drawn = os.path.join(folder, "run.svg")
@@ -84,16 +90,17 @@ def simulate(
 
 
 def _seconds(value: Any, place: str) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise InputError(f"{place}: expected a number, found {value!r}")
-    return float(value)
+    try:
+        return shapes.number(value)
+    except (TypeError, ValueError, ArithmeticError):
+        raise InputError(f"{place}: expected a number, found {shapes.shown(value)}") from None
 
 
 def _run(options: Sequence[str], duration: float, folder: str) -> Dict[str, str]:
     record = os.path.join(folder, "run.csv")
     told = tools.run(["run", "--for", f"{duration:.9f}s", "--record", record, *options])
     lines = (line.split(": ", 1) for line in told.splitlines() if ": " in line)
-    # The files that it names are gone when the table is there.
+    # The files that these lines name have been deleted by the time the table is returned.
     return {name: value for name, value in lines if name not in ("log", "picture")}
 
 
@@ -104,8 +111,8 @@ def _recorded(folder: str) -> List[Any]:
 
 
 def _settings(params: Mapping[str, Any], options: Sequence[str], folder: str) -> List[str]:
-    """As options. A number gets the unit that the program declares, which is at the head of a
-    recording: one of a single instant tells it."""
+    """Converts parameters to options. A number gets the unit that the program declares; to find it,
+    this runs a single instant and reads the recording's header."""
     units: Dict[str, str] = {}
     if any(not isinstance(value, str) for value in params.values()):
         _run(options, 0.001, folder)
@@ -113,7 +120,7 @@ def _settings(params: Mapping[str, Any], options: Sequence[str], folder: str) ->
     settings: List[str] = []
     for name, value in params.items():
         text = value if isinstance(value, str) else _with_unit(value, units.get(name, ""))
-        settings += ["--param", f"{name}={text}"]
+        settings += ["--param", tools.word(f"{name}={text}", "params")]
     return settings
 
 

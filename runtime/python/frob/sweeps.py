@@ -1,4 +1,4 @@
-"""Many runs of a trial, as `frobc sweep` makes them: here, or on the machines of a cluster."""
+"""Makes many runs of a trial, as `frobc sweep` does, on this machine or on a cluster."""
 
 from __future__ import annotations
 
@@ -27,24 +27,28 @@ def sweep(
     sources: Sequence[tools.PathLike] = (),
     picture: bool = False,
 ) -> "Table":
-    """Makes the runs of a plan, and gives the table of them: a row for each, in the plan's order.
+    """Makes the runs of a plan and returns a table with one row for each run, in the plan's order.
 
-    Here it is `frobc sweep`, with `jobs` processes, or as many as there are processors. With a
-    client of `dask.distributed` its workers make the runs, each a shard of them after another.
-    Plan, program and worlds then have to be on each worker's machine, at the same path.
+    Without a client, this calls `frobc sweep` with `jobs` processes; the default is the number of
+    processors. With a `dask.distributed` client, its workers make the runs, one shard after
+    another. Each worker's machine must then have the plan, the program and the worlds at the same
+    paths.
 
-    Rows are kept in the folder `rows`, or beside the plan as those of `frobc sweep`; runs that
-    are there are not made again, so the same call goes on where one ended, however it ended.
-    `attrs` have `summary`, what `frobc sweep` prints, and `picture` if that is asked for.
+    Rows are kept in the folder `rows`, or where `frobc sweep` keeps them next to the plan. Runs
+    that have a row are not made again, so that you can repeat the same call after any interruption.
+    `attrs` has `summary`, the output of `frobc sweep`, and `picture` if it was requested.
     """
     path = tools.existing(plan, "plan")
+    if not isinstance(picture, bool):
+        raise InputError(f"picture: expected True or False, found {picture!r:.60}")
     if jobs is not None and (isinstance(jobs, bool) or not isinstance(jobs, int) or jobs < 1):
-        raise InputError(f"jobs: expected a whole number from 1 on, found {jobs!r}")
+        raise InputError(f"jobs: expected a whole number of at least 1, found {jobs!r}")
     if jobs is not None and client is not None:
-        raise InputError("jobs: a cluster's workers make one run at a time; leave it out")
-    folder = os.path.abspath(os.fspath(rows) if rows is not None else _stem(path) + ".rows")
+        raise InputError("jobs: a cluster's workers make one run at a time; remove it")
+    kept = _stem(path) + ".rows" if rows is None else tools.path_text(rows, "rows")
+    folder = os.path.abspath(kept)
     options = [] if robot is None else ["--robot", _own(robot)]
-    for source in sources:
+    for source in tools.paths(sources, "sources"):
         options += ["--with", os.path.abspath(tools.existing(source, "C file"))]
     if client is not None:
         from . import cluster
@@ -60,7 +64,7 @@ def sweep(
             options += ["--picture", drawn]
         said = tools.run(["sweep", *options, "--rows", folder, "--table", told, path])
         table: "Table" = _read(told)
-        # The files that it names are gone when the table is there.
+        # The files that these lines name have been deleted by the time the table is returned.
         lines = said.splitlines()
         table.attrs["summary"] = "\n".join(
             line for line in lines if not line.startswith(("table: ", "picture: "))
@@ -76,17 +80,19 @@ def _stem(plan: str) -> str:
 
 
 def _own(robot: tools.PathLike) -> str:
-    """A robot of the user's own is the file of its module."""
-    name = os.fspath(robot)
+    """Makes the path of a user-defined robot's module (`….frob`) absolute; other names stay the
+    same.
+    """
+    name = tools.path_text(robot, "robot")
     return os.path.abspath(name) if name.endswith(".frob") else name
 
 
-WHOLE = {"run", "seed", "touches"}
-TEXTS = {"world", "robot", "fate", "by"}
+WHOLE = {"run", "seed", "touches", "collisions"}
+TEXTS = {"world", "robot", "fate", "by", "collision_with"}
 
 
 def _read(path: str) -> Any:
-    """The table that frobc has written. What a run has not measured is NaN."""
+    """Reads the table that frobc has written. Quantities that a run did not measure are NaN."""
     with open(path, encoding="utf-8", newline="") as file:
         names, *rows = csv.reader(file)
     columns = dict(zip(names, zip(*rows)))

@@ -1,4 +1,4 @@
-"""The table of a compiled program, as C has it: frob/program.h."""
+"""The C description of a compiled program, as declared in frob/program.h."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ BOOL, INT, FLOAT, SINGLE, ROUNDED, PRODUCT, SUM, ARRAY, IMAGE = range(9)
 """Kinds of values."""
 
 BUTTON, HOLD, KNOB, TOGGLE, MAP, CAMERA = range(6)
-"""Kinds of what stands on an operator's console."""
+"""Kinds of controls on an operator's console."""
 
 
 class Value(c.Structure):

@@ -1,14 +1,13 @@
 #!/bin/sh
-# summary.sh FROBC DATA EXPECTED: the wall follower on recorded sonar readings.
+# summary.sh FROBC DATA EXPECTED: runs the wall follower on recorded sonar readings.
 #
-# DATA is sensor_readings_24.data of the UCI set "Wall-Following Robot Navigation
-# Data": a header, then 9 rows a second of the distances that 24 sonars measured,
-# numbered clockwise from the front, 15 degrees apart, and what the robot then did. It
-# went clockwise round a room, so the wall is on the left: sonar 19. Ahead is the
-# nearest of 24, 1 and 2.
+# DATA is sensor_readings_24.data of the UCI set "Wall-Following Robot Navigation Data". It has a
+# header, then 9 rows a second with the distances that 24 sonars measured, numbered clockwise from
+# the front and 15 degrees apart, and the robot's movement. The robot drove clockwise around a room,
+# so the wall is on its left: sonar 19. The distance ahead is the smallest of sonars 24, 1 and 2.
 #
-# Prints a summary of the commands. Without the data, which is no part of the project,
-# it says so and prints what is expected.
+# Prints a summary of the commands. Without the data, which is not part of the project, it says so
+# and prints EXPECTED.
 set -eu
 frobc=$1 data=$2 expected=$3
 if [ ! -r "$data" ]; then

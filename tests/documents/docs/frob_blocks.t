@@ -19,10 +19,3 @@ There are some, and none with other words on its fence passes unseen:
   $ grep -n '^ *```frob' $top/README.md $top/docs/*.md $top/docs/*/*.md $top/examples/*/README.md |
   >   grep -v -e '```frob$' -e '```frob later$' -e '```frob title="[^"]*"$'
   [1]
-
-The session in the README gives what it shows:
-
-  $ awk '/^    \$ /, /^$/' $top/README.md | sed 's/^    //' > session
-  $ grep -l 'lap ::' *.frob | head -1 | xargs -I {} cp {} speed.frob
-  $ grep '^\$ ' session | sed 's/^\$ //' > commands
-  $ sh commands > output; grep -v '^\$ ' session | grep . | diff - output

@@ -1,5 +1,5 @@
 #!/bin/sh
-# rules.sh PAGE…: dune's rules for the pages, each of them done and compared.
+# rules.sh PAGE…: prints dune rules that follow each page and compare the results.
 set -eu
 echo "; By rules.sh; see dune."
 for page in "$@"; do

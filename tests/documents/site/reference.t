@@ -18,7 +18,7 @@ library says of it:
   sin, cos, tan :: Angle -> Float
   ```
   
-  Of an angle in radians.
+  The sine, cosine and tangent of an angle in radians.
 
 Each message is there, and each command:
 

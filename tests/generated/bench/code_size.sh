@@ -1,8 +1,7 @@
 #!/bin/sh
-# Code of the BUG example for a Cortex-M4 (gcc -Os, with the runtime's elementary
-# functions and the C library's left out, as they are shared by all programs), beside
-# that of the wall follower that it is built on. In bytes. The argument is the folder to
-# work in.
+# Measures the code size of the BUG example and of the wall follower that it builds on, in bytes for
+# a Cortex-M4 (gcc -Os). Excludes the runtime's elementary functions and the C library, which all
+# programs share. The argument is the working folder.
 set -eu
 out=$1/code_size
 frobc=_build/install/default/bin/frobc

@@ -1,7 +1,6 @@
-/* processor_time RUNS COMMAND... -- runs a command several times and prints
- * the least processor time that a run took, in milliseconds: what else the
- * machine does hardly shows in it; and the most memory that a run had at a time,
- * in kilobytes. Fails if the command does. */
+/* processor_time RUNS COMMAND... -- runs a command several times and prints two numbers: the
+ * least processor time of a run in milliseconds, which the machine's other work hardly affects,
+ * and the largest peak memory of a run in kilobytes. Fails if the command does. */
 #define _XOPEN_SOURCE 700
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +14,7 @@ static double milliseconds(struct timeval t)
     return (double)t.tv_sec * 1e3 + (double)t.tv_usec / 1e3;
 }
 
-/* Of all children that have ended so far. */
+/* Processor time of all children that have ended so far. */
 static double used(void)
 {
     struct rusage usage;

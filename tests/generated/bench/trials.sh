@@ -1,7 +1,7 @@
 #!/bin/sh
-# Processor time of `frobc test` of all examples with 100 seeds each. Those with cameras, which
-# take long, are run with two seeds, and that is multiplied. Each has been compiled before. Those
-# with C of their own, which is given by options, are left out.
+# Measures the processor time of `frobc test` on all examples with 100 seeds each. Examples with
+# cameras take long, so they run with two seeds, and the result is scaled. All are compiled
+# beforehand. Leaves out examples with C code of their own, which need further options.
 set -eu
 frobc=_build/install/default/bin/frobc
 work=$(mktemp -d)
@@ -18,7 +18,10 @@ row() { # name, seconds
 }
 
 plain=0 seeing=0
-for example in $(grep -l '^trial' examples/*/*.frob); do
+# The trials of a program may be in its test file.
+programs() { grep -l '^trial' examples/*/*.frob | sed 's/\.test\.frob$/.frob/' | sort -u; }
+
+for example in $(programs); do
     name=$(basename "$example" .frob)
     if ls "$(dirname "$example")"/*.c >/dev/null 2>&1; then continue; fi
     if grep -q '^\[camera\]\|^\[stereo\]' "$(dirname "$example")/world.toml"; then

@@ -1,8 +1,8 @@
-/* The errors of the runtime's elementary functions against MPFR, in units in
- * the last place, on random arguments of every kind. Prints one line a
- * function and fails when a bound that <frob/elementary.h> states is passed.
+/* Measures the errors of the runtime's elementary functions against MPFR, in units in the last
+ * place, on random arguments of every kind. Prints one line for each function, and fails if an
+ * error exceeds the bound stated in <frob/elementary.h>.
  *
- * usage: errors [COUNT [SEED]]: COUNT arguments a function and kind */
+ * usage: errors [COUNT [SEED]]: COUNT arguments for each function and kind */
 #include <frob/elementary.h>
 #include <math.h>
 #include <mpfr.h>
@@ -51,7 +51,7 @@ static double either_sign(double x)
     return next() & 1u ? x : -x;
 }
 
-/* Kinds of arguments: the usual, the wide, all bit patterns, the awkward. */
+/* Kinds of arguments: usual values, a wide range, all bit patterns, difficult cases. */
 enum { KINDS = 4 };
 
 static double angle(int kind)
@@ -187,8 +187,8 @@ struct function {
     int (*exact_of_two)(mpfr_t, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
     double (*argument)(int);
     struct points (*arguments)(int);
-    double bound;           /* where the result is a normal number */
-    double bound_subnormal; /* where it is not */
+    double bound;           /* if the result is a normal number */
+    double bound_subnormal; /* if it is subnormal */
 };
 
 static const struct function functions[] = {

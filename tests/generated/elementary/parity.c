@@ -1,8 +1,9 @@
-/* What the compiler relies on: cos and hypot do not look at signs, nor hypot at the order
- * of its arguments, in any bit, of any numbers, in both precisions. One line, `ok` or
- * `FAIL`.
+/* Tests properties that the compiler relies on, for all bits of the result, all arguments, and
+ * both precisions: cos and hypot do not depend on the signs of their arguments, nor hypot on
+ * their order. Prints one line, `ok` or `FAIL`.
  *
- * usage: parity [COUNT]: so many random bit patterns beside the special numbers. */
+ * usage: parity [COUNT]: the number of random bit patterns to test in addition to special
+ * numbers. */
 #include <frob/elementary.h>
 #include <math.h>
 #include <stdbool.h>
@@ -22,7 +23,7 @@ static uint64_t next(void)
     return z ^ (z >> 31);
 }
 
-/* NaNs are all alike in Frob. */
+/* Frob does not distinguish NaNs. */
 static bool same(double a, double b)
 {
     return isnan(a) ? isnan(b) : memcmp(&a, &b, sizeof a) == 0;
@@ -48,7 +49,8 @@ static bool holds(double x, double y)
     return ok;
 }
 
-/* Any bits; numbers of which both count; and equal or nearly equal ones. */
+/* Tests one random case. By kind: any bits; numbers of similar size; and equal or nearly equal
+ * numbers. */
 static bool random_holds(unsigned kind)
 {
     uint64_t const bits = next();

@@ -1,6 +1,6 @@
-/* A hash of the bits that each elementary function gives for 20,000 random
- * arguments. It is the same for every compiler and machine, or something in
- * between rounds differently: the test compares it with same_bits.expected. */
+/* Prints a hash of the results of each elementary function for 20,000 random arguments. The test
+ * compares it with same_bits.expected: every compiler and machine must produce the same,
+ * otherwise one of them rounds differently. */
 #include <frob/elementary.h>
 #include <inttypes.h>
 #include <math.h>
@@ -19,7 +19,7 @@ static uint64_t next(void)
     return z ^ (z >> 31);
 }
 
-/* A number of any sign whose exponent is between -range and range. */
+/* A random number of either sign, whose exponent is between -range and range. */
 static double argument(uint64_t range)
 {
     uint64_t const bits = next();
@@ -32,7 +32,7 @@ static double argument(uint64_t range)
 
 static uint64_t mix(uint64_t hash, double x)
 {
-    uint64_t bits = 0x7ff8000000000000u; /* NaNs have many bits */
+    uint64_t bits = 0x7ff8000000000000u; /* all NaNs become this one */
     if (!isnan(x))
         memcpy(&bits, &x, sizeof bits);
     for (int i = 0; i < 64; i += 8)
@@ -40,7 +40,7 @@ static uint64_t mix(uint64_t hash, double x)
     return hash;
 }
 
-/* The singles as doubles. */
+/* The single-precision functions, with results as doubles. */
 #define SINGLE(name)                             \
     static double single_##name(double x)        \
     {                                            \

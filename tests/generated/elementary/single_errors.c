@@ -1,11 +1,11 @@
-/* The errors of the elementary functions of single precision, in units in the last
- * place, against those of double precision, whose own (see errors.c) are less than a
- * billionth of such a unit. Prints one line a function and fails when a bound that
- * <frob/elementary.h> states is passed.
+/* Measures the errors of the single-precision elementary functions, in units in the last place,
+ * against those of double precision, whose own errors (see errors.c) are less than a billionth
+ * of such a unit. Prints one line for each function, and fails if an error exceeds the bound
+ * stated in <frob/elementary.h>.
  *
- * usage: single_errors [STEP [NAME]]: one float in STEP is tried, of functions of one
- * argument; 1 are all 2^32. As many pairs are tried of the functions of two. NAME is
- * that of the one function to try. */
+ * usage: single_errors [STEP [NAME]]: tests one float in STEP for functions of one argument; 1
+ * tests all 2^32. For functions of two arguments it tests the same number of pairs. NAME
+ * restricts the test to one function. */
 #include <frob/elementary.h>
 #include <math.h>
 #include <stdbool.h>
@@ -32,7 +32,7 @@ static float of_bits(uint32_t bits)
     return x;
 }
 
-/* Of any sign, 2^-range to 2^range. */
+/* A random number of either sign, from 2^-range to 2^range. */
 static float of_scale(uint32_t range)
 {
     uint32_t const exponent = 127 - range + next() % (2 * range + 1);

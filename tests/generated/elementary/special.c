@@ -1,6 +1,6 @@
-/* The special cases of the elementary functions, as C99's Annex F has them:
- * zeros with their signs, infinities, arguments outside the domain. One line
- * a case, `ok` or `FAIL`. */
+/* Tests the special cases of the elementary functions, as C99's Annex F defines them: signed
+ * zeros, infinities, arguments outside the domain. Prints one line for each case, `ok` or
+ * `FAIL`. */
 #include <frob/elementary.h>
 #include <math.h>
 #include <stdbool.h>
@@ -101,7 +101,7 @@ static void angles(void)
     IS(frob_cos(-INFINITY), NAN);
     IS(frob_tan(-0.0), -0.0);
     IS(frob_tan(INFINITY), NAN);
-    /* The double nearest to a multiple of pi/2, and the largest. */
+    /* The double nearest to a multiple of pi/2, and the largest double. */
     IS(frob_cos(0x1.6ac5b262ca1ffp849), -0x1.14ae72e6ba22fp-61);
     IS(frob_sin(0x1.fffffffffffffp1023), 0x1.452fc98b34e97p-8);
 }

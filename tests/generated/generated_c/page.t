@@ -14,7 +14,7 @@ The question about arithmetic:
   $ include=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ gcc -O2 -ffp-contract=off -I "$include" ask.c -o ask && ./ask
   $ gcc -O2 -ffast-math -I "$include" ask.c -o ask && ./ask
-  this must not drive: its arithmetic takes floating-point numbers for real ones: compile without -ffast-math and its parts
+  this must not drive: its arithmetic treats floating-point numbers as real numbers: compile without -ffast-math and its parts
   [1]
 
 From C:

@@ -1,17 +1,17 @@
-/* The table of exceptions that a Cortex-M starts from. Whatever else occurs
- * ends the program by semihosting: qemu's exit status is then not 0. */
+/* The vector table from which a Cortex-M starts. All other exceptions end the program by
+ * semihosting with a nonzero exit status of qemu. */
 extern void _start(void);
 extern char __stack;
 
 static void fault(void)
 {
     for (;;) {
-        /* SYS_EXIT, for a reason that is not ADP_Stopped_ApplicationExit */
+        /* SYS_EXIT, with a reason other than ADP_Stopped_ApplicationExit */
         __asm__ volatile("mov r0, #0x18\n mov r1, #0\n bkpt 0xab" ::: "r0", "r1", "memory");
     }
 }
 
-/* The unit for floats is off until CPACR says otherwise. */
+/* Enable the floating-point unit in CPACR; it is off after a reset. */
 static void start(void)
 {
     *(volatile unsigned *)0xE000ED88u |= 0xFu << 20;

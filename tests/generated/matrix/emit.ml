@@ -1,8 +1,8 @@
-(* Programs with recordings and what they must answer, as C that needs no files:
-   for each program a folder with its generated C, its table for hosts, expected.c
-   and state.c (see expected.h); in for_tcc the same C
-   such as tcc compiles it. Programs are random ones, many in a module, and files that
-   are named; PROGRAM:ROBOT is a program for the robot of that name or file. *)
+(* Writes programs, their recordings and the expected results as C that reads no files. For each
+   program it makes a folder with its generated C, its table for hosts, expected.c and state.c
+   (see expected.h); the folder for_tcc has the same C adapted to tcc. The programs are random
+   ones, many in a module, and named files; PROGRAM:ROBOT is a program for the robot of that name
+   or file. *)
 
 open Fuzz
 
@@ -37,7 +37,7 @@ let write path text =
   let channel = open_out_bin path in
   Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel text)
 
-(* FNV-1a of 64 bits, as runner.c has it. *)
+(* The 64-bit FNV-1a hash, the same as in runner.c. *)
 let hash text =
   let mix h c = Int64.mul (Int64.logxor h (Int64.of_int (Char.code c))) 0x100000001b3L in
   Seq.fold_left mix 0xcbf29ce484222325L (String.to_seq text)
@@ -51,7 +51,7 @@ let c_string text =
   in
   "\"" ^ String.concat "" (List.map character (List.of_seq (String.to_seq text))) ^ "\""
 
-(* The program's own step, by the type that all have. *)
+(* A function of the common type that calls the program's own step. *)
 let step_single (program : Step.Ir.program) ~has_params =
   let name = program.name in
   let params, unused =
@@ -107,17 +107,16 @@ let expected (program : Step.Ir.program) subject recordings =
     (List.length recordings)
 
 let step ?robot (tools : Engines.tools) file =
-  let request =
-    { (Driver.Request.make ~library:tools.library file) with robot; real = tools.real }
-  in
+  let options = { Build.Common_options.default with real = tools.real } in
+  let request = Build.Request.make ~options ?robot ~library:tools.library file in
   let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
-  match Driver.Pipeline.step sink sources request with
+  match Build.Queries.step sink sources request with
   | Some step -> step
   | None -> failwith (file ^ " has no state to compare")
 
-(* Whether the program also gets steps of any dt: where there are many, a third of them.
-   Not one for a robot, whose structs in single precision are not its own, nor one that
-   ends, of which the interpreter gives a trace with times alone. *)
+(* Whether to test the program also with steps of arbitrary dt: among many programs, for a third
+   of them. Excludes programs for a robot, whose single-precision structs are not the program's
+   own, and programs that end, because the interpreter prints only times for them. *)
 let has_any_dt ?robot (program : Step.Ir.program) random ~many =
   let is_robot's shape = Option.is_some (Cgen.Robot.of_shape ?own:robot shape) in
   (not program.ends)
@@ -153,7 +152,7 @@ let emit ?robot ?(many = false) s tools ~name ~seed file =
 let program_and_robot argument =
   match String.split_on_char ':' argument with
   | [ file; robot ] -> (
-      match Driver.Robots.known (Some robot) with
+      match Build.Robots.known (Some robot) with
       | Ok robot -> (file, robot)
       | Error reason -> failwith reason)
   | _ -> (argument, None)

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Compiles one program, runs it on its recordings, and says in WORK/wrong what is
-# wrong. The state must become what it became under the first compiler.
-# usage: one.sh NAME COMPILER RUNNER WORK FOLDER (see run.sh)
+# Compiles one program, runs it on its recordings, and writes any failure to WORK/wrong. The final
+# state must be the same as with the first compiler. usage: one.sh NAME COMPILER RUNNER WORK FOLDER
+# (see run.sh)
 set -u
 name=$1 compiler=$2 runner=$3 work=$4 folder=$5
 here=$(cd "$(dirname "$0")" && pwd)

@@ -1,13 +1,13 @@
 #!/bin/sh
-# One program, one meaning, everywhere: random programs and those of FILES, on
-# recorded input, under many compilers and machines, each judged by the
-# reference interpreter; what the interpreter does not know, each field of the state
-# after each instant, is compared with that under the first of them.
+# Checks that programs have the same meaning everywhere: runs random programs and those of FILES, on
+# recorded input, with many compilers and on many machines, and compares the outputs with those of
+# the reference interpreter. The interpreter does not know the fields of the state, so their values
+# after each instant are compared with those of the first build.
 #
 # usage: run.sh EMIT LIBRARY RUNTIME COUNT SEED BUILD,BUILD… FILES…
 #
-# A build's name is one of those below; `all` are all. Prints a line for each,
-# `ok` or `FAIL`; the exit status is 1 if any fails.
+# BUILD is one of the names below, or `all`. Prints a line for each build, `ok` or `FAIL`; the exit
+# status is 1 if any fails.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 emit=$1 library=$2 runtime=$3 count=$4 seed=$5 wanted=$6
@@ -17,7 +17,7 @@ trap 'rm -rf "$work"' EXIT
 exact="-std=c99 -ffp-contract=off"
 warnings="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
 
-# NAME | COMPILER AND OPTIONS | WHAT RUNS THE PROGRAM | ONE PROGRAM IN SO MANY
+# NAME | COMPILER AND OPTIONS | RUNNER | RUN ONE PROGRAM IN THIS MANY
 builds() {
     cat <<END
 gcc-O0|gcc $exact -O0 $warnings||1
@@ -42,7 +42,7 @@ cp -rL "$runtime/include" "$work/include"
     --count "$count" --seed "$seed" "$@"
 find "$work/programs" -mindepth 1 -maxdepth 1 -type d | sort >"$work/folders"
 
-# What all programs are linked with.
+# Compiles the code that all programs are linked with.
 common() { # NAME, COMPILER
     mkdir "$work/$1"
     sources="$here/runner.c $runtime/core/text.c $runtime/core/cell_read.c

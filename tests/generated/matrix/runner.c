@@ -1,7 +1,7 @@
-/* Runs the program it is linked with on its recordings, and compares. Reads no
- * file, so that it runs where there are none. Prints what differs; the exit
- * status is 1 then. The last line tells what became of the state, for it to be
- * compared with that of other machines. */
+/* Runs the program it is linked with on its recordings, and compares the results. Reads no
+ * files, so that it runs on machines without a file system. Prints the differences; the exit
+ * status is 1 if there are any. The last line is a hash of the state, for comparison with other
+ * machines. */
 #include <frob/cell.h>
 #include <frob/trace.h>
 
@@ -29,7 +29,8 @@ static void add_column(void *context, const char *name, const struct frob_value 
     columns[column_count++] = value;
 }
 
-/* Memory as a careless caller has it: what is read before it is written shows. */
+/* Memory filled with garbage, as a careless caller might pass it, so that reads of uninitialized
+ * memory change the results. */
 static void *litter(size_t size)
 {
     void *memory = malloc(size + 1);
@@ -68,7 +69,7 @@ static double seconds(uint64_t bits)
     return number;
 }
 
-/* The same state elsewhere; what it leaves is littered. */
+/* Moves the state to another place and fills the old one with garbage. */
 static void *moved(void *state, size_t size)
 {
     void *elsewhere = litter(size);

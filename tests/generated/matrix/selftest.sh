@@ -1,7 +1,7 @@
 #!/bin/sh
-# `frobc selftest` under the compilers that users have, in both precisions; those of
-# other machines with qemu as the runner. Each is fit. One that is not there, or that
-# has no libraries for such programs here (gcc -m32), is said to be skipped.
+# Runs `frobc selftest` with the compilers that users have, in both precisions; for other machines,
+# with qemu as the runner. All must succeed. Compilers that are not installed, or that lack
+# libraries for such programs here (gcc -m32), are reported as skipped.
 #
 # usage: selftest.sh FROBC
 #
@@ -13,15 +13,21 @@ trap 'rm -rf "$work"' EXIT
 failed=0
 exact="-std=c99 -ffp-contract=off"
 
-# NAME | COMPILER | OPTIONS | WHAT RUNS THE PROGRAM
+# NAME | COMPILER | OPTIONS | RUNNER
 compilers() {
     cat <<END
 gcc-O3|gcc|$exact -O3|
 gcc-Os|gcc|$exact -Os|
 gcc-lto|gcc|$exact -O2 -flto|
 gcc-m32|gcc|$exact -O2 -m32 -msse2 -mfpmath=sse|
+gcc-11|gcc-11|$exact -O2|
 clang-O2|clang|$exact -O2|
 clang-O3|clang|$exact -O3|
+clang-13|clang-13|$exact -O2|
+clang-15|clang-15|$exact -O2|
+clang-16|clang-16|$exact -O2|
+clang-19|clang-19|$exact -O2|
+clang-22|clang-22|$exact -O2|
 tcc|tcc|-std=c99|
 aarch64|aarch64-linux-gnu-gcc|$exact -O2 -static|qemu-aarch64
 armhf|arm-linux-gnueabihf-gcc|$exact -O2 -static|qemu-arm

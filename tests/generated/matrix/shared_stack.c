@@ -1,8 +1,8 @@
-/* The smallest program with which gcc 11 to 13 for aarch64 (-Os) go wrong as they did
- * with generated C: `v` of the one function and `v` of the other are never needed at
- * the same time and get the same place on the stack; the zeros of the second are there
- * already; and what it is read for comes before these, which are of another type.
- * Prints what is wrong; the exit status is 1 then. */
+/* The smallest program that gcc 11 to 13 for aarch64 (-Os) miscompile as they did generated C.
+ * The variables `v` of the two functions are never live at the same time, so they share a place
+ * on the stack. The compiler considers the second one's zeros as already there, and moves a read
+ * of it ahead of the stores of the first one, which have another type. Prints what is wrong; the
+ * exit status is then 1. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__aarch64__) && !defined(STRICT)
 #pragma GCC optimize("no-strict-aliasing")
 #endif
@@ -59,7 +59,7 @@ __attribute__((noinline)) void reset(struct state *self)
     self->sum = rest[1].f0;
 }
 
-/* What is read before it is written shows. */
+/* Fills the stack, so that reads of uninitialized memory change the result. */
 __attribute__((noinline)) void litter(void)
 {
     char below[4096];

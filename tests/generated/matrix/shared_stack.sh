@@ -1,7 +1,7 @@
 #!/bin/sh
-# Does what generated C asks of gcc keep it from the fault that shared_stack.c shows?
-# Prints a line for each compiler, `ok` or `FAIL`, and whether it has the fault
-# otherwise; the exit status is 1 if any fails.
+# Checks that the pragma in generated C protects it from the gcc bug that shared_stack.c shows.
+# Prints a line for each compiler, `ok` or `FAIL`, and whether the compiler has the bug without the
+# pragma; the exit status is 1 if any fails.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)

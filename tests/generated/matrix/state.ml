@@ -4,7 +4,7 @@ module V = Cgen.Vocabulary
 let f = Printf.sprintf
 let lines = String.concat ""
 
-(* Statements that mix in the place [at], a C expression of that type. *)
+(* Statements that mix the value of type [ty] at the C expression [at] into the hash. *)
 let rec value (v : V.t) ~depth at (ty : M.ty) =
   match ty with
   | Bool | Int | Nanoseconds -> f "    mix_int(hash, (int64_t)%s);\n" at
@@ -16,7 +16,7 @@ let rec value (v : V.t) ~depth at (ty : M.ty) =
         (value v ~depth:(depth + 1) (f "%s.at[%s]" at i) element)
   | Sum k -> sum v ~depth at k
 
-(* The tag and all slots: those that a constructor does not use have a value too. *)
+(* Mixes in the tag and all slots: unused slots have defined values too. *)
 and sum v ~depth at k =
   let t = v.sums.(k) in
   let members = Cgen.Sum_type.members v.program.sums t in

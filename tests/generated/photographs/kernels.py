@@ -1,5 +1,6 @@
-"""The kernels of vision (runtime/vision) and what finds tags, from Python: a shared library and
-the structs of <frob/image.h>, <frob/lens.h> and <frob/vision.h>; and how its rows are told."""
+"""Calls the vision kernels (runtime/vision) and the tag detector from Python, with a shared library
+and the structs of <frob/image.h>, <frob/lens.h> and <frob/vision.h>. Also prints rows of the table.
+"""
 
 import ctypes
 import json
@@ -58,7 +59,7 @@ Finder = struct(
 
 
 class Kernels:
-    """Of grey images, which are arrays of bytes, rows first."""
+    """The kernels for grey images, given as byte arrays with rows first."""
 
     def __init__(self, library):
         self.library = C.CDLL(library)
@@ -73,7 +74,7 @@ class Kernels:
         return Image(width, height, width, 0, pixels.ctypes.data, 0, 0, Camera(1, 1))
 
     def disparities(self, left, right, most, window):
-        """In 1/16 pixels; -1 where they are not known."""
+        """Disparities in 1/16 pixel; -1 if unknown."""
         height, width = left.shape
         how = Stereo(Region(0, 0, width, height), most, window)
         size = self.library.frob_stereo_room(width, C.byref(how))
@@ -91,7 +92,7 @@ class Kernels:
         return found
 
     def corner(self, pixels, x, y, reach):
-        """The most corner-like place of a square of whole pixels around a place."""
+        """The most corner-like place in a square of whole pixels around a place."""
         side = 2 * reach + 1
         found = Corner()
         self.library.frob_find_corner(
@@ -102,8 +103,8 @@ class Kernels:
         return found.x, found.y
 
     def bent(self, straighten, points, matrix, distortion, size):
-        """Points without their lens's distortion, or with it; its five numbers as OpenCV has
-        them."""
+        """Applies a lens's distortion to points, or removes it; `distortion` holds five numbers in
+        OpenCV's order."""
         k1, k2, p1, p2, k3 = distortion
         image = Image(
             size[0],
@@ -124,7 +125,7 @@ class Kernels:
         return np.array(found)
 
     def tags(self, pixels):
-        """The eight largest: numbers, and what was found."""
+        """The eight largest tags: maps their numbers to the results."""
         if self.finder is None:
             self.finder = Finder()
             assert self.library.tag_finder_open(C.byref(self.finder))
@@ -147,7 +148,9 @@ failed = []
 
 
 def row(measure, value, reference, unit, most=None):
-    """A figure beside another; it fails if it is beyond so many times that one."""
+    """Prints a figure and its reference. The test fails if the figure exceeds `most` times the
+    reference.
+    """
     if most is not None and not value <= most * reference:
         failed.append(f"{measure}: {value:.4g} {unit}, and not {most:g} times {reference:.4g}")
     print(

@@ -1,10 +1,11 @@
-"""The kernels of vision on photographs, beside OpenCV and what is known of what is on them.
+"""Compares the vision kernels on photographs with OpenCV and with ground truth.
 
     pictures.py LIBRARY SKIMAGE OPENCV VISP
 
-LIBRARY is the kernels' (kernels.py); the others are folders of pictures: `skimage/data` of the
-package scikit-image, `examples/data` of opencv-doc, `ViSP-images` of visp-images-data. Prints
-JSON, one object a line. The exit status is 1 if a figure is beyond its limit."""
+LIBRARY is the library of the kernels (kernels.py); the others are folders of pictures:
+`skimage/data` of the package scikit-image, `examples/data` of opencv-doc, `ViSP-images` of
+visp-images-data. Prints JSON, one object a line. The exit status is 1 if a figure exceeds its
+limit."""
 
 import sys
 import time
@@ -25,7 +26,7 @@ def grey(name):
     return image
 
 
-# Disparities that are known: scikit-image's motorcycle pair (Scharstein et al., 2014), and
+# Pairs with known disparities: scikit-image's motorcycle (Scharstein et al., 2014), and
 # opencv-doc's aloe (Hirschmüller and Scharstein, 2007)
 
 
@@ -46,7 +47,9 @@ def opencv_disparities(left, right, most, window):
 
 
 def judged(found, truth):
-    """The shares of pixels that are known, and of these that are more than 2 pixels wrong."""
+    """Returns the percentage of pixels with a result, and the percentage of these that are more
+    than 2 pixels off.
+    """
     sure = np.isfinite(truth)
     known = sure & (found >= 0)
     wrong = known & (np.abs(found / 16 - truth) > 2)
@@ -75,7 +78,7 @@ def aloe():
     stereo("aloe", *pair, truth, 224)
 
 
-# Photographs of a chessboard by two cameras: opencv-doc's
+# Photographs of a chessboard with two cameras, from opencv-doc
 
 
 COLUMNS, ROWS = 9, 6
@@ -83,8 +86,8 @@ board = np.array([(x, y, 0) for y in range(ROWS) for x in range(COLUMNS)], np.fl
 
 
 def corners_of(name):
-    """The board's inner corners, as OpenCV refines them and as our kernel finds them near where
-    they are to the pixel."""
+    """Returns the board's inner corners, as OpenCV refines them and as our kernel finds them,
+    starting from OpenCV's corners rounded to whole pixels."""
     image = grey(name)
     found, corners = cv2.findChessboardCorners(image, (COLUMNS, ROWS))
     assert found, name
@@ -152,17 +155,19 @@ def chessboard(side):
     )
 
 
-# Tags whose corners and poses are known: visp-images-data's
+# Tags with known corners and poses, from visp-images-data
 
 
 def turned(found, axis):
-    """By how many degrees the direction in which a tag looks is off."""
+    """The angle in degrees between the found direction of a tag and the true one."""
     facing = np.array((found.facing.x, found.facing.y, found.facing.z))
     return np.degrees(np.arccos(np.clip(facing @ axis, -1, 1)))
 
 
 def off_corners(tag, corners):
-    """The largest distance of a corner; theirs may begin elsewhere and go the other way round."""
+    """The largest distance between corresponding corners. The true corners may start at another
+    corner and run in the other direction.
+    """
     found = np.array([(p.x, p.y) for p in tag.corners])
     return min(
         np.linalg.norm(np.roll(corners[::way], k, 0) - found, axis=1).max()
@@ -172,8 +177,8 @@ def off_corners(tag, corners):
 
 
 def blocks(name, length):
-    """Of a file with a name and so many lines of numbers again and again: by the number in the
-    name."""
+    """Reads a file of repeated blocks, each with a name and `length` lines of numbers. Maps the
+    number in each name to its block."""
     lines = [line.split() for line in open(name) if line.strip()]
     return {
         int(lines[k][-1].rsplit("_", 1)[-1]): np.array(lines[k + 1 : k + 1 + length], float)
@@ -182,7 +187,9 @@ def blocks(name, length):
 
 
 def tags_of(what, image, truth, poses, sizes, matrix, limits):
-    """`poses`: of each number where its middle is, and in which direction it looks."""
+    """Checks the tags in an image. `poses` maps each number to the position of the tag's centre and
+    the direction it faces.
+    """
     found = kernels.tags(image)
     size = image.shape[::-1]
     assert len(found) == min(8, len(truth)) and set(found) <= set(truth), sorted(found)
@@ -229,7 +236,7 @@ def tags():
         (1, 1, 2),
     )
     folder = f"{visp}/AprilTag"
-    # of these corners the row comes first
+    # these corners are given as (row, column)
     truth = {k: c[:, ::-1] for k, c in blocks(f"{folder}/ground_truth_detection.txt", 4).items()}
     poses = blocks(f"{folder}/ground_truth_pose.txt", 1)
     tags_of(

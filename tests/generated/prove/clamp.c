@@ -1,13 +1,13 @@
-/* The one clamp (runtime/core/robot.c), with any output and any limits up to MOST:
- * what moves a robot is finite and at most MOST afterwards, and if one number was
- * not finite, all are zero. Analysed, never run. */
+/* Proves properties of the clamp (runtime/core/robot.c) for any output and any limits up to
+ * MOST: afterwards the output is finite and at most MOST, and if one number was not finite, all
+ * are zero. This program is only analysed, never run. */
 #include <__fc_builtin.h>
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
 
-/* What isfinite means, in terms that the analysis follows: its own is only
- * declared, and tells it nothing about the number. */
+/* A definition of isfinite that the analysis understands: the library's is only declared, so the
+ * analysis learns nothing about the number from it. */
 #undef isfinite
 #define isfinite(x) ((x) == (x) && (x) >= -DBL_MAX && (x) <= DBL_MAX)
 
@@ -38,7 +38,7 @@ int main(void)
     struct output output;
     Frama_C_make_unknown((char *)&output, sizeof output);
     frob_robot_limit(&driver, NULL, &output);
-    /* A conversion is an alarm unless the number is finite. */
+    /* The conversion raises an alarm unless the number is finite. */
     volatile int forward = (int)output.forward, turn = (int)output.turn;
     (void)forward;
     (void)turn;

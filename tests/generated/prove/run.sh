@@ -1,14 +1,14 @@
 #!/bin/sh
-# What is proven of generated C and of the clamp, by analysis for every input, and
-# what MISRA C says of it. docs/generated-c.md, "What is proven", has the meaning
-# and the assumptions.
+# Proves properties of generated C and of the clamp by static analysis, for every input, and checks
+# the C against MISRA C. docs/generated-c.md, "What is proven", explains the results and their
+# assumptions.
 #
 # usage: run.sh FROBC RUNTIME PAGE PROGRAM.frob[:ROBOT]…
 #
-# A program that leaves its robot open is taken for the one that is named.
-# Files without a main are modules, and left out. PAGE is that page: of MISRA C's rules those may be broken that it has a row for.
-# Prints a line for each, `ok` or `FAIL`; the exit status is 1 if any fails. Needs
-# cppcheck, and frama-c: without that only MISRA C is asked, and a line says so.
+# ROBOT is for programs that leave their robot open. Files without a main are modules and are
+# skipped. PAGE is that page; the C may break only those rules of MISRA C that have a row in it.
+# Prints a line for each check, `ok` or `FAIL`; the exit status is 1 if any fails. Requires cppcheck
+# and frama-c; without frama-c it checks only MISRA C and says so.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 if [ "$1" != --one ]; then
@@ -22,9 +22,9 @@ if [ "$1" != --one ]; then
     export frobc runtime work has_analysis
 fi
 
-# NAME INCLUDES FILES…: the alarms go to $work/NAME.alarms, one a line. Arithmetic
-# may give NaN and infinities; a bool that the caller gives may have any bits.
-# Without __GNUC__, generated C has no hints for gcc, which the analysis does not know.
+# Arguments: NAME INCLUDES FILES…. Writes the alarms to $work/NAME.alarms, one a line. Arithmetic
+# may produce NaN and infinities; a bool from the caller may have any bits. __GNUC__ is undefined,
+# so that generated C has no gcc attributes, which the analysis does not know.
 analyse() {
     name=$1 includes=$2
     shift 2
@@ -48,14 +48,14 @@ verdict() { # NAME, and what is proven
     fi
 }
 
-# The struct that the step function takes as this parameter.
+# Prints the struct type of this parameter of the step function.
 parameter() { # in|out, header
     grep -o "struct [A-Za-z0-9_]* \*\(restrict \)\{0,1\}$1[,)]" "$2" | tail -1 | cut -d' ' -f2
 }
 
-# The program that was compiled to $made.
+# Proves the program that was compiled to $made.
 prove() {
-    # Any values of its parameters, if it has some; truth values are the caller's duty.
+    # Parameters may have any values, if the program has some; the caller must pass valid booleans.
     if grep -q "^struct ${name}_params {" "$made/$name.h"; then
         params="static struct ${name}_params params;" by=", &params"
     else
@@ -99,7 +99,7 @@ program() { # PROGRAM.frob[:ROBOT]
     made=$work/$name
     mkdir "$made"
     "$frobc" compile "$file" ${robot:+--robot "${robot#:}"} -o "$made" || {
-        echo "FAIL $name: is not compiled"
+        echo "FAIL $name: does not compile"
         return
     }
     if [ -n "$has_analysis" ]; then prove; fi
@@ -109,10 +109,10 @@ program() { # PROGRAM.frob[:ROBOT]
     sed 's/.*\[\(.*\)\]$/\1/' "$work/$name.findings" | sort -u >"$work/$name.rules"
     new=$(comm -13 "$work/argued" "$work/$name.rules")
     if [ -n "$new" ]; then
-        echo "FAIL $name: findings of rules that docs/generated-c.md does not argue"
+        echo "FAIL $name: docs/generated-c.md does not justify these findings"
         for rule in $new; do grep -F "[$rule]" "$work/$name.findings" | head -3; done
     else
-        echo "ok $name: MISRA C finds what is known, by $(wc -l <"$work/$name.rules") rules"
+        echo "ok $name: MISRA C reports the known findings, of $(wc -l <"$work/$name.rules") rules"
     fi
 }
 
@@ -130,17 +130,17 @@ tell() {
 if [ -n "$has_analysis" ]; then
     analyse clamp "" "$here/clamp.c"
     verdict clamp "what moves a robot is finite and within its limits" >"$work/said"
-    # That this can fail: a clamp that lets twice as much pass on one side.
+    # Check that a proof can fail: a clamp that allows twice the limit on one side.
     mkdir -p "$work/wrong/core"
     sed 's/? most : -most/? most : -2.0 * most/' "$runtime/core/robot.c" >"$work/wrong/core/robot.c"
     analyse wrong_clamp "-I $work/wrong" "$here/clamp.c"
     if [ -s "$work/wrong_clamp.alarms" ]; then
-        echo "ok wrong_clamp: is found" >>"$work/said"
+        echo "ok wrong_clamp: found" >>"$work/said"
     else
-        echo "FAIL wrong_clamp: is not found" >>"$work/said"
+        echo "FAIL wrong_clamp: not found" >>"$work/said"
     fi
 else
-    echo "left out: that nothing is undefined, and the clamp; there is no frama-c on this system" >"$work/said"
+    echo "skipped: undefined behaviour and the clamp, because frama-c is not installed" >"$work/said"
 fi
 tell
 

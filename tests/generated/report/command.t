@@ -5,7 +5,7 @@ One object for tools.
   > main = proc x -> 2 * delay 0 (hypot x 1)
   > EOF
   $ frobc report twice.frob --format=json
-  {"program":"twice","entry":{"name":"main","file":"twice.frob","line":2},"state_bytes":8,"foreign_structs":[],"structs":[{"name":"main","file":"twice.frob","line":2,"bytes":8,"members":[{"name":"delay","line":2,"offset":0,"bytes":8,"holds":"value","purpose":"delay"}]}],"step_operations":{"additions":0,"multiplications":1,"divisions":0,"comparisons_and_choices":0,"conversions":0,"loads_of_state":1,"stores_of_state":1,"calls":{"hypot":1}},"reset_stack_bytes":56,"step_stack_bytes":104,"library":["hypot"],"machines":[],"console":[],"params":[],"params_bytes":0,"marks":0,"assertions":0,"assertion_operations":0,"assertion_bytes":0}
+  {"program":"twice","entry":{"name":"main","file":"twice.frob","line":2},"state_bytes":8,"foreign_structs":[],"structs":[{"name":"main","file":"twice.frob","line":2,"bytes":8,"members":[{"name":"delay","line":2,"offset":0,"bytes":8,"holds":"value","purpose":"delay"}]}],"step_operations":{"additions":0,"multiplications":1,"divisions":0,"comparisons_and_choices":0,"conversions":0,"loads_of_state":1,"stores_of_state":1,"calls":{"hypot":1}},"reset_stack_bytes":56,"step_stack_bytes":104,"library":["hypot"],"machines":[],"console":[],"params":[],"params_bytes":0,"marks":0,"wire":null,"assertions":0,"assertion_operations":0,"assertion_bytes":0}
 
 Another entry than main:
 
@@ -27,7 +27,7 @@ A program that is rejected has no report.
   >   y = y + x
   > EOF
   $ frobc report wrong.frob
-  error[E0401]: signal `y` needs its own value in the same instant
+  error[E0401]: the signal `y` needs its own value in the same instant
    --> wrong.frob:3:3
     |
   3 |   y = y + x

@@ -1,8 +1,7 @@
 #!/bin/sh
-# measure.sh FILE...: compares what frobc report states of programs with what gcc
-# makes of their C: the size of the state, the functions of the C library that
-# are called, the stack. Says what differs; programs that are rejected do not count.
-# REAL, if set, is what they compute with.
+# measure.sh FILE...: compares what frobc report states about programs with what gcc makes of their
+# C: the size of the state, the functions of the C library that they call, and the stack. Prints the
+# differences; skips programs that frobc rejects. REAL, if set, is the floating-point type.
 
 here=$(dirname "$0")
 headers=$here/../../../runtime/include

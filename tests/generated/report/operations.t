@@ -63,17 +63,28 @@ A million additions are a million.
     stores of state          1048576
   
 
-Numbers that no machine reaches are not told apart.
+A program whose state no machine can hold is refused.
 
   $ sed -i '/^main/d' million.frob
   $ for n in $(seq 21 60); do echo "f$n = f$((n - 1)) >>> f$((n - 1))" >> million.frob; done
   $ echo 'main = f60' >> million.frob
   $ operations million.frob
-  operations of a step, at most
-    additions                2^53 or more
-    loads of state           2^53 or more
-    stores of state          2^53 or more
+  error[E0413]: the program would keep 1.15e+18 values from instant to instant; the maximum is 134217728
+     --> million.frob:63:1
+      |
+   63 | main = f60
+      | ^^^^^^^^^^
+      |
+     ::: stdlib/Prelude.frob:251:26
+      |
+  251 | (>>>) f g = proc x -> g (f x)
+      |                          --- `>>>` contains 2 of `>>>`
+      |
+      = note: each use of a signal function has its own copy of the state, including the state of all signal functions inside it
+      = hint: run a signal function once and use its output twice: give the output a name in an equation
   
+  1 error
+  [1]
 
 Time costs something: the caller's dt is made a whole number of nanoseconds.
 

@@ -1,5 +1,5 @@
-(* Writes a module of random programs, with a [main] that runs all of them. Their numbers
-   are in range in single precision too. *)
+(* Writes a module of random programs, with a [main] that runs all of them. Their numbers stay
+   within the range of single precision. *)
 
 let () =
   let argument n = int_of_string Sys.argv.(n) in

@@ -1,6 +1,6 @@
-(* The programs of `frobc selftest` together have every construct of the C that
-   frobc can write: each constructor of compiler/cgen/ir.mli, each helper, each
-   operation on arrays and each elementary function.
+(* Checks that the programs of `frobc selftest` together contain every construct of the C that
+   frobc can generate: each constructor of compiler/cgen/ir.mli, each helper, each array
+   operation and each elementary function.
 
    usage: constructs LIBRARY PROGRAMS IR.mli ELEMENTARY.h *)
 
@@ -177,9 +177,10 @@ let declaration : declaration -> unit = function
   | Text _ -> note "Text"
 
 let program ~library ~real folder (file, entry) =
-  let request = Driver.Request.make ~library (Filename.concat folder file) in
+  let options = { Build.Common_options.default with real; lint = true } in
+  let request = Build.Request.make ~options ~entry ~library (Filename.concat folder file) in
   let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
-  match Driver.Pipeline.step sink sources { request with entry; real; lint = true } with
+  match Build.Queries.step sink sources request with
   | None -> failwith (file ^ " is rejected")
   | Some step ->
       let files = Cgen.Of_step.program step in
@@ -194,7 +195,7 @@ let lines path =
   in
   Fun.protect ~finally:(fun () -> close_in channel) (fun () -> go [])
 
-(* What [scan] finds at the beginning of lines. *)
+(* The results of [scan] on each line of a file; lines on which it fails are skipped. *)
 let found_in path scan =
   List.filter_map
     (fun line ->
@@ -203,20 +204,20 @@ let found_in path scan =
       | exception (Scanf.Scan_failure _ | End_of_file) -> None)
     (lines path)
 
-(* A constructor of a type stands on a line of its own. *)
+(* Assumes that each constructor of a type is on a line of its own. *)
 let constructors path =
   found_in path (fun line -> Scanf.sscanf line "  | %1[A-Z]%[A-Za-z0-9_]" ( ^ ))
 
 let elementary path = found_in path (fun line -> Scanf.sscanf line "double %[a-z0-9_](" Fun.id)
 
-(* What only other helpers call or are marked with is with them; what the header asks for,
-   it calls nowhere. *)
+(* Helpers that programs do not call directly: one is called or used only by other helpers, and
+   one is a guard that only the header uses. *)
 let called_by_nobody = [ "frob_wrap"; "FROB_STEP_H" ]
 
 let () =
   let library = Sys.argv.(1) and folder = Sys.argv.(2) in
   List.iter
-    (fun real -> List.iter (program ~library ~real folder) Driver.Selftest.programs)
+    (fun real -> List.iter (program ~library ~real folder) Tools.Selftest.programs)
     [ Basis.Real.Double; Single ];
   let wanted =
     [

@@ -38,13 +38,13 @@ Numbers that are not IEEE 754's:
 
   $ frobc selftest --cc gcc --cflags "-O2 -ffast-math"
   compiler: gcc -O2 -ffast-math
-  error: arithmetic compiled by `gcc -O2 -ffast-math` takes floating-point numbers for real ones: compile without -ffast-math and its parts
+  error: arithmetic compiled by `gcc -O2 -ffast-math` treats floating-point numbers as real numbers: compile without -ffast-math and its parts
   verdict: unfit
   [1]
   $ if grep -qw fma /proc/cpuinfo; then frobc selftest --cc gcc --cflags "-O2 -ffp-contract=fast -mfma" 2>&1 | tail -2; else
-  >   echo 'error: arithmetic compiled by `gcc -O2 -ffp-contract=fast -mfma` joins products and sums into one rounding: compile with -ffp-contract=off
+  >   echo 'error: arithmetic compiled by `gcc -O2 -ffp-contract=fast -mfma` rounds a product and a sum only once: compile with -ffp-contract=off
   > verdict: unfit'; fi
-  error: arithmetic compiled by `gcc -O2 -ffp-contract=fast -mfma` joins products and sums into one rounding: compile with -ffp-contract=off
+  error: arithmetic compiled by `gcc -O2 -ffp-contract=fast -mfma` rounds a product and a sum only once: compile with -ffp-contract=off
   verdict: unfit
 
 A compiler with a fault of its own, here in the square root: everything is tried,
@@ -101,11 +101,11 @@ that compiles nothing, one for another machine.
   $ chmod +x cross-cc
   $ frobc selftest --cc ./cross-cc
   compiler: ./cross-cc -std=c99 -O2 -ffp-contract=off
-  error: what `./cross-cc -std=c99 -O2 -ffp-contract=off` compiles does not run here; name a command that runs it with --runner: Exec format error
+  error: a program compiled by `./cross-cc -std=c99 -O2 -ffp-contract=off` does not run here; with --runner, name a command that runs it: Exec format error
   [2]
   $ frobc selftest --cc gcc --runner no-emulator
   compiler: gcc -std=c99 -O2 -ffp-contract=off
-  error: what `gcc -std=c99 -O2 -ffp-contract=off` compiles does not run here with `no-emulator`: there is no `no-emulator` here
+  error: a program compiled by `gcc -std=c99 -O2 -ffp-contract=off` does not run here with `no-emulator`: `no-emulator` was not found
   [2]
 
 One for a board may know no way to print: it compiles, and does not link.
@@ -118,7 +118,7 @@ One for a board may know no way to print: it compiles, and does not link.
   $ chmod +x board-cc
   $ frobc selftest --cc ./board-cc 2>&1 | head -3
   compiler: ./board-cc -std=c99 -O2 -ffp-contract=off
-  error: `./board-cc -std=c99 -O2 -ffp-contract=off` compiles a program of one line, and does not link it. If it is for a board, give it a library that prints through an emulator, and name that: for newlib --cflags "-std=c99 -O2 -ffp-contract=off --specs=rdimon.specs" --runner qemu-arm
+  error: `./board-cc -std=c99 -O2 -ffp-contract=off` compiles a program of one line but does not link it. If it is for a board, add a library that prints through an emulator, and name the emulator: for newlib --cflags "-std=c99 -O2 -ffp-contract=off --specs=rdimon.specs" --runner qemu-arm
   `./board-cc -std=c99 -O2 -ffp-contract=off` fails with status 1:
 
 An emulator, or anything that runs a program:

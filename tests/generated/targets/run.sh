@@ -1,11 +1,11 @@
 #!/bin/sh
-# The wall follower on other machines, emulated by qemu, drives a simulated
-# robot: ARM Linux through a pseudo-terminal, a Cortex-M4 without an operating
-# system through its UART. What it drove is checked, and the recordings of the
-# Linux ones are replayed on this machine, bit for bit.
+# Runs the wall follower on other machines, emulated by qemu, where it drives a simulated robot: on
+# ARM Linux through a pseudo-terminal, and on a Cortex-M4 without an operating system through its
+# UART. Checks how it drove, and replays the Linux recordings on this machine, where the results
+# must be identical bit for bit.
 #
-# Prints a line for each check, `ok` or `FAIL`; the exit status is 1 if any
-# fails. Takes about a minute and a half.
+# Prints a line for each check, `ok` or `FAIL`; the exit status is 1 if any fails. Takes about a
+# minute and a half.
 set -eu
 cd "$(dirname "$0")/../../.."
 frobc=$PWD/_build/install/default/bin/frobc
@@ -27,7 +27,7 @@ check () { # NAME, COMMAND…
 
 . tests/robots/run/within.sh
 
-# Starts the robot; its device is then in the file `served`.
+# Starts the robot and writes the name of its device to the file `served`.
 serve () {
     rm -f "$work/served"
     case $* in *--robot*) ;; *) set -- --robot pioneer "$@" ;; esac
@@ -61,7 +61,7 @@ on_linux () { # TARGET, EMULATOR, LIBRARIES
     with_camera "$@"
 }
 
-# A camera is a folder of pictures there: random ones, of whose brightness the speed is made.
+# The camera is a folder of random pictures; the program computes its speed from their brightness.
 with_camera () { # TARGET, EMULATOR, LIBRARIES
     seeing=$PWD/tests/robots/camera/sees.frob
     mkdir -p "$work/pictures"
@@ -71,7 +71,7 @@ with_camera () { # TARGET, EMULATOR, LIBRARIES
     "$frobc" build "$seeing" --robot pioneer --target "$1" -o "$work/sees-$1"
     serve
     "$2" -L "$3" "$work/sees-$1" --device "$device" --camera "$work/pictures" --set camera.rate=2 \
-        --for 4 --record "$work/seen.csv" >"$work/summary" 2>"$work/told"
+        --for 4 --record "$work/seen.csv" >"$work/summary" 2>"$work/complaints"
     kill "$robot"
     wait "$robot"
     check "$1: a program sees" within camera_frames 6 6 late_steps 0 0 <"$work/summary"
@@ -80,7 +80,7 @@ with_camera () { # TARGET, EMULATOR, LIBRARIES
     check "$1: what it saw replays here, bit for bit" cmp "$work/drove.csv" "$work/again.csv"
 }
 
-# Without the runtime, as the board runs it.
+# Size of the text without the runtime, compiled as for the board.
 text_size () { # PRECISION, OPTIONS
     mkdir -p "$work/$1"
     "$frobc" compile "$program" --robot pioneer --real "$1" -o "$work/$1"
@@ -106,7 +106,7 @@ on_cortex_m () { # PRECISION, NAME
     check "$2: no step was late" grep -q "time 10 s, .* late 0, stale 0, connections 1" "$work/console"
 }
 
-# The other drivers shake hands there and drive; their robots say how far.
+# Tests the drivers of the other robots: they connect and drive, and their robots report how far.
 other_on_cortex_m () { # ROBOT
     "$frobc" build "$PWD/tests/robots/robot/forward.frob" --robot "$1" --target cortex-m -o "$work/$1-on-cortex-m"
     serve --robot "$1" --tcp 0
@@ -120,8 +120,8 @@ other_on_cortex_m () { # ROBOT
     check "cortex-m: a $1 drives" within distance_driven 0.5 4 <"$work/served"
 }
 
-# The exported library beside the core that Arduino boards come with. An AVR has
-# no double of 64 bits and is refused; all else of the main program fits the core.
+# Compiles the exported library with Debian's Arduino core. An AVR has no 64-bit double, so it is
+# refused; the rest of the main program works with the core.
 for_arduino () {
     core=/usr/share/arduino/hardware/arduino/avr
     library=$work/exported
@@ -129,7 +129,7 @@ for_arduino () {
     set -- avr-g++ -mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_ARCH_AVR -std=gnu++11 \
         -Os -I"$library/src" -I"$core/cores/arduino" \
         -I"$core/variants/mega" -c "$library/examples/$(basename "$program" .frob)/main.cpp" -o "$work/main.o"
-    refused () { ! "$@" 2>"$work/refusal" && grep -q "needs a double of 64 bits" "$work/refusal"; }
+    refused () { ! "$@" 2>"$work/refusal" && grep -q "needs 64-bit doubles" "$work/refusal"; }
     check "arduino: an AVR is refused" refused "$@"
     check "arduino: the main program fits the core" "$@" '-Dstatic_assert(condition,text)='
 }

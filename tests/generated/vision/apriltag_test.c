@@ -1,5 +1,5 @@
-/* The layouts in runtime/hosts/common/apriltag.h are those of the library's own headers. It is
- * enough that this compiles. */
+/* Checks that the layouts in runtime/hosts/common/apriltag.h match the library's own headers.
+ * This file only needs to compile. */
 #include <apriltag/apriltag.h>
 #include <apriltag/tag36h11.h>
 
@@ -28,7 +28,7 @@ SAME(apriltag_found, corners, apriltag_detection_t, p);
 
 _Static_assert(sizeof(struct apriltag_image) == sizeof(image_u8_t), "images");
 
-/* What a host calls has these types. */
+/* The functions that a host calls have these types. */
 static apriltag_family_t *(*const make_family)(void) = tag36h11_create;
 static void (*const add)(apriltag_detector_t *, apriltag_family_t *,
                          int) = apriltag_detector_add_family_bits;

@@ -1,4 +1,4 @@
-/* Blobs of colours: against hues by the book, sums pixel by pixel, and a flood fill. */
+/* Tests blob detection against textbook hue formulas, sums over pixels, and a flood fill. */
 #include "picture.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ static bool is_inside(const struct frob_region *roi, int32_t x, int32_t y)
     return x >= roi->x && x < roi->x + roi->width && y >= roi->y && y < roi->y + roi->height;
 }
 
-/* Of one pixel, by the kernel itself. */
+/* Whether the kernel finds a single pixel. */
 static bool is_found(const struct frob_image *image, int32_t x, int32_t y,
                      const struct frob_colour_range *colours)
 {
@@ -25,8 +25,8 @@ static bool is_found(const struct frob_image *image, int32_t x, int32_t y,
     return blob.pixels == 1;
 }
 
-/* Whether a colour is in a range, by the usual formulas: 1, 0, or -1 so near to an end that
- * both will do. */
+/* Whether a colour is in a range, by the textbook formulas: 1, 0, or -1 if it is so close to a
+ * limit that either is acceptable. */
 static int by_the_book(const uint8_t *p, const struct frob_colour_range *c)
 {
     const double r = p[0], g = p[1], b = p[2];
@@ -142,7 +142,7 @@ static void compare(const struct frob_blob *found, const bool (*set)[SIDE])
     check(found->box.y == top, "box.y", found->box.y, top);
     check(found->box.width == right - left + 1, "box.width", found->box.width, right - left + 1);
     check(found->box.height == bottom - top + 1, "box.height", found->box.height, bottom - top + 1);
-    /* The axes turned back into moments. */
+    /* Converts the axes back to moments. */
     {
         const double a = found->major * found->major / 16, b = found->minor * found->minor / 16;
         const double c = cos(found->rotation), s = sin(found->rotation);
@@ -179,7 +179,7 @@ static int flood(bool (*component)[SIDE], int32_t x, int32_t y)
     return pixels;
 }
 
-/* Takes each component out of the mask; the largest ones must be those that were found. */
+/* Removes each component from the mask. The largest ones must be those that the kernel found. */
 static void compare_components(const struct frob_blobs *found)
 {
     static bool component[SIDE][SIDE];
@@ -193,7 +193,7 @@ static void compare_components(const struct frob_blobs *found)
                 sizes[count++] = flood(component, x, y);
                 for (int32_t k = 0; k < found->count; k++) {
                     const struct frob_blob *b = &found->largest[k];
-                    /* y is its first row, x its first column there */
+                    /* y is its first row, x its first column in this row */
                     if (b->pixels == sizes[count - 1] && b->box.y == y && b->box.x <= x &&
                         x < b->box.x + b->box.width && matches == 0) {
                         const int before = failures();
@@ -248,7 +248,7 @@ static void random_images(void)
     }
 }
 
-/* {1 Known truth} */
+/* {1 Drawn images} */
 
 struct disc {
     double x, y, radius;
@@ -281,7 +281,7 @@ static void discs(void)
     check(worst < 0.12, "centres of discs, px", worst, 0.12);
 }
 
-/* Spirals and combs have as many runs in a row as there can be, and join late. */
+/* Spirals and combs have the maximum number of runs in a row, and their parts join late. */
 static void combs(void)
 {
     const struct frob_colour_range bright = { 0, 6.3, 0, 1, 0.5, 1 };

@@ -1,5 +1,5 @@
-/* Any arguments: nothing is read outside an image, nothing overflows, and results are numbers
- * that keep what is promised of them. Sanitizers look on. */
+/* Calls the kernels with arbitrary arguments: they must not read outside an image or overflow,
+ * and results must have the promised properties. Runs with sanitizers. */
 #include "picture.h"
 
 #include <frob/lens.h>
@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* {1 Images that are not sound} */
+/* {1 Invalid images} */
 
 static void spoil(struct frob_image *image)
 {
@@ -46,7 +46,7 @@ static struct frob_image *any_picture(bool *is_sound)
     return image;
 }
 
-/* {1 What is promised} */
+/* {1 Promised properties} */
 
 static void check_share(double x, const char *what)
 {
@@ -73,7 +73,7 @@ static struct frob_placement any_placement(const struct frob_image *image)
     return p;
 }
 
-/* A place is before the camera and looks towards it, or is no place. */
+/* A valid placement is in front of the camera and faces it. */
 static void tags(void)
 {
     struct frob_lens lens = { 0 };

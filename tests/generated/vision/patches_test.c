@@ -1,5 +1,5 @@
-/* Patches: cut as a slow version cuts them, found where they were drawn, in other light, with
- * noise, turned, and larger or smaller; and found again from anywhere. */
+/* Tests patches: cut as a slow version cuts them; found where they were drawn, under other
+ * light, with noise, rotated, and scaled; and found again anywhere in the image. */
 #include "picture.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@ enum { SIDE = 100, WAVES = 6, PATCH = FROB_PATCH_SIDE };
 
 static const double degree = 0.017453292519943295;
 
-/* A texture of its own coordinates, seen through a placement, in its light. */
+/* A texture with its own coordinates, seen through a placement, in its own light. */
 struct scene {
     double x, y, angle, scale, gain, bias, noise;
     double along[WAVES], down[WAVES], phases[WAVES];
@@ -60,7 +60,7 @@ static struct scene random_scene(void)
     return s;
 }
 
-/* {1 Cut} */
+/* {1 Cutting} */
 
 static double grey(const struct frob_image *image, double x, double y)
 {
@@ -106,9 +106,9 @@ static void cut_as_by_the_formula(void)
     }
 }
 
-/* {1 Matched} */
+/* {1 Matching} */
 
-/* 1 - r^2 and its root, from samples. */
+/* The residual sqrt(1 - r^2), with r the correlation, computed from samples. */
 static double residual_at(const struct frob_image *image, const double *patch,
                           const struct frob_placement *place)
 {
@@ -130,11 +130,12 @@ static double residual_at(const struct frob_image *image, const double *patch,
 
 struct errors {
     double place, angle, scale, residual; /* the largest */
-    double squares;                       /* of places, in all */
+    double squares;                       /* the sum for the positions */
 };
 
-/* Of so many scenes: the patch is cut from the one, and found in another one, whose placement
- * is up to `far` pixels, `turned` and `grown` away from where the search begins. */
+/* Computes the errors over many scenes. In each it cuts a patch from one image and finds it in
+ * another one, where its placement is up to `far` pixels, `turned` and `grown` away from the
+ * start of the search. */
 static struct errors errors_of(int scenes, int32_t freedom, double far, double turned, double grown,
                                double noise)
 {
@@ -165,7 +166,7 @@ static struct errors errors_of(int scenes, int32_t freedom, double far, double t
         worst.residual = fmax(worst.residual, match.residual);
         check(fabs(residual_at(after, patch, &match.place) - match.residual) < 1e-6,
               "the residual is that of the place", match.residual, 0);
-        /* A step from there nothing is better, but for what is between samples. */
+        /* No placement one step away is better, except for errors of interpolation. */
         for (int i = 0; i < 8; i++) {
             struct frob_placement near = match.place;
             const double sign = i % 2 ? 1 : -1;
@@ -226,7 +227,7 @@ static void what_is_not_there(void)
     picture_free(another);
 }
 
-/* {1 Found again} */
+/* {1 Finding a lost patch} */
 
 static void found_again_anywhere(void)
 {

@@ -55,7 +55,8 @@ static struct frob_image *with_stride(int32_t width, int32_t height, enum frob_i
     image->height = height;
     image->format = format;
     image->stride = (width + more) * size;
-    /* The last row ends with its last pixel: sanitizers see who reads on. */
+    /* The buffer ends with the last pixel of the last row, so that sanitizers detect reads
+       beyond it. */
     bytes = height > 0 ? (size_t)image->stride * (size_t)(height - 1) + (size_t)(width * size) : 0;
     image->pixels = calloc(bytes > 0 ? bytes : 1, 1);
     image->camera.focal_x = image->camera.focal_y = 300;
@@ -81,7 +82,7 @@ struct frob_image *random_picture(int32_t most_side)
     const int32_t width = random_below(4) == 0 ? random_below(3) : random_below(most_side + 1);
     const int32_t height = random_below(4) == 0 ? random_below(3) : random_below(most_side + 1);
     struct frob_image *image = with_stride(width, height, format, random_below(2) * 3);
-    /* Smooth, rough, or of few values. */
+    /* Smooth, rough, or with few different values. */
     const int32_t kind = random_below(3);
 
     for (int32_t y = 0; y < height; y++)

@@ -1,5 +1,5 @@
-/* Brightness and depth of regions, edges, corners and lenses: against sorting, a slow
- * version, and what was drawn. */
+/* Tests brightness and depth of regions, edges, corners and lenses: against sorting, a slow
+ * version, and drawn images. */
 #include "picture.h"
 
 #include <math.h>
@@ -79,7 +79,7 @@ static void statistics_of_random_regions(void)
 
 /* {1 Edges} */
 
-/* Bright on the side that (c, s) points to, from a distance on. */
+/* A border: beyond `distance` in direction (c, s), the image is bright. */
 struct border {
     double c, s, distance, dark, bright;
 };
@@ -109,7 +109,7 @@ static void edges_where_they_were_drawn(void)
         check(there.rising.gradient > 20, "the rise", there.rising.gradient, 20);
         check(there.falling.gradient > -2, "no fall", there.falling.gradient, 0);
         worst = fmax(worst, fabs(there.rising.offset - truth));
-        /* From the other side it falls, at the same place. */
+        /* Searching from the other side, the brightness falls at the same place. */
         back.angle += 180 * degree;
         frob_find_edges(image, &back, &again);
         check(fabs(again.falling.offset + there.rising.offset) < 1e-6, "and back",
@@ -251,7 +251,7 @@ static void lenses_there_and_back(void)
         check(fabs(seen.y - (121 + 245 * b)) < 1e-9, "y of the formula", seen.y, 121 + 245 * b);
     }
     {
-        /* Far beyond where the model folds over. */
+        /* Far outside the region where the model is invertible. */
         const struct frob_vec2 far = { 5000, 5000 };
         struct frob_vec2 found;
         frob_undistort_point(image, &far, &found);

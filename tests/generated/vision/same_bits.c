@@ -1,5 +1,5 @@
-/* What all kernels find in random images, as one number each: compilers, their options and the
- * copies of loops for newer processors agree on it. */
+/* Prints one number for each kernel that summarizes its results on random images. It must be the
+ * same for all compilers, their options, and the versions of loops for newer processors. */
 #include "picture.h"
 
 #include <inttypes.h>
@@ -45,7 +45,7 @@ static const char *const names[KERNELS] = { "find_blob",    "find_blobs",    "ge
                                             "match_patch",  "find_template", "undistort_point",
                                             "stereo_depths" };
 
-/* As a camera sees it that is 0.1 m to the right, before a wall that is 5 pixels away. */
+/* The view of a camera 0.1 m to the right, facing a wall at a disparity of 5 pixels. */
 static const struct frob_image *shifted(const struct frob_image *image)
 {
     static struct frob_image seen;

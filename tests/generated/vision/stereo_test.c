@@ -1,4 +1,4 @@
-/* Stereo: against the slow version on random pairs, to the bit; and depths that were drawn. */
+/* Tests stereo against a slow version on random pairs, to the bit, and against drawn depths. */
 #include "picture.h"
 
 #include <math.h>
@@ -123,7 +123,7 @@ static void as_the_slow_version(void)
 
 /* {1 Depths} */
 
-/* A wall that leans: its disparity at column x of the left image. */
+/* A slanted wall, by its disparity at column x of the left image. */
 struct wall {
     double near, slope, seed;
     bool from_right;
@@ -137,7 +137,7 @@ static double wall_texture(double u, double v)
     return 128 + 22 * sum > 255 ? 255 : 128 + 22 * sum < 0 ? 0 : 128 + 22 * sum;
 }
 
-/* What the right camera has at x, the left one has at x + near + slope * (that place). */
+/* The pixel at x in the right image is at x + near + slope * (that place) in the left one. */
 static double wall_shade(const void *scene, double x, double y)
 {
     const struct wall *w = (const struct wall *)scene;
@@ -165,7 +165,7 @@ static void depths_that_were_drawn(void)
         frob_stereo_depths(left, right, &how, &depths);
         check(depths.known > 0.8, "known", depths.known, 1);
         for (int i = 0; i < 16; i++) {
-            /* The nearest end of the column, a little inside. */
+            /* The nearest end of the column, slightly inside. */
             const double end = w.slope > 0 ? 40 + 7 * (i + 1) : 40 + 7 * i;
             const double truth = 0.1 * 150 / (w.near + w.slope * end);
             check(fabs(depths.columns[i] / truth - 1) < 0.05, "a column's depth, m",

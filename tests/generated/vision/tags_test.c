@@ -1,5 +1,6 @@
-/* Where tags are: of corners that were projected from a known place, with and without distortion
- * and noise; and against a slow version, which tries places until none is better. */
+/* Tests the computation of tags' poses: with corners projected from a known pose, with and
+ * without distortion and noise; and against a slow version that varies the pose until no change
+ * improves the fit. */
 #include "picture.h"
 
 #include <frob/lens.h>
@@ -7,7 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* A tag, and where it is: turned about the camera's x, y and z axis. */
+/* A tag and its pose: rotation about the camera's x, y and z axes. */
 struct truth {
     double size, x, y, z, tilt, pan, spin;
 };
@@ -15,7 +16,7 @@ struct truth {
 static const struct frob_lens straight = { 320, 240, 280, 280, 159.5, 119.5, 0, 0, 0,
                                            0,   0,   0,   0,   0,     0,     0, 0 };
 
-/* In the camera's axes, of a place on the tag, in metres to the right and down. */
+/* Converts a place on the tag, in metres to the right and down, to the camera's coordinates. */
 static struct frob_vec3 there(const struct truth *t, double right, double down, double out)
 {
     const double spun_x = cos(t->spin) * right - sin(t->spin) * down;
@@ -107,7 +108,8 @@ static double misfit(const struct frob_tag *tag, const struct truth *t)
     return sqrt(sum / 4);
 }
 
-/* From a truth: whatever single step makes it fit better, smaller and smaller. */
+/* Starting from the true pose, repeats any single step that improves the fit, with smaller and
+ * smaller steps. */
 static double slow(const struct frob_tag *tag, struct truth t)
 {
     double *const parts[] = { &t.x, &t.y, &t.z, &t.tilt, &t.pan, &t.spin };
@@ -146,7 +148,8 @@ static void none_fits_better(void)
     }
 }
 
-/* Small, far away, tilted: it may as well be tilted the other way. */
+/* If a tag is small, far away and tilted, it could also be tilted in the opposite direction; the
+ * result must say so. */
 static void doubts_are_told(void)
 {
     const struct truth far = { 0.1, 0.1, 0.05, 4, 0.3, 0.4, 0.2 };

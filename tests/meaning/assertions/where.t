@@ -27,7 +27,7 @@ that lasts, in each element of `mapSF`. Those of one label are told apart by the
   2.000000000,2,2,Holds,,,Fails,Holds,Holds,Holds
   assert "in all": held
   assert "it stays */ so" (one.one.assert it stays */ so): held
-  assert "it stays */ so" (high.assert it stays */ so): violated, first at 2.000 s; in all at 1 instant
+  assert "it stays */ so" (high.assert it stays */ so): violated, first at 2.000 s; in total at 1 instant
   assert "static": held
 
 In tasks, and in the equations of a `do`; the words are names elsewhere.
@@ -49,7 +49,7 @@ In tasks, and in the equations of a `do`; the words are names elsewhere.
   0.000000000,1
   1.000000000,0
   2.000000000,2
-  assert "above": violated, first at 2.000 s; in all at 1 instant
+  assert "above": violated, first at 2.000 s; in total at 1 instant
 
 Nowhere else, and of truth only.
 
@@ -66,13 +66,13 @@ Nowhere else, and of truth only.
   >     assert "" (x > 0)
   > FROB
   $ frobc check wrong.frob
-  error[E0234]: an `assert` stands among the equations of a `proc`, and nowhere else
+  error[E0234]: an `assert` is only allowed among the equations of a `proc`
    --> wrong.frob:4:5
     |
   4 |     assert "smaller" (y < x)
     |     ^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: as in `proc x -> y where`, with `assert "label" (y > 0)` below
+    = hint: move it into a `proc`, as in `proc x -> y where` with `assert "label" (y > 0)` in the lines below
   
   error[E0212]: two assertions here have the same label
    --> wrong.frob:9:12
@@ -82,13 +82,13 @@ Nowhere else, and of truth only.
   9 |     assert "same" (x > 1)
     |            ^^^^^^
   
-  error[E0235]: this label is not a line of text
+  error[E0235]: this label is empty or contains a line break
     --> wrong.frob:10:12
      |
   10 |     assert "" (x > 0)
      |            ^^
      |
-     = hint: it says in a few words what is to hold; the summary of a run shows it
+     = hint: say in a few words what must hold; the summary of a run shows the label
   
   3 errors
   [1]
@@ -148,17 +148,17 @@ A switch that is fed with its own output.
   > FROB
   $ printf 'time,in\n0,1\n1,2\n' > in.csv
   $ frobc trace fed.frob --input in.csv
-  warning[W0311]: nobody watches this assertion
+  warning[W0311]: this assertion is not checked
    --> fed.frob:8:12
     |
   8 |     assert "not watched" (v < 10)
     |            ^^^^^^^^^^^^^
     |
-    = note: it is inside a switch that is fed with its own output; all outputs of a switch need what is shown of it
-    = hint: state it where that output is used
+    = note: it is inside a switch whose output is fed back to it, and showing an inner signal would make all outputs of the switch depend on it
+    = hint: move the assertion to where the output of the switch is used
   
   1 warning
   time,out
   0.000000000,1
   1.000000000,4
-  assert "bounded": violated, first at 1.000 s; in all at 1 instant
+  assert "bounded": violated, first at 1.000 s; in total at 1 instant

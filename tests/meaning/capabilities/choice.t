@@ -27,20 +27,20 @@ report.
 
   $ frobc check --lint follow.frob
   $ frobc compile follow.frob
-  error[E0502]: `main` leaves open which robot it runs on
+  error[E0502]: the type of `main` does not say which robot it runs on
    --> follow.frob:7:1
     |
   7 | main = reactimateRobot (approach 0.3[m])
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `pioneer`, `scout` and `create` have all that it asks for: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
+    = hint: `pioneer`, `scout` and `create` have everything that it needs: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
   
   1 error
   [1]
   $ echo time | frobc trace follow.frob --input - 2>&1 | head -1
-  error[E0502]: `main` leaves open which robot it runs on
+  error[E0502]: the type of `main` does not say which robot it runs on
   $ frobc report follow.frob 2>&1 | head -1
-  error[E0502]: `main` leaves open which robot it runs on
+  error[E0502]: the type of `main` does not say which robot it runs on
   $ frobc report follow.frob --robot create | head -3
   state, in bytes
     approach                  80                          follow.frob:4
@@ -89,20 +89,20 @@ not in the library.
   3 | speed i = if cliffAhead i then 0 else 0.2[m/s]
     |              ^^^^^^^^^^ `cliffAhead` needs it
     |
-    = note: only `create` has it
+    = note: only `create` has this capability
     = note: `main` is compiled for `scout`: there is no instance `HasCliffs ScoutInput`
     = hint: compile it with `--robot create`
   
   1 error
   [1]
   $ frobc compile careful.frob
-  error[E0502]: `main` leaves open which robot it runs on
+  error[E0502]: the type of `main` does not say which robot it runs on
    --> careful.frob:9:1
     |
   9 | main = reactimateRobot careful
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `create` has all that it asks for: compile it with `--robot create`
+    = hint: `create` has everything that it needs: compile it with `--robot create`
   
   1 error
   [1]
@@ -116,7 +116,7 @@ Nothing has both a ring of sonars and lights:
   >     near i = isEvent ((sonars i ! 0).echo)
   > FROB
   $ frobc compile shining.frob
-  error[E0503]: no robot has all that `main` asks for
+  error[E0503]: no robot has everything that `main` needs
    --> shining.frob:3:1
     |
   3 | main = reactimateRobot (proc i -> roMake (setLight (if near i then On else Off))) where
@@ -129,7 +129,7 @@ Nothing has both a ring of sonars and lights:
     |                        |
     |                        `create` has no `HasSonarRing`, which `sonars` needs
     |
-    = note: a robot of your own is named by the file of its module: `--robot FILE.frob`
+    = note: for your own robot, write the file of its module: `--robot FILE.frob`
   
   1 error
   [1]
@@ -148,7 +148,7 @@ What a signature promises and nothing needs is asked for too:
   3 | main = reactimateRobot (constant (roMake (setVelTR 0.2[m/s] 0)))
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ `main` needs it
     |
-    = note: only `create` has it
+    = note: only `create` has this capability
     = note: `main` is compiled for `pioneer`: there is no instance `HasBeacon PioneerInput`
     = hint: compile it with `--robot create`
   
@@ -184,7 +184,7 @@ A program for one robot is not one for another, and half of one is none.
   3 | main = reactimateRobot (constant (roMake id))
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: leave the robot open, as in `main :: (HasSonar i, DiffDrive o) => Program i o`
+    = hint: allow any robot, as in `main :: (HasSonar i, DiffDrive o) => Program i o`
   
   1 error
   [1]
@@ -195,7 +195,7 @@ A program for one robot is not one for another, and half of one is none.
   > main = reactimateRobot (constant (roMake id))
   > FROB
   $ frobc check half.frob
-  error[E0503]: `main` senses as `pioneer` and acts as `scout`: that is no robot
+  error[E0503]: `main` has the input of `pioneer` but the output of `scout`
    --> half.frob:4:1
     |
   4 | main = reactimateRobot (constant (roMake id))
@@ -221,10 +221,10 @@ A world that is missing, or wrong, is told before the robot that it would have n
   >     position2X i = (position i).x
   > FROB
   $ frobc run open.frob --world nowhere.toml
-  error: nowhere.toml: cannot read this world file
+  error: there is no world `nowhere.toml` here or beside open.frob or among the worlds of frobc: room.toml
   [2]
   $ echo 'robot = "crate"' > wrong.toml
   $ frobc run open.frob --world wrong.toml
-  error: wrong.toml:1:1: a world needs a table [start] with `x` and `y`, where the robot starts
-  error: wrong.toml:1:9: there is no robot `crate`; the robots: pioneer, scout, create; a world for a robot of your own names none
+  error: wrong.toml:1:1: a world needs a table [start] with `x` and `y`, the position at which the robot starts
+  error: wrong.toml:1:9: there is no robot `crate`; the robots are pioneer, scout, create; remove `robot` if the world is for your own robot
   [2]

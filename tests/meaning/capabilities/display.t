@@ -59,7 +59,7 @@ language, and a number has the unit that it has there.
   $ frobc report kinds.frob | tail -1
   marks drawn in an instant, at most: 7; none of them in the C
   $ frobc trace kinds.frob --probe list | head -2
-  draw :: what is drawn, at most 7 at a time
+  draw :: drawings, at most 7 marks at a time
   main.p.x :: Float[m]  kinds.frob:8
 
 Of the plain program nothing is drawn, and it is what it is without a mark.
@@ -146,13 +146,13 @@ A drawing in a loop counts as often as the loop goes round. Comparing outputs do
 A program that does not draw has no such probe; one that adds to what it drew before, no bound.
 
   $ frobc trace without.frob --input in.csv --probe draw
-  error[E0506]: no inner signal of this program is called `draw`
+  error[E0506]: this program has no inner signal `draw`
    --> without.frob:5:1
     |
   5 | main = proc _ -> roMake id
     | ^^^^
     |
-    = hint: `--probe list` shows all that can be seen
+    = hint: `--probe list` lists all inner signals
   
   1 error
   [2]
@@ -173,8 +173,8 @@ A program that does not draw has no such probe; one that adds to what it drew be
   7 | main = proc x -> out where
     | ^^^^
     |
-    = note: how many there can be is known before a program runs
-    = hint: an output that is kept, as by `delay`, has its marks with it: draw on a new one
+    = note: the maximum number of marks must be known before the program runs
+    = hint: draw on a new output each time: an output that is kept, for example by `delay`, keeps its marks
   
   1 error
   [1]

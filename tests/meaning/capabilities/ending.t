@@ -79,7 +79,7 @@ A run can end with its program. A result may be of any type that can be shown.
   10 | main = reactimateTask (return id :: Task RobotInput RobotOutput (Float -> Float))
      | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
      |
-     = note: functions, signal functions and labels exist only while compiling
+     = note: functions, signal functions and labels only exist at compile time
   
   1 error
   [1]
@@ -131,13 +131,13 @@ they end with results of one type; else only where the compiler can tell which.
   finished after: 2.000 s
   result: 2
   $ frobc compile choice.frob --entry unlike
-  error[E0411]: `unlike` cannot run: it chooses between programs that do not end with results of one type
+  error[E0411]: `unlike` cannot run: it chooses between programs whose results have different types
     --> choice.frob:12:1
      |
   12 | unlike = if isWindy True then reactimateTask long else reactimateRobot (constant (roMake id))
      | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
      |
-     = hint: let it choose between tasks, in one `reactimateTask`
+     = hint: choose between tasks inside one `reactimateTask`
   
   1 error
   [1]

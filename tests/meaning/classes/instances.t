@@ -142,7 +142,7 @@ their module is part of the program.
   4 | instance Shape Bool where
     |          ^^^^^
     |
-    = hint: it is imported with its module's name: write `Shapes.Shape`
+    = hint: it is imported under its module's name: write `Shapes.Shape`
   
   error[E0223]: module `Shapes` has no type class `Sizd`
    --> hidden.frob:5:13

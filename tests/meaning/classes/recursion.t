@@ -13,7 +13,7 @@ Two defaults, each by the other, are a circle in an instance that gives none.
   >         (U a, U b) -> a < b
   > EOF
   $ frobc check defaults.frob
-  error[E0410]: `less` calls itself through others
+  error[E0410]: `less` calls itself through other definitions
    --> defaults.frob:3:5
     |
   3 |     less x y = more y x
@@ -24,8 +24,8 @@ Two defaults, each by the other, are a circle in an instance that gives none.
   4 |     more x y = less y x
     |                ---- `more` uses `less` here
     |
-    = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
-    = note: for the type `T`, whose instance of `Ordered` leaves it to the default
+    = note: functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal function may only restart itself in the continuation of a switch
+    = note: this happens for the type `T`, because its instance of `Ordered` uses the default
     = hint: define one of the methods in the instance
   
   1 error
@@ -45,7 +45,7 @@ A circle through an instance shows its way, as one of functions does.
   > main = proc x -> above (T x)
   > EOF
   $ frobc check through.frob
-  error[E0410]: `level@T` calls itself through others
+  error[E0410]: `level@T` calls itself through other definitions
    --> through.frob:7:5
     |
   4 | above = proc x -> level x + 1
@@ -57,7 +57,7 @@ A circle through an instance shows its way, as one of functions does.
     |     |                 `level@T` uses `above` here
     |     `level@T → above → level@T`
     |
-    = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
+    = note: functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal function may only restart itself in the continuation of a switch
   
   1 error
   [1]
@@ -98,7 +98,7 @@ have no end.
   > main = proc x -> below (Just x)
   > EOF
   $ frobc check growing.frob
-  error[E0413]: `below` is needed at ever larger types
+  error[E0413]: `below` uses itself at ever larger types
    --> growing.frob:8:15
     |
   4 | below x = depth x

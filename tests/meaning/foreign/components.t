@@ -48,7 +48,7 @@ rate, and one for each element of an array:
   > EOF
   $ frobc check --lint filters.frob
   $ printf 'time,in\n0,1\n0.5,2\n1,3\n1.5,4\n2,5\n' > in.csv
-  $ frobc trace --lint filters.frob --with filter.c --input in.csv
+  $ frobc trace --lint filters.frob --with filter.c --with filter.h --input in.csv
   time,out.1.1,out.1.2,out.1.3,out.2,out.3,out.4
   0.000000000,1,0,0,1,1,2
   0.500000000,2,,,2,,4
@@ -67,7 +67,7 @@ The same names in the program's own C would clash:
 
   $ cp filters.frob filter.frob
   $ frobc compile filter.frob
-  error[E0431]: the program and the component `filter` in C have one name
+  error[E0431]: the program and the component `filter` in C have the same name
    --> filter.frob:2:12
     |
   2 | foreign sf filter :: SF Float (Int, Event Float) = "filter"
@@ -83,13 +83,13 @@ Nor can its header have the name of the program's:
 
   $ sed 's/filter.h/same.h/' filters.frob > same.frob
   $ frobc compile same.frob
-  error[E0431]: the program's own header would be `same.h`, which it includes
+  error[E0431]: the program includes `same.h`, but frobc writes the program's own header with this name
    --> same.frob:1:1
     |
   1 | foreign include "same.h"
     | ^
     |
-    = hint: rename the program's file, or the header
+    = hint: rename the program's file or the header
   
   1 error
   [1]
@@ -104,7 +104,7 @@ In a loop the whole component is one box: every output needs every input.
   >     (n, _) = filter (x + toFloat n)
   > EOF
   $ frobc compile loop.frob
-  error[E0401]: signal `n` needs its own value in the same instant
+  error[E0401]: the signal `n` needs its own value in the same instant
    --> loop.frob:5:6
     |
   5 |     (n, _) = filter (x + toFloat n)
@@ -124,17 +124,17 @@ What comes from C is unknown when a program starts, so it may switch at once:
   > main = switch filter (\_ -> main)
   > EOF
   $ frobc compile endless.frob
-  error[E0402]: `main → main` may go round for ever within one instant
+  error[E0402]: `main → main` may repeat endlessly within one instant
    --> endless.frob:4:1
     |
   4 | main = switch filter (\_ -> main)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     | |                           |
-    | |                           `main` may go on to itself at its own first instant
+    | |                           `main` may start itself again at its own first instant
     | `filter` may occur at the first instant of `main`
     |
-    = note: at an instant at which `filter` occurs as soon as `main` starts, nothing waits for the next one
-    = hint: `notYet` on the event takes one instant at least; `edge` may wait for ever where the condition holds from the start
+    = note: no time passes between these steps at an instant at which `filter` occurs as soon as `main` starts
+    = hint: apply `notYet` to the event, which ignores it at the first instant; `edge` would wait for ever if the condition holds from the start
   
   1 error
   [1]

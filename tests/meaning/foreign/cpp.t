@@ -33,7 +33,7 @@ A component in C++ is C for those who call it.
   > }
   > EOF
   $ printf 'time,in\n0,1\n1,2\n2,99\n3,3\n4,4\n' > in.csv
-  $ frobc trace smooth.frob --with median.cc --input in.csv
+  $ frobc trace smooth.frob --with median.cc --with median.h --input in.csv
   time,out
   0.000000000,1
   1.000000000,1

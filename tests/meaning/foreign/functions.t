@@ -104,7 +104,7 @@ A function of the C library needs no file, only its header:
 A file that is not named is asked for, and one that is not there is missed:
 
   $ frobc trace shapes.frob --input in.csv 2>&1 | tail -1
-  error: the program calls `point_apart`, `point_mirror`, `maybe_root`, `steps`, `total`, `both`, `far_points`, `seven` in C, and there is no C file: name the C files with `--with FILE.c` (without a file there are only the functions of <math.h> that docs/foreign.md lists)
+  error: the program calls `point_apart`, `point_mirror`, `maybe_root`, `steps`, `total`, `both`, `far_points`, `seven` in C, but there is no C file: add the C files with `--with FILE.c` (only the functions of <math.h> that docs/foreign.md lists need no file)
   $ frobc trace shapes.frob --with shapes.cc --input in.csv
   error: there is no file shapes.cc
   [2]

@@ -157,7 +157,7 @@ Names that C cannot have, one C function with two types, a missing header:
   2 | foreign type Frame = "struct frame *"
     |                      ^^^^^^^^^^^^^^^^
     |
-    = hint: write a struct as in `"struct frame"`, or the name of a `typedef`
+    = hint: write a struct, as in `"struct frame"`, or the name of a `typedef`
   
   error[E0232]: `frame mean` is not a name in C
    --> wrong.frob:3:34
@@ -165,7 +165,7 @@ Names that C cannot have, one C function with two types, a missing header:
   3 | foreign mean :: Frame -> Float = "frame mean"
     |                                  ^^^^^^^^^^^^
     |
-    = hint: write the name of the function alone, as in `"cbrt"`
+    = hint: write only the name of the function, as in `"cbrt"`
   
   error[E0232]: `return` is not a name in C
    --> wrong.frob:4:37
@@ -173,7 +173,7 @@ Names that C cannot have, one C function with two types, a missing header:
   4 | foreign return' :: Frame -> Float = "return"
     |                                     ^^^^^^^^
     |
-    = hint: write the name of the function alone, as in `"cbrt"`
+    = hint: write only the name of the function, as in `"cbrt"`
   
   4 errors
   [1]
@@ -198,23 +198,23 @@ Names that C cannot have, one C function with two types, a missing header:
   > foreign sf tracker :: SF Float Float = "tracker"
   > foreign type Stamp = "struct stamp" copyable
   > EOF
-  error[E0233]: no C header says what `struct tracker_state` is
+  error[E0233]: no included C header defines `struct tracker_state`
    --> wrong.frob:1:12
     |
   1 | foreign sf tracker :: SF Float Float = "tracker"
     |            ^^^^^^^
     |
-    = note: the state of a program has room for it, so C compilers must know its size
-    = hint: name the header in this module, as in `foreign include "blob.h"`
+    = note: it is part of the program's state, so the C compiler must know its size
+    = hint: include the header in this module, as in `foreign include "blob.h"`
   
-  error[E0233]: no C header says what `struct stamp` is
+  error[E0233]: no included C header defines `struct stamp`
    --> wrong.frob:2:14
     |
   2 | foreign type Stamp = "struct stamp" copyable
     |              ^^^^^
     |
-    = note: the state of a program has room for it, so C compilers must know its size
-    = hint: name the header in this module, as in `foreign include "blob.h"`
+    = note: it is part of the program's state, so the C compiler must know its size
+    = hint: include the header in this module, as in `foreign include "blob.h"`
   
   2 errors
   [1]
@@ -246,20 +246,20 @@ Names as elsewhere:
   2 | mean x = x
     | ^^^^
     |
-    = hint: a function has one clause; distinguish its arguments with `case`
+    = hint: write one equation for the function, and distinguish its arguments with `case`
   
   1 error
   [1]
   $ check <<'EOF'
   > foreign (+) :: Float -> Float -> Float = "add"
   > EOF
-  error[E0227]: programs define no operators
+  error[E0227]: a program cannot define operators
    --> wrong.frob:1:10
     |
   1 | foreign (+) :: Float -> Float -> Float = "add"
     |          ^
     |
-    = hint: give the function a name; backticks make it infix: a `f` b
+    = hint: give the function a name; with backticks you can write it between its arguments: a `f` b
   
   1 error
   [1]

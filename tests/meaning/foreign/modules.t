@@ -52,10 +52,11 @@ Foreign code in modules: what a program imports comes with its header, used or n
   $ for cc in gcc clang; do $cc -std=c99 $flags vision/radar.c; done
   $ for cc in g++ clang++; do $cc -x c++ -std=c++17 $flags vision/radar.c; done
 
-An entry that calls no C needs no C file, wherever it is compiled:
+An entry that calls no C needs no C file, wherever it is compiled. The header of the module must
+be allowed even so:
 
   $ printf 'time,in\n0,1\n1,2\n' > in.csv
-  $ frobc trace vision/radar.frob --entry plain --input in.csv
+  $ frobc trace vision/radar.frob --with vision/vision.h --entry plain --input in.csv
   time,out
   0.000000000,2
   1.000000000,4

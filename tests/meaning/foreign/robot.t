@@ -27,12 +27,12 @@ the robot; what it shares with the robot's header has that header's types.
   >     out->value = in->position.x < 0.2 || ++self->steps < 10 ? 0.2 : 0.0 * dt;
   > }
   > EOF
-  $ frobc run drive.frob --robot pioneer --with slow.c --for 4s | grep -v 'per second'
+  $ frobc run drive.frob --robot pioneer --with slow.c --with slow.h --for 4s | grep -v 'per second'
   time simulated: 4.000 s
   distance driven: 0.308 m
   odometry error at the end: 0.000 m
   collisions: 0
-  $ frobc build drive.frob --robot pioneer --with slow.c -o drive && test -x drive
+  $ frobc build drive.frob --robot pioneer --with slow.c --with slow.h -o drive && test -x drive
   $ frobc compile drive.frob --robot pioneer
   $ grep -c 'struct frob_vec2 {' drive.h
   0

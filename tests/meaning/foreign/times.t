@@ -32,7 +32,7 @@ its own rate, at occurrences only, after a delayed switch.
   > twice = proc x -> dt x + integral (dt x / 1[s])
   > EOF
   $ printf 'time,in\n0,1\n0.5,2\n1.1,3\n1.6,1\n2.3,5\n3.3,1\n' > in.csv
-  $ frobc trace --lint times.frob --with dt.c --input in.csv
+  $ frobc trace --lint times.frob --with dt.c --with clock.h --input in.csv
   time,out.1,out.2,out.3,out.4,out.5,out.6
   0.000000000,0,0,0,0,,0
   0.500000000,0.5,0.5,,0.5,,0.5

@@ -106,10 +106,10 @@ A trace cannot have such values:
 
   $ printf 'time\n0\n' > in.csv
   $ frobc trace eyes.frob --with camera.c --input in.csv
-  error: `main` takes or gives a value of a foreign type, and a table has no column for one; compile it, and call it from C
+  error: the input or output of `main` has a foreign type, which a table cannot show; compile it and call it from C
   [2]
   $ frobc trace eyes.frob --with camera.c --input in.csv --engine interp
-  error[E0505]: the interpreter cannot run this program: `stamp` is in C
+  error[E0505]: the interpreter cannot run this program: `stamp` is written in C
    --> eyes.frob:7:9
     |
   7 | foreign stamp :: Frame -> Stamp = "frame_stamp"
@@ -147,14 +147,14 @@ Foreign values are not compared, and not kept unless copyable, in whatever way:
   > main = proc e -> mean (hold (blank ()) e)
   > EOF
   $ frobc check held.frob
-  error[E0430]: a value of the foreign type `Frame` would be kept here
+  error[E0430]: a value of the foreign type `Frame` cannot be kept from one instant to another
    --> held.frob:5:24
     |
   5 | main = proc e -> mean (hold (blank ()) e)
     |                        ^^^^^^^^^^^^^^^^^
     |
-    = note: C gives a `Frame` for one instant, and may use its memory again after it
-    = hint: keep what you need of it; or declare the type `copyable`, if a copy of the struct is as good as the struct
+    = note: a `Frame` from C is valid for one instant; C may reuse its memory after that
+    = hint: keep only the numbers that you need; or declare the type `copyable`, if a copy of the struct works as well as the struct
   
   1 error
   [1]
@@ -165,14 +165,14 @@ Foreign values are not compared, and not kept unless copyable, in whatever way:
   > main = switch (proc (e, _) -> (0, e)) (\first -> proc (_, f) -> likeness first f)
   > EOF
   $ frobc check captured.frob
-  error[E0430]: a value of the foreign type `Frame` would be kept here
+  error[E0430]: a value of the foreign type `Frame` cannot be kept from one instant to another
    --> captured.frob:4:50
     |
   4 | main = switch (proc (e, _) -> (0, e)) (\first -> proc (_, f) -> likeness first f)
     | -------------------------------------------------^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^- `main` is called here
     |
-    = note: C gives a `Frame` for one instant, and may use its memory again after it
-    = hint: keep what you need of it; or declare the type `copyable`, if a copy of the struct is as good as the struct
+    = note: a `Frame` from C is valid for one instant; C may reuse its memory after that
+    = hint: keep only the numbers that you need; or declare the type `copyable`, if a copy of the struct works as well as the struct
   
   1 error
   [1]
@@ -186,14 +186,14 @@ Foreign values are not compared, and not kept unless copyable, in whatever way:
   > main = proc f -> compareWith (blank ()) f
   > EOF
   $ frobc check started.frob
-  error[E0430]: a value of the foreign type `Frame` would be kept here
+  error[E0430]: a value of the foreign type `Frame` cannot be kept from one instant to another
    --> started.frob:7:18
     |
   7 | main = proc f -> compareWith (blank ()) f
     |                  ^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: C gives a `Frame` for one instant, and may use its memory again after it
-    = hint: keep what you need of it; or declare the type `copyable`, if a copy of the struct is as good as the struct
+    = note: a `Frame` from C is valid for one instant; C may reuse its memory after that
+    = hint: keep only the numbers that you need; or declare the type `copyable`, if a copy of the struct works as well as the struct
   
   1 error
   [1]

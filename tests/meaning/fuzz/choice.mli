@@ -1,12 +1,13 @@
 (** Random decisions. *)
 
 val chance : Random.State.t -> int -> bool
-(** True one time in so many. *)
+(** True with probability 1 / n. *)
 
 val one_of : Random.State.t -> 'a list -> 'a
-(** Of a list that is not empty. *)
+(** An element of a nonempty list. *)
 
 val weighted : Random.State.t -> (int * 'a) list -> 'a
-(** Each with its weight; not all are 0. *)
+(** An element chosen with probability proportional to its weight; at least one weight must be
+    positive. *)
 
 val shuffled : Random.State.t -> 'a list -> 'a list

@@ -1,10 +1,9 @@
-(* As many random programs as wanted, through the interpreter and the compiled
-   C. Prints those that fail, then a line with count and rate; the exit status
-   is 1 if any failed.
+(* Runs random programs in the interpreter and as compiled C. Prints those that fail, then a line
+   with their number and the rate; the exit status is 1 if any failed.
 
-   Other tools start this program: `--count`, `--seed`, `--stop-at-first` and
-   the exit status keep their meaning. Run from the repository's root, nothing
-   else has to be said. *)
+   Other tools start this program: do not change the meaning of `--count`, `--seed`,
+   `--stop-at-first` and the exit status. When run from the repository's root, it needs no other
+   arguments. *)
 
 open Fuzz
 
@@ -76,21 +75,21 @@ let rec remove path =
     Unix.rmdir path)
   else Sys.remove path
 
-(* gcc and clang by turns. *)
+(* Alternates gcc and clang. *)
 let engines s batch : Engines.c_engine list =
   if s.sanitize_every = 0 || batch mod s.sanitize_every <> s.sanitize_every - 1 then [ Tcc ]
   else
     let turn = batch / s.sanitize_every mod 2 in
     [ Tcc; Sanitized (if turn = 0 then Gcc else Clang) ]
 
-(* Each kind of program with both. *)
+(* Alternates the precision, so that each kind of program is tested with both. *)
 let real s batch : Basis.Real.t =
   match s.real with
   | "double" -> Double
   | "float" -> Single
   | _ -> if (batch + (batch / Bias.count)) mod 3 = 1 then Single else Double
 
-(* One in five, each kind of program. *)
+(* Probes one batch in five, and each kind of program. *)
 let probed batch = (batch + (batch / Bias.count)) mod 5 = 2
 
 type result = { programs : int; failed : int; sanitized : int; seen : Coverage.t }
@@ -114,7 +113,7 @@ let read path =
 
 let most_shrunk = 3
 
-(* Every so many batches, from the one with the worker's number. *)
+(* The work of a worker: every [jobs]-th batch, starting with the worker's number. *)
 let work s worker ~folder =
   let last = s.first + s.count in
   let rec batches batch so_far =
@@ -138,7 +137,7 @@ let work s worker ~folder =
           Option.to_list (Batch.first_failure ~seen tools engines ~seed:s.seed ~first ~count)
         else Batch.failures ~seen tools engines ~seed:s.seed ~first ~count
       in
-      (* A few small ones say more than many. *)
+      (* A few small failing programs are more useful than many. *)
       let shrunk k f =
         if s.stop_at_first || so_far.failed + k >= most_shrunk then f
         else Batch.shrunk tools engines ~seed:s.seed f
@@ -157,7 +156,8 @@ let work s worker ~folder =
 
 let () =
   let s = settings () in
-  (* Many short-lived values: a large nursery saves most of the collector's work. *)
+  (* There are many short-lived values; a large minor heap saves most of the garbage collector's
+     work. *)
   Gc.set
     {
       (Gc.get ()) with
@@ -165,7 +165,8 @@ let () =
       space_overhead = 1000;
       max_overhead = 1_000_000;
     };
-  (* Sanitized programs run in a process that ends: what they hold is no leak. *)
+  (* Sanitized programs run in a short-lived process, where memory still allocated at the end is
+     not a leak. *)
   Unix.putenv "ASAN_OPTIONS" "detect_leaks=0";
   let folder = temporary_folder () in
   at_exit (fun () -> remove folder);

@@ -1,3 +1,3 @@
-(** What all random programs may use: the text of [shared.frob]. *)
+(** Definitions that all random programs may use: the text of [shared.frob]. *)
 
 val text : string

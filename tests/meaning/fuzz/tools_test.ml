@@ -1,4 +1,4 @@
-(* What the judge is made of, on small examples. *)
+(* Tests the parts of the fuzzer on small examples. *)
 
 open Fuzz
 
@@ -72,7 +72,7 @@ let recordings_with_dt_are_read_as_written () =
           check "of the precision" (List.map (Basis.Real.round precision) dts))
     [ Basis.Real.Double; Single ]
 
-(* Every kind of dt comes about. *)
+(* Every kind of dt must occur. *)
 let steps_of_any_dt () =
   let random = Random.State.make [| 6 |] in
   let dts =
@@ -110,7 +110,7 @@ let tables_of_the_file_stay_constant () =
   in
   Alcotest.(check string) "for tcc" adapted (In_process.for_tcc c)
 
-(* The mistake is a Bool that is added; the rest is not needed for it. *)
+(* The type error is the Bool in an addition; the rest of the program is not needed for it. *)
 let mistaken =
   {|choose :: Bool -> a -> a -> a
 choose c x y = if c then x else y

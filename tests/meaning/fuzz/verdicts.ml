@@ -1,23 +1,23 @@
-(* What `frobc test` says of random programs is what the interpreter has of the same conditions:
-   verdicts FROBC LIBRARY RUNTIME MODULES SEED.
+(* Checks that the verdicts of `frobc test` on random programs are those that the interpreter
+   computes for the same conditions. usage: verdicts FROBC LIBRARY RUNTIME MODULES SEED.
 
-   Each module has some programs, for each a test with an observer that feeds it what it makes up
-   (Fuzz.Trying), and two golden traces: one as the interpreter has it, and one with a changed
-   cell. How a test ends follows from the verdicts of each instant by the rules of
-   docs/language.md, which are here once more. *)
+   Each module has several programs. Each program has a test, whose observer generates the input
+   (Fuzz.Trying), and two golden traces: the one that the interpreter computes, and a copy with
+   one cell changed. The expected result of a test follows from the verdicts at each instant by
+   the rules of docs/language.md, which this file implements independently. *)
 
 open Fuzz
 
 let ( / ) = Filename.concat
 let programs_each = 3
 
-(* {1 As the interpreter has it} *)
+(* {1 Results of the interpreter} *)
 
 type expected = { fate : string; at : float; by : string }
 
 let rate = 50
 
-(* The instants of a test that lasts for so long. *)
+(* The instants of a test of this duration. *)
 let without_input seconds =
   let row k = (Int.div (k * 1_000_000_000) rate, Interp.Value.Tuple [||]) in
   Recording.make (Tuple [])
@@ -26,7 +26,7 @@ let without_input seconds =
 let rows trace =
   List.map (String.split_on_char ',') (List.tl (String.split_on_char '\n' (String.trim trace)))
 
-(* The cells of a row: the time, the judge's verdict, those on the claims. *)
+(* The cells of a row: the time, the judge's verdict, and the claims' verdicts. *)
 let expected (observer : Trying.observer) trace =
   let cells row = match row with _ :: judge :: claims -> (judge, claims) | _ -> failwith trace in
   let time row = float_of_string (List.hd row) in
@@ -55,7 +55,7 @@ let expected (observer : Trying.observer) trace =
       in
       { fate = (if List.exists is_asked rows then "held" else "unasked"); at = time last; by = "" }
 
-(* {1 As frobc has it} *)
+(* {1 Results of frobc test} *)
 
 let read path =
   let channel = open_in_bin path in
@@ -67,7 +67,7 @@ let write path text =
   let channel = open_out_bin path in
   Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel text)
 
-(* What a run of `frobc test` writes, an object a line. *)
+(* Runs `frobc test` and returns its output, one JSON object a line. *)
 let tested frobc file ~jobs =
   let command =
     Printf.sprintf "%s test %s --json --jobs %d --keep kept > verdicts.json 2> verdicts.txt"
@@ -77,14 +77,14 @@ let tested frobc file ~jobs =
   | 0 | 1 -> read "verdicts.json"
   | status -> failwith (Printf.sprintf "%s: status %d\n%s" command status (read "verdicts.txt"))
 
-(* The value behind a key of an object in a line, as it is written. *)
+(* The value of a key in a line with a JSON object, as written. *)
 let field key line =
   let pattern = Str.regexp (Printf.sprintf {|"%s":\("[^"]*"\|[^,}]*\)|} key) in
   match Str.search_forward pattern line 0 with
   | _ -> Some (Str.global_replace (Str.regexp_string "\"") "" (Str.matched_group 1 line))
   | exception Not_found -> None
 
-(* {1 Both} *)
+(* {1 Comparison} *)
 
 let failed = ref 0
 
@@ -97,7 +97,7 @@ let report ~text format =
 
 let golden label file = Printf.sprintf "test %S = trace \"in.csv\" %S\n" label file
 
-(* The last cell of a trace becomes another. *)
+(* Changes the last cell of a trace. *)
 let changed trace =
   let end_ = String.length trace - 1 in
   let at =
@@ -160,7 +160,7 @@ let one counts frobc tools ~seed k =
     [ ("as it is", "true"); ("as it is not", "false") ];
   Sys.remove file
 
-(* In a folder of its own. *)
+(* Tests each module in a folder of its own. *)
 let () =
   let argument k = Sys.argv.(k) in
   let absolute path = if Filename.is_relative path then Sys.getcwd () / path else path in

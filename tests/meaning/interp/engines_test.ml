@@ -1,7 +1,7 @@
-(* Each program here, and the examples, through the interpreter and through C:
-   the same bytes for the same input. Once with tcc, once with the sanitizers of
-   an optimizing compiler, which stop what is out of bounds or undefined. The input
-   is random; a recording beside a program, as the fuzzer prints it, is input too. *)
+(* Runs each program here and the examples in the interpreter and as C; both must give the same
+   bytes for the same input. The C is compiled once with tcc, and once by an optimizing compiler
+   with sanitizers, which stop at out-of-bounds accesses and undefined behaviour. The input is
+   random; if there is a recording next to a program, as the fuzzer prints it, it is used too. *)
 
 open Fuzz
 
@@ -23,7 +23,7 @@ let read path =
     ~finally:(fun () -> close_in channel)
     (fun () -> really_input_string channel (in_channel_length channel))
 
-(* What a program was seen to fail on. *)
+(* The recorded input on which a program once failed. *)
 let recorded subject file =
   let path = Filename.remove_extension file ^ ".csv" in
   if not (Sys.file_exists path) then []
@@ -58,9 +58,9 @@ let programs =
   |> List.map (fun file -> (file, None))
 
 let robot name =
-  match Driver.Robots.known (Some name) with Ok robot -> robot | Error reason -> failwith reason
+  match Build.Robots.known (Some name) with Ok robot -> robot | Error reason -> failwith reason
 
-(* Those without code in C. *)
+(* The examples without C code of their own. *)
 let examples =
   let example ?robot name = (root / "examples" / name / (name ^ ".frob"), robot) in
   let for_pioneer =
@@ -74,7 +74,7 @@ let examples =
     ]
 
 let () =
-  (* What stays in memory until the host ends is not lost. *)
+  (* Memory that the host keeps until it exits is not a leak. *)
   Unix.putenv "ASAN_OPTIONS" "detect_leaks=0";
   Alcotest.run "both engines"
     [

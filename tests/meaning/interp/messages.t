@@ -34,10 +34,10 @@ A header that does not fit: everything that is wrong with it.
 
   $ printf 'tim,in.2,in.2,speed\n' > header.csv
   $ both header.csv
-  error: header.csv:1:1: the first column must be `time`, but it is `tim`
-  error: header.csv:1:10: column `in.2` is there twice
+  error: header.csv:1:1: the first column must be `time`, but it is `tim`; `--time-column NAME` reads the times from the column NAME
+  error: header.csv:1:10: the column `in.2` occurs twice
   error: header.csv:1:15: the program's input has no `speed`
-  error: header.csv:1:1: missing: `in.1.side`, `in.1.urgent`; the header for this program is `time,in.1.side,in.1.urgent,in.2`
+  error: header.csv:1:1: missing: `in.1.side`, `in.1.urgent`; the header for this program is `time,in.1.side,in.1.urgent,in.2`; `--column in.1.side=speed` reads it from the column speed
   [2]
 
 Rows that do not fit; what came before is written.
@@ -50,17 +50,17 @@ Rows that do not fit; what came before is written.
   $ row '1,LeftSide,true,Just 3000000000\n'
   error: row.csv:3:17: column `in.2`: expected an integer from -2147483648 to 2147483647, found `Just 3000000000`
   $ row '1,LeftSide,true\n'
-  error: row.csv:3:1: the header names 4 columns, but cells in this row: 3
+  error: row.csv:3:1: this row has the wrong number of cells: the header has 4 columns, found 3
   $ row '-1,LeftSide,true,\n'
-  error: row.csv:3:1: time goes back: `-1` comes after a later time
+  error: row.csv:3:1: the time goes backwards: `-1` comes after a later time
   $ row 'noon,LeftSide,true,\n'
   error: row.csv:3:1: `noon` is not a time in seconds
   $ row '1,"LeftSide,true,\n'
   error: row.csv:3:1: a quoted cell that starts in this row is never closed
   $ row '1,LeftSide,true, \t"Just 3"\n'
-  error: row.csv:3:17: a blank before a quote; leave no blanks beside the commas
+  error: row.csv:3:17: a space before a quote; remove the spaces beside the commas
   $ row '1, "LeftSide",true,\n'
-  error: row.csv:3:3: a blank before a quote; leave no blanks beside the commas
+  error: row.csv:3:3: a space before a quote; remove the spaces beside the commas
   $ row '1,"  " ",true,\n'
   error: row.csv:3:4: column `in.1.side`: expected `LeftSide`, `RightSide` or `At`, found `   "`
 
@@ -77,4 +77,4 @@ A program is rejected for the same reasons, whatever is to run it.
 
   $ printf 'main :: SF Float Float\nmain = proc x -> y where\n    y = y + x\n' > loop.frob
   $ frobc trace loop.frob --input in.csv --engine interp 2>&1 | head -n 1
-  error[E0401]: signal `y` needs its own value in the same instant
+  error[E0401]: the signal `y` needs its own value in the same instant

@@ -35,17 +35,21 @@ Limits, on Float and on Int:
   nan,nan,nan,2,3,1
   2,3,inf,2,3,2147483645
 
-The first instant, the length of a step, the input before:
+The first instant, the length of a step, what controllers count of it, the input before:
 
   $ cat > steps.frob << FROB
   > import Control
-  > main :: SF Float (Bool, Time, Float)
-  > main = proc x -> (atStart x, stepTime x, previous x)
+  > main :: SF Float (Bool, Time, Time, Float)
+  > main = proc x -> (atStart x, stepTime x, controlStep x, previous x)
   > FROB
-  $ model steps '{ printf "%s,%.9g,%.9g\n", start ? "true" : "false", dt, start ? x : before }'
+  $ model steps '{
+  >     most = usual > 0.1 ? 2 * usual : 0.2; step = usual > 0 && dt > most ? most : dt
+  >     usual = start ? 0 : step
+  >     printf "%s,%.9g,%.9g,%.9g\n", start ? "true" : "false", dt, step, start ? x : before
+  >   }'
 
 Filters: a low-pass of first order, also with a time constant of 0 or less, which
-is none; a limit of the slope; a mean.
+is none; a limit of the slope, which counts no step longer than twice the one before; a mean.
 
   $ cat > filters.frob << FROB
   > import Control
@@ -58,7 +62,9 @@ is none; a limit of the slope; a mean.
   $ model filters '{
   >     y = start ? x : y + dt / (0.5 + dt) * (x - y)
   >     z = start || dt > 0 ? x : z
-  >     r = start ? x : r + limit(2 * dt, x - r)
+  >     most = usual > 0.1 ? 2 * usual : 0.2; step = usual > 0 && dt > most ? most : dt
+  >     usual = start ? 0 : step
+  >     r = start ? x : r + limit(2 * step, x - r)
   >     if (start) x1 = x2 = x3 = x
   >     printf "%.9g,%.9g,%.9g,%.9g\n", y, z, r, (x + x1 + x2 + x3) / 4
   >     x3 = x2; x2 = x1; x1 = x
@@ -85,6 +91,7 @@ The part of the way that a low-pass goes in a step:
   > main = proc (tau, step) -> approach tau step
   > FROB
   $ printf '%s\n' 3,1 3,0 0,1 0,0 -1,1 1,inf inf,1 | rows in.1,in.2 | trace approaches | cells | xargs
+  NaN: out, first at 5.000 s; to find its origin, run `frobc view --why-nan`
   0.25 0 1 0 1 nan 0
 
 `hysteresis 1 3` is on from 3 until 1:
@@ -122,7 +129,8 @@ change starts the clock again. The first input is taken as it is.
   true true true true true true true false false false false true
 
 A PID controller with all three parts, whose integral stands still while the
-output is at its limit and the error would push it further:
+output is at its limit and the error would push it further. No step counts as longer than twice the
+one before, or 0.2 s:
 
   $ cat > controller.frob << FROB
   > import Control
@@ -130,7 +138,9 @@ output is at its limit and the error would push it further:
   > main = pid Pid { kp = 2[V/m], ki = 0.5[V/m/s], kd = 0.1[V s/m], largest = 5[V] }
   > FROB
   $ model controller '{
-  >     sum = start ? 0 : sum + dt * counted
+  >     most = usual > 0.1 ? 2 * usual : 0.2; step = usual > 0 && dt > most ? most : dt
+  >     usual = start ? 0 : step
+  >     sum = start ? 0 : sum + step * counted
   >     slope = start ? 0 : dt > 0 ? (x - before) / dt : slope
   >     wanted = 2 * x + 0.5 * sum + 0.1 * slope
   >     counted = (wanted > 5 && x > 0 || wanted < -5 && x < 0) ? 0 : x

@@ -1,4 +1,4 @@
-(* Each name of the library says what it is, and is run by some test. *)
+(* Checks that each name of the library has a comment and that some test runs it. *)
 
 open Basis
 
@@ -12,7 +12,7 @@ let read file =
     ~finally:(fun () -> close_in channel)
     (fun () -> really_input_string channel (in_channel_length channel))
 
-(* Programs that both engines run, and whose results are stated or compared. *)
+(* Tests that run programs in both engines and state or compare the results. *)
 let tests =
   let files folder extension =
     Sys.readdir (root / folder)
@@ -39,7 +39,7 @@ let is_name_character c =
 
 let is_word name = is_name_character name.[0]
 
-(* A word as a whole, an operator anywhere. *)
+(* Looks for whole words; for operators, anywhere. *)
 let occurs name text =
   let n = String.length name in
   let apart i = i < 0 || i >= String.length text || not (is_name_character text.[i]) in
@@ -63,7 +63,7 @@ let load name =
 
 type declared = { name : string; doc : string option; runs : bool }
 
-(* What a module declares itself. *)
+(* The names that a module itself declares. *)
 let declared module_ (program : Resolve.Ir.program) =
   let own (g : Resolve.Ir.Global.t) = String.equal g.module_ module_ in
   let value (g : Resolve.Ir.Global.t) doc =
@@ -74,7 +74,7 @@ let declared module_ (program : Resolve.Ir.program) =
       [ { name = t.tycon.name; doc = t.doc; runs = false } ]
     else []
   in
-  (* Of a class that is about one thing the comment says what its method is. *)
+  (* The comment of a class with a single method also documents the method. *)
   let method_ (c : Resolve.Ir.class_) (m : Resolve.Ir.method_) =
     value m.name (match (m.doc, c.methods) with None, [ _ ] -> c.doc | doc, _ -> doc)
   in
@@ -98,7 +98,7 @@ let declared module_ (program : Resolve.Ir.program) =
 
 let names suits declared = List.filter_map (fun d -> if suits d then Some d.name else None) declared
 
-(* What the robots' modules say is tested with the robots, in the simulator. *)
+(* The modules of robots are tested with the robots, in the simulator. *)
 let general = [ "Prelude"; "Control"; "Geometry"; "Sources"; "Past" ]
 
 let check module_ =

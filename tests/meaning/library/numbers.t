@@ -237,12 +237,14 @@ wrap. `**` is as `pow` in C99, Annex F.
   > main = proc (n, x) -> (n ^ 0, n ^ 5, x ^ 0, x ^ 3, x ^ (-2), x ** 0.5)
   > FROB
   $ printf '%s\n' 3,3 -2,-2 0,0 65536,nan 100,inf | rows in.1,in.2 | trace powers | sed 1d | cut -d, -f2-5,7
+  NaN: out.6, first at 1.000 s; to find its origin, run `frobc view --why-nan`
   1,243,1,27,1.7320508075688772
   1,-32,1,-8,nan
   1,0,1,0,0
   1,0,1,nan,nan
   1,1410065408,1,inf,inf
   $ printf '%s\n' 2,2 2,-4 2,0 2,inf | rows in.1,in.2 | trace powers | cut -d, -f6
+  NaN: out.6, first at 1.000 s; to find its origin, run `frobc view --why-nan`
   out.5
   0.25
   0.0625
@@ -256,6 +258,9 @@ Float follows IEEE:
   > main = proc (x, y) -> (x / y, sqrt x, log x, hypot x y)
   > FROB
   $ printf '%s\n' 1,0 -1,0 0,0 0,-2 inf,nan | rows in.1,in.2 | trace ieee | cells
+  NaN: out.1, first at 2.000 s; to find its origin, run `frobc view --why-nan`
+  NaN: out.2, first at 1.000 s
+  NaN: out.3, first at 1.000 s
   inf,1,0,1
   -inf,nan,nan,1
   nan,0,-inf,0

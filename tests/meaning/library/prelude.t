@@ -31,6 +31,8 @@ Their first instants are the ends of their domains:
   > main = proc x -> (asin x, acos x, toFloat (round (atan x * 1e6)))
   > FROB
   $ printf '%s\n' 1 -1 1.5 inf | rows in | trace domains | cells | rounded
+  NaN: out.1, first at 2.000 s; to find its origin, run `frobc view --why-nan`
+  NaN: out.2, first at 2.000 s
   1.57079633,0,785398
   -1.57079633,3.14159265,-785398
   nan,nan,982794

@@ -1,4 +1,4 @@
-(* The trees that the compiler was built with are those of the library's files. *)
+(* Checks that the syntax trees built into the compiler match the library's files. *)
 
 open Basis
 
@@ -22,7 +22,7 @@ let parsed module_ =
 
 let prepared module_ text = Prepared.Library.tree ~file:(shown module_) text
 
-(* With every place, number and comment. *)
+(* Compares everything, including positions, numbers and comments. *)
 let is_a_fresh_parse module_ () =
   let tree = prepared module_ (text module_) in
   Alcotest.(check bool) "prepared" true (Option.is_some tree);
@@ -32,7 +32,8 @@ let changed_text () =
   let changed = text "Prelude" ^ "\n" in
   Alcotest.(check bool) "not prepared" true (prepared "Prelude" changed = None)
 
-(* Messages would show the file under another name than it has. *)
+(* If the file's name differs, there is no prepared tree, because messages would show the wrong
+   name. *)
 let other_file () =
   let tree = Prepared.Library.tree ~file:"elsewhere/Prelude.frob" (text "Prelude") in
   Alcotest.(check bool) "not prepared" true (tree = None)

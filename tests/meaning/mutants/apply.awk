@@ -5,15 +5,25 @@
 # changes the file below DIR and prints its name, a tab and the fault's. With
 # number=0 it changes nothing and says whether each fault could be made, with
 # count=1 only how many there are. The text to change must stand in the file
-# exactly once. A text may go on in lines that are indented or begin with {.
+# exactly once; where it has spaces, the file may have other spaces or line breaks. A text may go on
+# in lines that are indented or begin with {.
+
+# Returns a regular expression for the text with any spacing.
+function pattern(text) {
+    gsub(/[][\\.^$*+?(){}|\/]/, "[&]", text)
+    gsub(/\[\\\]/, "[\\\\]", text)
+    gsub(/\[\^\]/, "\\^", text)
+    gsub(/[ \n]+/, "[ \n]+", text)
+    return text
+}
 
 function finish(    text, line, at, rest) {
     if (count || !seen || (number && seen != number)) return
     while ((getline line < (tree "/" file)) > 0) text = text line "\n"
     close(tree "/" file)
-    at = index(text, from)
-    rest = substr(text, at + length(from))
-    if (at == 0 || index(rest, from) > 0) {
+    at = match(text, pattern(from))
+    rest = substr(text, at + RLENGTH)
+    if (at == 0 || match(rest, pattern(from)) > 0) {
         printf "FAIL %s: the text of `%s` stands there %s\n", file, name, at == 0 ? "no longer" : "more than once" > "/dev/stderr"
         failed = 1
     } else if (number) {

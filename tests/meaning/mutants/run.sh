@@ -1,8 +1,9 @@
 #!/bin/sh
-# run.sh COUNT SEED [NUMBER...]: judges the judge. Each fault of tests/meaning/mutants/list
-# (or those of these numbers) goes into a copy of the compiler, and the random
-# programs of tests/meaning/fuzz are to find it within COUNT. Prints a table; the status is
-# 1 if a fault survives, no longer applies or does not build.
+# run.sh COUNT SEED [NUMBER...]: tests the random programs themselves. Plants each fault of
+# tests/meaning/mutants/list (or those with these numbers) into a copy of the compiler, and checks
+# that the random programs of tests/meaning/fuzz detect it within COUNT programs. Prints a table;
+# the exit status is 1 if a fault survives, no longer applies or does not build. If a fault makes a
+# program run forever, it counts as found.
 set -u
 cd "$(dirname "$0")/../../.." || exit 1
 count=$1 seed=$2
@@ -22,7 +23,7 @@ fresh() {
     cp -p dune dune-project frobc.opam "$tree/"
 }
 
-# All but the last file that was changed keeps its time, so little is built again.
+# Only the last changed file gets a new modification time, so that dune rebuilds little.
 build() { dune build --root "$tree" ./tests/meaning/fuzz/main.exe >"$work/build" 2>&1; }
 
 mkdir -p "$work"
@@ -42,10 +43,13 @@ for number in "$@"; do
         verdict='not built'
         broken=$((broken + 1))
         tail -n 12 "$work/build" >&2
-    elif "$tree/_build/default/tests/meaning/fuzz/main.exe" --count "$count" --seed "$seed" --stop-at-first \
+    elif timeout $((300 + count)) "$tree/_build/default/tests/meaning/fuzz/main.exe" --count "$count" --seed "$seed" --stop-at-first \
         --runtime "$tree/runtime" --jobs "$(nproc)" >"$work/programs" 2>&1; then
         verdict=SURVIVED
         survivors=$((survivors + 1))
+    elif [ $? -eq 124 ]; then
+        verdict='a hang'
+        found=$((found + 1))
     else
         verdict=$(sed -n 's/^FAIL \([0-9]*\) random programs.*/\1/p' "$work/programs")
         verdict=${verdict:-a crash}

@@ -1,11 +1,10 @@
-"""The module Past beside RTAMT, a library for monitors of signal temporal logic.
+"""Compares the module Past with RTAMT, a library for monitors of signal temporal logic.
 
-    agree.py FROBC N SEED           N random formulas: does frobc say what RTAMT says?
-    agree.py --store FOLDER N SEED  writes N formulas as a program, its input, and what RTAMT
-                                    says of them
+    agree.py FROBC N SEED           compares frobc with RTAMT on N random formulas
+    agree.py --store FOLDER N SEED  writes N formulas as a program, its input, and RTAMT's results
 
-Both are given the same traces of three signals, an instant a second. A formula holds for RTAMT
-where its robustness is positive; no signal is ever 0, so none is undecided.
+Both get the same traces of three signals, with one instant a second. A formula holds for RTAMT if
+its robustness is positive. No signal is ever 0, so every formula is decided.
 """
 
 import csv
@@ -19,7 +18,7 @@ import rtamt
 
 SIGNALS = ["x", "y", "z"]
 INSTANTS = 24
-BATCH = 25  # formulas of one program
+BATCH = 25  # number of formulas in one program
 
 
 def atom(r):
@@ -28,7 +27,7 @@ def atom(r):
 
 
 def formula(r, depth):
-    """A pair: in Frob, in RTAMT."""
+    """Returns a random formula as a pair: in Frob's and in RTAMT's syntax."""
     if depth == 0:
         return atom(r)
     f, g = formula(r, depth - 1), formula(r, r.randrange(depth))
@@ -51,7 +50,8 @@ def formula(r, depth):
     if kind == 7:
         return f"(within {k}[s] {f[0]})", f"(once[0:{k}] {f[1]})"
     if kind == 8:
-        # There is no past before the first instant, which RTAMT takes for whatever helps.
+        # Before the first instant there is no past; RTAMT would assume whatever makes the formula
+        # true.
         return f"(heldFor {k}[s] {f[0]})", f"((historically[0:{k}] {f[1]}) and (t > {k - 0.5}))"
     if kind == 9:
         return f"(holds (afterwards ({f[0]}, {g[0]})))", f"((once {f[1]}) implies {g[1]})"
@@ -60,7 +60,7 @@ def formula(r, depth):
 
 
 def trace(r):
-    """Signals that stay on one side of 0 for a while."""
+    """Signals that keep their sign for some time."""
     rows = {s: [] for s in SIGNALS}
     for s in SIGNALS:
         stays = r.choice([2, 4, 8])

@@ -41,7 +41,7 @@ let signature line =
       List.map (fun name -> (bare name, type_)) names
   | Some _ | None -> []
 
-(* Of what is in C: the type, without the symbol. *)
+(* Foreign values have a type, followed by a C symbol; keeps only the type. *)
 let in_c names =
   List.map
     (fun (name, type_) ->

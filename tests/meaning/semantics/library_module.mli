@@ -1,5 +1,5 @@
-(** What the text of a module of the library declares, if all of it is exported and every value has
-    a signature. *)
+(** The declarations in the text of a library module. Assumes that the module exports everything and
+    that every value has a signature. *)
 
 type t = {
   types : string list;  (** types, constructors and units *)

@@ -17,7 +17,7 @@ let starts prefix line =
 
 let drop n line = String.sub line n (String.length line - n)
 
-(* A bar is part of a cell where a backslash stands before it. *)
+(* A vertical bar after a backslash is part of a cell. *)
 let cells row =
   let row = String.trim row in
   let rec go i cell found =

@@ -1,7 +1,8 @@
-(** The parts of a Markdown page that a test reads. *)
+(** Parses the parts of a Markdown page that the tests need. *)
 
 type table = { line : int; rows : string list list }
-(** Rows of cells, the header first, without the rule below it. [line] is the header's. *)
+(** The rows of a table, including the header but not the rule below it. [line] is the header's
+    line. *)
 
 type part =
   | Heading of { line : int; depth : int; text : string }
@@ -10,10 +11,10 @@ type part =
   | Text of { line : int; text : string }  (** one line that is not blank *)
 
 val parts : string -> part list
-(** What the text of a page consists of, in its order. *)
+(** The parts of a page, in order. *)
 
 val code : string -> string list
-(** What stands in backticks in a line. *)
+(** The texts in backticks in a line. *)
 
 val read : string -> string
 (** The contents of a file. *)

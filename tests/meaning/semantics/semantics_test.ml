@@ -1,6 +1,7 @@
-(* docs/semantics.md: each table is what its program does in both engines, and
-   each event primitive, switch and task has a passage with its type. The appendices of
-   docs/language.md: every name of the prelude and of the modules described, with its type. *)
+(* Checks docs/semantics.md: each table shows what its program does in both engines, and each
+   event primitive, switch and task has a section with its type. Checks the appendices of
+   docs/language.md: they list every name of the prelude and of the described modules, with its
+   type. *)
 
 let root = "../../.."
 let ( / ) = Filename.concat
@@ -9,7 +10,7 @@ let language = Page.parts (Page.read (root / "docs" / "language.md"))
 let declared module_ = Library_module.declared (Page.read (root / "stdlib" / (module_ ^ ".frob")))
 let prelude = declared "Prelude"
 
-(* With a heading each in appendix B. *)
+(* The modules that have a heading in appendix B. *)
 let library =
   [
     "Control";
@@ -34,7 +35,7 @@ let write file text =
   output_string channel text;
   close_out channel
 
-(* A field with a comma is quoted. *)
+(* Fields with a comma need quotes. *)
 let csv rows =
   let field cell = if String.contains cell ',' then "\"" ^ cell ^ "\"" else cell in
   String.concat "" (List.map (fun row -> String.concat "," (List.map field row) ^ "\n") rows)
@@ -57,13 +58,13 @@ let rec transpose = function
   | [] | [] :: _ -> []
   | rows -> List.map List.hd rows :: transpose (List.map List.tl rows)
 
-(* Times in the table are without the zeros at the end. *)
+(* Times in the tables have no trailing zeros. *)
 let short time =
   let rec go n = if n > 0 && time.[n - 1] = '0' then go (n - 1) else n in
   let n = if String.contains time '.' then go (String.length time) else String.length time in
   String.sub time 0 (if n > 0 && time.[n - 1] = '.' then n - 1 else n)
 
-(* A row is labelled by its column of the trace in backticks, `time` without. *)
+(* A row's label is its trace column in backticks; `time` has no backticks. *)
 let label row =
   match (List.hd row, Page.code (List.hd row)) with
   | "time", [] -> "time"
@@ -105,7 +106,7 @@ type passage = {
   examples : (string * Page.table) list;
 }
 
-(* Each table shows what the block before it does. *)
+(* Each table shows the output of the code block before it. *)
 let passages =
   let rec go current block found = function
     | [] -> List.rev (current :: found)
@@ -130,7 +131,7 @@ let passages =
   let none = { names = []; signatures = []; examples = [] } in
   go none None [] semantics |> List.filter (fun passage -> passage.names <> [])
 
-(* The tables of the appendices, with the heading above each. *)
+(* The tables of the appendices, each with the heading above it. *)
 let appendix =
   let rec start = function
     | Page.Heading { depth = 2; text; _ } :: rest
@@ -152,7 +153,7 @@ let tables =
 
 let names row = Page.code (List.hd row)
 
-(* Where the second column has them: `Name Type Type`. *)
+(* The constructors in the second column, if it has any: `Name Type Type`. *)
 let constructors = function
   | _ :: second :: _ ->
       List.map (fun code -> List.hd (String.split_on_char ' ' code)) (Page.code second)
@@ -242,7 +243,7 @@ let () =
              (fun (name, declared) ->
                Alcotest.test_case ("has every name of " ^ name) `Quick
                  (every_name_of (name, declared)))
-             (* whose table writes constructors beside their type, and not what its texts are made of *)
+             (* its table lists constructors with their type, but not the internals of its texts *)
              (List.remove_assoc "Display" modules)
         @ [
             Alcotest.test_case "has the library's types" `Quick types_of_the_library;

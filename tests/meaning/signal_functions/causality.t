@@ -50,7 +50,7 @@ worked out by hand.
 A part that does need itself is refused, with the way round:
 
   $ frobc check loop_through_inner_proc.frob
-  error[E0401]: signal `x` needs its own value in the same instant
+  error[E0401]: the signal `x` needs its own value in the same instant
    --> loop_through_inner_proc.frob:7:6
     |
   7 |     (x, y) = crossed (n, x + y)
@@ -62,7 +62,7 @@ A part that does need itself is refused, with the way round:
   [1]
 
   $ frobc check loop_through_two_instances.frob
-  error[E0401]: signal `u` needs its own value in the same instant
+  error[E0401]: the signal `u` needs its own value in the same instant
    --> loop_through_two_instances.frob:7:6
     |
   7 |     (u, v) = step (w, n)
@@ -76,7 +76,7 @@ A part that does need itself is refused, with the way round:
   [1]
 
   $ frobc check loop_by_turns.frob
-  error[E0401]: signal `x` needs its own value in the same instant
+  error[E0401]: the signal `x` needs its own value in the same instant
    --> loop_by_turns.frob:4:5
     |
   4 |     x = if b then y else 0
@@ -99,7 +99,7 @@ A loop is a loop even where an operand or a branch would not matter:
   >     q = if q.g > 0 then p { f = 1 } else p
   > EOF
   $ frobc check needless.frob
-  error[E0401]: signal `x` needs its own value in the same instant
+  error[E0401]: the signal `x` needs its own value in the same instant
    --> needless.frob:4:5
     |
   4 |     x = x && False
@@ -107,7 +107,7 @@ A loop is a loop even where an operand or a branch would not matter:
     |
     = hint: let `x` read its own previous value: `delay x0 x`, where `x0` is the initial value
   
-  error[E0401]: signal `q.g` needs its own value in the same instant
+  error[E0401]: the signal `q.g` needs its own value in the same instant
    --> needless.frob:5:5
     |
   5 |     q = if q.g > 0 then p { f = 1 } else p
@@ -130,4 +130,4 @@ Where all that the program does is to run what the library closes, that is shown
     2 | main = loop (arr (\(x, z) -> (x + z, x + z)))
       | --------------------------------------------- `loop` runs here
       |
-      = hint: what runs in the loop needs a `delay` or an `integral`
+      = hint: put a `delay` or an `integral` into the signal function inside the loop

@@ -15,18 +15,18 @@ seconds.
   $ frobc compile cruise.frob --real float
   $ sed -n '/^struct/,$p' cruise.h
   struct cruise_input {
-      float wanted;
-      float measured;
+      float wanted;   /* m/s */
+      float measured; /* m/s */
   };
   
   struct cruise_output {
-      float f1;
+      float f1;   /* V */
       int32_t f2;
   };
   
   struct cruise_state {
-      float error_integral;       /* integral at cruise.frob:6 */
-      float error_integral_input; /* its last input at cruise.frob:6 */
+      float error_integral;       /* m, integral at cruise.frob:6 */
+      float error_integral_input; /* m/s, its last input at cruise.frob:6 */
   };
   
   void cruise_reset(struct cruise_state *self);

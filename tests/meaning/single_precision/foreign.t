@@ -185,7 +185,7 @@ Foreign values, what the C library declares, and what nothing is known of:
   > void stamped(double a, struct stamp *result) { result->time = a; }
   > C
   $ printf 'time,in\n0,0.1\n0.3,8\n0.4,27\n' > in.csv
-  $ frobc trace --lint parts_program.frob --real float --with parts_in_c.c --input in.csv
+  $ frobc trace --lint parts_program.frob --real float --with parts_in_c.c --with parts.h --input in.csv
   time,out.1,out.2,out.3,out.4
   0.000000000,0,0,0.4641589,true
   0.300000000,0.1,0.3,2,true

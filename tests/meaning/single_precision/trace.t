@@ -16,7 +16,7 @@ as few digits as are read back as the same float.
   > 0,0.1,LeftSide
   > 0.1,3.3333333333,At (-0.7)
   > 0.2,16777217,At 1e30
-  > 0.3,1e-40,At 1e39
+  > 0.3,1e-40,At 3e38
   > 1000000.123456789,nan,At (-inf)
   > EOF
   $ frobc trace numbers.frob --real float --input in.csv

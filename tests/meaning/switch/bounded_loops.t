@@ -121,9 +121,9 @@ A thousand steps are the most.
   $ frobc report many.frob | grep -o 'at most.*instant'
   at most 1001 stepped within one instant
   $ sed 's/repeatT 4/repeatT 1001/' repeat.frob > too_many.frob
-  $ frobc check too_many.frob 2>&1 | grep -e E0402 -e 'no end was'
-  error[E0402]: `step → repeatT → step` may go round for ever within one instant
-      = note: no end was found within 1000 steps, the most that an instant may take
+  $ frobc check too_many.frob 2>&1 | grep -e E0402 -e 'no end within'
+  error[E0402]: `step → repeatT → step` may repeat endlessly within one instant
+      = note: frobc found no end within 1000 steps, the maximum for one instant
 
 What made one mode go keeps the next one.
 

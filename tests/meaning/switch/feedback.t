@@ -52,13 +52,13 @@ With `switch` it may not: it is one box.
   >     y = switch (proc u -> (10, edge (u > 12))) (\_ -> delay 0) (y + x)
   > EOF
   $ frobc check loop.frob
-  error[E0401]: signal `y` needs its own value in the same instant
+  error[E0401]: the signal `y` needs its own value in the same instant
    --> loop.frob:3:5
     |
   3 |     y = switch (proc u -> (10, edge (u > 12))) (\_ -> delay 0) (y + x)
     |     ^                                                           ----- `y` reads `y` here, through a switch
     |
-    = note: an output of a switch needs every input that a signal function in it reads at that instant
+    = note: each output of a switch depends on every input that the signal functions in it read in the same instant
     = hint: let `y` read its own previous value: `delay x0 y`, where `x0` is the initial value
   
   1 error

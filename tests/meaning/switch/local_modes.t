@@ -144,14 +144,14 @@ The rules of tail position are those of the top level.
   >     go n = switch (proc v -> (v + n, edge (v > 2))) (\_ -> go 1 >>> arr (\x -> x + 1))
   > EOF
   $ frobc check nested.frob
-  error[E0415]: `go` would run inside itself
+  error[E0415]: `go` restarts itself inside itself
    --> nested.frob:3:60
     |
   3 |     go n = switch (proc v -> (v + n, edge (v > 2))) (\_ -> go 1 >>> arr (\x -> x + 1))
     |                                                            ^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `>>>`
     |
-    = note: a signal function may start itself again only as the whole result of a continuation: then it takes no room
-    = hint: what all modes go through (`>>>`) stands around the first one, where it is started, and not in the modes
+    = note: a signal function may only restart itself as the whole result of a continuation; otherwise each restart would need more memory
+    = hint: apply `>>>` once, where the first mode is started, and not in each mode
   
   1 error
   [1]
@@ -161,14 +161,14 @@ The rules of tail position are those of the top level.
   >     go sf = switch (proc v -> (sf v, edge (v > 2))) (\_ -> go (sf >>> sf))
   > EOF
   $ frobc check grows.frob
-  error[E0416]: `go` grows each time it starts itself again
+  error[E0416]: `go` grows each time it restarts itself
    --> grows.frob:3:60
     |
   3 |     go sf = switch (proc v -> (sf v, edge (v > 2))) (\_ -> go (sf >>> sf))
-    |                                                            ^^^^^^^^^^^^^^ here, with one more `>>>`
+    |                                                            ^^^^^^^^^^^^^^ it restarts here, with one more `>>>`
     |
-    = note: which signal functions can run must be known, and be finitely many
-    = hint: start it with the same signal functions each time; numbers may change
+    = note: frobc must know all signal functions that can run, so their number must be finite
+    = hint: restart it with the same signal functions each time; numbers may change
   
   1 error
   [1]
@@ -180,7 +180,7 @@ The rules of tail position are those of the top level.
   >     release n = up n
   > EOF
   $ frobc check circle.frob
-  error[E0410]: `up` calls itself through others
+  error[E0410]: `up` calls itself through other definitions
    --> circle.frob:3:5
     |
   3 |     up n = down (n + 1)
@@ -192,8 +192,8 @@ The rules of tail position are those of the top level.
   5 |     release n = up n
     |                 -- `release` uses `up` here
     |
-    = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
-    = hint: a value that depends on its own past is an equation of a `proc`, with `delay`, as in `n = delay 0 n + 1`
+    = note: functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal function may only restart itself in the continuation of a switch
+    = hint: for a value that depends on its own past, write an equation in a `proc`, with `delay`, as in `n = delay 0 n + 1`
   
   1 error
   [1]
@@ -209,8 +209,8 @@ The rules of tail position are those of the top level.
   3 |     f n = if n > 0 then f (n - 1) else 0
     |     ^                   - `f` uses `f` here
     |
-    = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
-    = hint: a value that depends on its own past is an equation of a `proc`, with `delay`, as in `n = delay 0 n + 1`
+    = note: functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal function may only restart itself in the continuation of a switch
+    = hint: for a value that depends on its own past, write an equation in a `proc`, with `delay`, as in `n = delay 0 n + 1`
   
   1 error
   [1]

@@ -11,7 +11,7 @@ makes each step possible.
   > main = go 0.5
   > EOF
   $ frobc check ever.frob
-  error[E0402]: `rest → go → rest` may go round for ever within one instant
+  error[E0402]: `rest → go → rest` may repeat endlessly within one instant
    --> ever.frob:5:18
     |
   2 | go v = switch (proc x -> (x + v, tag (when (x > -2)) x)) (\w -> rest w)
@@ -24,8 +24,8 @@ makes each step possible.
     |                                    |
     |                                    `after` may occur at the first instant of `rest`
     |
-    = note: at an instant at which each is left as soon as it starts, nothing waits for the next one
-    = hint: a time of at least 1 ns makes it wait: `after (max 1[ms] q)`
+    = note: no time passes between these steps at an instant at which each is left as soon as it starts
+    = hint: wait for at least 1 ns: `after (max 1[ms] q)`
   
   1 error
   [1]
@@ -79,7 +79,7 @@ One that starts itself again, and several.
   > main = switch (proc x -> (x, when (x > 1))) (\_ -> main)
   > EOF
   $ frobc check itself.frob 2>&1 | head -1
-  error[E0402]: `main → main` may go round for ever within one instant
+  error[E0402]: `main → main` may repeat endlessly within one instant
   $ cat > three.frob <<'EOF'
   > one, two, three :: SF Float Float
   > one = switch (proc x -> (x, when (x > 1))) (\_ -> two)
@@ -88,7 +88,7 @@ One that starts itself again, and several.
   > main = one
   > EOF
   $ frobc check three.frob 2>&1 | head -1
-  error[E0402]: `one → two → three → one` may go round for ever within one instant
+  error[E0402]: `one → two → three → one` may repeat endlessly within one instant
 
 A number that may be infinite may be NaN less itself, so this may go on for ever too: the
 mode that is handed 1/0.
@@ -99,7 +99,7 @@ mode that is handed 1/0.
   > main = switch (proc x -> (x, tag (edge (x > 1)) (x > 2))) (\c -> if c then go (1/0) else go 0)
   > EOF
   $ frobc check infinite.frob 2>&1 | head -1
-  error[E0402]: `go → go` may go round for ever within one instant
+  error[E0402]: `go → go` may repeat endlessly within one instant
   $ sed 's|a - a|a * x|' infinite.frob > times.frob
   $ frobc check times.frob 2>&1 | head -1
-  error[E0402]: `go → go` may go round for ever within one instant
+  error[E0402]: `go → go` may repeat endlessly within one instant

@@ -6,14 +6,14 @@ itself; the message names what is around it.
   > main = switch (proc x -> (x, edge (x > 1))) (\_ -> arr (\x -> (x, x)) >>> first main >>> arr fst)
   > EOF
   $ frobc check inside.frob
-  error[E0415]: `main` would run inside itself
+  error[E0415]: `main` restarts itself inside itself
    --> inside.frob:2:52
     |
   2 | main = switch (proc x -> (x, edge (x > 1))) (\_ -> arr (\x -> (x, x)) >>> first main >>> arr fst)
     |                                                    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `>>>`, inside `first`
     |
-    = note: a signal function may start itself again only as the whole result of a continuation: then it takes no room
-    = hint: what all modes go through (`>>>`, `first`) stands around the first one, where it is started, and not in the modes
+    = note: a signal function may only restart itself as the whole result of a continuation; otherwise each restart would need more memory
+    = hint: apply `>>>`, `first` once, where the first mode is started, and not in each mode
   
   1 error
   [1]
@@ -27,14 +27,14 @@ One that gets larger each time would need a mode for each size.
   > main = go identity
   > EOF
   $ frobc check grows.frob
-  error[E0416]: `go` grows each time it starts itself again
+  error[E0416]: `go` grows each time it restarts itself
    --> grows.frob:2:56
     |
   2 | go sf = switch (proc x -> (sf x, edge (x > 1))) (\_ -> go (sf >>> delay 0))
-    |                                                        ^^^^^^^^^^^^^^^^^^^ here, with one more `>>>`
+    |                                                        ^^^^^^^^^^^^^^^^^^^ it restarts here, with one more `>>>`
     |
-    = note: which signal functions can run must be known, and be finitely many
-    = hint: start it with the same signal functions each time; numbers may change
+    = note: frobc must know all signal functions that can run, so their number must be finite
+    = hint: restart it with the same signal functions each time; numbers may change
   
   1 error
   [1]
@@ -48,16 +48,16 @@ So would one that starts itself again at larger types.
   > main = go 1
   > EOF
   $ frobc check types.frob
-  error[E0417]: `go` starts itself again at a larger type
+  error[E0417]: `go` restarts itself at a larger type
    --> types.frob:2:62
     |
   2 | go v = switch (proc x -> (x, edge (x > 1 && v == v))) (\_ -> go (v, v))
     | -------------------------------------------------------------^^--------
     | |                                                            |
-    | |                                                            here a type variable of it becomes `(a, a)`
+    | |                                                            here its type variable becomes `(a, a)`
     | `go` is defined here
     |
-    = hint: start it again at the same types
+    = hint: restart it at the same types
   
   1 error
   [1]
@@ -77,8 +77,8 @@ A signal function that calls itself other than in a continuation.
     |                |
     |                `main` uses `main` here
     |
-    = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
-    = hint: a value that depends on its own past is an equation of a `proc`, with `delay`, as in `n = delay 0 n + 1`
+    = note: functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal function may only restart itself in the continuation of a switch
+    = hint: for a value that depends on its own past, write an equation in a `proc`, with `delay`, as in `n = delay 0 n + 1`
   
   1 error
   [1]
@@ -116,7 +116,7 @@ A signal function that travels in an event is not stored.
   2 | main = proc x -> rSwitch identity (x, delay NoEvent (tag (edge (x > 2)) (constant x)))
     |                                       ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: functions, signal functions and labels exist only while compiling
+    = note: functions, signal functions and labels only exist at compile time
   
   1 error
   [1]
@@ -134,16 +134,16 @@ Growth and larger types through several definitions: the way round is shown.
   > main = go identity
   > FROB
   $ frobc check round.frob
-  error[E0416]: `go` grows each time it starts itself again
+  error[E0416]: `go` grows each time it restarts itself
    --> round.frob:3:58
     |
   2 | go sf = switch (proc x -> (sf x, edge (x > 1))) (\_ -> back (sf >>> arr (+ 1)))
-    |                                                        ----------------------- on the way `back` starts here
+    |                                                        ----------------------- `back` starts here on the way
   3 | back sf = switch (proc x -> (sf x, edge (x < 1))) (\_ -> turn (sf &&& sf))
-    |                                                          ^^^^^^^^^^^^^^^^ here, with one more `>>>`
+    |                                                          ^^^^^^^^^^^^^^^^ it restarts here, with one more `>>>`
     |
-    = note: which signal functions can run must be known, and be finitely many
-    = hint: start it with the same signal functions each time; numbers may change
+    = note: frobc must know all signal functions that can run, so their number must be finite
+    = hint: restart it with the same signal functions each time; numbers may change
   
   1 error
   [1]
@@ -157,16 +157,16 @@ Growth and larger types through several definitions: the way round is shown.
   > main = with ()
   > FROB
   $ frobc check larger.frob
-  error[E0417]: `within` starts itself again at a larger type
+  error[E0417]: `within` restarts itself at a larger type
    --> larger.frob:2:54
     |
   2 | with v = switch (proc x -> (x, edge (x > 1))) (\_ -> within (Just v))
-    |                                                      ^^^^^^ here a type variable of it becomes `Maybe a`
+    |                                                      ^^^^^^ here its type variable becomes `Maybe a`
   ...
   5 | within v = switch (proc x -> (x, edge (x < 1))) (\_ -> with v)
     |                                                        ---- `within` starts `with` here
     |
-    = hint: start it again at the same types
+    = hint: restart it at the same types
   
   1 error
   [1]
@@ -191,8 +191,8 @@ limits them.
   5 | each = proc x -> applied sin x + applied (* 2) x + applied (\y -> y - 1) x
     |                                                    ^^^^^^^^^^^^^^^^^^^^^^^ `applied` is called here
     |
-    = note: it has a copy for each type, function and signal function that it is given, not for each number
-    = hint: the option `--specialization-limit` allows more
+    = note: frobc makes a copy for each combination of types, functions and signal functions among the arguments; numbers do not count
+    = hint: to allow more, use the option `--specialization-limit`
   
   1 error
   [1]

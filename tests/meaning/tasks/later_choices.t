@@ -30,7 +30,7 @@ start; so it may if the time-out can be at once.
 
   $ sed 's/Just True -> .*/Just True -> return ()/' visit.frob > at_once.frob
   $ frobc check at_once.frob 2>&1 | grep -v '^ *|* *$'
-  error[E0402]: `timeOut → visit → timeOut` may go round for ever within one instant
+  error[E0402]: `timeOut → visit → timeOut` may repeat endlessly within one instant
     --> at_once.frob:6:10
    6 |     r <- driveTo goal `timeOut` 20[s]
      |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
@@ -38,19 +38,19 @@ start; so it may if the time-out can be at once.
      |     ---------
   ...
   10 |         Nothing -> return ()
-     |         -------------------- `timeOut` may go on to itself at its own first instant
-    ::: stdlib/Driving.frob:41:16
-  41 | driveTo goal = mkTask (proc i ->
+     |         -------------------- `timeOut` may start itself again at its own first instant
+    ::: stdlib/Driving.frob:74:16
+  74 | driveTo goal = mkTask (proc i ->
      |                -----------------
   ...
-  52 |     blocked = when (looks && ahead < min blockedAt (norm way)))
-     |     ----------------------------------------------------------- `driveTo` may occur at the first instant of `timeOut`
-     = note: at an instant at which `driveTo` occurs as soon as `timeOut` starts, nothing waits for the next one
-     = hint: let time pass between: `sleepT 10[ms] …` after the task takes some, with the output meanwhile, such as the `restingOutput` of a robot
+  86 |     blocked = when (looks && inTheWay || stuck i))
+     |     ---------------------------------------------- `driveTo` may occur at the first instant of `timeOut`
+     = note: no time passes between these steps at an instant at which `driveTo` occurs as soon as `timeOut` starts
+     = hint: add a task that takes time: `sleepT 10[ms] …` after the task, with the output meanwhile, such as the `restingOutput` of a robot
   1 error
   $ sed 's/20\[s\]/0[s]/' visit.frob > no_time.frob
   $ frobc check no_time.frob 2>&1 | grep -v '^ *|* *$'
-  error[E0402]: `visit → visit` may go round for ever within one instant
+  error[E0402]: `visit → visit` may repeat endlessly within one instant
     --> no_time.frob:6:10
    6 |     r <- driveTo goal `timeOut` 0[s]
      |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^ this may end as soon as it starts
@@ -58,9 +58,9 @@ start; so it may if the time-out can be at once.
      |     ---------
   ...
   10 |         Nothing -> return ()
-     |         -------------------- `visit` may go on to itself at its own first instant
-     = note: at an instant at which `visit` is left as soon as it starts, nothing waits for the next one
-     = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
+     |         -------------------- `visit` may start itself again at its own first instant
+     = note: no time passes between these steps at an instant at which `visit` is left as soon as it starts
+     = hint: wait for at least 1 ns: `max 1[ms] q`
   1 error
 
 Both engines agree on what happens when the task does end at its first instant.

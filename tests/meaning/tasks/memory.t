@@ -14,29 +14,29 @@ later is kept once.
   > EOF
   $ frobc report lamp.frob | sed -n '/^state/,/^$/p' | without_lines
   state, in bytes
-    thenSF                 40                                Prelude.frob
-      modes                32  room for one of these         Prelude.frob
-        snapT               0  mode                          lamp.frob:8
-        thenSF             32  mode                          Prelude.frob
-          state            32  thenSF                        Prelude.frob
-            modes          24  room for one of these         lamp.frob:8
-              sleepT       16  mode                          lamp.frob:3
-                level       8  parameter                     lamp.frob:3
-                state       8  sleepT                        lamp.frob:3
-                  time      8  time in ns                    Prelude.frob
-              lamp         16  mode                          lamp.frob:4
-                level       8  parameter                     lamp.frob:4
-                state       1  lamp                          lamp.frob:4
-                  delay     1  delay                         Prelude.frob
+    thenSF                 40                             Prelude.frob
+      modes                32  memory for one of these    Prelude.frob
+        snapT               0  mode                       lamp.frob:8
+        thenSF             32  mode                       Prelude.frob
+          state            32  thenSF                     Prelude.frob
+            modes          24  memory for one of these    lamp.frob:8
+              sleepT       16  mode                       lamp.frob:3
+                level       8  parameter                  lamp.frob:3
+                state       8  sleepT                     lamp.frob:3
+                  time      8  time in ns                 Prelude.frob
+              lamp         16  mode                       lamp.frob:4
+                level       8  parameter                  lamp.frob:4
+                state       1  lamp                       lamp.frob:4
+                  delay     1  delay                      Prelude.frob
                 (padding)   7
-              sleepT       24  mode                          lamp.frob:5
-                level       8  parameter                     lamp.frob:5
-                y           8  parameter                     lamp.frob:5
-                state       8  sleepT                        lamp.frob:5
-                  time      8  time in ns                    Prelude.frob
-            mode            1  number of the mode that runs  lamp.frob:8
+              sleepT       24  mode                       lamp.frob:5
+                level       8  parameter                  lamp.frob:5
+                y           8  parameter                  lamp.frob:5
+                state       8  sleepT                     lamp.frob:5
+                  time      8  time in ns                 Prelude.frob
+            mode            1  number of the active mode  lamp.frob:8
             (padding)       7
-      mode                  1  number of the mode that runs  Prelude.frob
+      mode                  1  number of the active mode  Prelude.frob
       (padding)             7
   
 

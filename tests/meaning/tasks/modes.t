@@ -82,5 +82,5 @@ and no machine at all.
 The interpreter has no modes.
 
   $ frobc trace --modes --engine interp none.frob --input bug.csv
-  error: modes are those of the compiled program: `--modes` needs `--engine c`
+  error: only the compiled program shows its modes: use `--modes` with `--engine c`
   [2]

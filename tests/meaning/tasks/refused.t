@@ -14,16 +14,16 @@ A call that is not the last statement, with what still waits for it.
   > main = runTask (bug 1)
   > EOF
   $ frobc check not_last.frob
-  error[E0420]: a task starts itself again, but not as its last statement
+  error[E0420]: a task restarts itself, but not as its last statement
    --> not_last.frob:4:5
     |
   4 |     bug (goal + 1)
-    |     ^^^^^^^^^^^^^^ here it starts once more
+    |     ^^^^^^^^^^^^^^ it restarts here
   5 |     sleepT 1[s] 0
-    |     ------------- this still waits for it to end
+    |     ------------- this waits for the restarted task to end
     |
-    = note: more would wait each time, and memory is fixed
-    = hint: make the call the last statement, or put what waits into the branch that ends the task; what is done several times is `repeatT 4 t`, or `forever t`
+    = note: each restart would leave one more statement waiting, but memory is fixed
+    = hint: make the call the last statement, or move the waiting statements into the branch that ends the task; to repeat a task, write `repeatT 4 t` or `forever t`
   
   1 error
   [1]
@@ -40,14 +40,14 @@ A call that something around goes on watching.
   > main = runTask (bug 1)
   > EOF
   $ frobc check watched.frob
-  error[E0415]: `bug` would run inside itself
+  error[E0415]: `bug` restarts itself inside itself
    --> watched.frob:4:10
     |
   4 |     _ <- bug (goal + 1) `timeOut` 3[s]
     |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `timeOut`
     |
-    = note: a task may start itself again only as the last statement of its `do`, with nothing around it that goes on: then it takes no room
-    = hint: what is done several times is `repeatT 4 t`, `whileT condition t` or `forever t`; what comes after all of it stands behind that
+    = note: a task may only restart itself as the last statement of its `do`, with nothing around it that continues; otherwise each restart would need more memory
+    = hint: to repeat a task, write `repeatT 4 t`, `whileT condition t` or `forever t`, and put the statements that follow all repetitions after it
   
   1 error
   [1]
@@ -74,7 +74,7 @@ nothing would ever be done.
   4 |     return ()
     |     ^^^^^^^^^
     |
-    = note: a task may start itself again only as the last statement of a `do`, after something that takes time
+    = note: a task may only restart itself as the last statement of a `do`, after a task that takes time
   
   1 error
   [1]
@@ -104,9 +104,9 @@ nothing would ever be done.
   2 | go = forever go
     | ^^^^^^^^^^^^^^^ `go` uses `go` here
     |
-    = note: a task may start itself again only as the last statement of a `do`, after something that takes time
+    = note: a task may only restart itself as the last statement of a `do`, after a task that takes time
   
-  error[E0410]: `c` calls itself through others
+  error[E0410]: `c` calls itself through other definitions
     --> through.frob:11:1
      |
   11 | c e = if e then sleepT 1[s] 2 else d e
@@ -117,7 +117,7 @@ nothing would ever be done.
   12 | d e = c (not e)
      |       - `d` uses `c` here
      |
-     = note: a task may start itself again only as the last statement of a `do`, after something that takes time
+     = note: a task may only restart itself as the last statement of a `do`, after a task that takes time
   
   2 errors
   [1]
@@ -130,14 +130,14 @@ known to end at once …
   > main = runTask (forever snapT)
   > EOF
   $ frobc check at_once.frob 2>&1 | without_lines
-  error[E0402]: `snapT → forever → snapT` may go round for ever within one instant
+  error[E0402]: `snapT → forever → snapT` may repeat endlessly within one instant
    --> at_once.frob:2:17
     |
   2 | main = runTask (forever snapT)
-    |                 ^^^^^^^^^^^^^ `snapT` may end at once, and `forever` goes on
+    |                 ^^^^^^^^^^^^^ `snapT` may end without taking time, and `forever` follows it
     |
-    = note: what ends as soon as it starts takes no time, as `return` and `snapT`: nothing here waits for the next instant
-    = hint: put a task that takes time into the circle: `untilT (proc x -> (…, condition))` takes one instant at least, `sleepT 10[ms] …` 10 ms, each with its output in place of `…`
+    = note: a task such as `return` or `snapT` takes no time, and no task in this loop waits for the next instant
+    = hint: add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least one instant, `sleepT 10[ms] …` takes 10 ms; write the robot's output in place of `…`
   
   1 error
 
@@ -157,17 +157,17 @@ known to end at once …
   > main = runTask (go 1)
   > EOF
   $ frobc check returns.frob
-  error[E0402]: `go → go` may go round for ever within one instant
+  error[E0402]: `go → go` may repeat endlessly within one instant
    --> returns.frob:3:10
     |
   3 |     m <- return (n + 1)
     |          ^^^^^^^^^^^^^^
   4 |     other m
-    |     ------- `go` may go on to itself at its own first instant
+    |     ------- `go` may start itself again at its own first instant
     |
-    = note: at an instant at which `go` is left as soon as it starts, nothing waits for the next one
-    = note: no end was found within 1000 steps, the most that an instant may take
-    = hint: `untilT (proc x -> (…, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
+    = note: no time passes between these steps at an instant at which `go` is left as soon as it starts
+    = note: frobc found no end within 1000 steps, the maximum for one instant
+    = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition holds but takes at least one instant; `edge` would wait for ever if the condition holds from the start
   
   warning[W0312]: this `return` does nothing: what follows it is done all the same
    --> returns.frob:8:4
@@ -190,7 +190,7 @@ known to end at once …
   >       forever (sleepT (x * 1[s]) 2)
   > EOF
   $ frobc check may_be_none.frob 2>&1 | without_lines
-  error[E0402]: `sleepT → forever → sleepT` may go round for ever within one instant
+  error[E0402]: `sleepT → forever → sleepT` may repeat endlessly within one instant
      --> may_be_none.frob:5:16
       |
     5 |       forever (sleepT (x * 1[s]) 2)
@@ -199,10 +199,10 @@ known to end at once …
      ::: stdlib/Prelude.frob
       |
       |     forever t
-      |     --------- `sleepT` may go on to itself at its own first instant
+      |     --------- `sleepT` may start itself again at its own first instant
       |
-      = note: at an instant at which `sleepT` is left as soon as it starts, nothing waits for the next one
-      = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
+      = note: no time passes between these steps at an instant at which `sleepT` is left as soon as it starts
+      = hint: wait for at least 1 ns: `max 1[ms] q`
   
   1 error
   $ sed 's/x \* 1\[s\]/max 1[ms] (x * 1[s])/' may_be_none.frob > is_some.frob
@@ -219,7 +219,7 @@ and `untilT` is the cure that neither waits for a change nor stands still.
   > past limit = mkTask (proc x -> (limit, when (x > limit)))
   > EOF
   $ frobc check corners.frob 2>&1 | without_lines
-  error[E0402]: `past → forEachT → past` may go round for ever within one instant
+  error[E0402]: `past → forEachT → past` may repeat endlessly within one instant
      --> corners.frob:5:14
       |
     5 | past limit = mkTask (proc x -> (limit, when (x > limit)))
@@ -230,10 +230,10 @@ and `untilT` is the cure that neither waits for a change nor stands still.
      ::: stdlib/Prelude.frob
       |
       |         forEachT (i + 1)
-      |         ---------------- `past` may go on to itself at its own first instant
+      |         ---------------- `past` may start itself again at its own first instant
       |
-      = note: at an instant at which `when` occurs as soon as `past` starts, nothing waits for the next one
-      = hint: `untilT (proc x -> (…, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
+      = note: no time passes between these steps at an instant at which `when` occurs as soon as `past` starts
+      = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition holds but takes at least one instant; `edge` would wait for ever if the condition holds from the start
   
   1 error
   $ sed 's/mkTask (proc x -> (limit, when (x > limit)))/untilT (proc x -> (limit, x > limit))/' corners.frob > until.frob
@@ -250,7 +250,7 @@ A task in a combinator of the library's is called by its own name.
   > blink = mkTask (proc x -> (1, when (x > 1)))
   > EOF
   $ frobc check blink.frob 2>&1 | without_lines
-  error[E0402]: `blink → forever → blink` may go round for ever within one instant
+  error[E0402]: `blink → forever → blink` may repeat endlessly within one instant
      --> blink.frob:2:26
       |
     2 | main = runTask (forever (blink `timeOut` 1[s]))
@@ -262,10 +262,10 @@ A task in a combinator of the library's is called by its own name.
      ::: stdlib/Prelude.frob
       |
       |     forever t
-      |     --------- `blink` may go on to itself at its own first instant
+      |     --------- `blink` may start itself again at its own first instant
       |
-      = note: at an instant at which `blink` is left as soon as it starts, nothing waits for the next one
-      = hint: `untilT (proc x -> (…, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
+      = note: no time passes between these steps at an instant at which `blink` is left as soon as it starts
+      = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition holds but takes at least one instant; `edge` would wait for ever if the condition holds from the start
   
   1 error
 
@@ -279,7 +279,7 @@ One that is written in the combinator's argument is called as the definition aro
   > blink = timeOut (whenT False (sleepT 1[s] 1)) 1[s]
   > EOF
   $ frobc check within.frob 2>&1 | without_lines
-  error[E0402]: `blink → forever → blink` may go round for ever within one instant
+  error[E0402]: `blink → forever → blink` may repeat endlessly within one instant
      --> within.frob:5:9
       |
     5 | blink = timeOut (whenT False (sleepT 1[s] 1)) 1[s]
@@ -290,10 +290,10 @@ One that is written in the combinator's argument is called as the definition aro
      ::: stdlib/Prelude.frob
       |
       |     forever t
-      |     --------- `blink` may go on to itself at its own first instant
+      |     --------- `blink` may start itself again at its own first instant
       |
-      = note: at an instant at which `blink` is left as soon as it starts, nothing waits for the next one
-      = hint: `untilT (proc x -> (…, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
+      = note: no time passes between these steps at an instant at which `blink` is left as soon as it starts
+      = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition holds but takes at least one instant; `edge` would wait for ever if the condition holds from the start
   
   1 error
 
@@ -308,14 +308,14 @@ Parameters that grow.
   > main = runTask (pingpong (sleepT 1[s] 3))
   > EOF
   $ frobc check grows.frob
-  error[E0416]: `pingpong` grows each time it starts itself again
+  error[E0416]: `pingpong` grows each time it restarts itself
    --> grows.frob:4:4
     |
   4 |    pingpong (t `withSF` time `mapTo` ())
-    |    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, with one more `withSF`
+    |    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ it restarts here, with one more `withSF`
     |
-    = note: which tasks can run must be known, and be finitely many
-    = hint: start it with the same tasks each time; numbers may change
+    = note: frobc must know all tasks that can run, so their number must be finite
+    = hint: restart it with the same tasks each time; numbers may change
   
   1 error
   [1]
@@ -336,20 +336,20 @@ program asks for it, with what takes time there.
   >     tour (n - 1)
   > FROB
   $ frobc check tour.frob --robot pioneer 2>&1 | sed 's/frob:[0-9]*:\([0-9]*\)$/frob:N:\1/; s/^ *[0-9]* |/  N |/'
-  error[E0402]: `driveTo → tour → driveTo` may go round for ever within one instant
+  error[E0402]: `driveTo → tour → driveTo` may repeat endlessly within one instant
     --> tour.frob:N:5
     N |
     N |     tour (n - 1)
-    N |     ^^^^^^^^^^^^ `driveTo` may go on to itself at its own first instant
+    N |     ^^^^^^^^^^^^ `driveTo` may start itself again at its own first instant
     N |
     ::: stdlib/Driving.frob:N:5
     N |
     N |     arrived = atPlace goal i
     N |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
     N |
-     = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
-     = note: no end was found within 1000 steps, the most that an instant may take
-     = hint: let time pass between: `sleepT 10[ms] …` after the task takes some, with the output meanwhile, such as the `restingOutput` of a robot
+     = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
+     = note: frobc found no end within 1000 steps, the maximum for one instant
+     = hint: add a task that takes time: `sleepT 10[ms] …` after the task, with the output meanwhile, such as the `restingOutput` of a robot
   
   1 error
   $ cat > places.frob <<'FROB'
@@ -359,7 +359,7 @@ program asks for it, with what takes time there.
   > main = reactimateTask (forever (forEachT [Vec2 1[m] 2[m], zeroVec] driveTo))
   > FROB
   $ frobc check places.frob --robot pioneer 2>&1 | sed 's/frob:[0-9]*:\([0-9]*\)$/frob:N:\1/; s/^ *[0-9]* |/  N |/'
-  error[E0402]: `driveTo → forEachT → driveTo` may go round for ever within one instant
+  error[E0402]: `driveTo → forEachT → driveTo` may repeat endlessly within one instant
      --> places.frob:N:1
     N |
     N | main = reactimateTask (forever (forEachT [Vec2 1[m] 2[m], zeroVec] driveTo))
@@ -373,10 +373,10 @@ program asks for it, with what takes time there.
      ::: stdlib/Prelude.frob:N:9
     N |
     N |         forEachT (i + 1)
-    N |         ---------------- `driveTo` may go on to itself at its own first instant
+    N |         ---------------- `driveTo` may start itself again at its own first instant
     N |
-      = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
-      = hint: let time pass between: `sleepT 10[ms] …` after the task takes some, with the output meanwhile, such as the `restingOutput` of a robot
+      = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
+      = hint: add a task that takes time: `sleepT 10[ms] …` after the task, with the output meanwhile, such as the `restingOutput` of a robot
   
   1 error
   $ sed 's/driveTo)/visit)/' places.frob > visits.frob

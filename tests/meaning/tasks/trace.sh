@@ -1,5 +1,5 @@
-# trace NAME: the program NAME.frob on the rows from standard input, compiled;
-# interpreted it must give the same.
+# trace NAME: runs the compiled program NAME.frob on the rows from standard input; the interpreter
+# must give the same output.
 trace() {
     cat >input.csv
     frobc trace --lint --engine interp "$1.frob" --input input.csv --output interpreted.csv
@@ -8,13 +8,13 @@ trace() {
     cat compiled.csv
 }
 
-# rows HEADER: a row for each line from standard input, half a second apart, with
-# the header for the cells in front of it.
+# rows HEADER: converts each line from standard input to a row, half a second apart, under this
+# header.
 rows() {
     awk -v header="$1" 'BEGIN { print "time," header } { print (NR - 1) / 2 "," $0 }'
 }
 
-# without_lines: a message or table without the numbers of the prelude's lines.
+# without_lines: removes the prelude's line numbers from a message or table.
 without_lines() {
     awk '/::: stdlib/ { library = 1 }
         library { sub(/^ *[0-9]+ \|/, "    |") }

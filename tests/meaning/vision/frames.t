@@ -89,17 +89,17 @@ A frame that is gone, that was changed, that is torn, or that is another file.
   $ frame=$(ls log.frames/*); cp $frame kept.ppm
   $ both() { for engine in c interp; do frobc trace looks.frob --robot pioneer --input log.csv --engine $engine > /dev/null; done 2>&1 | sed 's/ found .*//; s/-[0-9a-f]\{10\}[.]/-HASH./'; }
   $ rm $frame; both
-  error: log.csv:4:151: column `in.console.camera`: expected a frame that is there (log.frames/000000-HASH.ppm: No such file or directory),
-  error: log.csv:4:151: column `in.console.camera`: expected a frame that is there (log.frames/000000-HASH.ppm: No such file or directory),
+  error: log.csv:4:151: column `in.console.camera`: expected an existing frame (log.frames/000000-HASH.ppm: No such file or directory),
+  error: log.csv:4:151: column `in.console.camera`: expected an existing frame (log.frames/000000-HASH.ppm: No such file or directory),
   $ { head -c -1 kept.ppm; printf x; } > $frame; both
-  error: log.csv:4:151: column `in.console.camera`: expected the frame that was recorded (its file has been changed),
-  error: log.csv:4:151: column `in.console.camera`: expected the frame that was recorded (its file has been changed),
+  error: log.csv:4:151: column `in.console.camera`: expected the recorded frame (its file was changed),
+  error: log.csv:4:151: column `in.console.camera`: expected the recorded frame (its file was changed),
   $ head -c 200 kept.ppm > $frame; both
-  error: log.csv:4:151: column `in.console.camera`: expected a frame that is there (log.frames/000000-HASH.ppm: it is not as long as its head says),
-  error: log.csv:4:151: column `in.console.camera`: expected a frame that is there (log.frames/000000-HASH.ppm: it is not as long as its head says),
+  error: log.csv:4:151: column `in.console.camera`: expected an existing frame (log.frames/000000-HASH.ppm: its size does not match its header),
+  error: log.csv:4:151: column `in.console.camera`: expected an existing frame (log.frames/000000-HASH.ppm: its size does not match its header),
   $ echo hello > $frame; both
-  error: log.csv:4:151: column `in.console.camera`: expected a frame that is there (log.frames/000000-HASH.ppm: it is no frame that frobc wrote),
-  error: log.csv:4:151: column `in.console.camera`: expected a frame that is there (log.frames/000000-HASH.ppm: it is no frame that frobc wrote),
+  error: log.csv:4:151: column `in.console.camera`: expected an existing frame (log.frames/000000-HASH.ppm: it is not a frame written by frobc),
+  error: log.csv:4:151: column `in.console.camera`: expected an existing frame (log.frames/000000-HASH.ppm: it is not a frame written by frobc),
 
 A cell that names no frame.
 

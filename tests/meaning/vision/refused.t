@@ -9,14 +9,14 @@ An image is there for an instant. What would keep it longer is refused, and told
   >     Nothing -> 0
   > FROB
   $ frobc check keeps.frob
-  error[E0430]: an image would be kept here
+  error[E0430]: an image cannot be kept from one instant to another
    --> keeps.frob:4:27
     |
   4 | main = proc frame -> case hold Nothing (mapE Just frame) of
     |                           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: a camera's memory is used again for its next frames
-    = hint: keep the numbers that you need, not the picture: look for them at the instant at which the frame comes, and `hold` what was found
+    = note: the camera reuses the memory of an image for the next frames
+    = hint: compute the numbers that you need at the instant at which the frame arrives, and `hold` these numbers
   
   1 error
   [1]
@@ -72,7 +72,7 @@ The names of kernels are the library's: a program of one's own calls them throug
   > main = arr mine
   > FROB
   $ frobc check own.frob 2>&1 | head -1
-  error[E0232]: `frob_image_lens` cannot be a function of yours: it is one of those that generated C and its runtime have
+  error[E0232]: your function cannot be called `frob_image_lens` in C: that name is used by generated C and its runtime
 
 A world without a camera, and hosts that have none.
 
@@ -82,7 +82,7 @@ A world without a camera, and hosts that have none.
   > y = 0
   > TOML
   $ frobc run sees.frob --world dark.toml --for 1s
-  error: the program looks through a camera, `camera`, and the robot of this world has none: add a table [camera] to the world file
+  error: the program uses a camera, `camera`, but the robot of this world has none: add a table [camera] to the world file
   [2]
   $ cat > named.toml <<'TOML'
   > [start]
@@ -95,7 +95,7 @@ A world without a camera, and hosts that have none.
   > name = "rear"
   > TOML
   $ frobc run sees.frob --world named.toml --for 1s
-  error: the program looks through a camera, `camera`, and the robot of this world has none of this name, but `front`, `rear`: give one of them `name = "camera"` in the world file, or write [[camera]] for each there and add one
+  error: the program uses a camera, `camera`, but the robot of this world has none of this name; it has `front`, `rear`: add `name = "camera"` to one of them in the world file, or write [[camera]] for each and add another one
   [2]
   $ cat > deep.frob <<'FROB'
   > import Robot
@@ -108,8 +108,8 @@ A world without a camera, and hosts that have none.
   >     middle = Region { x = 100[px], y = 60[px], width = 120[px], height = 60[px] }
   > FROB
   $ frobc run deep.frob --world dark.toml --robot pioneer --for 1s
-  error: the program looks through a camera, `left`, and the robot of this world has none: add a table [stereo] to the world file
-  error: the program looks through a camera, `right`, and the robot of this world has none: add a table [stereo] to the world file
+  error: the program uses a camera, `left`, but the robot of this world has none: add a table [stereo] to the world file
+  error: the program uses a camera, `right`, but the robot of this world has none: add a table [stereo] to the world file
   [2]
   $ frobc check deep.frob --robot create
   error[E0503]: `create` has no `HasStereo`
@@ -118,15 +118,15 @@ A world without a camera, and hosts that have none.
   7 |     speed = proc i -> 0.1[1/s] * hold 0 (mapE (fromMaybe 0) (nearestSeen middle i))
     |                                                              ^^^^^^^^^^^ `nearestSeen` needs it
     |
-    = note: only `pioneer` has it
+    = note: only `pioneer` has this capability
     = note: `main` is compiled for `create`: there is no instance `HasStereo CreateInput`
     = hint: compile it with `--robot pioneer`
   
   1 error
   [1]
   $ frobc build sees.frob --robot pioneer --target cortex-m -o sees
-  error: sees looks through a camera, `camera`; there are cameras in the simulator, and where Linux runs, but not on a board
+  error: sees uses the camera `camera`, but only the simulator and Linux robots have cameras, not boards
   [2]
   $ frobc run sees.frob --view --for 1s
-  error: this program sees, and what it saw is shown from the frames beside a recording: `--view` needs `--record LOG.csv` too
+  error: this program uses a camera, and the viewer reads its frames from a recording: add `--record LOG.csv` to `--view`
   [2]

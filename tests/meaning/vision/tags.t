@@ -86,7 +86,7 @@ Both engines make the same of them, in single precision too. What finds tags nee
 Where it is needed and not there; a program without tags does not need it.
 
   $ LD_LIBRARY_PATH=$PWD/broken frobc run sees.frob --world world.toml --for 1s
-  error: this program looks for tags, and the library that finds them, libapriltag.so.3, is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); a recording is run again without it
+  error: this program detects tags, but the library for that, libapriltag.so.3, is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
   [2]
   $ cat > rests.frob <<'FROB'
   > import Pioneer
@@ -119,11 +119,11 @@ A program may look at the same frames itself. A world without a camera; a robot;
     camera tags    tags    both.frob:7
   $ sed '/^.camera/d; /^noise/d; /^rate/d' world.toml > dark.toml
   $ frobc run sees.frob --world dark.toml --for 1s
-  error: the program looks through a camera, `camera`, and the robot of this world has none: add a table [camera] to the world file
+  error: the program uses a camera, `camera`, but the robot of this world has none: add a table [camera] to the world file
   [2]
   $ frobc build sees.frob --robot pioneer -o sees
   $ frobc build sees.frob --robot pioneer --target cortex-m -o sees
-  error: sees looks through a camera, `camera`; there are cameras in the simulator, and where Linux runs, but not on a board
+  error: sees uses the camera `camera`, but only the simulator and Linux robots have cameras, not boards
   [2]
 
 Two things of a console with one label, of which one is a camera's tags.
@@ -136,4 +136,4 @@ Two things of a console with one label, of which one is a camera's tags.
   > main = reactimateRobot (proc i -> roMake (setVelTR (if isEvent (tags i) || buttonHeld "camera tags" i then 0 else 1[m/s]) 0))
   > FROB
   $ frobc check twice.frob 2>&1 | head -1
-  error[E0442]: the console has another `camera tags` already
+  error[E0442]: the console already has another control with the label `camera tags`

@@ -1,10 +1,11 @@
-/* How soon a camera gives frames again, in virtual time: thousands of failures by chance, of each
- * kind. When all is well again, the program has a frame within two seconds; what captures
- * (runtime/hosts/camera/capture.c) is the real one, its source and its clock are not. */
+/* Tests how soon a camera delivers frames again after a failure, in virtual time, with thousands
+ * of random failures of each kind. When the camera works again, the program must get a frame
+ * within two seconds. The capturing code (runtime/hosts/camera/capture.c) is the real one; its
+ * source and its clock are simulated. */
 #include <stdlib.h>
 
 #include "../drivers/check.h"
-#include "hosts/camera/capture.c" /* its steps, one by one */
+#include "hosts/camera/capture.c" /* included to call its steps one by one */
 
 #define MS INT64_C(1000000)
 #define WITHIN_NS (2000 * MS)
@@ -22,13 +23,14 @@ void source_sleep_until_ns(int64_t until_ns)
         now_ns = until_ns;
 }
 
-/* {1 The source} */
+/* {1 The simulated source} */
 
 enum matter {
     GOOD,
-    UNPLUGGED, /* what was opened is gone, and so is the device */
-    CUT_OFF,   /* what was opened says no more, for ever; opening it takes a second, in vain */
-    SILENT,    /* nothing comes, for as long as it lasts */
+    UNPLUGGED, /* the device has disappeared, so its open descriptor is dead */
+    /* the open descriptor stays silent forever; trying to open it again takes a second and fails */
+    CUT_OFF,
+    SILENT, /* no data while this lasts */
     FROZEN,
     DAMAGED,
     WRONG_SIZE,
@@ -38,12 +40,12 @@ enum matter {
 static const char *const names[MATTERS] = { "",       "unplugged", "cut off",   "silent",
                                             "frozen", "damaged",   "wrong size" };
 
-static enum matter matter;  /* what is the matter with it … */
-static int64_t until_ns;    /* … and until when; then the next one */
-static int64_t well_ns;     /* since when all has been well */
-static uint32_t cuts;       /* how often what was opened has been lost for ever … */
-static bool is_mute;        /* … and whether it does not even say so */
-static uint32_t opened_cut; /* `cuts`, when it was opened */
+static enum matter matter;  /* the current failure … */
+static int64_t until_ns;    /* … and when it ends and the next one begins */
+static int64_t well_ns;     /* since when the camera has worked */
+static uint32_t cuts;       /* how often an open descriptor has been lost forever … */
+static bool is_mute;        /* … and whether it gives no error then */
+static uint32_t opened_cut; /* the value of `cuts` when it was opened */
 static int64_t due_ns, period_ns;
 static uint8_t shade;
 static uint32_t random_state;
@@ -56,7 +58,7 @@ static uint32_t random_below(uint32_t n)
     return random_state % n;
 }
 
-/* Goes on to what is the matter at this time. */
+/* Advances to the state at the current time. */
 static void live(void)
 {
     while (now_ns >= until_ns) {
@@ -68,7 +70,7 @@ static void live(void)
         } else {
             matter = GOOD;
             well_ns = until_ns;
-            /* now and then it does not last */
+            /* sometimes the camera fails again soon */
             until_ns += (random_below(3) == 0 ? 20 + random_below(500) : 4000) * MS;
         }
     }
@@ -129,7 +131,7 @@ enum source_result source_fail(struct source *s, enum source_result result, cons
     return result;
 }
 
-/* {1 Its fellows, which are not needed} */
+/* {1 Other functions that capture.c calls, not needed here} */
 
 struct frob_camera camera_geometry(const struct camera_options *o, int32_t width, int32_t height)
 {
@@ -153,14 +155,15 @@ static void hear(int socket)
         ;
 }
 
-/* An hour of failures; the longest time that it took until a frame came, after each kind. */
+/* Simulates an hour of failures; records, for each kind of failure, the longest time until a
+ * frame came. */
 static void an_hour(uint32_t seed, int64_t longest_ns[MATTERS], int counts[MATTERS])
 {
     struct camera_options options;
     const struct capture_way way = { buffers_make(), NULL, NULL };
     struct capture c;
     int sockets[2];
-    enum matter before = GOOD; /* the last failure; GOOD: a frame has come since */
+    enum matter before = GOOD; /* the last failure; GOOD if a frame has come since */
     memset(&options, 0, sizeof options);
     options.settings[CAMERA_FROZEN] = 1.0;
     memset(&c, 0, sizeof c);
@@ -204,7 +207,7 @@ int main(void)
         an_hour(seed, longest_ns, counts);
     for (int k = GOOD + 1; k < MATTERS; k++) {
         char text[80];
-        snprintf(text, sizeof text, "gives frames again within two seconds, after it was %s",
+        snprintf(text, sizeof text, "delivers frames again within two seconds, after it was %s",
                  names[k]);
         check(counts[k] > 100 && longest_ns[k] <= WITHIN_NS, text);
         if (longest_ns[k] > WITHIN_NS)

@@ -2,15 +2,14 @@ A camera of this computer, by Video4Linux. There need be none: what is preloaded
 can be the matter with it.
 
   $ . ./camera.sh
-  $ start_robot
   $ frobc build sees.frob --robot pioneer -o sees
-  $ look () { seconds=$1; shift; LD_PRELOAD=$PWD/fake_camera.so see $seconds /dev/video7 "$@"; }
+  $ fake=$PWD/fake_camera.so
   $ export FAKE_STATE=$PWD/state FAKE_FRAMES=$PWD/film FAKE_SIZE=64x48 FAKE_FORM
   $ echo good > state
 
 It gives frames as they are, or JPEG; with a size that nobody has asked for, it is the camera's.
 
-  $ of () { FAKE_FORM=$1; ./frames $2 40 64 48 > film; look 3; sed -n 's/^camera: \(.*\);.*/\1/p' summary; at_least 'camera frames' 10; }
+  $ of () { FAKE_FORM=$1; ./frames $2 40 64 48 > film; see_frames 10 3 /dev/video7; sed -n 's/^camera: \(.*\);.*/\1/p' summary; at_least 'camera frames' 10; }
   $ of YUYV yuyv
   64 x 48, colours, YUYV at 30 Hz
   camera frames: enough
@@ -28,10 +27,10 @@ The age of a frame counts from the driver's stamp.
 
 A size that is set has to be the camera's, and so has the form.
 
-  $ look 2 --set camera.width=320 --set camera.height=240; cat messages
-  warning: camera `camera` (/dev/video7) gives no frames: it gives no frames of 320 x 240, but of 64 x 48: set width and height to these
-  $ FAKE_FORM=H264; look 2; cat messages
-  warning: camera `camera` (/dev/video7) gives no frames: it gives its frames in no form that is known here (YUYV, MJPEG, grey); let ffmpeg read it, into a pipe of raw frames
+  $ see_warned 2 /dev/video7 --set camera.width=320 --set camera.height=240; cat messages
+  warning: camera `camera` (/dev/video7) delivers no frames: it does not deliver frames of 320 x 240, but of 64 x 48: set width and height to those
+  $ FAKE_FORM=H264; see_warned 2 /dev/video7; cat messages
+  warning: camera `camera` (/dev/video7) delivers no frames: it supports none of the formats YUYV, MJPEG and grey; read it with ffmpeg into a pipe of raw frames
 
 Something is the matter with it: the program has no frames, keeps its time, stops as it says, and a
 message tells why. When all is well again, so is the program.
@@ -41,62 +40,61 @@ message tells why. When all is well again, so is the program.
   >   FAKE_FORM=$1
   >   ./frames $2 40 64 48 > film
   >   echo good > state
-  >   LD_PRELOAD=$PWD/fake_camera.so ./sees --device $device --for 60 --camera /dev/video7 --record log.csv > summary 2> messages & run=$!
+  >   rm -f log.csv
+  >   LD_PRELOAD=$fake${LD_PRELOAD:+:$LD_PRELOAD} ./sees --device $device --for 600 --camera /dev/video7 --record log.csv > summary 2> messages & run=$!
   >   until_true 'grep -q "number = 9" log.csv 2> /dev/null'
   >   echo $3 > state
-  >   until_true 'grep -q "gives no frames" messages'
+  >   until_true 'grep -q "delivers no frames" messages'
   >   tail -1 log.csv | sed 's/"[^"]*"//' | awk -F, '{ print "speed:", $31 }'
   >   echo good > state
   >   until_true 'grep -q "frames again" messages'
   >   kill -INT $run; wait $run
   >   sed -n 's/^late/late/p' summary
   >   grep camera messages | uniq
-  >   rm log.csv
   > }
-  $ through YUYV yuyv unplugged
+  $ in_time with_robot through YUYV yuyv unplugged
   speed: 0
   late steps: 0
-  warning: camera `camera` (/dev/video7) gives no frames: it cannot be opened: No such file or directory; is it plugged in? `ls /dev/video*` shows what is there
-  camera `camera` (/dev/video7) gives frames again
-  $ through YUYV yuyv silent
+  warning: camera `camera` (/dev/video7) delivers no frames: it cannot be opened: No such file or directory; plug it in, or use a device that `ls /dev/video*` lists
+  camera `camera` (/dev/video7) delivers frames again
+  $ in_time with_robot through YUYV yuyv silent
   speed: 0
   late steps: 0
-  warning: camera `camera` (/dev/video7) gives no frames: the driver has no frame; plug the camera out and in again, or another into its place
-  camera `camera` (/dev/video7) gives frames again
-  $ through YUYV yuyv frozen
+  warning: camera `camera` (/dev/video7) delivers no frames: the driver has no frame; unplug the camera and plug it in again, or use another camera
+  camera `camera` (/dev/video7) delivers frames again
+  $ in_time with_robot through YUYV yuyv frozen
   speed: 0
   late steps: 0
-  warning: camera `camera` (/dev/video7) gives no frames: it has frozen: it gives the same frame again and again, to the last bit; plug it out and in again, or set frozen=0 if such frames are right
-  camera `camera` (/dev/video7) gives frames again
-  $ through YUYV yuyv short
+  warning: camera `camera` (/dev/video7) delivers no frames: it is frozen: all its frames are identical; unplug it and plug it in again, or set frozen=0 if identical frames are correct
+  camera `camera` (/dev/video7) delivers frames again
+  $ in_time with_robot through YUYV yuyv short
   speed: 0
   late steps: 0
-  warning: camera `camera` (/dev/video7) gives no frames: a frame is cut short; is the cable or the hub a bad one?
-  camera `camera` (/dev/video7) gives frames again
-  $ through YUYV yuyv damaged
+  warning: camera `camera` (/dev/video7) delivers no frames: a frame is truncated; try another cable or hub
+  camera `camera` (/dev/video7) delivers frames again
+  $ in_time with_robot through YUYV yuyv damaged
   speed: 0
   late steps: 0
-  warning: camera `camera` (/dev/video7) gives no frames: the driver says that a frame is damaged; is the cable or the hub a bad one?
-  camera `camera` (/dev/video7) gives frames again
-  $ through MJPG jpeg short
+  warning: camera `camera` (/dev/video7) delivers no frames: the driver reports a damaged frame; try another cable or hub
+  camera `camera` (/dev/video7) delivers frames again
+  $ in_time with_robot through MJPG jpeg short
   speed: 0
   late steps: 0
-  warning: camera `camera` (/dev/video7) gives no frames: a frame is no JPEG: Invalid JPEG file structure: missing SOS marker
-  camera `camera` (/dev/video7) gives frames again
+  warning: camera `camera` (/dev/video7) delivers no frames: a frame is not a JPEG: Invalid JPEG file structure: missing SOS marker
+  camera `camera` (/dev/video7) delivers frames again
 
 A driver that does not come back from a call holds nobody up but the process that captures, which is
 begun anew.
 
-  $ through YUYV yuyv hanging
+  $ in_time with_robot through YUYV yuyv hanging
   speed: 0
   late steps: 0
-  warning: camera `camera` (/dev/video7) gives no frames: its source does not come back from a call of the system: it begins anew
-  camera `camera` (/dev/video7) gives frames again
+  warning: camera `camera` (/dev/video7) delivers no frames: its capture process hangs in a system call: restarting it
+  camera `camera` (/dev/video7) delivers frames again
 
 Who else has it, and what is no camera.
 
-  $ FAKE_FORM=YUYV; echo busy > state; look 2; cat messages
-  warning: camera `camera` (/dev/video7) gives no frames: another program uses it: end that first
-  $ see 2 /dev/null; cat messages
-  warning: camera `camera` (/dev/null) gives no frames: it is no camera (Inappropriate ioctl for device): `ls /dev/video*` shows them
-  $ end $robot
+  $ FAKE_FORM=YUYV; echo busy > state; see_warned 2 /dev/video7; cat messages
+  warning: camera `camera` (/dev/video7) delivers no frames: another program uses it: end that program first
+  $ see_warned 2 /dev/null; cat messages
+  warning: camera `camera` (/dev/null) delivers no frames: it is not a camera (Inappropriate ioctl for device): `ls /dev/video*` lists the cameras

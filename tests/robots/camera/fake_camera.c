@@ -1,10 +1,10 @@
-/* A camera that is not there: preloaded, it answers the calls by which a program looks through
+/* A fake camera: a preloaded library that implements the calls by which a program accesses
  * /dev/video7 (open, ioctl, mmap, poll), as Video4Linux does.
  *
- *   FAKE_FORM    YUYV, MJPG or GREY: what it gives
- *   FAKE_SIZE    the one size it has, as 64x48
+ *   FAKE_FORM    the pixel format: YUYV, MJPG or GREY
+ *   FAKE_SIZE    its only size, such as 64x48
  *   FAKE_FRAMES  a file: frames of 64 x 48 one after the other; JPEGs begin with FF D8
- *   FAKE_STATE   a file with what is the matter with it: good, unplugged, busy, silent, frozen,
+ *   FAKE_STATE   a file with the state of the camera: good, unplugged, busy, silent, frozen,
  *                damaged, short, hanging; read at each call */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -24,7 +24,7 @@
 
 enum { COUNT = 4, ROOM = 1 << 16, PERIOD_NS = 30000000 };
 
-static int camera = -1; /* its file; -1: closed */
+static int camera = -1; /* its file descriptor; -1: closed */
 static uint8_t *buffers[COUNT];
 static bool queued[COUNT];
 static uint32_t sequence;
@@ -84,7 +84,8 @@ static void load(void)
     at = 0;
 }
 
-/* The next one into the buffer; its size. Of a frozen camera it is the same one again. */
+/* Copies the next frame into the buffer; returns its size. A frozen camera repeats the same
+ * frame. */
 static size_t fill(uint8_t *buffer)
 {
     size_t length = form() == V4L2_PIX_FMT_GREY ? 64 * 48 : 64 * 48 * 2;
@@ -167,7 +168,7 @@ static int answer(unsigned long request, void *argument)
     return fail(ENOTTY);
 }
 
-/* {1 The calls} */
+/* {1 The overridden functions} */
 
 int open(const char *path, int flags, ...)
 {

@@ -1,6 +1,6 @@
-/* frames KIND COUNT WIDTH HEIGHT [FIRST] -- pictures on standard output, one after the other, each
- * other than the one before: a square goes from left to right through grey that rises. KIND is
- * jpeg, ppm, pgm, rgb (raw) or yuyv. */
+/* frames KIND COUNT WIDTH HEIGHT [FIRST] -- writes pictures to standard output, each different
+ * from the one before: a square moves from left to right across a grey background that gets
+ * brighter. KIND is jpeg, ppm, pgm, rgb (raw) or yuyv. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,13 +1,12 @@
 A camera on a network, which gives MJPEG over HTTP: parts with their lengths, JPEGs alone, chunks.
 
   $ . ./camera.sh
-  $ start_robot
   $ ./frames jpeg 60 320 240 > film.mjpeg
   $ python3 server.py film.mjpeg port & server=$!
   $ until_true '[ -e port ]'
   $ address=http://127.0.0.1:$(cat port)
   $ for kind in good bare chunked; do
-  >   see 3 $address/$kind; sed -n 's/^camera: \(.*\);.*/\1/p' summary; at_least 'camera frames' 10
+  >   see_frames 10 3 $address/$kind; sed -n 's/^camera: \(.*\);.*/\1/p' summary; at_least 'camera frames' 10
   > done
   320 x 240, colours, JPEG
   camera frames: enough
@@ -20,26 +19,26 @@ A server that hangs, sends rubbish or ends its stream: the program's event does 
 goes on in its time, and a message says why.
 
   $ for kind in hangs silent rubbish noise page forbidden missing; do
-  >   see 2 $address/$kind; sed -n 's/^late/late/p' summary; warnings
+  >   see_warned 2 $address/$kind; sed -n 's/^late/late/p' summary; warnings
   > done
   late steps: 0
-  warning: camera `camera` (http://HOST/hangs) gives no frames: the server is connected and sends no picture that is whole; is the camera in order, and is this the address of its stream?
+  warning: camera `camera` (http://HOST/hangs) delivers no frames: the server is connected but sends no complete picture; check the camera and the address of its stream
   late steps: 0
-  warning: camera `camera` (http://HOST/silent) gives no frames: the server is connected and sends no picture that is whole; is the camera in order, and is this the address of its stream?
+  warning: camera `camera` (http://HOST/silent) delivers no frames: the server is connected but sends no complete picture; check the camera and the address of its stream
   late steps: 0
-  warning: camera `camera` (http://HOST/rubbish) gives no frames: the server is connected and sends no picture that is whole; is the camera in order, and is this the address of its stream?
+  warning: camera `camera` (http://HOST/rubbish) delivers no frames: the server is connected but sends no complete picture; check the camera and the address of its stream
   late steps: 0
-  warning: camera `camera` (http://HOST/noise) gives no frames: what answers there does not speak HTTP; is the port right?
+  warning: camera `camera` (http://HOST/noise) delivers no frames: the server does not speak HTTP; check the port
   late steps: 0
-  warning: camera `camera` (http://HOST/page) gives no frames: the server answers with text/html, which is no stream of pictures; the camera's manual says which path has one
+  warning: camera `camera` (http://HOST/page) delivers no frames: the server answers with text/html, which is not a stream of pictures; look up the path of the stream in the camera's manual
   late steps: 0
-  warning: camera `camera` (http://HOST/forbidden) gives no frames: the server answers with 401: it lets only those in whom it knows; have it give its stream without a password
+  warning: camera `camera` (http://HOST/forbidden) delivers no frames: the server answers with 401 and needs a password: configure it to send its stream without one
   late steps: 0
-  warning: camera `camera` (http://HOST/missing) gives no frames: the server answers with 404: it has nothing of this path; the camera's manual says which its stream has
-  $ see 2 http://127.0.0.1:1/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|'
-  warning: camera `camera` (ADDRESS) gives no frames: there is no connection to port 1 of 127.0.0.1: Connection refused; is the camera turned on, and are address and port right?
-  $ see 2 http://nowhere.invalid/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|; s|: [^:;]*;|: REASON;|'
-  warning: camera `camera` (ADDRESS) gives no frames: there is no address of nowhere.invalid: REASON; is its name right, and is this machine on its network?
+  warning: camera `camera` (http://HOST/missing) delivers no frames: the server answers with 404, so this path does not exist; look up the path of the stream in the camera's manual
+  $ see_warned 2 http://127.0.0.1:1/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|'
+  warning: camera `camera` (ADDRESS) delivers no frames: cannot connect to port 1 of 127.0.0.1: Connection refused; check that the camera is on, and the address and port
+  $ see_warned 2 http://nowhere.invalid/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|; s|: [^:;]*;|: REASON;|'
+  warning: camera `camera` (ADDRESS) delivers no frames: cannot find the address of nowhere.invalid: REASON; check its name, and that this machine is on its network
 
 The program sees it, too: the age of the newest frame grows, and the camera is no longer alive.
 
@@ -56,19 +55,19 @@ The program sees it, too: the age of the newest frame grows, and the camera is n
 
 JPEGs that are cut short are no frames; the whole ones between them are.
 
-  $ see 2 $address/truncated; at_least 'camera frames' 10; at_least 'camera frames not seen' 8; warnings
+  $ see_frames 10 2 $address/truncated; at_least 'camera frames' 10; at_least 'camera frames not seen' 8; warnings
   camera frames: enough
   camera frames not seen: enough
-  $ see 2 $address/cut; sed -n 's/^camera frames/camera frames/p' summary; warnings
+  $ see_warned 2 $address/cut; sed -n 's/^camera frames/camera frames/p' summary; warnings
   camera frames: 0
   camera frames not seen: 0
-  warning: camera `camera` (http://HOST/cut) gives no frames: a JPEG is damaged: Corrupt JPEG data: premature end of data segment
+  warning: camera `camera` (http://HOST/cut) delivers no frames: a JPEG is damaged: Corrupt JPEG data: premature end of data segment
 
 A camera that has frozen sends frames without an end, all the same one. After a second they are
 none any more: the program's camera is not alive, and it stops.
 
-  $ see 5 $address/frozen; warnings
-  warning: camera `camera` (http://HOST/frozen) gives no frames: it has frozen: it gives the same frame again and again, to the last bit; plug it out and in again, or set frozen=0 if such frames are right
+  $ see_warned 5 $address/frozen; warnings
+  warning: camera `camera` (http://HOST/frozen) delivers no frames: it is frozen: all its frames are identical; unplug it and plug it in again, or set frozen=0 if identical frames are correct
   $ grep -v '^#' log.csv | sed 's/"[^"]*"//' | awk -F, 'NR > 1 && $31 > 0 { drove = 1 } END { print drove, $31 }'
   1 0
   $ see 3 $address/frozen --set camera.frozen=0; warnings
@@ -77,33 +76,36 @@ none any more: the program's camera is not alive, and it stops.
 
 Where the server goes and comes back, so do the frames; the program goes on where it was.
 
+  $ start_robot
   $ rm log.csv
-  $ ./sees --device $device --for 30 --camera $address/good --record log.csv > summary 2> messages & run=$!
+  $ ./sees --device $device --for 600 --camera $address/good --record log.csv > summary 2> messages & run=$!
   $ until_true 'grep -q "number = 5" log.csv 2> /dev/null'
   $ end $server
-  $ until_true 'grep -q "gives no frames" messages'
+  $ until_true 'grep -q "delivers no frames" messages'
   $ python3 server.py film.mjpeg port & server=$!
   $ until_true 'grep -q "frames again" messages'
   $ kill -INT $run; wait $run
   [4]
-  $ sed 's/(http[^)]*)/(ADDRESS)/; s/no frames: .*/no frames: REASON/' messages | uniq
-  warning: camera `camera` (ADDRESS) gives no frames: REASON
-  camera `camera` (ADDRESS) gives frames again
-  error: the run was ended by an interrupt; the robot was told to stop
+  $ sed 's/(http[^)]*)/(ADDRESS)/; s/no frames: .*/no frames: REASON/; s/at [0-9.]* s/at N s/' messages | uniq
+  warning: camera `camera` (ADDRESS) delivers no frames: REASON
+  camera `camera` (ADDRESS) delivers frames again
+  interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command to start again and overwrite that file
+  error: the run was ended by an interrupt; sent a stop command to the robot
 
 The process that captures may be killed: another one begins.
 
   $ rm log.csv
-  $ ./sees --device $device --for 30 --camera $address/good --record log.csv > summary 2> messages & run=$!
+  $ ./sees --device $device --for 600 --camera $address/good --record log.csv > summary 2> messages & run=$!
   $ until_true 'grep -q "number = 5" log.csv 2> /dev/null'
   $ keeper=$(cut -d ' ' -f 1 /proc/$run/task/$run/children)
   $ kill -SEGV $(cat /proc/$keeper/task/$keeper/children)
   $ until_true 'grep -q "frames again" messages'
   $ kill -INT $run; wait $run
   [4]
-  $ sed 's/(http[^)]*)/(ADDRESS)/; s/port [0-9]* of/port N of/' messages
-  warning: camera `camera` (ADDRESS) gives no frames: what captures it was ended by signal 11 (Segmentation fault); it begins anew
-  camera `camera` (ADDRESS) gives frames again
-  error: the run was ended by an interrupt; the robot was told to stop
+  $ sed 's/(http[^)]*)/(ADDRESS)/; s/port [0-9]* of/port N of/; s/at [0-9.]* s/at N s/' messages
+  warning: camera `camera` (ADDRESS) delivers no frames: its capture process was killed by signal 11 (Segmentation fault); restarting it
+  camera `camera` (ADDRESS) delivers frames again
+  interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command to start again and overwrite that file
+  error: the run was ended by an interrupt; sent a stop command to the robot
   $ end $server
   $ end $robot

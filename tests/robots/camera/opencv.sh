@@ -1,5 +1,5 @@
-# The example with OpenCV: it follows the ball, and its recording replays bit for bit. Skipped where
-# OpenCV is not installed.
+# Tests the example with OpenCV: it must follow the ball, and its recording must replay bit for bit.
+# Skipped if OpenCV is not installed.
 example=$1
 world=$2
 export CPLUS_INCLUDE_PATH=/usr/include/opencv4

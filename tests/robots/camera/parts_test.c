@@ -1,5 +1,5 @@
-/* The parts of a real camera that do no I/O: how a stream is cut into frames, whatever comes in
- * it and in whatever pieces, and what becomes of a frame. */
+/* Tests the parts of a real camera that do no I/O: splitting a stream into frames, for any
+ * content in any pieces; and processing a frame. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,7 +17,7 @@
 #include "hosts/camera/splitter.h"
 #include "hosts/camera/yuyv.h"
 
-static int failures = 0; /* of the test that runs */
+static int failures = 0; /* failures of the current test */
 
 #define CHECK(holds)                                                      \
     do {                                                                  \
@@ -52,7 +52,7 @@ static uint32_t random_below(uint32_t n)
     return random_state % n;
 }
 
-/* Feeds in pieces of any size; how many frames come out. */
+/* Feeds a stream in pieces of random sizes; returns the number of frames found. */
 static int split(const uint8_t *bytes, size_t size, size_t raw, uint32_t most_piece)
 {
     struct splitter s;
@@ -88,7 +88,7 @@ static void test_whole_streams(const uint8_t *jpeg, size_t size)
     CHECK(split(jpeg, size, 0, 1000) == 20);
     CHECK(split(jpeg, size, 0, 1 << 20) == 20);
     CHECK(split(jpeg, 1000, 300, 7) == 3);
-    /* With text between them, as in multipart. */
+    /* With text between the frames, as in a multipart stream. */
     for (size_t i = 0; i < size; i++) {
         if (i + 1 < size && jpeg[i] == 0xFF && jpeg[i + 1] == 0xD8) {
             memcpy(noisy + length, "\r\n--x\r\nContent-Length: 5\r\n\r\n", 29);
@@ -101,7 +101,7 @@ static void test_whole_streams(const uint8_t *jpeg, size_t size)
     CHECK(split(noisy, length, 0, 333) == 20);
 }
 
-/* A frame that breaks off costs itself, and no other. */
+/* A truncated frame must be lost alone, without affecting the next ones. */
 static void test_torn_stream(const uint8_t *jpeg, size_t size)
 {
     static uint8_t torn[1 << 22];
@@ -113,7 +113,8 @@ static void test_torn_stream(const uint8_t *jpeg, size_t size)
         memcpy(torn, jpeg, cut);
         memcpy(torn + cut, jpeg + first, size - first);
         const int frames = split(torn, cut + size - first, 0, 5000);
-        /* Cut within a segment, its length swallows the beginning of the next one. */
+        /* If the cut is within a segment, the segment's length covers the start of the next
+         * frame. */
         CHECK(frames == 19 || (cut < 700 && frames >= 18));
     }
 }
@@ -141,7 +142,7 @@ static void test_netpbm(void)
     CHECK(decode_picture((const uint8_t *)"GIF89a", 6, false, &frame, message) != NULL);
 }
 
-/* Grey, and the corners of the colours, as ITU-R BT.601 has them. */
+/* Grey and the primary colours, according to ITU-R BT.601. */
 static void test_yuyv(void)
 {
     static const uint8_t bytes[] = { 16, 128, 235, 128, 81, 90, 145, 240 };
@@ -225,8 +226,8 @@ static void test_addresses(void)
     CHECK(answer_read(&answer, "HTTP/1.1 ok fine\r\n", 18, &length) == ANSWER_WRONG);
 }
 
-/* Frames of a writer that never rests: what the reader holds does not change, and is never older
- * than what it held before. */
+/* Frames from a writer that never stops: the frame that the reader holds must not change, and
+ * each frame must be newer than the one before. */
 static void test_buffers(void)
 {
     struct buffers *b = buffers_make();
@@ -272,9 +273,9 @@ static void publish(struct buffers *b, uint32_t number, int64_t captured_ns)
     buffers_publish(b);
 }
 
-/* Two cameras on a clock of milliseconds: the left one's frames have such a period, the right one's
- * another; these are so late, and come here so much later. The program looks each `instant`. For ten
- * seconds; how many pairs it is given. */
+/* Two cameras, with times in milliseconds. The frames of the left and right camera have these
+ * periods; the right one's are exposed `late` after the left one's and arrive `delay` later. The
+ * program looks every `instant`. Runs for ten seconds and counts the pairs. */
 struct two {
     int period, other_period, late, delay, instant;
     double within_s;
@@ -311,8 +312,8 @@ static uint32_t pairs_of(const struct two *two)
     return taken;
 }
 
-/* Wherever one camera's frames lie between the other's, and however often the program looks, it has
- * a pair for almost each frame of the slower camera, or at each instant if these are rarer. */
+/* However the two cameras' frames are offset, and however often the program looks, it must get a
+ * pair for almost every frame of the slower camera, or at every instant if instants are rarer. */
 static void test_pairs(void)
 {
     static const int instants[] = { 1, 10, 20, 50, 100, 400 };
@@ -328,11 +329,12 @@ static void test_pairs(void)
         const struct two delayed = { 33, 33, 5, 60, 10, NAN }, strict = { 32, 32, 7, 0, 10, 0.006 };
         const struct two close = { 32, 32, 5, 0, 10, 0.006 }, lost = { 33, 33, 5, 150, 10, NAN };
         CHECK(pairs_of(&slower) >= 10000 / 100 - 3);
-        CHECK(pairs_of(&slow) >= 10000 / 200 - 30); /* that they are slow has to be learned */
+        /* the buffer needs time to learn that they are slow */
+        CHECK(pairs_of(&slow) >= 10000 / 200 - 30);
         CHECK(pairs_of(&delayed) >= 10000 / 33 - 5);
         CHECK(pairs_of(&strict) == 0);
         CHECK(pairs_of(&close) >= 10000 / 32 - 3);
-        CHECK(pairs_of(&lost) == 0); /* the left one's have been replaced by then */
+        CHECK(pairs_of(&lost) == 0); /* the left frames have been overwritten by then */
     }
 }
 
@@ -343,7 +345,7 @@ static int64_t clock_ns(void)
     return (int64_t)now.tv_sec % 100000 * 1000000000 + now.tv_nsec;
 }
 
-/* Of two writers whose frames have each the other's of its time. */
+/* Pairs from two processes, each writing frames with the same times. */
 static void test_pairs_of_processes(void)
 {
     struct buffers *both[2] = { buffers_make(), buffers_make() };
@@ -383,8 +385,8 @@ static void test_pairs_of_processes(void)
     }
 }
 
-/* Frames with bytes changed, cut or doubled, through all of it, under sanitizers: there is a frame
- * or there is none. */
+/* Frames with bytes changed, removed or duplicated, passed through the whole pipeline under
+ * sanitizers: each gives a frame or none. */
 static void test_damage(const uint8_t *jpeg, size_t size)
 {
     static uint8_t damaged[1 << 22];
@@ -405,7 +407,7 @@ static void test_damage(const uint8_t *jpeg, size_t size)
             length = random_below((uint32_t)length);
         split(damaged, length, 0, 3000);
         fault = decode_picture(damaged, length, random_below(4) == 0, &frame, message);
-        if (round % 100 == 0) /* after any of them, a good one is good */
+        if (round % 100 == 0) /* a good frame must decode after any damaged one */
             CHECK(decode_picture(jpeg, scan.at, false, &frame, message) == NULL);
         if (fault == NULL) {
             good++;
@@ -419,7 +421,7 @@ static void test_damage(const uint8_t *jpeg, size_t size)
     buffers_free(b);
 }
 
-/* A JPEG that lacks some of its end is none, wherever it is cut. */
+/* A JPEG without its end is rejected, wherever it is cut. */
 static void test_truncated(const uint8_t *jpeg, size_t size)
 {
     struct jpeg_scan scan = { 0, false };

@@ -2,16 +2,20 @@ A served robot offers the cameras of its world as MJPEG over HTTP, so a program 
 from end to end: here it follows the ball, a metre behind it.
 
   $ . ./camera.sh
-  $ start_robot ../../../examples/follow_ball/world.toml
-  $ camera=$(sed -n 's/camera: //p' served)
-  $ echo $camera | sed 's|:[0-9][0-9]*/|:PORT/|'
+  $ follow () {
+  >   start_robot ../../../examples/follow_ball/world.toml
+  >   camera=$(sed -n 's/camera: //p' served)
+  >   frobc run ../../../examples/follow_ball/follow_ball.frob --device $device --camera $camera --for 40s --record run.csv > summary
+  >   end $robot
+  > }
+  $ wants="at_least 'camera frames' 200 | grep -q enough"
+  $ in_time follow
+  $ sed -n 's|^camera: \(.*\):[0-9][0-9]*/|\1:PORT/|p' served
   http://127.0.0.1:PORT/camera
-  $ frobc run ../../../examples/follow_ball/follow_ball.frob --device $device --camera $camera --for 40s --record run.csv > summary
   $ sed -n 's/^camera: \(.*\);.*/\1/p; s/^camera failures/camera failures/p' summary; at_least 'camera frames' 200
   320 x 240, colours, JPEG
   camera failures: 0
   camera frames: enough
-  $ end $robot
   $ awk -F ': ' '/^collisions/ { print "collisions:", $2 } /^distance driven/ { print "drove:", ($2 + 0 > 4) } /^mean ball/ { print "error:", ($2 + 0 < 0.1 ? "small" : $2) }' served
   drove: 1
   error: small

@@ -1,6 +1,6 @@
-"""server.py FRAMES.mjpeg PORT_FILE -- a camera on a network, in order or not: what it does is the
-path that is asked for. It writes its port to PORT_FILE; or takes the one that it finds there, as one
-that comes back does."""
+"""server.py FRAMES.mjpeg PORT_FILE -- a network camera, working or failing: the requested path
+selects its behaviour. It writes its port to PORT_FILE, or, if the file exists, uses the port in it,
+like a camera that comes back."""
 
 import os
 import re
@@ -34,7 +34,7 @@ def good(send):
 
 
 def bare(send):
-    """JPEG after JPEG, without lengths or boundaries."""
+    """Sends JPEGs without lengths or boundaries."""
     send(b"HTTP/1.0 200 OK\n\n")
     for frame in endless():
         send(frame)
@@ -50,7 +50,7 @@ def chunked(send):
 
 
 def hangs(send):
-    """A good stream that stops in the middle of a frame, with the line up."""
+    """Stops in the middle of a frame of a good stream, and keeps the connection open."""
     send(HEAD + b"\r\n")
     for frame in frames[:20]:
         send(part(frame))
@@ -63,7 +63,7 @@ def silent(send):
 
 
 def rubbish(send):
-    """No JPEG ever begins in it."""
+    """Sends bytes in which no JPEG begins."""
     send(HEAD + b"\r\n")
     while True:
         send(os.urandom(3000).translate(None, b"\xffP"))
@@ -75,14 +75,14 @@ def noise(send):
 
 
 def truncated(send):
-    """Each second frame lacks its second half."""
+    """Omits the second half of every other frame."""
     send(HEAD + b"\r\n")
     for k, frame in enumerate(endless()):
         send(part(frame if k % 2 == 0 else frame[: len(frame) // 2]))
 
 
 def cut(send):
-    """All frames are cut short, and end all the same."""
+    """Truncates all frames, but ends each with an end marker."""
     send(HEAD + b"\r\n")
     for frame in endless():
         send(part(frame[: len(frame) * 2 // 3] + b"\xff\xd9"))

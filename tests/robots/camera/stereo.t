@@ -2,7 +2,6 @@ A stereo head of two cameras, each with frames of its own times: the host gives 
 nearest to each other.
 
   $ . ./camera.sh
-  $ start_robot
   $ cat > both.frob <<'FROB'
   > import Robot
   > import Stereo
@@ -13,72 +12,81 @@ nearest to each other.
   >     drive = proc pair -> roMake (setVelTR (if timeSince (isEvent pair) < 0.5[s] then 0.1[m/s] else 0) (hold 0 (mapE (\s -> 1[rad/s^2] * s.apart) pair)))
   > FROB
   $ frobc build both.frob --robot pioneer -o both
-  $ both () { seconds=$1; shift; ./both --device $device --for $seconds --record log.csv "$@" > summary 2> messages; }
-  $ frames_of () { # PIPE PERIOD FIRST
-  >   (sleep $3; for k in $(seq 0 400); do ./frames ppm 1 32 24 $k || break; sleep $2; done) > $1 2> /dev/null & feeders="$feeders $!"
+  $ both_once () {
+  >   seconds=$1
+  >   shift
+  >   timeout 600 sh -c "$feed wait" 2> /dev/null & feeder=$!
+  >   ./both --device $device --for $seconds --record log.csv "$@" > summary 2> messages
+  >   end $feeder
   > }
-  $ rest () { wait $feeders; feeders=; }
+  $ both () { in_time with_robot both_once "$@"; }
+  $ frames_of () { # PIPE PERIOD FIRST
+  >   echo "(sleep $3; for k in \$(seq 0 400); do ./frames ppm 1 32 24 \$k || break; sleep $2; done) > $1 &"
+  > }
   $ mkfifo one two
 
 Cameras without a common clock, the one twice as quick: all pairs are near, and what has no partner is
 left out and counted.
 
-  $ frames_of one 0.05 0; frames_of two 0.1 0.01
+  $ near () { awk -F '[ :]+' '/^pairs apart/ { print ($7 < 45 ? "near" : $0) }' summary; }
+  $ feed="$(frames_of one 0.05 0) $(frames_of two 0.1 0.01)"
+  $ wants="at_least pairs 20 | grep -q enough && near | grep -q near"
   $ both 5 --camera left=one --camera right=two
   $ warnings; at_least pairs 20; at_least 'left frames not seen' 15
-  warning: cameras `left` and `right` are said to sit at the same place, so that no depth can be computed: set where they sit, as `--set left.left=0.06 --set right.left=-0.06` for two that are 12 cm apart
+  warning: cameras `left` and `right` have the same position, so no depth can be computed: set their positions, such as `--set left.left=0.06 --set right.left=-0.06` for two cameras that are 12 cm apart
   pairs: enough
   left frames not seen: enough
-  $ awk -F '[ :]+' '/^(left|right) frames/ && $3 != "not" { n[$1] = $3 } /^pairs:/ { print (n["left"] == $2 && n["right"] == $2) } /^pairs apart/ { print ($7 < 45 ? "near" : $0) }' summary
+  $ awk -F '[ :]+' '/^(left|right) frames/ && $3 != "not" { n[$1] = $3 } /^pairs:/ { print (n["left"] == $2 && n["right"] == $2) }' summary; near
   1
   near
   $ grep -v '^#' log.csv | sed 's/"[^"]*"//g' | cut -d, -f1,32- > recorded.csv
   $ frobc trace both.frob --robot pioneer --input log.csv | cmp - recorded.csv
   $ frobc trace both.frob --robot pioneer --input log.csv --engine interp | cmp - recorded.csv
-  $ rest
 
 None are as near to each other as they have to be: the program has no pairs and stands, and is told
 what may help. One camera whose frames come later than the other's says by how much.
 
-  $ frames_of one 0.1 0; frames_of two 0.1 0.15
+  $ feed="$(frames_of one 0.1 0) $(frames_of two 0.1 0.15)"
+  $ wants="grep -q '^warning.*give no pairs' messages"
   $ both 4 --camera left=one --camera right=two --set left.pair_within=0.0000001 --set right.latency=0.05 --set left.left=0.1
   $ sed -n 's/^late/late/p' summary; at_least 'pair failures' 1
   late steps: 0
   pair failures: enough
   $ warnings | sed 's/taken [0-9]* ms/taken N ms/'
-  warning: cameras `left` and `right` give no pairs of frames: those nearest to each other were taken N ms apart, and may be 0 ms apart (pair_within): have both take their frames at the same time and rate, or set pair_within to more; if those of one come later than those of the other, set its latency to how much
+  warning: cameras `left` and `right` deliver no pairs of frames: the closest frames were taken N ms apart, but the maximum is 0 ms (pair_within): make both cameras take frames at the same time and rate, or increase pair_within; if the frames of one camera arrive later, set its latency to the difference
   $ tail -1 log.csv | sed 's/"[^"]*"//g' | awk -F, '{ print $32 }'
   0
-  $ rest
 
 One camera falls silent and comes back, and so do the pairs; which one it was is told.
 
-  $ frames_of one 0.05 0
-  $ (for k in $(seq 0 20); do ./frames ppm 1 32 24 $k; sleep 0.05; done; sleep 2; for k in $(seq 0 400); do ./frames ppm 1 32 24 $k || break; sleep 0.05; done) > two 2> /dev/null & feeders="$feeders $!"
+  $ feed="$(frames_of one 0.05 0) (for k in \$(seq 0 20); do ./frames ppm 1 32 24 \$k; sleep 0.05; done; sleep 2; for k in \$(seq 0 400); do ./frames ppm 1 32 24 \$k || break; sleep 0.05; done) > two &"
+  $ wants="grep -q 'frames again' messages"
   $ both 6 --camera left=one --camera right=two --set left.left=0.1
   $ grep camera messages
-  warning: camera `right` (two) gives no frames: what comes is no whole frame: it has to be PPM, PGM or JPEG, or raw frames whose width and height are set
-  camera `right` (two) gives frames again
+  warning: camera `right` (two) delivers no frames: no complete frame arrives: send PPM, PGM or JPEG, or set width and height for raw frames
+  camera `right` (two) delivers frames again
   $ grep -v '^#' log.csv | sed 's/"[^"]*"//g' | awk -F, 'NR > 1 { if ($32 > 0 != drives) print (drives = $32 > 0) ? "drives" : "stands" }'
   drives
   stands
   drives
-  $ rest
-  $ end $robot
 
 A served robot offers both its cameras: it drives down the corridor by them, as in the simulator.
 
   $ example=../../../examples/corridor_stereo
-  $ start_robot $example/world.toml
-  $ set -- $(sed -n 's/camera: //p' served)
-  $ frobc run $example/corridor_stereo.frob --device $device --camera left=$1 --camera right=$2 --set left.left=0.06 --set right.left=-0.06 --set left.field_of_view_deg=75 --set right.field_of_view_deg=75 --for 90s --exit-when-done > summary
+  $ drive_down () {
+  >   start_robot $example/world.toml
+  >   set -- $(sed -n 's/camera: //p' served)
+  >   frobc run $example/corridor_stereo.frob --device $device --camera left=$1 --camera right=$2 --set left.left=0.06 --set right.left=-0.06 --set left.field_of_view_deg=75 --set right.field_of_view_deg=75 --for 90s --exit-when-done > summary
+  >   end $robot
+  > }
+  $ wants="at_least pairs 200 | grep -q enough"
+  $ in_time drive_down
   $ sed -n 's/^result/result/p; s/failures/failures/p' summary; at_least pairs 200
   left failures: 0
   right failures: 0
   pair failures: 0
   result: ()
   pairs: enough
-  $ end $robot
-  $ awk -F '[ ,]+' '/^stands/ { print ($3 > 7.6 && ($5 - 0.9) ^ 2 < 0.1 ^ 2) ? "at the end, in the middle" : $0 }; /^collisions/' served
+  $ awk -F '[ ,]+' '/^position/ { print ($2 > 7.6 && ($4 - 0.9) ^ 2 < 0.1 ^ 2) ? "at the end, in the middle" : $0 }; /^collisions/' served
   at the end, in the middle
   collisions: 0

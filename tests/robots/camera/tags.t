@@ -3,16 +3,19 @@ before one, as in the simulator. Where it stands in the end is told by its world
 
   $ . ./camera.sh
   $ example=../../../examples/dock_tag
-  $ start_robot $example/world.toml
-  $ camera=$(sed -n 's/camera: //p' served)
-  $ frobc run $example/dock_tag.frob --device $device --camera $camera --set camera.field_of_view_deg=70 --for 60s --exit-when-done --record run.csv > summary
+  $ dock () {
+  >   start_robot $example/world.toml
+  >   camera=$(sed -n 's/camera: //p' served)
+  >   frobc run $example/dock_tag.frob --device $device --camera $camera --set camera.field_of_view_deg=70 --for 60s --exit-when-done --record run.csv > summary
+  >   end $robot
+  > }
+  $ in_time dock
   $ sed -n 's/^camera: \(.*\);.*/\1/p; s/^camera failures/camera failures/p; s/^result/result/p' summary; at_least 'camera frames' 20
   320 x 240, colours, JPEG
   camera failures: 0
   result: ()
   camera frames: enough
-  $ end $robot
-  $ awk -F '[ ,]+' '/^stands/ { print ($3 - 3.4) ^ 2 + ($5 - 2) ^ 2 < 0.05 ^ 2 && ($8 ^ 2 < 3 ^ 2) ? "docked" : $0 }; /^collisions/' served
+  $ awk -F '[ ,]+' '/^position/ { print ($2 - 3.4) ^ 2 + ($4 - 2) ^ 2 < 0.05 ^ 2 && ($7 ^ 2 < 3 ^ 2) ? "docked" : $0 }; /^collisions/' served
   docked
   collisions: 0
 
@@ -52,10 +55,11 @@ host and the kernels are compiled from their sources, as for another machine.
   > FROB
   $ sed 's/heading_deg = -30/heading_deg = 10/' $example/world.toml > ahead.toml
   $ frobc run still.frob --robot pioneer --world ahead.toml --for 2s --record still.csv > summary
-  $ start_robot
   $ frobc build both.frob --robot pioneer --target linux -o both
-  $ ./both --device $device --for 3 --camera still.frames --record log.csv > summary 2> messages; warnings
-  warning: camera `camera` (still.frames) gives no frames any more: all 29 pictures have been shown
+  $ both () { ./both --device $device --for 3 --camera still.frames --record log.csv > summary 2> messages; }
+  $ wants="at_least 'camera frames' 10 | grep -q enough && grep -q ^warning messages"
+  $ in_time with_robot both; warnings
+  warning: camera `camera` (still.frames) delivers no frames any more: all 29 pictures have been shown
   $ at_least 'camera frames' 10
   camera frames: enough
   $ frobc trace both.frob --robot pioneer --input log.csv | cut -d, -f2 | uniq
@@ -66,22 +70,24 @@ host and the kernels are compiled from their sources, as for another machine.
 The process that looks for tags may be killed: another one begins, and the program goes on.
 
   $ rm log.csv
-  $ ./both --device $device --for 60 --camera still.frames --set camera.rate=1 --record log.csv > summary 2> messages & run=$!
+  $ start_robot
+  $ ./both --device $device --for 600 --camera still.frames --set camera.rate=1 --record log.csv > summary 2> messages & run=$!
   $ until_true 'grep -q "number = 1" log.csv 2> /dev/null'
   $ keeper=$(cut -d ' ' -f 1 /proc/$run/task/$run/children)
   $ kill -SEGV $(cut -d ' ' -f 2 /proc/$keeper/task/$keeper/children)
   $ until_true 'grep -q "frames again" messages'
   $ kill -INT $run; wait $run
   [4]
-  $ sed 's/(http[^)]*)/(ADDRESS)/' messages
-  warning: camera `camera` (still.frames) gives no frames: what looks for tags was ended by signal 11 (Segmentation fault); it begins anew
-  camera `camera` (still.frames) gives frames again
-  error: the run was ended by an interrupt; the robot was told to stop
+  $ sed 's/(http[^)]*)/(ADDRESS)/; s/at [0-9.]* s/at N s/' messages
+  warning: camera `camera` (still.frames) delivers no frames: its tag detector was killed by signal 11 (Segmentation fault); restarting it
+  camera `camera` (still.frames) delivers frames again
+  interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command to start again and overwrite that file
+  error: the run was ended by an interrupt; sent a stop command to the robot
 
 Without the library a program that asks for tags is told so before anything moves.
 
   $ mkdir none; printf 'no library' > none/libapriltag.so.3
   $ LD_LIBRARY_PATH=$PWD/none ./both --device $device --for 3 --camera still.frames
-  error: this program looks for tags, and the library that finds them, libapriltag.so.3, is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); a recording is run again without it
+  error: this program detects tags, but the library for that, libapriltag.so.3, is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
   [2]
   $ end $robot

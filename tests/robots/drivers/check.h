@@ -1,4 +1,4 @@
-/* Checks of the runtime's tests: a line for each, `ok NAME` or `FAIL NAME`. */
+/* Checks for the runtime's tests. Each prints a line, `ok NAME` or `FAIL NAME`. */
 #ifndef CHECK_H
 #define CHECK_H
 
@@ -15,7 +15,7 @@ static inline void check(bool holds, const char *name)
         check_failures++;
 }
 
-/* Within `tolerance` of what is expected; both are shown if not. */
+/* Checks that a value is within `tolerance` of the expected one; prints both if it is not. */
 static inline void check_near(double found, double expected, double tolerance, const char *name)
 {
     bool holds = fabs(found - expected) <= tolerance;

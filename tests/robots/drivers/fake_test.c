@@ -1,4 +1,4 @@
-/* The line in memory and its clock, on which drivers are tested. */
+/* Tests the in-memory line and its clock, on which the drivers are tested. */
 #include "check.h"
 
 #include "hal/fake/fake.h"

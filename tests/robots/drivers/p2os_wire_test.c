@@ -1,4 +1,4 @@
-/* Pioneer packets, byte for byte as in the manuals and in captures. */
+/* Tests Pioneer packets byte for byte, with packets from the manuals and from captures. */
 #include "check.h"
 
 #include "drivers/pioneer/model.h"
@@ -75,8 +75,8 @@ static void receiving(void)
           "a packet within a bad packet is found");
 }
 
-/* A robot that looks to -90.5 degrees and creeps at 7 mm/s: its SIP has FA FB 07
- * in it, and zeros, which are their own checksum. */
+/* A robot at heading -90.5 degrees that creeps at 7 mm/s: its SIP contains FA FB 07 followed by
+ * zeros, which is a valid packet with their checksum. */
 static void data_like_a_packet(void)
 {
     struct frob_p2os_receiver r = { { 0 }, 0, 0, false };
@@ -97,8 +97,8 @@ static void data_like_a_packet(void)
     check(found == 10 && others == 0, "data that looks like a packet is none");
 }
 
-/* After any garbage, the next good packet is found with its last byte, unless
- * both together happen to be one: of so many, very few. */
+/* After any garbage, the next good packet must be found at its last byte, unless the two
+ * together happen to form a packet, which is very rare. */
 static void garbage_hides_nothing(void)
 {
     uint32_t seed = 1;

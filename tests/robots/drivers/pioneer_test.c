@@ -1,5 +1,5 @@
-/* The Pioneer driver and what stops a robot, against a robot of a few lines:
- * it shakes hands, keeps the commands it gets, and sends SIPs when told to. */
+/* Tests the Pioneer driver and the safety stop against a minimal robot that performs the
+ * handshake, stores the commands it receives, and sends SIPs when told to. */
 #include "check.h"
 
 #include "core/robot.h"
@@ -13,18 +13,18 @@
 
 enum { LOG_ROOM = 4096 };
 
-/* The other end of the line. */
+/* The robot at the other end of the line. */
 static struct {
     struct frob_p2os_receiver receiver;
-    const char *names; /* the answer to SYNC2 after its type */
+    const char *names; /* the names in the answer to SYNC2, after its type */
     size_t names_length;
-    uint32_t rate; /* that it listens and talks at */
+    uint32_t rate; /* bit rate of the robot */
     bool in_session, open, heeds_hostbaud, keeps_rate, silent, motors;
     uint8_t expected_sync;
-    int enables_lost; /* so many are lost on their way */
-    bool strict;      /* echoes what it does not know, and hangs up at CLOSE */
+    int enables_lost; /* number of ENABLE commands to lose */
+    bool strict;      /* echoes unknown packets, and disconnects at CLOSE */
     bool stands;      /* its wheels are at rest */
-    bool deaf;        /* waits for the rest of what noise announced */
+    bool deaf;        /* waits for the rest of a packet that noise began */
     uint8_t commands[LOG_ROOM];
     int32_t arguments[LOG_ROOM];
     int64_t times[LOG_ROOM];
@@ -169,7 +169,7 @@ static void connect_again(void)
     frob_robot_start(&robot, &frob_pioneer_driver, &device, values, &serial, &clock_, 200 * MS);
 }
 
-/* Runs both ends for a time, millisecond by millisecond. */
+/* Runs both ends for some time, in steps of a millisecond. */
 static enum frob_robot_state run(int64_t ms)
 {
     enum frob_robot_state state = robot.state;
@@ -205,7 +205,7 @@ static size_t count_of(uint8_t number)
     return n;
 }
 
-/* The index of the last such command; LOG_ROOM if there is none. */
+/* The index of the last command with this number; LOG_ROOM if there is none. */
 static size_t last_of(uint8_t number)
 {
     for (size_t i = other.count; i > 0; i--)
@@ -286,7 +286,7 @@ static void rates(void)
           "a line that has the first rate but not the other: the robot is not told either");
     start();
     line.refuses_rates = true;
-    values[FROB_PIONEER_BAUD] = 38400; /* what the bridge was told to have */
+    values[FROB_PIONEER_BAUD] = 38400; /* the rate that the bridge was configured to */
     other.rate = 38400;
     line.rate = 38400;
     connect_again();
@@ -307,8 +307,8 @@ static bool is_zero(size_t i, uint8_t number)
     return other.commands[i] == number && other.arguments[i] == 0;
 }
 
-/* A robot in a session that begins to hear at last, with whatever packet: its
- * watchdog has stopped it, and a pulse alone would let it go on. */
+/* A robot in an open session that starts to hear again: its watchdog has stopped it, and any
+ * packet, even a pulse, would make it resume its old speed. */
 static void hears_late(void)
 {
     bool zeros_first = true;
@@ -331,7 +331,7 @@ static void hears_late(void)
     check(run(3000) == FROB_ROBOT_READY, "and when it hears again, another one is begun");
 }
 
-/* What is heard is no packet: there may be a session behind the noise. */
+/* Noise instead of packets: there may be an open session behind it. */
 static void noise(void)
 {
     start();
@@ -346,8 +346,7 @@ static void noise(void)
     check(robot.state == FROB_ROBOT_READY, "and it connects");
 }
 
-/* A simulator that echoes packets that it does not know, and hangs up at CLOSE, as
- * AMRISim does. */
+/* A simulator that echoes unknown packets and disconnects at CLOSE, as AMRISim does. */
 static void strict_peer(void)
 {
     start();
@@ -363,7 +362,7 @@ static void strict_peer(void)
     check(line.lost, "until CLOSE, when it hangs up");
 }
 
-/* The halves of a packet, a pause apart, are no packet. */
+/* Two halves of a packet with a pause between them are not a packet. */
 static void torn(void)
 {
     static const uint8_t sync0[] = { 0xFA, 0xFB, 3, 0, 0, 0 };
@@ -407,15 +406,16 @@ static void sessions(void)
 {
     size_t zero;
     start();
-    other.in_session = other.open = true; /* that nobody ended; the robot would take up its speed */
+    /* a session that was never closed; the robot would resume its speed */
+    other.in_session = other.open = true;
     connect_again();
-    /* CLOSE and SYNC2 have the same number. */
+    /* CLOSE and SYNC2 have the same number, so both are counted. */
     check(run(1500) == FROB_ROBOT_READY && count_of(FROB_P2OS_CLOSE) == 2,
           "ends a session that is still open, and begins its own");
     check(is_zero(0, FROB_P2OS_VEL) && is_zero(1, FROB_P2OS_RVEL),
           "zeros come before anything that a robot in a session takes for a pulse");
     start();
-    other.in_session = true; /* its answer to SYNC2 was lost, and OPEN never came */
+    other.in_session = true; /* its answer to SYNC2 was lost, and OPEN never arrived */
     values[FROB_PIONEER_BAUD] = 9600;
     connect_again();
     check(run(2500) == FROB_ROBOT_READY, "ends a session in which the robot says nothing");
@@ -487,6 +487,64 @@ static void driving(void)
     check(last_argument(FROB_P2OS_VEL2) == (15 << 8 | 25), "VEL2 commands the wheels");
 }
 
+/* The angle, in degrees, by which the RVEL commands from number `from` on have turned the robot. */
+static double turned_by(size_t from)
+{
+    double way = 0.0;
+    int32_t turn = 0;
+    int64_t since = now.now_ns;
+    for (size_t i = from; i < other.count; i++) {
+        if (other.commands[i] != FROB_P2OS_RVEL)
+            continue;
+        way += turn * (double)(other.times[i] - since) / 1e9;
+        turn = other.arguments[i];
+        since = other.times[i];
+    }
+    return way + turn * (double)(now.now_ns - since) / 1e9;
+}
+
+/* 0.008 rad/s is 0.46 deg/s. At 9600 bits per second commands are 25 ms apart, and steps 20 ms. */
+static void slow(void)
+{
+    size_t before;
+    start();
+    connect_again();
+    run(1000);
+    before = other.count;
+    run_commanding(8000, 0.0, 0.008);
+    check_near(turned_by(before), 0.064 * 180.0 / 3.14159265358979323846, 0.05,
+               "a slow turn is as far as it should be");
+    run_commanding(40, 0.0, 0.0);
+    before = other.count;
+    run_commanding(1000, 0.0, 0.0);
+    check(turned_by(before) == 0.0, "what is owed does not move a robot that is told to stand");
+    run_commanding(140, 0.0004, 0.008);
+    frob_robot_halt(&robot);
+    before = other.count;
+    run(1000);
+    check(turned_by(before) == 0.0 && last_argument(FROB_P2OS_VEL) == 0,
+          "nor one that was stopped");
+}
+
+/* A Pioneer 1 reports wheel speeds in units of 2.5332 mm/s, according to the tables of ARIA and
+ * Player. (AMRISim reports mm/s for it, so it cannot validate a Pioneer 1.) Its commands are in
+ * mm/s. */
+static void pioneer_1(void)
+{
+    static const char names[] = "old\0Pioneer\0PION1X";
+    struct frob_pioneer_input in;
+    start();
+    other.names = names;
+    other.names_length = sizeof names;
+    connect_again();
+    run(1000);
+    frob_robot_sense(&robot, &in);
+    check_near(in.leftWheel, 0.25332, 1e-12, "a Pioneer 1's wheels have a unit of their own");
+    check_near(in.rightWheel, 0.50664, 1e-12, "both");
+    run_commanding(300, 0.35, 0.0);
+    check(last_argument(FROB_P2OS_VEL) == 350, "its commands are in mm/s");
+}
+
 static void stale(void)
 {
     size_t stops;
@@ -545,7 +603,7 @@ static void sensing(void)
     values[FROB_PIONEER_CARRY_ON] = 0.0;
     other.x = 0x7FF0;
     other.y = 100;
-    other.heading = 1024; /* a quarter turn: the counters' axes lie so */
+    other.heading = 1024; /* a quarter turn: the axes of the robot's counters are rotated */
     connect_again();
     run(1000);
     frob_robot_sense(&robot, &in);
@@ -557,7 +615,7 @@ static void sensing(void)
     check_near(in.battery, 12.8, 1e-9, "battery in volts");
     check(in.rearBumper && !in.frontBumper && in.rightStall && !in.leftStall && in.motorsOn,
           "bumpers, stalls, motors");
-    other.x = 0x0010; /* 32 mm on, over the counter's end */
+    other.x = 0x0010; /* 32 mm further, past the counter's wraparound */
     other.y = 50;     /* 50 mm down */
     other.heading = 1024 + 512;
     run(200);
@@ -617,6 +675,8 @@ int main(void)
     torn();
     stands();
     driving();
+    slow();
+    pioneer_1();
     stale();
     halting();
     sensing();

@@ -1,4 +1,4 @@
-/* The POSIX serial line, on pseudo-terminals. */
+/* Tests the POSIX serial line on pseudo-terminals. */
 #include "check.h"
 
 #include "hal/posix/clock.h"
@@ -16,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* As in <sys/ioctl.h>, which would include the other termios. */
+/* Declared here because <sys/ioctl.h> would include the conflicting termios. */
 extern int ioctl(int fd, unsigned long request, ...);
 
 static int other; /* the other end of the line */
@@ -133,7 +133,7 @@ static void rates(void)
     close(other);
 }
 
-/* One that is denied: as somebody who may not, if this is root. */
+/* Opens a device without permission; if this process is root, as another user. */
 static bool denied(void)
 {
     int status = 0;
@@ -224,8 +224,8 @@ static void no_leaks(void)
     check(open_files() == before, "fifty lines that come and go leave nothing open");
 }
 
-/* A server that answers nobody: its queue is full. What was open is opened again
- * when it answers, and each attempt before that ends soon. */
+/* A server that does not answer because its queue is full. The line must be reopened once the
+ * server answers, and each attempt before that must end soon. */
 static void tcp_again(void)
 {
     struct sockaddr_in address;

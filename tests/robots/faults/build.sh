@@ -1,6 +1,6 @@
 #!/bin/sh
-# build.sh EXE ROOT OPTION...: builds soak.cc with the drivers, what hosts drive
-# them through, and the simulated robots' ends of the line.
+# build.sh EXE ROOT OPTION...: builds soak.cc with the drivers, the hosts' code that runs them, and
+# the simulated robots' ends of the line.
 set -eu
 exe=$1 root=$2
 shift 2

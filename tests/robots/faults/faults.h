@@ -1,6 +1,6 @@
-// What goes wrong with the bytes of a line, drawn from a seed: bytes dropped,
-// doubled, flipped; garbage between them, and storms of it; packets cut short;
-// bytes held back, which then come all at once.
+// Random faults of a line, determined by a seed: bytes are dropped, duplicated or flipped; garbage
+// appears between them, also in bursts; packets are truncated; bytes are held back and then arrive
+// all at once.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,12 @@ extern "C" {
 class Faults
 {
   public:
-    // Of 65536 bytes, so many are dropped, doubled, flipped, or have garbage
-    // before them; of 256 packets, so many are cut short.
+    // The number of bytes, of 65536, that are dropped, duplicated, flipped, or preceded by garbage;
+    // and the number of packets, of 256, that are truncated.
     struct Rates {
         unsigned dropped = 0, doubled = 0, flipped = 0, garbage = 0, cut = 0;
-        unsigned storm = 0;       // bytes of garbage for each turn, at the most
-        std::int64_t held_ns = 0; // bytes come together at multiples of this time
+        unsigned storm = 0;       // maximum bytes of garbage per turn
+        std::int64_t held_ns = 0; // bytes arrive in batches at multiples of this time
     };
 
     void seed(std::uint64_t seed) { seed_ = seed; }
@@ -30,7 +30,7 @@ class Faults
                rates_.storm || rates_.held_ns;
     }
 
-    // Did the bytes since `begin` pass unchanged, with nothing before or between?
+    // Whether the bytes since `begin` passed unchanged, with nothing before or between them.
     bool untouched() const { return untouched_; }
 
     void begin(std::int64_t room, std::vector<std::uint8_t> &out)
@@ -78,7 +78,7 @@ class Faults
   private:
     bool falls(unsigned rate) { return rate != 0 && random_below(&seed_, 65536) < rate; }
 
-    // Half of it is what protocols begin and end with.
+    // Half of the garbage consists of the first and last bytes of packets.
     std::uint8_t garbage()
     {
         static constexpr std::uint8_t likely[] = { 0x01, 0x2C, 0x00, 0x5C, 0x13, 0x37, 0xFA, 0xFB,

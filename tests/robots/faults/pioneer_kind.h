@@ -1,5 +1,5 @@
-// The Pioneer for the bench: the firmware that `frobc serve` runs, on a body of
-// the bench instead of the simulator's.
+// Runs the Pioneer in the bench: the firmware of `frobc serve`, with a body of the bench instead of
+// the simulator's.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include "pioneer_firmware.h"
 #include "sim.h"
 
-// The simulator's C interface, as far as the firmware uses it.
+// The part of the simulator's C interface that the firmware uses.
 struct frob_sim {
     frob_pioneer_input body{};
     frob_pioneer_output output{};
@@ -42,8 +42,8 @@ class PioneerWire
     }
     frob_pioneer_output output() const { return sim_.output; }
 
-    // Has a damaged command that passes the sum set a limit of speed or
-    // acceleration? The driver sets none; one lasts until the session ends.
+    // Whether a damaged command with a valid checksum has limited the speed or acceleration. The
+    // driver sets no limits; one lasts until the session ends.
     bool limited() const { return limited_; }
 
     std::vector<std::uint8_t> to_client;
@@ -60,7 +60,7 @@ class PioneerWire
 
     frob_sim sim_;
     frob::serve::PioneerFirmware firmware_;
-    frob::serve::P2osReader reader_; // as the firmware's
+    frob::serve::P2osReader reader_; // the same reader that the firmware uses
     bool limited_ = false;
 };
 

@@ -1,9 +1,8 @@
-/* The POSIX line under faults of its system calls, drawn from seeds: EINTR,
- * EAGAIN, short reads and writes, a line that takes nothing, EIO, hang-ups.
+/* Tests the POSIX line with faulty system calls, drawn from seeds: EINTR, EAGAIN, short reads
+ * and writes, a line that accepts no data, EIO, hang-ups.
  *
- * The linker puts the functions below in the place of the system's (--wrap),
- * with bytes in memory and virtual time, so nothing waits and no device is
- * needed. */
+ * The linker replaces the system calls by the functions below (--wrap), which use bytes in
+ * memory and virtual time, so the test never waits and needs no device. */
 #include "check.h"
 #include "random.h"
 
@@ -21,9 +20,10 @@ enum { ROOM = 65536, FD = 1000 };
 static struct {
     uint64_t seed;
     int64_t now_ns;
-    unsigned interrupted, refused;      /* of 256 calls, so many end with EINTR, EAGAIN */
-    bool blocked;                       /* nothing can be written */
-    enum { ALIVE, BROKEN, ENDED } life; /* EIO, or end of file */
+    /* number of calls, of 256, that fail with EINTR or EAGAIN */
+    unsigned interrupted, refused;
+    bool blocked;                       /* writes are never accepted */
+    enum { ALIVE, BROKEN, ENDED } life; /* then EIO, or end of file */
     uint8_t in[ROOM], out[ROOM];
     size_t in_count, in_taken, out_count;
 } os;
@@ -33,13 +33,13 @@ static bool falls(unsigned of_256)
     return random_below(&os.seed, 256) < of_256;
 }
 
-/* A part of it, at least one. */
+/* A random part of the count, at least 1. */
 static size_t part(size_t count)
 {
     return falls(128) ? count : 1 + random_below(&os.seed, (unsigned)count);
 }
 
-/* EINTR or EAGAIN now and then, EIO when the line is broken. */
+/* Fails with EINTR or EAGAIN sometimes, and with EIO when the line is broken. */
 static bool fails(void)
 {
     os.now_ns += 1000;
@@ -131,7 +131,7 @@ static void start(uint64_t seed)
     serial = frob_posix_serial(&line);
 }
 
-/* All bytes of a seed get through, each once and in order. */
+/* All bytes of a seed must arrive once and in order. */
 static bool reads_all(void)
 {
     uint8_t got[ROOM], some[300];
@@ -166,7 +166,7 @@ static bool writes_all(void)
     return count == os.out_count && memcmp(sent, os.out, count) == 0;
 }
 
-/* A write to a line that takes nothing ends in its time. */
+/* A write to a line that accepts no data must time out. */
 static bool gives_up_writing(void)
 {
     int64_t began_ns = os.now_ns;
@@ -181,8 +181,8 @@ static bool gives_up_writing(void)
            os.out_count == 3;
 }
 
-/* After EIO or the end of file the line is lost to every call; what came
- * before a hang-up is read first. */
+/* After EIO or the end of file every call must report a lost line; data from before a hang-up
+ * must be read first. */
 static bool is_lost(int life)
 {
     uint8_t bytes[8];
@@ -201,7 +201,7 @@ static bool is_lost(int life)
     if (serial.operations->read(serial.port, bytes, sizeof bytes, &count) != FROB_LOST ||
         count != 0)
         return false;
-    os.life = ALIVE; /* another device now */
+    os.life = ALIVE; /* a new device now */
     return serial.operations->read(serial.port, bytes, sizeof bytes, &count) == FROB_LOST &&
            serial.operations->write(serial.port, bytes, 1) == FROB_LOST &&
            serial.operations->wait(serial.port, os.now_ns + 1000000) == FROB_LOST &&
@@ -223,7 +223,7 @@ static bool discards(void)
     uint8_t bytes[8];
     size_t count = 1;
     os.in_count = 3000;
-    os.refused = 0; /* a spurious EAGAIN would end it early, rightly */
+    os.refused = 0; /* a spurious EAGAIN may rightly end the write early */
     return serial.operations->discard(serial.port) == FROB_OK &&
            serial.operations->read(serial.port, bytes, sizeof bytes, &count) == FROB_OK &&
            count == 0;

@@ -1,6 +1,6 @@
-// soak SEED COUNT SECONDS [ROBOT...]: drives each robot for so many simulated
-// seconds with each of so many seeds, while the line fails; see soak.h.
-// A failure names its seed, and the same seed gives the same run.
+// soak SEED COUNT SECONDS [ROBOT...]: drives each robot for SECONDS simulated seconds with each of
+// COUNT seeds, on a faulty line; see soak.h. A failure report names the seed; the same seed gives
+// the same run.
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
@@ -8,7 +8,7 @@
 #include "pioneer_kind.h"
 #include "soak.h"
 
-// The simulator's functions, on the bench's body.
+// The simulator's functions, implemented by the bench's body.
 void frob_sim_advance(frob_sim *, std::int64_t) {}
 void frob_sim_read(frob_sim *sim, void *input)
 {
@@ -44,7 +44,7 @@ struct CreateSoak : CreateKind {
     static constexpr double most_m_s = 0.5, watchdog_s = 0;
     static constexpr int hearing_ms = 500;
     static void prepare(Bench<CreateSoak, Faults> &) {}
-    // A robot that misheard what to stream sends other frames.
+    // If a request for a stream was damaged, the robot sends other frames.
     static bool is_reading(const std::vector<std::uint8_t> &bytes)
     {
         static constexpr std::uint8_t ids[] = {
@@ -71,8 +71,8 @@ struct CreateSoak : CreateKind {
 };
 
 struct PioneerSoak : PioneerKind {
-    // Garbage can begin like a packet right behind a good one, or make a packet
-    // together with the beginning of a good one: 252 bytes, six SIPs at the most.
+    // Garbage right behind a good packet can look like the start of a packet, or form one together
+    // with the start of a good packet: 252 bytes, at most six SIPs.
     static constexpr unsigned overlapped = 6;
     static constexpr double most_m_s = 2.2, watchdog_s = 2;
     static constexpr int hearing_ms = 3500;

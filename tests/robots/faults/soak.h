@@ -1,11 +1,11 @@
-// A host that drives a robot while the line between them fails, in phases: all
-// well, then some faults drawn from the seed, then all well again.
+// A host that drives a robot while the line between them fails, in phases: first no faults, then
+// faults drawn from the seed, then no faults again.
 //
-// Looked at all the time:
-//   - a good packet is found by the driver with its last byte;
-//   - once readings are stale and the way to the robot is clean, it stands;
-//   - what the program sees can be, and so can what the robot is told;
-// and after each phase of faults: the robot drives again, as it is told.
+// It checks all the time that
+//   - the driver finds each good packet at its last byte;
+//   - the robot stops once the readings are stale and the line to the robot is clean;
+//   - the program sees only possible values, and so does the robot.
+// After each phase of faults the robot must drive again as commanded.
 #pragma once
 
 #include <cmath>
@@ -17,12 +17,13 @@
 #include "faults.h"
 
 struct SoakResult {
-    std::string failure; // empty if all held
+    std::string failure; // empty if every check succeeded
     double simulated_s = 0;
     double slowest_resume_s = 0;
-    double longest_unwanted_s = 0; // the robot moved though readings were stale
+    double longest_unwanted_s = 0; // longest time that the robot moved although readings were stale
     unsigned faults = 0, connections = 0, stale = 0;
-    unsigned limited = 0; // a damaged command set a limit, and a new connection took it away
+    unsigned limited = 0; // number of times that a damaged command set a limit, which a new
+                          // connection removed
 };
 
 template <class Kind>
@@ -60,10 +61,10 @@ class Soak
     }
 
   private:
-    static constexpr std::int64_t patience_ns = 200 * ms; // of Bench::start
+    static constexpr std::int64_t patience_ns = 200 * ms; // the same as in Bench::start
 
-    // The host: steps 30 times a second, and connects anew a quarter of a
-    // second after a connection has failed.
+    // The host: runs 30 steps a second, and reconnects a quarter of a second after a connection has
+    // failed.
     void drive(std::int64_t for_ns)
     {
         const std::int64_t until_ns = b_.time.now_ns + for_ns;
@@ -96,7 +97,7 @@ class Soak
         b_.start();
     }
 
-    // Without faults the robot must drive as it is told, soon.
+    // Without faults the robot must soon drive as commanded.
     void well()
     {
         const std::int64_t start_ns = b_.time.now_ns;
@@ -111,7 +112,7 @@ class Soak
         }
         result_.slowest_resume_s = std::max(result_.slowest_resume_s,
                                             static_cast<double>(b_.time.now_ns - start_ns) * 1e-9);
-        // Then it drives for a while, another way than before.
+        // Then it drives for a while with another command.
         forward_ = 0.05 * (1 + random_below(&seed_, 6)) * (random_below(&seed_, 4) == 0 ? -1 : 1);
         turn_ = 0.2 * random_below(&seed_, 4);
         drive(static_cast<std::int64_t>(200 + random_below(&seed_, 1500)) * ms);
@@ -119,7 +120,7 @@ class Soak
 
     unsigned rate(unsigned most)
     {
-        // Rare faults as often as frequent ones.
+        // Choose low rates as often as high ones.
         return random_below(&seed_, 3) == 0 ? most >> random_below(&seed_, 10) : 0;
     }
 
@@ -157,13 +158,13 @@ class Soak
         b_.to_driver.set({});
         b_.to_robot.set({});
         b_.line.blocked = false;
-        // A line that was lost is another when it comes back.
+        // A line that was lost is a new one when it comes back.
         if (hung_up_) {
             hung_up_ = false;
             b_.wire.to_client.clear();
         }
         clean_ns_ = b_.time.now_ns;
-        // What a person does with a robot that has become slow.
+        // Do what a user would do with a robot that has become slow.
         if (Kind::limited(b_.wire)) {
             ++result_.limited;
             frob_robot_close(&b_.robot);
@@ -171,7 +172,7 @@ class Soak
         }
     }
 
-    // A reading that goes out whole must be found when it has arrived.
+    // A reading that is sent without faults must be found when it has arrived.
     void expect(const std::vector<std::uint8_t> &bytes)
     {
         const frob_fake_queue &queue = b_.line.to_driver;
@@ -213,8 +214,8 @@ class Soak
         const bool moves = output.forward != 0 || output.turn != 0;
         if (b_.to_robot.any() || b_.line.blocked || b_.line.lost)
             clean_ns_ = b_.time.now_ns;
-        // A sum of one byte lets a damaged command through now and then; the next
-        // one follows soon.
+        // A one-byte checksum sometimes lets a damaged command through; the next command follows
+        // soon.
         if (b_.time.now_ns - clean_ns_ > 200 * ms && std::fabs(output.forward) > Kind::most_m_s)
             fail("the robot is told what it cannot do");
         const std::int64_t sensed_ns = Kind::driver().sensed_ns(&b_.device);
@@ -228,8 +229,8 @@ class Soak
             unwanted_ns_ = b_.time.now_ns;
         const double unwanted_s = static_cast<double>(b_.time.now_ns - unwanted_ns_) * 1e-9;
         result_.longest_unwanted_s = std::max(result_.longest_unwanted_s, unwanted_s);
-        // A robot that waits for the rest of what garbage announced does not hear
-        // stops until its watchdog ends that; one that hears is stopped at once.
+        // A robot that waits for the rest of a packet that garbage began does not hear a stop until
+        // its watchdog ends the wait; a robot that does hear is stopped at once.
         const std::int64_t hearing_ns = b_.time.now_ns - clean_ns_ - Kind::hearing_ms * ms;
         if (hearing_ns > 0 && b_.time.now_ns - unwanted_ns_ > std::min(hearing_ns, 120 * ms))
             fail("the robot moves though readings are stale");

@@ -1,6 +1,6 @@
 #!/bin/sh
-# build.sh EXE ROOT: builds frob-line with the drivers, what hosts drive them
-# through, the simulated robots' ends of the line, and the simulator.
+# build.sh EXE ROOT: builds frob-line with the drivers, the hosts' code that runs them, the
+# simulated robots' ends of the line, and the simulator.
 set -eu
 exe=$1 root=$2
 warnings="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"

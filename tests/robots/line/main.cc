@@ -1,21 +1,21 @@
-// frob-line -- a compiled program drives the simulated robot through its driver
-// and its serial line, in virtual time: what `frobc serve` and `frobc run
-// --device` do together, as fast as the processor is, the same each time.
+// frob-line -- a compiled program drives the simulated robot through its driver and its serial
+// line, in virtual time: it does what `frobc serve` and `frobc run --device` do together, as fast
+// as the processor can, and the same each time.
 //
 //   frob-line PROGRAM.so ROBOT WORLD.toml SEED SECONDS [NAME=VALUE]...
 //
-// Robot, firmware, line, driver and what decides whether it may drive are those
-// of the two hosts; between them only the processes and the operating system
-// are missing. In their place stand numbers, in milliseconds:
+// The robot, its firmware, the line, the driver and the safety logic are those of the two hosts;
+// only the separate processes and the operating system are missing. These numbers, in milliseconds,
+// replace their delays:
 //
-//   adapter=N   a byte that the robot sent reaches the driver so much later (0);
-//               an adapter to USB keeps bytes back for 16 ms and less
-//   step=N      from what is sensed to what is commanded (0)
-//   rate=HZ     of the program (50)
+//   adapter=N   extra delay of a byte from the robot to the driver (0);
+//               a USB adapter holds bytes back for up to 16 ms
+//   step=N      delay from reading the sensors to the command (0)
+//   rate=HZ     rate of the program (50)
 //
-// Any other name is a setting of the driver. Ends when the program's task does.
-// Prints a summary as the hosts do, and with `log=FILE` writes a line for each
-// instant: time, where the robot believes to be, forward, turn.
+// Any other name is a setting of the driver. The run ends when the program's task does. Prints a
+// summary as the hosts do, and with `log=FILE` writes a line for each instant: time, pose by
+// odometry, forward, turn, collisions, and the true pose relative to the start.
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
@@ -40,7 +40,7 @@ extern "C" {
 #include "hosts/common/load.h"
 #include "hosts/robot/drivers.h"
 
-// Only robots that frobc comes with are simulated here.
+// Only the robots that come with frobc are simulated here.
 extern const frob_driver *const frob_own_driver;
 const frob_driver *const frob_own_driver = nullptr;
 }
@@ -57,7 +57,7 @@ struct WrongUse : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// The simulated robot's end of the line in memory.
+// The simulated robot's end of an in-memory line.
 class MemoryConnection : public Connection
 {
   public:
@@ -166,6 +166,7 @@ class Run
         frob_sim_settings settings{};
         settings.robot = options.robot.c_str();
         settings.seed = options.seed;
+        settings.served = 1;
         frob_sim *sim = frob_sim_open(options.world.c_str(), &settings, message, sizeof message);
         if (!sim)
             throw WrongUse(message);
@@ -211,15 +212,17 @@ class Run
         frob_robot_command(&robot_, output_.data());
     }
 
-    // All robots' inputs begin with the odometry, all outputs with the two speeds.
+    // All robots' inputs start with the odometry, and all outputs with the two speeds.
     void write_log() const
     {
         double in[3], out[2];
         std::memcpy(in, input_.data(), sizeof in);
         std::memcpy(out, output_.data(), sizeof out);
-        std::fprintf(log_, "%.3f %.4f %.4f %.4f %.3f %.3f %d\n",
+        const frob_sim_place at = frob_sim_place_robot(sim_.get(), 0);
+        std::fprintf(log_, "%.3f %.4f %.4f %.4f %.3f %.3f %d %.4f %.4f %.4f\n",
                      static_cast<double>(time_.now_ns - first_ns_) * 1e-9, in[0], in[1], in[2],
-                     out[0], out[1], frob_sim_summarize(sim_.get()).collisions);
+                     out[0], out[1], frob_sim_summarize(sim_.get()).collisions, at.x_m - start_.x_m,
+                     at.y_m - start_.y_m, at.heading_rad - start_.heading_rad);
     }
 
     std::int64_t next() const
@@ -245,6 +248,7 @@ class Run
     frob_fake_clock time_{};
     frob_fake_line line_{};
     frob_robot robot_{};
+    const frob_sim_place start_ = frob_sim_place_robot(sim_.get(), 0);
     std::FILE *log_ = nullptr;
     std::int64_t first_ns_ = -1, before_ns_ = 0, due_ns_ = 0, command_ns_ = 0, ended_ns_ = 0;
     bool stepping_ = false;

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Examples through each robot's driver and line, with many seeds of noise: what
-# they reach in the simulator they reach here; BUG also when an adapter to USB keeps
-# bytes back for 16 ms and a step takes 5 ms. Says which seeds are out of bounds.
+# Runs examples through each robot's driver and line, with many seeds of noise. They must reach the
+# same goals as in the simulator; BUG also if a USB adapter holds bytes back for 16 ms and a step
+# takes 5 ms. Prints the seeds that are out of bounds.
 #
 # usage: seeds.sh FROBC FROB_LINE EXAMPLES COUNT
 frobc=$1 line=$2 examples=$3 count=$4
@@ -9,7 +9,7 @@ frobc=$1 line=$2 examples=$3 count=$4
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# frobc keeps the shared objects that it makes; here it has a cache for this one.
+# frobc caches the shared objects that it builds; this one gets a separate cache.
 compile () { # EXAMPLE ROBOT
   XDG_CACHE_HOME=$work/$1-$2 "$frobc" run "$examples/$1/$1.frob" --robot "$2" \
     --world "$examples/$1/world.toml" --for 10ms >"$work/said" || { cat "$work/said"; return 1; }
@@ -39,5 +39,5 @@ each () { # EXAMPLE SECONDS WAYS BOUNDS...
 each bug 360 "prompt slow" result true true odometry_error_at_the_end 0 1
 each wall_follow 60 prompt mean_wall_distance_error 0 0.03 largest_wall_distance_error 0 0.2
 robots=create # with sensors that look down
-each line_follow 220 "prompt slow" mean_distance_from_the_tape 0 0.01 largest_distance_from_the_tape 0 0.04 way_along_the_tape 45 50
+each line_follow 220 "prompt slow" mean_distance_from_the_tape 0 0.01 largest_distance_from_the_tape 0 0.04 distance_along_the_tape 45 50
 exit $status

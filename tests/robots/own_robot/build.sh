@@ -1,7 +1,6 @@
 #!/bin/sh
-# build.sh TEST ROOT [OPTION...]: builds TEST.cc with the Rover's driver and board,
-# and what hosts drive robots through; with sanitizers unless there are other
-# options. rover.h is here.
+# build.sh TEST ROOT [OPTION...]: builds TEST.cc with the Rover's driver and board, and the hosts'
+# code that runs robots; with sanitizers unless other options are given. rover.h is in this folder.
 set -eu
 test=$1 root=$2
 shift 2

@@ -1,5 +1,5 @@
-/* The Rover's lines: whatever comes, the receiver ends a line with each line feed,
- * and reads from it what a slow reader does. */
+/* Fuzzes the Rover's lines: for any bytes, the receiver must end a line at each line feed, and
+ * read the same values from it as a slow reader. */
 #include "fuzz.h"
 #include "random.h"
 
@@ -26,7 +26,8 @@ size_t fuzz_frame(uint64_t *seed, uint8_t bytes[FUZZ_FRAME])
     return (size_t)count;
 }
 
-/* By the C library: a line is what the library writes for the numbers that it reads. */
+/* A slow reader with the C library: a line is valid if the library writes the same text for the
+ * numbers that it reads. */
 static struct rover_answer slowly(const uint8_t *line, size_t count)
 {
     struct rover_answer answer = { ROVER_GARBAGE, 0, 0 };

@@ -55,18 +55,18 @@ The line follower of another robot runs on it, on tape as wide as its sensors ar
   > TOML
   $ . ../run/within.sh
   $ frobc run ../../../examples/line_follow/line_follow.frob $moth --with $seek/moth_body.c --world narrow.toml --for 60s > summary
-  $ within largest_distance_from_the_tape 0 0.008 way_along_the_tape 10 12 < summary
+  $ within largest_distance_from_the_tape 0 0.008 distance_along_the_tape 10 12 < summary
 
 No robot of the library sees light.
 
   $ frobc check $seek/light_seek.frob --robot create
   error[E0503]: `create` has no `HasPhotocells`
-    --> ../../../examples/light_seek/light_seek.frob:31:16
+    --> ../../../examples/light_seek/light_seek.frob:32:16
      |
-  31 | brightness i = lightLeft i + lightRight i
+  32 | brightness i = lightLeft i + lightRight i
      |                ^^^^^^^^^ `lightLeft` needs it
      |
-     = note: no robot of the library has it
+     = note: no robot of the library has this capability
      = note: `main` is compiled for `create`: there is no instance `HasPhotocells CreateInput`
   
   1 error

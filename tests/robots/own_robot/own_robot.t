@@ -31,8 +31,8 @@ The wall follower goes round its room on it, unchanged, with its simulated body;
 what is recorded replays on both engines.
 
   $ frobc run $follow --robot $rover/Rover.frob --with $rover/rover_body.c --for 60s --seed 1 --record run.csv | grep -E 'error:|collisions'
-  mean wall distance error: 0.0151 m
-  largest wall distance error: 0.1331 m
+  mean wall distance error: 0.0150 m
+  largest wall distance error: 0.1328 m
   collisions: 0
   $ frobc trace $follow --robot $rover/Rover.frob --input run.csv > replayed.csv
   $ frobc trace $follow --robot $rover/Rover.frob --input run.csv --engine interp | cmp - replayed.csv
@@ -42,8 +42,8 @@ what is recorded replays on both engines.
 In single precision too: its structs stay of doubles, the table for hosts converts.
 
   $ frobc run $follow --real float --robot $rover/Rover.frob --with $rover/rover_body.c --for 60s --seed 1 --record run.csv | grep -E 'error:|collisions'
-  mean wall distance error: 0.0152 m
-  largest wall distance error: 0.1331 m
+  mean wall distance error: 0.0146 m
+  largest wall distance error: 0.1335 m
   collisions: 0
   $ frobc trace $follow --real float --robot $rover/Rover.frob --input run.csv > replayed.csv
   $ frobc trace $follow --real float --robot $rover/Rover.frob --input run.csv --engine interp | cmp - replayed.csv
@@ -66,7 +66,7 @@ All its C files may be given at once.
     watchdog           the robot stops by itself after so many ms without a speed, 100 to 2000 (500)
     counts             of an encoder for each metre of way, 100 to 1e+06 (8000)
     wheel-separation   between the wheels, m, 0.05 to 1 (0.19)
-    patience           until a command without answer is given up, s, 0.01 to 1 (0.06)
+    patience           timeout for the answer to a command, s, 0.01 to 1 (0.06)
   $ frobc build $follow --robot $rover/Rover.frob $all --target linux -o wall_follow && ./wall_follow --help | grep watchdog
     watchdog           the robot stops by itself after so many ms without a speed, 100 to 2000 (500)
 
@@ -109,7 +109,7 @@ A program can name it, as any other module.
   2 | import Rover
     |        ^^^^^
     |
-    = note: looked for `Rover.frob` beside this file and in the library
+    = note: frobc looked for `Rover.frob` in the folder of this file and in the library
   
   1 error
   [1]
@@ -117,14 +117,20 @@ A program can name it, as any other module.
 What is missing is said.
 
   $ frobc run $follow --robot $rover/Rover.frob
-  error: there is no simulated rover; the body of a robot of your own is `frob_rover_body`, in a C file that is given with `--with`
+  error: there is no simulated rover; for your own robot, define its body `frob_rover_body` in a C file, and add the file with `--with`
   [2]
   $ frobc build $follow --robot $rover/Rover.frob
-  error: ../../../examples/own_robot/Rover.frob is a robot of your own: name the C files of its driver, which define `frob_rover_driver`, with `--with FILE.c`
+  error: ../../../examples/own_robot/Rover.frob is your own robot: add the C files of its driver, which define `frob_rover_driver`, with `--with FILE.c`
   [2]
   $ frobc run $follow --robot Rover.frob
   error: there is no file Rover.frob
   [2]
+
+The comment at the top of the C names the robot's file, whose name cannot end that comment.
+
+  $ mkdir 'odd*' && cp $rover/Rover.frob 'odd*'
+  $ frobc compile $follow --robot 'odd*/Rover.frob' -o odd && sed -n "3s/[0-9.]*,/VERSION,/p" odd/*.c
+   * frobc VERSION, --robot odd* /Rover.frob
   $ cat > bumping.frob <<'FROB'
   > import Robot
   > main :: (HasBumpers i, DiffDrive o) => Program i o
@@ -137,7 +143,7 @@ What is missing is said.
   3 | main = reactimateRobot (proc i -> roMake (setVelTR (if bumped i then 0 else 0.2[m/s]) 0))
     |                                                        ^^^^^^ `bumped` needs it
     |
-    = note: `pioneer`, `scout` and `create` have it
+    = note: `pioneer`, `scout` and `create` have this capability
     = note: `main` is compiled for `rover`: there is no instance `HasBumpers RoverInput`
     = hint: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
   
@@ -145,17 +151,17 @@ What is missing is said.
   [1]
   $ printf 'data RoverInput = RoverInput { x :: Float }\n' > Little.frob
   $ frobc check bumping.frob --robot Little.frob
-  error[E0503]: module `Little` is no robot: it has no record `LittleInput`
+  error[E0503]: the module `Little` does not describe a robot: it has no record `LittleInput`
    --> Little.frob:1:1
     |
   1 | data RoverInput = RoverInput { x :: Float }
     | ^
     |
-    = hint: a robot's module has records `LittleInput` and `LittleOutput`, and instances of what it can do
+    = hint: define records `LittleInput` and `LittleOutput`, and an instance for each capability of the robot
   
   1 error
   [1]
   $ cp $rover/Rover.frob Scout.frob
   $ frobc check bumping.frob --robot Scout.frob
-  error: there is a robot `scout` already: give Scout.frob another name
+  error: there is already a robot `scout`: rename Scout.frob
   [2]

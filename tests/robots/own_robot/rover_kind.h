@@ -1,5 +1,5 @@
-// The Rover of examples/own_robot for the benches of tests/robots/wire and tests/robots/faults:
-// its board, which `frobc serve` runs, behind a line in memory.
+// Runs the Rover of examples/own_robot in the benches of tests/robots/wire and tests/robots/faults:
+// its board, which `frobc serve` runs, behind an in-memory line.
 #pragma once
 
 #include <cstdint>

@@ -1,18 +1,18 @@
-// rover_soak SEED COUNT SECONDS: drives the Rover for so many simulated seconds with
-// each of so many seeds, while the line fails; see tests/robots/faults/soak.h.
+// rover_soak SEED COUNT SECONDS: drives the Rover for SECONDS simulated seconds with each of COUNT
+// seeds, on a faulty line; see tests/robots/faults/soak.h.
 #include <cstdlib>
 
 #include "rover_kind.h"
 #include "soak.h"
 
 struct RoverSoak : RoverKind {
-    // A line that garbage has begun is spoiled, and the next may stand behind it.
+    // Garbage can spoil the line that it begins, and also the next one behind it.
     static constexpr unsigned overlapped = 2;
-    // There is no sum: the board hears any number of up to six digits for a speed.
+    // There is no checksum: the board may receive any number of up to six digits as a speed.
     static constexpr double most_m_s = 1e6 * 30 / 8000, watchdog_s = 0.5;
     static constexpr int hearing_ms = 700;
     static void prepare(Bench<RoverSoak, Faults> &) {}
-    // An answer that could be the encoders' may be one to a question before.
+    // An answer that looks like encoder counts may be the answer to an earlier question.
     static bool is_reading(const std::vector<std::uint8_t> &) { return false; }
     static bool doubts(const rover &d) { return d.odometry.refused > 0; }
     static bool limited(const Wire &) { return false; }

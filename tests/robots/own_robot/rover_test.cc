@@ -1,4 +1,4 @@
-// The Rover's driver against its board.
+// Tests the Rover's driver against its board.
 #include "check.h"
 #include "rover_kind.h"
 
@@ -55,7 +55,7 @@ static void hears_echoes_once()
         distance = b.input.sonar[3].f0;
     }
     check_near(distance, 1.23, 1e-9, "an echo, to the centimetre");
-    // 2 s; a round of five rangers takes 0.15 to 0.25 s.
+    // In 2 s; a round of five rangers takes 0.15 to 0.25 s.
     check(echoes >= 8 && echoes <= 14 && others == 0, "an echo is an event, once a round");
 }
 
@@ -65,7 +65,7 @@ static void stops_when_answers_stay_away()
     b.start();
     b.run(b.time.now_ns + second);
     b.drive(0.3, 0, second);
-    b.cut = true; // towards the driver; the robot still hears
+    b.cut = true; // towards the driver only; the robot still hears
     b.drive(0.3, 0, 400 * ms);
     check(b.state == FROB_ROBOT_STALE && b.wire.output().forward == 0,
           "stale readings stop the robot");
@@ -86,12 +86,12 @@ static void watchdog_ends_what_is_forgotten()
     b.drive(0.3, 0, second);
     b.run(b.time.now_ns + 400 * ms);
     check(b.wire.output().forward > 0, "a speed holds for a while");
-    b.run(b.time.now_ns + 300 * ms); // the host polls, and does not command any more
+    b.run(b.time.now_ns + 300 * ms); // the host polls but sends no more commands
     check(b.wire.output().forward == 0 && b.state == FROB_ROBOT_READY,
           "the watchdog ends a motion that the host forgot, though the robot is asked");
 }
 
-// An answer that nobody has asked for comes now and then.
+// The board sometimes sends an answer that nothing asked for.
 struct MakesUpAnswers : NoFaults {
     void begin(std::int64_t room, std::vector<std::uint8_t> &out)
     {
@@ -133,7 +133,7 @@ static void counts_out_of_reach_are_refused()
     rover_odometry o{};
     std::int64_t now_ns = second;
     bool taken = true;
-    for (int i = 0; i <= 50; ++i, now_ns += 50 * ms) { // over the counter's end
+    for (int i = 0; i <= 50; ++i, now_ns += 50 * ms) { // past the counter's wraparound
         const auto left = static_cast<std::int32_t>(static_cast<std::uint32_t>(INT32_MAX - 2000) +
                                                     static_cast<std::uint32_t>(100 * i));
         taken = taken && rover_odometry_add(&o, left, left, 8000, 0.19, now_ns);

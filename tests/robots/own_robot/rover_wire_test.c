@@ -1,11 +1,11 @@
-/* The Rover's lines: those of its description, and what is none. */
+/* Tests the Rover's lines: valid ones from its description, and invalid ones. */
 #include "check.h"
 #include "rover_wire.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/* The last answer of these bytes; garbage if no line ends. */
+/* The last answer in these bytes; garbage if no line ends. */
 static struct rover_answer answer_of(const char *bytes, int *lines)
 {
     struct rover_receiver receiver;

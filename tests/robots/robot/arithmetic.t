@@ -11,9 +11,9 @@ products and sums. (Where the processor cannot do that, what would be said is.)
   $ if grep -qw fma /proc/cpuinfo; then
   >   CC=./joining-cc frobc build drive.frob -o drive && ./drive --device ./line --for 0.1
   > else
-  >   echo 'error: drive must not drive a robot: its arithmetic joins products and sums into one rounding: compile with -ffp-contract=off' >&2; (exit 2)
+  >   echo 'error: drive must not drive a robot: its arithmetic rounds a product and a sum only once: compile with -ffp-contract=off' >&2; (exit 2)
   > fi
-  error: drive must not drive a robot: its arithmetic joins products and sums into one rounding: compile with -ffp-contract=off
+  error: drive must not drive a robot: its arithmetic rounds a product and a sum only once: compile with -ffp-contract=off
   [2]
 
 Neither does one whose processor was set to round up before it began, as any
@@ -24,12 +24,12 @@ library can do, nor is it traced.
   > static void __attribute__((constructor)) upward(void) { fesetround(FE_UPWARD); }
   > END
   $ frobc run drive.frob --with upward.c --device ./line --for 1s
-  error: drive must not drive a robot: its arithmetic does not round to nearest: some code has set another rounding mode
+  error: drive must not drive a robot: its arithmetic does not round to nearest: remove the code that sets another rounding mode
   [2]
   $ echo 'main :: SF Float Float; main = proc x -> x * 2' > twice.frob
   $ printf 'time,in\n0,1\n' > in.csv
   $ frobc trace twice.frob --with upward.c --input in.csv 2>&1 | sed 's/error: .* cannot/error: PROGRAM cannot/'
-  error: PROGRAM cannot be run: its arithmetic does not round to nearest: some code has set another rounding mode
+  error: PROGRAM cannot be run: its arithmetic does not round to nearest: remove the code that sets another rounding mode
 
 The robot has heard of none of them.
 

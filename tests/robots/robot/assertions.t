@@ -14,14 +14,14 @@ An assertion that is violated stops the robot, if that is wanted; and it is told
   $ frobc run soon.frob --robot pioneer --device ./line --for 1s --asserts=stop --record run.csv > out 2>&1
   [4]
   $ told < out
-  assert "is over soon": violated, first at N s; in all at N
+  assert "is over soon": violated, first at N s; in total at N
   assert "is slow": held
-  error: "is over soon" (soon.frob:5) was violated at N s; the robot was told to stop
+  error: "is over soon" (soon.frob:5) was violated at N s; sent a stop command to the robot
   $ tail -1 run.csv | sed 's/.*,\([^,]*,[^,]*\)$/\1/'
   Fails,Holds
   $ frobc run soon.frob --robot pioneer --device ./line --for 1s > out 2>&1
   $ told < out
-  assert "is over soon": violated, first at N s; in all at N
+  assert "is over soon": violated, first at N s; in total at N
   assert "is slow": held
 
 An executable has its assertions if it was built with them.

@@ -1,7 +1,7 @@
 #!/bin/sh
-# BUG through the real drivers and the real host: each kind of robot, simulated
-# behind a pseudo-terminal, drives in real time past three obstacles to its
-# goal; its recording replays bit for bit. All three at once; three minutes. Prints `ok` or `FAIL` for each.
+# Tests BUG with the real drivers and the real host: each kind of robot, simulated behind a
+# pseudo-terminal, drives in real time past three obstacles to its goal, and its recording must
+# replay bit for bit. All three run at once, for three minutes. Prints `ok` or `FAIL` for each.
 #
 # usage: bug.sh FROBC EXAMPLES
 set -eu
@@ -11,7 +11,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 . "$here/../run/within.sh"
 
-# The time and what was put out, of a recording with inputs.
+# The times and outputs of a recording that also has inputs.
 outputs () { # LOG
     awk -F, '
         NR == 1 { for (i = 1; i <= NF; i++) if (i == 1 || $i ~ /^out/) columns[++n] = i }

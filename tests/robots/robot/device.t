@@ -2,7 +2,7 @@ A device that cannot be opened is told with what helps.
 
   $ . ./robot.sh
   $ frobc run drive.frob --device ./nothing
-  error: there is no device ./nothing; is it plugged in? /dev/serial/by-id lists those that are
+  error: there is no device ./nothing; plug it in (/dev/serial/by-id lists the devices that are plugged in)
   [2]
   $ touch file; frobc run drive.frob --device ./file
   error: ./file is not a serial line
@@ -11,7 +11,7 @@ A device that cannot be opened is told with what helps.
   error: cannot connect to 127.0.0.1, port 1: Connection refused
   [2]
   $ frobc run drive.frob --device tcp:127.0.0.1:
-  error: `tcp:127.0.0.1:` is no address; write tcp:HOST:PORT
+  error: `tcp:127.0.0.1:` is not an address; write tcp:HOST:PORT
   [2]
 
 One that is in use names who uses it.
@@ -19,7 +19,7 @@ One that is in use names who uses it.
   $ start_robot
   $ start_driving
   $ ./drive --device ./line --for 1 2>&1 | sed 's/[0-9][0-9]*/N/; s/use by [^ ]*/use by PROGRAM/'
-  error: ./line is in use by PROGRAM (process N); end that first
+  error: ./line is in use by PROGRAM (process N); end that program first
   $ kill -INT $run; wait $run
   [4]
   $ end_robot
@@ -30,29 +30,29 @@ Settings are numbers within their bounds; the watchdog cannot be turned off.
   error: max-speed takes a number from 0.01 to 2.2, not `9`
   [2]
   $ frobc run drive.frob --for 1s --device ./line --set max-sped=1
-  error: `max-sped=1` is no setting of a pioneer; write NAME=VALUE with one of: baud, switch-baud, angle, distance, speed, range, difference, vel2-divisor, max-speed, max-turn, wheels, no-echo, motors-flag, hard-stop, silence, interval, carry-on
+  error: `max-sped=1` is not a setting of a pioneer; write NAME=VALUE with one of: baud, switch-baud, angle, distance, speed, range, difference, vel2-divisor, max-speed, max-turn, wheels, no-echo, motors-flag, hard-stop, silence, interval, carry-on
   [2]
   $ frobc build drive.frob -o drive
   $ ./drive --device ./line --patience 0
   error: on a robot the watchdog cannot be turned off: --patience takes a number from 0.01 to 2 seconds
   [2]
   $ ./drive
-  error: --device is missing: the serial line of the pioneer; --help says how to use this
+  error: --device is missing: add the serial line of the pioneer; see --help
   [2]
 
 Options of the simulator have no meaning on a robot.
 
   $ frobc run drive.frob --device ./line --world hall.toml
-  error: --world is for the simulator, and not for a robot
+  error: --world only works in the simulator: remove it, or remove --device
   [2]
   $ frobc run drive.frob --device ./line --picture drive.png
-  error: --picture is for the simulator, and not for a robot
+  error: --picture only works in the simulator: remove it, or remove --device
   [2]
   $ frobc run drive.frob --device ./line --seed 1
-  error: --seed is for the simulator, and not for a robot
+  error: --seed only works in the simulator: remove it, or remove --device
   [2]
   $ frobc run drive.frob --device ./line --strict
-  error: --strict is for the simulator, and not for a robot
+  error: --strict only works in the simulator: remove it, or remove --device
   [2]
 
 A robot runs in real time in any case.
@@ -66,5 +66,5 @@ A program for no robot does not come as far as a driver.
 
   $ echo 'main = arr (\x -> x + 1.0)' > plain.frob
   $ frobc run plain.frob --for 1s --device ./line
-  error: plain is a program for no robot; `reactimateRobot` makes one
+  error: plain is not a robot program; use `reactimateRobot` to make one
   [2]

@@ -106,7 +106,7 @@ With C of the user's: its headers come along, and those that they include.
   > C
   $ echo '#error of an earlier run' > c/half_way.h
   $ for real in float double; do
-  >   frobc export c/half_way.frob --real $real --robot pioneer --with c/halved.c --platformio half
+  >   frobc export c/half_way.frob --real $real --robot pioneer --with c/halved.c --with c/half.h --platformio half
   >   for source in half/src/*.c; do gcc -std=c99 $strict -Ihalf/src -c $source -o out.o || echo $source; done
   > done
   $ ls half/src half/src/parts | grep -E 'half|inside|state'
@@ -124,6 +124,6 @@ With C of the user's: its headers come along, and those that they include.
 What is elsewhere cannot come along.
 
   $ echo '#include "../elsewhere.h"' >> c/inside.h && touch elsewhere.h
-  $ frobc export c/half_way.frob --robot pioneer --with c/halved.c --platformio half
-  error: c/inside.h includes "../elsewhere.h", which is not in its folder: put it there
+  $ frobc export c/half_way.frob --robot pioneer --with c/halved.c --with c/half.h --platformio half
+  error: c/inside.h includes "../elsewhere.h", which is not in the same folder: move it there
   [2]

@@ -2,8 +2,16 @@ A program runs on the robot behind a serial line as it runs in the simulator;
 the summary says how it went.
 
   $ . ./robot.sh
-  $ start_robot
-  $ frobc run drive.frob --device ./line --for 2s --record log.csv | sed 's/: [0-9.]*\( m\{0,1\}s\)$/: N\1/; s/^steps: .*/steps: N/; s/^\(overruns\|late steps\|stale readings\): [0-9]*/\1: N/'
+  $ drive () { # TIME [OPTION OF THE ROBOT...]
+  >   time=$1
+  >   shift
+  >   start_robot "$@"
+  >   frobc run drive.frob --device ./line --for $time --record log.csv > summary
+  >   until_true 'tail -1 told | grep -q CLOSE'
+  >   end_robot
+  > }
+  $ in_time drive 2s
+  $ sed 's/: [0-9.]*\( m\{0,1\}s\)$/: N\1/; s/^steps: .*/steps: N/; s/^\(overruns\|late steps\|stale readings\): [0-9]*/\1: N/' summary
   robot: Pioneer p3dx-sh, FrobSim
   time run: N s
   steps: N
@@ -20,7 +28,6 @@ is told zero before anything else, and in the end to stop.
   $ awk '{ print $2, $3 }' told | sed -n '5,6p'
   VEL 0
   RVEL 0
-  $ until_true 'grep -q "CLOSE" told && tail -1 told | grep -q CLOSE'
   $ awk '{ print $2, $3 }' told | tail -4
   VEL 0
   RVEL 0
@@ -29,7 +36,6 @@ is told zero before anything else, and in the end to stop.
 
 It drove as far as the program said, and odometry says so.
 
-  $ end_robot
   $ awk '/^distance driven/ { print ($3 > 0.3 && $3 < 0.75) }' served
   1
   $ awk -F, 'END { print ($2 > 0.2 && $2 < 0.65) }' log.csv
@@ -45,7 +51,7 @@ commands, bit for bit.
 
   $ frobc build drive.frob --robot pioneer -o drive
   $ rm served
-  $ frobc serve --robot pioneer --world hall.toml --for 60s --tcp 0 > served &
+  $ frobc serve --robot pioneer --world hall.toml --for 600s --tcp 0 > served &
   $ robot=$!
   $ until_true 'grep -q device served 2> /dev/null'
   $ ./drive --device "$(sed 's/device: //' served)" --for 0.2 | head -1
@@ -54,10 +60,9 @@ commands, bit for bit.
 
 Other models have other factors.
 
-  $ start_robot --model p3dx
-  $ frobc run drive.frob --device ./line --for 1500ms --record log.csv | head -1
+  $ in_time drive 1500ms --model p3dx
+  $ head -1 summary
   robot: Pioneer p3dx, FrobSim
-  $ end_robot
   $ awk '/^distance driven/ { print ($3 > 0.1) }' served
   1
   $ awk -F, 'END { print ($2 > 0.1 && $2 < 0.5) }' log.csv
@@ -65,14 +70,18 @@ Other models have other factors.
 
 A task that ends leaves the robot at rest; the summary says with what it ended.
 
-  $ start_robot
-  $ frobc run task.frob --device ./line --exit-when-done --for 10s --record log.csv | sed -n 's/finished after: 0.5.*/finished after: 0.5/p; /^result/p'
+  $ finish () {
+  >   start_robot
+  >   frobc run task.frob --device ./line --exit-when-done --for 10s --record log.csv > summary
+  >   end_robot
+  > }
+  $ in_time finish
+  $ sed -n 's/finished after: 0.5.*/finished after: 0.5/p; /^result/p' summary
   finished after: 0.5
   result: true
   $ frobc trace task.frob --input log.csv --output again.csv
   $ tail -1 again.csv | cut -d, -f 2-
   0,0,true
-  $ end_robot
 
 Real-time priority and locked memory are for whom the system allows them; others
 are told how to be allowed, and the run goes on.
@@ -83,8 +92,8 @@ are told how to be allowed, and the run goes on.
   >   prlimit --rtprio=0 --memlock=65536 "$@"
   > }
   $ without_rights ./drive --device ./line --for 0.2 --priority 50 --lock-memory 2>&1 > summary | sed 's/: [^:;]*;/: REASON;/'
-  warning: real-time priority 50: REASON; the run goes on without. Run it as root, or allow it with a line `YOU - rtprio 50` in /etc/security/limits.conf
-  warning: locking memory: REASON; the run goes on without. Run it as root, or allow it with a line `YOU - memlock unlimited` in /etc/security/limits.conf
+  warning: cannot set real-time priority 50: REASON; the run continues without it. Run it as root, or add a line `YOU - rtprio 50` to /etc/security/limits.conf
+  warning: cannot lock memory: REASON; the run continues without it. Run it as root, or add a line `YOU - memlock unlimited` to /etc/security/limits.conf
   $ grep -c "connections: 1" summary
   1
   $ end_robot
@@ -108,7 +117,7 @@ that may not be longer, which is no signal.
   $ start_robot
   $ (ulimit -f 4; ./drive --device ./line --for 30 --record log.csv > summary)
   error: cannot write log.csv: File too large
-  error: the record could not be written; the robot was told to stop
+  error: the recording could not be written; sent a stop command to the robot
   [4]
   $ until_stopped
   last speed: 0

@@ -9,7 +9,7 @@ wall, round the corner, without touching it.
   >   end_robot
   > }
   $ for kind in scout create; do
-  >   (mkdir $kind; cd $kind; cp ../*.toml .; in_real_time follow) &
+  >   (mkdir $kind; cd $kind; cp ../*.toml .; in_time follow) &
   > done
   $ wait
   $ within distance_driven 3 5.5 mean_wall_distance_error 0 0.05 largest_wall_distance_error 0 0.2 odometry_error_at_the_end 0 0.1 collisions 0 0 < scout/served
@@ -34,7 +34,7 @@ run; it does not enter it again by itself.
 
   $ kind=create; start_robot --world hole.toml
   $ frobc run forward.frob --robot create --device ./line --for 20s > summary
-  error: the robot cannot be driven: iRobot Create 2, which left the mode in which it drives: a cliff, a wheel drop or a charger; the robot was told to stop
+  error: the robot cannot be driven: iRobot Create 2, which left driving mode because of a cliff, a wheel drop or a charger; sent a stop command to the robot
   [4]
   $ until_true 'tail -1 told | grep -q START'
   $ end_robot
@@ -102,15 +102,15 @@ tells which was tried. On a line where something sends it is not the cable.
 
   $ kind=scout; start_robot; kill -STOP $robot
   $ frobc run forward.frob --robot scout --device ./line --for 1s > summary
-  error: no scout answers on ./line at 38400 baud: is it turned on, is its cable plugged in, and are this its line and its rate (`--set baud=...`)?; the robot was told to stop
+  error: no scout answers on ./line at 38400 baud: turn it on, plug in its cable, and check the line and its rate (`--set baud=...`); sent a stop command to the robot
   [4]
   $ frobc run forward.frob --robot create --device ./line --for 1s --set baud=57600 > summary
-  error: no create answers on ./line at 57600 baud: is it turned on, is its cable plugged in, and are this its line and its rate (`--set baud=...`)?; the robot was told to stop
+  error: no create answers on ./line at 57600 baud: turn it on, plug in its cable, and check the line and its rate (`--set baud=...`); sent a stop command to the robot
   [4]
   $ kill -CONT $robot; end_robot
   $ kind=pioneer; start_robot; start_driving
-  $ kill -KILL $run $controller $guard
+  $ kill -KILL $run $controller $guard $second_guard
   $ frobc run forward.frob --robot create --device ./line --for 1s > summary
-  error: something sends on ./line, but no create answers at 115200 baud: are this its line and its rate (`--set baud=...`)?; the robot was told to stop
+  error: a device sends on ./line, but no create answers at 115200 baud: check the line and its rate (`--set baud=...`); sent a stop command to the robot
   [4]
   $ end_robot

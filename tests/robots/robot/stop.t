@@ -7,15 +7,25 @@ An interrupt, and SIGTERM:
 
   $ start_driving; mark; kill -INT $run; wait $run
   [4]
-  $ until_stopped; cat messages
+  $ until_stopped; sed -n '1p; $p' messages
   last speed: 0
   connected: Pioneer p3dx-sh, FrobSim
-  error: the run was ended by an interrupt; the robot was told to stop
+  error: the run was ended by an interrupt; sent a stop command to the robot
   $ start_driving; mark; kill -TERM $run; wait $run
   [4]
   $ until_stopped; tail -1 messages
   last speed: 0
-  error: the run was ended by Terminated; the robot was told to stop
+  error: the run was ended by Terminated; sent a stop command to the robot
+
+Ctrl-C ends with what was kept and how to go on, before the fate of the robot.
+
+  $ start_driving --record log.csv; kill -INT $run; wait $run
+  [4]
+  $ tail -2 messages | sed 's/at [0-9.]* s/at N s/'
+  interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command to start again and overwrite that file
+  error: the run was ended by an interrupt; sent a stop command to the robot
+  $ at=$(sed -n 's/^interrupted at \([0-9.]*\) s.*/\1/p' messages)
+  $ grep -q "^time run: $at s" summary
 
 The controller is killed:
 
@@ -23,7 +33,7 @@ The controller is killed:
   [4]
   $ until_stopped; tail -1 messages
   last speed: 0
-  error: the controller was ended by signal 9 (Killed); the robot was told to stop
+  error: the controller was killed by signal 9 (Killed); sent a stop command to the robot
 
 The controller stops, as in an endless loop: the robot is stopped after 0.2 s,
 and the run is given up after two seconds.
@@ -32,8 +42,8 @@ and the run is given up after two seconds.
   [4]
   $ until_stopped; tail -2 messages
   last speed: 0
-  a step takes longer than 0.2 s: the robot is stopped
-  error: the controller has not finished a step for 2 s; the robot was told to stop
+  a step takes longer than 0.2 s: stopping the robot
+  error: the controller has not finished a step for 2 s; sent a stop command to the robot
 
 When it goes on in time, so does the robot.
 
@@ -54,7 +64,7 @@ the robot's own watchdog does.
   $ until_stopped; told watchdog
   last speed: 0
   [1]
-  $ until_true '! [ -e /proc/$guard ] && ! [ -e /proc/$controller ]'
+  $ until_true '! [ -e /proc/$guard ] && ! [ -e /proc/$second_guard ] && ! [ -e /proc/$controller ]'
 
 A run that is killed loses no row of its recording, and the rows replay.
 
@@ -64,7 +74,7 @@ A run that is killed loses no row of its recording, and the rows replay.
   1
   $ frobc trace drive.frob --input log.csv --output again.csv
   $ sed 's/,.*,\([^,]*,[^,]*\)$/,\1/' log.csv | cmp - again.csv
-  $ until_true '! [ -e /proc/$guard ]'
+  $ until_true '! [ -e /proc/$guard ] && ! [ -e /proc/$second_guard ]'
 
 It is stopped with SIGSTOP: the guard stops the robot until it goes on.
 
@@ -76,11 +86,41 @@ It is stopped with SIGSTOP: the guard stops the robot until it goes on.
   $ kill -INT $run; wait $run
   [4]
 
-The guard is killed: the run goes on.
+All processes of the run are stopped, as by a debugger or a machine that sleeps. When they go on,
+readings on the line are old. The first speed that the robot is told is zero, and the run goes on.
 
-  $ start_driving; mark; kill -KILL $guard
-  $ mark; until_true 'told "VEL 300"'; kill -INT $run; wait $run
+  $ start_driving
+  $ for time in 0.3 0.4 0.5 0.6 0.7 0.8 0.9 2; do
+  >   kill -STOP $run $controller $guard $second_guard; sleep $time; mark
+  >   kill -CONT $second_guard $guard $controller $run; until_true 'told "VEL 300"'
+  >   tail -n +$((marked + 1)) told | awk '$2 == "VEL" { print $2, $3; exit }'
+  > done
+  VEL 0
+  VEL 0
+  VEL 0
+  VEL 0
+  VEL 0
+  VEL 0
+  VEL 0
+  VEL 0
+  $ kill -INT $run; wait $run
   [4]
-  $ until_stopped
+
+A guard is killed, or hangs: the run goes on, says so, and starts another guard, which stops the
+robot when it has to. There are two, so one may be killed together with the process that holds the
+line.
+
+  $ start_driving; kill -KILL $guard; kill -STOP $second_guard
+  $ until_true 'grep -q signal messages && grep -q hangs messages'; grep -v connected messages
+  warning: a guard process was killed by signal 9 (Killed); starting another one
+  warning: a guard process hangs; starting another one
+  $ ! [ -e /proc/$guard ] && ! [ -e /proc/$second_guard ]
+  $ mark; until_true 'told "VEL 300"'
+  $ set -- $(cat /proc/$run/task/$run/children); guard=$2 second_guard=$3
+  $ mark; kill -KILL $run $guard; wait $run 2> /dev/null
+  [137]
+  $ until_stopped; told watchdog
   last speed: 0
+  [1]
+  $ until_true '! [ -e /proc/$second_guard ] && ! [ -e /proc/$controller ]'
   $ end_robot

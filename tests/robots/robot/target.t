@@ -11,13 +11,13 @@
 All the sources are installed.
 
   $ share=$(dirname "$(command -v frobc)")/../share/frobc
-  $ (cd ../../../runtime; find core hal/*.h hal/posix hal/cortex_m drivers vision hosts/camera hosts/robot hosts/cortex_m hosts/board hosts/arduino hosts/common/claims.* hosts/common/console.* hosts/common/frames.* hosts/common/packed.* hosts/common/params.* hosts/common/publisher.* hosts/common/record.* hosts/common/ring.* hosts/common/streams.* hosts/common/apriltag.* hosts/common/tag_finder.* hosts/common/tags.* hosts/common/touches.* -name '*.[chl]*' | sort) > here
+  $ (cd ../../../runtime; find core hal/*.h hal/posix hal/cortex_m drivers vision hosts/camera hosts/robot hosts/cortex_m hosts/board hosts/arduino hosts/common/child.* hosts/common/claims.* hosts/common/console.* hosts/common/frames.* hosts/common/packed.* hosts/common/params.* hosts/common/publisher.* hosts/common/record.* hosts/common/ring.* hosts/common/streams.* hosts/common/apriltag.* hosts/common/tag_finder.* hosts/common/tags.* hosts/common/touches.* -name '*.[chl]*' | sort) > here
   $ (cd "$share/runtime"; find . -name '*.[chl]*' | sed 's|^\./||' | sort) | diff here -
 
 Other targets are named; a compiler that is missing is told with what helps.
 
   $ frobc build drive.frob --target arduino
-  error: there is no target `arduino`; the targets: host, linux, aarch64-linux, armhf-linux, cortex-m; for Arduino there is `frobc export --platformio`
+  error: there is no target `arduino`; the targets are host, linux, aarch64-linux, armhf-linux, cortex-m; for Arduino, use `frobc export --platformio`
   [2]
   $ mkdir tools; ln -s "$(command -v frobc)" tools/frobc
   $ export FROB_HOME=$(dirname "$(command -v frobc)")/..

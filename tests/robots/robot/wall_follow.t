@@ -8,7 +8,7 @@ simulator: along the wall, round the corner, without touching it.
   >   frobc run ../../../examples/wall_follow/wall_follow.frob --device ./line --for 15s --record log.csv > summary
   >   end_robot
   > }
-  $ in_real_time follow
+  $ in_time follow
   $ within distance_driven 3.5 5.5 mean_wall_distance_error 0 0.04 largest_wall_distance_error 0 0.2 odometry_error_at_the_end 0 0.1 collisions 0 0 < served
   $ within connections 1 1 time_run 14.9 16 < summary
 

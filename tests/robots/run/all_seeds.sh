@@ -1,5 +1,5 @@
-# What `make seeds` runs: COUNT seeds of each example on each robot, within the bounds
-# that the examples' READMEs state.
+# The script of `make seeds`: runs COUNT seeds of each example on each robot, with the bounds that
+# the examples' READMEs state.
 count=$1
 run=$(dirname "$0")
 status=0
@@ -21,7 +21,7 @@ each dock collisions 0 0 odometry_error_at_the_end 0 0.2 finished_after 20 40 --
 each explore longest_stay 0 60 squares 15 70 -- --for 5min
 each follow_ball collisions 0 0 mean_ball_distance_error 0 0.03 largest_ball_distance_error 0 0.05 -- --for 60s
 robots=create # with sensors that look down
-each line_follow collisions 0 0 mean_distance_from_the_tape 0 0.01 largest_distance_from_the_tape 0 0.04 way_along_the_tape 45 50 -- --for 220s
+each line_follow collisions 0 0 mean_distance_from_the_tape 0 0.01 largest_distance_from_the_tape 0 0.04 distance_along_the_tape 45 50 -- --for 220s
 echo "light_seek:"
 seek=$run/../../../examples/light_seek
 sh "$run/seeds.sh" "$seek" "$seek/Moth.frob" "$count" collisions 0 0 distance_driven 5 8 finished_after 30 50 \

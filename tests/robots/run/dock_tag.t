@@ -2,7 +2,7 @@ Before a tag: on each robot, and not before the other tag; a recording replays b
 engines, with nothing that finds tags.
 
   $ program=../../../examples/dock_tag/dock_tag.frob
-  $ for robot in scout create; do frobc test $program --robot $robot --seeds 2 | head -1; done
+  $ for robot in scout create; do frobc test $program --robot $robot --seeds 2 | grep degrees; done
   ok    docks within 2 cm and 2 degrees: 2 seeds, 20 s
   ok    docks within 2 cm and 2 degrees: 2 seeds, 20 s
   $ frobc run $program --for 20s --exit-when-done --record run.csv | grep -E 'collisions|result'

@@ -9,7 +9,7 @@ Without a world beside the program it is the room that comes with frobc.
   $ frobc run ahead.frob --for 30s | grep collisions
   collisions: 1
   $ frobc run ahead.frob --for 30s --strict > summary
-  error: the robot ran into something
+  error: the robot collided with something
   [4]
   $ frobc run ahead.frob --for 5s --strict | grep collisions
   collisions: 0
@@ -31,7 +31,7 @@ A world file that cannot be read or used is wrong use, and every mistake in it h
 its place.
 
   $ frobc run ahead.frob --world missing.toml
-  error: missing.toml: cannot read this world file
+  error: there is no world `missing.toml` here or beside ahead.frob or among the worlds of frobc: room.toml
   [2]
   $ cat > world.toml <<EOF
   > [start]

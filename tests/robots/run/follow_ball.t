@@ -24,9 +24,9 @@ A recording replays bit for bit, on both engines; what the camera saw last is in
   $ frobc trace $follow --robot pioneer --input run.csv > replayed.csv
   $ cmp recorded.csv replayed.csv
   $ frobc trace $follow --robot pioneer --input run.csv --engine interp | cmp - replayed.csv
-  $ grep -c 'href="data:image/png;base64,' run.svg; grep -o 'what its camera saw at' run.svg
+  $ grep -c 'href="data:image/png;base64,' run.svg; grep -o 'camera frame at' run.svg
   1
-  what its camera saw at
+  camera frame at
 
 Where there is no ball it looks for one.
 

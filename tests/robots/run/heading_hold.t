@@ -11,5 +11,5 @@ its axle, which is at 7.28 m then, 6.68 m from the start).
 What its trial says holds at other rates, too.
 
   $ for rate in 20 100; do frobc test ../../../examples/heading_hold/heading_hold.frob --rate $rate | grep -c '^ok'; done
-  6
-  6
+  7
+  7

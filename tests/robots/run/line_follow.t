@@ -1,15 +1,15 @@
 Three times round a course of tape, on the robot that sees the floor.
 
-  $ sh seeds.sh ../../../examples/line_follow create 5 collisions 0 0 mean_distance_from_the_tape 0 0.01 largest_distance_from_the_tape 0 0.04 way_along_the_tape 45 50 -- --for 220s
+  $ sh seeds.sh ../../../examples/line_follow create 5 collisions 0 0 mean_distance_from_the_tape 0 0.01 largest_distance_from_the_tape 0 0.04 distance_along_the_tape 45 50 -- --for 220s
   create: 0 of 5 seeds out of bounds
 
 A recording replays bit for bit, on both engines; the signals are in it.
 
   $ follow=../../../examples/line_follow/line_follow.frob
   $ frobc run $follow --for 20s --record run.csv --picture run.svg > summary
-  $ grep -E 'mean|way' summary | sed 's/[0-9.]* m$/N m/'
+  $ grep -E 'mean|along' summary | sed 's/[0-9.]* m$/N m/'
   mean distance from the tape: N m
-  way along the tape: N m
+  distance along the tape: N m
   $ grep -o 'distance from the middle of the tape' run.svg
   distance from the middle of the tape
   $ frobc trace $follow --robot create --input run.csv > replayed.csv
@@ -34,7 +34,7 @@ searches and stops. Nothing but the corner and the end is searched for.
   > TOML
   $ frobc run $follow --world corner.toml --exit-when-done --for 60s --record run.csv > summary
   $ . ./within.sh
-  $ within way_along_the_tape 4.5 4.7 largest_distance_from_the_tape 0 0.06 finished_after 30 38 < summary
+  $ within distance_along_the_tape 4.5 4.7 largest_distance_from_the_tape 0 0.06 finished_after 30 38 < summary
   $ awk -F, 'NR > 1 { print $35 != 0 ? "drives" : $36 != 0 ? "searches" : "rests" }' run.csv | uniq
   drives
   searches

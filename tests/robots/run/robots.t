@@ -49,13 +49,13 @@ other word, and one that does not must be for that robot.
   3 | main = reactimateRobot (constant (roMake id))
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: leave the robot open, as in `main :: (HasSonar i, DiffDrive o) => Program i o`
+    = hint: allow any robot, as in `main :: (HasSonar i, DiffDrive o) => Program i o`
   
   1 error
   [1]
   $ sed -i s/create/creator/ ahead.toml
   $ frobc run pioneer.frob --world ahead.toml
-  error: ahead.toml:1:9: there is no robot `creator`; the robots: pioneer, scout, create; a world for a robot of your own names none
+  error: ahead.toml:1:9: there is no robot `creator`; the robots are pioneer, scout, create; remove `robot` if the world is for your own robot
   [2]
 
 A Create sees where the floor ends. One that does not look falls, and stays there.

@@ -2,8 +2,8 @@
 #
 #   seeds.sh EXAMPLE_FOLDER ROBOT COUNT CHECKS... [-- OPTIONS_OF_FROBC_RUN...]
 #
-# CHECKS are those of within.sh, for each run and for what wandering.awk adds. Says
-# which seeds fail them, and in the end how many did.
+# CHECKS are those of within.sh, for the summary of each run and the values that wandering.awk adds.
+# Prints the seeds that fail, and finally their number.
 here=$(dirname "$0")
 . "$here/within.sh"
 example=$1 robot=$2 count=$3

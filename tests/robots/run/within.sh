@@ -1,6 +1,6 @@
-# Reads a run's summary and checks bounds, `within NAME LOW HIGH`...: says what is
-# out of them and ends with status 1, else says nothing. What is no number is the
-# same as LOW.
+# Reads a run's summary and checks bounds, `within NAME LOW HIGH`...: prints the values out of
+# bounds and returns status 1; otherwise prints nothing. A value that is not a number must equal
+# LOW.
 within () {
   awk -F ': ' -v bounds="$*" '
     { value[$1] = $2 + 0; text[$1] = $2; seen[$1] = 1 }

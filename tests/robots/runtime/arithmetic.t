@@ -23,7 +23,7 @@ away; and nothing is, where nothing is wrong.
   $ warnings="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
   $ ask () { "$@" $warnings -I ../../../runtime/include -o ask ask.c -lm && ./ask; }
   $ for compiler in "gcc -std=c99 -O0" "gcc -std=c99 -O2" "gcc -O3 -ffp-contract=off -march=native" \
-  >   "clang -std=c99 -O0" "clang -O3 -ffp-contract=off -march=native" "g++ -x c++ -std=c++17 -O2" \
+  >   "clang -std=c99 -O0" "clang -O3 -ffp-contract=off -march=native -Wno-unknown-warning-option -Wno-invalid-feature-combination" "g++ -x c++ -std=c++17 -O2" \
   >   "clang++ -x c++ -std=c++17 -O2" "gcc -std=c99 -O2 -fsanitize=address,undefined" tcc; do ask $compiler; done
   fine
   fine
@@ -36,42 +36,42 @@ away; and nothing is, where nothing is wrong.
   fine
 
   $ ask gcc -O2 -ffast-math
-  precision algebra subnormal special takes floating-point numbers for real ones: compile without -ffast-math and its parts
+  precision algebra subnormal special treats floating-point numbers as real numbers: compile without -ffast-math and its parts
   $ ask clang -O2 -ffast-math
-  precision algebra subnormal special takes floating-point numbers for real ones: compile without -ffast-math and its parts
+  precision algebra subnormal special treats floating-point numbers as real numbers: compile without -ffast-math and its parts
   $ ask gcc -O2 -freciprocal-math
-  algebra takes floating-point numbers for real ones: compile without -ffast-math and its parts
+  algebra treats floating-point numbers as real numbers: compile without -ffast-math and its parts
   $ ask gcc -O2 -ffinite-math-only
-  special takes floating-point numbers for real ones: compile without -ffast-math and its parts
+  special treats floating-point numbers as real numbers: compile without -ffast-math and its parts
   $ ask clang -O2 -fno-signed-zeros
-  special takes floating-point numbers for real ones: compile without -ffast-math and its parts
+  special treats floating-point numbers as real numbers: compile without -ffast-math and its parts
 
 Products and sums are joined where the processor can do that; where not, the
 answers are written here.
 
   $ can () { grep -qw fma /proc/cpuinfo; }
   $ if can; then ask gcc -O2 -ffp-contract=fast -mfma && ask clang -O1 -ffp-contract=fast -mfma; else for i in 1 2; do
-  >   echo "contraction joins products and sums into one rounding: compile with -ffp-contract=off"; done; fi
-  contraction joins products and sums into one rounding: compile with -ffp-contract=off
-  contraction joins products and sums into one rounding: compile with -ffp-contract=off
+  >   echo "contraction rounds a product and a sum only once: compile with -ffp-contract=off"; done; fi
+  contraction rounds a product and a sum only once: compile with -ffp-contract=off
+  contraction rounds a product and a sum only once: compile with -ffp-contract=off
 
 Registers that hold more than a double make products look as if they were joined.
 
   $ if [ "$(uname -m)" = x86_64 ]; then ask gcc -O0 -mfpmath=387 && ask gcc -O2 -mfpmath=387; else for i in 1 2; do
-  >   echo "computes with more than 53 bits: compile for SSE2 or another unit for doubles"; done; fi | sed 's/.* computes/computes/'
-  computes with more than 53 bits: compile for SSE2 or another unit for doubles
-  computes with more than 53 bits: compile for SSE2 or another unit for doubles
+  >   echo "uses more than 53 bits of precision: compile for SSE2 or another unit for doubles"; done; fi | sed 's/.* uses/uses/'
+  uses more than 53 bits of precision: compile for SSE2 or another unit for doubles
+  uses more than 53 bits of precision: compile for SSE2 or another unit for doubles
 
 Of the processor's settings: linking with -ffast-math has small numbers made zero
 from when the process starts, and any code can set a rounding mode.
 
   $ gcc -O2 -I ../../../runtime/include -c ask.c && gcc -ffast-math ask.o -o linked && ./linked
-  subnormal makes zero of small numbers: compile and link without -ffast-math
+  subnormal flushes small numbers to zero: compile and link without -ffast-math
   $ for mode in UPWARD DOWNWARD TOWARDZERO; do
   >   echo "#include <fenv.h>
   >   static void __attribute__((constructor)) set(void) { fesetround(FE_$mode); }" > set.c
   >   gcc ask.o set.c -lm -o set && ./set | sed 's/rounding .* does/rounding … does/'
   > done
-  rounding … does not round to nearest: some code has set another rounding mode
-  rounding … does not round to nearest: some code has set another rounding mode
-  rounding … does not round to nearest: some code has set another rounding mode
+  rounding … does not round to nearest: remove the code that sets another rounding mode
+  rounding … does not round to nearest: remove the code that sets another rounding mode
+  rounding … does not round to nearest: remove the code that sets another rounding mode

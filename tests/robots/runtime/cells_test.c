@@ -1,5 +1,5 @@
-/* Cells of traces: what is written reads back as it was, and what is wrong is
- * refused with what was expected. */
+/* Tests cells of traces: a written cell reads back unchanged, and an invalid one is rejected
+ * with a message that says what was expected. */
 #include <frob/cell.h>
 
 #include <math.h>
@@ -14,7 +14,7 @@ static void check(const char *name, bool ok)
     failures += !ok;
 }
 
-/* data Side = LeftSide | At Float | Both (Float, Int) | Box Pose; an event of it */
+/* data Side = LeftSide | At Float | Both (Float, Int) | Box Pose; and an event of it */
 struct values {
     double f;
     int32_t i;
@@ -55,7 +55,7 @@ static const struct frob_constructor event_constructors[] = {
 };
 static const struct frob_value event = { FROB_SUM, AT(tag), 1, 2, event_constructors };
 
-/* The cell reads, and is written again as given. */
+/* Checks that the cell is valid and is written back as `again`. */
 static void round_trip(const struct frob_value *value, const char *cell, const char *again)
 {
     struct values v;
@@ -82,7 +82,7 @@ static void refused(const struct frob_value *value, const char *cell, size_t pos
         printf("  %s: %d, at %lu, expected %s\n", cell, read, (unsigned long)error.position,
                error.expected);
     check(cell, !read && error.position == position && strcmp(error.expected, expected) == 0);
-    /* whose names a host can tell */
+    /* for a constructor, a host can list the names */
     check(cell, (error.choice != NULL) == (strstr(expected, "a constructor") != NULL));
 }
 
@@ -104,7 +104,16 @@ int main(void)
     round_trip(&s, "123456789", "1.2345679e+08");
     round_trip(&s, "1e-45", "1e-45");
     round_trip(&s, "3.4028235e38", "3.4028235e+38");
-    round_trip(&s, "1e39", "inf");
+    round_trip(&s, "-3.4028235e38", "-3.4028235e+38");
+    round_trip(&s, "1e-400", "0");
+    refused(&s, "1e39", 0, "a number up to 3.4e38, or `inf`");
+    refused(&rounded, "-1e39", 0, "a number up to 3.4e38, or `inf`");
+    refused(&f, " 1e400", 1, "a number up to 1.79e308, or `inf`");
+    refused(&f, "-1e400", 0, "a number up to 1.79e308, or `inf`");
+    round_trip(&f, "1e308", "1e+308");
+    round_trip(&f, "1e-400", "0");
+    round_trip(&f, "INF", "inf");
+    round_trip(&f, "-Infinity", "-inf");
     round_trip(&s, "-0.0", "-0");
     round_trip(&s, "nan", "nan");
     round_trip(&rounded, "0.1", "0.1");
@@ -122,7 +131,7 @@ int main(void)
     refused(&f, "fast", 0, "a number");
     refused(&f, "1.5 m", 4, "nothing after the number");
     refused(&f, "0x10", 0, "a number");
-    refused(&f, "infinity", 0, "a number");
+    refused(&f, "infinite", 0, "a number");
     refused(&f, "", 0, "a number");
     refused(&i, "2.0", 0, "an integer from -2147483648 to 2147483647");
     refused(&i, "2147483648", 0, "an integer from -2147483648 to 2147483647");

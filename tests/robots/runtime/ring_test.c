@@ -1,5 +1,6 @@
-/* The ring of instants: a writer at full speed and a reader in a process of its own. No instant
- * is read torn, none twice, none in another order; and what is too old is said to be. */
+/* Tests the ring of instants with a writer at full speed and a reader in another process. The
+ * reader must never see a torn instant, the same one twice, or instants out of order; it must
+ * learn when an instant is too old. */
 #include "ring.h"
 
 #include <stdio.h>
@@ -18,7 +19,7 @@ static void check(const char *name, bool ok)
     failures += !ok;
 }
 
-/* All words of an instant follow from its number. */
+/* Fills an instant with words computed from its number. */
 static void fill(uint64_t *words, uint64_t k)
 {
     for (uint64_t i = 0; i < WORDS; i++)
@@ -41,14 +42,14 @@ static void write_all(struct ring *ring)
         memset(output, (int)(k % 251), sizeof output);
         ring_publish(ring, (int64_t)k * 7, input, output, &k);
     }
-    ring_end(ring);
+    ring_end(ring, RING_AT_REST);
 }
 
 struct seen {
     uint64_t read, torn, overwritten;
 };
 
-/* Reads one after the other, from the newest on where it has fallen behind. */
+/* Reads instants in order; after falling behind, continues with the newest. */
 static struct seen read_all(const struct ring *ring)
 {
     struct seen seen = { 0, 0, 0 };

@@ -1,6 +1,6 @@
 #!/bin/sh
-# build.sh TEST ROOT: builds TEST.cc with the drivers of Scout and Create, what
-# hosts drive them through, the robots' ends of the line, and the simulator.
+# build.sh TEST ROOT: builds TEST.cc with the drivers of Scout and Create, the hosts' code that runs
+# them, the robots' ends of the line, and the simulator.
 set -eu
 test=$1 root=$2
 exec g++ -std=c++17 -O1 -g -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror \

@@ -1,5 +1,5 @@
-// The simulated Pioneer's firmware, by the bytes that real clients send, and
-// the driver on it, in virtual time.
+// Tests the simulated Pioneer's firmware with the bytes that real clients send, and with the
+// driver, in virtual time.
 #include "../sim/check.h"
 
 #include <algorithm>
@@ -32,6 +32,7 @@ std::unique_ptr<frob_sim, Closer> open_world()
     char message[1024];
     frob_sim_settings settings{};
     settings.seed = 1;
+    settings.served = 1;
     std::unique_ptr<frob_sim, Closer> sim(
         frob_sim_open("hall.toml", &settings, message, sizeof message));
     if (!sim)
@@ -44,7 +45,7 @@ double driven(const frob_sim *sim)
     return frob_sim_summarize(sim).distance_m;
 }
 
-// A client that sends bytes and keeps what comes.
+// A client that sends bytes and stores the answers.
 struct Client {
     std::unique_ptr<frob_sim, Closer> sim = open_world();
     PioneerFirmware firmware;
@@ -64,7 +65,7 @@ struct Client {
         }
     }
 
-    // As `wait`, with a PULSE twice a second for the watchdog.
+    // Like `wait`, but sends a PULSE twice a second for the watchdog.
     void live(std::int64_t time)
     {
         for (; time > 0; time -= 500 * ms) {
@@ -127,7 +128,7 @@ void handshake()
                 "SYNC2 is answered with name, class and subclass");
     c.wait(500 * ms);
     check::that(c.count(0x32) == 0, "no SIPs before OPEN");
-    c.send({ 0xFA, 0xFB, 6, 1, 0x3B, 1, 0, 2, 0x3B }); // OPEN 1, as AriaCoda has it
+    c.send({ 0xFA, 0xFB, 6, 1, 0x3B, 1, 0, 2, 0x3B }); // OPEN 1, as AriaCoda sends it
     c.wait(1000 * ms);
     check::that(c.count(0x32) == 9 || c.count(0x32) == 10, "then ten a second");
     Client late;
@@ -137,7 +138,8 @@ void handshake()
     check::that(late.packets.size() == 1, "a handshake is forgotten after ten seconds");
 }
 
-// What AriaCoda takes for its limits, at its place in the packet, and the packet's end.
+// Checks that the limits are where AriaCoda reads them in the packet, and that the packet is
+// complete.
 void config(const Client &c)
 {
     Bytes body;
@@ -197,7 +199,7 @@ void clients()
     check::that(c.packets.size() == count && !c.firmware.in_session(), "CLOSE ends it all");
 }
 
-// What AriaCoda sends on a serial port, in its order.
+// The bytes that AriaCoda sends on a serial port, in order.
 void aria()
 {
     Client c;
@@ -230,7 +232,7 @@ void aria()
     check::that(!c.firmware.in_session(), "AriaCoda: CLOSE with an argument");
 }
 
-// What Player's p2os driver sends.
+// The bytes that Player's p2os driver sends.
 void player()
 {
     Client c;
@@ -322,8 +324,8 @@ void pacing()
     check::that(line.next_ns() == std::numeric_limits<std::int64_t>::max(), "then none");
 }
 
-// The driver on a fake line, the firmware at its other end; both directions
-// are paced and deaf to the wrong rate.
+// The driver on a fake line, with the firmware at the other end. Both directions are paced, and
+// garble bytes at the wrong rate.
 struct Drive {
     std::unique_ptr<frob_sim, Closer> sim = open_world();
     PioneerFirmware firmware;
@@ -392,7 +394,7 @@ void driver(const char *model)
     frob_robot_sense(&d.robot, &in);
     const frob_sim_summary s = frob_sim_summarize(d.sim.get());
     check::near(s.distance_m, 1.2, 0.02, "it drives as far as it should" + of);
-    // An arc of 0.8 rad and 1.2 m; the ramps of 0.3 m/s^2 and 100 deg/s^2 bend it a little.
+    // An arc of 0.8 rad and 1.2 m, distorted a little by the ramps of 0.3 m/s^2 and 100 deg/s^2.
     check::near(in.odometry.heading, 0.8, 0.05, "odometry turns" + of);
     check::near(std::hypot(in.odometry.position.x, in.odometry.position.y), 1.17, 0.03,
                 "odometry moves" + of);
@@ -404,7 +406,7 @@ void driver(const char *model)
     check::that(d.device.has_config && d.device.config.watchdog == 2000, "the config packet" + of);
 }
 
-// The newest packet of a type, from its type on; empty if there is none.
+// The newest packet of a type, starting at its type; empty if there is none.
 Bytes newest(const Client &c, std::uint8_t type)
 {
     for (std::size_t i = c.packets.size(); i-- > 0;)
@@ -427,7 +429,7 @@ double speed_mm_s(const Client &c)
     return (s16(newest(c, 0x32), 7) + s16(newest(c, 0x32), 9)) / 2.0;
 }
 
-// Distances and headings instead of speeds: MOVE, HEAD, DHEAD, DCHEAD.
+// Commands with distances and headings instead of speeds: MOVE, HEAD, DHEAD, DCHEAD.
 void motions()
 {
     Client c("p3dx-sh");
@@ -495,7 +497,7 @@ void limits()
     check::near(heading_deg(c) - braking, 5, 2, "SETRA is how it ends a turn");
 }
 
-// Packets that are asked for: of encoders and of inputs and outputs.
+// Packets on request: encoders, and inputs and outputs.
 void asked()
 {
     Client c("p3dx-sh");

@@ -1,5 +1,5 @@
-// Scout and Create as `frob serve` has them, in the simulator, with their
-// drivers at the other end of the line; in virtual time.
+// Tests Scout and Create as `frobc serve` runs them, in the simulator, with their drivers at the
+// other end of the line, in virtual time.
 #include <string>
 
 #include "bench.h"
@@ -12,6 +12,7 @@ static frob_sim *open_hall(const char *robot)
     char message[1024] = "";
     frob_sim_settings settings{};
     settings.seed = 1;
+    settings.served = 1;
     settings.robot = robot;
     frob_sim *sim = frob_sim_open("hall.toml", &settings, message, sizeof message);
     if (!sim)
@@ -19,7 +20,8 @@ static frob_sim *open_hall(const char *robot)
     return sim;
 }
 
-// What the bench takes for a wire: the firmware with its simulated body.
+// The interface that the bench expects of a wire, implemented by the firmware with its simulated
+// body.
 template <class Kind>
 class Served
 {

@@ -1,10 +1,10 @@
 `frobc serve` tells first what to connect to: a pseudo-terminal,
 
-  $ frobc serve --robot pioneer --for 200ms | sed 's|/dev/pts/[0-9]*|PTY|; s|: 0\.[0-9]* s|: 0.2 s|'
+  $ frobc serve --robot pioneer --for 200ms | sed 's|/dev/pts/[0-9]*|PTY|; s|^\(time simulated:\) [0-9.]* s|\1 N s|'
   device: PTY
-  time simulated: 0.2 s
+  time simulated: N s
   distance driven: 0.000 m
-  stands at: 1.000 m, 1.000 m, heading 0.0 degrees
+  position: 1.000 m, 1.000 m, heading 0.0 degrees
   odometry error at the end: 0.000 m
   collisions: 0
 
@@ -22,26 +22,28 @@ A Scout and a Create are there, too.
 What is wrong with the call is told.
 
   $ frobc serve --robot pionier
-  error: there is no robot `pionier`; the robots: pioneer, scout, create; your own: the file of its module
+  error: there is no robot `pionier`; the robots are pioneer, scout, create; for your own robot, write the file of its module
   [2]
   $ frobc serve --model p9
-  error: there is no model `p9`; there are: p3dx-sh, p3dx, p2dx
+  error: there is no model `p9`; use p3dx-sh, p3dx or p2dx
   [2]
   $ frobc serve --world nowhere.toml
-  error: nowhere.toml: cannot read this world file
+  error: there is no world `nowhere.toml` here or among the worlds of frobc: room.toml
   [2]
 
 A link is kept to the device while it is there, and taken away at the end.
 
-  $ frobc serve --link robot --for 1s > out &
-  $ for i in 1 2 3 4 5 6 7 8 9 10; do [ -e robot ] && break; sleep 0.05; done; readlink robot | sed 's|[0-9]*$|N|'
+  $ serve_a_link () {
+  >   frobc serve --link robot > out & server=$!
+  >   for i in $(seq 600); do [ -e robot ] && break; sleep 0.05; done
+  > }
+  $ serve_a_link; readlink robot | sed 's|[0-9]*$|N|'
   /dev/pts/N
-  $ wait; [ -e robot ] || echo gone
+  $ kill $server; wait $server; [ -e robot ] || echo gone
   gone
 
 But not another that somebody has put in its place.
 
-  $ frobc serve --link robot --for 1s > out &
-  $ for i in 1 2 3 4 5 6 7 8 9 10; do [ -e robot ] && break; sleep 0.05; done; ln -sf /dev/null robot
-  $ wait; readlink robot
+  $ serve_a_link; ln -sf /dev/null robot
+  $ kill $server; wait $server; readlink robot
   /dev/null

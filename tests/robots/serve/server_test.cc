@@ -1,5 +1,5 @@
-// What comes between a client and the firmware: pauses, clients that leave in the
-// middle of a packet, and clients that come while another one has the robot.
+// Tests the server between a client and the firmware: pauses, clients that leave in the middle of a
+// packet, and clients that connect while another one has the robot.
 #include "../sim/check.h"
 
 #include <string>
@@ -20,7 +20,7 @@ namespace
 
 constexpr std::int64_t ms = 1'000'000;
 
-// Keeps what it is given; the bytes of one command are between two semicolons.
+// A firmware that stores the bytes it receives; each command is enclosed by semicolons.
 class Kept : public Firmware
 {
   public:
@@ -32,7 +32,7 @@ class Kept : public Firmware
     std::string text;
 };
 
-// A line whose other end is the test.
+// A connection whose other end is the test.
 class Plug : public Connection
 {
   public:

@@ -1,4 +1,4 @@
-// What a simulated camera sees, and when.
+// Tests what a simulated camera sees, and when.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -17,7 +17,7 @@ namespace
 
 constexpr std::int64_t millisecond = 1'000'000;
 
-// A Pioneer at the origin, whose camera is where the robot is, and sees straight ahead.
+// A Pioneer at the origin, with a camera at the robot's position that looks straight ahead.
 class Seer
 {
   public:
@@ -39,7 +39,7 @@ class Seer
         return simulation_.newest_frame(time_ns, 0);
     }
 
-    // What that one really shows.
+    // Ground truth of that frame.
     Truth truth() { return simulation_.frame_truth(0); }
 
   private:
@@ -60,7 +60,7 @@ struct Spot {
     double x = 0.0, y = 0.0, pixels = 0.0;
 };
 
-// The middle of what is red.
+// The centre of the red pixels.
 Spot red_spot(const frob_image &image)
 {
     Spot spot;
@@ -81,12 +81,12 @@ std::string red_ball(double x, double y, double radius)
            "]\nradius = " + std::to_string(radius) + "\n";
 }
 
-// Where a pinhole shows the middle of a ball on the floor, by trigonometry.
+// Compares the centre of a ball on the floor with where a pinhole camera shows it, by trigonometry.
 void balls_are_where_they_are()
 {
     struct Case {
         const char *camera;
-        double heading, x, y; // of the robot, in degrees; of the ball
+        double heading, x, y; // the robot's heading, in degrees; the ball's position
     };
     const Case cases[] = { { "", 0, 2, 0 },
                            { "", 0, 2, 0.6 },
@@ -111,7 +111,7 @@ void balls_are_where_they_are()
         check::that(is_there, "a ball is seen where it is");
         if (!is_there)
             std::printf("  %g %g, not %g %g\n", seen.x, seen.y, x, y);
-        // A disc of its angle: within a tenth, for it is a little wider off the axis.
+        // The disc's area matches its angle to 15 %; it is a little wider off the axis.
         const double radius = lens.focal_x * 0.08 / along;
         check::near(seen.pixels / (pi * radius * radius), 1.0, 0.15, "and as large as it is");
     }
@@ -124,13 +124,14 @@ void roll_is_clockwise()
     check::that(seen.y > 200, "rolled clockwise, what is on the left is at the bottom");
 }
 
-// The cells of tag 0 as its family has them: the second row inside the frame is 110101 ….
+// Reads the cells of tag 0 and compares them with the family's: the second row inside the frame is
+// 110101 ….
 void tags_are_readable()
 {
     Seer seer("width = 640\nheight = 480",
               "[[tag]]\nid = 0\ncenter = [1, 0]\nfacing_deg = 180\nsize = 0.4\nmiddle = 0.25\n");
     const frob_image &image = *seer.at(0);
-    const double scale = image.camera.focal_x / (1.0 - 0.004) * 0.05; // pixels of a cell
+    const double scale = image.camera.focal_x / (1.0 - 0.004) * 0.05; // pixels per cell
     const auto is_white = [&](int column, int row) {
         const double x = image.camera.centre_x + (column - 4.5) * scale;
         const double y = image.camera.centre_y + (row - 4.5) * scale;
@@ -170,7 +171,7 @@ void truth_is_geometry()
                 "truth: a wall, behind the ball too");
     check::near(truth.depth_at(10, 120), 2.0, 1e-6, "2 m away along the axis, at the side");
     check::near(truth.depth_at(160, 118), 2.0, 1e-6, "and in the middle");
-    // The ray through its middle meets it one radius earlier.
+    // The ray through its centre meets it one radius earlier.
     const int low = static_cast<int>(std::lround(lens.centre_y + lens.focal_y * 0.15));
     check::that(is(160, low, Thing::Kind::ball), "a ball in front");
     check::near(truth.depth_at(160, low), 1.0 - 0.1 / std::hypot(1.0, 0.15), 1e-4,
@@ -180,11 +181,11 @@ void truth_is_geometry()
                 "as far as its row says");
     check::that(is(10, 5, Thing::Kind::sky) && std::isinf(truth.depth_at(10, 5)),
                 "the sky, infinitely far");
-    // The lens shows what is beside the ball nearer to the middle, as undistorted places have it.
+    // The lens moves points towards the centre, also those next to the ball.
     Seer round("k1 = -0.2", wall + red_ball(1, 0, 0.1));
     const frob_camera bent = round.at(0)->camera;
     const Truth seen = round.truth();
-    const double a = 0.4, shrunk = a * (1.0 - 0.2 * a * a); // of the focal length, from the axis
+    const double a = 0.4, shrunk = a * (1.0 - 0.2 * a * a); // in focal lengths from the axis
     Seer post("k1 = -0.2", "[[circle]]\ncenter = [2, -0.8]\nradius = 0.02\n");
     check::that(post.at(0) != nullptr, "a post");
     const Truth posts = post.truth();
@@ -196,7 +197,8 @@ void truth_is_geometry()
     check::near(seen.depth_at(10, 120), 2.0, 1e-6, "as far as it is");
 }
 
-// The middle of a white wall 2 m away, and its left side, by the square of the distance.
+// The centre of a white wall 2 m away, and its left side; the light decreases with the square of
+// the distance.
 void light_falls_off()
 {
     const std::string wall = "[[wall]]\npoints = [[2.05, -3], [2.05, 3]]\ncolour = \"#ffffff\"\n"
@@ -205,7 +207,7 @@ void light_falls_off()
         Seer seer("", light + things);
         return static_cast<double>(*pixel(*seer.at(0), x, 120));
     };
-    // 60 cd, 2 m away from what faces it: 15 lx.
+    // 60 cd at a distance of 2 m, on a surface that faces the lamp: 15 lx.
     const std::string lamp = "[[lamp]]\nposition = [0, 0]\nheight = 0.25\n";
     const std::string dim = "[ambient]\nwhite = 30\n";
     check::near(lit(lamp + dim, 160, wall), 127.5, 1.0, "light: half of what is white");
@@ -219,7 +221,7 @@ void light_falls_off()
     check::near(lit(behind + dim, 160, wall), 0.0, 0.0, "nothing from behind");
     check::near(lit(behind + dim + "light = 15\n", 160, wall), 0.5 * lit("", 160, wall), 1.0,
                 "the light of the room is as it is without `white`");
-    // Where it is seen in the direction of its middle, a ball faces the lamp at the camera.
+    // At its visible centre, a ball faces the lamp at the camera.
     Seer seer("", lamp + "[ambient]\nwhite = 144.5\n" +
                       "[[ball]]\ncenter = [1, 0]\nradius = 0.1\ncolour = \"#ffffff\"\n");
     const frob_image &image = *seer.at(0);
@@ -254,7 +256,7 @@ void time_passes()
     check::that(came > 70 && came < 130 && last > 190, "lost frames do not come, and are counted");
 }
 
-// The column of a red ball 2 m ahead of both cameras of a stereo head, and what else is known.
+// The column of a red ball 2 m ahead in both cameras of a stereo pair, and further data.
 struct Pair {
     explicit Pair(const std::string &stereo, std::int64_t time_ns = 0)
         : simulation(parse_world("[start]\nx = 0\ny = 0\nheading_deg = 30\n[stereo]\nahead = 0.1\n"
@@ -326,7 +328,8 @@ void pairs_are_of_one_time()
     check::that(lost > 5, "and some are lost");
 }
 
-// A ball goes by, and a robot turns before a post: rows are taken from the first to the last.
+// A ball passes by, and a robot turns in front of a post; rows are exposed from the first to the
+// last.
 void rows_roll()
 {
     Seer seer("rate = 10\nrolling = 0.1",
@@ -383,7 +386,7 @@ std::uint64_t hash(const frob_image &image)
     return h;
 }
 
-// One of everything.
+// A world with one thing of each kind.
 const char *const all_things =
     "[[wall]]\npoints = [[-3, -2], [5, -2], [5, 2], [-3, 2]]\nclosed = true\ntexture = \"bricks\"\n"
     "[[circle]]\ncenter = [3, 1]\nradius = 0.2\ntexture = \"stripes\"\n"
@@ -428,7 +431,7 @@ void truth_knows_all_things()
             std::printf("  %d\n", count);
 }
 
-// The number is that of one machine: no other may have another.
+// The number comes from one machine; all machines must produce it.
 void pixels_are_the_same_everywhere()
 {
     Seer seer(all_faults, all_things);
@@ -453,11 +456,11 @@ void mistakes_are_told()
         return std::string();
     };
     check::that(told("[[ball]]\ncenter = [1, 1]\ncolour = \"mauve\"\n") ==
-                    "w:6:10: there is no colour `mauve`; the colours: white, grey, black, red, "
+                    "w:6:10: there is no colour `mauve`; the colours are white, grey, black, red, "
                     "orange, yellow, green, blue, purple, pink, brown, and `#rrggbb`",
                 "no colour");
     check::that(told("[[cone]]\ncenter = [1, 1]\ntexture = \"fur\"\n") ==
-                    "w:6:11: there is no texture `fur`; the textures: plain, plaster, bricks, "
+                    "w:6:11: there is no texture `fur`; the textures are plain, plaster, bricks, "
                     "stripes, checks",
                 "no texture");
     check::that(told("[[tag]]\nid = 30\ncenter = [1, 1]\nfacing_deg = 0\nsize = 0.1\n") ==
@@ -469,21 +472,19 @@ void mistakes_are_told()
             "w:5:11: no.ppm: cannot read this picture",
         "no picture");
     check::that(told("[[camera]]\n[[camera]]\nwidth = 100\n") ==
-                    "w:1:1: two cameras are called `camera`: give each a `name` of its own",
+                    "w:1:1: two cameras are named `camera`: give each one its own `name`",
                 "two of a name");
     check::that(told("[stereo]\nbaseline = 0\nname = \"head\"\n") ==
                     "w:5:12: `baseline` must be more than zero\n"
                     "w:6:1: unknown key `name`; did you mean `rate`?",
                 "a head of one camera");
     check::that(told("[camera]\nrate = 20\nrolling = 0.06\n") ==
-                    "w:6:11: `rolling` must be at most 1 / `rate`, the time from frame to frame: a "
-                    "row is taken once in each",
+                    "w:6:11: `rolling` must be at most 1 / `rate`, the time between frames",
                 "rows too slow");
-    check::that(
-        told("[ambient]\nwhite = 100\n") ==
-            "w:5:9: with `white` cameras see by the light of this world, and there is none: "
-            "add `light`, or a table [[lamp]]",
-        "no light");
+    check::that(told("[ambient]\nwhite = 100\n") ==
+                    "w:5:9: with `white`, cameras need light, and this world has none: "
+                    "add `light`, or a table [[lamp]]",
+                "no light");
     check::that(told("[ambient]\nwhite = 0\nlight = 10\n") ==
                     "w:5:9: `white` must be more than zero",
                 "nothing is white");

@@ -1,4 +1,4 @@
-// Checks of the simulator's tests: a line for each, `ok NAME` or `FAIL NAME`.
+// Checks for the simulator's tests. Each prints a line, `ok NAME` or `FAIL NAME`.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@ inline void that(bool holds, const std::string &name)
         ++failures;
 }
 
-// Within `tolerance` of what is expected; both are shown if not.
+// Checks that a value is within `tolerance` of the expected one; prints both if it is not.
 inline void near(double found, double expected, double tolerance, const std::string &name)
 {
     const bool holds = std::abs(found - expected) <= tolerance;

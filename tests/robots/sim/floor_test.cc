@@ -1,4 +1,4 @@
-// The floor: tape and patches in world files, and what sensors see of them.
+// Tests the floor: tape and patches in world files, and what sensors see of them.
 #include <frob/create.h>
 
 #include "bends.h"
@@ -87,7 +87,7 @@ void brightness()
 
 void create_signals()
 {
-    // Under the left and the front left sensor.
+    // The tape is under the left and the front left sensor.
     Simulation s =
         world("[floor]\nreflectance = 0.9\n[[tape]]\npoints = [[0.07, 0.14], [0.15, 0.04]]\n"
               "reflectance = 0.1\n");
@@ -158,7 +158,7 @@ void along_the_tape()
     TapeDistance measured(scene, *scene.measure);
     check::that(std::isnan(measured.mean()), "nothing is measured before it settles");
     measured.observe(0, { { 9, 9 }, 0 });
-    // Once and a half round, 1 cm outside, in steps of 2 cm.
+    // One and a half laps, 1 cm outside, in steps of 2 cm.
     std::int64_t time_ns = second;
     const auto go = [&](Vec from, Vec to) {
         const int steps = static_cast<int>(length(to - from) / 0.02);
@@ -211,12 +211,12 @@ void mistakes()
     rejects("a patch that crosses itself", "[[patch]]\npoints = [[2,2],[3,3],[3,2],[2,3]]\n",
             "w.toml:6:10: the edges of this patch cross or touch");
     rejects("no tape to measure", "[measure]\nwhat = \"tape\"\n",
-            "w.toml:5:1: there is no [[tape]] in this world to be measured");
+            "w.toml:5:1: `measure` needs a [[tape]], and this world has none");
     rejects("tape has no side",
             "[[tape]]\npoints = [[1, 1], [2, 1]]\n[measure]\nwhat = \"tape\"\nside = \"left\"\n",
             "w.toml:9:1: unknown key `side`");
     rejects("something else to measure", "[measure]\nwhat = \"line\"\ndistance = 1\n",
-            "w.toml:6:8: `what` is \"wall\", \"tape\" or \"ball\"");
+            "w.toml:6:8: `what` must be \"wall\", \"tape\" or \"ball\"");
 }
 
 } // namespace

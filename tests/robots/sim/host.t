@@ -42,7 +42,7 @@ A PNG picture is one, and a picture that is neither is refused.
   $ head -c 4 run.png | tail -c 3; echo
   PNG
   $ sim ./wall_follower.so --world $world --for 1 --picture run.gif
-  error: the picture `run.gif` must be named .svg or .png
+  error: the name of the picture `run.gif` must end in .svg or .png
   [2]
 
 Running into a wall is told, and with --strict it is a fault.
@@ -68,23 +68,23 @@ Running into a wall is told, and with --strict it is a fault.
   $ sim ./ahead.so --world $world --for 10 | grep collisions
   collisions: 1
   $ sim ./ahead.so --world $world --for 10 --strict > /dev/null
-  error: the robot ran into something
+  error: the robot collided with something
   [4]
 
 A program for another robot is refused.
 
   $ compile rover rover.so
   $ sim ./rover.so --world $world
-  error: there is no simulated rover; the body of a robot of your own is `frob_rover_body`, in a C file that is given with `--with`
+  error: there is no simulated rover; for your own robot, define its body `frob_rover_body` in a C file, and add the file with `--with`
   [2]
 
 Wrong use has status 2, and says what is wrong.
 
   $ sim ./wall_follower.so
-  error: --world is missing; `frob-sim --help` says how to use it
+  error: --world is missing; see `frob-sim --help`
   [2]
   $ sim ./wall_follower.so --world missing.toml
-  error: missing.toml: cannot read this world file
+  error: missing.toml: there is no such world file
   [2]
   $ sim ./missing.so --world $world 2>&1 | cut -c1-44
   error: ./missing.so is not a compiled progra

@@ -1,4 +1,4 @@
-// What a robot of the user's own sees of lamps and of the floor.
+// Tests what a user-defined robot sees of lamps and of the floor.
 #include <cstring>
 
 #include <frob/body.h>
@@ -15,7 +15,7 @@ namespace
 
 constexpr std::int64_t second = 1'000'000'000;
 
-// What it senses: two photocells, to the left and ahead, and a floor sensor.
+// Its sensors: two photocells, to the left and ahead, and a floor sensor.
 struct Input {
     double left, ahead, floor;
 };
@@ -66,7 +66,7 @@ frob_body table()
     return body;
 }
 
-// A robot at the origin that looks along x.
+// A robot at the origin that faces along x.
 class Seer
 {
   public:
@@ -99,7 +99,7 @@ Input seen(const std::string &rest)
 void light_of_lamps()
 {
     check::near(seen("").ahead, 0.0, 0, "without a lamp it is dark");
-    // 2 m ahead and 1.5 m up: 2.5 m away, E = I cos(a) / d^2 with cos(a) = 2 / 2.5.
+    // The lamp is 2 m ahead and 1.5 m up, so 2.5 m away: E = I cos(a) / d^2 with cos(a) = 2 / 2.5.
     const std::string lamp = "[[lamp]]\nposition = [2, 0]\nheight = 1.5\nintensity = 100\n";
     check::near(seen(lamp).ahead, 100 * 0.8 / 6.25, 1e-9,
                 "a lamp ahead, by the square of the distance");
@@ -164,7 +164,7 @@ void floor_below()
                 "no floor below the sensor");
 }
 
-// As bodies were before there were such sensors.
+// A body table from before these sensors existed.
 void without()
 {
     frob_body plain = table();
@@ -209,7 +209,7 @@ void mistakes()
     rejects("less than dark", "[ambient]\nlight = -1\n",
             "w.toml:5:9: `light` must be zero or more");
     rejects("one lamp where many may hang", "[lamp]\nposition = [1, 1]\n",
-            "w.toml:4:1: `lamp` is a table; each one is a table of its own, [[lamp]]");
+            "w.toml:4:1: `lamp` is a table; write each one as a table of its own, [[lamp]]");
 }
 
 } // namespace

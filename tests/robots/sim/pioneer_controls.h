@@ -1,4 +1,4 @@
-// Driving a simulated Pioneer by hand.
+// Helpers that command a simulated Pioneer directly.
 #pragma once
 
 #include <frob/pioneer.h>

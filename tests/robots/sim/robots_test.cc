@@ -1,4 +1,4 @@
-// The Scout's and the Create's own parts, against their formulas.
+// Tests the parts that are specific to Scout and Create against formulas.
 #include <map>
 
 #include <frob/create.h>
@@ -75,8 +75,8 @@ void scout_bumpers()
     const char *behind[] = { "[[1, -2], [1, 2]]", "[[-2, 1], [2, 1]]", "[[-1, -2], [-1, 2]]",
                              "[[-2, -1], [2, -1]]" };
     const double heading[] = { 0, 90, 180, 270 };
-    // Square to a wall on any side the bumper is the one that looks there: 0 in
-    // front, 3 behind, and on the sides one of two.
+    // When the robot drives straight into a wall on any side, the bumper on that side is pressed: 0
+    // at the front, 3 at the back, and one of two on the sides.
     for (int k = 0; k < 4; ++k) {
         Simulation s = world("scout", std::string("heading_deg = ") + std::to_string(heading[k]) +
                                           "\n[[wall]]\npoints = " + behind[k] + "\n");
@@ -146,7 +146,7 @@ void create_wheels()
 
 void create_cliffs()
 {
-    // Its edge is 0.55 m ahead.
+    // The edge of the hole is 0.55 m ahead.
     Simulation s = world("create", "[[hole]]\npoints = [[0.55, -1], [2, -1], [2, 1], [0.55, 1]]\n");
     drive_create(s, 0.1, 0.0);
     s.advance(4 * second);

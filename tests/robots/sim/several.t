@@ -89,7 +89,7 @@ A robot that runs into another one has collided, and so has the other.
   > heading_deg = 180
   > EOF
   $ sim ./ahead.so --world towards.toml --for 10 --strict > summary
-  error: a robot ran into something
+  error: a robot collided with something
   [4]
   $ grep collisions summary
   robot 1 collisions: 1

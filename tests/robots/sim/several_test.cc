@@ -1,5 +1,5 @@
-// Several robots in one world: they see, meet and disturb each other, and each
-// has noise of its own. And the rays that many of them cast.
+// Tests several robots in one world: they see, hit and disturb each other, and each has its own
+// noise. Also tests the rays that many robots cast.
 #include <string>
 
 #include "check.h"
@@ -24,7 +24,7 @@ void see_each_other()
                     "test"),
         1);
     s.advance(second);
-    // Transducer 3 looks 10 degrees to the left, and its cone past straight ahead.
+    // Transducer 3 points 10 degrees to the left; its cone includes straight ahead.
     for (std::size_t k = 0; k < s.robots(); ++k) {
         double heard = 0.0;
         for (const Echo &echo : s.robot(k).echoes())
@@ -53,7 +53,7 @@ void run_into_each_other()
                 "and its wheels turn with it");
 }
 
-// What robot 0 senses and does, with others far away.
+// What robot 0 senses and does while others are far away.
 std::vector<double> first_of(int robots)
 {
     Simulation s(parse_world("[start]\nx = 0\ny = 0\nspacing = 50\ncolumns = 1\ncount = " +
@@ -113,11 +113,11 @@ void wrong_worlds()
     check::that(mistakes("start = []\n").find("needs a table [start]") != std::string::npos,
                 "a world needs a start");
     check::that(mistakes("[[start]]\nx = 0\ny = 0\n[[start]]\nx = 0.2\ny = 0\n") ==
-                    "w:1:1: robot 1 would start inside a wall or another thing",
+                    "w:1:1: robot 1 starts inside a wall or another object",
                 "robots stand beside each other");
 }
 
-// Walls, boxes at all angles, circles and robots, and rays between them.
+// Compares rays among walls, boxes at all angles, circles and robots.
 void fans()
 {
     std::string world = "[start]\nx = -4\ny = -4\ncount = 25\nspacing = 2\n"

@@ -1,4 +1,4 @@
-// What the sonars hear, against geometry.
+// Tests what the sonars hear, against geometry.
 #include <map>
 
 #include "check.h"
@@ -19,7 +19,7 @@ Scene with_start(const std::string &rest)
     return parse_world("[start]\nx = 0\ny = 0\n" + rest, "test");
 }
 
-// The distances of a transducer's echoes in the first `time_ns`, robot at rest.
+// The distances of a transducer's echoes in the first `time_ns`, with the robot at rest.
 std::vector<double> echoes(const Scene &scene, std::size_t transducer, std::int64_t time_ns,
                            std::uint64_t seed = 1)
 {
@@ -37,14 +37,14 @@ const char *wall_ahead = "[[wall]]\npoints = [[2, -4], [2, 4]]\nthickness = 0.2\
 void distances()
 {
     const Scene scene = with_start(wall_ahead);
-    // Transducer 3 looks 10 degrees to the left; its cone reaches past straight
-    // ahead, which is nearest.
+    // Transducer 3 points 10 degrees to the left; its cone includes straight ahead, where the wall
+    // is nearest.
     const std::vector<double> ahead = echoes(scene, 3, second);
     check::that(ahead.size() == 3, "a transducer is heard every 320 ms");
     check::near(ahead.empty() ? 0.0 : ahead[0], 1.9 - 0.166, 1e-3,
                 "a wall in the cone is as far as its nearest point");
-    // Transducer 2 looks at 30 degrees; the cone's edge nearest to the wall's
-    // normal is at 18.
+    // Transducer 2 points 30 degrees to the left; the edge of its cone nearest to the wall's normal
+    // is at 18 degrees.
     const std::vector<double> aslant = echoes(scene, 2, second);
     check::near(aslant.empty() ? 0.0 : aslant[0], (1.9 - 0.148) / std::cos(radians(18)), 1e-3,
                 "a wall aslant is heard by the cone's edge");
@@ -129,7 +129,7 @@ void noise()
 
 void generator()
 {
-    // splitmix64 is exact, so these are the same on every machine.
+    // splitmix64 uses integers only, so these values are the same on every machine.
     Noise noise(1, 1);
     double sum = 0.0, squares = 0.0;
     for (int i = 0; i < 100000; ++i) {

@@ -1,7 +1,6 @@
-/* A wall follower written by hand, in the form of a compiled program: the
- * paper's control law (section 3) for a wall on the left, and sonar signals
- * held and smoothed. With it the simulator and its host are tested without
- * the compiler. */
+/* A wall follower written by hand, in the form of a compiled program: the paper's control law
+ * (section 3) for a wall on the left, with held and smoothed sonar signals. It tests the
+ * simulator and its host without the compiler. */
 #include <frob/arithmetic.h>
 #include <frob/pioneer.h>
 #include <frob/program.h>
@@ -9,9 +8,9 @@
 #include <math.h>
 #include <string.h>
 
-static const double keep = 0.5;        /* m from the wall */
+static const double keep = 0.5;        /* m, distance from the wall */
 static const double v_max = 0.4;       /* m/s */
-static const double sin_theta = 0.5;   /* of the largest angle to the wall */
+static const double sin_theta = 0.5;   /* sine of the largest angle to the wall */
 static const double k_front = 1.2;     /* 1/s */
 static const double k_side = 1.0;      /* 1/s */
 static const double k_turn = 5.0;      /* 1/m */
@@ -28,7 +27,7 @@ static double limit(double x, double y)
     return fmax(-x, fmin(x, y));
 }
 
-/* Keeps the last echo of transducer `i`. */
+/* Stores the last echo of transducer `i`. */
 #define HOLD(last, i)                    \
     do {                                 \
         if (input->sonar[i].tag == 1)    \
@@ -45,8 +44,8 @@ static void reset(void *self, const void *params)
     s->smooth_side = keep;
 }
 
-/* How far to the left of transducer 0 an echo came from, if it came from the
- * cone's edge that is nearer to the side: exact along a straight wall. */
+/* How far to the left of transducer 0 an echo came from, assuming that it came from the edge of
+ * the cone nearer to the side; exact along a straight wall. */
 static double to_the_side(double range, double y, double angle)
 {
     return y + range * sin(angle) - 0.136;
@@ -93,16 +92,17 @@ static void step(void *self, const void *params, double dt, const void *in, void
     static const struct frob_value echo_##i = { FROB_SUM, AT(sonar[i].tag), 1, 2,     \
                                                 echo_##i##_constructors };
 
-ECHO(0)
-ECHO(1) ECHO(2) ECHO(3) ECHO(4) ECHO(5) ECHO(6) ECHO(7) ECHO(8) ECHO(9) ECHO(10) ECHO(11) ECHO(12)
-    ECHO(13) ECHO(14) ECHO(15)
+/* clang-format off */
+ECHO(0) ECHO(1) ECHO(2) ECHO(3) ECHO(4) ECHO(5) ECHO(6) ECHO(7)
+ECHO(8) ECHO(9) ECHO(10) ECHO(11) ECHO(12) ECHO(13) ECHO(14) ECHO(15)
+    /* clang-format on */
 
-        static const struct frob_field sonar_elements[] = {
-            { NULL, &echo_0 },  { NULL, &echo_1 },  { NULL, &echo_2 },  { NULL, &echo_3 },
-            { NULL, &echo_4 },  { NULL, &echo_5 },  { NULL, &echo_6 },  { NULL, &echo_7 },
-            { NULL, &echo_8 },  { NULL, &echo_9 },  { NULL, &echo_10 }, { NULL, &echo_11 },
-            { NULL, &echo_12 }, { NULL, &echo_13 }, { NULL, &echo_14 }, { NULL, &echo_15 },
-        };
+    static const struct frob_field sonar_elements[] = {
+        { NULL, &echo_0 },  { NULL, &echo_1 },  { NULL, &echo_2 },  { NULL, &echo_3 },
+        { NULL, &echo_4 },  { NULL, &echo_5 },  { NULL, &echo_6 },  { NULL, &echo_7 },
+        { NULL, &echo_8 },  { NULL, &echo_9 },  { NULL, &echo_10 }, { NULL, &echo_11 },
+        { NULL, &echo_12 }, { NULL, &echo_13 }, { NULL, &echo_14 }, { NULL, &echo_15 },
+    };
 static const struct frob_constructor sonar_constructor = { NULL, 0, COUNT(sonar_elements),
                                                            sonar_elements };
 static const struct frob_value sonar = { FROB_ARRAY, 0, 0, 1, &sonar_constructor };

@@ -1,5 +1,4 @@
-// The world: its physics, its file, what is measured in it, and that it is the
-// same each time.
+// Tests the world: its physics, its file, the measurements in it, and that runs are reproducible.
 #include "check.h"
 #include "p3dx.h"
 #include "pioneer_controls.h"
@@ -57,7 +56,7 @@ void boxes_come_to_rest()
     s.advance(12 * second);
     check::near(length(s.world().box_poses()[0].position - left[0].position), 0.0, 1e-6,
                 "a box that is left comes to rest");
-    check::that(s.robot().contacts().collisions() == 0, "pushing a box is no collision");
+    check::that(s.robot().contacts().collisions() == 1, "pushing a box is one collision");
 }
 
 void boxes_rub_on_the_floor()
@@ -75,7 +74,7 @@ void boxes_rub_on_the_floor()
                 "a box slides v^2 / (2 mu g)");
 }
 
-// Bodies are thrown at each other, and nothing drives them.
+// Bodies are thrown at each other, without any drive.
 void energy_never_grows()
 {
     World world(parse_world(room_with_boxes, "test"), p3dx::chassis());
@@ -96,7 +95,7 @@ void energy_never_grows()
     check::that(!grew, "no energy comes from nothing");
 }
 
-// Readings and poses of a run with all noise on, as bytes would compare.
+// Readings and poses of a run with all noise on, for bitwise comparison.
 std::vector<double> run(std::uint64_t seed)
 {
     Simulation s(parse_world(std::string(room_with_boxes) +
@@ -187,7 +186,8 @@ const std::string start = "[start]\nx = 0\ny = 0\n";
 void mistakes()
 {
     rejects("a start is needed", "name = \"x\"\n",
-            "w.toml:1:1: a world needs a table [start] with `x` and `y`, where the robot starts");
+            "w.toml:1:1: a world needs a table [start] with `x` and `y`, the position at which the "
+            "robot starts");
     rejects("an unknown key, and the one that was meant",
             start + "[[wall]]\npoints = [[2,0],[2,1]]\nthicknes = 1\n",
             "w.toml:6:1: unknown key `thicknes`; did you mean `thickness`?");
@@ -203,14 +203,15 @@ void mistakes()
             "w.toml:5:10: `points` takes a list of at least 2 points [x, y]");
     rejects("a closed wall whose last point is its first",
             start + "[[wall]]\npoints = [[1, 1], [2, 1], [2, 2], [1, 1]]\nclosed = true\n",
-            "w.toml:5:35: this is the first point again, which the last one is joined to anyway");
+            "w.toml:5:35: this point repeats the first one; remove it, because the last point is "
+            "joined to the first");
     rejects("a polygon that crosses itself",
             start + "[[polygon]]\npoints = [[2,2],[3,3],[3,2],[2,3]]\n",
             "w.toml:5:10: the edges of this polygon cross or touch");
     rejects("one table where many may stand", start + "[wall]\npoints = [[1,1],[2,2]]\n",
-            "w.toml:4:1: `wall` is a table; each one is a table of its own, [[wall]]");
+            "w.toml:4:1: `wall` is a table; write each one as a table of its own, [[wall]]");
     rejects("a start inside a wall", start + "[[wall]]\npoints = [[0, -1], [0, 1]]\n",
-            "w.toml:1:1: the robot would start inside a wall or another thing");
+            "w.toml:1:1: the robot starts inside a wall or another object");
     rejects("a needed key misspelt, once", start + "[[circle]]\ncentre = [3, 3]\nradius = 1\n",
             "w.toml:5:1: unknown key `centre`; did you mean `center`?");
     rejects("several mistakes at once, in the file's order",
@@ -220,22 +221,22 @@ void mistakes()
             "w.toml:4:8: `rays` must be a whole number from 1 to 101");
 }
 
-// What no machine could simulate, or no robot could be.
+// Worlds that no machine could simulate, and impossible robots.
 void excesses()
 {
     rejects("odometry that is no measurement",
             start + "[odometry]\nveer_deg = 1e6\nturn_error = -2\n",
-            "w.toml:5:12: `veer_deg` must be a turn at most either way, from -360 to 360\n"
-            "w.toml:6:14: `turn_error` must be a share of what is measured, from -1 to 1");
+            "w.toml:5:12: `veer_deg` must be an angle from -360 to 360\n"
+            "w.toml:6:14: `turn_error` must be a fraction of the measured value, from -1 to 1");
     std::string heap = start, hall = start;
     for (int i = 0; i < 17; ++i)
         heap += "[[box]]\ncenter = [2, 2]\nsize = [1, 1]\n";
     for (int i = 0; i < 2001; ++i)
         hall += "[[box]]\ncenter = [" + std::to_string(9 + i) + ", 2]\nsize = [0.5, 0.5]\n";
     rejects("a heap of boxes", heap,
-            "w.toml:1:1: 17 boxes lie in one another at [2, 2]; at most 16 may");
+            "w.toml:1:1: 17 boxes overlap at [2, 2]; at most 16 may overlap");
     rejects("a hall full of boxes", hall,
-            "w.toml:1:1: a world has at most 2000 boxes, this one 2001");
+            "w.toml:1:1: a world can have at most 2000 boxes, but this one has 2001");
     const auto wall = [](int points, int y) {
         std::string text = "[[wall]]\npoints = [";
         for (int i = 0; i < points; ++i)
@@ -243,48 +244,49 @@ void excesses()
         return text + "]\n";
     };
     rejects("a wall of very many points", start + wall(20001, 9),
-            "w.toml:5:10: `points` takes at most 20000 points, these are 20001");
+            "w.toml:5:10: `points` takes at most 20000 points, but has 20001");
     rejects("walls of very many points", start + wall(15000, 9) + wall(15000, 12),
-            "w.toml:1:1: a world's walls, polygons, holes, patches and tapes have at most 20000 "
-            "points, "
-            "this one's 30000");
+            "w.toml:1:1: a world's walls, polygons, holes, patches and tapes can have at most "
+            "20000 points, but here they have 30000");
 }
 
-// What is no TOML at all.
+// Files that are not TOML at all.
 void syntax_mistakes()
 {
-    const std::string unit = "numbers have no unit here: lengths are in metres, angles in degrees, "
-                             "masses in kilograms, times in seconds";
+    const std::string unit =
+        "write the number without a unit: lengths are in metres, angles in degrees, "
+        "masses in kilograms, times in seconds";
     rejects("a number with a unit", "[start]\nx = 5cm\ny = 0\n", "w.toml:2:6: " + unit);
     rejects("a unit after a blank", "[start]\nx = 1.5 m\n", "w.toml:2:9: " + unit);
     rejects("a unit in brackets", "[start]\nx = 1.5[m]\n", "w.toml:2:8: " + unit);
     rejects("a unit that is no letter", "[start]\nheading_deg = 90°\n", "w.toml:2:17: " + unit);
     rejects("a unit in a list", start + "[[circle]]\ncenter = [1, 2 m]\n", "w.toml:5:16: " + unit);
     rejects("a decimal comma", "[start]\nx = 1,5\n",
-            "w.toml:2:6: a number is written with a point, not with a comma");
+            "w.toml:2:6: write the number with a point, not with a comma");
     rejects("a point without digits", "[start]\nx = .5\n",
-            "w.toml:2:5: a number has digits on both sides of its point, as in `0.5`");
+            "w.toml:2:5: a number needs digits on both sides of its point, as in `0.5`");
     rejects("a computation", "[start]\nx = 1/2\n",
-            "w.toml:2:6: nothing is computed here: write the number that comes out");
+            "w.toml:2:6: expressions are not allowed here: write the result");
     rejects("two keys in a line", "[start]\nx = 1 y = 2\n",
-            "w.toml:2:7: only one key stands in a line");
-    rejects("a key twice", "[start]\nx = 1\nx = 2\n", "w.toml:3:5: this is in the file already");
+            "w.toml:2:7: write only one key on each line");
+    rejects("a key twice", "[start]\nx = 1\nx = 2\n",
+            "w.toml:3:5: this is already defined in the file");
     rejects("no value", "[start]\nx =\n", "w.toml:2:4: a value is missing after the `=`");
     rejects("a text without quotation marks", "robot = pioneer\n",
-            "w.toml:1:9: a text stands in quotation marks: `\"pioneer\"`");
+            "w.toml:1:9: put strings in quotation marks: `\"pioneer\"`");
     rejects("a truth of Python's", start + "[[wall]]\nclosed = True\n",
-            "w.toml:5:10: truths are written `true` and `false`");
+            "w.toml:5:10: write `true` or `false` in lower case");
     rejects("what is no value", "[start]\nx = pi/2\n",
-            "w.toml:2:5: this is no value: numbers are, texts in quotation marks, `true` and "
-            "`false`, and lists in brackets");
+            "w.toml:2:5: this is not a value: write a number, a string in quotation marks, "
+            "`true`, `false`, or a list in brackets");
     rejects("a list without a comma", start + "[[wall]]\npoints = [[0, 0] [1, 1]]\n",
-            "w.toml:5:18: between two elements stands a `,`, after the last one a `]`");
+            "w.toml:5:18: separate the elements with `,`, and write `]` after the last one");
     rejects("a colon", "[start]\nx: 1\n",
-            "w.toml:2:2: a line has a key, `=` and its value, as in `x = 0.5`");
+            "w.toml:2:2: write a key, `=` and its value, as in `x = 0.5`");
     rejects("half a bracket", "[start\nx = 1\n",
-            "w.toml:1:7: the name of a table stands in brackets, as in `[start]` or `[[wall]]`");
+            "w.toml:1:7: put the name of a table in brackets, as in `[start]` or `[[wall]]`");
     rejects("a comment of C's", "// a room\n",
-            "w.toml:1:1: a line has a key, `=` and its value, or is a table's name such as "
+            "w.toml:1:1: write a key, `=` and its value, a table's name such as "
             "`[start]`, or a comment, which begins with `#`");
 }
 

@@ -1,5 +1,5 @@
-# Of sweeps whose table matters, and not what is in it: `follow SECONDS SEEDS` writes follow.frob,
-# a wall follower whose trial takes so long, with so many seeds, and measures something.
+# For tests that compare tables of sweeps: `follow SECONDS SEEDS` writes follow.frob, a wall
+# follower with a trial of this duration and this number of seeds that measures something.
 follow () {
     cat > follow.frob << FROB
 import Robot

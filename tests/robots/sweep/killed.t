@@ -1,4 +1,4 @@
-Whoever is killed, and whenever, the same command goes on, and the table is the same.
+Whoever is killed, and whenever, run the same command to continue, and the table is the same.
 
   $ . ./follow.sh && follow 5 60
   $ cat > gaps.toml << 'PLAN'
@@ -9,7 +9,7 @@ Whoever is killed, and whenever, the same command goes on, and the table is the 
   > PLAN
   $ frobc sweep gaps.toml --rows whole --table whole.csv > /dev/null
 
-The command itself, again and again; its processes may go on for a while.
+The command itself, again and again.
 
   $ for pause in 0.15 0.3 0.2 0.4 0.25; do
   >   frobc sweep gaps.toml -j 3 > told 2>&1 & sweep=$!
@@ -37,8 +37,8 @@ Where the disk is full what is done is kept.
 
   $ rm -r gaps.rows && mkdir small
   $ (ulimit -f 8; frobc sweep gaps.toml -j 1 --rows small) 2>&1 | sed 's/[0-9][0-9]*/N/g'
-  error: cannot write what a run came to: File too large
-  N runs done, N left; the same command goes on where this one ended
+  error: cannot write the result of a run: File too large
+  N runs done, N left; run the same command to continue
   $ test $(cat small/*.rows | wc -l) -gt 10 && frobc sweep gaps.toml --rows small > told && cmp gaps.csv whole.csv
 
 So it is where there is no room for the table.

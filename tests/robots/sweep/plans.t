@@ -24,14 +24,14 @@ What is wrong with a plan is told before the first run, with its place.
   > d = "1 to 2, 1 steps"
   > PLAN
   error: plan.toml:1:1: unknown key `programm`; did you mean `program`?
-  error: plan.toml:2:9: the last seed is before the first; write [1, 20]
-  error: plan.toml:3:10: `worlds` takes a list of texts, as ["a", "b"]
+  error: plan.toml:2:9: the last seed is less than the first; write [1, 20]
+  error: plan.toml:3:10: `worlds` takes a list of strings, such as ["a", "b"]
   error: plan.toml:4:9: `lasts` must be more than zero
-  error: plan.toml:5:12: `sampling` is "grid", "random" or "latin"
-  error: plan.toml:7:7: how many steps? a range is "LOW to HIGH, N steps", as "2[1/m] to 8[1/m], 7 steps"; with `sampling` it is "LOW to HIGH"
-  error: plan.toml:8:5: a range is "LOW to HIGH, N steps", as "2[1/m] to 8[1/m], 7 steps"; with `sampling` it is "LOW to HIGH"
-  error: plan.toml:9:5: there is no value in this list
-  error: plan.toml:10:5: a range has at least 2 steps: its ends
+  error: plan.toml:5:12: `sampling` must be "grid", "random" or "latin"
+  error: plan.toml:7:7: the number of steps is missing: write a range as "LOW to HIGH, N steps", such as "2[1/m] to 8[1/m], 7 steps"; with `sampling`, write "LOW to HIGH"
+  error: plan.toml:8:5: write a range as "LOW to HIGH, N steps", such as "2[1/m] to 8[1/m], 7 steps"; with `sampling`, write "LOW to HIGH"
+  error: plan.toml:9:5: this list is empty
+  error: plan.toml:10:5: a range needs at least 2 steps, one for each end
   [2]
   $ try << 'PLAN'
   > program =
@@ -42,14 +42,14 @@ What is wrong with a plan is told before the first run, with its place.
   > program = "follow.frob"
   > sampling = "latin"
   > PLAN
-  error: plan.toml:2:12: `sampling = "latin"` needs a key `points`: how many
+  error: plan.toml:2:12: `sampling = "latin"` needs a key `points`, the number of points
   [2]
   $ plan () { printf 'program = "follow.frob"\nrobots = ["pioneer"]\n%b\n' "$1" | try; }
   $ plan '[params]\ngap = "0.5[m] to 0.2[m], 3 steps"'
   error: plan.toml:4:7: the range of `gap` ends at 0.2, which is not more than 0.5
   [2]
   $ plan '[params]\ngap = "0.2[s] to 0.5[m], 3 steps"'
-  error: plan.toml:4:7: this is no value of the parameter `gap`
+  error: plan.toml:4:7: this is not a value of the parameter `gap`
   error[E0320]: expected the unit `m`, found `s`
    --> --param gap:1:6
     |
@@ -67,7 +67,7 @@ What is wrong with a plan is told before the first run, with its place.
   1 error
   [2]
   $ plan '[params]\ngp = 3'
-  error: plan.toml:4:6: this is no value of the parameter `gp`
+  error: plan.toml:4:6: this is not a value of the parameter `gp`
   error[E0507]: the program has no parameter `gp`
    --> --param gp:1:1
     |
@@ -80,65 +80,75 @@ What is wrong with a plan is told before the first run, with its place.
   1 error
   [2]
   $ plan '[params]\non = "False to True, 2 steps"'
-  error: plan.toml:4:6: `on` is true or false: write a list, [true, false]
+  error: plan.toml:4:6: `on` is true or false: write the list [true, false]
   [2]
   $ plan '[params]\ngap = "0 to 1/0, 2 steps"'
-  error: plan.toml:4:7: the range of `gap` has no end
+  error: plan.toml:4:7: the range of `gap` must be finite
   [2]
   $ plan 'worlds = ["room.toml", "rome.toml"]'
-  error: plan.toml:3:24: there is no world `rome.toml` beside the program
+  error: plan.toml:3:24: there is no world `rome.toml` beside follow.frob or among the worlds of frobc: room.toml
   [2]
   $ printf '[start]\nx = 0\ny = 0\nspeed = 1\n' > odd.toml
   $ plan 'worlds = ["odd.toml"]'
-  error: ./odd.toml:4:1: unknown key `speed`
+  error: odd.toml:4:1: unknown key `speed`
   [2]
   $ printf '[start]\nx = 0\ny = 0\n[[circle]]\ncenter = [0, 0]\nradius = 1\n' > inside.toml
   $ plan 'worlds = ["room.toml", "inside.toml"]'
-  error: ./inside.toml:1:1: the robot would start inside a wall or another thing
+  error: inside.toml:1:1: the robot starts inside a wall or another object
   [2]
   $ plan 'trial = "keeps"'
   error: plan.toml:3:9: follow.frob has no trial `keeps`; it has `keeps off`
   [2]
   $ plan 'seeds = [1, 900000000]'
-  error: plan.toml: these are 900000000 runs, and a sweep has at most 10000000: fewer steps or seeds
+  error: plan.toml: these are 900000000 runs, but a sweep can have at most 10000000: use fewer steps or seeds
   [2]
   $ printf 'program = "no.frob"\n' | try
   error: plan.toml:1:11: there is no file no.frob
   [2]
   $ printf 'program = "follow.frob"\n' | try
-  error[E0502]: `main` leaves open which robot it runs on
+  error[E0502]: the type of `main` does not say which robot it runs on
    --> follow.frob:7:1
     |
   7 | main = reactimateRobot (wallFollow1 gap)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `pioneer`, `scout` and `create` have all that it asks for: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
+    = hint: `pioneer`, `scout` and `create` have everything that it needs: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
   
   1 error
   [1]
   $ printf 'program = "follow.frob"\nrobots = ["rover"]\n' | try
-  error: plan.toml:2:11: there is no robot `rover`; the robots: pioneer, scout, create; your own: the file of its module
+  error: plan.toml:2:11: there is no robot `rover`; the robots are pioneer, scout, create; for your own robot, write the file of its module
   [2]
   $ printf 'program = "follow.frob"\nrobots = ["pioneer"]\n' | try --robot scout
-  error: plan.toml:2:11: --robot says which one already
+  error: plan.toml:2:11: remove `robots` here, or the option --robot
   [2]
   $ sed '/^trial/d' follow.frob > bare.frob
   $ printf 'program = "bare.frob"\n' | try --robot pioneer
-  error: plan.toml:1:11: bare.frob has no trial, which says what is judged and measured; write `trial "…" = Trial { … }`
+  warning[W0306]: `Trial` is imported but nothing from it is used
+   --> bare.frob:2:1
+    |
+  2 | import Trial
+    | ^^^^^^^^^^^^
+    |
+    = hint: remove it
+  
+  1 warning
+  error: plan.toml:1:11: bare.frob has no trial, but a sweep needs one to judge and measure the runs; write `trial "…" = Trial { … }`
   [2]
   $ frobc sweep none.toml
   error: there is no file none.toml
   [2]
   $ frobc sweep plan.toml --shard 3/2
-  frobc: option '--shard': `3/2` is no shard; the third of a hundred is 3/100
+  frobc: option '--shard': `3/2` is not a shard; write the third of a hundred
+         as 3/100
   Usage: frobc sweep [OPTION]… PLAN.toml
   Try 'frobc sweep --help' or 'frobc --help' for more information.
   [2]
   $ frobc sweep plan.toml --picture p.png
-  error: p.png does not end in .svg: a sweep is drawn as SVG
+  error: p.png must end in .svg: a sweep is drawn as SVG
   [2]
   $ echo "notes" > plan.csv; printf 'program = "follow.frob"\nlasts = 0.1\nseeds = [1, 1]\n' | try --robot pioneer
-  error: --table would overwrite plan.csv, which is there already and not the table of a sweep: move it away, or name another file
+  error: --table would overwrite plan.csv, which is an existing file but not the table of a sweep: move it away, or use another file name
   [2]
   $ ls -I '*.t'
   bare.frob

@@ -1,10 +1,10 @@
 #!/bin/sh
-# usage: slurm.sh FOLDER : a sweep as an array of jobs under Slurm, with frobc on the PATH: the table
-# is that of one machine. Slurm's two daemons run here, on loopback, as whoever calls; what they
-# write is in FOLDER. Only they are ended.
+# usage: slurm.sh FOLDER : runs a sweep as an array of jobs under Slurm, with the frobc on PATH; the
+# table must be that of a single machine. Runs Slurm's two daemons as the current user, on the
+# loopback interface; their output goes to FOLDER. Stops only these daemons.
 #
-# For this a host needs neither systemd nor munge nor cgroups: slurm.conf names plugins that do
-# without. Such a Slurm trusts whoever can speak to it, so it is for tests only.
+# The host needs neither systemd nor munge nor cgroups, because slurm.conf names plugins that do
+# without them. Such a Slurm trusts everyone who can connect to it, so it is for tests only.
 set -eu
 PATH=$PATH:/usr/sbin
 if test -z "$(find /usr/lib -name auth_none.so)" || test -z "$(find /usr/lib -name cred_none.so)"; then
@@ -100,13 +100,13 @@ gap = "0.2[m] to 0.4[m], 3 steps"
 PLAN
 frobc sweep gaps.toml --rows alone --table alone.csv >alone.told
 
-# With its job's number for a shard's.
+# The job's number in the array selects its shard.
 array() {
     timeout 300 sbatch --quiet --wait --array="$1" --output=job-%a.told \
         --wrap 'frobc sweep gaps.toml --jobs 1 --shard $SLURM_ARRAY_TASK_ID/8'
 }
 
-# A job that is lost is told of; the same array again makes its runs, and no other.
+# A lost job must be reported; submitting the same array again must make its runs and no others.
 array 1-7
 if frobc sweep gaps.toml --merge >merge.told 2>&1; then
     echo "a table although a shard is missing"

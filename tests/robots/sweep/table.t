@@ -34,8 +34,8 @@ and seeds, which vary fastest.
   > PLAN
   $ frobc sweep gaps.toml --picture gaps.svg > told; sed -E 's/[0-9]+\.[0-9]+/N/g' told
   48 runs: 36 held, 12 failed
-    error: mean N m, deviation N, from N (run 11) to N (run 14); no number in 24 of 48 runs
-    way: mean N m, deviation N, from N (run 25) to N (run 23)
+    error: mean N m, deviation N, from N (run 11) to N (run 13); not measured in 24 of 48 runs
+    way: mean N m, deviation N, from N (run 25) to N (run 16)
   table: gaps.csv
   picture: gaps.svg
   $ cut -d, -f1-9 gaps.csv | sed -n '1,8p;45,$p'
@@ -53,7 +53,7 @@ and seeds, which vary fastest.
   47,empty.toml,scout,0.4,0.5,1,violated,3.660000000,keeps off
   48,empty.toml,scout,0.4,0.5,2,violated,3.660000000,keeps off
   $ head -1 gaps.csv
-  run,world,robot,gap,speed,seed,fate,at,by,x,y,heading,clearance,touches,driven,odometry_error,error,way
+  run,world,robot,gap,speed,seed,fate,at,by,x,y,heading,clearance,touches,driven,odometry_error,collisions,collision_at,collision_x,collision_y,collision_clearance,collision_with,error,way
   $ sed 's/<[^>]*>//g' gaps.svg | grep keeps
   keeps, &quot;off&quot;: share of runs that held
   keeps, &quot;off&quot;: error (m)
@@ -72,11 +72,11 @@ A table is the same whatever the processes, and whatever order plans of its runs
 Shards, on machines of their own or not, make the same table together.
 
   $ frobc sweep gaps.toml --shard 1/3 --rows first
-  16 runs of shard 1/3 done; 32 of all are left to other shards, and `--merge` makes the table
+  16 runs of shard 1/3 done; 32 are left to other shards; then make the table with `--merge`
   $ frobc sweep gaps.toml --shard 2/3 --rows second
-  16 runs of shard 2/3 done; 32 of all are left to other shards, and `--merge` makes the table
+  16 runs of shard 2/3 done; 32 are left to other shards; then make the table with `--merge`
   $ frobc sweep gaps.toml --merge --rows first --also second --table shards.csv
-  error: 16 of 48 runs are missing: their shards are not done, or `--also` names their folder
+  error: 16 of 48 runs are missing: make their shards, or name their folder with `--also`
   [2]
   $ frobc sweep gaps.toml --shard 3/3 --rows second > /dev/null
   $ frobc sweep gaps.toml --merge --rows first --also second --table shards.csv > /dev/null && cmp gaps.csv shards.csv

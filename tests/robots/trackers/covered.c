@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* One at a time is looked at, and none is kept. */
+/* One buffer is enough: only one frame is used at a time, and none is kept. */
 static unsigned char grey[4096 * 3 * 1024];
 static struct frob_image hidden;
 

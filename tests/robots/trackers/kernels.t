@@ -4,6 +4,7 @@ depths.
 
   $ frobc run known.frob --world world.toml --for 1s --seed 1 --record run.csv > summary
   $ frobc trace kernels.frob --input run.csv > found.csv
+  NaN: out, first at 0.000 s; to find its origin, run `frobc view --why-nan`
   $ frobc trace kernels.frob --input run.csv --engine interp | cmp - found.csv
   $ sed -n 2p found.csv | grep -oE 'pixels = [0-9]+|blobs = [0-9]+|known = [01]|nearest = [a-z]+|straight = [^}]*|gradient = [0-9]'
   pixels = 6440

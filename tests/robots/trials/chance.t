@@ -13,8 +13,8 @@ there are no more seeds; the outcome does not depend on how many run at a time.
   > FROB
   $ frobc test chance.frob --robot pioneer | grep '^[okFA0-9]'
   ok    never touches: holds in at least 0.9 of runs, with confidence 0.95: held in 38 of 38 runs, so in 0.9075 to 1.0000 of all
-  FAIL  is there at once: does not hold in 0.9 of runs, with confidence 0.95: held in 0 of 3 runs, so in 0.0000 to 0.7076 of all; seed 1: not so at 0.000 s
-  FAIL  is soon decided: not decided whether it holds in 0.99 of runs, with confidence 0.95: held in 20 of 20 runs, so in 0.8316 to 1.0000 of all
+  FAIL  is there at once: does not hold in 0.9 of runs, with confidence 0.95: held in 0 of 3 runs, so in 0.0000 to 0.7076 of all; seed 1: failed at 0.000 s
+  FAIL  is soon decided: undecided whether it holds in 0.99 of runs, with confidence 0.95: held in 20 of 20 runs, so in 0.8316 to 1.0000 of all
   3 tests: 2 failed
   $ frobc test chance.frob --robot pioneer --json -j 1 > one
   [1]
@@ -24,11 +24,11 @@ there are no more seeds; the outcome does not depend on how many run at a time.
   "chance":{"share":0.9,"confidence":0.95,"decision":"fails","least":0,"most":0.707598}
   "chance":{"share":0.99,"confidence":0.95,"decision":"open","least":0.831566,"most":1}
   $ frobc test chance.frob --robot pioneer -k touches --seeds 10 | grep touches
-  FAIL  never touches: not decided whether it holds in 0.9 of runs, with confidence 0.95: held in 10 of 10 runs, so in 0.6915 to 1.0000 of all
+  FAIL  never touches: undecided whether it holds in 0.9 of runs, with confidence 0.95: held in 10 of 10 runs, so in 0.6915 to 1.0000 of all
   $ sed 's/0.9 0.95/1.5 0.95/' chance.frob > wrong.frob
   $ frobc test wrong.frob 2>&1 | grep error
-  error[E0392]: `holdsWith` takes a share between 0 and 1, and a confidence between 0.5 and 1, not 1.5 and 0.95
-  error[E0392]: `holdsWith` takes a share between 0 and 1, and a confidence between 0.5 and 1, not 1.5 and 0.95
+  error[E0392]: `holdsWith` needs a share between 0 and 1 and a confidence between 0.5 and 1, not 1.5 and 0.95
+  error[E0392]: `holdsWith` needs a share between 0 and 1 and a confidence between 0.5 and 1, not 1.5 and 0.95
   2 errors
 
 Of a trial that fails the run that fails first is looked at, and the disturbances of the world are
@@ -46,16 +46,45 @@ left out that it fails without.
   > trial "knows where it is" = Trial { world = "noisy.toml", lasts = 20[s], seeds = 1 `to` 3, judge = proc t -> verdict (t.odometryError < 0.2[m]) }
   > trial "keeps half a metre" = Trial { world = "noisy.toml", lasts = 20[s], seeds = 1 `to` 3, judge = keepsOff 0.5[m] }
   > FROB
-  $ frobc test shrinks.frob --robot pioneer | grep 'disturbances\|view\|FAIL' | sed -E 's/[0-9]+\.[0-9]{3}/N/g; s/seed [0-9]/seed N/; s/-[0-9]\./-N./g; s/--seed [0-9]/--seed N/; s/--at [0-9.]*s/--at Ns/'
-  FAIL  knows where it is: 3 of 3 seeds; seed N: not so at N s
-        of the world's disturbances it needs [drive] slip: failed/knows-where-it-is-N.toml
-        frobc view failed/knows-where-it-is-N.csv shrinks.frob --robot pioneer --world failed/knows-where-it-is-N.toml --seed N --at Ns
-  FAIL  keeps half a metre: 3 of 3 seeds; seed N: not so at N s
-        fails so without any of the world's disturbances: failed/keeps-half-a-metre-N.toml
-        frobc view failed/keeps-half-a-metre-N.csv shrinks.frob --robot pioneer --world failed/keeps-half-a-metre-N.toml --seed N --at Ns
+  $ frobc test shrinks.frob --robot pioneer | grep 'disturbances\|view\|FAIL' | sed -E 's/[0-9]+\.[0-9]{3}/N/g; s/seed [0-9]/seed N/; s/-[0-9](-simpler)?\./-N\1./g; s/--seed [0-9]/--seed N/; s/--at [0-9.]*s/--at Ns/'
+  FAIL  knows where it is: 3 of 3 seeds; seed N: failed at N s
+        frobc view failed/knows-where-it-is-N.csv shrinks.frob --robot pioneer --world noisy.toml --seed N --at Ns
+        a simpler run fails too, with only [drive] slip of the world's disturbances: seed N: failed at N s
+          frobc view failed/knows-where-it-is-N-simpler.csv shrinks.frob --robot pioneer --world failed/knows-where-it-is-N-simpler.toml --seed N --at Ns
+  FAIL  keeps half a metre: 3 of 3 seeds; seed N: failed at N s
+        frobc view failed/keeps-half-a-metre-N.csv shrinks.frob --robot pioneer --world noisy.toml --seed N --at Ns
+        a simpler run fails too, without any of the world's disturbances: seed N: failed at N s
+          frobc view failed/keeps-half-a-metre-N-simpler.csv shrinks.frob --robot pioneer --world failed/keeps-half-a-metre-N-simpler.toml --seed N --at Ns
   $ grep -n '#.*noise\|slip\|written' failed/knows-where-it-is-*.toml | sed 's/.*toml://'
-  1:# written by frobc: noisy.toml, without what a run does not need to fail
+  1:# written by frobc: noisy.toml, reduced to what a run needs to fail
   3:# pillar and a crate; ideal wheels, and sonars with a little noise.
   30:# noise = 0.005
   35:slip = 0.1
   37:# noise = 0.1 # of light
+
+What is reported of a run is about that run alone, and the same of the simpler one: the time, the
+outputs, the seed and the command that shows it agree with each other and with the recording.
+
+  $ cat > agree.py << 'PY'
+  > import csv, re, shlex, sys
+  > blocks = [[]]
+  > for line in sys.stdin:
+  >     if line.startswith("FAIL") or "a simpler run" in line:
+  >         blocks.append([])
+  >     blocks[-1].append(line)
+  > for block in blocks[1:]:
+  >     text = "".join(block)
+  >     seed, at = re.search(r"seed (\d+): failed at ([0-9.]+) s", text).groups()
+  >     forward = re.search(r"out.forward: .*, then (\S+)", text).group(1)
+  >     view = shlex.split(re.search(r"frobc view .*", text).group())
+  >     of = lambda option: view[view.index(option) + 1]
+  >     *_, last = csv.DictReader(line for line in open(view[2]) if not line.startswith("#"))
+  >     assert of("--seed") == seed, text
+  >     assert abs(float(of("--at")[:-1]) - float(at)) < 5e-4, text
+  >     assert abs(float(last["time"]) - float(at)) < 5e-4, text
+  >     assert "%.6g" % float(last["out.forward"]) == forward, text
+  >     print("simpler" in view[2], "simpler" in of("--world"))
+  > PY
+  $ frobc test shrinks.frob --robot pioneer -k half | python3 agree.py
+  False False
+  True True

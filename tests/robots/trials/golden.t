@@ -15,7 +15,7 @@ A golden trace is what a program once gave on an input, and gives still.
 The first time there is nothing to compare with; `--update` writes it.
 
   $ frobc test here
-  FAIL  drives on: there is no file here/driven.csv, with the output of the trace; `--update` writes it
+  FAIL  drives on: there is no file here/driven.csv; it must contain the output of the trace: write it with `--update`
   1 test: 1 failed
   [1]
   $ frobc test here --update
@@ -35,12 +35,12 @@ A program that gives something else fails, and says what.
 
   $ sed -i 's/>= 10/> 16/' here/speed.frob
   $ (cd here && frobc test)
-  FAIL  drives on: line 5 of driven.csv is `6.000000000,16,true`, and the program gives `6.000000000,16,false`; if it is to, `--update` writes that
+  FAIL  drives on: line 5 of driven.csv is `6.000000000,16,true`, but the program returns `6.000000000,16,false`; if the program is right, update the file with `--update`
   1 test: 1 failed
   [1]
   $ echo '9.000000000,16,true' >> here/driven.csv
   $ frobc test here --json
-  {"file":"here/speed.frob","label":"drives on","ok":false,"lasts":0,"error":"line 5 of here/driven.csv is `6.000000000,16,true`, and the program gives `6.000000000,16,false`; if it is to, `--update` writes that"}
+  {"file":"here/speed.frob","label":"drives on","ok":false,"lasts":0,"error":"line 5 of here/driven.csv is `6.000000000,16,true`, but the program returns `6.000000000,16,false`; if the program is right, update the file with `--update`"}
   [1]
   $ frobc test here --update && frobc test here --update
   ok    drives on: 6 s; wrote here/driven.csv
@@ -52,12 +52,12 @@ Only a trace is overwritten, and never the input; an input that is none is told.
 
   $ echo "# my notes" > here/driven.csv
   $ frobc test here --update
-  FAIL  drives on: --update would overwrite here/driven.csv, which is there already and not a trace or a recording: move it away, or name another file
+  FAIL  drives on: --update would overwrite here/driven.csv, which is an existing file but not a trace or a recording: move it away, or use another file name
   1 test: 1 failed
   [1]
   $ sed -i 's/driven.csv/drive.csv/' here/speed.frob
   $ frobc test here --update
-  FAIL  drives on: --update would overwrite here/drive.csv, which is read: name another file
+  FAIL  drives on: --update would overwrite here/drive.csv, which is an input: use another file name
   1 test: 1 failed
   [1]
   $ printf 'time,in\n0,2\n1,x\n' > here/drive.csv
@@ -67,6 +67,6 @@ Only a trace is overwritten, and never the input; an input that is none is told.
   [1]
   $ rm here/drive.csv
   $ frobc test here
-  FAIL  drives on: there is no file here/drive.csv, with the input of the trace
+  FAIL  drives on: there is no file here/drive.csv; it must contain the input of the trace
   1 test: 1 failed
   [1]

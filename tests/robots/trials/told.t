@@ -50,37 +50,59 @@ seed. A line for each, and more of one that fails.
   [1]
   $ numbers < told
   ok    the wave stays small: 2 s
-  FAIL  a metre takes a second: not so at N s
+  FAIL  a metre takes a second: failed at N s
         frobc view failed/a-metre-takes-a-second.csv around.frob --robot pioneer --entry 'judge test a metre takes a second' --at 1s
-  FAIL  waits for what never comes: undecided at its end, after 1 s
+  FAIL  waits for what never comes: undecided at the end, after 1 s
         frobc view failed/waits-for-what-never-comes.csv around.frob --robot pioneer --entry 'judge test waits for what never comes' --at 1s
-  ok    nothing is asked: 1 s; never came to matter
+  ok    nothing is asked: 1 s; never checked
   ok    touches nothing: 4 seeds, 20 s
-  FAIL  goes far in no time: 2 of 2 seeds; seed 3: not so at N s
-        x N m, y N m, heading N rad, clearance N m, touched by nothing, N m driven, odometry off by N m
+  FAIL  goes far in no time: 2 of 2 seeds; seed 3: failed at N s
+        x N m, y N m, heading N rad, clearance N m, N m driven, odometry off by N m
+        collisions: 0
         out.forward: N, then N
         out.turn: N, then N
         probe.main.assert is slow, "always": Holds, then Holds
-        fails so without any of the world's disturbances: failed/goes-far-in-no-time-3.toml
         picture: failed/goes-far-in-no-time-3.png
-        frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world failed/goes-far-in-no-time-3.toml --seed 3 --at Ns
+        frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world room.toml --seed 3 --at Ns
+        a simpler run fails too, without any of the world's disturbances: seed 3: failed at N s
+          world: failed/goes-far-in-no-time-3-simpler.toml
+          x N m, y N m, heading N rad, clearance N m, N m driven, odometry off by N m
+          collisions: 0
+          out.forward: N, then N
+          out.turn: N, then N
+          probe.main.assert is slow, "always": Holds, then Holds
+          picture: failed/goes-far-in-no-time-3-simpler.png
+          frobc view failed/goes-far-in-no-time-3-simpler.csv around.frob --robot pioneer --world failed/goes-far-in-no-time-3-simpler.toml --seed 3 --at Ns
   FAIL  is never near the wall: 2 of 2 seeds; seed 1: `far from all` violated at N s
-        x N m, y N m, heading N rad, clearance N m, touched by nothing, N m driven, odometry off by N m
+        x N m, y N m, heading N rad, clearance N m, N m driven, odometry off by N m
+        collisions: 0
         out.forward: N, then N
         out.turn: N, then N
         probe.main.assert is slow, "always": Holds, then Holds
-        fails so without any of the world's disturbances: failed/is-never-near-the-wall-1.toml
         picture: failed/is-never-near-the-wall-1.png
-        frobc view failed/is-never-near-the-wall-1.csv around.frob --robot pioneer --world failed/is-never-near-the-wall-1.toml --seed 1 --at Ns
+        frobc view failed/is-never-near-the-wall-1.csv around.frob --robot pioneer --world room.toml --seed 1 --at Ns
+        a simpler run fails too, without any of the world's disturbances: seed 1: `far from all` violated at N s
+          world: failed/is-never-near-the-wall-1-simpler.toml
+          x N m, y N m, heading N rad, clearance N m, N m driven, odometry off by N m
+          collisions: 0
+          out.forward: N, then N
+          out.turn: N, then N
+          probe.main.assert is slow, "always": Holds, then Holds
+          picture: failed/is-never-near-the-wall-1-simpler.png
+          frobc view failed/is-never-near-the-wall-1-simpler.csv around.frob --robot pioneer --world failed/is-never-near-the-wall-1-simpler.toml --seed 1 --at Ns
   7 tests: 4 failed
   $ ls failed
   a-metre-takes-a-second.csv
+  goes-far-in-no-time-3-simpler.csv
+  goes-far-in-no-time-3-simpler.png
+  goes-far-in-no-time-3-simpler.toml
   goes-far-in-no-time-3.csv
   goes-far-in-no-time-3.png
-  goes-far-in-no-time-3.toml
+  is-never-near-the-wall-1-simpler.csv
+  is-never-near-the-wall-1-simpler.png
+  is-never-near-the-wall-1-simpler.toml
   is-never-near-the-wall-1.csv
   is-never-near-the-wall-1.png
-  is-never-near-the-wall-1.toml
   waits-for-what-never-comes.csv
 
 The outcome does not depend on how many processes run, and tools can read it.
@@ -90,11 +112,11 @@ The outcome does not depend on how many processes run, and tools can read it.
   $ frobc test around.frob --robot pioneer --json -j 5 | cmp - one
   $ sed -n 1,4p one
   {"file":"around.frob","label":"the wave stays small","ok":true,"lasts":2,"runs":[{"fate":"held","at":2,"by":""}]}
-  {"file":"around.frob","label":"a metre takes a second","ok":false,"lasts":2,"runs":[{"fate":"violated","at":1,"by":"judge"}],"shrunk":"","picture":"","view":"frobc view failed/a-metre-takes-a-second.csv around.frob --robot pioneer --entry 'judge test a metre takes a second' --at 1s"}
-  {"file":"around.frob","label":"waits for what never comes","ok":false,"lasts":1,"runs":[{"fate":"undecided","at":1,"by":"judge"}],"shrunk":"","picture":"","view":"frobc view failed/waits-for-what-never-comes.csv around.frob --robot pioneer --entry 'judge test waits for what never comes' --at 1s"}
+  {"file":"around.frob","label":"a metre takes a second","ok":false,"lasts":2,"runs":[{"fate":"violated","at":1,"by":"judge"}],"picture":"","view":"frobc view failed/a-metre-takes-a-second.csv around.frob --robot pioneer --entry 'judge test a metre takes a second' --at 1s"}
+  {"file":"around.frob","label":"waits for what never comes","ok":false,"lasts":1,"runs":[{"fate":"undecided","at":1,"by":"judge"}],"picture":"","view":"frobc view failed/waits-for-what-never-comes.csv around.frob --robot pioneer --entry 'judge test waits for what never comes' --at 1s"}
   {"file":"around.frob","label":"nothing is asked","ok":true,"lasts":1,"runs":[{"fate":"unasked","at":1,"by":""}]}
   $ frobc test around.frob --robot pioneer -k takes --junit tests.xml
-  FAIL  a metre takes a second: not so at 1.000 s
+  FAIL  a metre takes a second: failed at 1.000 s
         frobc view failed/a-metre-takes-a-second.csv around.frob --robot pioneer --entry 'judge test a metre takes a second' --at 1s
   1 test: 1 failed
   [1]
@@ -102,7 +124,7 @@ The outcome does not depend on how many processes run, and tools can read it.
   <?xml version="1.0" encoding="UTF-8"?>
   <testsuite name="frobc test" tests="1" failures="1" skipped="0">
     <testcase classname="around.frob" name="a metre takes a second">
-      <failure message="not so at 1.000 s">frobc view failed/a-metre-takes-a-second.csv around.frob --robot pioneer --entry 'judge test a metre takes a second' --at 1s</failure>
+      <failure message="failed at 1.000 s">frobc view failed/a-metre-takes-a-second.csv around.frob --robot pioneer --entry 'judge test a metre takes a second' --at 1s</failure>
     </testcase>
   </testsuite>
   $ frobc test around.frob --robot pioneer -k 'touches' --seeds 2
@@ -113,7 +135,7 @@ The command that is told shows the run: it compiles, and the recording is the pr
 
   $ view=$(sed -n 's/^ *\(frobc view .* --seed .*\)/\1/p' told | head -1)
   $ echo "$view" | numbers
-  frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world failed/goes-far-in-no-time-3.toml --seed 3 --at Ns
+  frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world room.toml --seed 3 --at Ns
   $ frobc view --only-build $(echo "$view" | cut -d' ' -f3-) > built && test -s "$(cat built)"
   $ frobc trace around.frob --robot pioneer --input failed/goes-far-in-no-time-3.csv --output again.csv
   assert "is slow, "always"": held
@@ -154,10 +176,13 @@ What a trial measures is told over its seeds, and in each run for tools.
         third: mean 1.013 s, deviation 0, from 1.013 (seed 4) to 1.013 (seed 4)
         least: mean 2 s, deviation 0, from 2 (seed 4) to 2 (seed 4)
         most: mean 3 s, deviation 0, from 3 (seed 4) to 3 (seed 4)
-  FAIL  has come to its end: 1 of 1 seed; seed 1: undecided at its end, after 1 s
+  FAIL  has come to its end: 1 of 1 seed; seed 1: undecided at the end, after 1 s
         mean: 0.5 s
-        none: no number
-        fails so without any of the world's disturbances: failed/has-come-to-its-end-1.toml
+        none: not measured
+        collisions: 0
+        a simpler run fails too, without any of the world's disturbances: seed 1: undecided at the end, after 1 s
+          world: failed/has-come-to-its-end-1-simpler.toml
+          collisions: 0
   2 tests: 1 failed
   $ frobc test measures.frob --robot pioneer --json -k end | sed -E 's/.*("measured":.*)\}\],.*/\1/'
   "measured":{"mean":0.5}
@@ -171,6 +196,7 @@ Compiled programs have nothing of it.
 
   $ mkdir plain && sed '/^test/,$d; /Past/d; /Trial/d; /Sources/d' around.frob > plain/around.frob
   $ frobc compile around.frob --robot pioneer -o with && frobc compile plain/around.frob --robot pioneer -o without
+  $ sed -i '1,/\*\//d' with/around.c without/around.c    # the sums of the sources
   $ diff with/around.c without/around.c | grep '^[<>]' | sed 's/line [0-9]*//'
   < /* main, around.frob:8 */
   > /* main, around.frob:5 */
@@ -191,19 +217,19 @@ What is wrong is told before anything runs, or in the place of a result.
   > trial "upside down" = Trial { world = "room.toml", lasts = 60[s], seeds = 20 `to` 2, judge = neverTouches }
   > FROB
   $ frobc test wrong.frob
-  error[E0392]: a test lasts for more than 0 s, and for 100,000 s at most; this one for -1 s
+  error[E0392]: a test must last more than 0 s and at most 100,000 s, but this one lasts -1 s
    --> wrong.frob:5:1
     |
   5 | test "backwards" = during (0 - 1[s]) (proc () -> True)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   
-  error[E0392]: what this test is to do is not known before it runs: it depends on the parameter `n`, which a run may set
+  error[E0392]: a test must be known before it runs, but this one depends on the parameter `n`, which a run may set
    --> wrong.frob:6:1
     |
   6 | test "whatever is set" = during n (proc () -> True)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   
-  error[E0392]: the seeds are from a number of at least 1 to one that is not less, not from 20 to 2
+  error[E0392]: the seeds must start at 1 or more and must not decrease, but these are from 20 to 2
    --> wrong.frob:7:1
     |
   7 | trial "upside down" = Trial { world = "room.toml", lasts = 60[s], seeds = 20 `to` 2, judge = neverTouches }
@@ -213,12 +239,12 @@ What is wrong is told before anything runs, or in the place of a result.
   [1]
   $ sed -i '/^test/d; s/20 `to` 2/1 `to` 2/; /^param/d' wrong.frob
   $ frobc test wrong.frob
-  FAIL  upside down: wrong is a program for no robot; `reactimateRobot` makes one
+  FAIL  upside down: wrong is not a robot program; use `reactimateRobot` to make one
   1 test: 1 failed
   [1]
   $ sed -i 's/room/no_such_room/' wrong.frob
   $ frobc test wrong.frob
-  FAIL  upside down: there is no world `no_such_room.toml` beside the program
+  FAIL  upside down: there is no world `no_such_room.toml` beside wrong.frob or among the worlds of frobc: room.toml
   1 test: 1 failed
   [1]
   $ printf 'import Trial\ntest "a" = 3\ntest "a" = during 1[s] (proc () -> True)\n' > twice.frob
@@ -231,7 +257,7 @@ What is wrong is told before anything runs, or in the place of a result.
   3 | test "a" = during 1[s] (proc () -> True)
     |      ^^^
     |
-    = hint: take one of them out, or give it another name
+    = hint: remove one of them, or rename it
   
   1 error
   [1]
@@ -239,13 +265,13 @@ What is wrong is told before anything runs, or in the place of a result.
   error: no test has `nothing-like-it` in its label
   [2]
   $ mkdir empty && frobc test empty
-  error: there are no tests here: `test "…" = …` or `trial "…" = …`
+  error: there are no tests here: write `test "…" = …` or `trial "…" = …`
   [2]
   $ frobc test no_such.frob
   error: there is no file no_such.frob
   [2]
   $ frobc test around.frob --robot pioneer --seeds 0
-  error: --seeds takes a number of at least 1
+  error: --seeds must be a number of at least 1
   [2]
 
 What is wrong with a program is told once, however many of its tests need it.

@@ -1,6 +1,6 @@
-// A robot of a few lines behind a serial line in memory, for tests of drivers:
-// its protocol is the simulator's, its body moves as it is told, its bytes take
-// the time that the line's rate asks for. Time is virtual.
+// A minimal robot behind an in-memory serial line, for tests of drivers. It has the simulator's
+// protocol, its body moves as commanded, and its bytes take the time that the line's rate requires.
+// Time is virtual.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 constexpr std::int64_t ms = 1000000;
 constexpr std::int64_t second = 1000 * ms;
 
-// What the bench needs to know of each robot.
+// What the bench needs to know about each robot.
 struct ScoutKind {
     using Wire = frob::sim::ScoutWire;
     using Input = frob_scout_input;
@@ -39,15 +39,15 @@ struct CreateKind {
     static constexpr double separation_m = 0.235;
 };
 
-// What happens to the bytes of one direction. Tests of faults have their own.
+// Faults of one direction of the line; this class has none. Tests of faults define their own.
 struct NoFaults {
-    // Before each turn of both ends, up to `room` bytes may come by themselves.
+    // Before each turn of both ends, may add up to `room` bytes of its own.
     void begin(std::int64_t /*room*/, std::vector<std::uint8_t> &) {}
-    // Adds the bytes that leave the line for `byte` that went into it.
+    // Appends the bytes that leave the line when `byte` enters it.
     void pass(std::uint8_t byte, std::vector<std::uint8_t> &out) { out.push_back(byte); }
-    // What went in together has gone in.
+    // All bytes of this turn have entered the line.
     void end() {}
-    // How much later than the line's rate asks for.
+    // Extra delay, in addition to the time that the line's rate requires.
     std::int64_t delay_ns(std::int64_t) { return 0; }
 };
 
@@ -71,8 +71,8 @@ class Bench
                          200 * ms);
     }
 
-    // Lets both ends act at the present time. The driver's bytes reach the robot
-    // at once; the robot's bytes take their time.
+    // Lets both ends act at the current time. The driver's bytes reach the robot at once; the
+    // robot's bytes take their time.
     void act()
     {
         std::uint8_t bytes[256];
@@ -92,8 +92,8 @@ class Bench
             acted();
     }
 
-    // Goes to the time `until_ns`, with both ends acting whenever something is
-    // due or all bytes are there, and every `tick_ns`.
+    // Advances to `until_ns`. Both ends act whenever something is due or all bytes have arrived,
+    // and every `tick_ns`.
     void run(std::int64_t until_ns)
     {
         while (time.now_ns < until_ns) {
@@ -136,22 +136,22 @@ class Bench
     frob_robot robot;
     frob_robot_state state = FROB_ROBOT_CONNECTING;
     typename Kind::Wire wire;
-    typename Kind::Input body{};  // what the body senses; the test may set any of it
-    typename Kind::Input input{}; // what the program last saw
+    typename Kind::Input body{};  // the body's sensor readings; tests may change them
+    typename Kind::Input input{}; // the program's last input
     double true_heading = 0;
     Faults to_robot, to_driver;
     std::int64_t rate = Kind::driver().rate;
     std::int64_t tick_ns = 5 * ms;
-    std::int64_t polled_ns = 0; // when the driver was polled last; it may have waited since
-    bool cut = false;           // the cable is: bytes go nowhere
+    std::int64_t polled_ns = 0; // time of the last poll; the driver may have waited since
+    bool cut = false;           // the cable is cut: all bytes are lost
 
-    // For tests that watch: both ends have acted; the robot has sent something,
-    // which is on its way as far as it got past the faults.
+    // Called after both ends have acted, and when the robot has sent bytes, which are in transit
+    // unless faults removed them.
     std::function<void()> acted;
     std::function<void(const std::vector<std::uint8_t> &)> sent;
 
   private:
-    // The body has moved as the wire told it before.
+    // Moves the body as the wire last commanded.
     void move()
     {
         const double elapsed_s = static_cast<double>(time.now_ns - moved_ns_) * 1e-9;
@@ -181,7 +181,7 @@ class Bench
         to_driver.end();
         sent_.swap(wire.to_client);
         wire.to_client.clear();
-        // A robot whose bytes do not get away drops new ones.
+        // A robot that cannot send its bytes drops new ones.
         if (cut || busy_ns_ > time.now_ns + 50 * ms)
             return;
         for (const std::uint8_t byte : passed_) {

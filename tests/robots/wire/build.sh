@@ -1,7 +1,7 @@
 #!/bin/sh
-# build.sh TEST ROOT [OPTION...]: builds TEST.cc with the drivers of Scout and
-# Create, what hosts drive them through, and the simulated robots' ends of the
-# line; with sanitizers unless there are other options. All of it as C++17.
+# build.sh TEST ROOT [OPTION...]: builds TEST.cc with the drivers of Scout and Create, the hosts'
+# code that runs them, and the simulated robots' ends of the line; with sanitizers unless other
+# options are given. Compiles everything as C++17.
 set -eu
 test=$1 root=$2
 shift 2

@@ -1,6 +1,7 @@
-// The simulated robots and the messages that real client libraries send them.
+// Tests the simulated robots with the messages that real client libraries send them.
 #include <cstring>
 #include <initializer_list>
+#include <string>
 #include <vector>
 
 #include "check.h"
@@ -19,6 +20,15 @@ static Bytes ask(Wire &wire, const Bytes &bytes)
     wire.to_client.clear();
     wire.receive(bytes.data(), bytes.size());
     return wire.to_client;
+}
+
+// The answer of a Create after a sensor refresh, at most two refreshes later.
+static Bytes answer(CreateWire &robot, const Bytes &bytes, std::int64_t &now_ns)
+{
+    ask(robot, bytes);
+    now_ns += 30 * ms;
+    robot.advance(now_ns);
+    return robot.to_client;
 }
 
 // pycreate2 0.8.0: Start, Safe, four songs, drive direct, Sensors 100, stop.
@@ -42,7 +52,8 @@ static void pycreate2()
     check(robot.mode() == CreateWire::Mode::safe && robot.right_mm_s() == 100 &&
               robot.left_mm_s() == 200,
           "pycreate2: notes that are opcodes play, drive direct drives");
-    const Bytes all = ask(robot, { 142, 100 });
+    std::int64_t now_ns = 0;
+    const Bytes all = answer(robot, { 142, 100 }, now_ns);
     check(all.size() == 80 && all[0] == 1, "pycreate2: group 100 has 80 bytes, bumps first");
     // Packets 7 to 34 are 42 bytes with the unused 32 and 33; then comes the mode.
     check(all.size() == 80 && all[17] == 0x3A && all[18] == 0x98 && all[40] == 2,
@@ -51,7 +62,7 @@ static void pycreate2()
     check(robot.left_mm_s() == 0, "pycreate2: stop");
 }
 
-// A stream of nothing ends the stream; the bits of the light bumpers have a threshold.
+// A request for an empty stream ends the stream; the bits of the light bumpers have a threshold.
 static void streams_and_lights()
 {
     CreateWire robot;
@@ -60,7 +71,8 @@ static void streams_and_lights()
     body.light[5] = 10;
     robot.sense(body, 0);
     ask(robot, { 128 });
-    check(ask(robot, { 142, 45 }) == Bytes{ 0x20 }, "faint light sets no bit");
+    std::int64_t now_ns = 0;
+    check(answer(robot, { 142, 45 }, now_ns) == Bytes{ 0x20 }, "faint light sets no bit");
     ask(robot, { 148, 1, 7 });
     robot.advance(100 * ms);
     check(!robot.to_client.empty(), "a stream");
@@ -72,7 +84,7 @@ static void streams_and_lights()
     check(robot.to_client.empty(), "and there is none to resume");
 }
 
-// libcreate: a stream of its packets, each frame with the header in its sum.
+// libcreate: a stream of its packets, in frames whose checksum includes the header.
 static void libcreate()
 {
     static const Bytes ids = { 7,  8,  9,  10, 11, 12, 13, 14, 15, 17, 18, 21, 22, 23, 24, 25,
@@ -127,17 +139,74 @@ static void pyroombaadapter()
     ask(robot, { 173 });
     ask(robot, { 128 });
     ask(robot, { 131 });
-    check(ask(robot, { 142, 35 }) == Bytes{ 2 }, "pyroombaadapter: the mode alone");
-    check(ask(robot, { 142, 22 }) == (Bytes{ 0x3E, 0x80 }),
+    std::int64_t now_ns = 0;
+    check(answer(robot, { 142, 35 }, now_ns) == Bytes{ 2 }, "pyroombaadapter: the mode alone");
+    check(answer(robot, { 142, 22 }, now_ns) == (Bytes{ 0x3E, 0x80 }),
           "pyroombaadapter: the voltage alone, high byte first");
-    check(ask(robot, { 142, 29 }) == (Bytes{ 0x05, 0xDC }) &&
-              ask(robot, { 142, 28 }) == (Bytes{ 0, 0 }),
+    check(answer(robot, { 142, 29 }, now_ns) == (Bytes{ 0x05, 0xDC }) &&
+              answer(robot, { 142, 28 }, now_ns) == (Bytes{ 0, 0 }),
           "pyroombaadapter: a cliff's signal alone");
-    check(ask(robot, { 149, 2, 43, 35 }) == (Bytes{ 0, 0, 2 }),
+    check(answer(robot, { 149, 2, 43, 35 }, now_ns) == (Bytes{ 0, 0, 2 }),
           "pyroombaadapter: a list of packets");
     ask(robot, { 137, 0, 58, 0, 1 });
     check(robot.left_mm_s() == -58 && robot.right_mm_s() == 58,
           "pyroombaadapter: turn counter-clockwise in place");
+}
+
+// A client that writes a query, discards its received data, and then reads, gets the answer.
+static void answers_come_later()
+{
+    bool early = false, late = false;
+    for (int phase = 0; phase < 150; ++phase) {
+        CreateWire robot;
+        const std::int64_t asked_ns = 30 * ms + phase * ms / 10;
+        ask(robot, { 128 });
+        robot.sense({}, asked_ns);
+        ask(robot, { 142, 35 });
+        robot.advance(asked_ns + 999000);
+        early = early || !robot.to_client.empty();
+        robot.advance(asked_ns + 16 * ms);
+        late = late || robot.to_client != Bytes{ 1 };
+    }
+    check(!early, "a Create's answer is not there within a millisecond");
+    check(!late, "it is there after the next refresh of the sensors");
+    CreateWire robot;
+    ask(robot, { 128 });
+    ask(robot, { 142, 35 });
+    robot.receive(Bytes{ 142, 21 }.data(), 2);
+    robot.advance(15 * ms);
+    check(robot.to_client == (Bytes{ 1, 0 }),
+          "two questions in one cycle are answered together, in order");
+}
+
+static std::string text_of(const Bytes &bytes)
+{
+    return { bytes.begin(), bytes.end() };
+}
+
+static void restarts()
+{
+    CreateWire robot;
+    ask(robot, { 128 });
+    ask(robot, { 132 });
+    ask(robot, { 145, 0, 100, 0, 100 });
+    ask(robot, { 148, 1, 35 });
+    ask(robot, { 7 });
+    check(robot.mode() == CreateWire::Mode::off && robot.left_mm_s() == 0,
+          "opcode 7 stops the robot");
+    robot.advance(999 * ms);
+    check(robot.to_client.empty(), "at first it is silent, and its stream has ended");
+    robot.advance(1000 * ms);
+    check(text_of(robot.to_client).rfind("bl-start\r\nSTR730\r\nbootloader id: ", 0) == 0,
+          "then its bootloader speaks");
+    ask(robot, { 128 });
+    ask(robot, { 7 });
+    check(robot.mode() == CreateWire::Mode::off, "and it hears nothing");
+    robot.advance(3000 * ms);
+    check(text_of(robot.to_client).rfind("Roomba by iRobot!\r\n", 0) == 0, "then the robot");
+    ask(robot, { 128 });
+    std::int64_t now_ns = 3000 * ms;
+    check(answer(robot, { 142, 35 }, now_ns) == Bytes{ 1 }, "and it can be started");
 }
 
 static void create_in_safe_mode()
@@ -179,7 +248,7 @@ static Bytes scout_packet(std::uint8_t type, const Bytes &data)
     return packet;
 }
 
-// What CARMEN's scoutlib and Jenkin's programs send at their start.
+// The messages that CARMEN's scoutlib and Jenkin's programs send when they start.
 static void scout_programs()
 {
     ScoutWire robot;
@@ -260,6 +329,8 @@ int main()
     streams_and_lights();
     libcreate();
     pyroombaadapter();
+    answers_come_later();
+    restarts();
     create_in_safe_mode();
     scout_programs();
     scout_moves();

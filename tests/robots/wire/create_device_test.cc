@@ -1,5 +1,6 @@
-// The Create's driver against the simulated robot's end of the line.
+// Tests the Create's driver against the simulated robot's end of the line.
 #include "bench.h"
+#include "slow.h"
 #include "drivers/create/lights.h"
 #include "check.h"
 
@@ -105,7 +106,7 @@ static void stops_when_frames_stay_away()
     b.start();
     b.run(b.time.now_ns + second);
     b.drive(0.3, 0, second);
-    b.cut = true; // towards the driver; the robot still hears
+    b.cut = true; // towards the driver only; the robot still hears
     b.drive(0.3, 0, 350 * ms);
     check(b.state == FROB_ROBOT_STALE && b.wire.left_mm_s() == 0,
           "create: stale frames stop the robot");
@@ -124,8 +125,8 @@ static void stops_when_frames_stay_away()
           "create: a silent robot is lost");
 }
 
-// 145 mm/s to the right is 00 91, and 91 is the opcode: without padding a lost
-// byte would be felt for ever.
+// 145 mm/s on the right is 00 91, and 91 is the opcode: without padding, the effects of a lost byte
+// would last forever.
 static void a_lost_byte_is_felt_once()
 {
     CreateBench b;
@@ -210,10 +211,37 @@ static void keeps_its_place_when_connected_again()
     check(b.wire.left_mm_s() == 0, "create: and begins at rest");
 }
 
+// A line that delays the robot's bytes.
+struct Delayed : NoFaults {
+    std::int64_t delay_ns(std::int64_t) { return 120 * ms; }
+};
+
+// After a session was killed, the robot still streams frames of mode Safe. On a slow line they
+// arrive when the next session already waits for that mode, and frames of mode Passive follow.
+static void frames_of_an_earlier_session_are_no_fault()
+{
+    Bench<CreateKind, Delayed> b;
+    b.start();
+    b.run(b.time.now_ns + second);
+    b.drive(0.3, 0, second);
+    for (int phase = 0; phase < 15; ++phase) {
+        b.run(b.time.now_ns + phase * ms);
+        b.start();
+        b.run(b.time.now_ns + second);
+        check(b.state == FROB_ROBOT_READY, "create: frames of an earlier session are no fault");
+        check(b.wire.left_mm_s() == 0, "create: and do not make it drive");
+    }
+    b.body.cliffs[1] = true;
+    b.drive(0.3, 0, 300 * ms);
+    check(b.state == FROB_ROBOT_FAILED && b.robot.status == FROB_REFUSED,
+          "create: a cliff still is one");
+}
+
 int main()
 {
     connects_and_drives();
     limits_wheels_together();
+    turns_slowly<CreateKind>();
     senses();
     leaving_safe_mode_is_a_fault();
     does_not_drive_in_the_air();
@@ -222,5 +250,6 @@ int main()
     lights_and_tones();
     counts_out_of_reach_are_refused();
     keeps_its_place_when_connected_again();
+    frames_of_an_earlier_session_are_no_fault();
     return check_status();
 }

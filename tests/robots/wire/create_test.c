@@ -1,5 +1,4 @@
-/* The Create 2's commands and frames, with the bytes of the protocol's
- * description. */
+/* Tests the Create 2's commands and frames with the bytes of the protocol's description. */
 #include "check.h"
 #include "random.h"
 
@@ -39,7 +38,7 @@ static void sizes(void)
     check(lights == 12, "the light bumpers have 12 bytes, as group 106");
 }
 
-/* Feeds bytes; gives how many frames they completed. */
+/* Feeds bytes; returns the number of frames that they completed. */
 static unsigned receive(struct frob_create_stream *stream, const uint8_t *bytes, size_t count,
                         struct frob_create_sensors *sensors)
 {
@@ -69,16 +68,16 @@ static void checksums(void)
           "a setting chooses");
 }
 
-/* Packets and their data, each field different. */
+/* Packets and their data, with a different value in each field. */
 static const uint8_t body[] = {
     7,  0x09,                                /* bump right, drop left */
     9,  1,    11,   1,                       /* cliffs left and front right */
-    28, 0x05, 0xDC, 31,   0x00, 0x2A,        /* signals of the left and right one */
+    28, 0x05, 0xDC, 31,   0x00, 0x2A,        /* signals of these two cliff sensors */
     13, 1,    14,   0x08, 17,   161,  18, 1, /* virtual wall, overcurrent, infrared, clean */
     21, 2,    22,   0x3A, 0x98,              /* charging, 15000 mV */
     25, 0x07, 0xD0, 26,   0x0A, 0x8C, 35, 2, /* 2000 of 2700 mAh, safe */
     43, 0xFF, 0xFE, 44,   0x00, 0x13, 23, 0xFE, 0xD4, /* counts; a packet without a field */
-    46, 0x0F, 0xFF, 51,   0x00, 0x13
+    46, 0x0F, 0xFF, 51,   0x00, 0x13,
 };
 
 static const uint8_t body_ids[] = { 7,  9,  11, 28, 31, 13, 14, 17, 18, 21,
@@ -144,8 +143,8 @@ static void refused_lists(void)
           "the longest list can be");
 }
 
-/* Garbage, often made of what frames are made of, then a frame: it is found
- * with its last byte. */
+/* Garbage that often consists of typical frame bytes, then a frame, which must be found at its
+ * last byte. */
 static void garbage(void)
 {
     uint64_t seed = 1;
@@ -169,7 +168,7 @@ static void garbage(void)
     check(invented == 0, "garbage is no frame");
 }
 
-/* Every single bit error and lost byte of a frame is noticed. */
+/* Every single bit error and every lost byte of a frame must be detected. */
 static void errors(void)
 {
     struct frob_create_stream stream;

@@ -15,5 +15,5 @@ function, and call only what copies bytes or is in <math.h>.
   [1]
   $ awk 'NF == 2 && $2 !~ /^frob_/ { print $2 }' symbols | sort -u > called
   $ grep -vxE 'mem(chr|cmp|cpy|move|set)|str(cmp|cpy|len)|_GLOBAL_OFFSET_TABLE_|__assert_fail' called |
-  >   grep -vxE 'sin|cos|sincos|atan2|log2|lround|fmin|fmax|fmod'
+  >   grep -vxE 'sin|cos|sincos|atan2|log2|lround|fmin|fmax|fmod|round|floor|ceil'
   [1]

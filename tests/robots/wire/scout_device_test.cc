@@ -1,5 +1,6 @@
-// The Scout's driver against the simulated robot's end of the line.
+// Tests the Scout's driver against the simulated robot's end of the line.
 #include "bench.h"
+#include "slow.h"
 #include "check.h"
 
 using ScoutBench = Bench<ScoutKind>;
@@ -25,7 +26,7 @@ static void connects_and_drives()
     check(b.wire.left() == 0 && b.wire.right() == 0, "scout: rests after the session");
 }
 
-// The first two CONF_TM on their way to the robot lose a byte.
+// The first two CONF_TM commands to the robot lose a byte.
 struct LosesWatchdog : NoFaults {
     void pass(std::uint8_t byte, std::vector<std::uint8_t> &out)
     {
@@ -43,7 +44,7 @@ static void is_not_connected_before_its_watchdog_is_set()
     int watchdogs = 0;
     b.wire.log = [&](const std::string &text) { watchdogs += text == "CONF_TM 1"; };
     b.start();
-    for (int i = 0; i < 40; ++i) { // a host that stops it all the time
+    for (int i = 0; i < 40; ++i) { // a host that commands a stop all the time
         frob_robot_halt(&b.robot);
         b.run(b.time.now_ns + 17 * ms);
     }
@@ -58,7 +59,7 @@ static void limits_wheels_together()
     b.start();
     b.run(b.time.now_ns + second);
     b.drive(1, 5, 500 * ms);
-    check(b.wire.right() == 394 && b.wire.left() == 29,
+    check(b.wire.right() == 393 && b.wire.left() == 29,
           "scout: too fast a wheel slows both, and the curve stays");
     b.settings[FROB_SCOUT_LEFT_FIRST] = 1;
     b.drive(0, 1, 500 * ms);
@@ -100,7 +101,7 @@ static void stops_when_states_stay_away()
     b.start();
     b.run(b.time.now_ns + second);
     b.drive(0.5, 0, second);
-    b.cut = true; // towards the driver; the robot still hears
+    b.cut = true; // towards the driver only; the robot still hears
     b.drive(0.5, 0, 350 * ms);
     check(b.state == FROB_ROBOT_STALE && b.wire.left() == 0, "scout: stale states stop the robot");
     b.cut = false;
@@ -119,7 +120,7 @@ static void watchdog_ends_what_is_forgotten()
     b.start();
     b.run(b.time.now_ns + second);
     b.drive(0.5, 0, second);
-    // The host polls, and does not command any more.
+    // The host polls but sends no more commands.
     b.run(b.time.now_ns + 3 * second);
     check(b.wire.left() == 0, "scout: the robot's watchdog ends a motion that the host forgot");
 }
@@ -130,9 +131,9 @@ static void places_out_of_reach_are_refused()
     frob_scout_state state{};
     std::int64_t now_ns = second;
     bool taken = true;
-    state.heading = 900; // the counters' axes are turned a quarter
+    state.heading = 900; // the axes of the robot's counters are rotated by a quarter turn
     for (int i = 0; i <= 50; ++i, now_ns += 50 * ms) {
-        state.y = (32760 + 10 * i) & 0x7FFF; // 200 a second, over the counter's end
+        state.y = (32760 + 10 * i) & 0x7FFF; // 200 a second, past the counter's wraparound
         taken = taken && frob_scout_odometry_add(&o, &state, now_ns);
     }
     check(taken, "scout: places that wrap are taken");
@@ -171,6 +172,7 @@ int main()
     connects_and_drives();
     is_not_connected_before_its_watchdog_is_set();
     limits_wheels_together();
+    turns_slowly<ScoutKind>();
     senses();
     stops_when_states_stay_away();
     watchdog_ends_what_is_forgotten();

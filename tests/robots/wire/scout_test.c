@@ -1,4 +1,4 @@
-/* The Scout's packets, with the bytes of the protocol's description. */
+/* Tests the Scout's packets with the bytes of the protocol's description. */
 #include "check.h"
 #include "random.h"
 
@@ -57,14 +57,14 @@ static void numbers(void)
           "what the wire cannot hold is its largest number");
 }
 
-/* A state packet with every field different. */
+/* A state packet with a different value in every field. */
 static const uint8_t state_data[FROB_SCOUT_STATE_DATA] = {
     255,  17,   18,   19,   20,   21,   22,   23,   24, 25, 26, 27, 28, 29, 30, 31, /* sonars */
     0x01, 0x02, 0x80,                                                               /* bumpers */
     0xE8, 0x03, 0xD0, 0x87,                         /* x 1000, y -2000 */
     0x08, 0x07, 0x08, 0x07,                         /* heading 1800, turret */
     0x64, 0x00, 0x64, 0x80, 0x00, 0x00, 0x00, 0x00, /* velocities, compass */
-    0x5B, 0x78, 0x56, 0x34, 0x12, 0xFF, 0x00        /* status, time, voltages */
+    0x5B, 0x78, 0x56, 0x34, 0x12, 0xFF, 0x00,       /* status, time, voltages */
 };
 
 static struct frob_scout_packet state_packet(uint8_t type)
@@ -112,8 +112,8 @@ static void steps(void)
     check(frob_scout_heading_step(0, 1800) == 1800, "half a turn");
 }
 
-/* Garbage, often made of what frames are made of, then a packet: it is found
- * with its last byte, and what was found before ends before it. */
+/* Garbage that often consists of typical packet bytes, then a packet, which must be found at its
+ * last byte; packets found earlier must end before it. */
 static void garbage(void)
 {
     static const uint8_t likely[] = { 0x01, 0x02, 0x2C, 0x00, 0x5C, 0x07 };
@@ -140,12 +140,12 @@ static void garbage(void)
                   memcmp(found.data, packet.data, packet.count) != 0;
     }
     check(missed == 0, "a packet after any garbage is found with its last byte");
-    /* Six bytes of garbage are a packet with probability 2^-32 or so; the likely
-     * bytes make it more. */
+    /* Six random bytes form a packet with a probability of about 2^-32; the typical bytes raise
+     * it. */
     check(invented < 20, "garbage is hardly ever a packet");
 }
 
-/* Every single bit error, lost byte and doubled byte of a packet is noticed. */
+/* Every single bit error, lost byte and duplicated byte of a packet must be detected. */
 static void errors(void)
 {
     struct frob_scout_packet packet = state_packet(FROB_SCOUT_GS), found;
@@ -168,9 +168,9 @@ static void errors(void)
     check(accepted == 0, "a packet with a wrong bit or without a byte is no packet");
 }
 
-/* States come every 20 ms; a transducer's turn is every 640 ms. Its reading is
- * the same in the first two turns, and another in the third, whose echo comes
- * 30 ms later. It is heard once a turn, and the old reading not once more. */
+/* States arrive every 20 ms; a transducer fires every 640 ms. Its reading is the same in the
+ * first two rounds, and different in the third, whose echo comes 30 ms later. The driver must
+ * report one echo per round, and not repeat the old reading. */
 static void turns(void)
 {
     struct frob_scout_sonar sonar;

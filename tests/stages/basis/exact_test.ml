@@ -3,7 +3,7 @@ open Basis
 let decimal text =
   match Exact.of_literal text with Some n -> n | None -> Alcotest.failf "%s is a decimal" text
 
-(* [digits.digitsE±dd], short and long. *)
+(* Decimals of the form [digits.digitsE±dd], short and long. *)
 let decimals =
   QCheck.Gen.(
     let digits low high = string_size ~gen:numeral (int_range low high) in
@@ -17,7 +17,7 @@ let rounding =
   QCheck.Test.make ~count:500 ~name:"a decimal is rounded as the C library rounds it" numbers
     (fun text -> Float.equal (Exact.to_float (decimal text)) (float_of_string text))
 
-(* With an exponent it is read another way. *)
+(* Numbers with an exponent take another path through the reader. *)
 let short =
   let digits low high = QCheck.Gen.(string_size ~gen:numeral (int_range low high)) in
   let text = QCheck.Gen.(map2 (fun a b -> a ^ "." ^ b) (digits 1 9) (digits 0 9)) in

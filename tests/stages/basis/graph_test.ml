@@ -1,4 +1,4 @@
-(* Basis.Graph: components in order of evaluation, shortest cycles. *)
+(* Tests Basis.Graph: components in order of evaluation, and shortest cycles. *)
 
 open Basis
 
@@ -42,7 +42,7 @@ let large () =
   let all = List.init 100_000 Fun.id in
   Alcotest.(check int) "the whole ring" 100_000 (List.length (Graph.shortest_cycle ring all))
 
-(* Small random graphs against definitions by reachability. *)
+(* Compares small random graphs with definitions by reachability. *)
 let graph_gen =
   QCheck.Gen.(
     int_range 1 8 >>= fun n ->

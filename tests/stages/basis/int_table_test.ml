@@ -1,13 +1,13 @@
-(* Basis.Int_table: the same as the standard library's hash tables. *)
+(* Tests that Basis.Int_table behaves like the standard library's hash tables. *)
 
 open Basis
 
-(* What was done with a table, judged by the standard library's. *)
+(* Operations on a table, for comparison with the standard library's. *)
 type action = Replace of int * int | Remove of int | Reset
 
 let action =
   let open QCheck.Gen in
-  (* keys near each other, far from each other, and below 0 *)
+  (* keys close together, keys far apart, and negative keys *)
   let key =
     oneof
       [ int_range (-8) 40; map (fun k -> k lsl 20) (int_range (-8) 8); oneofl [ min_int; max_int ] ]

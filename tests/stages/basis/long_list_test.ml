@@ -1,4 +1,4 @@
-(* Lists that are mapped: the judge is the standard library's [List]. *)
+(* Tests maps over long lists against the standard library's [List]. *)
 
 open Basis
 
@@ -8,7 +8,7 @@ let like_the_standard_one (list, k) =
   let f x = if x mod 10 = k then x + 1 else x in
   List.map f list = Long_list.map f list && List.map f list = Long_list.map_sharing f list
 
-(* The elements are boxed, and a new box is another element. *)
+(* The elements are boxed, so that physical equality shows whether an element was copied. *)
 let shares (list, k) =
   let list = List.map (fun x -> ref x) list in
   let f x = if !x = k then ref k else x in

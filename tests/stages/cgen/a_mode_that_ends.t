@@ -60,22 +60,20 @@ Of two ways to end each is asked, also where one holds wherever the other does.
   > END
   $ frobc compile turn.frob --lint
   $ sed -n '/^static.* turn_go_/,/^}/p' turn.c | sed "s, */\*.*,,"
-  static void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3, double *out_p_x,
-          bool *out_4)
+  static inline void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3,
+          double *out_p_x, bool *out_4)
   {
       const double p_x = in->f1.x;
       const double p_y = in->f1.y;
       const double a = in->f2;
       const bool t1 = p_x > 5.0;
-      const double t2 = frob_atan2(p_y, p_x) - a;
-      const double t3 = fabs(t2
-              - 6.283185307179586 * ceil((t2 - 3.141592653589793) / 6.283185307179586));
-      const bool t4 = t1 || t3 > 1.0;
+      const double t2 = fabs(turn_wrapAngle(frob_atan2(p_y, p_x) - a));
+      const bool t3 = t1 || t2 > 1.0;
       *out_3 = t1;
       *out_p_x = p_x;
-      *out_4 = t4;
-      if (!(t1 || t4)) {
-          *out_2 = t3;
+      *out_4 = t3;
+      if (!(t1 || t3)) {
+          *out_2 = t2;
       }
   }
   static inline double turn_go_turned(double q_y)

@@ -1,4 +1,4 @@
-/* Time is counted in whole nanoseconds from the first instant on. */
+/* Tests that time counts whole nanoseconds from the first instant on. */
 #include "clock.h"
 #include <math.h>
 #include <stdio.h>
@@ -20,7 +20,7 @@ static struct clock_output step(struct clock_state *state, double dt, double x)
     return out;
 }
 
-/* Time after a first instant and one more with this dt. */
+/* The time after a first instant and one more with this dt. */
 static double after(double dt)
 {
     struct clock_state state;

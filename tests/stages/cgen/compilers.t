@@ -12,14 +12,14 @@ They refuse to compile where numbers would not be IEEE doubles.
 
   $ refused () { "$@" -std=c99 $flags hold.c 2>&1 | grep -o 'error:.*compile without.*"'; }
   $ for option in -ffast-math -ffinite-math-only -freciprocal-math -fno-signed-zeros; do refused gcc $option; done
-  error: #error "the program's numbers are IEEE 754's: compile without -ffast-math and its parts"
-  error: #error "the program's numbers are IEEE 754's: compile without -ffast-math and its parts"
-  error: #error "the program's numbers are IEEE 754's: compile without -ffast-math and its parts"
-  error: #error "the program's numbers are IEEE 754's: compile without -ffast-math and its parts"
+  error: #error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
+  error: #error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
+  error: #error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
+  error: #error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
   $ refused clang -ffast-math
-  error: "the program's numbers are IEEE 754's: compile without -ffast-math and its parts"
+  error: "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
   $ refused clang -ffinite-math-only
-  error: "the program's numbers are IEEE 754's: compile without -ffast-math and its parts"
+  error: "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
 
 The same program gives the same text, every time.
 

@@ -1,4 +1,4 @@
-(* Writes the C of the programs named on the command line, or of all. *)
+(* Writes the C of the programs named on the command line, or of all programs. *)
 
 let write path text =
   let out = open_out_bin path in

@@ -17,7 +17,7 @@ let tuple shapes =
 let program ?(sums = [||]) b name ~input ~output =
   { (Build.program ~sums b) with name; input; output }
 
-(* The paper's wall follower, with its gains and limits as literals. *)
+(* The wall follower from the paper, with its gains and limits as literals. *)
 let wall_follow =
   let b = create () in
   let _ =
@@ -57,7 +57,7 @@ let maybe_float =
       ];
   }
 
-(* A value that holds between occurrences, and a count of them. *)
+(* A value that is held between occurrences, and a counter of them. *)
 let hold =
   let b = create () in
   let _ =
@@ -89,8 +89,8 @@ let hold =
   program b "hold" ~sums:[| maybe_float |] ~input:(leaf (Sum 0))
     ~output:(tuple [ leaf (Sum 0); leaf Int ])
 
-(* What only one branch needs is computed there, for all values that one
-   condition chooses. *)
+(* A computation needed in only one branch moves into it, for all values that the same condition
+   selects. *)
 let branches =
   let b = create () in
   let _ =
@@ -113,8 +113,8 @@ let branches =
     ~input:(tuple [ leaf Float; leaf Float ])
     ~output:(tuple [ leaf Float; leaf Float; leaf Float; leaf Float ])
 
-(* A choice that decides about itself from step to step is a branch to be
-   predicted, a choice by the input is not. *)
+(* If a choice determines itself from step to step, it becomes a predictable branch; a choice
+   that depends on the input does not. *)
 let feedback =
   let b = create () in
   let _ =
@@ -214,7 +214,7 @@ let instances =
   in
   program b "drive" ~input:goal ~output:(tuple [ leaf Float; leaf Float ])
 
-(* Names that C would not take, or would take for something else. *)
+(* Names that are not valid in C, or mean something else there. *)
 let names =
   let b = create () in
   let _ =
@@ -231,7 +231,7 @@ let names =
   in
   program b "names" ~input:(tuple [ leaf Float; leaf Float ]) ~output:(leaf Float)
 
-(* Every operation whose result the language fixes where C does not. *)
+(* Every operation whose result the language defines but C leaves undefined. *)
 let totality =
   let b = create () in
   let _ =
@@ -303,7 +303,7 @@ let totality =
             ]
          @ names Float [ "fmin"; "fmax"; "fsignum"; "capped"; "raised"; "min0"; "max0"; "limit" ]))
 
-(* Local time, and what depends on the first instant and on odd values of dt. *)
+(* Local time, and values that depend on the first instant or on unusual values of dt. *)
 let clock =
   let b = create () in
   let _ =
@@ -316,7 +316,7 @@ let clock =
   in
   program b "clock" ~input:(leaf Float) ~output:(tuple [ leaf Float; leaf Float; leaf Float ])
 
-(* Sums in sums, laid flat; () and tuples inside; for the host's table too. *)
+(* Nested sums, which are flattened; with () and tuples inside; also for the host's table. *)
 let shapes =
   let either =
     {

@@ -1,3 +1,3 @@
-(** Flow programs built by hand, each for the point that its name makes. *)
+(** Flow programs built by hand. Each illustrates the point that its name describes. *)
 
 val all : (string * Flow.Ir.program) list

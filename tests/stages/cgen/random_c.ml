@@ -1,8 +1,8 @@
-(* Random programs as C, a driver that runs them all on random input, and what
-   the evaluator says that it must print: bits, so that nothing is lost.
+(* Writes random programs as C, a driver that runs all of them on random input, and the expected
+   output according to the evaluator. Numbers are printed as bits, so that nothing is lost.
 
-   Every other program is only inlined, so that the C of what optimization
-   would simplify is tested too. *)
+   Every other program is inlined but not optimized, so that the test also covers C that
+   optimization would simplify. *)
 
 open Flow
 
@@ -20,7 +20,7 @@ let bits x =
   let x = if Float.is_nan x then Evaluate.nan else x in
   Printf.sprintf "%Lx" (Int64.bits_of_float x)
 
-(* As the driver prints it. A slot that the constructor does not use is 0. *)
+(* The format of the driver. A slot that the constructor does not use is 0. *)
 let printed : Evaluate.value -> string = function
   | Bool b -> if b then "1" else "0"
   | Int n -> Int32.to_string n
@@ -115,8 +115,8 @@ let is_causal program =
   Causality.check sink ~entry:(Build.span "test.frob" 1) program;
   not (Basis.Diagnostic.has_errors sink)
 
-(* The evaluator adds seconds, the C code whole nanoseconds: the same where
-   binary fractions are exact. *)
+(* The evaluator adds seconds, while the C code adds whole nanoseconds. Both agree if the times
+   are exact binary fractions. *)
 let exact_dt (i : Evaluate.instant) = if i.dt = 0.1 then { i with dt = 0.125 } else i
 
 let rec causal rng =

@@ -12,3 +12,36 @@
   2.000000000,-3,-3,-3
   $ CC=clang frobc trace zero.frob --input zero.csv | cksum > clang
   $ frobc trace zero.frob --input zero.csv --engine interp | cksum | cmp - clang
+
+clang 13 to 15 take `x > 0.0 ? -0.0 : x` for one with `>=`, so that a zero x comes out with the
+wrong sign. They cannot where they do not see that the other zero is negative. Every choice
+between a number and a zero, whatever the signs, is right:
+
+  $ python3 > choices.frob <<'PY'
+  > choices, joined = [], []
+  > for zero in "0", "-0.0":
+  >     choices += [f"min x ({zero})", f"max x ({zero})", f"min ({zero}) x", f"max ({zero}) x", f"limit ({zero}) x"]
+  >     choices += [f"clamp ({zero}) {other} x" for other in ("0", "(-0.0)", "1")]
+  >     joined += [f"min (Just x) (Just ({zero}))", f"max (Just x) (Just ({zero}))", f"max (Just ({zero})) (Just x)"]
+  >     for order in "<", "<=", ">", ">=", "==", "/=":
+  >         for result in "0", "-0.0", "-x":
+  >             choices += [f"if x {order} {zero} then {result} else x", f"if x {order} {zero} then x else {result}"]
+  >             joined += [f"if x {order} {zero} then Just ({result}) else Just x"]
+  > tail = [f"if {i} < b then {c} else x" for i, c in enumerate(choices[:8])]
+  > print("import Control\nmain :: SF (Float, Float) (Array %d Float, Array %d (Maybe Float), Array %d Float)" % (len(choices), len(joined), len(tail)))
+  > print("main = proc (x, b) -> ([%s], [%s], [%s])" % tuple(", ".join(list) for list in (choices, joined, tail)))
+  > PY
+  $ printf 'time,in.1,in.2\n0,0,0\n1,-0.0,-0.0\n2,3,5\n3,-3,2\n4,nan,0\n5,inf,nan\n6,-inf,9\n' > choices.csv
+  $ for real in double float; do
+  >   frobc trace --real $real choices.frob --input choices.csv --engine interp > interp
+  >   for cc in gcc clang; do CC=$cc frobc trace --real $real choices.frob --input choices.csv | cmp - interp; done
+  > done
+
+The C has no negative zero that a compiler could see, and none in a comparison at all:
+
+  $ frobc compile choices.frob
+  $ grep -c -e '-0\.0' choices.c
+  0
+  [1]
+  $ grep -c 'frob_negative_zero()' choices.c | sed 's/[1-9][0-9]*/some/'
+  some

@@ -1,5 +1,5 @@
-/* Numbers are total: what the language reference, section 4, says of the
- * corners where C leaves the result open. */
+/* Tests that operations on numbers are total: the corner cases that C leaves undefined, as
+ * section 4 of the language reference defines them. */
 #include "totality.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
-(* [elaborate_file STAGE LIBRARY FILE]: a file's definitions as Typed or as Core
-   (STAGE [typed] or [core]), checked by the lints; or what is wrong with it. *)
+(* [elaborate_file STAGE LIBRARY FILE] prints a file's definitions as Typed or as Core (STAGE is
+   [typed] or [core]) after checking them with the lints; or its diagnostics. *)
 
 open Basis
 

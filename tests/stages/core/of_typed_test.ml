@@ -1,4 +1,4 @@
-(* Each test: a Typed program built by hand, and its Core as text. *)
+(* Each test translates a hand-built Typed program and compares the resulting Core as text. *)
 
 open Trees
 

@@ -87,7 +87,7 @@ let run ?statics b index inputs name =
   call ?statics ~line:(Span.line s.span.start) b index inputs [ s ];
   Ir.Signal s
 
-(* One of each type that a parameter may have. *)
+(* One parameter of each type that parameters can have. *)
 let params : Ir.param list =
   let param label param_ty default : Ir.param =
     { label; param_ty; unit_ = ""; default; doc = None; declared = span "test.frob" 1 }

@@ -1,50 +1,50 @@
-(** Flow programs by hand, for tests.
+(** Builds Flow programs by hand, for tests.
 
-    Lines number themselves: every signal stands on a line of its own, in the order of creation
-    within its node, unless [line] says another. *)
+    Lines are numbered automatically: within a node, signals are on consecutive lines in the order
+    of their creation, unless [line] is given. *)
 
 open Flow
 
 type t
-(** A program being built. *)
+(** A program under construction. *)
 
 type node
-(** A node being built. *)
+(** A node under construction. *)
 
 val create : unit -> t
 
 val span : string -> int -> Basis.Span.t
-(** A line of a file. *)
+(** A line of a file, as a span. *)
 
 val node : ?kind:Ir.kind -> ?file:string -> t -> string -> (node -> (string * Ir.atom) list) -> int
-(** Adds the node whose outputs the function gives; its index. *)
+(** Adds a node; the function builds it and returns its outputs. Returns its index. *)
 
 val static : ?ty:Ir.ty -> node -> string -> Ir.atom
 val input : ?ty:Ir.ty -> node -> string -> Ir.atom
 
 val declare : ?ty:Ir.ty -> ?line:int -> ?group_of:Ir.signal -> node -> string -> Ir.signal
-(** For feedback: a signal that {!define} defines later. *)
+(** Declares a signal that {!define} defines later, for feedback. *)
 
 val define : node -> Ir.signal -> Ir.rhs -> unit
 
 val let_ : ?ty:Ir.ty -> ?line:int -> node -> string -> Ir.rhs -> Ir.atom
-(** Both at once. *)
+(** Declares and defines a signal. *)
 
 val param : Ir.ty -> Ir.rhs
-(** That of {!params} of this type: Bool, Int or Float. *)
+(** The parameter of {!params} with this type: Bool, Int or Float. *)
 
 val op : ?ty:Ir.ty -> node -> Ir.operator -> Ir.atom list -> Ir.atom
-(** An operation without a name. *)
+(** A signal without a name that holds the result of an operation. *)
 
 val call :
   ?statics:Ir.atom list -> ?line:int -> node -> int -> Ir.atom list -> Ir.signal list -> unit
-(** An instance, with its inputs and the declared signals that it defines. *)
+(** Adds an instance, with its inputs and the declared signals that it defines. *)
 
 val run : ?statics:Ir.atom list -> node -> int -> Ir.atom list -> string -> Ir.atom
-(** An instance with one output, of that name and of type Float. *)
+(** Adds an instance with one output of type Float and this name. *)
 
 val params : Ir.param list
-(** One of each type that a parameter may have. *)
+(** One parameter of each type that parameters can have. *)
 
 val program : ?sums:Ir.sum array -> ?params:Ir.param list -> t -> Ir.program
-(** The last node is the root. *)
+(** The finished program; the last node is its root. *)

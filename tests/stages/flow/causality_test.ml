@@ -1,5 +1,4 @@
-(* Flow.Causality: which programs have a loop within one instant, and how the
-   loop is shown. *)
+(* Tests Flow.Causality: which programs have a loop within one instant, and how it is reported. *)
 
 open Basis
 open Flow
@@ -30,7 +29,8 @@ let zero = Ir.Float 0.
 let loop_of_two () =
   check
     [
-      "test.frob:2 E0401: signal `speed` needs its own value in the same instant [reads `err` here]\n\
+      "test.frob:2 E0401: the signal `speed` needs its own value in the same instant [reads `err` \
+       here]\n\
       \  test.frob:3: `err` reads `speed` here\n\
       \  hint: let `err` read the previous value of `speed`: `delay x0 speed`, where `x0` is the \
        initial value";
@@ -69,7 +69,7 @@ let both_branches_count () =
   in
   let expected =
     [
-      "test.frob:2 E0401: signal `x` needs its own value in the same instant [reads `x` here]\n\
+      "test.frob:2 E0401: the signal `x` needs its own value in the same instant [reads `x` here]\n\
       \  hint: let `x` read its own previous value: `delay x0 x`, where `x0` is the initial value";
     ]
   in
@@ -79,7 +79,7 @@ let both_branches_count () =
 let unnamed_are_skipped () =
   check
     [
-      "test.frob:1 E0401: signal `a` needs its own value in the same instant []\n\
+      "test.frob:1 E0401: the signal `a` needs its own value in the same instant []\n\
       \  test.frob:7: `a` reads `b` here\n\
       \  test.frob:9: `b` reads `a` here\n\
       \  hint: let `b` read the previous value of `a`: `delay x0 a`, where `x0` is the initial \
@@ -95,7 +95,7 @@ let unnamed_are_skipped () =
          Build.define b c (Copy right);
          [ ("", Signal a) ]))
 
-(* u passes to the first output at once, v only delayed to the second. *)
+(* u reaches the first output at once; v reaches the second only after a delay. *)
 let crossing p =
   Build.node p "crossing" (fun b ->
       let u = Build.input b "u" in
@@ -127,7 +127,7 @@ let leaf_by_leaf () =
   check [] (program ~feed:`Delayed_output);
   check
     [
-      "test.frob:2 E0401: signal `now` needs its own value in the same instant []\n\
+      "test.frob:2 E0401: the signal `now` needs its own value in the same instant []\n\
       \  test.frob:4: `now` reads `now` here, through `crossing`\n\
       \  hint: let `now` read its own previous value: `delay x0 now`, where `x0` is the initial \
        value";
@@ -147,7 +147,8 @@ let groups_are_judged_as_one () =
   check [] (program ~group:false);
   check
     [
-      "test.frob:1 E0401: signal `p.1` needs its own value in the same instant [reads `p.2` here]\n\
+      "test.frob:1 E0401: the signal `p.1` needs its own value in the same instant [reads `p.2` \
+       here]\n\
       \  hint: let `p.1` read the previous value of `p.1`, with `delay`";
     ]
     (program ~group:true)
@@ -181,7 +182,7 @@ let library_loop_shows_its_use () =
   ignore (Build.node p "main" (fun b -> [ ("", Build.run b between [] "y") ]));
   check
     [
-      "Prelude.frob:1 E0401: signal `c` needs its own value in the same instant [reads `c` here]\n\
+      "Prelude.frob:1 E0401: the signal `c` needs its own value in the same instant [reads `c` here]\n\
       \  test.frob:1: `between` runs here\n\
       \  hint: let `c` read its own previous value: `delay x0 c`, where `x0` is the initial value";
     ]
@@ -203,9 +204,9 @@ let library_loop_shows_what_it_closes () =
   ignore (Build.node p "main" (fun b -> [ ("", Build.run b loop [] "y") ]));
   check
     [
-      "Prelude.frob:1 E0401: signal `z` needs its own value in the same instant [reads `z` here, \
-       through `step`]\n\
-      \  test.frob:2: `step` passes `c` on to this in the same instant\n\
+      "Prelude.frob:1 E0401: the signal `z` needs its own value in the same instant [reads `z` \
+       here, through `step`]\n\
+      \  test.frob:2: `step` passes `c` to this in the same instant\n\
       \  test.frob:1: `loop` runs here\n\
       \  hint: let `step` read the previous value of `c`, with `delay`";
     ]

@@ -1,12 +1,12 @@
-(* Local time in nanoseconds: what is computed of the kept nanoseconds is, bit
-   for bit, what is computed of seconds. *)
+(* Tests local time in nanoseconds: values computed from the stored nanoseconds must equal, bit
+   for bit, those computed from seconds. *)
 
 open Flow
 
 let of_seconds t = Clock.nanoseconds Double (Int64.to_float t /. 1e9)
 
-(* As in [runtime/include/frob/step.h]: two roundings are off by less than half a nanosecond
-   up to 2^51. *)
+(* The same bound as in [runtime/include/frob/step.h]: up to 2^51 the error of two roundings is
+   less than half a nanosecond. *)
 let exact_below = 0x4000000000000L
 
 let exact () =

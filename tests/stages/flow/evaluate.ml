@@ -27,7 +27,7 @@ let rec show = function
   | Sum (c, payload) -> Printf.sprintf "#%d(%s)" c (String.concat ", " (List.map show payload))
   | Array elements -> Printf.sprintf "[%s]" (String.concat ", " (List.map show elements))
 
-(* Quiet, unlike OCaml's own before 5.1. *)
+(* A quiet NaN; OCaml's own was signaling before 5.1. *)
 let nan = Int64.float_of_bits 0x7ff8_0000_0000_0000L
 
 let floor_div a b =
@@ -66,7 +66,7 @@ let operation (operator : Ir.operator) arguments =
   | Subtract, [ Int a; Int b ] -> Int (Int32.sub a b)
   | Multiply, [ Int a; Int b ] -> Int (Int32.mul a b)
   | Div, [ Int a; Int b ] ->
-      (* exact in double but for the one overflow *)
+      (* exact in double precision except for this overflow *)
       Int (if b = -1l then Int32.neg a else floor_div a b)
   | Mod, [ Int a; Int b ] ->
       let q = if b = -1l then Int32.neg a else floor_div a b in
@@ -121,12 +121,12 @@ let elements = function
   | Array elements -> elements
   | Bool _ | Int _ | Float _ | Sum _ -> failwith "not an array"
 
-(* Beyond every array if it is negative. *)
+(* Converts an index; a negative one becomes an index beyond every array. *)
 let position = function
   | Int n -> if n < 0l then max_int else Int32.to_int n
   | Bool _ | Float _ | Sum _ | Array _ -> failwith "not an Int"
 
-(* What a stateful equation remembers: see {!advance}. *)
+(* The state of a stateful equation: see {!advance}. *)
 type memory = { past : value; total : float }
 type clock = { dt : float; time : float; first : bool }
 
@@ -140,12 +140,12 @@ let since_tick clock memory (e : Ir.equation) =
 
 let is_due period time = period < 1. || Float.trunc period <= time
 
-(* The value of an equation, given how to read operands and memory. *)
+(* The value of an equation, given functions that read operands and memory. *)
 let value clock read memory (e : Ir.equation) =
   match e.rhs with
   | Copy a -> read a
   | Param _ -> (
-      (* Not what it is by default. *)
+      (* Values other than the default. *)
       match e.defines.ty with
       | Bool -> Bool true
       | Int -> Int 7l
@@ -193,7 +193,7 @@ let value clock read memory (e : Ir.equation) =
         if clock.dt = 0. then Float m.total
         else Float ((number (read a) -. number m.past) /. clock.dt)
 
-(* What it remembers for the next instant, its value now being [now]. *)
+(* The state for the next instant, given the current value [now]. *)
 let advance clock read memory now (e : Ir.equation) =
   match e.rhs with
   | Delay { next; _ } -> Some { past = read next; total = 0. }
@@ -213,11 +213,11 @@ let constant : Ir.atom -> value option = function
   | Float x -> Some (Float x)
   | Signal _ -> None
 
-(* One instance of a node, its state in it. *)
+(* An instance of a node, with its state. *)
 type frame = {
   node : Ir.node;
   children : (string * frame) list;
-  now : (int, value) Hashtbl.t;  (** values of this instant *)
+  now : (int, value) Hashtbl.t;  (** values at this instant *)
   memory : (int, memory) Hashtbl.t;
   schedule : Schedule.item list;
 }
@@ -253,7 +253,7 @@ let over_time root instants step =
 
 let root_index (program : Ir.program) = Array.length program.nodes - 1
 
-(* By demand *)
+(* {1 By demand} *)
 
 let by_demand (program : Ir.program) instants =
   let root = frame (fun _ -> []) program (root_index program) in
@@ -314,7 +314,7 @@ let by_demand (program : Ir.program) instants =
       List.iter (fun (frame, id, m) -> Hashtbl.replace frame.memory id m) !advances;
       outputs)
 
-(* By schedule *)
+(* {1 By schedule} *)
 
 let read table (a : Ir.atom) =
   match (constant a, a) with
@@ -329,7 +329,7 @@ let read table (a : Ir.atom) =
 let start : clock = { dt = 0.; time = 0.; first = true }
 let bind table = List.iter2 (fun (s : Ir.signal) v -> Hashtbl.replace table s.id v)
 
-(* Switches are tested as programs, in tests/meaning/switch. *)
+(* Switches are tested with whole programs, in tests/meaning/switch. *)
 let no_machines () = invalid_arg "Evaluate: a machine"
 
 let rec call frame clock statics inputs =
@@ -355,11 +355,11 @@ and run frame clock table = function
       let child = List.assoc i.name frame.children in
       let values = List.map (read table) in
       bind table i.outputs (call child clock (values i.statics) (values i.inputs));
-      (* a function may be called again within the instant *)
+      (* a function may be called several times in an instant *)
       if child.node.kind = Function then forget child
   | Trial _ | Machine _ -> no_machines ()
 
-(* What can be computed from the statics alone is, in the order of the step. *)
+(* Computes the signals that depend on statics alone, in the order of the step. *)
 let rec reset frame statics =
   let table = Hashtbl.create 16 in
   bind table frame.node.statics statics;

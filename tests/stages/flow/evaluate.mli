@@ -1,4 +1,4 @@
-(** What a Flow program means, evaluated directly: the judge of its passes. *)
+(** A direct evaluator of Flow programs. The tests compare the compiler's passes with it. *)
 
 open Flow
 
@@ -12,17 +12,18 @@ type value =
 type instant = { dt : float; inputs : value list }
 
 val nan : float
-(** A quiet one. *)
+(** A quiet NaN. *)
 
 val equal : value -> value -> bool
-(** Bit for bit, but that all NaN are one. *)
+(** Bitwise equality, except that all NaNs are equal. *)
 
 val show : value -> string
 
 val by_demand : Ir.program -> instant list -> value list list
-(** The outputs at each instant. Every signal is computed when it is asked for, through instances
-    leaf by leaf; needs no schedule. *)
+(** The outputs at each instant, without a schedule: computes each signal when it is needed, looking
+    through instances output by output. *)
 
 val by_schedule : Ir.program -> instant list -> value list list
-(** As the C code does it: each node's reset, then its step in the order of {!Flow.Schedule}, each
-    instance one call. Fails on a signal that is read before it is computed. *)
+(** The outputs at each instant, computed like the C code: each node's reset, then its step in the
+    order of {!Flow.Schedule}, with one call for each instance. Fails if a signal is read before it
+    is computed. *)

@@ -1,4 +1,4 @@
-(* Flow's passes: what each of them removes, and that none changes an output. *)
+(* Tests Flow's passes: what each of them removes, and that none of them changes an output. *)
 
 open Flow
 
@@ -50,7 +50,7 @@ let keeps_outputs pass evaluate seed =
     QCheck.Test.fail_reportf "%a@.became@.%a@.expected@.%s@.found@.%s" Print.program program
       Print.program optimized (show expected) (show found)
 
-(* A pass that finds nothing to do gives back what it got, which takes no memory. *)
+(* A pass that changes nothing must return the same value, which allocates no memory. *)
 let stays pass seed =
   let rng = Random.State.make [| seed |] in
   let program = Random_program.program rng in
@@ -78,7 +78,7 @@ let random_tests =
       (keeps_outputs (fun p -> Optimize.program p) Evaluate.by_schedule);
   ]
 
-(* Examples: the nodes that are left, as {!Print} shows them. *)
+(* Compares the remaining nodes with the expected text, in the format of {!Print}. *)
 
 let check expected program =
   Lint.program program;
@@ -134,7 +134,7 @@ let negations_are_not_kept () =
               let off = Build.let_ ~ty n "off" (Op (Not, [ x ])) in
               [ ("", Build.let_ ~ty n "d" (Delay { init = Bool true; next = off })) ])))
 
-(* Whether one of two events occurs, said by cases. *)
+(* Whether one of two events occurs, written as nested cases. *)
 let conditions_in_cases () =
   check
     [ "signal function main (a : Bool, b : Bool)"; "either : Bool = a || b"; "-> ( = either)" ]
@@ -154,7 +154,7 @@ let conditions_in_cases () =
               );
             ])))
 
-(* Of two conditions it does not matter how the other one is. *)
+(* Two conditions of which one makes the other irrelevant. *)
 let conditions_anyhow () =
   check
     [ "signal function main (a : Bool, b : Bool)"; "-> ( = a)" ]
@@ -188,7 +188,7 @@ let known_constructors () =
     ]
     (Optimize.program (Build.program ~sums:[| Random_program.maybe |] p))
 
-(* Two delays, each of a sum of its own. *)
+(* Two delays, each of its own sum. *)
 let delays first second =
   let main b =
     let x = Build.input b "x" in
@@ -214,7 +214,7 @@ let shared_delays () =
 let different_delays () =
   Alcotest.(check int) "0 and -0 are two" 3 (List.length (root (delays 0. (-0.))).equations)
 
-(* Too large to be inlined. *)
+(* A node that is too large to be inlined. *)
 let large_node ?(name = "large") p =
   Build.node p name (fun b ->
       let x = Build.input b "x" in

@@ -3,7 +3,8 @@ open Flow
 let any rng items = List.nth items (Random.State.int rng (List.length items))
 let chance rng percent = Random.State.int rng 100 < percent
 
-(* Newest first, the newer the likelier: so that what is computed is used. *)
+(* Chooses an item; the list starts with the newest, and newer items are likelier, so that most
+   computed values are used. *)
 let recent rng items =
   let n = List.length items in
   List.nth items (min (Random.State.int rng n) (Random.State.int rng n))
@@ -123,7 +124,7 @@ let operation scope ~static =
   let pick ty = choose scope ~static ty in
   match Random.State.int scope.rng 11 with
   | 10 ->
-      (* a distance from here to there, and one from there to here *)
+      (* a distance from one point to another, and one back *)
       let a = pick Float and b = pick Float and across = pick Float in
       let difference a b = Build.op scope.node Subtract [ a; b ] in
       let even : Ir.operator = any scope.rng [ Ir.Absolute; Elementary Cos; Elementary Hypot ] in
@@ -159,7 +160,7 @@ let operation scope ~static =
       ignore (define scope ~static ty (Copy (pick ty)))
   | 8 -> ignore (make_sum scope ~static)
   | _ ->
-      (* a payload is read only behind the test of its constructor *)
+      (* a payload may be read only after a test of its constructor *)
       let value = pick (Sum 0) in
       let condition = Build.let_ ~ty:Bool scope.node "" (Is_constructor (value, 1)) in
       let then_ = Build.let_ scope.node "" (Payload { value; constructor = 1; leaf = 0 }) in
@@ -185,7 +186,7 @@ let stateful scope =
   | 5 -> ignore (define scope Float Step_time)
   | _ -> ignore (define scope Float (Derivative (pick Float)))
 
-(* What callers have to know of the nodes built so far. *)
+(* The properties of a finished node that its callers need. *)
 type callee = {
   index : int;
   kind : Ir.kind;
@@ -228,8 +229,8 @@ let add_node rng program callees ~root =
           for _ = 1 to Random.State.int rng 4 do
             operation scope ~static:true
           done;
-        (* Feedback: declared here and read by delays, integrals and, where it
-           happens to be causal, instances. *)
+        (* Signals for feedback: declared here, and read by delays, integrals and (if that
+           happens to be causal) instances. *)
         let later =
           if kind = Function then []
           else some rng 3 (fun _ -> Build.declare ~ty:(any rng types) node "later")

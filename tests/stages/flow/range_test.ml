@@ -1,5 +1,5 @@
-(* What an operation may give, as a range, holds what it gives of any members of its
-   arguments' ranges. *)
+(* Checks that the range of an operation's result contains the result for any arguments within
+   their ranges. *)
 
 open Flow
 
@@ -39,7 +39,7 @@ let range = function
       let of_atom atom = Option.get (Range.of_constant atom) in
       List.fold_left (fun r atom -> Range.join r (of_atom atom)) (of_atom first) others
 
-(* Bounds, and numbers between them; NaN only where one is among the members. *)
+(* Chooses the bounds, or numbers between them; NaN only if the range contains it. *)
 let inside rng (r : Range.t) members : Ir.atom =
   let between a b = a +. ((b -. a) *. Random.State.float rng 1.) in
   match r with

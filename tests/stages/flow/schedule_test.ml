@@ -1,4 +1,4 @@
-(* Flow.Schedule: an order of evaluation, the source's own where possible. *)
+(* Tests Flow.Schedule: an order of evaluation that follows the source where possible. *)
 
 open Flow
 

@@ -1,5 +1,5 @@
-# The rules that compare what levels and patterns make of each program here,
-# the typed program with its levels or messages, with the file beside it.
+# Prints dune rules that run the levels and patterns stages on each program in this folder, and
+# compare the typed program with its levels, or the messages, with the expected file next to it.
 for program in *.frob; do
     name=${program%.frob}
     cat <<END

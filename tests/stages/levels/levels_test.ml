@@ -1,4 +1,4 @@
-(* What runs where: programs built by hand, and what levels say of them. *)
+(* Tests where definitions run (their levels), on hand-built programs. *)
 
 open Trees
 

@@ -1,4 +1,4 @@
-(* Which patterns cover what: cases built by hand. *)
+(* Tests which values patterns cover, on hand-built cases. *)
 
 open Trees
 

@@ -1,5 +1,4 @@
-(* The library's modules and the example programs pass all checks, without a
-   warning. *)
+(* Checks that the library's modules and the example programs pass all checks without a warning. *)
 
 open Basis
 

@@ -1,4 +1,5 @@
-(* What names mean, one behaviour each: a program, and the codes it gives. *)
+(* Tests the meaning of names, one behaviour at a time: each test is a program and the expected
+   diagnostic codes. *)
 
 let check point files expected =
   Alcotest.test_case point `Quick (fun () ->
@@ -120,16 +121,19 @@ let hints =
     hint "a misspelt local" "f speed = sped\n" [ "did you mean `speed`?" ];
     hint "a misspelt unit" "f = 3[kmm]\n" [ "did you mean `km`?" ];
     hint "a misspelt module" "import Robt\n"
-      [ "did you mean `Robot`?"; "looked for `Robt.frob` beside this file and in the library" ];
+      [
+        "did you mean `Robot`?";
+        "frobc looked for `Robt.frob` in the folder of this file and in the library";
+      ];
     hint "a library module that is not imported" "f = wrapAngle 3\n"
       [ "`wrapAngle` is in the library: `import Geometry`" ];
     hint "a field used as a function" "data P = P { heading :: Float }\nf p = heading p\n"
-      [ "write `p.heading`; the function is `\\r -> r.heading`" ];
+      [ "write `p.heading`; as a function, write `\\r -> r.heading`" ];
     hint "a type used as a constructor" "f = Velocity\n"
       [ "`Velocity` is a type, not a constructor" ];
   ]
 
-(* The groups of a program's top level, as names. *)
+(* Compares the binding groups of a program's top level, as names. *)
 let groups point text expected =
   Alcotest.test_case point `Quick (fun () ->
       match Support.load [ ("main.frob", text) ] with

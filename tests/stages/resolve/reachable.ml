@@ -1,4 +1,4 @@
-(* Which definitions of the library a program keeps: those of this module, in order. *)
+(* Tests which definitions of the library a program keeps: those of this module, in order. *)
 
 let extra =
   ( "stdlib/Extra.frob",
@@ -50,7 +50,7 @@ let kept text =
         reached.groups
       |> List.sort String.compare
 
-(* These stay in any program. *)
+(* Definitions that every program keeps. *)
 let always = [ "byDefault"; "byInstance"; "kept" ]
 
 let check point text expected =

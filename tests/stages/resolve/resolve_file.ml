@@ -1,5 +1,5 @@
-(* [resolve_file LIBRARY FILE]: prints the diagnostics of a program, or else
-   its dump, after the lint. *)
+(* [resolve_file LIBRARY FILE] prints a program's diagnostics, or, if there are none, its dump
+   after the lint. *)
 
 open Basis
 

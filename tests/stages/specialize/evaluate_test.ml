@@ -1,4 +1,4 @@
-(* Each test: a Core program built by hand, and its Flow as text. *)
+(* Each test specializes a hand-built Core program and compares the resulting Flow as text. *)
 
 open Basis
 open Trees
@@ -64,7 +64,7 @@ signal function main (i : Float)
 |}
     [ definition; fst (define "main" body) ]
 
-(* The ids of variables without a name are negative. *)
+(* Variables without a name have negative ids. *)
 let functions_are_no_definitions () =
   let z = local 30 "z" float and unnamed = local (-1) "" float in
   let definition, definition' = define "twice" (lambda [ z ] (var z + var z)) in
@@ -322,7 +322,7 @@ let joins_are_evaluated_once () =
 |}
     [ fst (define "main" body) ]
 
-(* {1 What is rejected} *)
+(* {1 Rejected programs} *)
 
 let rejected expected definitions = Alcotest.(check string) "message" expected (flow definitions)
 
@@ -331,7 +331,8 @@ let recursion () =
   let g, g' = define "g" (lambda [ y ] (apply (global f' []) [ var y ])) in
   let calling = lambda [ x ] (apply (global g' []) [ var x ]) in
   let main = define "main" (proc "main" i [] (apply (global g' []) [ var i ])) in
-  rejected "E0410: `f` calls itself through others" [ { f with body = calling }; g; fst main ]
+  rejected "E0410: `f` calls itself through other definitions"
+    [ { f with body = calling }; g; fst main ]
 
 let stored_functions () =
   let h = local 45 "h" (fn float float) in

@@ -1,11 +1,11 @@
-(* The pages that explain the specializer's diagnostics: the faulty example
-   gives the code of the page and no other, the cured one none. *)
+(* Tests the pages that explain the specializer's diagnostics: the faulty example must give
+   exactly the code of the page, and the corrected one none. *)
 
 open Basis
 
 let library = "../../../stdlib"
 
-(* The lines between a fence with this word and the next. *)
+(* The lines from a fence with this word to the next fence. *)
 let block word page =
   let rec skip = function
     | [] -> failwith ("no block " ^ word)

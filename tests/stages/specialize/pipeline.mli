@@ -1,4 +1,4 @@
-(** From a file to the Flow of its [main]. *)
+(** Compiles a file to the Flow of its [main]. *)
 
 open Basis
 

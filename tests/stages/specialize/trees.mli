@@ -1,4 +1,4 @@
-(** Core programs by hand. Types are found from the parts. *)
+(** Builds Core programs by hand. Types are inferred from the parts. *)
 
 open Core.Ir
 
@@ -25,12 +25,12 @@ val run : binder -> expr -> expr -> equation
 val delay : expr -> expr
 val derivative : expr
 
-(** {1 Definitions, of the main module} *)
+(** {1 Definitions in the main module} *)
 
 type scheme = { name : string; parameters : variable list; ty : ty }
 
 val global : scheme -> ty list -> expr
-(** The definition at some types. *)
+(** An instance of the definition at some types. *)
 
 val define : ?parameters:variable list -> string -> expr -> definition * scheme
 

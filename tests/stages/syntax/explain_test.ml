@@ -1,6 +1,5 @@
-(* The pages of the reader's codes: the faulty example gives the code of the
-   page and no other, the cured one parses. (What it means is checked where
-   names and types are.) *)
+(* Tests the pages that explain the parser's diagnostics: the faulty example must give exactly
+   the code of the page, and the corrected one must parse. (Later stages test its meaning.) *)
 
 open Programs
 
@@ -15,7 +14,7 @@ let block kind page =
   in
   outside (String.split_on_char '\n' page)
 
-(* No small program is nested ten thousand deep. *)
+(* No short example is nested ten thousand levels deep. *)
 let without_example = [ "E0106" ]
 
 let check code =

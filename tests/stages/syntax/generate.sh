@@ -1,4 +1,5 @@
-# The rules that compare what each program here comes out as with the file beside it.
+# Prints dune rules that compare the parser's output for each program in this folder with the
+# expected file next to it.
 for program in *.frob; do
     name=${program%.frob}
     cat <<END

@@ -1,4 +1,4 @@
-(* Layout cases: two ways to write the same thing. *)
+(* Tests layout: each case writes the same program in two ways. *)
 
 open Programs
 
@@ -86,7 +86,7 @@ let statements =
     rejected "a choice of commands by case" "E0116" "f = proc x -> do\n  case x of\n    A -> g -< x";
   ]
 
-(* With all parentheses that the table puts in, for names and numbers. *)
+(* Adds all parentheses that the operator table implies, for names and numbers. *)
 let rec bracketed (e : Syntax.Ir.expr) =
   match e.desc with
   | Variable x | Constructor x -> x.name.text

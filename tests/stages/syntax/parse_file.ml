@@ -1,4 +1,4 @@
-(* [parse_file FILE]: the file as it is printed, or what is wrong with it. *)
+(* [parse_file FILE] prints the parsed file, or its diagnostics. *)
 
 open Basis
 

@@ -1,17 +1,17 @@
-(** Texts to try the parser on. *)
+(** Texts for testing the parser. *)
 
 val parse : string -> Basis.Diagnostic.t list * Syntax.Ir.program option
-(** What comes out has passed the lint. *)
+(** A returned program has passed the lint. *)
 
 val codes : string -> string list
-(** Of everything reported, by place. *)
+(** The codes of all diagnostics, in order of position. *)
 
 val printed : Syntax.Ir.program -> string
 
 val written : unit -> (string * string) list
-(** The library, the example and the programs beside this file: path and text. *)
+(** The files of the library, of the examples and of this folder: paths and texts. *)
 
 val read : string -> string
 
 val files_of : string -> string -> string list
-(** [files_of directory suffix]: paths, sorted. *)
+(** [files_of directory suffix] lists paths, sorted. *)

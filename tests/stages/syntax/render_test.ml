@@ -1,4 +1,4 @@
-(* How diagnostics look, as text and as JSON. *)
+(* Tests how diagnostics are rendered, as text and as JSON. *)
 
 open Basis
 
@@ -178,7 +178,7 @@ let text =
           (List.map Render_text.summary [ []; [ e ]; [ e; warning; e ] ]));
   ]
 
-(* The last field repeats the text. *)
+(* Cuts off the last field, which repeats the text. *)
 let before_rendered text =
   let field = {|"rendered":"|} in
   let n = String.length field in

@@ -1,6 +1,6 @@
-(* What Print writes parses to the same tree. Beside the programs that people
-   wrote, thousands are made from them by deleting, doubling and moving words:
-   whatever of these still parses must survive too. *)
+(* Checks that Print's output parses to the same tree. In addition to real programs, it uses
+   thousands of mutants, made by deleting, doubling and moving words; those that still parse must
+   also survive the round trip. *)
 
 open Programs
 
@@ -21,7 +21,7 @@ let check_file (path, text) =
   in
   Alcotest.test_case path `Quick check
 
-(* Words and the blanks between them. *)
+(* Splits a text into words and the whitespace between them. *)
 let words text =
   let is_word c =
     match c with 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false
@@ -40,7 +40,7 @@ let words text =
   in
   go [] 0
 
-(* What stands between empty lines. *)
+(* The parts of a text between empty lines. *)
 let paragraphs text =
   let add paragraph found =
     if paragraph = [] then found else String.concat "\n" (List.rev ("" :: paragraph)) :: found

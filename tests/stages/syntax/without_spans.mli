@@ -1,4 +1,3 @@
-(** The same tree with one and the same span everywhere: two programs are the same tree if what
-    comes out is equal. *)
+(** Replaces all spans of a tree by the same one, so that equality compares everything else. *)
 
 val program : Syntax.Ir.program -> Syntax.Ir.program

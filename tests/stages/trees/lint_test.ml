@@ -1,4 +1,4 @@
-(* Each lint takes the trees of a good program, and finds each broken one. *)
+(* Checks that each lint accepts the trees of a valid program and rejects each broken one. *)
 
 open Basis
 

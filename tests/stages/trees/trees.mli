@@ -1,4 +1,4 @@
-(** Typed programs by hand, for tests of what comes after inference. *)
+(** Builds Typed programs by hand, to test the stages after inference. *)
 
 open Typing.Ir
 
@@ -14,12 +14,12 @@ val tuple : expr list -> expr
 val primitive : string -> instantiation -> ty -> expr
 
 val apply : expr -> expr -> expr
-(** Applies or runs, by the type of the first. *)
+(** Applies a function or runs a signal function, depending on the type of the first expression. *)
 
 val plus : expr -> expr -> expr
 
 val delay : expr -> expr -> expr
-(** [delay x0 s], run. *)
+(** [delay x0 s], with the delay run on [s]. *)
 
 val case : expr -> (pattern * expr) list -> expr
 val guards : (expr * expr) list -> expr option -> expr
@@ -37,7 +37,7 @@ val literal : int -> ty -> pattern
 val construct : constructor -> ty -> pattern list -> pattern
 val binding : pattern -> expr -> binding
 
-(** {1 Data: [Maybe], of the main module} *)
+(** {1 Data: [Maybe], in the main module} *)
 
 val maybe : data
 val nothing : constructor
@@ -48,4 +48,4 @@ val program : (string * expr) list -> program
 (** {1 Messages} *)
 
 val messages : (Basis.Diagnostic.sink -> program -> unit) -> (string * expr) list -> string
-(** What a pass says: a line for each message, one for each of its labels. *)
+(** The messages of a pass: one line for each message, and one for each of its labels. *)

@@ -1,4 +1,4 @@
-(* Small definitions and the principal types that inference finds for them. *)
+(* Small definitions, and the principal types that inference must find for them. *)
 
 open Basis
 
@@ -15,7 +15,7 @@ let library_texts =
        (fun name -> ("stdlib/" ^ name ^ ".frob", read (Filename.concat library (name ^ ".frob"))))
        (Resolve.Files.on_disk.modules_in library))
 
-(* The types of the definitions of a module, or the codes of its errors. *)
+(* The types of a module's definitions, or the codes of its errors. *)
 let infer text =
   let sink = Diagnostic.sink () in
   let files = Resolve.Files.in_memory (("main.frob", text) :: Lazy.force library_texts) in

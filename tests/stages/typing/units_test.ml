@@ -1,10 +1,10 @@
-(* Unifying units: what a solution must be, on random equations. *)
+(* Tests the unification of units on random equations: the properties that a solution must have. *)
 
 module Units = Typing.Units
 module Rational = Typing.Rational
 
-(* A unit by exponents: of the base units m and s, of a signature's variable,
-   and of the variables to be found x0, x1, x2. *)
+(* A unit as exponents of the base units m and s, of a signature's variable, and of the unknowns
+   x0, x1, x2. *)
 type sample = { m : int; s : int; u : int; xs : int list }
 
 let base name : Typing.Ir.Global.t = { module_ = "Prelude"; name }
@@ -43,8 +43,8 @@ let unifies =
       (not (solve variables equations))
       || List.for_all (fun (a, b) -> Units.equal (build variables a) (build variables b)) equations)
 
-(* Substitute known values first: then the equations hold, so there is a
-   solution, and it must not say more than those values. *)
+(* Substitute known values to get equations that hold, so that a solution exists. The solution
+   must be at least as general as these values. *)
 let most_general =
   QCheck.Test.make ~count:1000 ~name:"a solution is the most general"
     (QCheck.pair
@@ -54,7 +54,7 @@ let most_general =
       let closed sample = { sample with xs = [ 0; 0; 0 ] } in
       let values = List.map (fun v -> build (variables ()) (closed v)) values in
       let variables = variables () in
-      (* each left side equals what it is at those values *)
+      (* each left side equals its value after the substitution *)
       let solved =
         List.for_all (fun left -> Units.unify (build variables left) (build values left)) lefts
       in

@@ -39,7 +39,7 @@ when the command has ended.
 
   $ mkdir tmp; export TMPDIR=$PWD/tmp
   $ rm -r cache/frobc; mkdir -m 777 cache/frobc; chmod 777 cache/frobc
-  $ gone() { for i in 1 2 3 4 5 6 7 8 9 10; do [ -z "$(ls tmp)" ] && break; sleep 0.2; done; ls tmp; }
+  $ gone() { for i in $(seq 600); do [ -z "$(ls tmp)" ] && break; sleep 0.1; done; ls tmp; }
   $ frobc trace add.frob --input in.csv
   time,out
   0.000000000,2
@@ -58,9 +58,9 @@ when the command has ended.
 Where nothing can be written, that is said.
 
   $ HOME= TMPDIR=/dev/null frobc trace add.frob --input in.csv 2>&1 | sed 's/frobc-[0-9a-f]*/frobc-N/'
-  error: cannot keep what is built in /dev/null/frobc-N: Not a directory; make room there, or set TMPDIR and XDG_CACHE_HOME to folders that can be written
+  error: cannot store build results in /dev/null/frobc-N: Not a directory; free some space there, or set TMPDIR and XDG_CACHE_HOME to writable folders
   $ CC=true HOME=$PWD frobc trace add.frob --input in.csv
-  error: the C compiler `true` made no program, and gave no error; install one (on Debian: apt-get install gcc) or name yours in the environment variable CC
+  error: the C compiler `true` reported no error but produced no program; install one (on Debian: apt-get install gcc), or set the environment variable CC
   [2]
   $ name=$(printf 'a%.0s' $(seq 230)); cp add.frob $name.frob
   $ HOME=$PWD frobc trace $name.frob --input in.csv

@@ -95,41 +95,62 @@ A folder that is not there yet is made, if it can be:
   good.c
   good.h
   $ frobc compile good.frob -o good.frob
-  error: cannot write good.frob/good.h: Not a directory
+  error: cannot create the folder good.frob: a file has this name
   [2]
   $ frobc compile good.frob -o good.frob/below
-  error: cannot make the folder good.frob/below: Not a directory
+  error: cannot create the folder good.frob/below: Not a directory
   [2]
 
 A missing tool:
 
   $ CC=no-such-cc frobc trace good.frob --input in.csv
-  error: there is no C compiler `no-such-cc` here; install one (on Debian: apt-get install gcc) or name yours in the environment variable CC
+  error: there is no C compiler `no-such-cc` here; install one (on Debian: apt-get install gcc), or set the environment variable CC
   [2]
+
+The variable CC names one program, of any name, without options:
+
+  $ mkdir tools && printf '#!/bin/sh\nexec cc "$@"\n' > 'tools/my cc' && cp 'tools/my cc' tools/plain
+  $ chmod +x 'tools/my cc'
+  $ for cc in tools ./tools /no/such/cc ./tools/plain 'gcc -O2' 'ccache gcc' ' gcc' './tools/no cc' ' '; do
+  >   CC=$cc frobc trace good.frob --input in.csv; done
+  error: there is no C compiler `tools` here; install one (on Debian: apt-get install gcc), or set the environment variable CC
+  error: `./tools` is a folder and not a C compiler; install one (on Debian: apt-get install gcc), or set the environment variable CC
+  error: there is no C compiler `/no/such/cc` here; install one (on Debian: apt-get install gcc), or set the environment variable CC
+  error: the C compiler `./tools/plain` cannot be started: it is not executable (`chmod +x ./tools/plain`)
+  error: there is no C compiler `gcc -O2` here: all of it is taken as the name of one program; name a program without options, or a script that adds them
+  error: there is no C compiler `ccache gcc` here: all of it is taken as the name of one program; name a program without options, or a script that adds them
+  error: there is no C compiler ` gcc` here: all of it is taken as the name of one program; name a program without options, or a script that adds them
+  error: there is no C compiler `./tools/no cc` here; install one (on Debian: apt-get install gcc), or set the environment variable CC
+  error: there is no C compiler ` ` here; install one (on Debian: apt-get install gcc), or set the environment variable CC
+  [2]
+  $ printf 'time,in\n0,1\n' > in.csv
+  $ CC="$PWD/tools/my cc" frobc trace good.frob --input in.csv
+  time,out
+  0.000000000,2
 
 A robot that there is not, and a program for no robot:
 
   $ frobc check good.frob --robot pioneer
   $ frobc check good.frob --robot roomba
-  error: there is no robot `roomba`; the robots: pioneer, scout, create; your own: the file of its module
+  error: there is no robot `roomba`; the robots are pioneer, scout, create; for your own robot, write the file of its module
   [2]
   $ frobc run good.frob --robot roomba
-  error: there is no robot `roomba`; the robots: pioneer, scout, create; your own: the file of its module
+  error: there is no robot `roomba`; the robots are pioneer, scout, create; for your own robot, write the file of its module
   [2]
   $ frobc run good.frob
-  error: good is a program for no robot; `reactimateRobot` makes one
+  error: good is not a robot program; use `reactimateRobot` to make one
   [2]
   $ frobc build good.frob
-  error: good is a program for no robot; `reactimateRobot` makes one
+  error: good is not a robot program; use `reactimateRobot` to make one
   [2]
   $ frobc build good.frob --target cortex-m
-  error: good is a program for no robot; `reactimateRobot` makes one
+  error: good is not a robot program; use `reactimateRobot` to make one
   [2]
   $ frobc run good.frob --device /dev/null
-  error: good is a program for no robot; `reactimateRobot` makes one
+  error: good is not a robot program; use `reactimateRobot` to make one
   [2]
   $ frobc export good.frob --platformio library
-  error: good is a program for no robot; `reactimateRobot` makes one
+  error: good is not a robot program; use `reactimateRobot` to make one
   [2]
 
 Recursion is found in modules without a program too:
@@ -146,13 +167,13 @@ cannot be written is no run.
   > main = reactimateRobot (proc _ -> roMake (setVelTR 0 0))
   > FROB
   $ frobc run rest.frob --set max-speed=1
-  error: --set is for a robot, and not for the simulator: it needs --device; a parameter of the program is set by --param
+  error: --set only works on a robot: use it with --device; to set a parameter of the program, use --param
   [2]
   $ frobc run rest.frob --priority 10
-  error: --priority is for a robot, and not for the simulator: it needs --device
+  error: --priority only works on a robot: use it with --device
   [2]
   $ frobc run rest.frob --device /dev/null --picture rest.png
-  error: --picture is for the simulator, and not for a robot
+  error: --picture only works in the simulator: remove it, or remove --device
   [2]
   $ frobc run rest.frob --picture nowhere/rest.png
   error: cannot write nowhere/rest.png: No such file or directory

@@ -1,15 +1,13 @@
 `frobc explain` tells what a diagnostic means, in any case of letters.
 
   $ frobc explain e0401
-  # A signal needs its own value in the same instant
+  # a signal needs its own value in the same instant
   
-  The equations of a `proc` all hold at every instant, and may refer to each
-  other in any order. But each value must be computable from others: if, within
-  one instant, a signal is needed to compute itself, there is no order in which
-  to evaluate the equations, and usually no single solution either. The message
-  shows the loop, one signal after the other; the loop may lead through signal
-  functions that pass an input on to an output in the same instant. Tuples and
-  records are judged component by component.
+  The equations of a `proc` hold at every instant and can refer to each other in any order. But if a
+  signal depends on its own value in the same instant, no order of evaluation exists. The message
+  shows the loop, one signal after the other. The loop can lead through signal functions that pass
+  an input to an output in the same instant. The components of tuples and records are separate
+  signals.
   
   ```frob-error
   main :: SF Float Float
@@ -18,9 +16,9 @@
       speed = 0.5 * err
   ```
   
-  Somewhere in the loop the value of the instant before is meant: read it with
-  `delay`, and say what it is at the first instant. `integral` breaks a loop too,
-  as it adds up what its input was until now; `derivative` does not.
+  Decide which signal in the loop should be the value of the previous instant, and read it with
+  `delay`, which also needs the value at the first instant. `integral` also breaks a loop, because
+  it adds up its past input. `derivative` does not.
   
   ```frob
   main :: SF Float Float

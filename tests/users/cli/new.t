@@ -2,12 +2,13 @@ A project that has been made runs, checks, is formatted and passes its trials, a
 
   $ frobc new rover
   made rover:
-    rover.frob              the program, with its trials
-    world.toml              the room that it is tried in
-    README.md               what there is, and which commands
-    .editorconfig           what editors are to know
-    .vscode/settings.json   the same for Visual Studio Code
-    .gitignore              what trials leave behind
+    rover.frob              the program, with a trial that checks what it promises
+    rover.test.frob         more trials
+    world.toml              the room in which the trials run
+    README.md               the files of the project and the commands to use
+    .editorconfig           settings for editors
+    .vscode/settings.json   settings for Visual Studio Code
+    .gitignore              ignores the files that trials write
   
   now:
     cd rover
@@ -19,26 +20,28 @@ A project that has been made runs, checks, is formatted and passes its trials, a
   ./.vscode/settings.json
   ./README.md
   ./rover.frob
+  ./rover.test.frob
   ./world.toml
   # rover
   
-  A robot that drives about a room and touches nothing, written in Frob.
+  A robot program in Frob: the robot drives around a room and touches nothing.
   
   | | |
   | --- | --- |
-  | `rover.frob` | the program, and at its end the trials that it has to pass |
-  | `world.toml` | the room that it is tried in |
-  | `.editorconfig`, `.vscode` | what editors are to know |
+  | `rover.frob` | the program, with a trial at its end that checks what it promises |
+  | `rover.test.frob` | more trials; the program is compiled without them |
+  | `world.toml` | the room in which the trials run |
+  | `.editorconfig`, `.vscode` | settings for editors |
   
   | | |
   | --- | --- |
   | `frobc run rover.frob --picture run.png` | drive for a minute in the simulator |
-  | `frobc run rover.frob --view` | look at every signal while it drives |
+  | `frobc run rover.frob --view` | show every signal while it drives |
   | `frobc test` | run the trials, each with ten kinds of noise |
-  | `frobc check rover.frob` | only say what is wrong |
-  | `frobc fix rover.frob` | mend what a message says how to mend |
-  | `frobc format rover.frob` | set blanks, indentation and long lines right |
-  | `frobc report rover.frob` | state the memory and the operations of a step |
+  | `frobc check rover.frob` | check the program for mistakes |
+  | `frobc fix rover.frob` | apply the fixes that messages suggest |
+  | `frobc format rover.frob` | format spaces, indentation and long lines |
+  | `frobc report rover.frob` | show the memory and operations that a step needs |
   
   On a robot, with its wheels off the ground at first:
   
@@ -54,11 +57,11 @@ A project that has been made runs, checks, is formatted and passes its trials, a
   indent_style = space
   indent_size = 4
   max_line_length = 100
-  $ frobc check --lint rover.frob && frobc format --check rover.frob
+  $ frobc check --lint rover.frob && frobc format --check rover.frob rover.test.frob
   $ frobc run rover.frob --for 20s | head -4
   time simulated: 20.000 s
-  distance driven: 5.439 m
-  odometry error at the end: 0.054 m
+  distance driven: 6.335 m
+  odometry error at the end: 0.053 m
   collisions: 0
   $ for robot in pioneer scout create; do frobc run rover.frob --robot $robot --for 30s | grep collisions; done
   collisions: 0
@@ -76,6 +79,7 @@ A project that has been made runs, checks, is formatted and passes its trials, a
   .vscode
   README.md
   rover.frob
+  rover.test.frob
   world.toml
   $ grep -r '@' . ; cd ..
 
@@ -83,7 +87,7 @@ It may be below other folders, which are made too, and the name is that of the l
 
   $ frobc new robots/big-one/ | head -2 && frobc compile robots/big-one/big-one.frob -o robots && ls robots
   made robots/big-one:
-    big-one.frob            the program, with its trials
+    big-one.frob            the program, with a trial that checks what it promises
   big-one
   big-one.c
   big-one.h
@@ -95,41 +99,41 @@ It may be below other folders, which are made too, and the name is that of the l
 Without the right to write nothing is left behind.
 
   $ touch taken; frobc new taken/rover; ls taken
-  error: cannot make the folder taken/rover: Not a directory
+  error: cannot create the folder taken/rover: Not a directory
   taken
 
 What is there already stays as it is.
 
   $ frobc new rover
-  error: there is a folder rover already: give another name, or move it away
+  error: there is already a folder rover: use another name, or move it away
   [2]
   $ frobc new taken
-  error: there is a file taken already: give another name, or move it away
+  error: there is already a file taken: use another name, or move it away
   [2]
   $ ln -s nowhere link; frobc new link; frobc new .; frobc new robots/..; frobc new /
-  error: there is a file link already: give another name, or move it away
-  error: `.` cannot be the name of a project: give it one of letters, digits, `_` and `-` that begins with a letter
-  error: `..` cannot be the name of a project: give it one of letters, digits, `_` and `-` that begins with a letter
-  error: `/` cannot be the name of a project: give it one of letters, digits, `_` and `-` that begins with a letter
+  error: there is already a file link: use another name, or move it away
+  error: `.` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
+  error: `..` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
+  error: `/` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
   [2]
 
 Names are those of files, C and the library.
 
   $ for name in '' 3pi 'my robot' rover.frob müller math Robot _x "$(printf 'a\033b')"; do frobc new "$name"; done
-  error: `` cannot be the name of a project: give it one of letters, digits, `_` and `-` that begins with a letter
-  error: `3pi` cannot be the name of a project: give it one of letters, digits, `_` and `-` that begins with a letter
-  error: `my robot` cannot be the name of a project: give it one of letters, digits, `_` and `-` that begins with a letter, such as my_robot
-  error: `rover.frob` cannot be the name of a project: give it one of letters, digits, `_` and `-` that begins with a letter, such as rover
-  error: `müller` cannot be the name of a project: give it one of letters, digits, `_` and `-` that begins with a letter
-  error: a program in C named math would hide C's own header <math.h>: give math.frob another name
-  error: Robot is a module of the library, which programs import: give another name
-  error: `_x` cannot be the name of a project: give it one of letters, digits, `_` and `-` that begins with a letter
-  error: `a\027b` cannot be the name of a project: give it one of letters, digits, `_` and `-` that begins with a letter, such as a_b
+  error: `` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
+  error: `3pi` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
+  error: `my robot` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter, such as my_robot
+  error: `rover.frob` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter, such as rover
+  error: `müller` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
+  error: a C program named math would hide the standard header <math.h>: rename math.frob
+  error: Robot is the name of a library module: use another name
+  error: `_x` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
+  error: `a\027b` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter, such as a_b
   [2]
   $ frobc new $(printf 'a%.0s' $(seq 241)) 2>&1 | sed 's/a\{100,\}/NAME/g'
   error: the name of NAME.frob is too long for C files: 240 characters at most
   $ frobc new -- -x; frobc new; ls -I '*.t'
-  error: `-x` cannot be the name of a project: give it one of letters, digits, `_` and `-` that begins with a letter
+  error: `-x` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
   frobc: required argument NAME is missing
   Usage: frobc new [OPTION]… NAME
   Try 'frobc new --help' or 'frobc --help' for more information.

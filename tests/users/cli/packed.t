@@ -42,24 +42,24 @@ A golden trace:
   1 test: all hold
   $ sed 's/^5.000000000,.*/5.000000000,7/' out.csv | zstd -qc > golden.csv.zst
   $ frobc test golden.frob | grep line
-  FAIL  as it was: line 502 of golden.csv.zst is `5.000000000,7`, and the program gives `5.000000000,3.9833332999999964`; if it is to, `--update` writes that
+  FAIL  as it was: line 502 of golden.csv.zst is `5.000000000,7`, but the program returns `5.000000000,3.9833332999999964`; if the program is right, update the file with `--update`
 
 An archive that is cut off is read as far as it goes; then there is an error. (Of what was being
 compressed the last part is lost: up to some 100 kB.)
 
   $ head -c 20000 in.csv.gz > cut.csv.gz
   $ frobc trace way.frob --input cut.csv.gz 2>&1 > cut.out | sed 's/:[0-9]*:1:/:LINE:1:/'
-  error: cut.csv.gz:LINE:1: cannot read the file: the archive is cut off or damaged (`frobc convert` keeps its whole rows)
+  error: cut.csv.gz:LINE:1: cannot read the file: the archive is truncated or damaged (`frobc convert` recovers its complete rows)
   $ test $(wc -l < cut.out) -gt 5000 && head -n $(wc -l < cut.out) out.csv | cmp - cut.out
   $ frobc trace way.frob --engine interp --input cut.csv.gz --output cut.interp.csv
-  error: cannot read cut.csv.gz: the archive is cut off or damaged (`frobc convert` keeps its whole rows)
+  error: cannot read cut.csv.gz: the archive is truncated or damaged (`frobc convert` recovers its complete rows)
   [2]
   $ cmp cut.out cut.interp.csv
   $ { head -c 3000 in.csv.zst; printf 'damaged'; tail -c +3008 in.csv.zst; } > damaged.csv.zst
   $ frobc trace way.frob --input damaged.csv.zst 2>&1 > damaged.out | grep -o 'the archive is.*'
-  the archive is cut off or damaged (`frobc convert` keeps its whole rows)
+  the archive is truncated or damaged (`frobc convert` recovers its complete rows)
   $ frobc trace way.frob --engine interp --input damaged.csv.zst > damaged.out
-  error: cannot read damaged.csv.zst: the archive is cut off or damaged (`frobc convert` keeps its whole rows)
+  error: cannot read damaged.csv.zst: the archive is truncated or damaged (`frobc convert` recovers its complete rows)
   [2]
 
 Names that are not as the files are:
@@ -68,28 +68,28 @@ Names that are not as the files are:
   $ for file in packed.csv plain.csv.gz other.csv.zst; do for engine in c interp; do
   >   frobc trace way.frob --engine $engine --input $file
   > done; done
-  error: cannot read packed.csv: it is compressed; give it a name that says how, with .gz or .zst at its end
-  error: cannot read packed.csv: it is compressed; give it a name that says how, with .gz or .zst at its end
-  error: cannot read plain.csv.gz: it is not compressed by gzip, as its name says
-  error: cannot read plain.csv.gz: it is not compressed by gzip, as its name says
-  error: cannot read other.csv.zst: it is not compressed by zstd, as its name says
-  error: cannot read other.csv.zst: it is not compressed by zstd, as its name says
+  error: cannot read packed.csv: it is compressed; rename it so that its name ends in .gz or .zst
+  error: cannot read packed.csv: it is compressed; rename it so that its name ends in .gz or .zst
+  error: cannot read plain.csv.gz: its name says that it is compressed by gzip, but it is not
+  error: cannot read plain.csv.gz: its name says that it is compressed by gzip, but it is not
+  error: cannot read other.csv.zst: its name says that it is compressed by zstd, but it is not
+  error: cannot read other.csv.zst: its name says that it is compressed by zstd, but it is not
   [2]
   $ frobc check in.csv.gz
-  error: in.csv.gz is no Frob program but a table of inputs, or a recording; it goes beside a program: `frobc trace PROGRAM.frob --input in.csv.gz`
+  error: in.csv.gz is not a Frob program but a table of inputs, or a recording; use it with a program: `frobc trace PROGRAM.frob --input in.csv.gz`
   [2]
 
 No file that is not a trace is written over, whether it can be read or not:
 
   $ printf 'my notes\n' | gzip > notes.csv.gz
   $ frobc trace way.frob --input in.csv --output notes.csv.gz
-  error: --output would overwrite notes.csv.gz, which is there already and not a trace or a recording: move it away, or name another file
+  error: --output would overwrite notes.csv.gz, which is an existing file but not a trace or a recording: move it away, or use another file name
   [2]
   $ frobc trace way.frob --input in.csv --output plain.csv.gz
-  error: --output would overwrite plain.csv.gz, which is there already; and cannot read plain.csv.gz: it is not compressed by gzip, as its name says: move it away, or name another file
+  error: --output would overwrite plain.csv.gz, which is an existing file that frobc cannot check (cannot read plain.csv.gz: its name says that it is compressed by gzip, but it is not): move it away, or use another file name
   [2]
   $ frobc trace way.frob --input in.csv.gz --output in.csv.gz
-  error: --output would overwrite in.csv.gz, which is read: name another file
+  error: --output would overwrite in.csv.gz, which is an input: use another file name
   [2]
 
 Where zstd is missing, what is there stays as it is:
@@ -103,10 +103,10 @@ Where zstd is missing, what is there stays as it is:
   >   PATH=$PWD/bin frobc trace way.frob --engine $engine --input in.csv.zst
   >   PATH=$PWD/bin frobc trace way.frob --engine $engine --input in.csv --output new.csv.zst
   > done
-  error: cannot read in.csv.zst: the program zstd, by which it goes, is not installed (`apt install zstd`)
-  error: cannot write new.csv.zst: the program zstd, by which it goes, is not installed (`apt install zstd`)
-  error: cannot read in.csv.zst: the program zstd, by which it goes, is not installed (`apt install zstd`)
-  error: cannot write new.csv.zst: the program zstd, by which it goes, is not installed (`apt install zstd`)
+  error: cannot read in.csv.zst: this needs the program zstd, which is not installed (`apt install zstd`)
+  error: cannot write new.csv.zst: this needs the program zstd, which is not installed (`apt install zstd`)
+  error: cannot read in.csv.zst: this needs the program zstd, which is not installed (`apt install zstd`)
+  error: cannot write new.csv.zst: this needs the program zstd, which is not installed (`apt install zstd`)
   [2]
 
 A disk that is full, of which the tool tells:
@@ -118,13 +118,13 @@ A disk that is full, of which the tool tells:
   > done; done
   [2]
   No space left on device
-  error: cannot write full.csv.gz: gzip has ended before its time
+  error: cannot write full.csv.gz: gzip ended early
   [2]
   No space left on device
-  error: cannot write full.csv.gz: gzip has ended before its time
+  error: cannot write full.csv.gz: gzip ended early
   [2]
   No space left on device
-  error: cannot write full.csv.zst: zstd has ended before its time
+  error: cannot write full.csv.zst: zstd ended early
   [2]
   No space left on device
-  error: cannot write full.csv.zst: zstd has ended before its time
+  error: cannot write full.csv.zst: zstd ended early

@@ -60,18 +60,18 @@ What a recording was made with holds for a replay, unless an option says otherwi
   > done
   warning: recorded.csv: the program has no parameter `gone`; the program has `kTurn`, `most`, `on`
   1.000000000,14,false
-  warning: recorded.csv: the parameter `kTurn` is 1[1/m], as the option says, and was 7[1/m]
+  warning: recorded.csv: the parameter `kTurn` is 1[1/m], as set by the option, but it was 7[1/m] in the recording
   warning: recorded.csv: the program has no parameter `gone`; the program has `kTurn`, `most`, `on`
   1.000000000,2,false
   warning: recorded.csv: the program has no parameter `gone`; the program has `kTurn`, `most`, `on`
   1.000000000,14,false
-  warning: recorded.csv: the parameter `kTurn` is 1[1/m], as the option says, and was 7[1/m]
+  warning: recorded.csv: the parameter `kTurn` is 1[1/m], as set by the option, but it was 7[1/m] in the recording
   warning: recorded.csv: the program has no parameter `gone`; the program has `kTurn`, `most`, `on`
   1.000000000,2,false
   $ (echo '# param kTurn=7[m]'; cat in.csv) > other.csv
   $ for engine in c interp; do frobc trace steer.frob --input other.csv --engine $engine; done
-  error: other.csv: the parameter `kTurn` is a number of 1/m, and `7[m]` is of another unit; `--param` sets it whatever was recorded
-  error: other.csv: the parameter `kTurn` is a number of 1/m, and `7[m]` is of another unit; `--param` sets it whatever was recorded
+  error: other.csv: the parameter `kTurn` is a number of 1/m, but `7[m]` has another unit; to override the recorded value, use `--param`
+  error: other.csv: the parameter `kTurn` is a number of 1/m, but `7[m]` has another unit; to override the recorded value, use `--param`
   [2]
 
 What is wrong with an option.
@@ -108,13 +108,13 @@ What is wrong with an option.
   error: --param takes NAME=VALUE, as in `kTurn=4[1/m]`, not `kTurn`
   [2]
   $ frobc trace steer.frob --input in.csv --param 'kTurn=0/0*half'
-  error[E0391]: the value of the parameter `kTurn` is no number
+  error[E0391]: the value of the parameter `kTurn` is not a number
    --> --param kTurn:1:8
     |
   1 | kTurn= 0/0*half
     |        ^^^^^^^^
     |
-    = note: it is NaN, as `0 / 0` is
+    = note: it is NaN, like `0 / 0`
   
   1 error
   [2]

@@ -62,39 +62,39 @@ A name is the end of the way to a signal, or to what runs; numbers may be left o
 What else is asked for is an error, as is a name that nothing has.
 
   $ columns way.y
-  error[E0506]: no inner signal of this program is called `way.y`
+  error[E0506]: this program has no inner signal `way.y`
    --> lap.frob:9:1
     |
   9 | main = proc v -> a + b where
     | ^^^^
     |
     = hint: did you mean `way.k`?
-    = hint: `--probe list` shows all that can be seen
+    = hint: `--probe list` lists all inner signals
   
   1 error
   $ columns wai.1.x
-  error[E0506]: no inner signal of this program is called `wai.1.x`
+  error[E0506]: this program has no inner signal `wai.1.x`
    --> lap.frob:9:1
     |
   9 | main = proc v -> a + b where
     | ^^^^
     |
     = hint: did you mean `way.1.x`?
-    = hint: `--probe list` shows all that can be seen
+    = hint: `--probe list` lists all inner signals
   
   1 error
   $ columns w
-  error[E0506]: no inner signal of this program is called `w`
+  error[E0506]: this program has no inner signal `w`
    --> lap.frob:9:1
     |
   9 | main = proc v -> a + b where
     | ^^^^
     |
-    = hint: `--probe list` shows all that can be seen
+    = hint: `--probe list` lists all inner signals
   
   1 error
   $ frobc trace lap.frob
-  error: there is nothing to run on: `--input IN.csv` names a recording
+  error: there is no input: name a recording with `--input IN.csv`
   [2]
 
 The program computes what it did, and a recording with probes can be replayed.
@@ -184,7 +184,7 @@ What would make a switch need its own output is left out, and is an error where 
   2 | main = proc _ -> v where
     | ^^^^
     |
-    = note: it is inside a switch that is fed with its own output; all outputs of a switch need what is shown of it
+    = note: it is inside a switch whose output is fed back to it, and showing an inner signal would make all outputs of the switch depend on it
   
   1 error
   [2]
@@ -192,7 +192,7 @@ What would make a switch need its own output is left out, and is an error where 
 The interpreter has no probes.
 
   $ frobc trace lap.frob --input in.csv --probe all --engine interp
-  error: probes are put into the compiled program: `--probe` needs `--engine c`
+  error: only the compiled program has probes: use `--probe` with `--engine c`
   [2]
 
 `--picture` draws the columns, those of one unit in one panel.
@@ -223,5 +223,5 @@ The interpreter has no probes.
   >3</text>
   >time in s</text>
   $ frobc trace lap.frob --input in.csv --picture lap.png
-  error: a trace is drawn as SVG: lap.png does not end in .svg
+  error: a trace is drawn as SVG: use a file name that ends in .svg, not lap.png
   [2]

@@ -13,9 +13,9 @@ A program as a shared object, for hosts that load it: with a table, and a functi
 It is for this machine, and overwrites nothing that frobc has not made.
 
   $ frobc build --shared twice.frob --target cortex-m
-  error: --shared is for this machine, without --target
+  error: --shared only works for this machine: remove --target
   [2]
   $ echo precious > mine.so
   $ frobc build --shared twice.frob -o mine.so
-  error: -o would overwrite mine.so, which is there already and not a program that frobc has built: move it away, or name another file
+  error: -o would overwrite mine.so, which is an existing file but not a program built by frobc: move it away, or use another file name
   [2]

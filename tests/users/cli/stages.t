@@ -70,7 +70,7 @@ The optimizer's passes, each with the reason for its place, and the program wher
   > double x = x + x
   > END
   $ frobc compile twice.frob --dump=passes --stop-after=passes
-  constant-propagation: literals first, as they decide choices
+  constant-propagation: first, because literals decide choices
   program twice
   function double (x : Float)
     _1 : Float = x + x
@@ -84,7 +84,7 @@ The optimizer's passes, each with the reason for its place, and the program wher
     (_6 : Float) = double as double_2(x)
     -> (out.1 = _2, out.2 = _4)
   
-  simplify: what is known of operands is known
+  simplify: after constant propagation, so that all known operands are literals
   program twice
   function double (x : Float)
     _1 : Float = x + x
@@ -96,7 +96,7 @@ The optimizer's passes, each with the reason for its place, and the program wher
     (_4 : Float) = double as double_2(x)
     -> (out.1 = _1, out.2 = _2)
   
-  common-subexpressions: after simplifying, which makes equal what looked different
+  common-subexpressions: after simplification, which turns equivalent expressions into equal ones
   program twice
   function double (x : Float)
     _1 : Float = x + x
@@ -107,7 +107,7 @@ The optimizer's passes, each with the reason for its place, and the program wher
     (_3 : Float) = double as double(x)
     -> (out.1 = _1, out.2 = _2)
   
-  inline: sizes are those of the work that remains; what was done twice is inlined once
+  inline: after the nodes are simplified, so that their sizes are final and repeated calls are inlined once
   program twice
   function double (x : Float)
     _1 : Float = x + x
@@ -118,7 +118,7 @@ The optimizer's passes, each with the reason for its place, and the program wher
     _3 : Float = 3.0 * _2
     -> (out.1 = _1, out.2 = _3)
   
-  dead-code: last, for what all of them leave behind
+  dead-code: last, because every other pass leaves unused equations behind
   program twice
   signal function main (x : Float)
     _1 : Float = 2.0 * _2
@@ -130,5 +130,5 @@ The optimizer's passes, each with the reason for its place, and the program wher
 So are those that come after it, in Step.
 
   $ frobc compile gain.frob --dump=passes --stop-after=step | grep -A1 'instant:\|resets:\|order:'
-  first-instant: first, for its mark may be a field of the root's
+  first-instant: first, because it may add a field to the root's state
   node main

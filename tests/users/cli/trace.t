@@ -73,7 +73,7 @@ What is wrong with an input is said with its place:
   error: wrong.csv:1:1: the file is empty: its first line must name the columns, `time` first
   [2]
   $ printf 't,in\n0,1\n' | trace
-  error: wrong.csv:1:1: the first column must be `time`, but it is `t`
+  error: wrong.csv:1:1: the first column must be `time`, but it is `t`; `--time-column t` reads the times from that column
   [2]
   $ printf 'time,in,inn\n0,1,1\n' | trace
   error: wrong.csv:1:9: the program's input has no `inn`
@@ -82,24 +82,24 @@ What is wrong with an input is said with its place:
   error: wrong.csv:1:1: missing: `in`; the header for this program is `time,in`
   [2]
   $ printf 'time,in,in\n0,1,1\n' | trace
-  error: wrong.csv:1:9: column `in` is there twice
+  error: wrong.csv:1:9: the column `in` occurs twice
   [2]
   $ printf 'time,in\n0,fast\n' | trace
   error: wrong.csv:2:3: column `in`: expected a number, found `fast`
   time,out.1,out.2
   [2]
   $ printf 'time,in\n0,1\n1\n' | trace
-  error: wrong.csv:3:1: the header names 2 columns, but cells in this row: 1
+  error: wrong.csv:3:1: this row has the wrong number of cells: the header has 2 columns, found 1
   time,out.1,out.2
   0.000000000,0,false
   [2]
   $ printf 'time,in\n0,1\n1,2,3\n' | trace
-  error: wrong.csv:3:5: the header names 2 columns, but cells in this row: 3; a cell with a comma in it stands in double quotes
+  error: wrong.csv:3:5: this row has the wrong number of cells: the header has 2 columns, found 3; put a cell that contains a comma in double quotes
   time,out.1,out.2
   0.000000000,0,false
   [2]
   $ printf 'time,in\n1,1\n0.5,1\n' | trace
-  error: wrong.csv:3:1: time goes back: `0.5` comes after a later time
+  error: wrong.csv:3:1: the time goes backwards: `0.5` comes after a later time
   time,out.1,out.2
   1.000000000,0,false
   [2]
@@ -126,13 +126,13 @@ What is read is not written over: the recording, under any name, or the program.
 
   $ cp in.csv log.csv; ln -s log.csv link.csv
   $ frobc trace sum.frob --input log.csv --output log.csv
-  error: --output would overwrite log.csv, which is read: name another file
+  error: --output would overwrite log.csv, which is an input: use another file name
   [2]
   $ frobc trace sum.frob --input log.csv --output link.csv --engine interp
-  error: --output would overwrite log.csv, which is read: name another file
+  error: --output would overwrite log.csv, which is an input: use another file name
   [2]
   $ frobc trace sum.frob --input log.csv --output ./sum.frob
-  error: --output would overwrite sum.frob, which is read: name another file
+  error: --output would overwrite sum.frob, which is an input: use another file name
   [2]
   $ cmp in.csv log.csv
 

@@ -89,7 +89,7 @@ The console in C: behind the struct of a robot.
       struct drive_console console;
   };
   $ frobc report drive.frob --robot scout --format json | sed 's/.*"console"/"console"/'
-  "console":[{"label":"drive","kind":"hold","line":4},{"label":"speed","kind":"knob","least":0,"most":0.4,"first":0.2,"unit":"m/s","line":4}],"params":[],"params_bytes":0,"marks":0,"assertions":0,"assertion_operations":0,"assertion_bytes":0}
+  "console":[{"label":"drive","kind":"hold","line":4},{"label":"speed","kind":"knob","least":0,"most":0.4,"first":0.2,"unit":"m/s","line":4}],"params":[],"params_bytes":0,"marks":0,"wire":{"robot":"scout","steps":[{"quantity":"each wheel","size":2.54,"unit":"mm/s"},{"quantity":"so turning","size":0.42158539966172975,"unit":"deg/s"}]},"assertions":0,"assertion_operations":0,"assertion_bytes":0}
 
 `Console` is the console that nobody touches; a robot that has none has that one.
 

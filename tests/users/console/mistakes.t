@@ -9,7 +9,7 @@ Two things under one label: both places are shown.
   > turn i = knob "turn" 0 1[rad/s] 0 i + knob "turn" 0 2[rad/s] 0 i
   > FROB
   $ frobc check kinds.frob
-  error[E0442]: the console has another `go` already
+  error[E0442]: the console already has another control with the label `go`
    --> kinds.frob:5:11
     |
   3 | main = reactimateRobot (proc i -> roMake (setVelTR (if buttonHeld "go" i then speed i else 0) (turn i)))
@@ -18,9 +18,9 @@ Two things under one label: both places are shown.
   5 | speed i = knob "go" 0 0.4[m/s] 0.2[m/s] i
     |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ a knob from 0 to 0.4, at first 0.2
     |
-    = hint: give one of them another label
+    = hint: rename one of them
   
-  error[E0442]: the console has another `turn` already
+  error[E0442]: the console already has another control with the label `turn`
    --> kinds.frob:6:39
     |
   6 | turn i = knob "turn" 0 1[rad/s] 0 i + knob "turn" 0 2[rad/s] 0 i
@@ -28,7 +28,7 @@ Two things under one label: both places are shown.
     |          |
     |          a knob from 0 to 1, at first 0
     |
-    = hint: give one of them another label
+    = hint: rename one of them
   
   2 errors
   [1]
@@ -44,7 +44,7 @@ The same limits in other units are others; the same in all is one knob.
   > turn i = knob "gain" 0 1[rad/s] 0 i
   > FROB
   $ frobc check units.frob
-  error[E0442]: the console has another `gain` already
+  error[E0442]: the console already has another control with the label `gain`
    --> units.frob:6:10
     |
   5 | speed i = knob "gain" 0 1[m/s] 0 i
@@ -52,7 +52,7 @@ The same limits in other units are others; the same in all is one knob.
   6 | turn i = knob "gain" 0 1[rad/s] 0 i
     |          ^^^^^^^^^^^^^^^^^^^^^^^^^^ a knob from 0 to 1, at first 0, in 1/s
     |
-    = hint: give one of them another label
+    = hint: rename one of them
   
   1 error
   [1]
@@ -70,39 +70,39 @@ Labels are known while compiling, and are good as names of columns.
   > b i = if buttonHeld "a, b" i || buttonHeld "it is \"so\"" i || buttonHeld " c" i || buttonHeld "a label that is longer than it is wise to be" i then 1[rad/s] else 0
   > FROB
   $ frobc check labels.frob
-  error[E0440]: this label is not known while compiling
+  error[E0440]: this label is not known at compile time
    --> labels.frob:5:10
     |
   5 | a i = if buttonHeld (if bumped i then "x" else "y") i || buttonHeld "" i then 1[m/s] else 0
     |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: give each button and knob its own label, and choose between their values
+    = hint: give each button and knob a fixed label, and choose between their values
   
-  error[E0440]: a label may not be empty
+  error[E0440]: a label cannot be empty
    --> labels.frob:5:58
     |
   5 | a i = if buttonHeld (if bumped i then "x" else "y") i || buttonHeld "" i then 1[m/s] else 0
     |                                                          ^^^^^^^^^^^^^^^
   
-  error[E0440]: a label may not have a comma, a quote, a backslash or a line break in it
+  error[E0440]: a label cannot contain a comma, a quote, a backslash or a line break
    --> labels.frob:6:10
     |
   6 | b i = if buttonHeld "a, b" i || buttonHeld "it is \"so\"" i || buttonHeld " c" i || buttonHeld "a label that is longer t…
     |          ^^^^^^^^^^^^^^^^^^^
   
-  error[E0440]: a label may not have a comma, a quote, a backslash or a line break in it
+  error[E0440]: a label cannot contain a comma, a quote, a backslash or a line break
    --> labels.frob:6:33
     |
   6 | b i = if buttonHeld "a, b" i || buttonHeld "it is \"so\"" i || buttonHeld " c" i || buttonHeld "a label that is longer t…
     |                                 ^^^^^^^^^^^^^^^^^^^^^^^^^^^
   
-  error[E0440]: a label may not begin or end with a blank
+  error[E0440]: a label cannot begin or end with a space
    --> labels.frob:6:64
     |
   6 | … b" i || buttonHeld "it is \"so\"" i || buttonHeld " c" i || buttonHeld "a label that is longer than it is wise to be" i…
     |                                          ^^^^^^^^^^^^^^^^^
   
-  error[E0440]: a label may have at most 40 characters
+  error[E0440]: a label can have at most 40 characters
    --> labels.frob:6:85
     |
   6 | …it is \"so\"" i || buttonHeld " c" i || buttonHeld "a label that is longer than it is wise to be" i then 1[rad/s] else 0
@@ -123,13 +123,13 @@ The numbers of a knob.
   > FROB
   $ sed -i 's/ + knob "e" 0 (turnRate i) 0 i/ + knob "e" 0 (batteryVoltage i * 1[1\/(V s)]) 0 i/' numbers.frob
   $ frobc check numbers.frob
-  error[E0441]: this knob goes from 1 to 0: the first limit must be less
+  error[E0441]: this knob goes from 1 to 0: the first limit must be less than the second
    --> numbers.frob:5:7
     |
   5 | a i = knob "a" 1[m/s] 0 0.5[m/s] i + knob "b" 0 1[m/s] 2[m/s] i + knob "c" 0 (1[m/s] / 0) 0 i
     |       ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   
-  error[E0441]: this knob begins at 2, which is outside of its limits, 0 and 1
+  error[E0441]: this knob begins at 2, which is outside its limits, 0 and 1
    --> numbers.frob:5:38
     |
   5 | a i = knob "a" 1[m/s] 0 0.5[m/s] i + knob "b" 0 1[m/s] 2[m/s] i + knob "c" 0 (1[m/s] / 0) 0 i
@@ -147,16 +147,16 @@ The numbers of a knob.
   6 | b i = knob "d" 0 (1[rad/s] * 0 / 0) 0 i + knob "e" 0 (batteryVoltage i * 1[1/(V s)]) 0 i + (if toggle "f" (bumped i) i t…
     |       ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   
-  error[E0441]: the limits of this knob and its first value are not all known while compiling
+  error[E0441]: the limits and the first value of this knob must be known at compile time
    --> numbers.frob:6:43
     |
   6 | …i = knob "d" 0 (1[rad/s] * 0 / 0) 0 i + knob "e" 0 (batteryVoltage i * 1[1/(V s)]) 0 i + (if toggle "f" (bumped i) i the…
     |                                          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: known are numbers, names and parameters that stand for known numbers, and what operators make of these
-    = hint: let the knob go over a fixed range, and scale its value
+    = note: you can use literals, constants, parameters with a constant value, and operators on these
+    = hint: give the knob a fixed range, and scale its value
   
-  error[E0441]: whether this toggle is on at first is not known while compiling
+  error[E0441]: the first position of this toggle must be known at compile time
    --> numbers.frob:6:96
     |
   6 | …atteryVoltage i * 1[1/(V s)]) 0 i + (if toggle "f" (bumped i) i then 1[rad/s] else 0)
@@ -208,3 +208,7 @@ a signal function remembers is not.
     next  button                               parameters.frob:13
     fast    knob  0 to 0.3 m/s, at first 0.15  parameters.frob:14
     slow    knob  0 to 0.2 m/s, at first 0.1   parameters.frob:14
+  
+  steps of speed on the wire of a scout, averaged over commands
+    each wheel    2.54 mm/s
+    so turning  0.422 deg/s

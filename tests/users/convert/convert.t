@@ -72,7 +72,7 @@ back can be replayed.
   $ frobc trace $see --input back/ball.csv | cmp - traced.csv
   $ rm -r ball.frames/00000[1-4]*
   $ frobc convert ball.csv fewer.mcap
-  warning: 4 frames that ball.csv names are not in ball.frames, or are none: left out
+  warning: 4 frames that ball.csv names are missing from ball.frames or are not frames; they were left out
 
 Echoes of a Scout, whose sonars sit elsewhere:
 
@@ -86,49 +86,49 @@ Where the end is missing, what is whole is converted:
 
   $ { cat run.csv; printf '2,1,1'; } > torn.csv
   $ frobc convert torn.csv torn.mcap
-  warning: torn.csv: line 6, its last, is torn and left out; what came before was converted
+  warning: torn.csv: its last line, line 6, is incomplete and was left out; everything before that was converted
   $ python3 structure.py torn.mcap | grep messages
   14 messages in 1 chunk
   $ frobc convert torn.mcap back.csv && cmp torn.csv back.csv
   $ frobc convert torn.csv whole.csv
-  warning: torn.csv: line 6, its last, is torn and left out; what came before was converted
+  warning: torn.csv: its last line, line 6, is incomplete and was left out; everything before that was converted
   $ cmp run.csv whole.csv
   $ head -c -12 run.csv.gz > cut.csv.gz
   $ frobc convert cut.csv.gz whole.csv
-  warning: cut.csv.gz: the archive is cut off or damaged; what came before was converted
+  warning: cut.csv.gz: the archive is truncated or damaged; everything before that was converted
   $ head -n 4 run.csv | cmp - whole.csv
   $ frobc convert cut.csv.gz cut.mcap
-  warning: cut.csv.gz: the archive is cut off or damaged; what came before was converted
+  warning: cut.csv.gz: the archive is truncated or damaged; everything before that was converted
   $ frobc convert cut.mcap back.csv
-  warning: the recording in cut.mcap: the archive is cut off or damaged
+  warning: the recording in cut.mcap: the archive is truncated or damaged
 
 No recording:
 
   $ bad () { printf "$1" > bad.csv; frobc convert bad.csv bad.mcap; }
   $ bad ''
-  error: bad.csv: not a recording: there is no line that names its columns, `time` first
+  error: bad.csv: not a recording: the first line must name the columns, starting with `time`
   [2]
   $ bad 'a,b\n1,2\n'
-  error: bad.csv:1: not a recording: its first column is `time`, not `a`
+  error: bad.csv:1: not a recording: the first column must be `time`, not `a`; `--time-column NAME` reads the times from the column NAME
   [2]
   $ bad 'time,in\n0,1\n0.1\n0.2,1\n'
-  error: bad.csv:3: the header names 2 columns, but cells in this row: 1
+  error: bad.csv:3: this row has the wrong number of cells: the header has 2 columns, found 1
   [2]
   $ bad 'time,in\n0,1\nsoon,1\n'
   error: bad.csv:3: `soon` is not a time in seconds
   [2]
   $ bad 'time,in\n0.2,1\n0.1,1\n'
-  error: bad.csv:3: time goes back: `0.1` comes after a later time
+  error: bad.csv:3: the time goes backwards: `0.1` comes after a later time
   [2]
   $ bad 'time,in\n-1,1\n'
-  error: bad.csv:2: the time -1 is before 0, which MCAP has not
+  error: bad.csv:2: the time -1 is before 0, which MCAP cannot represent
   [2]
   $ bad 'time,in\n0,"never closed\n'
-  warning: bad.csv: line 2, its last, is torn and left out; what came before was converted
+  warning: bad.csv: its last line, line 2, is incomplete and was left out; everything before that was converted
   $ ls bad.mcap
   bad.mcap
   $ cp run.mcap fake.csv; frobc convert fake.csv bad.mcap
-  error: cannot read fake.csv: it is MCAP, of which `frobc convert` makes a recording
+  error: cannot read fake.csv: it is an MCAP file; convert it to a recording with `frobc convert`
   [2]
   $ frobc convert gone.csv run.mcap
   error: there is no file gone.csv
@@ -144,40 +144,40 @@ MCAP is what `frobc convert` makes and reads, and nobody else:
   > main = proc x -> x
   > END
   $ frobc trace main.frob --input run.mcap
-  error: cannot read run.mcap: it is MCAP, of which `frobc convert` makes a recording
+  error: cannot read run.mcap: it is an MCAP file; convert it to a recording with `frobc convert`
   [2]
   $ frobc trace main.frob --engine interp --input run.mcap
-  error: cannot read run.mcap: it is MCAP, of which `frobc convert` makes a recording
+  error: cannot read run.mcap: it is an MCAP file; convert it to a recording with `frobc convert`
   [2]
   $ frobc view --print run.mcap main.frob
-  error: cannot view run.mcap: it is MCAP, of which `frobc convert` makes a recording
+  error: cannot view run.mcap: it is an MCAP file; convert it to a recording with `frobc convert`
   [2]
   $ frobc trace main.frob --input run.csv --output out.mcap
-  error: --output writes CSV, and out.mcap would be no MCAP: name a file that ends in .csv; `frobc convert RUN.csv out.mcap` makes MCAP of it
+  error: --output writes CSV, so out.mcap would not be an MCAP file: use a file name that ends in .csv; then `frobc convert RUN.csv out.mcap` converts it to MCAP
   [2]
   $ frobc run $see --for 1s --record out.mcap
-  error: --record writes CSV, and out.mcap would be no MCAP: name a file that ends in .csv; `frobc convert RUN.csv out.mcap` makes MCAP of it
+  error: --record writes CSV, so out.mcap would not be an MCAP file: use a file name that ends in .csv; then `frobc convert RUN.csv out.mcap` converts it to MCAP
   [2]
   $ frobc check run.mcap
-  error: run.mcap is no Frob program but a recording as MCAP; `frobc convert run.mcap RUN.csv`
+  error: run.mcap is not a Frob program but an MCAP recording; convert it: `frobc convert run.mcap RUN.csv`
   [2]
 
 Names that say nothing, or too little to do:
 
   $ frobc convert run.csv run.bag
-  error: run.bag is to be a recording (.csv, .csv.gz, .csv.zst) or MCAP (.mcap): by the end of its name it is neither
+  error: run.bag must be a recording (.csv, .csv.gz, .csv.zst) or MCAP (.mcap), but its name ends in neither
   [2]
   $ frobc convert run.txt run.mcap
   error: there is no file run.txt
   [2]
   $ cp run.csv run.txt; frobc convert run.txt run.mcap
-  error: run.txt is to be a recording (.csv, .csv.gz, .csv.zst) or MCAP (.mcap): by the end of its name it is neither
+  error: run.txt must be a recording (.csv, .csv.gz, .csv.zst) or MCAP (.mcap), but its name ends in neither
   [2]
   $ frobc convert run.mcap other.mcap
-  error: run.mcap is MCAP already
+  error: run.mcap is already an MCAP file
   [2]
   $ frobc convert run.csv run.mcap.gz
-  error: run.mcap.gz is to be a recording (.csv, .csv.gz, .csv.zst) or MCAP (.mcap): by the end of its name it is neither
+  error: run.mcap.gz must be a recording (.csv, .csv.gz, .csv.zst) or MCAP (.mcap), but its name ends in neither
   [2]
   $ frobc convert run.csv
   frobc: required argument TO is missing
@@ -188,17 +188,17 @@ Names that say nothing, or too little to do:
 What is there is not lost:
 
   $ frobc convert run.csv run.csv
-  error: convert would overwrite run.csv, which is read: name another file
+  error: convert would overwrite run.csv, which is an input: use another file name
   [2]
   $ ln -s run.csv link.csv; frobc convert run.csv link.csv
-  error: convert would overwrite run.csv, which is read: name another file
+  error: convert would overwrite run.csv, which is an input: use another file name
   [2]
   $ printf '\211MCAP0\r\n of somebody else' > theirs.mcap
   $ frobc convert run.csv theirs.mcap
-  error: convert would overwrite theirs.mcap, which is there already and not MCAP that frobc has written: move it away, or name another file
+  error: convert would overwrite theirs.mcap, which is an existing file but not an MCAP file written by frobc: move it away, or use another file name
   [2]
   $ echo notes > notes.csv; frobc convert run.mcap notes.csv
-  error: convert would overwrite notes.csv, which is there already and not a trace or a recording: move it away, or name another file
+  error: convert would overwrite notes.csv, which is an existing file but not a trace or a recording: move it away, or use another file name
   [2]
   $ cp run.mcap kept.mcap; frobc convert ball.csv kept.mcap 2> /dev/null; frobc convert run.csv kept.mcap && cmp kept.mcap run.mcap
   $ ln -s /dev/full full.mcap; frobc convert run.csv full.mcap
@@ -214,7 +214,7 @@ What is there is not lost:
 MCAP that is of others, cut off, or damaged:
 
   $ frobc convert theirs.mcap back.csv
-  error: cannot read theirs.mcap: it is cut off, or damaged
+  error: cannot read theirs.mcap: it is truncated or damaged
   [2]
   $ python3 - <<END
   > data = open("run.mcap", "rb").read()
@@ -225,10 +225,10 @@ MCAP that is of others, cut off, or damaged:
   > open("flipped.mcap", "wb").write(data[:at] + b"2" + data[at + 1:])
   > END
   $ for file in other cut start flipped; do frobc convert $file.mcap new.csv; done
-  error: cannot read other.mcap: it is not what `frobc convert` has written, so there is no recording in it
-  error: cannot read cut.mcap: it is cut off, or damaged
-  error: cannot read start.mcap: it is cut off, or damaged
-  error: cannot read flipped.mcap: it is damaged: a checksum is not that of its content
+  error: cannot read other.mcap: it was not written by `frobc convert`, so it contains no recording
+  error: cannot read cut.mcap: it is truncated or damaged
+  error: cannot read start.mcap: it is truncated or damaged
+  error: cannot read flipped.mcap: it is damaged: a checksum does not match its content
   [2]
   $ ls new.csv
   ls: cannot access 'new.csv': No such file or directory

@@ -1,6 +1,7 @@
-"""usage: structure.py FILE.mcap: reads MCAP by its specification, and checks all that is redundant
-in it: lengths, checksums, the index of each chunk, the summary and its offsets, the counts. Then
-prints, of each topic, its schema, how many messages it has, and the first."""
+"""usage: structure.py FILE.mcap: reads MCAP according to its specification, and checks everything
+redundant in it: lengths, checksums, the index of each chunk, the summary and its offsets, the
+counts. Then prints, for each topic, its schema, the number of its messages, and the first message.
+"""
 
 import json
 import struct

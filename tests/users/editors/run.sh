@@ -1,5 +1,5 @@
 #!/bin/sh
-# An editor on a program, if it is installed: run.sh NAME COMMAND… prints what the user sees.
+# Runs an editor on a program, if it is installed: run.sh NAME COMMAND… prints what the user sees.
 set -u
 here=$(dirname "$0")
 name=$1

@@ -1,6 +1,6 @@
-(* The pages that explain diagnostics: the faulty example of each gives the
-   code of the page and no other, the cured one gives none. And each code that
-   the compiler can emit has a page. *)
+(* Tests the pages that explain diagnostics: the faulty example of each page must give exactly
+   the code of the page, and the corrected one must give none. Each code that the compiler can
+   emit must have a page. *)
 
 let read path =
   let channel = open_in_bin path in
@@ -12,7 +12,7 @@ let write path text =
   let channel = open_out_bin path in
   Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel text)
 
-(* The fenced blocks of a page: what the fence says, and the text. *)
+(* The fenced blocks of a page: the fence's info string, and the text. *)
 let blocks page =
   let starts_block line = String.length line > 3 && String.sub line 0 3 = "```" in
   let rec outside found = function
@@ -27,7 +27,7 @@ let blocks page =
   in
   outside [] (String.split_on_char '\n' page)
 
-(* A fresh folder for each program: its modules must not find each other's. *)
+(* A new folder for each program, so that programs do not import each other's modules. *)
 let folder =
   let count = ref 0 in
   fun () ->
@@ -38,7 +38,7 @@ let folder =
 
 let library = "../../../stdlib"
 
-(* How far a program must go for the diagnostic to come. *)
+(* The command that produces the diagnostic. *)
 type stage = Check | Compile | Interpret | Test | Probe of string | Set of string
 
 let codes_of stage files =
@@ -46,16 +46,19 @@ let codes_of stage files =
   List.iter (fun (name, text) -> write (Filename.concat folder name) text) files;
   let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
   let main = Filename.concat folder (fst (List.hd files)) in
-  let request = { (Driver.Request.make ~library main) with lint = true } in
+  let options = { Build.Common_options.default with lint = true } in
+  let request = Build.Request.make ~options ~library main in
   (match stage with
-  | Probe name -> ignore (Driver.Pipeline.compile sink sources { request with probes = [ name ] })
+  | Probe name ->
+      let options = { options with probes = [ name ] } in
+      ignore (Build.Queries.compile sink sources { request with options })
   | Set name ->
-      let params = [ { Resolve.Parameters.name; text = "0.3[m/s]" } ] in
-      ignore (Driver.Pipeline.params sink sources { request with params })
-  | Compile -> ignore (Driver.Pipeline.compile sink sources request)
-  | Test -> ignore (Driver.Pipeline.checks sink sources request)
-  | Interpret -> ignore (Driver.Pipeline.interpretable sink sources request)
-  | Check -> Driver.Pipeline.check sink sources request);
+      let settings = [ { Resolve.Parameters.name; text = "0.3[m/s]" } ] in
+      ignore (Build.Queries.params sink sources { request with settings })
+  | Compile -> ignore (Build.Queries.compile sink sources request)
+  | Test -> ignore (Build.Queries.checks sink sources request)
+  | Interpret -> ignore (Build.Queries.interpretable sink sources request)
+  | Check -> Build.Queries.check sink sources request);
   List.sort_uniq String.compare
     (List.map (fun (d : Basis.Diagnostic.t) -> d.code) (Basis.Diagnostic.all sink))
 
@@ -66,29 +69,40 @@ let beside (info, text) =
 
 (* Codes of the last stages need an entry, so the program is compiled. *)
 let stage_of code =
-  if String.equal code Driver.Interpreted.no_interpreter then Interpret
+  if String.equal code Build.Interpreted.no_interpreter then Interpret
   else if String.equal code "E0392" then Test
-  else if String.equal code Driver.Probes.unknown then Probe "speed"
+  else if String.equal code Build.Probes.unknown then Probe "speed"
   else if String.equal code Resolve.Parameters.no_such then Set "speed"
   else if List.mem (String.sub code 0 3) [ "E04"; "E05" ] then Compile
   else Check
 
-(* The smallest program that nests too deeply is too long for a page. *)
+let main = "main.frob"
+
+(* A fence may give the name of the faulty file: ```frob-error main.test.frob. *)
+let faulty (info, text) =
+  match String.split_on_char ' ' info with
+  | [ "frob-error" ] -> Some (main, text)
+  | [ "frob-error"; name ] -> Some (name, text)
+  | _ -> None
+
+(* The smallest program that nests too deeply is too long for a page, so it is generated. *)
 let faulty_example code blocks =
   match code with
   | "E0106" ->
       let depth = 10_001 in
-      "x = " ^ String.make depth '(' ^ "1" ^ String.make depth ')'
-  | _ -> List.assoc "frob-error" blocks
+      (main, "x = " ^ String.make depth '(' ^ "1" ^ String.make depth ')')
+  | _ -> Option.get (List.find_map faulty blocks)
 
 let check_page code () =
   let blocks = blocks (Option.get (Basis.Explain.find code)) in
-  let others = List.filter_map beside blocks in
-  let result text = codes_of (stage_of code) (("main.frob", text) :: others) in
+  let result (name, text) =
+    let others = List.filter (fun (other, _) -> other <> name) (List.filter_map beside blocks) in
+    codes_of (stage_of code) ((name, text) :: others)
+  in
   Alcotest.(check (list string)) "the example" [ code ] (result (faulty_example code blocks));
-  Alcotest.(check (list string)) "the cured example" [] (result (List.assoc "frob" blocks))
+  Alcotest.(check (list string)) "the cured example" [] (result (main, List.assoc "frob" blocks))
 
-(* Codes as they stand in the compiler's own sources. *)
+(* Finds the codes in the compiler's sources. *)
 let emitted () =
   let pattern text i =
     i + 6 < String.length text

@@ -9,7 +9,7 @@ let read path =
 let starts prefix line = String.starts_with ~prefix line
 let without n line = String.sub line n (String.length line - n)
 
-(* What stands between a line that begins a program and one that ends it. *)
+(* The text between a line that begins a program and one that ends it. *)
 let between ~begins ~ends ~line text =
   let rec outside found = function
     | [] -> found
@@ -27,7 +27,7 @@ let programs path =
   | ".frob" -> [ text ]
   | ".md" -> between text ~begins:(starts "```frob") ~ends:(String.equal "```") ~line:Fun.id
   | _ ->
-      (* The last line is the word that ends the document. *)
+      (* The last line is the delimiter of the here-document. *)
       let without_last program =
         match List.rev (String.split_on_char '\n' program) with
         | _ :: _ :: rest -> String.concat "\n" (List.rev ("" :: rest))
@@ -42,10 +42,10 @@ let programs path =
 let check ~library text =
   let file = "program.frob" in
   let sink = Diagnostic.sink () and sources = Source.create () in
-  let disk : Resolve.Files.t = Driver.Program_file.files in
+  let disk : Resolve.Files.t = Build.Program_file.files in
   let read path = if String.equal path file then Ok text else disk.read path in
-  let request = Driver.Request.make ~library file in
-  Driver.Pipeline.check sink sources { request with files = { disk with read } };
+  let request = Build.Request.make ~library file in
+  Build.Queries.check sink sources { request with files = { disk with read } };
   (Diagnostic.all sink, sources)
 
 let each f =

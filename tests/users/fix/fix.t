@@ -32,7 +32,7 @@ and says what is left.
   $ frobc fix drive.frob
   drive.frob:5:12: take the blank out (E0110)
   drive.frob:8:36: put parentheses around it (E0113)
-  1 more may not be what you meant: frobc fix --all makes it
+  1 more may not be what you meant: apply it with frobc fix --all
   error[E0320]: expected the unit `1/s`, found none
    --> drive.frob:7:54
     |
@@ -50,8 +50,8 @@ and says what is left.
   [1]
   $ sed -i 's/0.3)/0.3[rad\/s])/' drive.frob
   $ frobc fix drive.frob
-  drive.frob:1:1: take it out (W0306)
-  drive.frob:3:24: take it out (W0306)
+  drive.frob:1:1: remove it (W0306)
+  drive.frob:3:24: remove it (W0306)
   $ cat drive.frob
   import Robot
   import Control (limit)
@@ -69,7 +69,7 @@ With `--all` those too that may not be what was meant, of several for one place 
   > main = reactimateRobot (proc _ -> roMake (setVelTR 0 30))
   > END
   $ frobc fix turn.frob
-  1 more may not be what you meant: frobc fix --all makes it
+  1 more may not be what you meant: apply it with frobc fix --all
   error[E0320]: expected the unit `1/s`, found none
    --> turn.frob:2:54
     |
@@ -197,6 +197,48 @@ What is no program, or not there, stays as it is; a program without fixes too, t
   0000020   o   a   t       F   l   o   a   t  \r  \n   m   a   i   n    
   0000040   =       p   r   o   c       _   x       -   >       1  \r  \n
   0000060
+
+Comments stay, wherever they stand in what a fix removes; and so do line ends, permissions and the
+other names of a file.
+
+  $ cat > why.frob <<'END'
+  > import Control -- why
+  > import Geometry (zeroVec, -- the origin
+  >     dot, norm) -- of vectors
+  > import Past {- one -} (always, {- two -} since) -- three
+  > import Robot
+  >   -- four
+  > 
+  > main :: SF Float Float
+  > main = proc x -> norm zeroVec + x -- five
+  > END
+  $ sed 's/$/\r/' why.frob > windows.frob && ln windows.frob other.frob && chmod 640 windows.frob
+  $ frobc fix why.frob && cat why.frob && frobc check why.frob
+  why.frob:1:1: remove it (W0306)
+  why.frob:3:5: remove it (W0306)
+  why.frob:4:24: remove it (W0306)
+  why.frob:5:1: remove it (W0306)
+  -- why
+  import Geometry (zeroVec -- the origin
+      , norm) -- of vectors
+  {- one -}
+  {- two -}
+  -- three
+    -- four
+  
+  main :: SF Float Float
+  main = proc x -> norm zeroVec + x -- five
+  $ frobc fix windows.frob > said && sed 's/\r$//' windows.frob | cmp - why.frob
+  $ grep -vc "$(printf '\r')$" windows.frob; cmp windows.frob other.frob && stat -c '%a %h' windows.frob
+  0
+  640 2
+  $ printf 'import Control -- | what it is for\n\nmain :: SF Float Float\nmain = arr id\n' > doc.frob
+  $ frobc fix doc.frob 2>&1 | head -1; head -1 doc.frob
+  warning[W0306]: `Control` is imported but nothing from it is used
+  import Control -- | what it is for
+  $ printf 'main :: SF Float Float\nmain = proc x -> 1\n' > locked.frob && chmod 444 locked.frob && frobc fix locked.frob
+  error: cannot write locked.frob: it is read-only (`chmod u+w` changes that)
+  [2]
   $ mkdir folder.frob
   $ frobc fix folder.frob
   error: cannot read folder.frob: it is a directory

@@ -1,10 +1,11 @@
-(* The hints of the corpus that say what to write, whole, of diagnostics that come without any fix. *)
+(* Prints the hints in the corpus that say exactly what to write, although their diagnostics have
+   no fix. *)
 
 let says_what_to_write hint =
   let begins prefix = String.starts_with ~prefix hint in
   match String.split_on_char '`' hint with
   | _ :: text :: _ when begins "write `" || begins "it is `" || begins "it is written `" ->
-      (* A part that is left open is an ellipsis, which has these bytes. *)
+      (* An ellipsis, which has these bytes, marks a part that is left open. *)
       not
         (List.mem "\xe2\x80\xa6"
            (List.init (String.length text) (fun i ->

@@ -180,13 +180,33 @@ would, and exits with 1.
   y=2
   $ frobc format --check - < speed.frob
 
-A tab is as wide as editors show it, if that makes no difference; carriage returns and a
-byte order mark go.
+A tab is as wide as editors show it, if that makes no difference; a byte order mark goes. Lines
+end as the first one does.
 
-  $ printf '\357\273\277main = proc x -> y where\r\n\ty\t= x\r\n\tz = y -- a\tb\r\n' | frobc format -
-  main = proc x -> y where
-      y = x
-      z = y -- a  b
+  $ printf '\357\273\277main = proc x -> y where\r\n\ty\t= x\r\n\tz = y -- a\tb\r\n' | frobc format - | cat -A
+  main = proc x -> y where^M$
+      y = x^M$
+      z = y -- a  b^M$
+  $ printf 'main = proc x -> y where\r\n    {- a\r\n\r\n    b -}\n  y = x\n\r\n' > ends.frob && frobc format ends.frob && cat -A ends.frob
+  main = proc x -> y where^M$
+      {- a^M$
+  ^M$
+      b -}^M$
+      y = x^M$
+  $ frobc format --check ends.frob
+
+A file keeps its permissions and its other names; one that is read-only is left.
+
+  $ printf 'x  = 1\n' > shared.frob && ln shared.frob other.frob && chmod 640 shared.frob
+  $ frobc format shared.frob && cat other.frob && stat -c '%a %h' shared.frob
+  x = 1
+  640 2
+  $ printf 'x  = 1\n' > locked.frob && chmod 444 locked.frob && frobc format locked.frob; cat locked.frob
+  error: cannot write locked.frob: it is read-only (`chmod u+w` changes that)
+  x  = 1
+  $ ls -A | grep -c '^.frobc'
+  0
+  [1]
   $ printf 'main = proc x -> y where\n    y = x\n\tz = y\n' | frobc format - 2>&1 | head -1
   error[E0102]: a tab: indentation counts, so only spaces are allowed
   $ printf 'x = "a\tb"\n' | frobc format - 2>&1 | head -1
@@ -256,10 +276,10 @@ are in; and so does the rest of a field.
 What cannot be read or written is said.
 
   $ mkfifo pipe; mkdir folder; echo '[robot]' > world.toml
-  $ timeout 20 frobc format pipe folder world.toml none.frob
-  error: cannot read pipe: it is a pipe or a device, and no file
+  $ timeout 120 frobc format pipe folder world.toml none.frob
+  error: cannot read pipe: it is a pipe or a device, not a file
   error: cannot read folder: it is a directory
-  error: world.toml is no Frob program but a world; it goes beside a program: `frobc run PROGRAM.frob --world world.toml`
+  error: world.toml is not a Frob program but a world; use it with a program: `frobc run PROGRAM.frob --world world.toml`
   error: there is no file none.frob
   [2]
   $ frobc format - < folder
@@ -284,21 +304,22 @@ A file keeps its permissions; a link stays one; what is formatted already is not
   $ touch -d 2001-01-01 real.frob; frobc format real.frob; stat -c %y real.frob | cut -c1-10
   2001-01-01
 
-Files are long, and lines too.
+Files are long, and lines too; a minute of processor time is far more than they need.
 
+  $ within() { (ulimit -t "$1"; shift; exec "$@"); } # so many seconds of processor time
   $ for i in $(seq 100000); do echo "x$i=f $i"; done > many.frob
-  $ timeout 60 frobc format many.frob && head -2 many.frob && wc -l < many.frob
+  $ within 60 frobc format many.frob && head -2 many.frob && wc -l < many.frob
   x1 = f 1
   x2 = f 2
   100000
   $ { printf 'x=[0'; for i in $(seq 100000); do printf ',%d' $i; done; echo ']'; } > wide.frob
-  $ timeout 60 frobc format wide.frob && head -2 wide.frob && awk 'length > 100' wide.frob | wc -l
+  $ within 60 frobc format wide.frob && head -2 wide.frob && awk 'length > 100' wide.frob | wc -l
   x =
       [ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25
   0
   $ { printf 'x='; for i in $(seq 2000); do printf '(f '; done; printf 1; for i in $(seq 2000); do printf ')'; done; echo; } > deep.frob
-  $ timeout 60 frobc format deep.frob
+  $ within 60 frobc format deep.frob
   $ for i in $(seq 3000); do printf 'x%d = y%d   -- %d\n' $i $i $i; done > comments.frob
-  $ timeout 60 frobc format comments.frob
+  $ within 60 frobc format comments.frob
   $ : > empty.frob; frobc format empty.frob; wc -c < empty.frob
   0

@@ -1,4 +1,4 @@
-(* The blanks that end a line are nobody's; they would be part of documentation. *)
+(* Trailing whitespace does not count; in documentation comments it would be part of the text. *)
 let trimmed text =
   let line text =
     let rec stop i =
@@ -26,7 +26,7 @@ let comments text =
           let stop = nested 1 (i + 2) in
           go (trimmed (String.sub text i (stop - i)) :: found) stop
       | '"', _ -> go found (quoted (i + 1))
-      (* one token, whatever follows *)
+      (* one token, regardless of what follows *)
       | '<', '-' -> go found (i + 2)
       | _ -> go found (i + 1)
   and nested depth i =

@@ -1,9 +1,9 @@
-(** The laws of the formatter, told of a program and what has become of it by other means than its
-    own: the trees are compared, and comments found by a scanner that knows nothing but comments and
-    texts. *)
+(** The laws of the formatter. This module checks a program and its formatted version with
+    independent means: it compares the trees, and finds comments with a scanner that recognizes only
+    comments and strings. *)
 
 val parsed : string -> Syntax.Ir.program option
-(** Without its places. *)
+(** The tree without spans. *)
 
 val verdict : string -> (string, string) result
-(** Of a program that is one: the result of the formatter, or which law it breaks. *)
+(** For a valid program: the formatter's result, or the law that it breaks. *)

@@ -1,5 +1,5 @@
-(* Of the files named on the command line, those that are programs: the laws; and with
-   `--formatted` that they are formatted already. *)
+(* Checks the laws on those files on the command line that are valid programs; with
+   `--formatted`, checks that they are already formatted. *)
 
 let read path =
   let channel = open_in_bin path in

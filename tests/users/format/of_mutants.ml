@@ -1,5 +1,5 @@
-(* The laws on parts of written programs in which words have been changed, moved, and put on
-   other lines: of_mutants COUNT SEED FILE…. Those that are no programs any more do not count. *)
+(* Checks the laws on parts of real programs in which words have been changed, moved, and put on
+   other lines: of_mutants COUNT SEED FILE…. Mutants that are not valid programs do not count. *)
 
 let read path =
   let channel = open_in_bin path in
@@ -7,7 +7,7 @@ let read path =
   close_in channel;
   text
 
-(* Words, and what stands between them. *)
+(* Splits a text into words and the text between them. *)
 let words text =
   let is_word c =
     match c with 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false

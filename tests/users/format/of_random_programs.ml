@@ -1,5 +1,5 @@
-(* The laws on random programs of tests/meaning/fuzz, with comments and blanks sprinkled in:
-   of_random_programs COUNT SEED. *)
+(* Checks the laws on random programs of tests/meaning/fuzz, with comments and whitespace
+   inserted: of_random_programs COUNT SEED. *)
 
 module Lexer = Syntax.Lexer
 
@@ -33,8 +33,8 @@ let line_comment random =
 
 let blanks random n = String.make (Random.State.int random n) ' '
 
-(* Between the words of one line in so many something is put in; lines get comments of
-   their own, empty lines, and comments at their ends. *)
+(* Inserts comments and whitespace between the words of one line in [every]; also inserts lines
+   with comments, empty lines, and comments at the ends of lines. *)
 let sprinkled random ~every text =
   let result = Buffer.create (2 * String.length text) in
   let add = Buffer.add_string result in
@@ -45,7 +45,7 @@ let sprinkled random ~every text =
     if chance random every then add (blanks random 3)
   in
   let lines_between written =
-    (* what stood between two lines, with more in it *)
+    (* the text between two lines, with additions *)
     String.iter
       (fun c ->
         if c = '\n' then (
@@ -89,7 +89,7 @@ let () =
     let text = Fuzz.Program.make ~seed ~first:number ~count:1 () in
     let every = 1 + Random.State.int random 8 in
     let other = sprinkled random ~every text in
-    (* blanks in the wrong place make it no program *)
+    (* whitespace in the wrong place may make the program invalid *)
     if Format_judge.Judge.parsed other <> None then (
       incr disturbed;
       judge number other)

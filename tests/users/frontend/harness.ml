@@ -1,9 +1,9 @@
-(* harness.exe LIBRARY FILE...: each file goes through the compiler, from its bytes to
-   C, as far as it gets. Whatever is in it, no exception comes out, and it ends.
+(* harness.exe LIBRARY FILE...: compiles each file, from its bytes to C, as far as possible. For
+   any input, the compiler must terminate without an exception.
 
-   Under afl-fuzz (built with OCAMLPARAM='_,afl-instrument=1') one process takes many
-   inputs, each in the place of the file: the protocol is afl's persistent mode. An
-   exception aborts there, which afl-fuzz counts as a crash. *)
+   Under afl-fuzz (built with OCAMLPARAM='_,afl-instrument=1') one process handles many inputs,
+   each stored under the same file name; the protocol is afl's persistent mode. An exception
+   aborts the process, which afl-fuzz counts as a crash. *)
 
 open Basis
 
@@ -13,7 +13,7 @@ let read file =
     ~finally:(fun () -> close_in channel)
     (fun () -> really_input_string channel (in_channel_length channel))
 
-(* Most inputs do not parse; those are many a second, as the library is not read. *)
+(* Most inputs do not parse. They take little time, because the library is not read for them. *)
 let parses file =
   let sink = Diagnostic.sink () in
   match Syntax.Parse.program sink ~file (read file) with
@@ -28,15 +28,17 @@ let show sink sources = ignore (Render_text.diagnostics ~colour:false sources (D
 let run ~library file =
   if parses file then (
     let sink = Diagnostic.sink () and sources = Source.create () in
-    let request = { (Driver.Request.make ~library file) with lint = true } in
-    Driver.Pipeline.check sink sources request;
+    let request =
+      Build.Request.make ~options:{ Build.Common_options.default with lint = true } ~library file
+    in
+    Build.Queries.check sink sources request;
     show sink sources;
     if not (Diagnostic.has_errors sink) then (
       let sink = Diagnostic.sink () and sources = Source.create () in
-      ignore (Driver.Pipeline.compile sink sources request);
+      ignore (Build.Queries.compile sink sources request);
       show sink sources))
   else
-    (* What does not parse is said too, with its place. *)
+    (* Also render the syntax errors with their places. *)
     let sink = Diagnostic.sink () and sources = Source.create () in
     let text = read file in
     Source.add sources ~file text;
@@ -47,7 +49,7 @@ let run ~library file =
 
 external reset_instrumentation : bool -> unit = "caml_reset_afl_instrumentation"
 
-(* afl-fuzz looks for this text in the program. *)
+(* afl-fuzz searches the program for this text. *)
 let marker = "##SIG_AFL_PERSISTENT##"
 let inputs_of_a_process = 1000
 

@@ -1,7 +1,7 @@
 #!/bin/sh
-# run.sh HARNESS STDLIB SECONDS: afl-fuzz on the compiler, from all programs in the
-# repository. Says what broke it, and how many inputs were tried; the status is 1 if
-# any did.
+# run.sh HARNESS STDLIB SECONDS: runs afl-fuzz on the compiler, starting from all programs in the
+# repository. Prints the inputs that broke it, and the number of inputs tried; the exit status is 1
+# if any input broke it.
 set -u
 harness=$1 library=$2 seconds=$3
 cd "$(dirname "$0")/../../.." || exit 1
@@ -9,7 +9,7 @@ work=_build/fuzz-frontend
 rm -rf "$work"
 mkdir -p "$work/corpus"
 
-# Small programs, each once; and those in the pages of diagnostics.
+# Small programs, each once; and those in the explanations of diagnostics.
 n=0
 for program in $(find tests examples stdlib -name '*.frob' -size -5k); do
     n=$((n + 1))
@@ -23,7 +23,7 @@ for page in compiler/explain/*/*.md; do
 done
 
 export AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_UI=1 AFL_NO_AFFINITY=1 AFL_FAST_CAL=1
-# What a slow machine is busy with elsewhere is no hang.
+# A long limit, so that a busy machine does not look like a hang.
 export AFL_HANG_TMOUT=20000
 afl-fuzz -i "$work/corpus" -o "$work/out" -x tests/users/frontend/words -t 10000 -m 2000 -V "$seconds" \
     -- "$harness" "$library" @@ >"$work/log" 2>&1

@@ -1,6 +1,6 @@
 Whatever a file holds, frobc ends with a result or says what is wrong with it.
 
-  $ check() { timeout 20 frobc check "$@" 2>&1 | head -4; }
+  $ check() { timeout 120 frobc check "$@" 2>&1 | head -4; }
 
 Modules that import each other, wherever one starts, and a module that imports
 itself:
@@ -33,7 +33,7 @@ A module that is not there:
   1 | import Contrl
     |        ^^^^^^
     |
-    = note: looked for `Contrl.frob` beside this file and in the library
+    = note: frobc looked for `Contrl.frob` in the folder of this file and in the library
     = hint: did you mean `Control`?
   
   1 error
@@ -86,26 +86,32 @@ A file of another kind says what it is for, whatever the command:
   $ cp $(which true) binary; echo '[robot]' > world.toml; echo 'time,in' > in.csv; echo 'int x;' > near.c
   $ : > near.h; mkdir one many; : > one/drive.frob; : > many/b.frob; : > many/a.frob
   $ for file in world.toml in.csv near.c near.h binary one many; do frobc check $file; done
-  error: world.toml is no Frob program but a world; it goes beside a program: `frobc run PROGRAM.frob --world world.toml`
-  error: in.csv is no Frob program but a table of inputs, or a recording; it goes beside a program: `frobc trace PROGRAM.frob --input in.csv`
-  error: near.c is no Frob program but C or C++; what a program calls of it goes beside the program: `--with near.c`
-  error: near.h is no Frob program but a C header; a program that calls C names it: `foreign include "near.h"`
-  error: binary is no Frob program: it is no text
+  error: world.toml is not a Frob program but a world; use it with a program: `frobc run PROGRAM.frob --world world.toml`
+  error: in.csv is not a Frob program but a table of inputs, or a recording; use it with a program: `frobc trace PROGRAM.frob --input in.csv`
+  error: near.c is not a Frob program but C or C++; use it with a program that calls it: `--with near.c`
+  error: near.h is not a Frob program but a C header; include it in a program by `foreign include "near.h"`, and allow it on the command line by `--with near.h`
+  error: binary is not a Frob program: it is not a text file
   error: cannot read one: it is a directory; did you mean one/drive.frob?
-  error: cannot read many: it is a directory; name a program in it, such as many/a.frob
+  error: cannot read many: it is a directory; choose a program in it, such as many/a.frob
   [2]
   $ frobc run world.toml
-  error: world.toml is no Frob program but a world; it goes beside a program: `frobc run PROGRAM.frob --world world.toml`
+  error: world.toml is not a Frob program but a world; use it with a program: `frobc run PROGRAM.frob --world world.toml`
   [2]
   $ frobc trace in.csv --input in.csv
-  error: in.csv is no Frob program but a table of inputs, or a recording; it goes beside a program: `frobc trace PROGRAM.frob --input in.csv`
+  error: in.csv is not a Frob program but a table of inputs, or a recording; use it with a program: `frobc trace PROGRAM.frob --input in.csv`
+  [2]
+
+A command that is suggested can be copied into a shell, whatever the file's name is.
+
+  $ touch "it's a world.toml"; frobc run "it's a world.toml"
+  error: it's a world.toml is not a Frob program but a world; use it with a program: `frobc run PROGRAM.frob --world 'it'\''s a world.toml'`
   [2]
 
 A pipe is no module, nor is a device:
 
   $ mkfifo Pipe.frob && echo 'import Pipe' > uses_pipe.frob
-  $ timeout 20 frobc check uses_pipe.frob
-  error[E0201]: cannot read `Pipe.frob`: it is a pipe or a device, and no file
+  $ timeout 120 frobc check uses_pipe.frob
+  error[E0201]: cannot read `Pipe.frob`: it is a pipe or a device, not a file
    --> uses_pipe.frob:1:8
     |
   1 | import Pipe
@@ -113,9 +119,9 @@ A pipe is no module, nor is a device:
   
   1 error
   [1]
-  $ timeout 20 frobc check Pipe.frob
-  error: cannot read Pipe.frob: it is a pipe or a device, and no file
+  $ timeout 120 frobc check Pipe.frob
+  error: cannot read Pipe.frob: it is a pipe or a device, not a file
   [2]
-  $ timeout 20 frobc check /dev/null
-  error: cannot read /dev/null: it is a pipe or a device, and no file
+  $ timeout 120 frobc check /dev/null
+  error: cannot read /dev/null: it is a pipe or a device, not a file
   [2]

@@ -1,4 +1,6 @@
-"""A client of `frobc lsp` for tests: starts the server, and speaks to it as an editor does."""
+"""A client of `frobc lsp` for tests: starts the server, and communicates with it as an editor
+does.
+"""
 
 import json
 import os
@@ -14,7 +16,7 @@ class Client:
         )
         self.buffer = b""
         self.last_id = 0
-        self.diagnostics = {}  # by URI, the latest
+        self.diagnostics = {}  # the latest ones, by URI
         self.versions = {}
         self.notifications = []
         self.texts = {}
@@ -55,7 +57,7 @@ class Client:
         self.send_bytes(b"Content-Length: %d\r\n\r\n%s" % (len(body), body))
 
     def receive(self, timeout=60):
-        """The next message, or None."""
+        """Returns the next message, or None."""
         deadline = time.monotonic() + timeout
         while True:
             head, sep, rest = self.buffer.partition(b"\r\n\r\n")
@@ -104,7 +106,7 @@ class Client:
     def notify(self, method, params):
         self.send({"method": method, "params": params})
 
-    # Texts
+    # Texts and positions
 
     def open(self, name, text=None):
         uri = self.uri(name) if ":" not in name else name
@@ -139,7 +141,7 @@ class Client:
         )
 
     def told(self, uri):
-        """What is said of the text as it is now."""
+        """Returns the diagnostics of the current text."""
         while self.versions.get(uri) != self.texts[uri][1] or uri not in self.diagnostics:
             message = self.receive()
             assert message is not None, "no diagnostics: status %s" % self.process.poll()
@@ -147,7 +149,7 @@ class Client:
         return self.diagnostics[uri]
 
     def at(self, uri, mark, inside=0, nth=1):
-        """Where a piece of the text begins, in UTF-16."""
+        """Returns the position of a piece of the text, in UTF-16 units."""
         text = self.texts[uri][0]
         offset = -1
         for _ in range(nth):
@@ -159,7 +161,7 @@ class Client:
         return {"textDocument": {"uri": uri}, "position": {"line": line, "character": column}}
 
     def ask(self, method, uri, mark, inside=0, nth=1, **more):
-        """What a request at a place is answered: the result, or the error's message."""
+        """Sends a request about a position; returns the result, or the error's message."""
         answer = self.answer(
             self.send_request("textDocument/" + method, {**self.at(uri, mark, inside, nth), **more})
         )
@@ -175,6 +177,6 @@ class Client:
 
 
 def place(range):
-    """A range in short: line:character-line:character, from 0."""
+    """Formats a range: line:character-line:character, from 0."""
     start, end = range["start"], range["end"]
     return "%d:%d-%d:%d" % (start["line"], start["character"], end["line"], end["character"])

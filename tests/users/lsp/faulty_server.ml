@@ -1,11 +1,11 @@
-(* A language server whose compiler breaks: on reading the module Bug it finds a broken promise of
-   its own, on Crash it raises what nobody foresaw, on Deep it overflows the stack, and with Slow
-   it does not come to an end, for which it has 1 s. Each goes wrong while the file is there that
-   is called so, with the ending [.fault]. *)
+(* A language server whose compiler fails. On the module Bug it reports an internal error, on
+   Crash it raises an unexpected exception, on Deep it overflows the stack, and on Slow it never
+   terminates; its time limit is 1 s, or its argument. Each of these fails as long as a file of
+   that name with the extension [.fault] exists. *)
 
 let rec deep n = 1 + deep (n + 1)
 let rec forever list = forever (List.rev list)
-let on_disk : Resolve.Files.t = Driver.Program_file.files
+let on_disk : Resolve.Files.t = Build.Program_file.files
 
 let disk path =
   if Sys.file_exists (Filename.remove_extension path ^ ".fault") then
@@ -18,5 +18,6 @@ let disk path =
   else on_disk.read path
 
 let () =
-  Language_server.Analysis.patience := 1.;
+  Language_server.Analysis.patience :=
+    if Array.length Sys.argv > 1 then float_of_string Sys.argv.(1) else 1.;
   exit (Language_server.Server.run ~disk ())

@@ -102,7 +102,7 @@ Hover: a name's type with units, its level, its doc comment; of any other expres
   frontSonar :: SF i Distance
   ```
   
-  The distance to what is nearest ahead, from the robot's front.
+  The distance from the robot's front to the nearest object ahead.
   
   *from `Capability`*
 
@@ -125,7 +125,7 @@ Definition, in whatever module; symbols of the text and of all programs.
   way drive.frob 8:4-8:7
   ahead ( Gains.frob 5:19-5:24
   import Gains Gains.frob 0:0-0:0
-  frontSonar Capability.frob 34:4-34:14
+  frontSonar Capability.frob 47:4-47:14
   stop 14 3:0-3:44
   approach 12 7:0-9:22
     way 13 8:4-8:15
@@ -169,14 +169,14 @@ else is refused.
   kTurn * -> kOmega Gains.frob: 2:0-2:5, 1:0-1:5 drive.frob: 12:12-12:17
   ahead ( -> wayAhead Gains.frob: 5:19-5:24 drive.frob: 11:66-11:71, 3:14-3:19
   way
-   -> x `x` means something else already where drive.frob needs it
+   -> x `x` already means something else where drive.frob is used
   way
-   -> Way the name of this begins with a small letter, unlike `Way`
+   -> Way this name must begin with a small letter, unlike `Way`
   way
    -> where `where` cannot be a name
-  kTurn * -> approach `approach` means something else already where drive.frob needs it
+  kTurn * -> approach `approach` already means something else where drive.frob is used
   Stop { -> Halt Gains.frob: 5:12-5:16 drive.frob: 3:7-3:11
-  frontSonar -> sonar `frontSonar` is of the library
+  frontSonar -> sonar `frontSonar` belongs to the library
   None {"range": {"start": {"line": 9, "character": 19}, "end": {"line": 9, "character": 22}}, "placeholder": "way"}
 
 Code actions: the fixes of messages, and a signature.
@@ -232,7 +232,7 @@ Completion by what stands around the cursor, also while the text is broken.
   ["Stop", "kTurn"]
   ["Distance"]
   [["limit", "import Control", [{"range": {"start": {"line": 1, "character": 12}, "end": {"line": 1, "character": 12}}, "newText": "\nimport Control"}]]]
-  SF Float[u] Float[u s] 0 at the first instant; then adds the step's length times the input one instant ago.
+  SF Float[u] Float[u s] 0 at the first instant; then adds the step's length times the previous input.
 
 Signature help while arguments are written.
 
@@ -350,4 +350,4 @@ Of a text that never was without mistakes, what is right in it is known all the 
   x :: Float[m]
   ['f', 'g', 'main']
   9:4-9:5
-  names are wrong in this program: mend that first
+  this program has errors in its names: fix them first

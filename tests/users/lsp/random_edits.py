@@ -1,8 +1,8 @@
-"""Random edits on programs, by incremental changes: python3 random_edits.py SEED N FILE...
+"""Makes random edits to programs, by incremental changes: python3 random_edits.py SEED N FILE...
 
-After each edit the server is asked something. It has to live, and what it says of places has to
-be so: a symbol's name stands where the symbol is, as does the word of each token and of each
-definition; and now and then the messages are those of `frobc check` on the same text."""
+After each edit it sends requests to the server. The server must survive, and the positions in its
+answers must be correct: symbols, tokens and definitions must be where their names are. Sometimes it
+also compares the diagnostics with those of `frobc check` on the same text."""
 
 import bisect
 import json
@@ -72,7 +72,7 @@ PIECES = [
 
 
 class Mirror:
-    """The text as an editor has it, with places in UTF-16."""
+    """The text as an editor has it, with positions in UTF-16 units."""
 
     def __init__(self, text):
         self.text = text
@@ -93,7 +93,7 @@ class Mirror:
         return self.text[self.offset(range["start"]) : self.offset(range["end"])]
 
     def boundary(self, i):
-        """Not between the two of a line end."""
+        """Whether the position is not between the two characters of a line end."""
         return i + 1 if self.text[i - 1 : i + 1] == "\r\n" else i
 
 
@@ -128,7 +128,7 @@ def fail(what, mirror, *more):
 def check_symbols(uri, mirror):
     for s in flat(client.ask_all("documentSymbol", uri)):
         found = mirror.at(s["selectionRange"])
-        # a trial is called by a text
+        # a trial is named by a string
         if found.strip('"') != s["name"] and not s["name"].startswith("instance "):
             fail("a symbol is elsewhere", mirror, s, found)
 
@@ -150,7 +150,7 @@ def check_tokens(uri, mirror):
 
 
 def check_place(uri, mirror):
-    """Definition and hover of a name."""
+    """Checks definition and hover of a name."""
     words = list(re.finditer(r"[A-Za-z_][A-Za-z0-9_']*", mirror.text))
     if not words:
         return
@@ -168,7 +168,7 @@ def check_place(uri, mirror):
 
 
 def others(uri, mirror):
-    """What only has to be answered."""
+    """Sends requests that only have to be answered."""
     i = rng.randrange(len(mirror.text) + 1)
     params = {"position": mirror.position(i)}
     range = {"start": mirror.position(i), "end": mirror.position(len(mirror.text))}
@@ -222,7 +222,7 @@ while done < count:
     for step in range(min(200, count - done)):
         start, stop, text = edited(mirror)
         if rng.random() < 0.1 and mirror.text != original:
-            # as who has seen that it was wrong
+            # like a user who notices a mistake
             start, stop, text = 0, len(mirror.text), original
         range_ = {"start": mirror.position(start), "end": mirror.position(stop)}
         client.edit(uri, range_, text)

@@ -35,10 +35,10 @@ Before anything is open, and about what is not; what is no JSON, no request, or 
   rename None
   codeLens None
   formatting None
-  {'code': -32700, 'message': 'this is no JSON'}
-  {'code': -32700, 'message': 'this is no JSON'}
-  {'code': -32700, 'message': 'this is no JSON'}
-  {'code': -32600, 'message': 'a message is an object'}
+  {'code': -32700, 'message': 'this is not JSON'}
+  {'code': -32700, 'message': 'this is not JSON'}
+  {'code': -32700, 'message': 'this is not JSON'}
+  {'code': -32600, 'message': 'a message must be an object'}
   {'code': -32600, 'message': 'no method'}
   {'code': -32601, 'message': 'there is no method textDocument/fly'}
   None None
@@ -52,8 +52,9 @@ time.
   > from client import *
   > c = Client(".")
   > frames = b""
-  > for message in [{"id": 1000, "method": "workspace/symbol", "params": {"query": ""}},
-  >                 {"id": 1001, "method": "workspace/symbol", "params": {"query": ""}},
+  > place = {"textDocument": {"uri": c.uri("closed.frob")}, "position": {"line": 0, "character": 0}}
+  > for message in [{"id": 1000, "method": "textDocument/hover", "params": place},
+  >                 {"id": 1001, "method": "textDocument/hover", "params": place},
   >                 {"method": "$/cancelRequest", "params": {"id": 1001}}]:
   >     data = json.dumps({"jsonrpc": "2.0", **message}).encode()
   >     frames += b"Content-Length: %d\r\n\r\n%s" % (len(data), data)
@@ -66,7 +67,7 @@ time.
   > c.process.stdin.close()
   > print(c.process.wait())
   > END
-  [] {'code': -32800, 'message': 'cancelled'}
+  None {'code': -32800, 'message': 'cancelled'}
   1
   1
 

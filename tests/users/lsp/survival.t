@@ -31,13 +31,13 @@ what went wrong does no more.
   ('0:0-0:0', 'internal error in frobc: Not_found')
   None y :: Float
   [] gain :: n[1/s]
-  ('0:0-0:0', 'internal error in frobc: the stack overflowed')
+  ('2:0-2:25', 'the program is too large, or nested too deeply, for the stack of frobc\nnote: this is its largest definition, of 26 characters\nhint: split it into several definitions\nhint: or run `ulimit -s unlimited` for a larger stack')
   None y :: Float
   [] gain :: n[1/s]
-  ('0:0-0:0', 'this takes longer than 1 s, and was given up')
+  ('0:0-0:0', 'frobc gave up after 1 s')
   None y :: Float
   [] gain :: n[1/s]
-  ['internal error in Files: nobody knows why', 'internal error in frobc: Not_found', 'internal error in frobc: the stack overflowed', 'this takes longer than 1 s, and was given up']
+  ['frobc gave up after 1 s', 'internal error in Files: nobody knows why', 'internal error in frobc: Not_found']
   0
 
 A server that is killed, at any time, leaves nothing behind that another one stumbles over.

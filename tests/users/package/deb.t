@@ -1,8 +1,8 @@
 A Debian package has nothing that lintian would call an error or warn of.
 
   $ deb=$(sh ../../../compiler/package/deb.sh $(dirname $(which frobc))/.. packages)
-  $ echo $deb | sed 's|.*/\(packages/frobc_.*_\).*|\1|'
-  packages/frobc_0.1_
+  $ [ $deb = $PWD/packages/frobc_$(frobc --version)_$(dpkg --print-architecture).deb ] || echo $deb
+  $ [ $(dpkg-deb -f $deb Version) = $(frobc --version) ] || dpkg-deb -f $deb Version
   $ if command -v lintian > /dev/null; then lintian --fail-on error,warning $deb 2>&1 | grep -v 'root privileges' || true; fi
   $ dpkg-deb -f $deb Depends | grep -o -e '^libbox2d' -e 'libcairo2 ' -e 'gcc | c-compiler'
   libbox2d
@@ -17,12 +17,13 @@ with it, with the library and the simulator that lie beside it there.
   $ cp -R root/usr/share/doc/frobc/examples/wall_follow . && cd wall_follow
   $ frobc run wall_follow.frob --for 20s --picture run.png | head -4; ls
   time simulated: 20.000 s
-  distance driven: 6.359 m
+  distance driven: 6.365 m
   wall distance to keep: 0.200 m
   mean wall distance error: 0.0196 m
   README.md
   run.png
   wall_follow.frob
+  wall_follow.test.frob
   world.toml
   $ frobc compile wall_follow.frob && grep -c wall_follow_step wall_follow.h
   2
@@ -40,6 +41,7 @@ It brings along what there is to read. Links within lead somewhere, but for some
 
   $ cd root/usr/share && ls doc/frobc man/man1
   doc/frobc:
+  CHANGELOG.md
   README.md
   changelog.gz
   compiler

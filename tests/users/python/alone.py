@@ -1,8 +1,11 @@
-"""The package with nothing but Python."""
+"""Tests the package with a bare Python installation."""
 
+import subprocess
 import sys
+from importlib.metadata import version
 
 import frob
+import frob.tools
 
 with open("half.frob", "w") as file:
     file.write("main :: SF Float Float\nmain = proc x -> sin x / 2\n")
@@ -31,4 +34,8 @@ with open("go.toml", "w") as file:
 runs = frob.sweep("go.toml")
 assert isinstance(runs, frob.Columns) and runs["run"] == [1, 2, 3], runs
 assert runs["fate"] == ["held"] * 3 and runs["driven"][0] > 0, runs
+compiler = subprocess.run(
+    [frob.tools.frobc(), "--version"], stdout=subprocess.PIPE, text=True, check=True
+)
+assert version("frobc") == compiler.stdout.strip(), (version("frobc"), compiler.stdout)
 print("ok   the package with nothing but Python")

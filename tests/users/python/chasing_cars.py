@@ -1,10 +1,11 @@
-"""`make falsify`: Chasing Cars of ARCH-COMP's falsification category, ten searches for each
-requirement, beside Psy-TaLiRo on the same program.
+"""`make falsify`: runs Chasing Cars of ARCH-COMP's falsification category, ten searches for each
+requirement, and compares with Psy-TaLiRo on the same program.
 
-chasing_cars.py EXAMPLE [TRIES]   with cma, and with psy-taliro where it is installed
+chasing_cars.py EXAMPLE [TRIES]   uses cma, and psy-taliro if it is installed
 
-An input has 20 values in 100 s. The program takes Euler steps of 2.5 ms (with 10 ms cars brake
-where others would not); what is found counts if it is violated with steps of 0.1 ms too.
+An input has 20 values in 100 s. The program takes Euler steps of 2.5 ms (with 10 ms, cars brake in
+situations where they would not otherwise). A violation counts only if it also occurs with steps of
+0.1 ms.
 """
 
 import importlib.util
@@ -16,7 +17,7 @@ from frob import library, ranges, search
 from frob.falsification import Looking
 from frob.judging import Subject
 
-# Means of FalCAuN in ARCH-COMP 2026; CCx it has not falsified.
+# Means of FalCAuN in ARCH-COMP 2026; it did not falsify CCx.
 PUBLISHED = {"CC1": "198", "CC2": "38", "CC3": "61", "CC4": "474", "CCx": "never"}
 SECONDS, RATE, FINE, POINTS, RUNS = 100.0, 400.0, 10000.0, 20, 5000
 RIVAL_RUNS = 1000
@@ -24,7 +25,9 @@ INPUTS = {"in.throttle": (0, 1), "in.brake": (0, 1)}
 
 
 def ours(code, label, seeds):
-    """Which searches found something, and after how many runs; each judged again, finely."""
+    """Which searches succeeded, and after how many runs; each violation is checked again with a
+    finer step.
+    """
     subject, finer = (Subject(code, SECONDS, rate) for rate in (RATE, FINE))
     _, signals = ranges.of_program(code, {}, INPUTS)
     space = search.Space([], signals.varied, POINTS, "constant")
@@ -38,7 +41,7 @@ def ours(code, label, seeds):
 
 
 def rival(code, label, seeds):
-    """Psy-TaLiRo's dual annealing, its usual search, on the same program and the same margins."""
+    """Psy-TaLiRo's dual annealing, its default search, on the same program and the same margins."""
     import staliro
     from staliro.optimizers import DualAnnealing
 

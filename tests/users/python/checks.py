@@ -1,4 +1,4 @@
-"""Runs the tests of a file, and prints a line for all of them."""
+"""Runs the tests of a file, and prints one line for all of them."""
 
 import sys
 import unittest

@@ -1,5 +1,5 @@
 #!/bin/sh
-# usage: run.sh ROOT WRITTEN : the tests here, with Debian's Python, for its packages.
+# usage: run.sh ROOT WRITTEN : runs these tests with Debian's Python, because it has the packages.
 set -eu
 python=/usr/bin/python3
 test -x $python || python=python3
@@ -19,7 +19,7 @@ interp=$1/tests/meaning/interp
 export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$1/runtime/python" FROB_ROOT="$1"
 for test in test_*.py; do
     if test "$test" = test_cluster.py && ! $python -c "import distributed" 2>/dev/null; then
-        echo "ok   sweeps on a Dask cluster (skipped: no distributed; \`make python\` takes it from PyPI)"
+        echo "ok   sweeps on a Dask cluster (skipped: no distributed; \`make python\` installs it from PyPI)"
         continue
     fi
     $python -W error "$test"

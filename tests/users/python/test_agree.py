@@ -1,4 +1,6 @@
-"""Outputs are those of `frobc trace`, bit for bit: random programs, examples, each construct."""
+"""Checks that outputs equal those of `frobc trace`, bit for bit: for random programs, examples, and
+each construct.
+"""
 
 import csv
 import glob
@@ -35,7 +37,7 @@ def traced(name):
 
 class Agree(unittest.TestCase):
     def same(self, program, told, given):
-        """By their texts: of a NaN any is the same, and -0 is not 0."""
+        """Compares values as texts: all NaNs are equal, and -0 differs from 0."""
         for name, leaf in program._code.output_columns:
             self.assertEqual(len(told[name]), len(given[name]))
             for row, (cell, value) in enumerate(zip(told[name], list(given[name]))):

@@ -1,5 +1,5 @@
-"""Sweeps by worker processes of a local Dask cluster: with the client's files or without, and
-when they are killed."""
+"""Tests sweeps on the workers of a local Dask cluster: with and without access to the client's
+files, and with workers that are killed."""
 
 import os
 import shutil
@@ -43,7 +43,7 @@ def write(name, text):
 
 
 def rows(folder):
-    """The keys of all rows; only whole lines."""
+    """Returns the keys of all complete rows."""
     keys = []
     for name in os.listdir(folder):
         if name.endswith(".rows"):
@@ -52,8 +52,14 @@ def rows(folder):
     return keys
 
 
+def set_environment(changed):
+    """Changes the environment of the worker that runs this. (`os.environ.update` itself would be
+    sent with a copy of the client's environment, and change that.)"""
+    os.environ.update(changed)
+
+
 class Alone(WorkerPlugin):
-    """A worker that does not see the client's files of rows."""
+    """A worker that does not see the client's row files."""
 
     def setup(self, worker):
         from frob import cluster
@@ -84,7 +90,7 @@ class OnCluster(unittest.TestCase):
         self.cluster.close()
 
     def killer(self, enough):
-        """Kills a worker when there are enough rows; says afterwards how many there were."""
+        """Kills a worker when there are enough rows; reports how many there were."""
         seen = []
 
         def kill():
@@ -127,16 +133,16 @@ class OnCluster(unittest.TestCase):
         self.assertEqual(sorted(rows("gaps.rows")), sorted(set(rows("whole"))))
 
     def test_another_installation(self):
-        """What is not there on one worker, or is another, is told before the first run."""
+        """A missing or different installation on one worker is reported before the first run."""
         other = os.path.abspath("other")
         shutil.rmtree(other, ignore_errors=True)
         for part in ("lib/frobc", "share/frobc"):
             shutil.copytree(os.path.join(tools.prefix(), part), os.path.join(other, part))
         address = next(iter(self.client.run(os.getpid)))
-        # A wheel's hosts find their libraries from where they are installed.
+        # A wheel's hosts find their libraries relative to their installation.
         libraries = os.path.join(os.path.dirname(os.path.dirname(frob.__file__)), "frob.libs")
         changed = {"FROB_HOME": other, "LD_LIBRARY_PATH": libraries}
-        self.client.run(os.environ.update, changed, workers=[address])
+        self.client.run(set_environment, changed, workers=[address])
         with open(os.path.join(other, "lib/frobc/frob-sim"), "ab") as file:
             file.write(b"\n")
         with self.assertRaises(frob.Error) as raised:
@@ -144,7 +150,7 @@ class OnCluster(unittest.TestCase):
         self.assertEqual(
             str(raised.exception),
             f"the worker {address} cannot make these runs: its plan, program, worlds or frobc are "
-            "others than here",
+            "differ from those of the client",
         )
         os.remove(os.path.join(other, "share/frobc/worlds/room.toml"))
         with self.assertRaises(frob.Error) as raised:
@@ -154,7 +160,7 @@ class OnCluster(unittest.TestCase):
         self.assertEqual(os.listdir("gaps.rows"), [])
 
     def test_full_disk(self):
-        """Rows that are done are kept, and another call makes the rest."""
+        """Finished rows are kept, and another call makes the rest."""
         import resource
 
         def limit(size):
@@ -165,8 +171,8 @@ class OnCluster(unittest.TestCase):
             frob.sweep("gaps.toml", self.client)
         self.assertRegex(
             str(raised.exception),
-            "(?s)^a worker on .* could not make its runs: cannot write what a run came to: File too "
-            "large.*\n[0-9]+ of 600 runs are done; the same call goes on where this one ended$",
+            "(?s)^a worker on .* could not make its runs: cannot write the result of a run: File too "
+            "large.*\n[0-9]+ of 600 runs are done; repeat the call to continue$",
         )
         done = len(set(rows("gaps.rows")))
         self.assertTrue(0 < done < 600, done)

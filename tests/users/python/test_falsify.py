@@ -1,7 +1,8 @@
-"""How nearly assertions held, and runs in which they do not."""
+"""Tests margins of assertions, and the search for violations."""
 
 import os
 import random
+import shlex
 import subprocess
 import sys
 import unittest
@@ -101,7 +102,7 @@ main = proc i -> v where
     assert "is slow" (v <= 0.8[m/s])
     assume "is in front" (i.ahead > 0)
 """
-# Without parentheses around its first argument that would be another program.
+# Without parentheses around its first argument it would be another program.
 CRUISE = CRUISE.replace("(i.ahead < 0.25[m] `implies`", "((i.ahead < 0.25[m]) `implies`")
 
 INPUTS = {"in.wanted": "-1 to 1", "in.ahead": "-1 to 3"}
@@ -214,7 +215,7 @@ main = proc x -> y where
     y = integral x
     assert "small" (y <= 1.001)
 """)
-        # To 1 s it adds up what was before the last step, which a finer step has less of.
+        # By time 1 s it sums everything before the last step, which is less with a finer step.
         look = dict(
             inputs={"in": (0, 1)}, duration=1.0, rate=10, points=1, method="random", runs=30
         )
@@ -229,22 +230,24 @@ main = proc x -> y where
             self.assertIn(expected, str(caught.exception))
 
         told("has no parameter `mot`; it has: most, brakes", params={"mot": (0, 1)})
-        told('param most: expected a range, as "0.5[m/s] to …", found 0.3', params={"most": 0.3})
+        told(
+            'param most: expected a range, such as "0.5[m/s] to …", found 0.3', params={"most": 0.3}
+        )
         told(
             "param most: the range ends at 0.1, which is not more than 0.2",
             params={"most": "0.2[m/s] to 0.1[m/s]"},
         )
-        told("its unit is [m/s], and not [m]", params={"most": "0.2[m] to 1[m]"})
+        told("its unit is [m/s], not [m]", params={"most": "0.2[m] to 1[m]"})
         told("a range has two ends", params={"most": (0, float("inf"))})
         told("has no input `in.want`", inputs={"in.want": (0, 1)})
-        told("the column `in.ahead` is missing", inputs={"in.wanted": (0, 1)})
+        told("the column `in.ahead` of cruise is missing", inputs={"in.wanted": (0, 1)})
         told("nothing is varied", inputs={"in.wanted": 1, "in.ahead": 2})
         told("there is no assertion `fast`; there are: `stops`, `is slow`", only=["fast"])
         told("points: expected a number from 1 to 10000, found 0", points=0)
         told('method: expected "cma" or "random"', method="best")
         with open("nothing.frob", "w") as file:
             file.write("main :: SF Float Float\nmain = proc x -> x\n")
-        with self.assertRaisesRegex(frob.InputError, "asserts nothing"):
+        with self.assertRaisesRegex(frob.InputError, "has no assertion"):
             frob.falsify("nothing.frob", inputs={"in": (0, 1)}, method="random")
 
     def test_without_the_libraries_the_cure_is_told(self):
@@ -262,9 +265,10 @@ main = proc x -> y where
             "error: falsify needs numpy, which is not installed: "
             "`apt install python3-numpy` or `pip install numpy`\n",
         )
-        self.assertIn(
-            "needs the package cma, which is not installed: `pip install cma`, or search at random",
+        self.assertEqual(
             told("cma", "cma"),
+            "error: falsify needs cma, which is not installed: `pip install cma`; or search "
+            "at random (`--method random`), which takes more runs\n",
         )
 
     def test_a_sketch_is_a_signal_of_few_parts(self):
@@ -273,7 +277,7 @@ main = proc x -> y where
         )
         sketch = search.Sketch(space, [3], [])
         self.assertEqual(sketch.at([0.5, 0.25, 0.5, 0.1, 0.2, 0.3]), [0.5, 0.1, 0.2, 0.3, 0.3])
-        # Times have an order, whichever number is which; what is beyond an end is at it.
+        # Times are sorted, in whatever order the numbers are; numbers beyond an end are clipped.
         self.assertEqual(sketch.at([0.5, 2, 0.5, 0.1, 0.2, -1]), [0.5, 0.1, 0.1, 0.2, 0.2])
         time = np.arange(9) / 8
         self.assertEqual(
@@ -375,7 +379,7 @@ class Simulated(unittest.TestCase):
         stops, touches = self.look(params={"gap": (0.5, 0.6)}, runs=5)
         self.assertEqual((stops.found, touches.found, touches.runs), (None, None, 5))
         self.assertGreater(stops.nearest, 0)
-        # From the middle of the robot.
+        # Measured from the centre of the robot.
         self.assertGreater(touches.nearest, 0.25)
 
     def test_the_world_is_as_the_file_says_but_for_what_is_varied(self):
@@ -399,20 +403,21 @@ class Simulated(unittest.TestCase):
         told("nothing is varied: give a range to a parameter, a disturbance or the seeds")
         told("its inputs come from the simulator", inputs={"in.x": (0, 1)})
         told("expected a table of the world file and its key", disturbances={"noise": (0, 1)})
-        told('expected a range, as "0 to 0.1"', disturbances={"sonar.noise": 0.1})
+        told('expected a range, such as "0 to 0.1"', disturbances={"sonar.noise": 0.1})
         told("hall.toml:13:1: unknown key `noose`", disturbances={"sonar.noose": (0, 0.1)})
         told("the range ends at 0, which is not more than 1", disturbances={"sonar.noise": (1, 0)})
         told("seeds: expected whole numbers", seeds="1.5 to 2")
         told("there is no world none.toml", world="none.toml")
         with open("closed.frob", "w") as file:
             file.write(CRUISE)
-        with self.assertRaisesRegex(frob.InputError, "a program for no robot, so it has no world"):
+        with self.assertRaisesRegex(frob.InputError, "is not a robot program, so it has no world"):
             frob.falsify("closed.frob", inputs=INPUTS, seeds=(1, 2), method="random")
 
 
 class Command(unittest.TestCase):
     def setUp(self):
-        # The Python that runs this has what the search needs. It may stand beside another frobc.
+        # The Python that runs this test has the packages that the search needs. It may be installed
+        # next to another frobc.
         folders = [os.path.dirname(path) for path in (frob.tools.frobc(), sys.executable)]
         path = os.pathsep.join([*folders, os.environ["PATH"]])
         search_path = unittest.mock.patch.dict(os.environ, {"PATH": path})
@@ -456,6 +461,76 @@ class Command(unittest.TestCase):
             f'"stops in time": violated, first at {float(at):.3f}', driven.stdout + driven.stderr
         )
 
+    def test_it_tells_what_was_touched(self):
+        """The printed command reproduces the collision in a run, even for names that a shell would
+        split."""
+        folder = "a 'strange' $(name)"
+        os.makedirs(folder, exist_ok=True)
+        file = os.path.join(folder, "it's ahead.frob")
+        with open(file, "w") as text:
+            text.write(
+                "import Robot\nparam fast :: Velocity = 0.3[m/s]\n"
+                "main :: DiffDrive o => Program i o\n"
+                "main = reactimateRobot (proc _ -> roMake (setVelTR fast 0))\n"
+            )
+        command = [
+            frob.tools.frobc(),
+            "falsify",
+            file,
+            "--robot",
+            "create",
+            "--for",
+            "30s",
+            "--only",
+            "touches nothing",
+            "--method",
+            "random",
+            "--param",
+            "fast=0.2[m/s] to 0.3[m/s]",
+            "--world",
+        ]
+        with open(os.path.join(folder, "the hall.toml"), "w") as text:
+            text.write("[start]\nx = 0\ny = 0\n[[wall]]\npoints = [[1, -1], [1, 1]]\n")
+        found = subprocess.run(
+            [*command, os.path.join(folder, "the hall.toml")], capture_output=True, text=True
+        )
+        self.assertEqual((found.returncode, found.stderr), (1, ""))
+        violated, collision, again = found.stdout.splitlines()
+        self.assertRegex(violated, r"^violated  touches nothing: at [0-9.]+ s, found in 1 run$")
+        self.assertRegex(
+            collision,
+            r"^ +collision at [0-9.]+ s: the wall \(the hall.toml, line 4\), "
+            r"x [0-9.]+ m, y -?[0-9.]+ m, clearance 0\.[0-9]+ m$",
+        )
+        shell = again.strip().replace("frobc", shlex.quote(frob.tools.frobc()), 1)
+        driven = subprocess.run(["sh", "-c", shell], capture_output=True, text=True)
+        self.assertIn(collision.strip(), driven.stdout)
+
+    def test_an_outage_of_the_world(self):
+        """An assertion is judged only at the instants of the program."""
+        with open("lost.frob", "w") as text:
+            text.write(
+                "import Control\nimport Robot\nmain :: DiffDrive o => Program i o\n"
+                "main = reactimateRobot (proc _ -> roMake (setVelTR 0.1[m/s] 0) where\n"
+                '    assert "is not lost" (stepTime () < 1.5[s]))\n'
+            )
+        with open("lost.toml", "w") as text:
+            text.write("[start]\nx = 0\ny = 0\n[outage]\nfrom = 1\nlasts = 1\n")
+        searches = frob.falsify(
+            "lost.frob",
+            world="lost.toml",
+            robot="pioneer",
+            duration=5,
+            disturbances={"outage.lasts": (1, 3)},
+            method="random",
+            only=["is not lost"],
+            runs=100,
+        )
+        found = searches[0].found
+        lasts = found.drive.disturbances["outage.lasts"]
+        self.assertGreater(lasts, 1.4)
+        self.assertAlmostEqual(found.time, 1 + lasts, delta=0.021)
+
     def test_it_tells_what_it_finds_and_how_to_see_it(self):
         with open("cruise.frob", "w") as file:
             file.write(CRUISE)
@@ -486,7 +561,7 @@ class Command(unittest.TestCase):
         self.assertEqual(found.returncode, 1)
         self.assertIn("violated  is slow: at ", found.stdout)
         self.assertIn(
-            "frobc trace cruise.frob --input falsified/is-slow.csv --param most=", found.stdout
+            "frobc trace cruise.frob --input falsified/is-slow.csv --param 'most=", found.stdout
         )
         self.assertTrue(os.path.exists("falsified/is-slow.csv"))
         wrong = subprocess.run([*command, "--param", "most=1"], capture_output=True, text=True)

@@ -1,5 +1,5 @@
-"""The environment of Gymnasium: the same run as `frob.simulate`, in whose place whoever acts.
-Without gymnasium there is the drive below it."""
+"""Tests the Gymnasium environment: without an agent it gives the same run as `frob.simulate`. If
+gymnasium is not installed, tests the layer below it."""
 
 import os
 import threading
@@ -49,7 +49,7 @@ class Driven(unittest.TestCase):
         self.file = write("follow.frob", FOLLOW)
 
     def test_as_simulated(self):
-        """Bit for bit, if nothing is put in the place of anything."""
+        """Bit for bit the same if nothing is overridden."""
         table = frob.simulate(self.file, duration=4, seed=5, params={"distance": 0.4})
         driven = drive(self.file)
         names = [name for name in table if name.startswith("in") and name != "in.key"]
@@ -66,6 +66,40 @@ class Driven(unittest.TestCase):
                     driven.values(["out.forward", "out.turn"]),
                     table[["out.forward", "out.turn"]].iloc[row].tolist(),
                 )
+
+    def test_an_outage_of_the_world(self):
+        """As in `frobc run`, the program has no instant during an outage, and the first command
+        after it is a stop, although the program outputs a speed."""
+        world = write(
+            "away.toml", "[start]\nx = 1\ny = 1\n[outage]\nfrom = 1\nlasts = 0.5\nevery = 2\n"
+        )
+        file = write(
+            "drives.frob",
+            "import Robot\nmain :: DiffDrive o => Program i o\n"
+            "main = reactimateRobot (proc _ -> roMake (setVelTR (0.1[m/s^2] * time ()) 0))\n",
+        )
+        table = frob.simulate(file, world=world, robot="pioneer", duration=4)
+        names = [name for name in table if name.startswith("in") and name != "in.key"]
+        driven = drive(file, world=world, robot="pioneer", lasts=4.0)
+        driven.start(1, {})
+        for row in range(len(table)):
+            self.assertEqual(driven.time, table["time"][row])
+            for name, value in zip(names, driven.values(names)):
+                told = table[name][row]
+                self.assertEqual(repr(value), repr(told.item() if hasattr(told, "item") else told))
+            driven.step({}, {})
+            self.assertEqual(driven.values(["out.forward"])[0], table["out.forward"][row])
+        times = table["time"].tolist()
+        self.assertEqual([b - a > 0.5 for a, b in zip(times, times[1:])].count(True), 2)
+        self.assertGreaterEqual(driven.time, 4)
+
+    def test_an_outage_that_does_not_end(self):
+        world = write("gone.toml", "[start]\nx = 1\ny = 1\n[outage]\nfrom = 1\nlasts = 1e5\n")
+        driven = drive(self.file, world=world, robot="pioneer", lasts=2.0)
+        driven.start(1, {})
+        for _ in range(50):
+            driven.step({}, {})
+        self.assertEqual(driven.time, 2)
 
     def test_a_robot_of_ones_own(self):
         example = os.path.abspath(f"{os.environ['FROB_ROOT']}/examples/light_seek")
@@ -120,11 +154,11 @@ class Driven(unittest.TestCase):
         with self.assertRaisesRegex(frob.Error, "has several robots"):
             text = "[[start]]\nx = 1\ny = 1\n[[start]]\nx = 3\ny = 3\n"
             drive(self.file, world=write("two.toml", text)).start(1, {})
-        with self.assertRaisesRegex(frob.Error, "is a program for no robot"):
+        with self.assertRaisesRegex(frob.Error, "is not a robot program"):
             drive(write("half.frob", "main :: SF Float Float\nmain = proc x -> x / 2\n"))
 
     def test_threads(self):
-        """One that closes while another drives: an error, and no crash."""
+        """Closing while another thread drives gives an error, not a crash."""
         driven = drive(self.file)
         driven.start(1, {})
         sim = driven._sim
@@ -158,7 +192,7 @@ class Environment(unittest.TestCase):
 
         env = self.environment(duration=1.0)
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # it would rather have limits for all
+            warnings.simplefilter("ignore")  # it recommends limits for all columns
             check_env(env, skip_render_check=True)
         env.reset(seed=3)
         ends = [env.step(np.array([0.4, 0.0])) for _ in range(50)]
@@ -177,7 +211,7 @@ class Environment(unittest.TestCase):
         env.close()
 
     def test_sensors(self):
-        """An event is seen as it last was, and as the most before that."""
+        """An event is observed as its last value, and as the upper limit before it first occurs."""
         env = self.environment(observation=["in.sonar[3]"], limits={"in.sonar[3]": (0, 3)})
         seen = [env.reset(seed=1)[0][0], *(env.step(np.zeros(2))[0][0] for _ in range(30))]
         events = frob.simulate("follow.frob", duration=1, seed=1)["in.sonar[3]"]
@@ -186,7 +220,7 @@ class Environment(unittest.TestCase):
         self.assertTrue(all(0 < value < 3 for value in seen[20:]))
 
     def test_part_of_an_output(self):
-        """What the agent does not set is the program's."""
+        """The program determines everything that the agent does not set."""
         env = self.environment(
             action=["out.turn"], observation=["out.forward", "in.sonar[3]"], limits={}
         )
@@ -195,7 +229,7 @@ class Environment(unittest.TestCase):
         self.assertEqual(seen[0], frob.simulate("follow.frob", duration=0.01)["out.forward"][0])
 
     def test_operator(self):
-        """A knob has limits of its own; what is beyond them is the limit."""
+        """A knob has its own limits; values beyond them are clipped."""
         env = frob.gym.RobotEnv(
             write("knob.frob", KNOB),
             robot="pioneer",
@@ -211,8 +245,8 @@ class Environment(unittest.TestCase):
         for text, options in [
             ("follow has no number `out.left`", dict(action=["out.left"], limits={})),
             ("limits: `in.x` is neither acted on nor observed", dict(limits={"in.x": (0, 1)})),
-            ("the least is more than the most", dict(limits={"out.turn": (1, -1)})),
-            ("have at least one column, each once", dict(action=[], limits={})),
+            ("the minimum is greater than the maximum", dict(limits={"out.turn": (1, -1)})),
+            ("need at least one column, and each column only once", dict(action=[], limits={})),
             ("it has no parameter|follow has no parameter `far`", dict(params={"far": 1})),
             ("duration: expected seconds, found nan", dict(duration=float("nan"))),
         ]:

@@ -1,5 +1,6 @@
-"""The notebook does what it shows: its cells print what is stored in it. Where Jupyter is
-there (`make python`), its kernel runs it; else its cells are run as they stand, one by one."""
+"""Checks that the notebook's cells print the outputs stored in it. If Jupyter is installed
+(`make python`), its kernel runs the notebook; otherwise the cells run one by one in this process.
+"""
 
 import contextlib
 import io
@@ -22,7 +23,7 @@ def printed(cell):
 
 
 def by_hand(notebook):
-    """What each cell of code prints."""
+    """Returns the output of each code cell."""
     names = {"__name__": "__main__"}
     told = []
     for cell in notebook["cells"]:

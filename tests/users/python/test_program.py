@@ -1,4 +1,4 @@
-"""What a program takes and gives in Python, and what is told of what it cannot take."""
+"""Tests the inputs and outputs of programs in Python, and the messages for invalid inputs."""
 
 import copy
 import os
@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 import unittest
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -107,6 +108,14 @@ main = proc e -> either (const 0) (\\w -> w.speed) e
         with self.assertRaisesRegex(frob.Error, "there is no C file nowhere.c"):
             program(text, sources=["nowhere.c"])
 
+    def test_a_header_is_allowed_by_name(self):
+        text = 'foreign include "own.h"\nforeign own :: Float -> Float = "own"\n'
+        text += "main :: SF Float Float\nmain = arr own\n"
+        Path("own.h").write_text("static inline double own(double x) { return x + 1; }\n")
+        with self.assertRaisesRegex(frob.Error, "the C header `own.h`.*`--with own.h`"):
+            program(text)
+        self.assertEqual(program(text, sources=["own.h"]).step(0.1, 1.5), 2.5)
+
     def test_outputs_into_an_array(self):
         half = program(HALF)
         inputs, out = np.array([2.0, 4.0]), np.zeros(2)
@@ -124,15 +133,19 @@ main = proc e -> either (const 0) (\\w -> w.speed) e
             inputs,
             [0, 0],
         ):
-            with self.assertRaisesRegex(frob.InputError, "out: expected an array of float64"):
+            with self.assertRaisesRegex(
+                frob.InputError, "out: expected a writable array of float64"
+            ):
                 half.run(inputs, dt=1, out=wrong)
-        with self.assertRaisesRegex(frob.InputError, "out: expected an array of float64"):
+        with self.assertRaisesRegex(frob.InputError, "out: expected a writable array of float64"):
             program(ODD).run(np.zeros((2, 2)), dt=1, out=np.zeros((2, 2)))
-        with self.assertRaisesRegex(frob.InputError, "out: is for inputs that are an array"):
+        with self.assertRaisesRegex(frob.InputError, "out: use it only if the inputs are an array"):
             half.run([1], dt=1, out=out)
 
     def test_long_runs(self):
-        """In many calls of C, with one dt or many: no other outputs."""
+        """Splitting a run into many calls of C, with one dt or many, does not change the
+        outputs.
+        """
         p = program("main :: SF Float Float\nmain = proc x -> integral x / 1[s]\n")
         inputs = np.random.default_rng(1).random(20_000)
         told = p.run(inputs, dt=0.5)
@@ -178,7 +191,7 @@ class Mistakes(unittest.TestCase):
             os.environ["FROBC"] = "/nowhere/frobc"
             self.told(
                 "FROBC names /nowhere/frobc, which cannot be run: install frobc, or set FROBC to "
-                "where it is",
+                "its path",
                 lambda: program(HALF),
                 frob.Error,
             )
@@ -204,7 +217,7 @@ class Mistakes(unittest.TestCase):
             step(({"x": 1, "way": "Back"}, [1, 2], None)),
         )
         self.told(
-            "in.1.way: `Turn` carries 1, found Data('Turn')",
+            "in.1.way: `Turn` has arity 1, found Data('Turn')",
             step(({"x": 1, "way": "Turn"}, [1, 2], None)),
         )
         self.told("in.2: expected a list of 2, found 3: [1, 2, 3]", step((pose, [1, 2, 3], None)))
@@ -214,7 +227,7 @@ class Mistakes(unittest.TestCase):
         )
         self.told("in.3: expected a number, found [1]", step((pose, [1, 2], [1])))
         self.told(
-            "dt: nan is no time that passes; it is seconds from 0 on",
+            "dt: nan is not a duration: give seconds, 0 or more",
             lambda: p.step(float("nan"), (pose, [1, 2], None)),
         )
         self.told("dt: expected seconds, found '1'", lambda: p.step("1", (pose, [1, 2], None)))
@@ -222,7 +235,7 @@ class Mistakes(unittest.TestCase):
     def test_columns(self):
         odd, half = program(ODD), program(HALF, "half.frob")
         self.told(
-            "the column `in.2` is missing, which it takes; it takes in.1, in.2, found in.1",
+            "the column `in.2` of it is missing; the columns are in.1, in.2, found in.1",
             lambda: odd.run({"in.1": [1]}, dt=1),
         )
         self.told(
@@ -256,16 +269,15 @@ class Mistakes(unittest.TestCase):
             "time, row 1: 'a' is not a time in seconds", lambda: half.run([1, 2], time=[0, "a"])
         )
         self.told(
-            "time, row 1: time goes back: 0.0 comes after a later time",
+            "time, row 1: the time goes backwards: 0 comes after a later time",
             lambda: half.run([1, 2], time=[1, 0]),
         )
         self.told(
-            "how much time passes from instant to instant? Give `dt`, in seconds, or the "
-            "`time` of each instant",
+            "give the time between instants, `dt`, in seconds, or the `time` of each instant",
             lambda: half.run(np.zeros(3)),
         )
         self.told(
-            "time, row 2: time goes back: 0.5 comes after a later time",
+            "time, row 2: the time goes backwards: 0.5 comes after a later time",
             lambda: half.run(np.zeros(3), time=[0, 1, 0.5]),
         )
         self.told(
@@ -274,7 +286,7 @@ class Mistakes(unittest.TestCase):
         )
         self.told("dt has 2 rows, and the input 3", lambda: half.run(np.zeros(3), dt=[1, 1]))
         self.told(
-            "dt, row 1: -1.0 is no time that passes; it is seconds from 0 on",
+            "dt, row 1: -1.0 is not a duration: give seconds, 0 or more",
             lambda: half.run(np.zeros(2), dt=[1, -1]),
         )
         self.told(
@@ -286,12 +298,12 @@ class Mistakes(unittest.TestCase):
             lambda: half.run(np.zeros((2, 0)), dt=1),
         )
         self.told(
-            "`in.1.way` of it is no number (`Idle` or `Ahead` or `Turn`), and an array has "
-            "numbers only: give a mapping of columns, or a DataFrame",
+            "`in.1.way` of it is not a number (`Idle` or `Ahead` or `Turn`), but an array can "
+            "only have numbers: give a mapping of columns, or a DataFrame",
             lambda: program(PAIR).run(np.zeros((2, 5)), dt=1),
         )
         self.told(
-            "the array: values are masked: fill them, or leave their rows out",
+            "the array: values are masked: fill them, or remove their rows",
             lambda: half.run(np.ma.masked_equal([1.0, 2.0], 2), dt=1),
         )
         self.told(
@@ -317,7 +329,7 @@ class Mistakes(unittest.TestCase):
             "params: expected a mapping of names, found [1]", lambda: program(GAIN, params=[1])
         )
         self.told(
-            "param gain: its unit is [1/s], and not [1/m]",
+            "param gain: its unit is [1/s], not [1/m]",
             lambda: program(GAIN, params={"gain": "1[1/m]"}),
         )
         self.told(
@@ -328,7 +340,7 @@ class Mistakes(unittest.TestCase):
 
 class Interpreter(unittest.TestCase):
     def test_threads(self):
-        """Two that step the same program take turns; runs have states of their own."""
+        """Two threads that step the same program take turns; runs have separate states."""
         p = program("main :: SF Int Int\nmain = proc n -> sum where\n    sum = delay 0 sum + n\n")
         results = []
 
@@ -351,7 +363,7 @@ class Interpreter(unittest.TestCase):
         self.assertEqual([step(0.1, n) for n in (1, 2)], [0.5, 1])
         first, second = program(HALF), program(HALF.replace("2", "4"))
         self.assertEqual((first.step(0.1, 1), second.step(0.1, 1)), (0.5, 0.25))
-        with self.assertRaisesRegex(TypeError, "does not go to another process"):
+        with self.assertRaisesRegex(TypeError, "cannot be sent to another process"):
             pickle.dumps(first)
 
     def test_imports_little(self):

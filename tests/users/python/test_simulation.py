@@ -1,4 +1,4 @@
-"""Runs in the simulator, and recordings, in Python."""
+"""Tests runs in the simulator, and recordings, from Python."""
 
 import csv
 import gzip
@@ -83,7 +83,7 @@ class Simulate(unittest.TestCase):
     def test_mistakes(self):
         for text, options in [
             ("there is no world nowhere.toml", dict(world="nowhere.toml")),
-            ("seed: expected a whole number from 0 on, found -1", dict(seed=-1)),
+            ("seed: expected a whole number of at least 0, found -1", dict(seed=-1)),
             (
                 "duration: expected seconds from 0.001 to 100000, found nan",
                 dict(duration=float("nan")),
@@ -127,12 +127,16 @@ class Read(unittest.TestCase):
         self.assertEqual(list(frob.read("log.csv.zst")["in"]), [1, 2])
         with open("log.csv", "rb") as file:
             packed = gzip.compress(file.read())
-        damaged = "the archive is cut off or damaged (`frobc convert` keeps its whole rows)"
+        damaged = "the archive is truncated or damaged (`frobc convert` recovers its complete rows)"
         for ending, content, reason in (
             ("gz", packed[:-9], damaged),
             ("gz", packed[:12] + b"x" + packed[13:], damaged),
-            ("gz", b"time,in\n0,1\n", "it is not compressed by gzip, as its name says"),
-            ("zst", b"time,in\n0,1\n", "it is not compressed by zstd, as its name says"),
+            ("gz", b"time,in\n0,1\n", "its name says that it is compressed by gzip, but it is not"),
+            (
+                "zst",
+                b"time,in\n0,1\n",
+                "its name says that it is compressed by zstd, but it is not",
+            ),
         ):
             with open(f"bad.csv.{ending}", "wb") as file:
                 file.write(content)
@@ -140,17 +144,23 @@ class Read(unittest.TestCase):
                 frob.read(f"bad.csv.{ending}")
             self.assertEqual(str(caught.exception), f"cannot read bad.csv.{ending}: {reason}")
         with unittest.mock.patch.dict(os.environ, {"PATH": os.getcwd()}):
-            with self.assertRaisesRegex(frob.Error, "zstd, by which it goes, is not installed"):
+            with self.assertRaisesRegex(
+                frob.Error, "this needs the program zstd, which is not installed"
+            ):
                 frob.read("log.csv.zst")
 
     def test_mistakes(self):
         with self.assertRaisesRegex(frob.Error, "cannot read nowhere.csv: No such file"):
             frob.read("nowhere.csv")
-        self.told("a,b\n1,2\n", "log.csv:1: not a recording: its first column is `time`, found `a`")
+        self.told(
+            "a,b\n1,2\n",
+            "log.csv:1: not a recording: its first column is `time`, found `a`; "
+            "`time_column=NAME` reads the times from another column",
+        )
         self.told("", "log.csv:1: not a recording: its first column is `time`")
         self.told(
             "time,in\n0,1\n1\n",
-            "log.csv:3: 2 columns, but 1 cells in this row; the recording may have been cut",
+            "log.csv:3: 2 columns, but 1 cells in this row; the recording may be truncated",
         )
         self.told(
             "# param a=1\ntime,in\n0,1\n1,(2\n", "log.csv:4: column `in`: the value ends too early"

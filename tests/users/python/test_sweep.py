@@ -1,4 +1,4 @@
-"""Sweeps from Python on one machine."""
+"""Tests sweeps from Python on one machine."""
 
 import math
 import os
@@ -93,7 +93,7 @@ class Sweep(unittest.TestCase):
         with self.assertRaisesRegex(frob.Error, "^there is no plan none.toml$"):
             frob.sweep("none.toml")
         with self.assertRaisesRegex(
-            frob.InputError, "^jobs: expected a whole number from 1 on, found 0$"
+            frob.InputError, "^jobs: expected a whole number of at least 1, found 0$"
         ):
             frob.sweep("gaps.toml", jobs=0)
         write("wrong.toml", PLAN + "gp = 3\n[more]\n")

@@ -1,5 +1,5 @@
-"""What mypy says of a user's script: the results of `run` go by its inputs, and what is
-marked `# wrong` is an error."""
+"""A user's script for mypy: the type of `run`'s result depends on its inputs, and each line marked
+`# wrong` must be an error."""
 
 from typing import Any, Dict, List
 

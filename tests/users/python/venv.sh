@@ -1,7 +1,7 @@
 #!/bin/sh
-# usage: venv.sh BUILD : the wheel of BUILD/wheel in fresh virtual environments, as a user has
-# it: without frobc on the PATH, first without numpy; then with what it works with, from PyPI.
-# Run at the top of the project.
+# usage: venv.sh BUILD : installs the wheel in BUILD/wheel in new virtual environments, as a user
+# would, without frobc on PATH: first without numpy, then with its optional packages from PyPI. Run
+# it in the top folder of the project.
 set -eu
 build=$1
 here=$PWD
@@ -14,14 +14,14 @@ cp tests/users/python/*.py "$work"
 environment=$build/python-alone
 rm -rf "$environment"
 /usr/bin/python3 -m venv "$environment"
-pip "$build"/wheel/frob-*.whl
+pip "$build"/wheel/frobc-*.whl
 (cd "$work" && clean "$environment/bin/python" alone.py)
 
 environment=$build/python-test
 test -x "$environment/bin/python" || /usr/bin/python3 -m venv "$environment"
 echo "Installing in $environment, from PyPI: numpy, pandas, pandas-stubs, gymnasium, mypy, nbclient"
 pip numpy pandas pandas-stubs gymnasium mypy nbclient ipykernel
-pip --force-reinstall --no-deps "$build"/wheel/frob-*.whl
+pip --force-reinstall --no-deps "$build"/wheel/frobc-*.whl
 for test in test_program.py test_simulation.py test_gym.py test_sweep.py; do
     (cd "$work" && FROB_ROOT=$here clean "$environment/bin/python" -W error "$test")
 done

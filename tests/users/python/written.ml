@@ -1,4 +1,4 @@
-(* Random programs and the examples, each with random input, as files: NAME.csv, and of a
+(* Writes random programs and the examples, each with random input, as files: NAME.csv, and for a
    random program NAME.frob. *)
 
 open Fuzz
@@ -37,7 +37,7 @@ let example argument =
   let file, robot =
     match String.split_on_char ':' argument with
     | [ file; robot ] -> (
-        match Driver.Robots.known (Some robot) with
+        match Build.Robots.known (Some robot) with
         | Ok robot -> (file, robot)
         | Error reason -> failwith reason)
     | _ -> (argument, None)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# usage: bundle.sh PAGE : whether PAGE/bundle is what the sources in PAGE make.
+# usage: bundle.sh PAGE : checks that PAGE/bundle is up to date with the sources in PAGE.
 set -eu
 if ! command -v npm >/dev/null || ! command -v node >/dev/null; then
     echo "skipped: the page is not built again without npm"

@@ -1,7 +1,7 @@
 """usage: claims.py FROBC RUN.csv FILE ROBOT
 
-What the viewer says of a program's assertions: as a run's summary, at the instants at which the
-trace has them violated, live and of an edited program."""
+Tests what the viewer reports about a program's assertions: it must agree with the run's summary and
+with the violations in the trace, also for a live run and for an edited program."""
 
 import asyncio
 import json
@@ -31,7 +31,7 @@ main = reactimateRobot (proc i -> wallFollow1 0.4[m] i where
 
 
 def make_run(frobc, folder):
-    """A program, and a recording of it."""
+    """Makes a program and a recording of it."""
     program, recording = os.path.join(folder, "around.frob"), os.path.join(folder, "around.csv")
     with open(program, "w") as file:
         file.write(program_text)
@@ -45,7 +45,7 @@ def make_run(frobc, folder):
 
 
 def violated(rows, column, void):
-    """Of an assertion from when it is violated and until when, in turn."""
+    """Returns when an assertion starts and stops being violated, alternately."""
     fails = [
         row[f"probe.{column}"] == "Fails" and not (void is not None and k >= void)
         for k, row in enumerate(rows)
@@ -61,7 +61,7 @@ async def of_recording(frobc, program, recording, summary):
     async with connect(v) as client:
         there = await greet(v, client)
         check("the page begins where it is told to", there["at"] == 15.9)
-        await ask(client, f"instant {len(rows) - 1}")  # all of it has been run
+        await ask(client, f"instant {len(rows) - 1}")  # waits until the whole run has been replayed
         claims = (await ask(client, "claims"))["all"]
         check(
             "what became of each is as the run has told",
@@ -107,7 +107,7 @@ async def of_recording(frobc, program, recording, summary):
 
 
 async def of_many(frobc, folder):
-    """In mapSF there are many with one label."""
+    """In mapSF, many instances have an assertion with the same label."""
     program, recording = os.path.join(folder, "many.frob"), os.path.join(folder, "many.csv")
     with open(program, "w") as file:
         file.write(

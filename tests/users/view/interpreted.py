@@ -1,7 +1,7 @@
 """usage: interpreted.py FROBC RUN.csv FILE ROBOT
 
-What the page shows is what the interpreter computes, which shares nothing with the C that the
-viewer runs: outputs, what is drawn, and inner signals, by a program that puts them out."""
+Checks that the page shows what the interpreter computes, which shares no code with the C that the
+viewer runs: outputs, drawings, and internal signals, which a variant of the program outputs."""
 
 import asyncio
 import csv
@@ -28,7 +28,7 @@ all = proc (v, turns) -> (way, smooth, rate, back) where
     way = integral (if back then -smooth else smooth)
     back = delay False (turns && way > 0.5[m])
 """
-# The same with its inner signals as outputs.
+# The same program with its internal signals as outputs.
 outer = inner.replace(
     "SF (Velocity, Bool) Distance\nmain = proc (v, turns) -> way where\n"
     "    (way, _, _, _) = all (v, turns)",
@@ -48,7 +48,7 @@ def interpreted(frobc, program, recording, *options):
 
 
 async def shown(v, rows, columns):
-    """Whether each instant has in its cells what the rows have in these columns."""
+    """Whether the cells of each instant equal those of the rows in these columns."""
     async with connect(v) as client:
         signals = [signal["name"] for signal in (await greet(v, client))["signals"]]
         places = {signals.index(name): column for name, column in columns.items()}

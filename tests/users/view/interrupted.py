@@ -1,6 +1,6 @@
 """usage: interrupted.py FROBC RUN.csv FILE ROBOT
 
-A test of the page that is killed leaves nothing running."""
+Checks that a test of the page leaves no process running when it is killed."""
 
 import os
 import signal
@@ -21,7 +21,7 @@ def is_running(pid):
 
 
 def started():
-    """The viewer of a test, which then waits to be killed."""
+    """Starts a test's viewer; the test then waits to be killed."""
     frobc, recording, program, _ = sys.argv[1:5]
     print(viewer.Viewer(frobc, recording, program).process.pid, flush=True)
     time.sleep(60)

@@ -1,6 +1,6 @@
 """usage: journey.py FROBC RUN.csv FILE ROBOT
 
-A visit to the page in a browser: open, look, plot, scrub, mark, play."""
+Visits the page in a browser: opens it, looks, plots, scrubs, marks, plays."""
 
 import atexit
 import os
@@ -24,7 +24,7 @@ def start(width, height):
     options.add_argument("--headless=new")
     options.add_argument(f"--window-size={width},{height}")
     if os.geteuid() == 0:
-        options.add_argument("--no-sandbox")  # which Chromium does not have for root
+        options.add_argument("--no-sandbox")  # Chromium has no sandbox for root
     options.binary_location = "/usr/bin/chromium"
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     service = Service("/usr/bin/chromedriver", popen_kw={"start_new_session": True})
@@ -45,7 +45,7 @@ class Page:
         return next((element.text for element in self.all(selector)), "")
 
     def wait(self, condition):
-        return WebDriverWait(self.driver, 10, ignored_exceptions=[stale]).until(
+        return WebDriverWait(self.driver, 60, ignored_exceptions=[stale]).until(
             lambda _: condition()
         )
 
@@ -59,7 +59,7 @@ class Page:
         return int(self.text("#now").split()[1])
 
     def cells(self):
-        """What the list of signals shows of each, whole."""
+        """Returns the full text of each signal in the list."""
         return dict(
             self.driver.execute_script(
                 "return [...document.querySelectorAll('#list section > button')]"
@@ -217,10 +217,10 @@ def visit(page, rows):
     page.wait(lambda: not page.all(".what-if pre")[0].is_displayed())
     page.press("e")
     next(b for b in page.all(".what-if button") if b.text == "Drive again").click()
-    page.wait(lambda: "driven in the simulator" in page.text(".what-if pre"))
+    page.wait(lambda: "ran in the simulator" in page.text(".what-if pre"))
     check(
         "the program drives again in the simulator",
-        page.text(".what-if pre").endswith("Its outputs are the same, at all instants."),
+        page.text(".what-if pre").endswith("Its outputs are the same at all instants."),
     )
     page.press(Keys.ESCAPE)
 
@@ -238,8 +238,17 @@ def main():
         visit(Page(driver, v.address), viewer.trace(frobc, recording, program, robot))
         driver.get("about:blank")
         stranger = Page(driver, v.address[:-1] + ("0" if v.address[-1] != "0" else "1"))
-        stranger.wait(lambda: "this is not the token" in stranger.text("#state"))
+        stranger.wait(lambda: "the token is wrong" in stranger.text("#state"))
         check("a page with another token shows nothing", stranger.text("#list") == "")
+        page = Page(driver, v.address)
+        page.at(0)
+        v.end()
+        page.wait(lambda: "cannot reach the viewer" in page.text("#contact"))
+        v = viewer.Viewer(frobc, recording, program, "--port", str(v.port))
+        page.wait(lambda: "Another viewer answers" in page.text("#contact"))
+        check("a page finds out that there is another viewer in the place of its own", True)
+        Page(driver, v.address).at(0)
+        check("whose address opens it in the same tab", True)
         v.end()
     finally:
         driver.quit()

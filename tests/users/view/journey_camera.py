@@ -1,7 +1,7 @@
 """usage: journey_camera.py FROBC RUN.csv FILE ROBOT
 
-A visit to the page of a program that sees: what it shows of an image, live, at any instant before,
-on a phone, and where a frame is missing."""
+Visits the page of a program with a camera: checks the image that it shows, live, at any earlier
+instant, on a phone, and when a frame is missing."""
 
 import glob
 import os
@@ -20,8 +20,8 @@ poster = "../../../examples/track_poster/track_poster.frob"
 
 
 def colours(page):
-    """How many pixels of the camera's pane are of the image, roughly: neither grey nor clear; and
-    how many of the colour of a thing that is seen, #00c08b."""
+    """Counts pixels in the camera's panel: those that belong to the image (approximately, pixels
+    that are neither grey nor clear), and those in the colour #00c08b of a marked object."""
     return page.driver.execute_script("""
         const canvas = document.querySelector("#camera canvas"), copy = new OffscreenCanvas(
             canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
@@ -98,7 +98,7 @@ def visit_missing(page):
     page.at(50)
     check(
         "a frame that is missing is told",
-        "frame 29, of instant 50, is not there" in page.wait(lambda: page.text("#notes")),
+        "frame 29, of instant 50, is not available" in page.wait(lambda: page.text("#notes")),
     )
     page.wait(lambda: colours(page)[1] == 0)
     check("and no other is shown for it", frame(page) is None)

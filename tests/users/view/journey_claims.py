@@ -1,7 +1,7 @@
 """usage: journey_claims.py FROBC RUN.csv FILE ROBOT
 
-A visit to the page of a run in which assertions were violated: from one violation to the next,
-by clicks and by keys."""
+Visits the page of a run in which assertions were violated: steps from one violation to the next, by
+clicks and by keys."""
 
 import sys
 import tempfile
@@ -28,7 +28,7 @@ def time_of(page):
 
 
 def red(page):
-    """How much of the time line is marked, at the height of the strip of violations."""
+    """Returns how much of the timeline is marked, at the height of the strip of violations."""
     return page.driver.execute_script("""
         const canvas = document.querySelector("#timeline canvas");
         const { width, height } = canvas;

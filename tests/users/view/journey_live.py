@@ -1,7 +1,7 @@
 """usage: journey_live.py FROBC RUN.csv FILE ROBOT
 
-A visit to the page of a run that goes on: see the robot move, pause the run, scrub, come back,
-press a key, and stop it."""
+Visits the page of a live run: watches the robot move, pauses the run, scrubs, returns, presses a
+key, and stops the run."""
 
 import sys
 import tempfile
@@ -36,7 +36,7 @@ def visit(page):
     page.press(Keys.ESCAPE)
 
     page.all("#hold")[0].click()
-    page.wait(lambda: page.text("#hold") == "Go on")
+    page.wait(lambda: page.text("#hold") == "Continue")
     at = page.wait(lambda: stands(page))
     page.all("#single")[0].click()
     page.wait(lambda: page.instant() == at + 1)
@@ -75,14 +75,14 @@ def visit(page):
 
 
 def stands(page):
-    """The instant that is shown, if no other has come for a while."""
+    """Returns the instant shown, once it has not changed for a while."""
     at = page.instant()
     page.driver.execute_async_script("setTimeout(arguments[0], 300)")
     return at if page.instant() == at else None
 
 
 def extent(page):
-    """How many instants there are."""
+    """Returns the number of instants."""
     return int(page.text("#run").split(" instants")[0].split()[-1])
 
 
@@ -93,9 +93,9 @@ def main():
         driver = start(1280, 720)
         try:
             visit(Page(driver, run.address))
-            check("the run has ended well", run.process.wait(10) == 0)
         finally:
             driver.quit()
+        check("the run has ended well", run.process.wait(10) == 0)
 
 
 main()

@@ -1,7 +1,7 @@
 """usage: journey_operate.py FROBC RUN.csv FILE ROBOT
 
-A visit to the page of a run as an operator on a phone held upright: hold a button and see the
-robot drive, turn a knob, switch something off, click on the map."""
+Visits the page of a run as an operator with a phone held upright: holds a button and sees the robot
+drive, turns a knob, switches something off, clicks on the map."""
 
 import sys
 

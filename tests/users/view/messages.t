@@ -25,7 +25,7 @@ this only the form is always the same:
   > }
 
   $ view run.csv way.frob
-  view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
+  view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
 
 No recording, and what is none:
@@ -34,7 +34,7 @@ No recording, and what is none:
   error: there is no file gone.csv
   [2]
   $ frobc view way.frob way.frob
-  error: cannot view way.frob: it is no recording: its first line does not begin with `time`
+  error: cannot view way.frob: it is not a recording: the first column must be `time`; `--time-column NAME` reads the times from the column NAME
   [2]
   $ : > empty.csv
   $ frobc view empty.csv way.frob
@@ -42,61 +42,61 @@ No recording, and what is none:
   [2]
   $ head -n 1 run.csv > header.csv
   $ frobc view header.csv way.frob
-  error: cannot view header.csv: there is no instant in it
+  error: cannot view header.csv: it contains no instant
   [2]
 
 A torn last line is left out:
 
   $ head -c -5 run.csv > torn.csv
   $ view torn.csv way.frob
-  torn.csv:4: the last line is torn (no line feed at its end), and left out
-  view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
+  torn.csv:4: the last line is incomplete (it does not end with a line feed) and is left out
+  view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
 
 One that is compressed, and one of which the end is missing:
 
   $ gzip -k run.csv
   $ view run.csv.gz way.frob
-  view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
+  view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
   $ head -c -8 run.csv.gz > cut.csv.gz
   $ view cut.csv.gz way.frob
-  cut.csv.gz:5: the archive is cut off or damaged (`frobc convert` keeps its whole rows); that row and what comes after it is left out
-  view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
+  cut.csv.gz:5: the archive is truncated or damaged (`frobc convert` recovers its complete rows); this row and the rows after it are left out
+  view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
   $ cp run.csv plain.csv.gz
   $ view plain.csv.gz way.frob
-  error: cannot view plain.csv.gz: it is not compressed by gzip, as its name says
+  error: cannot view plain.csv.gz: its name says that it is compressed by gzip, but it is not
   [2]
 
 A recording of another program, or of another version of it, is shown as far as it fits:
 
   $ sed 's/in.2/in.stop/' run.csv > other.csv
   $ view other.csv way.frob
-  other.csv:1: the program has no `in.stop`: the recording is of another program, or of another version of it
-  other.csv:1: no column of the program's input `in.2`; so the program cannot be run on it, and what was recorded is all that is shown
-  view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
+  other.csv:1: the program has no `in.stop`: the recording is from another program, or from another version of it
+  other.csv:1: the recording has no column for the program's input `in.2`, so the program cannot be run on it, and only recorded signals are shown; use `--column NAME=COLUMN` to read one from a column of another name
+  view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
   $ sed 's/0.30000000000000004/0.25/' run.csv > diverged.csv
   $ view diverged.csv way.frob
-  diverged at 2: `out` is not as recorded, so the recording is of another version of the program, or its C depends on more than its input
-  view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
+  diverged at instant 2: `out` differs from the recording, so the recording is from another version of the program, or the program's C code depends on more than its input
+  view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
   $ sed 's/true/maybe/' run.csv > broken.csv
   $ view broken.csv way.frob
-  broken.csv:4: column `in.2`: `maybe` is no value of it; that row and what comes after it is left out
-  view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
+  broken.csv:4: column `in.2`: `maybe` is not a valid value; expected `true` or `false`; this row and the rows after it are left out
+  view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
   $ sed 's/^0.2/0.05/' run.csv > back.csv
   $ view back.csv way.frob
-  back.csv:4: time goes back: `0.05` comes after a later time; that row and what comes after it is left out
-  view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
+  back.csv:4: the time goes backwards: `0.05` comes after a later time; this row and the rows after it are left out
+  view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
   $ sed 's/time.*/time,a,b,c,d,e/; 1!s/$/,0,0/' run.csv > another.csv
   $ view another.csv way.frob
-  another.csv:1: the program has no `a`, `b`, `c`, `d` and more: the recording is of another program, or of another version of it
-  another.csv:1: no column of the program's input `in.1`, `in.2`; so the program cannot be run on it, and what was recorded is all that is shown
-  view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
+  another.csv:1: the program has no `a`, `b`, `c`, `d` and more: the recording is from another program, or from another version of it
+  another.csv:1: the recording has no column for the program's input `in.1`, `in.2`, so the program cannot be run on it, and only recorded signals are shown; use `--column NAME=COLUMN` to read one from a column of another name
+  view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
 
 A port that is taken, and one that is none:
@@ -105,7 +105,7 @@ A port that is taken, and one that is none:
   $ for i in $(seq 100); do grep -q '^view: ' first && break; sleep 0.1; done
   $ port=$(sed 's|.*127.0.0.1:\([0-9]*\)/.*|\1|' first)
   $ frobc view --print --port $port run.csv way.frob 2>&1 | sed "s/$port/PORT/"
-  error: port PORT is taken; without --port any that is free is used
+  error: port PORT is in use; remove --port to use any free port
   $ kill $first; wait $first
   $ frobc view --print --port 70000 run.csv way.frob
   error: --port takes a number from 1 to 65535

@@ -1,7 +1,7 @@
 """usage: operate.py FROBC RUN.csv FILE ROBOT
 
-What an operator does on the page of a run: it reaches the program, is recorded, and replays; a
-button that is held is let go of when its page falls silent, whatever it does."""
+Tests operator input on the page of a run: it must reach the program, be recorded, and replay. A
+held button must be released when its page falls silent, for whatever reason."""
 
 import asyncio
 import csv
@@ -12,7 +12,7 @@ import sys
 import time
 
 import viewer
-from live import Page, path
+from live import PATIENCE, Page, path
 from viewer import check
 
 teleop = "../../../examples/teleop/teleop.frob"
@@ -21,7 +21,7 @@ bug = "../../../examples/bug/clicked.frob"
 
 
 class Panel:
-    """The program's console, by labels."""
+    """The program's console, with controls by label."""
 
     def __init__(self, page):
         self.page = page
@@ -29,11 +29,41 @@ class Panel:
         self.labels = [control["label"] for control in self.controls]
         self.names = [signal["name"] for signal in page.program["signals"]]
 
-    async def touch(self, label, x, y=0):
-        await self.page.socket.send(f"touch {self.labels.index(label)} {x} {y}")
+    async def set(self, label, x, cell):
+        """Sets a control until the program has taken the value: repeats it if it was late."""
+        while True:
+            await self.page.insist(f"touch {self.labels.index(label)} {x} 0")
+            end = self.page.live["instants"] + 100
+            await self.page.until(
+                lambda p: self.input(label) == cell or p.live["instants"] > end or p.refused
+            )
+            if self.input(label) == cell:
+                return
+
+    async def click(self, label, x, y):
+        """Clicks once. Returns the instant at which the program has taken it."""
+        return await self.page.until_taken(
+            f"touch {self.labels.index(label)} {x} {y}", self.names.index(f"in.console.{label}")
+        )
 
     async def hold(self, label, x):
         await self.page.socket.send(f"hold {self.labels.index(label)} {x}")
+
+    async def hold_until(self, label, condition):
+        """Holds a button, renewing it ten times a second."""
+        end = time.monotonic() + PATIENCE
+        while not condition() and time.monotonic() < end:
+            await self.hold(label, 1)
+            next_hold = time.monotonic() + 0.1
+            while not condition() and time.monotonic() < next_hold:
+                await self.page.hear()
+
+    async def press_once(self, label):
+        """Sends a single hold until the program has taken it: repeats it if it was late."""
+        while self.input(label) != "true":
+            await self.hold(label, 1)
+            end = self.page.live["instants"] + 100
+            await self.page.until(lambda p: self.input(label) == "true" or p.live["instants"] > end)
 
     def value(self, name):
         return self.page.live["newest"]["cells"][self.names.index(name)]
@@ -51,7 +81,7 @@ def rows(name):
 
 
 def replays(run, recording, program, robot):
-    """Both engines say what the run has put out."""
+    """Checks that both engines reproduce the run's outputs."""
     for engine in "c", "interp":
         traced = subprocess.run(
             [
@@ -99,28 +129,20 @@ async def driving(frobc):
             and panel.input("careful") == "true"
             and panel.input("drive") == "false",
         )
-        await panel.touch("speed", 0.125)
-        await panel.until("speed", "0.125")
-        await panel.touch("turn", -9)
-        await panel.until("turn", "-1")
+        await panel.set("speed", 0.125, "0.125")
+        await panel.set("turn", -9, "-1")
         check("a knob stays within its limits", True)
-        await panel.touch("turn", 0)
-        await panel.touch("careful", 0)
-        await panel.until("careful", "false")
-        for _ in range(6):
-            await panel.hold("drive", 1)
-            await asyncio.sleep(0.1)
-        await panel.until("drive", "true")
-        await page.until(lambda p: panel.value("out.forward") == "0.125")
-        check("a button that is held drives", True)
+        await panel.set("turn", 0, "0")
+        await panel.set("careful", 0, "false")
+        await panel.hold_until("drive", lambda: panel.value("out.forward") == "0.125")
+        check("a button that is held drives", panel.value("out.forward") == "0.125")
         await panel.hold("drive", 0)
         await panel.until("drive", "false")
         check("until it is let go of", panel.value("out.forward") == "0")
-        await panel.hold("drive", 1)
-        await panel.until("drive", "true")
-        since = time.monotonic()
+        held_once = page.live["instants"]  # from here on, the hold is not renewed
+        await panel.press_once("drive")
         await panel.until("drive", "false")
-        check("or until its page falls silent", 0.1 < time.monotonic() - since < 2)
+        check("or until its page falls silent", True)
         for nonsense in (
             "touch",
             "touch 0",
@@ -145,16 +167,14 @@ async def driving(frobc):
             "what is not on the console changes nothing",
             panel.input("speed") == "0.125" and panel.input("drive") == "false",
         )
-        await panel.hold("drive", 1)
-        await panel.until("drive", "true")
-    # The page has gone away while it held the button.
+        await panel.press_once("drive")
+    # The page disconnects while it holds the button.
     async with Page(run) as page:
         panel = Panel(page)
         await page.until(lambda p: p.live is not None and p.live.get("newest"))
         await panel.until("drive", "false")
         check("or until it goes away", True)
-        await panel.hold("drive", 1)
-        await panel.until("drive", "true")
+        await panel.press_once("drive")
         os.kill(run.viewer, 19)  # SIGSTOP
         await asyncio.sleep(1)
         os.kill(run.viewer, 18)  # SIGCONT
@@ -162,12 +182,13 @@ async def driving(frobc):
         check("or until the viewer does", True)
         await page.send("stop")
         await page.to_end()
-    check("a run that was operated ends well", run.process.wait(10) == 0)
-    held = [row["in.console.drive"] for row in rows("teleop.csv")]
+    check("a run that was operated ends well", run.process.wait(PATIENCE) == 0)
+    held = [row["in.console.drive"] for row in rows("teleop.csv")[held_once:]]
     longest = max(
         len(part) for part in "".join("x" if cell == "true" else " " for cell in held).split()
     )
-    check("no page held it for long after it was heard", longest < 80)
+    # 0.3 s, plus 0.1 s that a late run may catch up.
+    check("no page held it for long after it was heard", 0 < longest <= 25)
     check("and replays", replays(run, "teleop.csv", teleop, "pioneer"))
 
 
@@ -176,14 +197,14 @@ async def clicking(frobc):
     async with Page(run) as page:
         panel = Panel(page)
         await page.until(lambda p: p.live and p.live["instants"] > 5)
-        await page.send("speed 10")
-        await panel.touch("map", 0.5, 0.25)
-        await panel.touch("map", 0.625, 0.125)
+        await page.insist("speed 10")
+        await panel.click("map", 0.5, 0.25)
+        await panel.click("map", 0.625, 0.125)
         await page.until(lambda p: float(panel.value("in.odometry.position.x")) > 0.4)
         check("the robot goes to a click on the map", True)
         await page.send("stop")
         await page.to_end()
-    run.process.wait(10)
+    run.process.wait(PATIENCE)
     clicks = [
         (k, row["in.console.map"])
         for k, row in enumerate(rows("there.csv"))
@@ -198,7 +219,7 @@ async def clicking(frobc):
 
 
 async def going_round(frobc):
-    """BUG to a clicked goal, behind what is in the way; and back, by another click."""
+    """Runs BUG to a clicked goal behind an obstacle, and back with another click."""
     run = viewer.Run(frobc, ["--robot", "pioneer", "--record", path("bug.csv"), bug])
     async with Page(run) as page:
         panel = Panel(page)
@@ -211,19 +232,19 @@ async def going_round(frobc):
 
         await page.until(lambda p: p.live and p.live["instants"] > 5)
         check("without a goal it stands", panel.value("out.forward") == "0")
-        await page.send("speed 100")
-        await panel.touch("map", 3.5, 0)
+        await page.insist("speed 100")
+        await panel.click("map", 3.5, 0)
         await page.until(lambda p: away(3.5, 0) < 0.25)
         check(
             "BUG comes to a goal that is clicked, round what is in the way",
             panel.value("in.frontBumper") != "true",
         )
-        await panel.touch("map", 3, 1)
+        await panel.click("map", 3, 1)
         await page.until(lambda p: away(3, 1) < 0.25)
         check("and to the next one", True)
         await page.send("stop")
         await page.to_end()
-    run.process.wait(10)
+    run.process.wait(PATIENCE)
     passed = rows("bug.csv")
     first = passed[: next(k for k, row in enumerate(passed) if row["in.console.map"] == "(3, 1)")]
     check(

@@ -1,7 +1,7 @@
 """usage: params.py FROBC RUN.csv FILE ROBOT
 
-Parameters of a run that is looked at, and what would be if they were set otherwise: as traces of
-runs in which they are."""
+Tests the parameters of a viewed run, and what-ifs with other values: the results must equal traces
+of runs with these values."""
 
 import asyncio
 import os
@@ -28,7 +28,7 @@ async def visit(v, recording, folder):
         rows = traced(corridor, recording)
 
         async def others(answer, wanted):
-            """Whether what there is of the edited program is as in a trace of it."""
+            """Whether the results for the edited program equal those in a trace of it."""
             outputs = [name for name in names if name.startswith("out.")]
             first = next(
                 (

@@ -1,5 +1,5 @@
 #!/bin/sh
-# usage: run.sh TEST.py RUN.csv : one of the tests here, where it can be run.
+# usage: run.sh TEST.py RUN.csv : runs one of the tests in this folder, if that is possible here.
 set -eu
 python=/usr/bin/python3 # Debian's, for its packages
 test -x $python || python=python3

@@ -1,8 +1,8 @@
 """usage: sees.py FROBC RUN.csv FILE ROBOT
 
-A program that looks through a camera is looked at while it runs, and afterwards: both see
-what it saw, and each signal is as `frobc trace` says. What it shows of an image is the frame of
-the instant, with its marks; a frame that is missing or was changed is told."""
+Views a program with a camera during a run and afterwards. Both views must show the frames that it
+saw, and each signal must be as in `frobc trace`. The image must be the frame of the instant, with
+its marks; a missing or changed frame must be reported."""
 
 import asyncio
 import glob
@@ -30,7 +30,7 @@ async def while_it_runs(frobc):
     run = viewer.Run(frobc, [*arguments, live.path("seen.csv"), follow])
     async with live.Page(run) as page:
         await page.until(lambda p: p.live and p.live["instants"] > 5)
-        await page.send("speed 100")
+        await page.insist("speed 100")
         await page.to_end()
         names = [signal["name"] for signal in page.program["signals"]]
         cells = [
@@ -43,7 +43,7 @@ async def while_it_runs(frobc):
             "its instants are as traced",
             await live.as_traced(page, run, "seen.csv", follow, "pioneer"),
         )
-    check("it ends as without", run.process.wait(10) == 0)
+    check("it ends as without", run.process.wait(live.PATIENCE) == 0)
     check("and is recorded as without", live.read("plain.csv") == live.read("seen.csv"))
 
 
@@ -64,14 +64,14 @@ def frame_file(recording, number):
 
 
 def pixels_of(path):
-    """Of a PPM file: its width, its height, and its pixels."""
+    """Reads a PPM file: its width, its height, and its pixels."""
     with open(path, "rb") as file:
         lines = [line for line in iter(file.readline, b"255\n") if line[0:1] not in b"P#"]
         return *map(int, lines[0].split()), file.read()
 
 
 def smaller(width, height, pixels, by):
-    """Each pixel the mean of `by` times `by`."""
+    """Shrinks a picture: each pixel is the mean of `by` times `by`."""
     rows = []
     for y in range(0, height - by + 1, by):
         for x in range(0, width - by + 1, by):
@@ -84,7 +84,7 @@ def smaller(width, height, pixels, by):
 
 
 async def pictures(frobc):
-    """What is shown of an image: the frame, and the marks of the instant that showed it."""
+    """Checks the displayed image: the frame, and the marks of the instant that showed it."""
     shown = viewer.Viewer(frobc, live.path("plain.csv"), follow)
     rows = viewer.trace(frobc, live.path("plain.csv"), follow, "pioneer")
     drawn = [
@@ -134,7 +134,9 @@ async def pictures(frobc):
             "picture 0 320 0 0",
         ):
             await page.socket.send(wrong)
-            check(f"`{wrong}` is refused", (await page.hear())["is"] == "refused")
+            page.refused.clear()
+            await page.answer("refused")
+            check(f"`{wrong}` is refused", len(page.refused) == 1)
 
 
 def copy(name):
@@ -143,7 +145,7 @@ def copy(name):
 
 
 async def without(frobc):
-    """Of a frame that is missing, or was changed, it is said so; the others are there."""
+    """A missing or changed frame is reported; the other frames are available."""
     copy("missing")
     os.remove(frame_file("missing", 40))
     copy("changed")
@@ -158,7 +160,7 @@ async def without(frobc):
         next(k for k, row in enumerate(rows) if f"Image {number} " in row[camera])
         for number in (40, 80)
     )
-    for name, says in (("missing", "is not there ("), ("changed", "is not what was recorded")):
+    for name, says in (("missing", "is not available ("), ("changed", "is not the recorded frame")):
         shown = viewer.Viewer(frobc, live.path(f"{name}.csv"), follow)
         async with live.Page(shown) as page:
             notes = (await page.ask(f"instant {at}")) and (await page.ask("program"))["notes"]

@@ -9,8 +9,8 @@ import subprocess
 
 
 def guard(group):
-    """Ends a group of processes when this process has ended, however it did. Returns who does
-    so, for `dismiss`."""
+    """Starts a process that ends a process group when this process has ended, for whatever reason.
+    Returns it, for `dismiss`."""
     command = 'read told || kill -KILL "-$0"'
     return subprocess.Popen(
         ["sh", "-c", command, str(group)],
@@ -21,12 +21,12 @@ def guard(group):
 
 
 def dismiss(guard):
-    """Nothing is left to be ended."""
+    """Ends the guard, because there is nothing left for it to end."""
     guard.communicate(b"\n")
 
 
 class Process:
-    """What prints the address of a page in its first line."""
+    """A process that prints the address of a page in its first line."""
 
     def __init__(self, command):
         self.process = subprocess.Popen(
@@ -40,7 +40,8 @@ class Process:
         self.port = int(port)
 
     def kill(self):
-        """With all that it has started."""
+        """Kills the process and all that it has started."""
+        atexit.unregister(self.kill)
         try:
             os.killpg(self.process.pid, signal.SIGKILL)
         except ProcessLookupError:
@@ -49,7 +50,7 @@ class Process:
 
 
 class Viewer(Process):
-    """Of a recording."""
+    """The viewer of a recording."""
 
     def __init__(self, frobc, recording, program, *options):
         super().__init__([frobc, "view", "--print", *options, recording, program])
@@ -61,7 +62,7 @@ class Viewer(Process):
 
 
 class Run(Process):
-    """Of a run that goes on."""
+    """The viewer of a live run."""
 
     def __init__(self, frobc, arguments, how="print"):
         super().__init__([frobc, "run", f"--view={how}", *arguments])
@@ -73,7 +74,9 @@ class Run(Process):
 
     @staticmethod
     def host_of(pid):
-        """frobc starts the simulator, and becomes the program of a robot."""
+        """Returns the host's process: frobc starts the simulator as a child, but a program for a
+        real robot replaces frobc.
+        """
         return next((child for child in children(pid) if name_of(child) == "frob-sim"), pid)
 
 
@@ -93,7 +96,7 @@ def arguments_of(pid):
 
 
 def trace(frobc, recording, program, robot, *params):
-    """What `frobc trace` says of each instant: a dictionary by column."""
+    """Returns what `frobc trace` prints for each instant: a dictionary by column."""
     settings = [word for setting in params for word in ("--param", setting)]
     rows = subprocess.run(
         [

@@ -1,12 +1,12 @@
--- Frob in Neovim, from 0.7 on: the language server of `frobc lsp`, started for each program, and
--- the commands of its lenses.
+-- Frob for Neovim 0.7 and later: starts the language server `frobc lsp` for each program, and
+-- defines the commands of its code lenses.
 local frob = {}
 
--- Options: cmd, the command that starts the server; inlay_hints; and what vim.lsp.start_client
--- takes besides, such as on_attach and capabilities.
+-- Options: cmd, the command that starts the server; inlay_hints; and any option of
+-- vim.lsp.start_client, such as on_attach and capabilities.
 frob.options = { cmd = { 'frobc', 'lsp' }, inlay_hints = false }
 
--- The folder of the project: that with a .git above the file, or else the file's own.
+-- The folder of the project: the closest parent that contains .git, or else the folder of the file.
 local function root_of(path)
   local folder = vim.fn.fnamemodify(path, ':p:h')
   local found = vim.fn.finddir('.git', folder .. ';')
@@ -42,6 +42,9 @@ function frob.setup(options)
   end
   vim.lsp.commands['frob.report'] = function(command)
     in_terminal('report', command.arguments[1])
+  end
+  vim.lsp.commands['frob.test'] = function(command)
+    in_terminal('test', command.arguments[1], '-k', command.arguments[2])
   end
   vim.api.nvim_create_autocmd('FileType', {
     pattern = 'frob',

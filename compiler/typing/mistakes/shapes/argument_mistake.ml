@@ -1,8 +1,9 @@
 open Basis
 open Diagnostic
+open Shape_fact
 open Unrun_mistake
 
-(* The head of an application, with its type as it is declared. *)
+(* The head of an application and its declared type. *)
 let rec declared words (e : Resolve.Ir.expr option) =
   match e with
   | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> declared words (Some head)
@@ -12,16 +13,19 @@ let rec declared words (e : Resolve.Ir.expr option) =
 let rec missing_arguments t =
   match Type.expand t with Function (_, result) -> 1 + missing_arguments result | _ -> 0
 
-(* What lacks arguments: the head of this, or of what it stands for. *)
-let lacking_arguments words ~subject missing d =
-  match (subject : Resolve.Ir.expr option) with
+(* {1 A function where a value is expected} *)
+
+(* Reports the missing arguments at the definition of the local name that refers to the application.
+   *)
+let missing_in_definition fact ~missing d =
+  match fact.subject with
   | Some { desc = Local x; _ } -> (
-      match Option.map (fun e -> (e, Plain_name.of_head e)) (Show.definition words x) with
+      match Option.map (fun e -> (e, Plain_name.of_head e)) (Show.definition fact.words x) with
       | Some (({ desc = Apply _; _ } as e), Some head) ->
           let all = missing + List.length (arguments_of e) in
           label ~at:e.span (Printf.sprintf "`%s` is this, and lacks %s" x.name (count missing)) d
           |> hint
-               (match declared words (Some e) with
+               (match declared fact.words (Some e) with
                | Some (_, ty) when List.compare_length_with (arguments_of e) 0 > 0 ->
                    Printf.sprintf "`%s` takes %s: `%s :: %s`" head (count all) head ty
                | _ -> Printf.sprintf "`%s` takes %s" head (count all))
@@ -29,27 +33,183 @@ let lacking_arguments words ~subject missing d =
       | _ -> None)
   | _ -> None
 
-(* The result of a function that is given an argument too many. *)
-let one_too_many words ~subject ~wanted d =
-  match (wanted, subject) with
-  | ( Type.Function _,
-      Some ({ desc = Apply { style = Juxtaposed; head; _ }; _ } as e : Resolve.Ir.expr) ) -> (
-      match (Plain_name.of_head e, Show.quote words head.span) with
-      | Some name, Some text ->
-          hint (Printf.sprintf "`%s` has an argument too many here: `%s` is a function" name text) d
-      | _ -> d)
-  | _ -> d
+(* The application to write in place of the name. *)
+let applied fact text d =
+  hint (Printf.sprintf "write `%s`" text) (Unrun_mistake.instead fact.subject text d)
 
-(* The last argument, if it is the input of the proc around and what is still wanted is one. *)
-let input_given words (subject : Resolve.Ir.expr option) found =
+(* An input of the enclosing proc that could be this function's argument. *)
+let signal_of words t =
+  match Type.expand t with
+  | Type.Function (argument, _) -> (
+      match Type.expand argument with
+      | Flexible _ when not (Show.needs_class words argument) -> None
+      | _ -> Show.signal words argument)
+  | _ -> None
+
+(* A function that takes `()`, like a foreign function without arguments. *)
+let missing_unit fact ~missing d =
+  match (name fact, fact.given) with
+  | Some name, Function (argument, _) when missing = 1 && Type.expand argument = Tuple [] ->
+      Some (applied fact (name ^ " ()") d)
+  | _ -> None
+
+(* A function that takes a value of an input's type. *)
+let missing_signal fact ~missing d =
+  match (name fact, signal_of fact.words fact.found) with
+  | Some name, Some signal when missing = 1 ->
+      let text = Printf.sprintf "%s %s" name signal in
+      Some
+        (match fact.expected.because with
+        | Parameter { callee = Some f; position = 1; before = None; _ } ->
+            hint
+              (Printf.sprintf
+                 "write `%s (%s)`: what is applied stands in parentheses as an argument" f text)
+              d
+        | _ -> applied fact text d)
+  | _ -> None
+
+let missing_after_name fact ~missing d =
+  Option.map
+    (fun name ->
+      hint
+        (Printf.sprintf "`%s` takes %d argument%s" name missing (if missing = 1 then "" else "s"))
+        d)
+    (name fact)
+
+(* `sleepT 1[s]` without the output. *)
+let missing_output fact ~missing d =
+  match Option.bind fact.subject Plain_name.of_head with
+  | Some "sleepT" when missing = 1 && Environment.is_task fact.expected.ty ->
+      let cure = Printf.sprintf "%s restingOutput" (raw fact "sleepT 1[s]") in
+      hint
+        (Printf.sprintf "`%s` waits with the robot at rest; any other output may stand there" cure)
+        d
+      |> fix (Printf.sprintf "write `%s`" cure) [ (fact.at, cure) ]
+      |> Option.some
+  | _ -> None
+
+(* The last argument, if it is the input of the enclosing proc and the missing last parameter has
+   that type. Then the arguments before it are missing. *)
+let input_given fact =
   let rec last t =
     match Type.expand t with
-    | Function (parameter, result) -> (
+    | Type.Function (parameter, result) -> (
         match last result with None -> Some parameter | later -> later)
     | _ -> None
   in
-  match (subject, Option.map Type.expand (last found)) with
+  match (fact.subject, Option.map Type.expand (last fact.found)) with
   | Some { desc = Apply { argument = { desc = Local x; _ }; _ }; _ }, Some (Flexible _)
-    when Show.is_input words x.name ->
+    when Show.is_input fact.words x.name ->
       Some x.name
+  | _ -> None
+
+let missing_by_signature fact ~missing d =
+  Option.map
+    (fun (name, ty) ->
+      hint
+        (Printf.sprintf "%s missing, %s `%s :: %s`"
+           (if missing = 1 then "an argument is" else count missing ^ " are")
+           (match input_given fact with
+           | Some x -> Printf.sprintf "before `%s`:" x
+           | None -> "the last of")
+           name ty)
+        d)
+    (declared fact.words fact.subject)
+
+let missing_somewhere _ ~missing d =
+  Some (hint (if missing = 1 then "an argument is missing" else "some arguments are missing") d)
+
+(* The first that applies is used: an argument that is known comes before a number of arguments. *)
+let hints_for_missing =
+  [
+    missing_in_definition;
+    missing_unit;
+    missing_signal;
+    missing_after_name;
+    missing_output;
+    missing_by_signature;
+    missing_somewhere;
+  ]
+
+let missing fact =
+  match (fact.wanted, fact.given) with
+  | (Number _ | Bool | String | Tuple _ | Data _), Function _ ->
+      let missing = missing_arguments fact.found in
+      let d =
+        error ~code:"E0301" ~at:fact.at "expected %s, found the function %s" (expected_text fact)
+          (found_text fact)
+      in
+      List.find_map (fun hinted -> hinted fact ~missing d) hints_for_missing
+  | _ -> None
+
+(* {1 A function where another function is expected} *)
+
+let more_missing_than_expected fact =
+  let wanted = missing_arguments fact.expected.ty and given = missing_arguments fact.found in
+  match (fact.wanted, fact.given, Option.bind fact.subject Plain_name.of_head) with
+  | Function _, Function _, Some head when given > wanted ->
+      error ~code:"E0301" ~at:fact.at "expected a function of %s, found one of %d: %s"
+        (count wanted) given (found_text fact)
+      |> hint (Printf.sprintf "`%s` lacks %s" head (count (given - wanted)))
+      |> Option.some
+  | _ -> None
+
+(* {1 A value where a function is expected} *)
+
+(* Is this the body of a lambda that is an argument? The expectation concerns the whole lambda. *)
+let is_a_body fact =
+  match fact.expected.because with
+  | Parameter { given; position; _ } -> (
+      match List.nth_opt given (position - 1) with
+      | Some { desc = Lambda _; span } -> Span.compare span fact.at <> 0
+      | _ -> false)
+  | _ -> false
+
+let lambda_with_too_few_parameters fact =
+  match (fact.wanted, fact.given) with
+  | Function _, (Number _ | Bool | String | Data _) when is_a_body fact ->
+      Some
+        (hinted fact
+           "the function is given one argument more: `_` behind its parameters leaves it unused, \
+            as in `\\n _ -> …`")
+  | _ -> None
+
+let missing_in_an_operand fact =
+  match (fact.wanted, fact.given, other_operand fact) with
+  | Function _, Number _, Some ({ desc = Apply { style = Juxtaposed; _ }; _ } as e)
+    when missing_arguments fact.wanted = 1 ->
+      Option.map
+        (fun (name, ty) ->
+          error ~code:"E0301" ~at:e.span "`%s` lacks an argument" name
+          |> label ~at:fact.at "so it is no number, as this is"
+          |> hint (Printf.sprintf "the last one is missing: `%s :: %s`" name ty))
+        (declared fact.words (Some e))
+  | _ -> None
+
+let is_function t = match Type.expand t with Type.Function _ -> true | _ -> false
+
+let composed fact =
+  match (fact.wanted, fact.given) with
+  | Function _, Tuple (_ :: _ :: _ as given) when List.for_all is_function given ->
+      Some
+        (match all (elements fact) with
+        | None -> hinted fact "functions are composed by `.`: `f . g`"
+        | Some parts ->
+            let text = String.concat " . " parts in
+            hinted fact (Printf.sprintf "functions are composed by `.`: `%s`" text)
+            |> instead fact.subject text)
+  | _ -> None
+
+let one_too_many fact =
+  match (fact.wanted, fact.given, fact.subject) with
+  | ( Function _,
+      (Number _ | Bool | Data _ | Tuple _),
+      Some ({ desc = Apply { style = Juxtaposed; head; _ }; _ } as e) ) -> (
+      match (Plain_name.of_head e, Show.quote fact.words head.span) with
+      | Some name, Some text ->
+          Some
+            (hinted fact
+               (Printf.sprintf "`%s` has an argument too many here: `%s` is a function" name text))
+      | _ -> Some (different fact))
+  | Function _, (Number _ | Bool | Data _ | Tuple _), _ -> Some (different fact)
   | _ -> None

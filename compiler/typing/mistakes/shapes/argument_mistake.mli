@@ -1,21 +1,20 @@
-(** What is said of arguments that are missing, or one too many. *)
+(** Rules for missing arguments, for one argument too many, and for values where functions are
+    expected. *)
 
-open Basis
+val missing : Shape_fact.rule
+(** A function where a value is expected: the arguments that it lacks. *)
 
-val declared : Show.words -> Resolve.Ir.expr option -> (string * string) option
-(** The head of an application, with its type as its signature has it. *)
+val more_missing_than_expected : Shape_fact.rule
+(** A function that lacks more arguments than the expected function takes. *)
 
-val missing_arguments : Type.t -> int
-(** How many arguments such a value still takes. *)
+val lambda_with_too_few_parameters : Shape_fact.rule
+(** The body of a lambda whose caller gives it one argument more. *)
 
-val lacking_arguments :
-  Show.words -> subject:Resolve.Ir.expr option -> int -> Diagnostic.t -> Diagnostic.t option
-(** So many are missing where this local, or what it stands for, was defined. *)
+val missing_in_an_operand : Shape_fact.rule
+(** An operand whose other operand is a function that lacks its last argument. *)
 
-val one_too_many :
-  Show.words -> subject:Resolve.Ir.expr option -> wanted:Type.t -> Diagnostic.t -> Diagnostic.t
-(** Of the result of a function that was wanted itself. *)
+val composed : Shape_fact.rule
+(** A tuple of functions where a function is expected. *)
 
-val input_given : Show.words -> Resolve.Ir.expr option -> Type.t -> string option
-(** The last argument, if it is the input of the proc around, and such an input is what the
-    application, of this type, still wants last: what is missing comes before it. *)
+val one_too_many : Shape_fact.rule
+(** The result of a function where the function itself is expected, or any other value there. *)

@@ -1,4 +1,6 @@
 open Basis
+open Diagnostic
+open Shape_fact
 
 let is_array t =
   match Type.expand t with Data { tycon; _ } -> tycon = Environment.array | _ -> false
@@ -6,11 +8,11 @@ let is_array t =
 let unlike_sizes a b =
   match (Type.expand a, Type.expand b) with Size a, Size b -> a <> b | _ -> false
 
-(* Both operands, as they are written. *)
-let operands words ~subject (expected : Expected.t) =
-  let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
+(* The source texts of both operands. *)
+let operands fact =
+  let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote fact.words e.span) in
   let texts =
-    match (expected.because, subject) with
+    match (fact.expected.because, fact.subject) with
     | Operand { other; _ }, Some e -> [ quote other; quote e ]
     | Parameter { given = [ a; b ]; _ }, _ -> [ quote a; quote b ]
     | _ -> []
@@ -24,26 +26,29 @@ let arithmetic (expected : Expected.t) =
       Some operator
   | _ -> None
 
-let with_each words ~subject expected =
+let with_each fact =
   Option.map
     (fun operator ->
-      let a, b = operands words ~subject expected in
+      let a, b = operands fact in
       Printf.sprintf "(\\x -> x %s %s) %s" operator b a)
-    (arithmetic expected)
+    (arithmetic fact.expected)
 
-let computed words ~subject expected =
+let computed fact =
   let of_both operator =
-    let a, b = operands words ~subject expected in
+    let a, b = operands fact in
     let each = Printf.sprintf "`map (\\x -> x %s %s) %s` computes with each element" operator b a in
     match b.[0] with
     | '0' .. '9' -> each
     | _ -> Printf.sprintf "%s, `zipWith (%s) %s %s` with those of two arrays" each operator a b
   in
-  Option.map of_both (arithmetic expected)
+  match fact.wanted with
+  | Number _ when is_array fact.found ->
+      Option.map (fun operator -> hinted fact (of_both operator)) (arithmetic fact.expected)
+  | _ -> None
 
-(* What does to other things what `map` does to arrays. *)
-let mapped (expected : Expected.t) found =
-  match (expected.because, Type.expand found) with
+(* The counterpart of `map` for this type, a description, and the place of `map`. *)
+let counterpart fact =
+  match (fact.expected.because, fact.given) with
   | Parameter { callee = Some ("map" | "fmap"); position = 2; at; _ }, t when Environment.is_event t
     ->
       Some ("mapE", "of an event's value", at)
@@ -53,24 +58,92 @@ let mapped (expected : Expected.t) found =
       Some ("map", "of each element of an array", at)
   | _ -> None
 
-let as_a_tuple words (subject : Resolve.Ir.expr option) parts =
-  match subject with
-  | Some { desc = Array elements; span } when List.compare_lengths elements parts = 0 -> (
-      match List.map (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) elements with
-      | texts when not (List.mem None texts) ->
-          Some (span, "(" ^ String.concat ", " (List.map Option.get texts) ^ ")")
-      | _ -> None)
+let mapped fact =
+  Option.map
+    (fun (name, of_what, place) ->
+      hinted fact (Printf.sprintf "a function %s is applied by `%s`" of_what name)
+      |> write place name)
+    (counterpart fact)
+
+let extreme fact =
+  match (fact.wanted, fact.given, fact.subject) with
+  | ( Number _,
+      Function (from, _),
+      Some
+        {
+          desc =
+            Apply { head = { desc = Global { name = ("max" | "min") as name; _ }; _ }; argument; _ };
+          _;
+        } )
+    when is_array from ->
+      let xs = Option.fold (Show.quote fact.words argument.span) ~none:"xs" ~some:Source.grouped in
+      error ~code:"E0301" ~at:fact.at "expected %s, found the function %s" (expected_text fact)
+        (found_text fact)
+      |> hint
+           (Printf.sprintf "`%s` is of two values; of all elements it is `%simumBy id %s`" name name
+              xs)
+      |> Option.some
   | _ -> None
 
-let extreme words (subject : Resolve.Ir.expr option) =
-  match subject with
-  | Some
-      {
-        desc =
-          Apply { head = { desc = Global { name = ("max" | "min") as name; _ }; _ }; argument; _ };
-        _;
-      } ->
-      let xs = Option.fold (Show.quote words argument.span) ~none:"xs" ~some:Source.grouped in
+let written_as_a_tuple fact =
+  match (fact.wanted, fact.given) with
+  | Data _, Tuple (_ :: _ as given) when is_array fact.expected.ty ->
+      error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of %d" (expected_text fact)
+        (List.length given)
+      |> hint
+           (match all (elements fact) with
+           | Some elements ->
+               Printf.sprintf "an array is written in brackets: `[%s]`"
+                 (String.concat ", " elements)
+           | None ->
+               let parts = String.concat ", " (names (List.length given)) in
+               Printf.sprintf
+                 "a tuple is taken apart by an equation, `(%s) = %s`; an array is written in \
+                  brackets, `[%s]`"
+                 parts (raw fact "p") parts)
+      |> Option.some
+  | _ -> None
+
+let of_another_size fact =
+  match (fact.wanted, fact.given) with
+  | Data { arguments = [ n; _ ]; _ }, Data { arguments = [ n'; _ ]; _ }
+    when is_array fact.expected.ty && is_array fact.found && unlike_sizes n n' ->
+      different fact
+      |> hint
+           (match fact.subject with
+           | Some { desc = Array elements; _ } ->
+               Printf.sprintf "%d are written here; an array of as many has the type %s"
+                 (List.length elements) (found_text fact)
+           | _ ->
+               "the two have different numbers of elements; `take` and `drop` make an array of the \
+                size that its type says")
+      |> Option.some
+  | _ -> None
+
+let of_records fact =
+  let element t =
+    match Type.expand t with
+    | Data { tycon; arguments = [ _; element ]; _ } when tycon = Environment.array -> Some element
+    | _ -> None
+  in
+  let message (_, fields) =
+    let shown = List.filteri (fun i _ -> i < 4) fields in
+    hinted fact
+      (Printf.sprintf
+         "its elements are records, of which the parts are %s: `map (\\x -> x.%s)` takes one of \
+          each"
+         (Enumeration.all (List.map (Printf.sprintf "`%s`") shown))
+         (List.hd (List.rev shown)))
+  in
+  match (Option.map Type.expand (element fact.wanted), element fact.found) with
+  | Some (Number _ | Bool), Some record -> Option.map message (Show.fields fact.words record)
+  | _ -> None
+
+let of_several_types fact =
+  match fact.expected.because with
+  | Element _ ->
       Some
-        (Printf.sprintf "`%s` is of two values; of all elements it is `%simumBy id %s`" name name xs)
+        (hinted fact
+           "all elements of an array have one type; values of several types stand in a tuple, `(a, \
+            b)`, or in a record")
   | _ -> None

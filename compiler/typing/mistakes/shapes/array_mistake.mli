@@ -1,21 +1,29 @@
-(** What other languages do with arrays. *)
+(** Rules for arrays: idioms of other languages, and what to write in Frob. *)
 
-open Basis
+val extreme : Shape_fact.rule
+(** [max xs], where [max] takes two values. *)
+
+val computed : Shape_fact.rule
+(** An operator on numbers that is applied to an array. *)
+
+val written_as_a_tuple : Shape_fact.rule
+(** A tuple where an array is expected. *)
+
+val of_another_size : Shape_fact.rule
+(** Two arrays with different numbers of elements. *)
+
+val mapped : Shape_fact.rule
+(** [map] for an event or a task, which have counterparts of it, or [mapE] for an array. *)
+
+val of_records : Shape_fact.rule
+(** An array of records where one of numbers or truth values is expected. *)
+
+val of_several_types : Shape_fact.rule
+(** An array literal with elements of another type than its first. *)
+
+(** {1 For other families} *)
 
 val is_array : Type.t -> bool
-val unlike_sizes : Type.t -> Type.t -> bool
 
-val computed : Show.words -> subject:Resolve.Ir.expr option -> Expected.t -> string option
-(** What computes with arrays, where an operator of numbers is given one. *)
-
-val with_each : Show.words -> subject:Resolve.Ir.expr option -> Expected.t -> string option
-(** The function that computes with each of the left operand, and that operand. *)
-
-val mapped : Expected.t -> Type.t -> (string * string * Span.t) option
-(** What does to this what `map` does to arrays, in words, and where `map` stands. *)
-
-val as_a_tuple : Show.words -> Resolve.Ir.expr option -> Type.t list -> (Span.t * string) option
-(** An array written out, as the tuple of so many parts that was meant. *)
-
-val extreme : Show.words -> Resolve.Ir.expr option -> string option
-(** The cure of [max xs]. *)
+val with_each : Shape_fact.t -> string option
+(** The function that applies the operator to each element, and its left operand. *)

@@ -1,12 +1,10 @@
-(** What is said of records where their parts belong, and the other way round. Each is a hint. *)
+(** Rules for a record where one of its fields is expected, and the reverse. *)
 
-val built : Show.words -> Expected.t -> string option
-(** How a record is built that is wanted here. *)
+val built : Shape_fact.rule
+(** A number or truth value where a record is expected: how to build the record. *)
 
-val parts : Show.words -> subject:Resolve.Ir.expr option -> record:string -> Type.t -> string
-(** What there is in a record, or a vector, where a number is needed; [record] is how the subject is
-    written. *)
+val in_place_of_a_number : Shape_fact.rule
+(** A record where a number is expected: the fields of the record. *)
 
-val elements : Show.words -> wanted:Type.t -> Type.t -> string option
-(** Of arrays: the elements of the second are records with parts, where the first has numbers or
-    truths. *)
+val compared_with_a_number : Shape_fact.rule
+(** A number as the operand of an operator whose other operand is a record. *)

@@ -1,9 +1,8 @@
-(** What is said about types of another shape: a function where a number belongs, a signal function
-    where its signal's value is wanted.
+(** Messages about types of different shapes, for example a function where a number is expected.
 
-    Codes: [E0301] different types · [E0303] a signal function where its signal's value is wanted,
-    by {!Unrun_mistake} · [E0304] a function where a signal function is wanted, or the reverse ·
-    those of {!Task_mistake}. *)
+    Codes: [E0301] different types · [E0303] a signal function where its output is expected
+    ({!Unrun_mistake}) · [E0304] a function where a signal function is expected, or the reverse ·
+    the codes of {!Task_mistake}. *)
 
 open Basis
 
@@ -14,4 +13,4 @@ val shapes :
   expected:Expected.t ->
   found:Type.t ->
   Diagnostic.t
-(** [subject] is the expression at fault, if it is one. *)
+(** [subject]: the expression that has the wrong type, if there is one. *)

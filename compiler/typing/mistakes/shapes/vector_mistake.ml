@@ -1,4 +1,7 @@
-(* How a vector is built, perhaps of these. *)
+open Basis
+open Shape_fact
+
+(* An expression that builds the vector, from these elements if given. *)
 let vector words ?(elements = []) wanted =
   let built name fields =
     let value i field =
@@ -15,18 +18,31 @@ let vector words ?(elements = []) wanted =
   | Type.Data { tycon = { name = "Vec3"; _ }; _ } -> built "Vec3" [ "x"; "y"; "z" ]
   | _ -> None
 
-(* Of a place, written as a pair. *)
-let vector_fields words ~subject wanted types =
-  let elements =
-    match subject with Some ({ desc = Tuple es; _ } : Resolve.Ir.expr) -> es | _ -> []
-  in
-  match (wanted, List.length types) with
-  | Type.Data { tycon = { name = "Vec2"; _ }; _ }, 2
-  | Type.Data { tycon = { name = "Vec3"; _ }; _ }, 3 ->
-      vector words ~elements wanted
+let by_name text = "a vector has its fields by name: " ^ text
+
+let of_a_number fact =
+  match fact.given with
+  | Number _ when is_a_parameter fact ->
+      let elements = Option.to_list fact.subject in
+      Option.map (fun text -> hinted fact (by_name text)) (vector fact.words ~elements fact.wanted)
   | _ -> None
 
-let vector_operator (expected : Expected.t) =
+let of_a_tuple fact =
+  let elements =
+    match fact.subject with Some ({ desc = Tuple es; _ } : Resolve.Ir.expr) -> es | _ -> []
+  in
+  match (fact.wanted, fact.given) with
+  | Data { tycon = { name = "Vec2"; _ }; _ }, Tuple ([ _; _ ] as types)
+  | Data { tycon = { name = "Vec3"; _ }; _ }, Tuple ([ _; _; _ ] as types) ->
+      let message text =
+        Diagnostic.error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of %d"
+          (expected_text fact) (List.length types)
+        |> Diagnostic.hint (by_name text)
+      in
+      Option.map message (vector fact.words ~elements fact.wanted)
+  | _ -> None
+
+let operator (expected : Expected.t) =
   match expected.because with
   | Parameter { callee = Some operator; _ } | Operand { operator; _ } -> (
       match operator with
@@ -34,4 +50,12 @@ let vector_operator (expected : Expected.t) =
       | "-" -> Some "`^-^`"
       | "*" -> Some "`*^` with the number first, and `dot`"
       | _ -> None)
+  | _ -> None
+
+let of_an_operator fact =
+  match (fact.wanted, fact.given) with
+  | Number _, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ } ->
+      Option.map
+        (fun operator -> hinted fact ("vectors have operators of their own: " ^ operator))
+        (operator fact.expected)
   | _ -> None

@@ -1,12 +1,11 @@
-(** What is said of the vectors of the library's geometry where numbers or tuples stand, and of
-    numbers where vectors do. Each is a hint, or a part of one, for what was expected. *)
+(** Rules for the geometry library's vectors: vectors where numbers are expected, and the reverse.
+*)
 
-val vector : Show.words -> ?elements:Resolve.Ir.expr list -> Type.t -> string option
-(** How a vector of this type is built, perhaps of these. *)
+val of_an_operator : Shape_fact.rule
+(** A vector as the operand of an operator on numbers. *)
 
-val vector_fields :
-  Show.words -> subject:Resolve.Ir.expr option -> Type.t -> Type.t list -> string option
-(** Likewise, of a tuple of these types. *)
+val of_a_number : Shape_fact.rule
+(** A number as an argument where a vector is expected. *)
 
-val vector_operator : Expected.t -> string option
-(** What vectors have for the operator of numbers that expects one. *)
+val of_a_tuple : Shape_fact.rule
+(** The coordinates as a tuple where a vector is expected. *)

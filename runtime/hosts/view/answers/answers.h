@@ -1,5 +1,5 @@
-/* answers.h -- what is answered to each request of a page (see view.h), one kind a file. All is
- * appended; numbers of signals and instants are known to be there. */
+/* answers.h -- the answers to a page's requests (see view.h), one kind per file. Each function
+ * appends its answer; the caller has checked the numbers of signals and instants. */
 #ifndef FROB_VIEW_ANSWERS_H
 #define FROB_VIEW_ANSWERS_H
 
@@ -7,16 +7,17 @@
 
 /* {1 In view.c} */
 
-/* The end of a path. */
+/* Returns the file name at the end of a path. */
 const char *view_without_folder(const char *path);
 
 bool view_is_live(const struct view *view);
 double view_seconds_at(const struct view *view, size_t k);
 
-/* The last instant that is not after a time; the first if all are. */
+/* Returns the last instant that is not after a time; the first instant if all are after it. */
 size_t view_instant_at(const struct view *view, double seconds);
 
-/* Is anything known of it? If the program cannot be run, only what was recorded. */
+/* Returns whether the signal's values are known. If the program cannot be run, only recorded
+ * signals are. */
 bool view_knows(const struct view *view, const struct signal *signal);
 
 void answer_refusal(struct buffer *answer, const char *why);
@@ -25,8 +26,8 @@ void answer_refusal(struct buffer *answer, const char *why);
 
 void answer_program(struct view *view, struct buffer *answer);
 
-/* Members of an object: what of it changes as the program is run on; and of a run that goes
- * on, what grows. */
+/* These append members of an object: answer_progress what changes while the program is run over the
+ * recording, answer_extent what grows in a live run. */
 void answer_progress(const struct view *view, struct buffer *message);
 void answer_extent(const struct view *view, struct buffer *message);
 
@@ -40,7 +41,7 @@ void answer_claims(const struct view *view, struct buffer *answer);
 
 /* {1 In picture.c} */
 
-/* `had`: 0, or one more than the instant of the image that the page has. */
+/* `had`: one more than the instant of the image that the page already has; 0 if it has none. */
 void answer_picture(struct view *view, size_t k, size_t width, size_t had, struct buffer *answer);
 
 /* {1 In points.c} */

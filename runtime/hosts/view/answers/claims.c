@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-/* The most times at which one is violated that are told; a time line has no more pixels. */
+/* Maximum number of reported times at which an assertion is violated; a time line has no more
+ * pixels. */
 #define TIMES 2000
 
 static void add_fate(const struct claims *claims, size_t i, struct buffer *answer)
@@ -17,8 +18,8 @@ static void add_fate(const struct claims *claims, size_t i, struct buffer *answe
     buffer_text(answer, "}");
 }
 
-/* The number of the signal that has its verdict; of one in `mapSF` there are many, and none is
- * told. */
+/* Appends the number of the signal that has the assertion's verdict. An assertion in `mapSF` has
+ * many verdicts, so none is appended. */
 static void add_signal(const struct view *view, const struct frob_claim *claim,
                        struct buffer *answer)
 {
@@ -41,7 +42,8 @@ static void add_times(const struct view *view, const struct watched *watched, st
     buffer_text(answer, "]");
 }
 
-/* Of the edited program the assertion that is called so; else null. */
+/* Appends the fate of the edited program's assertion with the same column; null if there is
+ * none. */
 static void add_other(const struct view *view, const struct frob_claim *claim,
                       struct buffer *answer)
 {

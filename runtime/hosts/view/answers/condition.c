@@ -30,7 +30,7 @@ enum operator{
 struct operation {
     enum operator operator;
     double number;
-    const double *numbers; /* of a signal, at each instant */
+    const double *numbers; /* of a signal: its value at each instant */
     const struct signal *signal;
 };
 
@@ -57,7 +57,7 @@ static struct operation *add(struct reader *r, enum operator operator, double nu
 {
     struct operation *operation = &r->condition->operations[r->condition->count];
     if (r->condition->count + 1 >= CONDITION_SIZE) {
-        complain(r, "this is too long", "");
+        complain(r, "the condition is too long", "");
         return operation;
     }
     memset(operation, 0, sizeof *operation);
@@ -73,7 +73,7 @@ static void skip_blanks(struct reader *r)
         r->at++;
 }
 
-/* Takes a symbol, if it is the next one. */
+/* Reads a symbol if it is the next one. */
 static bool take(struct reader *r, const char *symbol)
 {
     size_t length = strlen(symbol);
@@ -89,7 +89,7 @@ static bool is_of_name(char c)
     return isalnum((unsigned char)c) || (c != '\0' && strchr("_'.[]", c) != NULL);
 }
 
-/* Takes a name, or a word of the language. False if there is none. */
+/* Reads a name or a word of the language. Returns false if there is none. */
 static bool take_name(struct reader *r, char *name, size_t size)
 {
     size_t length = 0;
@@ -112,8 +112,8 @@ static bool ends_in(const char *whole, const char *name)
            strcmp(whole + length - end, name) == 0;
 }
 
-/* The one signal with this end among those that are inside, or among the others; NULL, with
- * a complaint if there are several. */
+/* Returns the only signal whose name has this end, either among the inner signals or among the
+ * others. Returns NULL if there is none; reports an error if there are several. */
 static const struct signal *find_end(struct reader *r, const char *name, bool inside)
 {
     const struct signals *signals = r->series->replay->signals;
@@ -123,7 +123,7 @@ static const struct signal *find_end(struct reader *r, const char *name, bool in
         if ((signal->side == PROBE) != inside || !ends_in(signal->name, name))
             continue;
         if (found != NULL) {
-            complain(r, "several signals are called", name);
+            complain(r, "several signals are named", name);
             return NULL;
         }
         found = signal;
@@ -146,9 +146,9 @@ static void add_signal(struct reader *r, const char *name)
     if (signal == NULL) {
         complain(r, "there is no signal", name);
     } else if ((signal->side == MODE || signal->side == PROBE) && !r->series->replay->runs) {
-        complain(r, "the program cannot be run on this recording, so nothing is known of", name);
+        complain(r, "the program cannot be run on this recording, so there are no values of", name);
     } else if (++r->signals > SERIES_KEPT / 2) {
-        complain(r, "this has too many signals", "");
+        complain(r, "the condition has too many signals", "");
     } else {
         operation = add(r, SIGNAL, 0);
         operation->signal = signal;
@@ -169,7 +169,7 @@ static void read_number(struct reader *r)
         const char *close = strchr(r->at, ']');
         double scale = 0;
         if (close == NULL || !unit_read(r->at + 1, (size_t)(close - r->at - 1), &scale)) {
-            complain(r, "this is no unit:", r->at);
+            complain(r, "this is not a unit:", r->at);
             return;
         }
         number *= scale;
@@ -182,20 +182,21 @@ static void read_primary(struct reader *r)
 {
     char name[256];
     if (++r->depth > DEEPEST)
-        complain(r, "this is nested too deeply", "");
+        complain(r, "the condition is nested too deeply", "");
     else if (r->wrong)
         ;
     else if (take(r, "(")) {
         read_or(r);
         if (!take(r, ")"))
-            complain(r, "a parenthesis is not closed before", r->at);
+            complain(r, "a closing parenthesis is missing before", r->at);
     } else if (take(r, "-")) {
         read_primary(r);
         add(r, NEGATE, 0);
     } else if (isdigit((unsigned char)*r->at)) {
         read_number(r);
     } else if (!take_name(r, name, sizeof name)) {
-        complain(r, *r->at == '\0' ? "something is missing at the end" : "this is not understood:",
+        complain(r,
+                 *r->at == '\0' ? "the condition is incomplete" : "the viewer does not understand",
                  r->at);
     } else if (strcmp(name, "True") == 0 || strcmp(name, "False") == 0) {
         add(r, NUMBER, name[0] == 'T');
@@ -243,8 +244,8 @@ static void read_sum(struct reader *r)
     }
 }
 
-/* The number of a mode or constructor of the signal that was read last, if its name is
- * next. */
+/* If the name of a mode or constructor of the signal that was read last is next, reads it and
+ * returns its number. */
 static bool read_name_of(struct reader *r, const struct signal *signal)
 {
     const char *before = r->at;
@@ -322,7 +323,7 @@ bool condition_read(struct condition *condition, struct series *series, const ch
         read_or(&reader);
     skip_blanks(&reader);
     if (!reader.wrong && *reader.at != '\0')
-        complain(&reader, "this is not understood:", reader.at);
+        complain(&reader, "the viewer does not understand", reader.at);
     return !reader.wrong;
 }
 
@@ -364,7 +365,7 @@ static double apply(enum operator operator, double x, double y)
 bool condition_holds(const struct condition *condition, size_t k)
 {
     double stack[CONDITION_SIZE];
-    size_t top = 0; /* of the values that wait */
+    size_t top = 0; /* number of values on the stack */
     for (size_t i = 0; i < condition->count; i++) {
         const struct operation *operation = &condition->operations[i];
         switch (operation->operator) {

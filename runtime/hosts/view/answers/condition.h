@@ -1,18 +1,18 @@
-/* condition.h -- what is looked for in a run: an expression over signals, as in a program.
+/* condition.h -- conditions to find in a run: expressions over signals, in the syntax of programs.
  *
  *   out.forward > 0.3[m/s] && mode.bug == circleTo
  *
- * It has `||`, `&&`, `not`, comparisons, `+ - * /`, `abs`, numbers with units, True and
- * False, names of signals (their ends suffice where only one signal has that end: one of
- * the input or output, or else one inside), and, beside `==` or `/=`, names of modes and
- * constructors. A comparison with what is not there, such as an event that does not occur,
- * does not hold. */
+ * A condition may contain `||`, `&&`, `not`, comparisons, `+ - * /`, `abs`, numbers with units,
+ * True and False, names of signals, and next to `==` or `/=` names of modes and constructors. The
+ * end of a signal's name suffices if only one signal of the input or output has it, or else only
+ * one inner signal. A comparison with a value that does not exist, such as an event that does not
+ * occur, is false. */
 #ifndef FROB_VIEW_CONDITION_H
 #define FROB_VIEW_CONDITION_H
 
 #include "../run/series.h"
 
-#define CONDITION_SIZE 256 /* operations, at most */
+#define CONDITION_SIZE 256 /* maximum number of operations */
 
 struct operation;
 
@@ -21,13 +21,13 @@ struct condition {
     size_t count;
 };
 
-/* Reads a condition. If it is none, false, and `why` says in a line what is wrong. At most
- * SERIES_KEPT / 2 signals can be in one. */
+/* Reads a condition. If it is invalid, returns false and describes the error in `why`, in one line.
+ * A condition may contain at most SERIES_KEPT / 2 signals. */
 bool condition_read(struct condition *condition, struct series *series, const char *text,
                     struct buffer *why);
 void condition_free(struct condition *condition);
 
-/* Does it hold at instant `k`? */
+/* Returns whether the condition holds at instant `k`. */
 bool condition_holds(const struct condition *condition, size_t k);
 
 #endif

@@ -2,11 +2,11 @@
 
 #include "condition.h"
 
-/* The most spans that are told; a time line has no more pixels. */
+/* Maximum number of reported spans; a time line has no more pixels. */
 #define SPANS 2000
 
 struct findings {
-    size_t first, before, after; /* of the instants at which it begins to hold; or … */
+    size_t first, before, after; /* instants at which the condition becomes true, or `nowhere` */
     size_t count;
 };
 
@@ -50,7 +50,8 @@ void answer_find(struct view *view, size_t from, const char *text, struct buffer
         add_instant(answer, "first", found.first);
         add_instant(answer, "before", found.before);
         add_instant(answer, "after", found.after);
-        /* From and to, in turn; what holds to the end has no end. */
+        /* The times alternate between start and end; a span that lasts to the end of the run has no
+         * end. */
         buffer_format(answer, ",\"spans\":[%s]}", spans.length > 0 ? spans.data : "");
     }
     answer->failed = answer->failed || spans.failed;

@@ -13,7 +13,8 @@ static void add_cell(const struct signals *signals, const struct signal *signal,
     buffer_free(&cell);
 }
 
-/* Of the edited program, in the same order; null where it has no such signal. */
+/* Appends the cells of the edited program, in the same order; null for signals that it does not
+ * have. */
 static void add_other_cells(struct view *view, size_t k, struct buffer *answer)
 {
     const struct signals *signals = &view->other.signals;
@@ -33,7 +34,8 @@ static void add_other_cells(struct view *view, size_t k, struct buffer *answer)
     buffer_text(answer, "]");
 }
 
-/* Where the simulator's robots really are: x, y, heading, and whether they touch anything. */
+/* Appends the true state of the simulator's robots: x, y, heading, and whether they touch
+ * anything. */
 static void add_truth(const struct view *view, size_t k, struct buffer *answer)
 {
     const size_t robots = view->recording.truth_size / sizeof(struct truth);

@@ -4,7 +4,8 @@
 
 #include <stdlib.h>
 
-/* The pixels in grey or colour, each the mean of `by` times `by`, row after row. */
+/* Appends the pixels, in grey or colour, row by row. Each is the mean of `by` by `by` pixels of the
+ * image. */
 static void add_pixels(const struct frob_image *image, size_t columns, size_t rows, size_t by,
                        struct buffer *answer)
 {
@@ -37,7 +38,7 @@ static void add_pixels(const struct frob_image *image, size_t columns, size_t ro
     free(line);
 }
 
-/* The marks on the image, as cells of a trace. */
+/* Appends the marks on the image, in the form of trace cells. */
 static void add_marks(const struct view *view, const void *output, struct buffer *answer)
 {
     const struct display *display = &view->replay.display;
@@ -57,7 +58,7 @@ static void add_marks(const struct view *view, const void *output, struct buffer
     buffer_text(answer, "]");
 }
 
-/* Instead of the image: it, or a newer one, is not there, or not what it was. */
+/* Appends, instead of the image, that this image or a newer one is missing or has changed. */
 static void add_loss(const struct lost_frame *lost, struct buffer *answer)
 {
     buffer_format(answer, ",\"lost\":{\"number\":%lu,\"k\":%lu,\"changed\":%s}",

@@ -8,8 +8,8 @@
 struct points {
     const struct view *view;
     const double *numbers;
-    const double *other; /* of the edited program; NULL: it has none … */
-    size_t other_count;  /* … of further instants */
+    const double *other; /* values of the edited program's signal; NULL if it has none */
+    size_t other_count;  /* number of these values */
     struct buffer *times, *values, *others;
 };
 
@@ -70,7 +70,7 @@ void answer_series(struct view *view, size_t number, double from, double to, siz
     buffer_free(&values);
 }
 
-/* Times and two signals at up to `count` instants. */
+/* Appends the time and the values of two signals at up to `count` instants. */
 static void add_path(const struct recording *recording, const double *xs, const double *ys,
                      size_t count, struct buffer *answer)
 {
@@ -96,7 +96,7 @@ void answer_path(struct view *view, size_t x, size_t y, size_t count, struct buf
     const double *xs = !known ? NULL : series_of(&view->series, &all[x]);
     const double *ys = !known ? NULL : series_of(&view->series, &all[y]);
     if (xs == NULL || ys == NULL) {
-        answer_refusal(answer, "nothing is known of these signals");
+        answer_refusal(answer, "there are no values of these signals");
         return;
     }
     buffer_format(answer, "{\"is\":\"path\",\"x\":%lu,\"y\":%lu,\"points\":", (unsigned long)x,

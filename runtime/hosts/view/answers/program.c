@@ -1,5 +1,7 @@
 #include "answers.h"
 
+#include "../console_kinds.h"
+
 static const char *kind_of(const struct signal *signal)
 {
     if (signal->side == MODE)
@@ -18,7 +20,7 @@ static const char *kind_of(const struct signal *signal)
     return "data";
 }
 
-/* The names that the numbers of a plot stand for. */
+/* Appends the names that the numbers in a plot represent. */
 static void add_names(const struct view *view, const struct signal *signal, struct buffer *answer)
 {
     const char *comma = "";
@@ -38,7 +40,7 @@ static void add_names(const struct view *view, const struct signal *signal, stru
     buffer_text(answer, "]");
 }
 
-/* What the programmer knows of it. */
+/* Appends what the table of columns knows about the signal. */
 static void add_column(const struct signal *signal, struct buffer *answer)
 {
     static const struct frob_column unknown = { "", "", 0, "", "", "", 0 };
@@ -57,7 +59,8 @@ static void add_column(const struct signal *signal, struct buffer *answer)
     buffer_free(&own);
 }
 
-/* Of the running mode of a machine: from and to, by number, and what it waits for. */
+/* Appends the transitions of a running mode: the numbers of both modes, and the event that is
+ * waited for. */
 static void add_transitions(const struct view *view, const struct signal *signal,
                             struct buffer *answer)
 {
@@ -107,7 +110,7 @@ static void add_source(const struct source *source, struct buffer *answer)
     buffer_text(answer, "}");
 }
 
-/* What of `program` changes as the program is run on. */
+/* Appends the members of `program` that change while the program is run over the recording. */
 void answer_progress(const struct view *view, struct buffer *message)
 {
     struct buffer summary = { 0 };
@@ -118,7 +121,7 @@ void answer_progress(const struct view *view, struct buffer *message)
     buffer_free(&summary);
 }
 
-/* Of a run that goes on, what grows. */
+/* Appends the members that grow in a live run. */
 void answer_extent(const struct view *view, struct buffer *message)
 {
     const size_t count = view->recording.count;
@@ -138,10 +141,20 @@ static bool has_outputs(const struct view *view)
     return false;
 }
 
-/* What the operator is asked for, in the order of its numbers, each with its signal. */
+static const char *console_kind(enum frob_control_kind kind)
+{
+    switch (kind) {
+#define KIND(value, name) \
+    case value: return name;
+        CONSOLE_KINDS(KIND)
+#undef KIND
+    }
+    return "unknown";
+}
+
+/* Appends the controls of the console, in the order of their numbers, each with its signal. */
 static void add_console(const struct view *view, struct buffer *answer)
 {
-    static const char *const kinds[] = { "button", "hold", "knob", "toggle", "map", "camera" };
     buffer_text(answer, ",\"console\":[");
     for (size_t i = 0; i < view->program->control_count; i++) {
         const struct frob_control *control = &view->program->console[i];
@@ -149,7 +162,7 @@ static void add_console(const struct view *view, struct buffer *answer)
         while (signal < view->signals.count && view->signals.all[signal].value != control->value)
             signal++;
         buffer_format(answer, "%s{\"kind\":\"%s\",\"label\":", i > 0 ? "," : "",
-                      kinds[control->kind]);
+                      console_kind(control->kind));
         buffer_string(answer, control->label);
         buffer_text(answer, ",\"unit\":");
         buffer_string(answer, control->unit);
@@ -174,7 +187,7 @@ static void add_setting(const struct frob_param *param, const void *values, cons
     buffer_string(answer, room);
 }
 
-/* Each as it is in this run, and as it is by default. */
+/* Appends each parameter with its value in this run and its default. */
 static void add_params(const struct view *view, struct buffer *answer)
 {
     const size_t count = view->replay.runs ? view->program->param_count : 0;
@@ -202,7 +215,7 @@ void answer_program(struct view *view, struct buffer *answer)
     buffer_string(answer, view_is_live(view) ? "" : view_without_folder(view->recording.name));
     answer_extent(view, answer);
     buffer_text(answer, ",\"at\":");
-    buffer_number(answer, view->files->at);
+    buffer_number(answer, view_start_time(view));
     buffer_format(answer, ",\"runs\":%s,\"compared\":%s", view->replay.runs ? "true" : "false",
                   has_outputs(view) ? "true" : "false");
     answer_progress(view, answer);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* As in stdlib/Prelude.frob. */
+/* The units of stdlib/Prelude.frob. */
 static const struct {
     const char *name;
     double scale;
@@ -46,7 +46,7 @@ static bool scale_of(const char *name, size_t length, double *scale)
     return false;
 }
 
-/* Factors beside each other are multiplied; a slash divides by the factor after it. */
+/* Adjacent factors are multiplied; a slash divides by the factor after it. */
 bool unit_read(const char *text, size_t length, double *scale)
 {
     size_t i = 0;
@@ -62,7 +62,7 @@ bool unit_read(const char *text, size_t length, double *scale)
         while (i < length && isalpha((unsigned char)text[i]))
             i++;
         if (i == start && i < length && text[i] == '1')
-            i++; /* as in 1/s */
+            i++; /* for example in 1/s */
         else if (!scale_of(text + start, i - start, &factor))
             return false;
         if (i < length && text[i] == '^') {

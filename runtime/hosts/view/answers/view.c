@@ -9,7 +9,7 @@
 #include <string.h>
 #include <time.h>
 
-/* {1 Beginning} */
+/* {1 Starting} */
 
 const char *view_without_folder(const char *path)
 {
@@ -66,7 +66,7 @@ bool view_start(struct view *view, const struct frob_program *program,
         return false;
     if (ring != NULL
             ? !live_start(&view->live, ring, files->recording, &view->signals, &view->recording)
-            : !recording_read(&view->recording, &view->signals, files->recording))
+            : !recording_read(&view->recording, &view->signals, files->recording, &files->dialect))
         return false;
     if (!recording_set(&view->recording, files->params, files->param_count))
         return false;
@@ -76,6 +76,12 @@ bool view_start(struct view *view, const struct frob_program *program,
     }
     series_start(&view->series, &view->replay);
     return true;
+}
+
+double view_start_time(const struct view *view)
+{
+    const double origin = (double)view->recording.origin / 1e9, at = view->files->at;
+    return origin != 0.0 && at >= origin ? at - origin : at;
 }
 
 void view_end(struct view *view)
@@ -116,7 +122,7 @@ bool view_advance(struct view *view, double seconds)
     return !replay_is_whole(&view->replay);
 }
 
-/* As often as a screen is drawn. */
+/* Minimum interval of news: about the refresh rate of a screen. */
 #define NEWS_S 0.016
 
 bool view_is_reading(const struct view *view)
@@ -164,8 +170,9 @@ void view_summary(const struct view *view, struct buffer *text)
         buffer_text(text, view->recording.notes.data);
     if (view->replay.diverged)
         buffer_format(text,
-                      "diverged at %lu: `%s` is not as recorded, so the recording is of another "
-                      "version of the program, or its C depends on more than its input\n",
+                      "diverged at instant %lu: `%s` differs from the recording, so the recording "
+                      "is from another version of the program, or the program's C code depends on "
+                      "more than its input\n",
                       (unsigned long)view->replay.diverged_at, view->replay.diverged_in->name);
 }
 
@@ -222,7 +229,7 @@ void view_news(struct view *view, struct buffer *message)
             buffer_text(message, ",\"newest\":");
             answer_instant(view, view->recording.count - 1, message);
         }
-        /* After that, for which the program is run up to there. */
+        /* Last, because answer_instant may have run the program up to there. */
         answer_extent(view, message);
         answer_progress(view, message);
     }
@@ -253,8 +260,8 @@ static void answer_what_if(struct view *view, const struct what_if_edit *edit,
         what_if_end(&view->other);
         buffer_text(answer, "{\"is\":\"what-if\",\"there\":false}");
     } else if (!can_try(view, drives)) {
-        answer_refusal(answer, drives ? "this run cannot be driven again"
-                                      : "this program cannot be run again on the recording");
+        answer_refusal(answer, drives ? "this run cannot be simulated again"
+                                      : "this program cannot be rerun on the recording");
     } else if (!what_if_start(&view->other, &view->signals, &view->recording,
                               &view->files->commands, view->files->sources[0], edit, &why)) {
         buffer_text(answer, "{\"is\":\"what-if\",\"there\":false,\"why\":");
@@ -274,7 +281,7 @@ static void answer_what_if(struct view *view, const struct what_if_edit *edit,
 
 /* {1 Requests} */
 
-/* Takes one word and the blank before it off a request, as a number below `limit`. */
+/* Reads a blank and a number below `limit` from a request. */
 static bool take_number(const char **at, size_t limit, size_t *result)
 {
     char *end;
@@ -321,8 +328,8 @@ static bool take_seconds(const char **at, double *result)
     return true;
 }
 
-/* Of `what-if TEXT`, `with NAME=VALUE … drive TEXT` and the like, all. False if it is none. The
- * settings are to be freed in any case. */
+/* Reads the whole of `what-if TEXT`, `with NAME=VALUE … drive TEXT` and similar requests. Returns
+ * false if the request is none of these. The caller frees the settings in either case. */
 static bool take_edit(const char *at, struct what_if_edit *edit)
 {
     const bool has_settings = take_word(&at, "with");
@@ -339,7 +346,7 @@ static bool take_edit(const char *at, struct what_if_edit *edit)
         return false;
     if (*at == ' ')
         edit->text = at + 1;
-    /* Without a program there is nothing to drive, and nothing to set. */
+    /* Without a text there must be neither `drive` nor settings. */
     return *at == ' ' || (*at == '\0' && !edit->drives && !has_settings);
 }
 
@@ -386,7 +393,7 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
     else if (take_edit(request, &edit))
         answer_what_if(view, &edit, answer);
     else
-        answer_refusal(answer, "this is no request");
+        answer_refusal(answer, "this is not a request");
     buffer_free(&edit.settings);
     if (answer->failed) {
         buffer_clear(answer);

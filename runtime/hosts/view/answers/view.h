@@ -1,40 +1,42 @@
-/* view.h -- what a page asks of a run, recorded or going on, and the answers.
+/* view.h -- a page's requests about a recorded or live run, and their answers.
  *
- * A request is a line of words, an answer JSON, of a picture with a line feed and its pixels after it:
+ * A request is a line of words. An answer is JSON; for an image, a line feed and its pixels follow
+ * the JSON:
  *
- *   program                    what there is: signals, sources, notes
+ *   program                    the signals, the sources and the notes
  *   instant K                  all signals at instant K
- *   time SECONDS               likewise, at the last instant not after that time
+ *   time SECONDS               all signals at the last instant not after that time
  *   series SIGNAL FROM TO WIDTH
  *                              points for a plot of signal number SIGNAL from time FROM
  *                              to TO, on WIDTH columns
  *   path SIGNAL SIGNAL COUNT   two signals at up to COUNT instants, evenly over the run
  *   why K SIGNAL               where the value of a signal at instant K came from (see why.h)
- *   find BEFORE CONDITION      instants at which CONDITION (see condition.h) begins to hold:
+ *   find BEFORE CONDITION      instants at which CONDITION (see condition.h) becomes true:
  *                              the first, the last before instant BEFORE, the first after it,
- *                              how many there are, and the times for which it holds
- *   claims                     the program's assertions: what became of each, as far as the program
- *                              has been run, and at which times it was violated
- *   drive TEXT                 the program as TEXT has it, run in the simulator as the recorded one
- *                              was
- *   what-if TEXT               the program as TEXT has it, run on the same inputs: from which
- *                              instant on its outputs are others; without TEXT, no more of it
+ *                              their number, and the times for which it is true
+ *   claims                     the program's assertions: the fate of each, as far as the program
+ *                              has been run, and the times at which it was violated
+ *   drive TEXT                 runs the program with the text TEXT in the simulator, like the
+ *                              recorded one
+ *   what-if TEXT               runs the program with the text TEXT on the same inputs, and
+ *                              answers the first instant at which its outputs differ; without
+ *                              TEXT, removes it
  *   with NAME=VALUE … what-if TEXT, with NAME=VALUE … drive TEXT
- *                              likewise, with other values of its parameters
+ *                              the same, with other values of its parameters
  *
- *   way ROBOT COUNT            where robot number ROBOT of a simulator really was, at up to
+ *   way ROBOT COUNT            the true positions of a simulator's robot number ROBOT, at up to
  *                              COUNT instants, evenly over the run
  *
- *   picture K WIDTH HAS        what is shown of an image at instant K, or what the camera saw
- *                              last; with up to WIDTH columns; K `newest`: the newest one. HAS:
- *                              0, or one more than the instant of the image that the page has, so
- *                              that it is not sent again
+ *   picture K WIDTH HAS        the image shown at instant K, or else the camera's last image,
+ *                              with up to WIDTH columns; if K is `newest`, the newest image.
+ *                              HAS is one more than the instant of the image that the page
+ *                              already has, which is then not sent again; or 0
  *
- *   more                       the last news was drawn: there may be other
+ *   more                       the page has drawn the last news and can take more
  *
- * While there is such a program, instants and series have the `others` of its values, and each
- * assertion has its `other` fate.
- * What is no request is answered by `{"is":"refused",…}`, and nothing else happens. */
+ * While there is an edited program, instants and series contain its values as `others`, and each
+ * assertion has the edited program's fate as `other`. Any other request is answered by
+ * `{"is":"refused",…}` and has no effect. */
 #ifndef FROB_VIEW_VIEW_H
 #define FROB_VIEW_VIEW_H
 
@@ -50,74 +52,78 @@ struct source {
 };
 
 struct view_files {
-    const char *recording; /* of a run that goes on: what it is recorded in, or NULL */
-    const char **sources;  /* the user's, then … */
+    const char *recording; /* of a live run: the file it is recorded in, or NULL */
+    const char **sources;  /* the user's source files, then those of the library */
     size_t source_count;
-    size_t own_count;    /* … from here on those of the library */
-    const char *world;   /* that the robot may have driven in; NULL: none */
-    const char **params; /* values of the program's parameters, NAME=VALUE each */
+    size_t own_count;           /* number of the user's source files */
+    const char *world;          /* the world that the robot may have driven in; NULL: none */
+    struct csv_dialect dialect; /* dialect of the recording */
+    const char **params;        /* NAME=VALUE for each parameter that is set */
     size_t param_count;
-    double at; /* the time that pages show at first, in seconds */
+    double at; /* time in seconds that pages show first */
     struct what_if_commands commands;
 };
 
 struct view {
     const struct frob_program *program;
-    const struct frob_origin *origins; /* NULL: they are not known */
+    const struct frob_origin *origins; /* NULL: unknown */
     struct signals signals;
     struct recording recording;
     struct replay replay;
     struct series series;
     struct source *sources;
     size_t source_count;
-    struct source world; /* text NULL: none */
+    struct source world; /* its text is NULL if there is none */
     const struct view_files *files;
     struct what_if other;
     struct live live;
     bool has_news;
-    double told; /* when there last was news; seconds */
-    size_t said; /* so much of the summary was said on standard error */
+    double told; /* time of the last news, in seconds */
+    size_t said; /* length of the summary already printed on standard error */
 };
 
-/* Reads the files, whose names are to stay; with a ring, for a run that goes on. False with
- * a line on standard error. */
+/* Reads the files, whose names must stay valid. `ring` is for a live run, otherwise NULL. On
+ * failure prints a line on standard error and returns false. */
 bool view_start(struct view *view, const struct frob_program *program,
                 const struct frob_column *columns, const struct frob_origin *origins,
                 const struct view_files *files, struct ring *ring);
+/* The time that pages show first, in the seconds that they display. */
+double view_start_time(const struct view *view);
+
 void view_end(struct view *view);
 
-/* What is to be done when nobody asks for anything. */
+/* What remains to be done when there is no request. */
 enum view_work {
-    VIEW_GOES_ON, /* more of the same, now */
-    VIEW_LOOKS,   /* look again soon: the run goes on */
+    VIEW_GOES_ON, /* continue immediately */
+    VIEW_LOOKS,   /* check again soon: the run is live */
     VIEW_RESTS    /* nothing */
 };
 
-/* Does some of it, for about so many seconds. */
+/* Works for about this many seconds. */
 enum view_work view_work(struct view *view, double seconds);
 
-/* Whether there is something that pages are to be told without having asked; true once. */
+/* Returns whether there is news for the pages. Returns true only once for each news. */
 bool view_has_news(struct view *view);
 
-/* Appends that: of a recording, how far the program has been run over it; of a run that
- * goes on, its newest instant. */
+/* Appends the news: of a recording, how far the program has been run over it; of a live run, its
+ * newest instant. */
 void view_news(struct view *view, struct buffer *message);
 
-/* Reads more of the recording, and runs the program over it, for about so many seconds. False
- * if that has been done with all of it. */
+/* Reads more of the recording, and runs the program over it, for about this many seconds. Returns
+ * false when all of it is done. */
 bool view_advance(struct view *view, double seconds);
 
-/* Whether not all of a recording has been read: then nothing can be answered yet. */
+/* Returns whether the recording is still being read; until then no request can be answered. */
 bool view_is_reading(const struct view *view);
 
-/* Appends what does not fit, and whether outputs are the recorded ones as far as is known.
- * Lines. */
+/* Appends lines about what does not fit the program, and whether its outputs equal the recorded
+ * ones, as far as is known. */
 void view_summary(const struct view *view, struct buffer *text);
 
-/* Says on standard error what of this has not been said there. */
+/* Prints the new lines of this summary on standard error. */
 void view_say(struct view *view);
 
-/* Appends the answer to a request, unless the recording is still being read. */
+/* Appends the answer to a request; nothing while the recording is still being read. */
 void view_answer(struct view *view, const char *request, struct buffer *answer);
 
 #endif

@@ -3,15 +3,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How far back it is looked since when a value is the same. */
+/* Maximum number of instants to search back for the start of a value. */
 #define FARTHEST 16384
 
-/* How many signals a name of an array stands for, at most. */
+/* Maximum number of signals that the name of an array represents. */
 #define MOST 64
 
 /* {1 Instants} */
 
-/* Those that were looked at, for an answer comes back to a few again and again. */
+/* Caches the last instants, because an answer reads a few of them repeatedly. */
 #define KEPT 8
 
 struct why {
@@ -20,13 +20,15 @@ struct why {
     struct look {
         size_t k;
         struct moment moment;
-        unsigned char *bytes; /* of its output and state */
+        unsigned char *bytes; /* copies of its output and state */
     } looks[KEPT];
     size_t count, oldest;
     struct buffer *answer;
+    struct why_source *found; /* if not NULL, receives the sources instead of `answer` */
+    size_t found_count, most; /* `most`: the room in `found` */
 };
 
-/* Good until KEPT others were looked at. */
+/* Returns an instant; it is valid until KEPT others have been read. */
 static struct moment look_at(struct why *why, size_t k)
 {
     const struct frob_program *program = why->replay->signals->program;
@@ -65,7 +67,8 @@ static bool is_there(struct why *why, const struct signal *signal, size_t k)
            ((const unsigned char *)base)[signal->value->offset] != 0;
 }
 
-/* Does what a signal is in run at an instant? Of an event its neighbours tell. */
+/* Returns whether the signal function that contains a signal runs at an instant. For an event,
+ * looks at another signal of the same signal function. */
 static bool runs(struct why *why, const struct signal *signal, size_t k)
 {
     const struct signals *signals = why->replay->signals;
@@ -82,7 +85,7 @@ static bool runs(struct why *why, const struct signal *signal, size_t k)
     return true;
 }
 
-/* The mode of a machine's column; -1 where it does not run. */
+/* Returns the mode in a machine's column; -1 if the machine does not run. */
 static int mode_at(struct why *why, const struct signal *machine, size_t k)
 {
     const struct moment moment = look_at(why, k);
@@ -95,8 +98,9 @@ static bool same(const struct buffer *a, const struct buffer *b)
     return strcmp(a->data == NULL ? "" : a->data, b->data == NULL ? "" : b->data) == 0;
 }
 
-/* In a block of instants the last at which a signal is not as one instant before; `first` and
- * `last` become its cells there. The block's first if it is the same in all of it. */
+/* Returns the last instant in a block at which a signal differs from the instant before; the
+ * block's first instant if the signal is constant. Stores its cells at the block's first and last
+ * instants in `first` and `last`. */
 static size_t last_change(struct why *why, const struct signal *signal, size_t from, size_t to,
                           struct buffer *first, struct buffer *last)
 {
@@ -116,7 +120,8 @@ static size_t last_change(struct why *why, const struct signal *signal, size_t f
     return changed;
 }
 
-/* The first instant from which on a signal is as at `k`; or, if that is too far, a later one. */
+/* Returns the first instant since which a signal has had its value at `k`. If that is too far back,
+ * returns a later instant and sets *is_longer. */
 static size_t since(struct why *why, const struct signal *signal, size_t k, bool *is_longer)
 {
     const size_t end = k > FARTHEST ? k - FARTHEST : 0;
@@ -144,7 +149,7 @@ static size_t since(struct why *why, const struct signal *signal, size_t k, bool
 
 /* {1 Sources} */
 
-/* The signals that a source stands for. */
+/* Returns whether a source represents this signal. */
 static bool is_of(const struct signal *signal, const char *column)
 {
     const size_t length = strlen(column);
@@ -170,6 +175,11 @@ static void add_source(struct why *why, const struct signal *signal, size_t k, c
     const struct signals *signals = why->replay->signals;
     const struct moment moment = look_at(why, k);
     struct buffer cell = { 0 };
+    if (why->found != NULL) {
+        if (why->found_count < why->most)
+            why->found[why->found_count++] = (struct why_source){ signal, k };
+        return;
+    }
     signal_write(signals, signal, &moment, &cell);
     buffer_format(why->answer, "%s{\"signal\":%lu,", *comma,
                   (unsigned long)(signal - signals->all));
@@ -196,11 +206,12 @@ const struct frob_origin *why_origin(const struct frob_origin *origins, const st
     return found;
 }
 
-/* The most modes that are gone through in one instant, as far as is told. */
+/* Maximum number of modes that one instant can pass through in an answer. */
 #define LONGEST 16
 
-/* How a machine came from one mode to another in an instant: one transition, or several by
- * modes that end as they begin. The fewest that do; their number, 0 if it is not known. */
+/* Finds how a machine changed from one mode to another in an instant: by one transition, or by
+ * several through modes that ended as soon as they began. Stores the shortest path and returns its
+ * length; 0 if it is unknown. */
 static size_t way(const struct frob_transition *transitions, int from, int to,
                   const struct frob_transition *result[LONGEST])
 {
@@ -221,7 +232,7 @@ static size_t way(const struct frob_transition *transitions, int from, int to,
             queue[count++] = t->target;
         }
     }
-    /* From the end; a way may come back to where it began. */
+    /* Follow the path backwards. It may return to the mode where it started. */
     for (int at = to; by[at] != NULL && length < LONGEST; at = by[at]->from) {
         result[length++] = by[at];
         if (by[at]->from == from || by[at]->from == FROB_ANY)
@@ -235,8 +246,8 @@ static size_t way(const struct frob_transition *transitions, int from, int to,
     return length;
 }
 
-/* When the mode began that a machine is in, and how it came there; `count` is 0 if the machine
- * itself began, or that is not known. */
+/* When a machine's current mode began, and the transitions that led to it. `count` is 0 if the
+ * machine itself began, or if they are unknown. */
 struct entry {
     size_t k;
     bool is_known;
@@ -259,7 +270,8 @@ static struct entry entry_of(struct why *why, const struct signal *machine, size
     return entry;
 }
 
-/* Does a source count that was computed as a mode began? It is of one that was left then. */
+/* Returns whether a source that was read when a mode began applies: it must belong to a mode that
+ * was left then. */
 static bool is_of_entry(const struct entry *entry, const struct frob_source *source)
 {
     if (source->mode == FROB_ANY || source->mode == entry->before)
@@ -272,11 +284,11 @@ static bool is_of_entry(const struct entry *entry, const struct frob_source *sou
     return false;
 }
 
-/* What is asked for: a value at an instant, or an event by which a mode was left, at whose
- * instant what was in that mode is no more seen. */
+/* The kind of value: a signal at an instant, or an event that ended a mode. At the instant of such
+ * an event, the signals of the old mode are no longer visible. */
 enum asked { VALUE, EVENT };
 
-/* At which instant a source counts; false if it does not. */
+/* Computes the instant at which a source was read. Returns false if the source does not apply. */
 static bool instant_of(struct why *why, const struct signal *of, const struct frob_source *source,
                        enum asked asked, size_t k, size_t *at)
 {
@@ -316,7 +328,7 @@ static void add_sources(struct why *why, const struct signal *of, const struct f
             if (!is_of(signal, sources->column))
                 continue;
             count++;
-            /* What was in a mode that has been left was there one instant earlier. */
+            /* If its mode has ended, the signal was visible one instant earlier. */
             if (runs(why, signal, at))
                 add_source(why, signal, at, &comma);
             else if ((asked == EVENT || sources->back == FROB_ENTRY) && at > 0 &&
@@ -369,4 +381,20 @@ void why_answer(struct replay *replay, const struct frob_origin *origins,
         add_switches(&why, signal, k);
     for (size_t i = 0; i < why.count; i++)
         free(why.looks[i].bytes);
+}
+
+size_t why_sources(struct replay *replay, const struct frob_origin *origins,
+                   const struct signal *signal, size_t k, struct why_source *found, size_t most)
+{
+    struct buffer unused = { 0 };
+    struct why why = {
+        .replay = replay, .origins = origins, .answer = &unused, .found = found, .most = most
+    };
+    const struct frob_origin *origin = replay->runs ? why_origin(origins, signal) : NULL;
+    if (origin != NULL)
+        add_sources(&why, signal, origin->sources, VALUE, k);
+    for (size_t i = 0; i < why.count; i++)
+        free(why.looks[i].bytes);
+    buffer_free(&unused);
+    return why.found_count;
 }

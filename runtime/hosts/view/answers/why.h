@@ -1,5 +1,5 @@
-/* why.h -- where a value came from: its equation, and the values that this mentions, at the
- * instants from which they were taken. */
+/* why.h -- explains where a value came from: its equation, and the values that the equation read,
+ * at the instants from which they were taken. */
 #ifndef FROB_VIEW_WHY_H
 #define FROB_VIEW_WHY_H
 
@@ -7,22 +7,32 @@
 
 #include <frob/origins.h>
 
-/* The row that says the most of a signal; NULL if there is none, as in a NULL table. */
+/* Returns the most specific row about a signal; NULL if there is none or the table is NULL. */
 const struct frob_origin *why_origin(const struct frob_origin *origins,
                                      const struct signal *signal);
 
-/* Appends, as members of a JSON object, what is known of a signal's value at instant `k`:
+/* Appends, as members of a JSON object, what is known about a signal's value at instant `k`:
  *
- *   "since": {"k", "time", "longer"}: the first instant from which on it is as it is at `k`;
- *            if that is very long ago, one from which on it surely is, and `longer` is true
- *   "file", "line", "last": its equation; "" if it has none
- *   "sources": [{"signal", "k", "time", "cell"}, …]: what it was computed of, and when
- *   "switches": of the running mode of a machine that was in another before, the transitions
- *               that led here at one instant: [{"from", "to", "label", "k", "time", "file",
- *               "line", "last", "sources"}, …]
+ *   "since": {"k", "time", "longer"}: the first instant since which it has had this value;
+ *            if that is too long ago, a later instant, and `longer` is true
+ *   "file", "line", "last": the place of its equation; "" if it has none
+ *   "sources": [{"signal", "k", "time", "cell"}, …]: the values it was computed from, and when
+ *   "switches": if the signal is the running mode of a machine that had another mode before,
+ *               the transitions of one instant that led here: [{"from", "to", "label", "k",
+ *               "time", "file", "line", "last", "sources"}, …]
  *
  * `origins` may be NULL. */
 void why_answer(struct replay *replay, const struct frob_origin *origins,
                 const struct signal *signal, size_t k, struct buffer *answer);
+
+/* An operand of a computed value, and the instant from which it was taken. */
+struct why_source {
+    const struct signal *signal;
+    size_t k;
+};
+
+/* Finds the sources of a signal's value at instant `k`, at most `most`. Returns their number. */
+size_t why_sources(struct replay *replay, const struct frob_origin *origins,
+                   const struct signal *signal, size_t k, struct why_source *found, size_t most);
 
 #endif

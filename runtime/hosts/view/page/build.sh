@@ -1,6 +1,7 @@
 #!/bin/sh
-# usage: build.sh WORK OUT : the page's bundle, from the sources beside this file, with the
-# packages of package-lock.json, which npm puts into the folder WORK.
+# usage: build.sh WORK OUT
+# Builds the page's bundle in OUT from the sources in this folder. npm installs the packages of
+# package-lock.json in the folder WORK.
 set -eu
 sources=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1" "$2"
@@ -11,6 +12,12 @@ for folder in camera map operate signals source time; do
     cp -r "$sources/$folder" "$1"
 done
 cp "$sources"/*.ts "$sources"/*.css "$sources"/*.html "$sources"/*.svg "$sources"/*.json "$sources"/*.mjs "$1"
+{
+    echo "// Made by build.sh from console_kinds.h."
+    echo "/** The kinds of things that a program has on its console. */"
+    sed -n 's/^ *KIND(FROB_[A-Z_]*, \("[a-z]*"\)).*/\1/p' "$sources/../console_kinds.h" |
+        paste -s -d '|' | sed 's/.*/export type ControlKind = &;/'
+} >"$1/operate/kinds.ts"
 cd "$1"
 npm ci --silent --no-audit --no-fund
 npx tsc

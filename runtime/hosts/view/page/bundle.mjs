@@ -1,4 +1,5 @@
-// usage: node bundle.mjs OUT : all that the page is made of, and licences.txt.
+// usage: node bundle.mjs OUT
+// Writes all files of the page, and licences.txt, to OUT.
 import { build } from "esbuild";
 import { copyFile, readFile, readdir, writeFile } from "node:fs/promises";
 import { join } from "node:path";
@@ -19,7 +20,7 @@ const { metafile } = await build({
 });
 for (const name of ["page.html", "icon.svg"]) await copyFile(name, join(out, name));
 
-// Of each package of which something is in the bundle.
+// Collect the licence of each package that the bundle contains parts of.
 const folders = Object.keys(metafile.inputs).flatMap((path) => {
   const found = /^node_modules\/(@[^/]+\/)?[^/]+/.exec(path);
   return found ? [found[0]] : [];

@@ -1,7 +1,7 @@
-// Drawing in pixels of the page, on a canvas that may have more.
+// Draws in CSS pixels on a canvas that may have a higher resolution.
 
-/** Makes a canvas so large, and empty. It gets other memory only with another size: what is drawn
- *  many times a second would leave much of it behind. */
+/** Clears a canvas and sets its size. It is resized only if the size changes, because each resize
+ * allocates memory, which would pile up at many frames a second. */
 export function clear(context: CanvasRenderingContext2D, width: number, height: number): void {
   const { canvas } = context;
   const ratio = devicePixelRatio;

@@ -1,7 +1,9 @@
-// The WebSocket to the viewer: the token first, then requests.
+// The WebSocket to the viewer. It presents the token in its address, and reconnects when it was
+// closed. A question waits for its answer, across several connections if necessary; a command is
+// sent immediately or not at all.
 import type { Answer, Picture } from "./protocol";
 
-/** JSON, a line feed, and pixels of one or three bytes. */
+/** Parses JSON, a line feed, and pixels of one or three bytes. */
 function readPicture(message: ArrayBuffer): Picture {
   const bytes = new Uint8Array(message),
     feed = bytes.indexOf(10);
@@ -15,19 +17,110 @@ function readPicture(message: ArrayBuffer): Picture {
   return { ...picture, data };
 }
 
-export class Connection {
-  private readonly socket: WebSocket;
+/** Maps the first word of a question to the name of its answer, if the names differ. */
+const answerOf: Readonly<Record<string, string>> = {
+  time: "instant",
+  find: "found",
+  drive: "what-if",
+  with: "what-if",
+};
+/** Maximum number of questions sent; the viewer accepts fewer than 64 pending questions of a
+ * page. */
+const mostSent = 32;
+/** Delays before reconnecting, in ms. */
+const soon = 250,
+  later = 1000;
+/** The close code that the viewer sends for a wrong token, for example the token of a viewer that
+ *  used this port before. */
+const refusal = 1008;
 
-  constructor(answered: (answer: Answer) => void, closed: (why: string) => void) {
-    this.socket = new WebSocket(`ws://${location.host}/`, "frob-view");
-    this.socket.binaryType = "arraybuffer";
-    this.socket.onopen = () => this.ask(`hello ${location.hash.slice(1)}`);
-    this.socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) =>
-      answered(typeof data === "string" ? (JSON.parse(data) as Answer) : readPicture(data));
-    this.socket.onclose = (event) => closed(event.reason || "the viewer has ended");
+interface Question {
+  readonly text: string;
+  readonly kind: string;
+}
+
+export interface Listener {
+  answered(answer: Answer): void;
+  /** The connection was closed, for this reason; `final`: the page does not reconnect. */
+  closed(why: string, final: boolean): void;
+}
+
+export class Connection {
+  private socket: WebSocket | null = null;
+  /** Unanswered questions, the oldest first; the first `sent` were sent on this connection. */
+  private readonly questions: Question[] = [];
+  private sent = 0;
+  private delay = soon;
+  /** The time in the viewer's last beat. */
+  private time = "";
+
+  constructor(private readonly listener: Listener) {
+    this.open();
   }
 
-  ask(request: string): void {
-    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(request);
+  get isOpen(): boolean {
+    return this.socket?.readyState === WebSocket.OPEN;
+  }
+
+  private open(): void {
+    const token = encodeURIComponent(location.hash.slice(1));
+    const socket = new WebSocket(`ws://${location.host}/?${token}`, "frob-view");
+    socket.binaryType = "arraybuffer";
+    socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) =>
+      this.received(typeof data === "string" ? (JSON.parse(data) as Answer) : readPicture(data));
+    socket.onopen = () => this.send();
+    socket.onclose = ({ code, reason }) => {
+      const isFinal = code === refusal;
+      this.socket = null;
+      this.sent = 0;
+      if (!isFinal) setTimeout(() => this.open(), this.delay);
+      this.delay = Math.min(2 * this.delay, later);
+      this.listener.closed(reason, isFinal);
+    };
+    this.socket = socket;
+  }
+
+  private received(answer: Answer): void {
+    const isAnswer =
+      answer.is === "refused"
+        ? !answer.command
+        : this.questions.some(({ kind }) => kind === answer.is);
+    if (answer.is === "beat") this.time = String(answer.time);
+    this.delay = soon;
+    if (isAnswer && this.sent > 0) {
+      const at =
+        answer.is === "refused" ? 0 : this.questions.findIndex(({ kind }) => kind === answer.is);
+      this.questions.splice(at, 1);
+      this.sent--;
+      this.send();
+    }
+    this.listener.answered(answer);
+  }
+
+  private send(): void {
+    while (this.isOpen && this.sent < Math.min(mostSent, this.questions.length)) {
+      this.socket?.send(this.questions[this.sent]?.text ?? "");
+      this.sent++;
+    }
+  }
+
+  ask(text: string): void {
+    const word = text.split(" ", 1)[0] ?? "";
+    const isWaiting = this.questions.slice(this.sent).some((question) => question.text === text);
+    if (!isWaiting) this.questions.push({ text, kind: answerOf[word] ?? word });
+    this.send();
+  }
+
+  /** Call this when the page has drawn the new data and wants more. */
+  more(): void {
+    if (this.isOpen) this.socket?.send("more");
+  }
+
+  /** Returns false if the command cannot be sent; it is not sent later. */
+  command(text: string): boolean {
+    if (!this.isOpen) return false;
+    // A stop has no timestamp, because it is never too late.
+    this.socket?.send(text === "stop" ? text : `at ${this.time || 0} ${text}`);
+    return true;
   }
 }

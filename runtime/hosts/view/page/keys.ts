@@ -1,5 +1,6 @@
-// Everything by the keyboard; the dialog of the page has the list.
+// Keyboard shortcuts for everything; the page's help dialog lists them.
 import type { Player } from "./time/player";
+import type { Stop } from "./operate/stop";
 import type { Store } from "./store";
 import { goToViolation } from "./signals/claims";
 import { toggleTheme } from "./theme";
@@ -12,6 +13,7 @@ export function startKeys(
   find: HTMLInputElement,
   why: WhyPanel,
   help: HTMLDialogElement,
+  stop: Stop,
 ): void {
   const act = (event: KeyboardEvent): boolean => {
     const { instant } = store;
@@ -36,7 +38,7 @@ export function startKeys(
         player.toEnd();
         break;
       case "X":
-        store.command("stop");
+        stop.press();
         break;
       case "p":
         if (store.run?.paces) store.command(store.run.paused ? "go" : "pause");
@@ -97,7 +99,7 @@ export function startKeys(
     const target = event.target instanceof Element ? event.target : null;
     if (event.ctrlKey || event.altKey || event.metaKey || help.open) return;
     if (target?.closest("input, select") || (store.isEditing && target?.closest("#source"))) return;
-    // A button is pressed by the space bar.
+    // The space bar presses a focused button.
     if (event.key === " " && target?.closest("button")) return;
     if (moves.has(event.key)) player.pause();
     if (act(event)) event.preventDefault();

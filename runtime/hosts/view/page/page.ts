@@ -1,6 +1,7 @@
-// The page: what there is, and the panels that show it.
+// The page: connects to the viewer, and starts the panels.
 import { startCamera } from "./camera/camera";
 import { Connection } from "./connection";
+import { Contact } from "./contact";
 import { startClaims } from "./signals/claims";
 import { startConsole } from "./operate/console";
 import { startKeys } from "./keys";
@@ -23,16 +24,26 @@ function element<T extends HTMLElement>(id: string): T {
   return found as T;
 }
 
+/** How long the page shows a complaint, in ms. */
+const attention = 4000;
+let complaint: { readonly text: string; readonly until: number } | null = null;
+
 function showState(text: string, isGood: boolean): void {
-  element("state").textContent = text;
-  element("state").classList.toggle("bad", !isGood);
+  const isComplaint = complaint !== null && performance.now() < complaint.until;
+  element("state").textContent = isComplaint && complaint ? complaint.text : text;
+  element("state").classList.toggle("bad", isComplaint || !isGood);
+}
+
+function complain(text: string): void {
+  complaint = { text, until: performance.now() + attention };
+  showProgress();
+  setTimeout(showProgress, attention + 1);
 }
 
 function describe(program: Program): void {
   document.title = `${program.name} – Frob`;
   element("program").textContent = program.name;
   describeRun(program);
-  showProgress(program, program);
 }
 
 function describeRun(program: Program): void {
@@ -47,25 +58,43 @@ function describeRun(program: Program): void {
     .join("  ·  ");
 }
 
-function showProgress(program: Program, progress: Program | Progress | Live): void {
-  const notes = progress.notes.trimEnd();
-  element("notes").textContent = notes;
-  element("notes").hidden = notes === "";
-  const diverged = /^diverged at \d+/m.exec(notes);
-  if (diverged) showState(diverged[0], false);
-  else if (!program.runs) showState("as recorded; the program does not fit", false);
-  else if (progress.replayed < program.instants && !program.live) showState("replaying …", true);
-  else if (program.live) showState("live: outputs as computed", true);
-  else showState(program.compared ? "replayed: outputs as recorded" : "replayed", true);
+/** The latest status message of the viewer. */
+let progress: Program | Progress | Live | null = null;
+/** Why the connection was closed for good. */
+let refusal = "";
+
+function showProgress(): void {
+  const program = store?.program;
+  if (refusal !== "") {
+    showState(refusal, false);
+    return;
+  }
+  if (contact.isLost) showState(`no contact since ${contact.sinceWhen}`, false);
+  else if (!program || !progress) return;
+  else {
+    const notes = progress.notes.trimEnd();
+    element("notes").textContent = notes;
+    element("notes").hidden = notes === "";
+    const diverged = /^diverged at instant \d+/m.exec(notes);
+    const isWhole = progress.replayed >= program.instants;
+    if (diverged) showState(diverged[0], false);
+    else if (!program.runs) showState("as recorded; the program does not match", false);
+    else if (contact.silent === "instants")
+      showState(`no new instant since ${contact.sinceWhen}`, false);
+    else if (program.live && program.instants === 0) showState("no instant yet", true);
+    else if (program.live) showState("live: outputs as computed", true);
+    else if (!isWhole) showState("replaying …", true);
+    else showState(program.compared ? "replayed: outputs as recorded" : "replayed", true);
+  }
 }
 
-/** What to see at first: what the program puts out. */
+/** Returns the signals to plot first: the program's outputs. */
 function firstPlots(program: Program): number[] {
   const numbers = program.signals.map((_, number) => number);
   return numbers.filter((number) => program.signals[number]?.side === "output").slice(0, 4);
 }
 
-/** Of the panels, the one that is seen where there is room for one. */
+/** Selects the panel to show on a screen that has room for only one. */
 function choose(panel: string): void {
   document.body.dataset["panel"] = panel;
   for (const button of element("panels").querySelectorAll("button"))
@@ -79,7 +108,7 @@ function startPanels(): void {
 }
 
 function start(program: Program): Store {
-  const store = new Store(program, connection);
+  const store = new Store(program, connection, contact, complain);
   const filter = element<HTMLInputElement>("filter");
   const help = element<HTMLDialogElement>("keys");
   describe(program);
@@ -98,11 +127,18 @@ function start(program: Program): Store {
     element<HTMLButtonElement>("after"),
   );
   startTimeline(store, element("timeline"));
-  startKeys(store, new Player(store), filter, element<HTMLInputElement>("find"), why, help);
-  startLive(store);
+  startKeys(
+    store,
+    new Player(store),
+    filter,
+    element<HTMLInputElement>("find"),
+    why,
+    help,
+    startLive(store),
+  );
   startConsole(store, element("console"));
   element("help").onclick = () => help.showModal();
-  // Who drives looks where the robot goes.
+  // The operator of a robot needs the map.
   if (program.live && program.console.length > 0) choose("map");
   if (program.live) store.follow();
   else store.goToTime(program.at);
@@ -110,30 +146,57 @@ function start(program: Program): Store {
 }
 
 let store: Store | null = null;
-/** May be told before there is a store. */
+/** May arrive before there is a store. */
 let run: Run | null = null;
 
+/** Handles the program message on a new connection to the same viewer. */
+function reconnected(store: Store, program: Program): void {
+  if (program.live) store.program.live = true;
+  store.grew({ ...program, is: "live" });
+  store.askClaims();
+}
+
+function extend(extent: Program | Live): void {
+  const newest = store?.newest;
+  contact.extent(extent, (newest?.dt ?? 0) / (run?.speed ?? 1));
+}
+
 function answered(answer: Answer): void {
+  contact.heard();
   switch (answer.is) {
+    case "beat":
+      contact.beat(answer);
+      break;
     case "program":
-      store = start(answer);
+      progress = answer;
+      if (store) reconnected(store, answer);
+      else store = start(answer);
+      extend(answer);
       if (run) store.runsOn(run);
+      showProgress();
       break;
     case "progress":
       if (!store) break;
-      showProgress(store.program, answer);
+      progress = answer;
+      showProgress();
       store.askClaims();
       break;
     case "live":
-      // The next one when this has been drawn.
-      requestAnimationFrame(() => connection.ask("more"));
+      // Request the next one when this one has been drawn.
+      requestAnimationFrame(() => {
+        connection.more();
+        contact.expectInstants();
+      });
       if (!store) break;
       store.grew(answer);
+      extend(answer);
       describeRun(store.program);
-      showProgress(store.program, answer);
+      progress = answer;
+      showProgress();
       break;
     case "run":
       run = answer;
+      contact.pause(run.paused);
       store?.runsOn(run);
       break;
     case "way":
@@ -164,12 +227,49 @@ function answered(answer: Answer): void {
       store?.whatIfReceived(answer);
       break;
     case "refused":
-      showState(answer.why, false);
+      if (answer.command && store) store.undone(answer.why);
+      else complain(answer.why);
       break;
   }
 }
 
+let wasSilent = false;
+
+function contactChanged(): void {
+  const isSilent = contact.silent !== "nobody";
+  if (isSilent && !wasSilent) complaint = null;
+  const name = store ? `${store.program.name} – Frob` : "Frob";
+  document.title = contact.isLost ? `⚠ no contact – ${name}` : name;
+  showProgress();
+  store?.changed("contact");
+  if (wasSilent && !isSilent) store?.changed("resumed");
+  wasSilent = isSilent;
+}
+
+/** Reports an error in the page itself, so that a broken page does not look healthy. */
+function failed(what: string): void {
+  // Harmless: the browser draws the change of size in the next frame instead.
+  if (what.startsWith("ResizeObserver loop")) return;
+  element("failed").textContent =
+    `This page has failed and may show wrong values: ${what}. ` +
+    "Reload it; the run continues without it.";
+  element("failed").hidden = false;
+}
+
+window.addEventListener("error", (event) => failed(event.message));
+window.addEventListener("unhandledrejection", (event) => failed(String(event.reason)));
+// The user has opened the address of another viewer in this tab.
+window.addEventListener("hashchange", () => location.reload());
 startTheme();
 element("theme").onclick = toggleTheme;
 startPanels();
-const connection = new Connection(answered, (why) => showState(why, false));
+const contact = new Contact(element("contact"), contactChanged);
+const connection = new Connection({
+  answered,
+  closed: (why, isFinal) => {
+    if (isFinal) refusal = why || "the viewer does not answer this page";
+    else if (why !== "" && !store) complain(why);
+    contact.closed(isFinal);
+    showProgress();
+  },
+});

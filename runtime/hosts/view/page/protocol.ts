@@ -1,52 +1,53 @@
-// What the viewer answers; view.h has the requests.
+// The viewer's answers; view.h describes the requests.
+import type { ControlKind } from "./operate/kinds";
 
 export interface Signal {
   readonly name: string;
   readonly side: "input" | "output" | "probe" | "mode";
   readonly kind: "bool" | "int" | "float" | "event" | "sum" | "data" | "mode";
-  /** What the numbers 0, 1, … of its plot stand for; none if they are numbers. */
+  /** The names that the numbers 0, 1, … of its plot represent; empty if they are numbers. */
   readonly names: readonly string[];
-  /** As the language writes it, such as `m/s`; empty without one. */
+  /** In Frob's syntax, such as `m/s`; empty if it has none. */
   readonly unit: string;
-  /** Of a probe: the instance of a signal function that it is in, its name there, and where
-   *  that is written. Else empty. */
+  /** For a probe: the instance of a signal function that contains it, its name there, and where it
+   * is defined. Otherwise empty. */
   readonly instance: string;
   readonly own: string;
   readonly file: string;
   readonly line: number;
-  /** Of the running mode of a machine: how it comes from one to the other. */
+  /** For the running mode of a machine: the transitions between its modes. */
   readonly transitions?: readonly Transition[];
 }
 
-/** Between modes, by their numbers in `names`; `from` is -1 from any, -2 as the machine
- *  begins. */
+/** Between modes, by their numbers in `names`. `from` is -1 for any mode, and -2 for the start of
+ * the machine. */
 export interface Transition {
   readonly from: number;
   readonly to: number;
-  /** What it waits for, as far as that is known; or empty. */
+  /** The event that it waits for, if known; otherwise empty. */
   readonly label: string;
   readonly delayed: boolean;
 }
 
-/** What the program asks its operator for; requests know it by its place in the list. */
+/** A control of the program's console; requests identify it by its index in the list. */
 export interface Control {
-  readonly kind: "button" | "hold" | "knob" | "toggle" | "map" | "camera";
+  readonly kind: ControlKind;
   readonly label: string;
-  /** Of a knob. */
+  /** For a knob. */
   readonly unit: string;
   readonly least: number;
   readonly most: number;
-  /** Where it is before anybody touches it; of a toggle 0 or 1. */
+  /** Its initial value; for a toggle 0 or 1. */
   readonly first: number;
-  /** What it is in the program's input. */
+  /** The number of its signal in the program's input. */
   readonly signal: number;
 }
 
-/** A number that is fixed when a run starts. */
+/** A parameter, which is fixed when a run starts. */
 export interface Param {
   readonly name: string;
   readonly unit: string;
-  /** As a setting has it, `0.3[m/s]`: in this run, and by default. */
+  /** In the form of a setting, `0.3[m/s]`: its value in this run, and its default. */
   readonly value: string;
   readonly first: string;
 }
@@ -62,32 +63,33 @@ export interface Program {
   readonly name: string;
   readonly robot: string;
   readonly recording: string;
-  // These grow while the run goes on.
+  // These grow during a live run.
   instants: number;
   start: number;
   end: number;
-  /** Whether it does. */
+  /** Whether the run is live. */
   live: boolean;
-  /** The time to show at first. */
+  /** The time to show first. */
   readonly at: number;
   /** Whether the program can be run on the recording. */
   readonly runs: boolean;
   /** Whether outputs were recorded, so that those of the replay can be compared. */
   readonly compared: boolean;
-  /** How many instants it has been run over. */
+  /** Number of instants that the program has been run over. */
   readonly replayed: number;
   readonly notes: string;
-  /** Whether frames of cameras are among its inputs. */
+  /** Whether its inputs include camera frames. */
   readonly sees: boolean;
   readonly signals: readonly Signal[];
   readonly console: readonly Control[];
   readonly params: readonly Param[];
   readonly sources: readonly Source[];
-  /** That the robot may have driven in. */
+  /** The world that the robot may have driven in. */
   readonly world: Source | null;
 }
 
-/** Comes by itself, while a run goes on, and at its end: what has grown, and the newest instant. */
+/** Sent without a request during a live run and at its end: what has grown, and the newest
+ * instant. */
 export interface Live {
   readonly is: "live";
   readonly instants: number;
@@ -99,12 +101,12 @@ export interface Live {
   readonly newest?: Instant;
 }
 
-/** Comes by itself: how the run goes on, and what this page may do to it besides stopping it. */
+/** Sent without a request: the state of the run, and what this page may do besides stopping it. */
 export interface Run {
   readonly is: "run";
-  /** Of several pages one does. */
+  /** If there are several pages, only one operates. */
   readonly operates: boolean;
-  /** Whether pages may pause it and set its speed; and send events. */
+  /** Whether pages may pause the run and set its speed, and whether they may send events. */
   readonly paces: boolean;
   readonly sends: boolean;
   readonly stopping: boolean;
@@ -112,7 +114,21 @@ export interface Run {
   readonly speed: number;
 }
 
-/** Comes by itself, when the program has been run over the whole recording. */
+/** The viewer's heartbeat, which it sends ten times a second without a request. */
+export interface Beat {
+  readonly is: "beat";
+  /** The viewer's clock, in ms; commands repeat it to show that they are recent. */
+  readonly time: number;
+  /** For a run that was live when the viewer started: how many seconds its host has been silent,
+   *  and the state of the run, as the host reports it. */
+  readonly silence?: number | null;
+  readonly fate?: RunFate;
+}
+
+/** `gone`: the host's process has ended without a report. */
+export type RunFate = "goes on" | "stopping" | "at rest" | "told" | "not reached" | "gone";
+
+/** Sent without a request when the program has been run over the whole recording. */
 export interface Progress {
   readonly is: "progress";
   readonly replayed: number;
@@ -124,12 +140,11 @@ export interface Instant {
   readonly k: number;
   readonly time: number;
   readonly dt: number;
-  /** Of each signal, as the cell of a trace. */
+  /** The value of each signal, as the cell of a trace. */
   readonly cells: readonly string[];
-  /** Of the edited program, if there is one; null: it has no such signal. */
+  /** The edited program's values, if there is one; null for signals that it does not have. */
   readonly others?: readonly (string | null)[];
-  /** Of each robot of a simulator, where it really is: x, y, heading, and 1 where it touches
-   *  something. */
+  /** The true state of each simulated robot: x, y, heading, and 1 if it touches something, else 0. */
   readonly truth?: readonly (readonly [number, number, number, number])[];
 }
 
@@ -147,20 +162,20 @@ export interface Path {
   readonly is: "path";
   readonly x: number;
   readonly y: number;
-  /** Times and the two signals. */
+  /** Time, and the values of the two signals. */
   readonly points: readonly (readonly [number, number | null, number | null])[];
-  /** Of the edited program, where it has driven itself. */
+  /** Path of the edited program, if it ran in the simulator. */
   readonly others?: readonly (readonly [number, number | null, number | null])[];
 }
 
-/** Where a robot of a simulator really was: time, x and y. */
+/** The true path of a simulated robot: time, x and y. */
 export interface Way {
   readonly is: "way";
   readonly robot: number;
   readonly points: readonly (readonly [number, number, number])[];
 }
 
-/** What a value was computed of, and when. */
+/** A value that another one was computed from, and when. */
 export interface Origin {
   readonly signal: number;
   readonly k: number;
@@ -168,7 +183,7 @@ export interface Origin {
   readonly cell: string;
 }
 
-/** Of an equation; an empty file if there is none. */
+/** The place of an equation; the file is empty if there is none. */
 export interface Place {
   readonly file: string;
   readonly line: number;
@@ -188,47 +203,49 @@ export interface Why extends Place {
   readonly is: "why";
   readonly k: number;
   readonly signal: number;
-  /** The first instant from which on it is so; `longer`: or before that. */
+  /** The first instant since which the signal has had this value; with `longer`, it may be
+   * earlier. */
   readonly since: { readonly k: number; readonly time: number; readonly longer: boolean };
   readonly sources: readonly Origin[];
-  /** Of the running mode of a machine. */
+  /** For the running mode of a machine. */
   readonly switches?: readonly Switch[];
 }
 
 export interface Found {
   readonly is: "found";
-  /** What is wrong with the condition; then there is nothing else. */
+  /** What is wrong with the condition; then the other members are missing. */
   readonly why?: string;
   readonly count?: number;
   readonly first?: number | null;
   readonly before?: number | null;
   readonly after?: number | null;
-  /** From and to, in turn; what holds to the end has no end. */
+  /** Alternating start and end; a span that lasts to the end of the run has no end. */
   readonly spans?: readonly number[];
 }
 
-/** What became of an assertion. */
+/** The result of an assertion. */
 export interface Fate {
   readonly failed: boolean;
-  /** It mattered at some instant. */
+  /** Whether it had to hold at some instant. */
   readonly asked: boolean;
   readonly open: boolean;
-  /** As a summary has it: `violated, first at 3.200 s; in all at 2 instants`. */
+  /** The text of a summary: `violated, first at 3.200 s; in total at 2 instants`. */
   readonly text: string;
 }
 
 export interface Claim {
   readonly label: string;
-  /** Its name among the columns of a trace. */
+  /** Its column in a trace. */
   readonly column: string;
   readonly place: string;
   readonly assumed: boolean;
-  /** That has its verdict; -1: none. */
+  /** The signal that has its verdict; -1 if there is none. */
   readonly signal: number;
   readonly fate: Fate;
-  /** At which it was violated: from and to, in turn; what lasts has no end. */
+  /** Times at which it was violated: alternating start and end; a violation that continues has no
+   * end. */
   readonly times: readonly number[];
-  /** Of the edited program, if there is one; null: it has no such assertion. */
+  /** The edited program's result, if there is one; null if it does not have this assertion. */
   readonly other?: Fate | null;
 }
 
@@ -237,52 +254,55 @@ export interface Claims {
   readonly all: readonly Claim[];
 }
 
-/** An edited program was run on the same inputs, or in the simulator. */
+/** The result of running an edited program on the same inputs, or in the simulator. */
 export interface WhatIf {
   readonly is: "what-if";
-  /** There is one, and it can be compared. */
+  /** Whether there is an edited program to compare with. */
   readonly there: boolean;
-  /** In the simulator, from the start. */
+  /** It ran in the simulator, from the start. */
   readonly drives?: boolean;
-  /** Why there is none, as the compiler says it; nothing if none was asked for. */
+  /** Why there is none, in the compiler's words; missing if none was requested. */
   readonly why?: string;
-  /** Where its outputs are others for the first time; nothing if they never are. */
+  /** The first instant at which its outputs differ; missing if they do not differ. */
   readonly first?: number;
   readonly signal?: string;
 }
 
-/** What is shown of an image, or what the camera saw last. */
+/** The image that the program shows, or the camera's last image. */
 export interface Picture {
   readonly is: "picture";
-  /** The instant of which it is. */
+  /** The instant of the request. */
   readonly k: number;
-  /** Whether the program shows it, or else just its camera has seen it. */
+  /** Whether the program shows this image; otherwise it is the camera's. */
   readonly chosen: boolean;
-  /** A frame that the recording names, and does not have; then there is nothing else. */
+  /** A frame that the recording names but does not contain; then the other members are missing. */
   readonly lost?: { readonly number: number; readonly k: number; readonly changed: boolean };
-  /** The instant at which the program was given the image; nothing if there is none yet. */
+  /** The instant at which the program received the image; missing if there is no image yet. */
   readonly at?: number;
   readonly number?: number;
   readonly width?: number;
   readonly height?: number;
-  /** Seconds. */
+  /** Age in seconds. */
   readonly age?: number;
   readonly marks?: readonly string[];
-  /** The pixels, each the mean of `by` times `by` of the image's; nothing if the page has them. */
+  /** The pixels, each the mean of `by` by `by` image pixels; missing if the page already has them. */
   readonly by?: number;
   readonly columns?: number;
   readonly rows?: number;
   readonly grey?: boolean;
-  /** Red, green, blue, 255 in turn. */
+  /** Red, green, blue and 255 for each pixel. */
   readonly data?: Uint8ClampedArray<ArrayBuffer>;
 }
 
 export interface Refused {
   readonly is: "refused";
+  /** True if a command was refused, rather than a question. */
+  readonly command?: boolean;
   readonly why: string;
 }
 
 export type Answer =
+  | Beat
   | Picture
   | Program
   | Progress

@@ -1,5 +1,6 @@
-// What the page shows at the moment, and who wants to know when that changes.
+// The state of the page, and the listeners for its changes.
 import type { Connection } from "./connection";
+import type { Contact } from "./contact";
 import type {
   Claim,
   Claims,
@@ -30,9 +31,14 @@ export type Change =
   | "run"
   | "why"
   | "place"
-  | "claims";
+  | "claims"
+  /** "contact": contact was lost or is back; "resumed": contact is back, perhaps with much data. */
+  | "contact"
+  | "resumed"
+  /** A command was not executed. */
+  | "undone";
 
-/** How many seconds plots show at first of a run that goes on. */
+/** Seconds that plots show initially during a live run. */
 const recently = 20;
 
 function withoutOthers<T extends { readonly others?: unknown }>(answer: T): Omit<T, "others"> {
@@ -42,42 +48,42 @@ function withoutOthers<T extends { readonly others?: unknown }>(answer: T): Omit
 
 export class Store {
   instant: Instant | null = null;
-  /** The other instant that differences are shown to. */
+  /** The marked instant, with which others are compared. */
   mark: Instant | null = null;
-  /** The seconds that plots show. */
+  /** The time range of plots, in seconds. */
   range: readonly [number, number];
   /** The numbers of the signals that are plotted, in order. */
   plotted: number[] = [];
   playing = false;
   speed = 1;
 
-  /** For which times the condition that is looked for holds: from and to, in turn. */
+  /** The times at which the current search condition holds: alternating start and end. */
   spans: readonly number[] = [];
 
-  /** What became of the program's assertions. */
+  /** The results of the program's assertions. */
   claims: readonly Claim[] = [];
 
-  /** The edited program, run on the same inputs; null before anything was asked. */
+  /** The edited program's result; null before any was requested. */
   whatIf: WhatIf | null = null;
-  /** Whether keys go to the editor of the program. */
+  /** Whether keys go to the program's editor. */
   isEditing = false;
 
-  /** Why the value that was asked for last is so; null: nobody asks. */
+  /** The explanation of the last explained value; null if there is none. */
   why: Why | null = null;
-  /** What asks why a signal that is clicked is so; null: it is plotted. */
+  /** Explains a signal that is clicked; null if a click plots it instead. */
   asker: ((signal: number) => void) | null = null;
-  /** The part of a source that is looked at. */
+  /** The lines of a source to highlight: the equation of the explained value. */
   place: Place | null = null;
 
   beginAsking: () => void = () => undefined;
 
-  /** Whether what is shown is the newest instant of a run that goes on, whatever comes. */
+  /** Whether the page always shows the newest instant of a live run. */
   following = false;
-  /** The newest instant of a run that goes on. */
+  /** The newest instant of a live run. */
   newest: Instant | null = null;
-  /** How the run goes on; null if it does not. */
+  /** The state of a live run; null for a finished one. */
   run: Run | null = null;
-  /** How many seconds plots show meanwhile. */
+  /** Seconds that plots currently show while the run is followed. */
   private recent = recently;
 
   private shownIn: { width: number; then: (picture: Picture) => void } = {
@@ -86,14 +92,14 @@ export class Store {
   };
   private pictureIsAsked = false;
   private pictureIsWanted = false;
-  /** Of the pixels that are here: how wide they were asked for, and their instant. */
+  /** For the current pixels: the requested width, and their instant. */
   private readonly picture: { width: number; at?: number | undefined } = { width: 0 };
   private finding: ((found: Found) => void)[] = [];
   private readonly paths = new Map<string, (path: Path) => void>();
   private readonly ways = new Map<number, (way: Way) => void>();
   private readonly listeners = new Map<Change, Listener[]>();
   private readonly waiting = new Map<string, (series: Series) => void>();
-  /** Where the cursor is going. */
+  /** The instant that the cursor is moving to. */
   private target: number | null = null;
   private outstanding = false;
   private wanted: string | null = null;
@@ -102,6 +108,9 @@ export class Store {
   constructor(
     readonly program: Program,
     private readonly connection: Connection,
+    readonly contact: Contact,
+    /** Tells the user which command was not executed, and why. */
+    private readonly complain: (what: string) => void,
   ) {
     this.range = [program.start, program.end];
   }
@@ -114,7 +123,7 @@ export class Store {
     for (const listener of this.listeners.get(change) ?? []) listener();
   }
 
-  // A run that goes on.
+  // Updates the store with the growth of a live run.
 
   grew(live: Live): void {
     const { program } = this;
@@ -163,18 +172,31 @@ export class Store {
     this.changed("run");
   }
 
-  /** Whether this page is the operator's. */
+  /** Whether this page operates the run. */
   get operates(): boolean {
     return this.program.live && this.run !== null && this.run.operates && this.run.sends;
   }
 
-  /** What control.h has, and the run itself is asked for. */
-  command(request: string): void {
-    this.connection.ask(request);
+  /** Sends a command of control.h to the run, immediately or not at all. If it cannot be sent, the
+   *  page says so, and this returns false. */
+  command(request: string): boolean {
+    const isSent = !this.contact.isLost && this.connection.command(request);
+    if (!isSent) this.undone("not done: there is no contact with the run");
+    return isSent;
   }
 
-  // The cursor. One request at a time is on its way; of those that come meanwhile only
-  // the last counts.
+  undone(why: string): void {
+    this.complain(why);
+    this.changed("undone");
+  }
+
+  /** Sends a stop even without contact to the host. Returns false if there is no connection. */
+  stop(): boolean {
+    return this.connection.command("stop");
+  }
+
+  // Moves the cursor. Only one request is pending at a time; of requests made meanwhile only the
+  // last is sent.
 
   goTo(k: number, then?: Listener): void {
     this.leave();
@@ -225,7 +247,7 @@ export class Store {
     this.changed("mark");
   }
 
-  // Plots.
+  // Sets the range of plots.
 
   setRange(from: number, to: number): void {
     this.leave();
@@ -233,7 +255,8 @@ export class Store {
     this.changed("range");
   }
 
-  /** The whole run; of one that is followed that, or what was lately. */
+  /** Shows the whole run; while the run is followed, toggles between the whole run and the last
+   * seconds. */
   showAll(): void {
     if (!this.following) {
       this.setRange(this.program.start, this.program.end);
@@ -251,13 +274,13 @@ export class Store {
     this.changed("plotted");
   }
 
-  /** What a click on a signal does. */
+  /** Handles a click on a signal. */
   pick(signal: number): void {
     if (this.asker) this.asker(signal);
     else this.toggle(signal);
   }
 
-  // Where a value came from.
+  // Explains a signal's value.
 
   wonder(signal: number): void {
     if (!this.asker) this.beginAsking();
@@ -315,7 +338,7 @@ export class Store {
     this.paths.get(`${path.x} ${path.y}`)?.(this.whatIf?.there ? path : withoutOthers(path));
   }
 
-  // What is seen. One request at a time is on its way, of what is shown when it is made.
+  // Requests the picture of the current instant. Only one request is pending at a time.
 
   askPicture(width: number, then: (picture: Picture) => void): void {
     this.shownIn = { width, then };
@@ -325,7 +348,7 @@ export class Store {
 
   private askNextPicture(): void {
     const { width } = this.shownIn;
-    // Of a run that is followed what it shows by now.
+    // While a run is followed, requests the newest picture.
     const k = this.following ? "newest" : this.instant?.k;
     if (k === undefined) return;
     const has = this.picture.width === width ? (this.picture.at ?? -1) + 1 : 0;
@@ -343,7 +366,7 @@ export class Store {
     if (this.pictureIsWanted) this.askNextPicture();
   }
 
-  // Looking for a condition. Answers come in the order of the questions.
+  // Searches for a condition. Answers arrive in the order of the questions.
 
   find(condition: string, then: (found: Found) => void): void {
     this.finding.push(then);
@@ -368,14 +391,14 @@ export class Store {
     this.changed("claims");
   }
 
-  // What if the program were another. Without a text, it is not.
+  // Removes the edited program.
 
   dropWhatIf(): void {
     this.connection.ask("what-if");
   }
 
-  /** With parameters set, each as NAME=VALUE; on the same inputs, or in the simulator from the
-   *  start. */
+  /** Runs the program with parameters set, NAME=VALUE each, on the same inputs or in the simulator
+   * from the start. */
   askWhatIf(how: "what-if" | "drive", text: string, settings: readonly string[]): void {
     const set = settings.length > 0 ? `with ${settings.join(" ")} ` : "";
     this.connection.ask(`${set}${how} ${text}`);

@@ -1,7 +1,7 @@
-// Dark or light, and the colours that what is drawn has in it.
+// The dark and light themes, and the colours for drawing.
 
-/** Okabe and Ito's, which people tell apart whatever colours they see; yellow is left out on
- *  light ground and blue on dark. */
+/** Okabe and Ito's colours, which are distinguishable with any form of colour vision. Yellow is
+ * omitted on a light background, and blue on a dark one. */
 const light = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
 const dark = ["#56b4e9", "#e69f00", "#00c08b", "#e69ac4", "#f0e442", "#ff8552"];
 
@@ -17,7 +17,7 @@ export function lineColour(index: number): string {
   return colours[index % colours.length] ?? "gray";
 }
 
-/** As asked for before: a computed style makes the browser lay out what has changed. */
+/** Caches colours, because computing a style makes the browser lay out pending changes. */
 const known = new Map<string, string>();
 
 export function colour(name: string): string {

@@ -1,4 +1,4 @@
-// Values as the language writes them, shortened to what can be read at a glance.
+// Formats values in Frob's syntax, shortened so that they can be read at a glance.
 import type { Signal } from "./protocol";
 
 export function formatNumber(x: number): string {
@@ -13,12 +13,12 @@ export function formatNumber(x: number): string {
 
 const numbers = /-?\d+(\.\d+)?(e[-+]?\d+)?/g;
 
-/** The cell of a trace, as in a program. */
+/** Formats the cell of a trace in Frob's syntax. */
 export function formatCell(signal: Signal, cell: string): string {
   if (cell === "") return signal.kind === "event" ? "NoEvent" : "";
   if (cell === "true") return "True";
   if (cell === "false") return "False";
-  // A digit within a name is none of a number.
+  // A digit within a name is not part of a number.
   return withUnit(
     signal,
     cell.replace(numbers, (digits, _fraction, _exponent, at: number) =>
@@ -31,7 +31,7 @@ function withUnit(signal: Signal, text: string): string {
   return signal.unit === "" ? text : `${text}[${signal.unit}]`;
 }
 
-/** A number of its plot, as the value that it stands for. */
+/** Formats a number of its plot as the value that it represents. */
 export function formatPoint(signal: Signal, x: number | null): string {
   if (x === null) return signal.kind === "event" ? "NoEvent" : "";
   if (signal.kind === "bool") return x === 0 ? "False" : "True";
@@ -46,7 +46,7 @@ export function formatTime(seconds: number): string {
   return `${seconds.toFixed(3)} s`;
 }
 
-/** What lies between two cells of a signal of numbers; null if they are none. */
+/** Returns the difference of two cells of a numeric signal; null if they are not numbers. */
 export function difference(signal: Signal, from: string, to: string): string | null {
   if ((signal.kind !== "float" && signal.kind !== "int") || from === "" || to === "") return null;
   const x = Number(to) - Number(from);

@@ -11,7 +11,8 @@ static int constructor_of(const struct frob_value *mark, const char *name)
     return -1;
 }
 
-/* Of the probe `draw`, or of another of this name if the program has a `draw` of its own. */
+/* Returns whether a signal is part of the probe `draw`, or of `draw.N` if the program has a `draw`
+ * of its own. */
 static bool is_drawn(const struct signal *signal)
 {
     static const char name[] = "probe.draw";
@@ -57,7 +58,7 @@ void display_end(struct display *display)
     free(display->output);
 }
 
-/* -1: no mark. */
+/* Returns the constructor of a mark; -1 if there is no mark. */
 static int mark_at(const struct drawn *drawn, const void *output)
 {
     const unsigned char *bytes = (const unsigned char *)output;

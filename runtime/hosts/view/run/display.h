@@ -1,9 +1,9 @@
-/* display.h -- what the program shows of an image, and draws on it: the marks `Picture` and
+/* display.h -- the image that the program shows, and what it draws on it: the marks `Picture` and
  * `InImage` of the library's module Display.
  *
- * An image that was shown stays until another is. Of the marks on it those of the last instant
- * count that showed an image or had such marks. So what is shown at an instant depends on all
- * before it, and goes along with the program's state. */
+ * An image stays visible until another one is shown. The marks on it are those of the last instant
+ * that showed an image or had such marks. So the display at an instant depends on all earlier
+ * instants, and is stored together with the program's state. */
 #ifndef FROB_VIEW_DISPLAY_H
 #define FROB_VIEW_DISPLAY_H
 
@@ -11,14 +11,14 @@
 
 #define NO_INSTANT SIZE_MAX
 
-/* After an instant. */
+/* The display after an instant. */
 struct shown {
-    size_t image; /* the instant that showed the image; or NO_INSTANT */
-    int32_t key;  /* of the image (frob/lens.h) */
-    size_t marks; /* the instant that drew the marks; or NO_INSTANT */
+    size_t image; /* instant that showed the image; or NO_INSTANT */
+    int32_t key;  /* key of the image (frob/lens.h) */
+    size_t marks; /* instant that drew the marks; or NO_INSTANT */
 };
 
-/* One element of what is drawn: an event of a mark. */
+/* One element of the drawing: an event of a mark. */
 struct drawn {
     const struct signal *signal;
     const struct frob_value *mark;
@@ -27,21 +27,21 @@ struct drawn {
 struct display {
     struct drawn *drawn;
     size_t count;
-    int picture, in_image; /* constructors of a mark; -1: the program has none such */
+    int picture, in_image; /* constructors of a mark; -1 if the program has none */
     struct shown shown;
-    unsigned char *output; /* a copy of the output that has the marks … */
-    size_t output_of;      /* … of this instant; or NO_INSTANT: it is not here */
+    unsigned char *output; /* a copy of the output that contains the marks */
+    size_t output_of;      /* instant of this copy; NO_INSTANT: there is none */
     size_t size;
 };
 
-/* Of nothing that was shown yet. False without memory. */
+/* Initializes the display with nothing shown. Returns false if memory runs out. */
 bool display_start(struct display *display, const struct signals *signals);
 void display_end(struct display *display);
 
-/* The output of the next instant. */
+/* Updates the display with the output of the next instant. */
 void display_see(struct display *display, size_t k, const void *output);
 
-/* Whether that element draws on the image, in an output. */
+/* Returns whether this element draws on the image in an output. */
 bool display_is_mark(const struct display *display, size_t element, const void *output);
 
 #endif

@@ -22,7 +22,7 @@ bool live_start(struct live *live, struct ring *ring, const char *file,
     live->recording = recording;
     live->host = (long)getppid();
     if (ring->sizes.input != program->input_size || ring->sizes.output > program->output_size) {
-        fprintf(stderr, "error: the program that runs is not the one that is to be shown\n");
+        fprintf(stderr, "error: the running program is not the program to show\n");
         return false;
     }
     live->input = (unsigned char *)malloc(ring->sizes.input + 1);
@@ -49,7 +49,8 @@ struct frames_of_event {
     uint32_t number;
 };
 
-/* The host has written it before it published the instant. */
+/* Finds a frame by the key that replaces its address. The host wrote the frame's file before it
+ * published the instant. */
 static void from_key(void *context, const struct frob_image **image)
 {
     struct frames_of_event *of = (struct frames_of_event *)context;
@@ -83,10 +84,10 @@ static void add(struct live *live, int64_t time_ns)
         return;
     live->full = true;
     buffer_text(&live->recording->notes,
-                "there is no memory for more of this run: what comes now is not kept\n");
+                "not enough memory for more of this run: new instants are not kept\n");
 }
 
-/* The instants before the oldest that is still there, or some of them. */
+/* Adds some or all of the instants that were overwritten in the ring. */
 static void make_up(struct live *live, size_t most)
 {
     struct recording *recording = live->recording;
@@ -105,15 +106,13 @@ static void make_up(struct live *live, size_t most)
         return;
     recording->gap = recording->count;
     buffer_format(&recording->notes,
-                  "instants %llu to %llu were missed, as this viewer was stopped or too slow; from "
-                  "instant %lu on, as they are counted here, inputs and outputs are shown, and "
-                  "nothing of the inside%s\n",
+                  "instants %llu to %llu are missing, because this viewer was stopped or too slow; "
+                  "from instant %lu on (as counted here), only inputs and outputs are shown%s\n",
                   (unsigned long long)missed, (unsigned long long)newest - 1,
                   (unsigned long)recording->gap,
-                  live->file == NULL ? " (a run with --record has no such gaps)"
-                  : packed_by(live->file) != NULL
-                      ? " (a recording that is not compressed while it is made fills such gaps)"
-                      : "");
+                  live->file == NULL              ? " (a run with --record has no such gaps)"
+                  : packed_by(live->file) != NULL ? " (an uncompressed recording fills such gaps)"
+                                                  : "");
 }
 
 bool live_take(struct live *live, size_t most)

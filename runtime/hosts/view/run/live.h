@@ -1,4 +1,4 @@
-/* live.h -- a run that goes on: what its host publishes becomes a recording. */
+/* live.h -- a live run: adds the instants that its host publishes to a recording. */
 #ifndef FROB_VIEW_LIVE_H
 #define FROB_VIEW_LIVE_H
 
@@ -7,27 +7,27 @@
 #include "../../common/ring.h"
 
 struct live {
-    struct ring *ring;         /* NULL: this is a recording of a run that is over */
-    const char *file;          /* that the host records in; NULL: none */
-    struct catching *catching; /* up with it; NULL: there was no need yet */
+    struct ring *ring;         /* NULL: a recording of a run that is over */
+    const char *file;          /* file that the host records in; NULL: none */
+    struct catching *catching; /* reads missed instants from `file`; NULL: not needed yet */
     const struct signals *signals;
     struct recording *recording;
-    unsigned char *input, *output, *truth; /* of an instant */
-    bool full;                             /* there is no memory for more */
-    long host;                             /* the process, which is the parent of this one */
-    uint64_t left;  /* before this instant of the run all are there, or never will be */
-    bool has_ended; /* the run, and all of it was taken */
+    unsigned char *input, *output, *truth; /* buffers for one instant */
+    bool full;                             /* memory has run out */
+    long host;                             /* process id of the host, the parent process */
+    uint64_t left;                         /* index of the next instant of the run to add */
+    bool has_ended;                        /* the run is over, and all of it has been added */
 };
 
-/* Takes nothing yet. The program of the signals is to be that of the host, perhaps with probes.
- * False with a line on standard error. */
+/* Prepares, without reading instants. The signals' program must be the host's, but may have probes
+ * in addition. On failure prints a line on standard error and returns false. */
 bool live_start(struct live *live, struct ring *ring, const char *file,
                 const struct signals *signals, struct recording *recording);
 void live_end(struct live *live);
 
-/* Takes what was published, at most `most` instants. What the host has overwritten meanwhile is
- * taken from the file it records in; without one the recording has a gap from there on (see
- * recording.h), and a note. False if there was nothing new. */
+/* Adds at most `most` published instants. Instants that the host has overwritten are read from the
+ * file that it records in; without a file the recording has a gap (see recording.h) and a note.
+ * Returns false if there was nothing new. */
 bool live_take(struct live *live, size_t most);
 
 #endif

@@ -3,6 +3,7 @@
 #include "seen.h"
 
 #include "../../common/csv.h"
+#include "../../common/dialect.h"
 #include "../../common/packed.h"
 #include "../../common/params.h"
 #include "../../common/seconds.h"
@@ -15,21 +16,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ROWS 2000 /* that are read at a time */
+#define ROWS 2000 /* number of rows read at a time */
 
-/* The signal that each cell of a row is of. */
+/* If the first time exceeds this, the recording's clock began before the run. */
+#define FAR_NS INT64_C(1000000000000000000)
+
+/* Reads the rows of a file into a recording. */
 struct reader {
     struct recording *recording;
-    struct frame_reader *frames; /* that images are found in */
+    struct frame_reader *frames; /* finds the images */
     const struct signals *signals;
     struct csv csv;
-    const struct signal **columns; /* NULL: a column that is not read */
+    const struct signal **columns; /* signal of each cell of a row; NULL: not read */
     size_t width;
-    /* The row that was read before, as most of a row's cells are the same again. */
+    /* The previous row, because most cells of a row are unchanged. */
     struct {
         char *text;
-        size_t *starts;    /* of its cells in the text */
-        size_t room, next; /* the instant after it; 0: there is none */
+        size_t *starts;    /* offsets of its cells in the text */
+        size_t room, next; /* `next`: the instant after it; 0 if there is no previous row */
     } before;
 };
 
@@ -56,13 +60,13 @@ static size_t signal_number_of(const struct reader *r, const struct signal *sign
     return (size_t)(signal - r->signals->all);
 }
 
-/* Columns that are shown or told by other means: what a viewer computes again. */
+/* Returns whether the viewer computes a column itself, so that the recorded one is ignored. */
 static bool is_computed(const char *name)
 {
     return strncmp(name, "mode.", 5) == 0 || strncmp(name, "probe.", 6) == 0;
 }
 
-/* Columns that a message names; of many only some. */
+/* Column names for a message, of which only some are listed. */
 struct names {
     struct buffer text;
     unsigned count;
@@ -77,8 +81,8 @@ static void add_name(struct names *names, const char *name)
         buffer_text(&names->text, " and more");
 }
 
-/* Says which columns of the program's input there are none of. */
-static void look_for_inputs(struct reader *r)
+/* Notes which columns of the program's input are missing. */
+static void look_for_inputs(struct reader *r, bool has_others)
 {
     struct recording *recording = r->recording;
     struct names missing = { 0 };
@@ -89,9 +93,11 @@ static void look_for_inputs(struct reader *r)
     recording->has_all_inputs = missing.count == 0;
     if (missing.count > 0)
         note(r,
-             "no column of the program's input %s; so the program cannot be run on it, and "
-             "what was recorded is all that is shown",
-             missing.text.data);
+             "the recording has no column for the program's input %s, so the program cannot be run "
+             "on it, and only recorded signals are shown%s",
+             missing.text.data,
+             has_others ? "; use `--column NAME=COLUMN` to read one from a column of another name"
+                        : "");
     buffer_free(&missing.text);
 }
 
@@ -107,8 +113,18 @@ static bool read_header(struct reader *r)
     }
     if (status == CSV_END)
         return give_up(recording, "the file is empty");
-    if (status != CSV_ROW || strcmp(csv_cell(&r->csv, 0), "time") != 0)
-        return give_up(recording, "it is no recording: its first line does not begin with `time`");
+    if (status == CSV_RETURN)
+        return give_up(recording, CSV_RETURN_REASON);
+    if (status == CSV_NO_COLUMN)
+        return give_up(recording, r->csv.reason);
+    if (status != CSV_ROW)
+        return give_up(recording, "it is not a recording: the first column must be `time`");
+    if (strcmp(csv_cell(&r->csv, 0), "time") != 0) {
+        char reason[800];
+        snprintf(reason, sizeof reason, "it is not a recording: the first column must be `time`%s",
+                 dialect_time_hint(&r->csv));
+        return give_up(recording, reason);
+    }
     r->width = r->csv.count;
     r->columns = (const struct signal **)calloc(r->width, sizeof *r->columns);
     recording->recorded = (bool *)calloc(r->signals->count + 1, sizeof *recording->recorded);
@@ -120,19 +136,19 @@ static bool read_header(struct reader *r)
         if (signal == NULL && !is_computed(name)) {
             add_name(&foreign, name);
         } else if (signal != NULL && recording->recorded[signal_number_of(r, signal)]) {
-            note(r, "column `%s` is there twice", name);
+            note(r, "the column `%s` occurs twice", name);
         } else if (signal != NULL) {
             r->columns[i] = signal;
             recording->recorded[signal_number_of(r, signal)] = true;
         }
     }
-    if (foreign.count > 0)
+    if (foreign.count > 0 && !dialect_names(&r->csv.dialect))
         note(r,
-             "the program has no %s: the recording is of another program, or of another "
+             "the program has no %s: the recording is from another program, or from another "
              "version of it",
              foreign.text.data);
     buffer_free(&foreign.text);
-    look_for_inputs(r);
+    look_for_inputs(r, foreign.count > 0);
     return true;
 }
 
@@ -164,13 +180,14 @@ static bool grow(struct recording *recording)
     return true;
 }
 
-/* Does a cell say what it said an instant ago? */
+/* Returns whether a cell is the same as in the previous row. */
 static bool is_as_before(const struct reader *r, size_t i)
 {
     return strcmp(csv_cell(&r->csv, i), r->before.text + r->before.starts[i]) == 0;
 }
 
-/* Without memory every cell of the next row is read anew. */
+/* Stores the row as the previous one. If memory runs out, every cell of the next row is read
+ * anew. */
 static void remember(struct reader *r)
 {
     const char *text = csv_cell(&r->csv, 0), *last = csv_cell(&r->csv, r->width - 1);
@@ -193,7 +210,7 @@ static void remember(struct reader *r)
     r->before.next = r->recording->count;
 }
 
-/* Whether the value that could not be read names a frame that is not there; then it is noted. */
+/* If a value cannot be read because its frame is missing, records the loss and returns true. */
 static bool lost_frame(struct reader *r, const struct signal *signal, const char *cell,
                        unsigned char *input)
 {
@@ -206,7 +223,8 @@ static bool lost_frame(struct reader *r, const struct signal *signal, const char
     return true;
 }
 
-/* The current row as the next instant. False if it is none, with the reason noted. */
+/* Reads the current row as the next instant. If it is invalid, notes the reason and returns
+ * false. */
 static bool read_row(struct reader *r)
 {
     struct recording *recording = r->recording;
@@ -215,16 +233,24 @@ static bool read_row(struct reader *r)
     unsigned char *output = recording->outputs + k * recording->output_size;
     const bool is_next = k > 0 && r->before.next == k;
     if (r->csv.count != r->width) {
-        note(r, "the header names %lu columns, but this row has %lu", (unsigned long)r->width,
-             (unsigned long)r->csv.count);
+        note(r, "the header names %lu columns, but this row has %lu%s", (unsigned long)r->width,
+             (unsigned long)r->csv.count, dialect_width_hint(&r->csv, r->width));
         return false;
     }
     if (!seconds_read(csv_cell(&r->csv, 0), &recording->times[k])) {
-        note(r, "`%s` is not a time in seconds", csv_cell(&r->csv, 0));
+        note(r, "`%s` is not a time in seconds%s%s", csv_cell(&r->csv, 0),
+             dialect_number_hint(&r->csv, csv_cell(&r->csv, 0)),
+             seconds_too_far(csv_cell(&r->csv, 0)));
         return false;
     }
+    if (k == 0 && (recording->times[0] >= FAR_NS || recording->times[0] <= -FAR_NS)) {
+        recording->origin = recording->times[0];
+        note(r, "times are shown relative to the first instant, which is at %s s",
+             csv_cell(&r->csv, 0));
+    }
+    recording->times[k] -= recording->origin;
     if (k > 0 && recording->times[k] < recording->times[k - 1]) {
-        note(r, "time goes back: `%s` comes after a later time", csv_cell(&r->csv, 0));
+        note(r, "the time goes backwards: `%s` comes after a later time", csv_cell(&r->csv, 0));
         return false;
     }
     if (is_next) {
@@ -244,7 +270,11 @@ static bool read_row(struct reader *r)
         if (!frob_cell_read(csv_cell(&r->csv, i), signal->value,
                             signal->side == INPUT ? input : output, &r->frames->finder, &error) &&
             !lost_frame(r, signal, csv_cell(&r->csv, i), input)) {
-            note(r, "column `%s`: `%s` is no value of it", signal->name, csv_cell(&r->csv, i));
+            const char *expected = error.choice == NULL ? error.expected : NULL;
+            note(r, "column `%s`: `%s` is not a valid value%s%s%s", signal->name,
+                 csv_cell(&r->csv, i), expected == NULL ? "" : "; expected ",
+                 expected == NULL ? "" : expected,
+                 dialect_number_hint(&r->csv, csv_cell(&r->csv, i)));
             return false;
         }
     }
@@ -253,10 +283,10 @@ static bool read_row(struct reader *r)
     return true;
 }
 
-/* Some rows. False if there are no more. */
+/* Reads some rows. Returns false if there are no more. */
 static bool read_rows(struct reader *r)
 {
-    const char *and_after = "; that row and what comes after it is left out";
+    const char *and_after = "; this row and the rows after it are left out";
     for (size_t i = 0; i < ROWS; i++) {
         enum csv_status status;
         if (!grow(r->recording)) {
@@ -266,21 +296,23 @@ static bool read_rows(struct reader *r)
         status = csv_next(&r->csv);
         if (status == CSV_END)
             return false;
-        /* A host writes whole lines, so a row that the end of the file ends is torn. */
+        /* A host writes whole lines, so a last row without a line feed is incomplete. */
         if ((status == CSV_ROW || status == CSV_UNCLOSED_QUOTE) && feof(r->csv.file)) {
-            note(r, "the last line is torn (no line feed at its end), and left out");
+            note(r,
+                 "the last line is incomplete (it does not end with a line feed) and is left out");
             return false;
         }
         if (status != CSV_ROW) {
             note(r, "%s%s",
                  status == CSV_UNREADABLE  ? packed_reason(r->recording->name, errno)
                  : status == CSV_NO_MEMORY ? "not enough memory"
+                 : status == CSV_TOO_LONG  ? "a row has more than 16 MB or a million cells"
                                            : "this is not CSV",
                  and_after);
             return false;
         }
         if (!read_row(r)) {
-            /* The reason is the last line that was noted. */
+            /* The reason is the last line of the notes; append to it. */
             r->recording->notes.length--;
             buffer_format(&r->recording->notes, "%s\n", and_after);
             return false;
@@ -313,7 +345,8 @@ bool recording_read_on(struct recording *recording)
     return recording->reader != NULL;
 }
 
-bool recording_read(struct recording *recording, const struct signals *signals, const char *name)
+bool recording_read(struct recording *recording, const struct signals *signals, const char *name,
+                    const struct csv_dialect *dialect)
 {
     struct reader *reader = (struct reader *)calloc(1, sizeof *reader);
     FILE *file = packed_read(name);
@@ -334,12 +367,12 @@ bool recording_read(struct recording *recording, const struct signals *signals, 
     reader->recording = recording;
     reader->frames = &recording->frames;
     reader->signals = signals;
-    csv_start(&reader->csv, file);
+    csv_start(&reader->csv, file, dialect);
     recording->reader = reader;
     ok = read_header(reader);
     if (ok && !recording_read_on(recording) && recording->count == 0) {
         fputs(recording->notes.length > 0 ? recording->notes.data : "", stderr);
-        ok = give_up(recording, "there is no instant in it");
+        ok = give_up(recording, "it contains no instant");
     }
     if (!ok)
         stop_reading(recording);
@@ -390,9 +423,9 @@ bool recording_add(struct recording *recording, int64_t time_ns, const void *inp
 }
 
 struct catching {
-    struct recording row; /* one row at a time */
+    struct recording row; /* holds one row at a time */
     struct reader reader;
-    size_t k; /* of the next row */
+    size_t k; /* instant of the next row */
 };
 
 struct catching *catching_start(const struct signals *signals, const char *name)
@@ -410,7 +443,7 @@ struct catching *catching_start(const struct signals *signals, const char *name)
     catching->row.output_size = signals_output_size(signals);
     catching->reader.recording = &catching->row;
     catching->reader.signals = signals;
-    csv_start(&catching->reader.csv, file);
+    csv_start(&catching->reader.csv, file, NULL);
     if (read_header(&catching->reader) && catching->row.has_all_inputs)
         return catching;
     catching_end(catching);

@@ -35,7 +35,7 @@ static void compare(struct replay *replay, size_t k)
     }
 }
 
-/* Keeps the state before instant `k`. False without memory. */
+/* Stores the state before instant `k`. Returns false if memory runs out. */
 static bool keep(struct replay *replay, size_t k)
 {
     const size_t size = replay->signals->program->state_size, number = k / REPLAY_EVERY;
@@ -60,7 +60,7 @@ static bool keep(struct replay *replay, size_t k)
     return true;
 }
 
-/* What there is of them in this program. */
+/* Sets the parameters that this program has. */
 static void set_params(struct replay *replay, const struct buffer *settings)
 {
     char why[PARAMS_WHY];
@@ -90,7 +90,7 @@ bool replay_start(struct replay *replay, const struct signals *signals, struct r
     return keep(replay, 0);
 }
 
-/* As far as can be run. */
+/* Returns the end of the instants that can be run. */
 static size_t last_of(const struct replay *replay)
 {
     const struct recording *recording = replay->recording;
@@ -102,7 +102,7 @@ bool replay_is_whole(const struct replay *replay)
     return !replay->runs || replay->reached >= last_of(replay);
 }
 
-/* Sets the program to the last state before an instant that is kept. */
+/* Restores the last stored state at or before instant `k`. */
 static void go_back(struct replay *replay, size_t k)
 {
     memcpy(replay->state, kept_at(replay, k), replay->signals->program->state_size);
@@ -110,7 +110,7 @@ static void go_back(struct replay *replay, size_t k)
     replay->display.shown = replay->shown[k / REPLAY_EVERY];
 }
 
-/* For the first time. */
+/* Handles the output of an instant that is run for the first time. */
 static void see(struct replay *replay, size_t k)
 {
     if (!replay->diverged)

@@ -11,7 +11,8 @@ bool seen_is_eye(const struct frob_value *value)
     return value->kind == FROB_SUM && value->is_event && frames_has_images(value);
 }
 
-/* Those that are no part of others; to nowhere if `eyes` is NULL. Returns how many. */
+/* Stores the events of frames that are not part of others, unless `eyes` is NULL. Returns their
+ * number. */
 static size_t find_eyes(const struct frob_value *value, const struct frob_value **eyes)
 {
     size_t count = 0;
@@ -38,7 +39,7 @@ bool seen_start(struct recording *recording)
     return recording->eyes != NULL;
 }
 
-/* What the reader of frames has said last, without what was expected: where, and why not. */
+/* Returns the place and the reason in the frame reader's last message, without what it expected. */
 static const char *reason(const struct recording *recording)
 {
     const char *said = strchr(recording->frames.expected, '(');
@@ -62,10 +63,10 @@ void seen_lose(struct recording *recording, size_t k, unsigned char *input,
         return;
     buffer_format(&recording->notes, "%s: frame %lu, of instant %lu, is not %s%s", recording->name,
                   (unsigned long)number, (unsigned long)k,
-                  is_there ? "what was recorded: its file has been changed" : "there ",
+                  is_there ? "the recorded frame: its file was changed" : "available ",
                   is_there ? "" : reason(recording));
-    buffer_text(&recording->notes, "; from there on inputs and outputs are shown as recorded, and "
-                                   "nothing of the inside\n");
+    buffer_text(&recording->notes,
+                "; from this instant on, only recorded inputs and outputs are shown\n");
 }
 
 struct look {
@@ -80,7 +81,7 @@ static void look_at(void *context, const struct frob_image **image)
         look->image = *image;
 }
 
-/* Of an event in the input of an instant; NULL if there is none. */
+/* Returns the image of an event in the input of an instant; NULL if there is none. */
 static const struct frob_image *image_at(const struct recording *recording, size_t eye, size_t k,
                                          const int32_t *key)
 {

@@ -1,30 +1,30 @@
-/* seen.h -- the frames of a recording: whether they are there, and as they were recorded. */
+/* seen.h -- the frames of a recording: whether they exist and are unchanged. */
 #ifndef FROB_VIEW_SEEN_H
 #define FROB_VIEW_SEEN_H
 
 #include "recording.h"
 
-/* Whether it is an event of something with an image in it. */
+/* Returns whether a value is an event that contains an image. */
 bool seen_is_eye(const struct frob_value *value);
 
-/* Finds these in the program's input. False without memory. */
+/* Finds these events in the program's input. Returns false if memory runs out. */
 bool seen_start(struct recording *recording);
 
-/* Notes that a frame of an instant is not there, or not what it was, and takes its event out of
- * the input. The program cannot be run from there on. */
+/* Records that a frame of an instant is missing or has changed, and removes its event from the
+ * input. The program cannot be run from there on. */
 void seen_lose(struct recording *recording, size_t k, unsigned char *input,
                const struct frob_value *eye, uint32_t number, bool is_there);
 
-/* Looks whether the frames of all instants before this one are those that were recorded, at each
- * once. */
+/* Checks that the frames of all instants before `end` are unchanged. Each is checked only once. */
 void seen_check(struct recording *recording, size_t end);
 
-/* The newest image of the program's input at an instant or before; with a key only one that has
- * it (<frob/lens.h>). NULL if there is none. `k` becomes its instant, or 0. */
+/* Returns the newest image of the program's input at instant `k` or before; with a key, the newest
+ * image that has this key (<frob/lens.h>). NULL if there is none. Sets `k` to its instant, or to
+ * 0. */
 const struct frob_image *seen_image(const struct recording *recording, const int32_t *key,
                                     size_t *k);
 
-/* The frame that is missing at an instant, or the newest before it; NULL if there is none. */
+/* Returns the missing frame of an instant, or the newest one before it; NULL if there is none. */
 const struct lost_frame *seen_lost(const struct recording *recording, size_t k);
 
 #endif

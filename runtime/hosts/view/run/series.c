@@ -16,7 +16,7 @@ void series_end(struct series *series)
         free(series->kept[i].numbers);
 }
 
-/* For all instants. */
+/* Makes room for the values at all instants. */
 static bool has_room(const struct series *series, struct kept_series *place)
 {
     const size_t count = series->replay->recording->count;
@@ -33,8 +33,8 @@ static bool has_room(const struct series *series, struct kept_series *place)
     return true;
 }
 
-/* A place for the numbers of one more signal: a free one, or else that of the signal that was
- * asked for the longest ago. NULL without memory. */
+/* Returns a place for another signal's values: a free one, or else the least recently used. NULL if
+ * memory runs out. */
 static struct kept_series *place_for(struct series *series, const struct signal *signal)
 {
     struct kept_series *place = &series->kept[0];
@@ -55,8 +55,8 @@ static struct kept_series *find(struct series *series, const struct signal *sign
     return NULL;
 }
 
-/* Is a signal in the recording, so that the program need not be run for it? Outputs are as
- * long as none was found to be another. */
+/* Returns whether a signal is in the recording, so that the program need not be run for it.
+ * Recorded outputs count as long as the program's outputs do not differ. */
 static bool is_recorded(const struct replay *replay, const struct signal *signal)
 {
     const size_t number = (size_t)(signal - replay->signals->all);
@@ -77,7 +77,8 @@ static void read_out(struct replay *replay, struct kept_series *kept)
     }
 }
 
-/* Of several signals in one run over the recording; those that are further wait. */
+/* Computes the values of several signals in a single pass over the recording. Signals that are
+ * further along wait for the others. */
 static void run_over(struct replay *replay, struct kept_series *const *wanted, size_t count)
 {
     for (size_t k = wanted[0]->count; k < replay->recording->count; k++) {
@@ -91,7 +92,7 @@ static void run_over(struct replay *replay, struct kept_series *const *wanted, s
 
 enum { TOGETHER = SERIES_KEPT / 2 };
 
-/* All modes with a signal that is new, as a page asks for them together. */
+/* When a signal is new, adds all modes, because a page requests them together. */
 static size_t add_modes(struct series *series, struct kept_series **wanted, size_t count)
 {
     const struct signals *signals = series->replay->signals;
@@ -107,7 +108,8 @@ static size_t add_modes(struct series *series, struct kept_series **wanted, size
     return count;
 }
 
-/* With one all that are as far, as a page of a run that goes on asks for them all again. */
+/* Adds all signals that are computed at least as far as this one, because a page of a live run
+ * requests them all again. */
 static size_t add_others(struct series *series, struct kept_series **wanted, size_t count)
 {
     for (size_t i = 0; i < SERIES_KEPT && count < TOGETHER; i++) {
@@ -120,7 +122,7 @@ static size_t add_others(struct series *series, struct kept_series **wanted, siz
     return count;
 }
 
-/* Numbers that the program must be run for. */
+/* Computes values for which the program must be run. */
 static void compute(struct series *series, struct kept_series *kept)
 {
     struct kept_series *wanted[TOGETHER] = { kept };
@@ -157,7 +159,7 @@ void series_forget(struct series *series)
     series_start(series, replay);
 }
 
-/* Of one column of the picture, with at least five instants. */
+/* Visits one column of the plot, which has at least five instants. */
 static void visit_extremes(const double *numbers, size_t from, size_t to,
                            void (*visit)(void *context, size_t k), void *context)
 {

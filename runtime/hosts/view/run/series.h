@@ -1,19 +1,19 @@
-/* series.h -- a signal over many instants, as the points of a plot. */
+/* series.h -- the values of a signal over many instants, as the points of a plot. */
 #ifndef FROB_VIEW_SERIES_H
 #define FROB_VIEW_SERIES_H
 
 #include "replay.h"
 
-/* How many signals have their numbers kept, the last that were asked for. */
+/* Number of signals whose values are cached, the most recently used ones. */
 #define SERIES_KEPT 32
 
 struct series {
     struct replay *replay;
     struct kept_series {
         const struct signal *signal;
-        double *numbers; /* of each instant … */
-        size_t count;    /* … up to this, … */
-        size_t room;     /* … with room for so many */
+        double *numbers; /* value at each instant */
+        size_t count;    /* number of instants computed */
+        size_t room;     /* number of instants that fit */
         unsigned long used;
     } kept[SERIES_KEPT];
     unsigned long uses;
@@ -22,16 +22,17 @@ struct series {
 void series_start(struct series *series, struct replay *replay);
 void series_end(struct series *series);
 
-/* Forgets all numbers: outputs are not those recorded after all. */
+/* Discards all values, because the program's outputs turned out to differ from the recorded
+ * ones. */
 void series_forget(struct series *series);
 
-/* The numbers of a signal at all instants (see signal_number); NULL without memory. Good
- * until SERIES_KEPT / 2 others were asked for, or the recording has grown. */
+/* Returns the values of a signal at all instants (see signal_number); NULL if memory runs out. They
+ * are valid until SERIES_KEPT / 2 other signals were requested, or the recording has grown. */
 const double *series_of(struct series *series, const struct signal *signal);
 
-/* Calls `visit` for the instants that make up the plot of `numbers` from instant `from`
- * to before `to` on about `width` columns: where there are more, the first, the least,
- * the greatest and the last of each column, in order. */
+/* Calls `visit` for the instants that make up the plot of `numbers` from instant `from` to before
+ * `to` on about `width` columns. If there are more instants than columns, these are the first,
+ * least, greatest and last of each column, in order. */
 void series_visit(const double *numbers, size_t from, size_t to, size_t width,
                   void (*visit)(void *context, size_t k), void *context);
 

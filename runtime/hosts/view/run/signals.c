@@ -59,7 +59,7 @@ static void add_modes(struct signals *signals)
     }
 }
 
-/* The row of the table that says the most of a signal. */
+/* Finds the most specific row of the table for a signal. */
 static void look_up(struct signal *signal, const struct frob_column *columns)
 {
     size_t longest = 0;
@@ -101,7 +101,7 @@ void signals_end(struct signals *signals)
     free(signals->all);
 }
 
-/* Where the first and the last of the numbers, truth values and tags of a value are. */
+/* Computes the offsets of the first and the last of a value's numbers, truth values and tags. */
 static void add_extent(const struct frob_value *value, size_t *first, size_t *last)
 {
     if (value->kind != FROB_PRODUCT && value->kind != FROB_ARRAY) {
@@ -234,7 +234,7 @@ bool signal_values_equal(const struct frob_value *value, const void *a, const vo
     case FROB_SINGLE:
         x = number_at(value, (const char *)a);
         y = number_at(value, (const char *)b);
-        /* A trace writes all that are no number the same. */
+        /* A trace writes all NaNs in the same way. */
         return (isnan(x) && isnan(y)) || memcmp(&x, &y, sizeof x) == 0;
     case FROB_SUM:
         return *at == *bt && parts_equal(&value->constructors[*(const unsigned char *)at], a, b);

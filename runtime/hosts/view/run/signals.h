@@ -1,5 +1,5 @@
-/* signals.h -- what a program has to show at an instant: the parts of its input
- * and output, its inner signals, and the modes of its machines. */
+/* signals.h -- all signals of a program at an instant: the parts of its input and output, its inner
+ * signals, and the modes of its machines. */
 #ifndef FROB_VIEW_SIGNALS_H
 #define FROB_VIEW_SIGNALS_H
 
@@ -14,14 +14,14 @@
 enum side { INPUT, OUTPUT, PROBE, MODE };
 
 struct signal {
-    char *name; /* as the column of a trace */
+    char *name; /* its column in a trace */
     enum side side;
-    const struct frob_value *value;   /* but of a mode */
-    const struct frob_value *shown;   /* likewise; of a probe that is not always there, what it
-                                       * is where it is */
-    size_t machine;                   /* of a mode */
-    const struct frob_column *column; /* what is known of it; NULL: nothing */
-    const char *below;                /* the end of its name that the column's has not */
+    const struct frob_value *value; /* NULL for a mode */
+    /* For a probe that may be absent: its value when present; otherwise the same as `value`. */
+    const struct frob_value *shown;
+    size_t machine;                   /* index of a mode's machine */
+    const struct frob_column *column; /* description of the signal; NULL: none */
+    const char *below;                /* part of the name that the column's name lacks */
 };
 
 struct signals {
@@ -31,37 +31,36 @@ struct signals {
     bool no_memory;
 };
 
-/* What there is of an instant. Without a state nothing is known of what is inside. */
+/* The data of an instant. If `state` is NULL, inner signals and modes are unknown. */
 struct moment {
     const void *input, *output, *state;
 };
 
-/* All signals of a program; `columns` may be NULL. False without memory. */
+/* Collects all signals of a program; `columns` may be NULL. Returns false if memory runs out. */
 bool signals_start(struct signals *signals, const struct frob_program *program,
                    const struct frob_column *columns);
 void signals_end(struct signals *signals);
 
-/* How much of the output struct the program's output takes: its inner signals come after
- * it. */
+/* Returns the size of the program's output in the output struct; its inner signals follow it. */
 size_t signals_output_size(const struct signals *signals);
 
-/* The signal of this name; NULL if there is none. */
+/* Returns the signal with this name; NULL if there is none. */
 const struct signal *signals_find(const struct signals *signals, const char *name);
 
-/* Does it say which mode of a machine runs? */
+/* Returns whether the signal is the running mode of a machine. */
 bool signal_is_mode(const struct signal *signal);
 
-/* Its value as the cell of a trace. */
+/* Writes its value as the cell of a trace. */
 void signal_write(const struct signals *signals, const struct signal *signal,
                   const struct moment *moment, struct buffer *text);
 
-/* Its value as a number for a plot: truth as 0 and 1, a constructor as its place
- * in the type, an event that occurs as its value, or 1 where that is none. NAN where
- * nothing is: an event that does not occur, the mode of what is not there. */
+/* Returns its value as a number for a plot: a truth value as 0 or 1, a constructor as its index in
+ * the type, an event that occurs as its value, or as 1 if that is not a number. NAN if there is no
+ * value: an event does not occur, or a mode's machine does not exist. */
 double signal_number(const struct signals *signals, const struct signal *signal,
                      const struct moment *moment);
 
-/* Are two values the same, bit for bit, as far as a trace shows them? */
+/* Returns whether two values are equal bit for bit, as far as a trace shows. */
 bool signal_values_equal(const struct frob_value *value, const void *a, const void *b);
 
 #endif

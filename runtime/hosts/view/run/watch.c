@@ -16,7 +16,7 @@ void watch_end(struct watch *watch)
     claims_close(&watch->claims);
 }
 
-/* Without memory what came last goes on. */
+/* Adds the start or end of a violation. If memory runs out, the last state continues. */
 static void add(struct watched *watched, size_t k)
 {
     if (watched->count == watched->room) {

@@ -1,10 +1,12 @@
 #include "what_if.h"
 
+#include "../../common/child.h"
 #include "../../common/load.h"
 
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +15,7 @@
 
 /* {1 A folder to compile in} */
 
-/* In two parts; to be freed. */
+/* Joins both parts; the caller frees the result. */
 static char *path_in(const char *folder, const char *file)
 {
     struct buffer path = { 0 };
@@ -27,7 +29,7 @@ static const char *without_folder(const char *path)
     return slash == NULL ? path : slash + 1;
 }
 
-/* The folder that a file is in, without symbolic links; to be freed. */
+/* Returns the folder that contains a file, with symbolic links resolved; the caller frees it. */
 static char *folder_of(const char *file)
 {
     struct buffer folder = { 0 };
@@ -54,7 +56,7 @@ static bool link_to(const char *from, const char *folder, const char *name)
     return ok;
 }
 
-/* The edited program, and links to all that is beside it. */
+/* Fills the folder with the edited program, and with links to everything next to the original. */
 static bool fill(const char *folder, const char *file, const char *text)
 {
     char *from = folder_of(file), *path = path_in(folder, without_folder(file));
@@ -86,28 +88,57 @@ static void clear(const char *folder)
 
 /* {1 Compiling} */
 
-static void read_all(int number, struct buffer *text)
+/* Appends the available input; returns true at the end of the stream. */
+static bool read_some(int number, struct buffer *text)
 {
     char block[4096];
-    ssize_t length;
-    while ((length = read(number, block, sizeof block)) > 0 || (length < 0 && errno == EINTR))
-        if (length > 0)
-            buffer_bytes(text, block, (size_t)length);
+    const ssize_t length = read(number, block, sizeof block);
+    if (length > 0)
+        buffer_bytes(text, block, (size_t)length);
+    return length == 0 || (length < 0 && errno != EINTR);
 }
 
-/* Runs the command with more arguments; what it prints is appended. Its exit status, or -1. */
-static int run(what_if_command command, const char *const *more, struct buffer *said)
+/* Reads two streams to their ends at the same time, so that neither blocks the writer. */
+static void read_both(int first, struct buffer *first_text, int second, struct buffer *second_text)
+{
+    struct pollfd both[] = { { first, POLLIN, 0 }, { second, POLLIN, 0 } };
+    struct buffer *const texts[] = { first_text, second_text };
+    while (both[0].fd >= 0 || both[1].fd >= 0) {
+        if (poll(both, 2, -1) < 0 && errno != EINTR)
+            return;
+        for (size_t i = 0; i < 2; i++)
+            if (both[i].fd >= 0 && both[i].revents != 0 && read_some(both[i].fd, texts[i]))
+                both[i].fd = -1; /* poll ignores it from now on */
+    }
+}
+
+static void close_both(const int *ends)
+{
+    close(ends[0]);
+    close(ends[1]);
+}
+
+/* Runs the command with additional arguments. Appends its result (standard output) and its messages
+ * (standard error) to separate texts. Returns its exit status, or -1. */
+static int run(what_if_command command, const char *const *more, struct buffer *result,
+               struct buffer *said)
 {
     size_t count = 0, added = 0;
-    int ends[2], status = -1;
+    int out[2], err[2], status = -1;
     const char **arguments;
+    const pid_t viewer = getpid();
     pid_t child;
     while (command[count] != NULL)
         count++;
     while (more[added] != NULL)
         added++;
     arguments = (const char **)calloc(count + added + 1, sizeof *arguments);
-    if (arguments == NULL || pipe(ends) != 0) {
+    if (arguments == NULL || pipe(out) != 0) {
+        free(arguments);
+        return -1;
+    }
+    if (pipe(err) != 0) {
+        close_both(out);
         free(arguments);
         return -1;
     }
@@ -116,26 +147,29 @@ static int run(what_if_command command, const char *const *more, struct buffer *
     child = fork();
     if (child == 0) {
         int null = open("/dev/null", O_RDONLY);
+        child_ends_with(viewer, SIGTERM);
         dup2(null, STDIN_FILENO);
-        dup2(ends[1], STDOUT_FILENO);
-        dup2(ends[1], STDERR_FILENO);
-        close(ends[0]);
-        close(ends[1]);
+        dup2(out[1], STDOUT_FILENO);
+        dup2(err[1], STDERR_FILENO);
+        close_both(out);
+        close_both(err);
         execv(arguments[0], (char *const *)arguments);
         _exit(127);
     }
-    close(ends[1]);
+    close(out[1]);
+    close(err[1]);
     if (child > 0) {
-        read_all(ends[0], said);
+        read_both(out[0], result, err[0], said);
         while (waitpid(child, &status, 0) < 0 && errno == EINTR)
             ;
     }
-    close(ends[0]);
+    close(out[0]);
+    close(err[0]);
     free(arguments);
     return child > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/* Appends a text, without a folder in it. */
+/* Appends a text, omitting a folder's path. */
 static void add_without(struct buffer *out, const char *text, const char *folder)
 {
     const size_t length = strlen(folder);
@@ -149,10 +183,10 @@ static void add_without(struct buffer *out, const char *text, const char *folder
 
 /* {2 An edited program} */
 
-/* In a folder of its own, which is there until the end of the attempt. */
+/* An attempt to build the program in a temporary folder, which exists until the attempt ends. */
 struct attempt {
     struct buffer folder;
-    char *file; /* the program */
+    char *file; /* path of the program */
     struct buffer *why;
 };
 
@@ -171,7 +205,7 @@ static bool begin_attempt(struct attempt *a, const char *name, const char *text,
     a->why = why;
     buffer_format(&a->folder, "%s/frob-view-XXXXXX", temporary != NULL ? temporary : "/tmp");
     if (a->folder.failed || mkdtemp(a->folder.data) == NULL) {
-        buffer_format(why, "no folder to compile in can be made: %s", strerror(errno));
+        buffer_format(why, "cannot create a folder for compiling: %s", strerror(errno));
         return false;
     }
     a->file = path_in(a->folder.data, without_folder(name));
@@ -186,34 +220,32 @@ static const struct frob_program *compile(const struct attempt *a, what_if_comma
 {
     const struct frob_program *program = NULL;
     const char *const file[] = { a->file, NULL };
-    struct buffer said = { 0 };
-    if (run(command, file, &said) != 0 || said.failed || said.length == 0) {
-        add_without(a->why, said.length > 0 ? said.data : "the compiler cannot be run",
+    struct buffer path = { 0 }, said = { 0 };
+    if (run(command, file, &path, &said) != 0 || path.failed || path.length == 0) {
+        add_without(a->why, said.length > 0 ? said.data : "cannot run the compiler",
                     a->folder.data);
     } else {
-        /* The last line is the path; warnings stand before it. */
-        char *line;
-        said.data[strcspn(said.data, "\n") == said.length ? said.length : said.length - 1] = '\0';
-        line = strrchr(said.data, '\n');
-        program = frob_load(line == NULL ? said.data : line + 1);
+        path.data[strcspn(path.data, "\n")] = '\0';
+        program = frob_load(path.data);
         if (program == NULL)
-            buffer_text(a->why, "the compiled program cannot be loaded");
+            buffer_text(a->why, "cannot load the compiled program");
     }
+    buffer_free(&path);
     buffer_free(&said);
     return program;
 }
 
 /* {2 Driving again} */
 
-/* So many times a second a simulated controller runs, and for how long; 0 if the instants of
- * a recording are none of a simulator's. */
+/* Returns the rate in Hz of the simulated controller that made a recording, and the run's duration;
+ * 0 if the recording's instants are not those of a simulator. */
 static double rate_of(const struct recording *recording, double *seconds)
 {
     const int64_t *times = recording->times;
     const size_t last = recording->count - 1;
     const int64_t apart = last == 0 ? 0 : times[1] - times[0];
     for (size_t k = 1; k <= last; k++) {
-        /* To the nanosecond, as a third of a second is not a whole number of them. */
+        /* To the nanosecond, because a period such as 1/3 s is not a whole number of nanoseconds. */
         const int64_t error = times[k] - times[k - 1] - apart;
         if (error < -1 || error > 1)
             return 0;
@@ -222,8 +254,8 @@ static double rate_of(const struct recording *recording, double *seconds)
     return apart <= 0 || times[0] != 0 ? 0 : (double)last / *seconds;
 }
 
-/* Options that set all of the program's parameters: two words each, in memory of `text`, which
- * keeps them. False without memory. */
+/* Creates options that set all of the program's parameters: two words each, stored in `text`.
+ * Returns false if memory runs out. */
 static bool param_options(const struct frob_program *program, const struct buffer *settings,
                           struct buffer *text, const char **options)
 {
@@ -249,19 +281,22 @@ static bool param_options(const struct frob_program *program, const struct buffe
     return ok;
 }
 
-/* Runs a program in the simulator as long as it was recorded, and reads what comes of it. */
+/* Runs a program in the simulator for the duration of the recording, and reads the resulting
+ * recording. */
 static bool drive(const struct attempt *a, what_if_command command, const char *file,
                   const struct recording *recording, const struct signals *signals,
                   const struct buffer *settings, struct recording *driven)
 {
-    struct buffer rate = { 0 }, duration = { 0 }, record = { 0 }, said = { 0 }, params = { 0 };
+    struct buffer rate = { 0 }, duration = { 0 }, record = { 0 }, params = { 0 };
+    struct buffer summary = { 0 }, said = { 0 };
     const size_t count = 2 * signals->program->param_count;
     const char **arguments = (const char **)calloc(count + 8, sizeof *arguments);
     double seconds, hertz = rate_of(recording, &seconds);
     bool ok = false;
     if (hertz <= 0) {
-        buffer_text(a->why, "this is no recording of a simulated run: its instants are not "
-                            "evenly apart");
+        buffer_text(
+            a->why,
+            "this is not a recording of a simulated run: its instants are not evenly spaced");
         free(arguments);
         return false;
     }
@@ -275,16 +310,16 @@ static bool drive(const struct attempt *a, what_if_command command, const char *
     if (rate.failed || duration.failed || record.failed || arguments == NULL ||
         !param_options(signals->program, settings, &params, arguments))
         buffer_text(a->why, "not enough memory");
-    else if (run(command, arguments, &said) != 0)
-        add_without(a->why, said.length > 0 ? said.data : "the simulator cannot be run",
+    else if (run(command, arguments, &summary, &said) != 0)
+        add_without(a->why, said.length > 0 ? said.data : "cannot run the simulator",
                     a->folder.data);
-    else if (!recording_read(driven, signals, record.data))
-        buffer_text(a->why, "the simulator has recorded nothing");
+    else if (!recording_read(driven, signals, record.data, NULL))
+        buffer_text(a->why, "the simulator recorded nothing");
     else
         ok = true;
     while (ok && recording_read_on(driven))
         continue;
-    /* It is not read again. */
+    /* The name is only for messages; the file is not read again. */
     driven->name = "the run in the simulator";
     if (record.data != NULL)
         unlink(record.data);
@@ -293,12 +328,13 @@ static bool drive(const struct attempt *a, what_if_command command, const char *
     buffer_free(&rate);
     buffer_free(&duration);
     buffer_free(&record);
+    buffer_free(&summary);
     buffer_free(&said);
     return ok;
 }
 
-/* The first instant at which signals of one side are others in two recordings of the same
- * signals; where the shorter ends if they never are. */
+/* Returns the first instant at which signals of one side differ between two recordings of the same
+ * signals; the end of the shorter one if they do not differ. */
 static size_t first_difference(const struct signals *signals, enum side side,
                                const struct recording *a, const struct recording *b,
                                const struct signal **in)
@@ -320,8 +356,8 @@ static size_t first_difference(const struct signals *signals, enum side side,
     return k;
 }
 
-/* Does the simulator repeat what was recorded? With another world or seed, or if somebody
- * pressed keys, it does not, and what an edited program did there would say nothing. */
+/* Checks that the simulator reproduces the recording. With another world or seed, or if somebody
+ * pressed keys, it does not, and an edited program's run could not be compared. */
 static bool repeats(const struct attempt *a, what_if_command command, const char *file,
                     const struct recording *recording, const struct signals *signals)
 {
@@ -332,15 +368,14 @@ static bool repeats(const struct attempt *a, what_if_command command, const char
         const size_t k = first_difference(signals, INPUT, recording, &driven, &in);
         ok = in == NULL && k == recording->count;
         if (in != NULL)
-            buffer_format(a->why,
-                          "the simulator does not repeat this recording: `%s` is another at "
-                          "instant %lu. Give `frobc view` the `--world` and the `--seed` with "
-                          "which it was made",
-                          in->name, (unsigned long)k);
+            buffer_format(
+                a->why,
+                "the simulator does not reproduce this recording: `%s` differs at instant %lu. Run "
+                "`frobc view` with the `--world` and the `--seed` of the recorded run",
+                in->name, (unsigned long)k);
         else if (!ok)
             buffer_format(a->why,
-                          "the simulator does not repeat this recording: it ends at "
-                          "instant %lu",
+                          "the simulator does not reproduce this recording: it ends at instant %lu",
                           (unsigned long)k);
     }
     recording_free(&driven);
@@ -349,7 +384,8 @@ static bool repeats(const struct attempt *a, what_if_command command, const char
 
 /* {1 Running} */
 
-/* Are inputs and outputs the same, so that what was recorded is what it takes and gives? */
+/* Returns whether both programs have the same inputs and outputs, so that the recording fits the
+ * edited program. */
 static bool fits(const struct signals *recorded, const struct signals *edited)
 {
     size_t i = 0;
@@ -364,7 +400,7 @@ static bool fits(const struct signals *recorded, const struct signals *edited)
            (i == edited->count || edited->all[i].side > OUTPUT);
 }
 
-/* The edited program at its place, before it is run. */
+/* Compiles and loads the edited program, without running it. */
 static bool prepare(struct what_if *what_if, const struct attempt *a,
                     const struct signals *recorded, what_if_command command)
 {
@@ -374,14 +410,14 @@ static bool prepare(struct what_if *what_if, const struct attempt *a,
     if (!signals_start(&what_if->signals, program, frob_load_columns()))
         buffer_text(a->why, "not enough memory for the program's signals");
     else if (!fits(recorded, &what_if->signals))
-        buffer_text(a->why,
-                    "its input or output is another, so it cannot be run on this recording");
+        buffer_text(a->why, "its inputs or outputs differ, so it cannot be run on this recording");
     else
         return true;
     return false;
 }
 
-/* Has the edited text another default for the parameter of a setting? Then that counts. */
+/* Returns whether the edited text has another default for the parameter of a setting. If so, the
+ * edited default applies. */
 static bool is_edited(const struct frob_program *edited, const struct frob_program *recorded,
                       const char *setting)
 {
@@ -398,7 +434,8 @@ static bool is_edited(const struct frob_program *edited, const struct frob_progr
     return strcmp(rooms[0], rooms[1]) != 0;
 }
 
-/* How the parameters of the edited program are set. False for what is no value of one. */
+/* Determines the parameters of the edited program. Returns false if a setting is not a valid
+ * value. */
 static bool settle(struct what_if *what_if, const struct frob_program *recorded,
                    const struct buffer *settings, const struct buffer *asked, struct buffer *why)
 {

@@ -35,12 +35,13 @@ static bool write_page(const char *address)
         ok = fclose(file) == 0 && ok;
     }
     if (!ok)
-        fprintf(stderr, "warning: no browser is opened: cannot write %s: %s\n", file_name,
+        fprintf(stderr, "warning: cannot open a browser: cannot write %s: %s\n", file_name,
                 strerror(errno));
     return ok;
 }
 
-/* In the background, and silently: what it says is of no use to who runs Frob. */
+/* Starts the browser in the background. Its output is discarded, because it does not help users of
+ * Frob. */
 static void start_browser(void)
 {
     pid_t child = fork();

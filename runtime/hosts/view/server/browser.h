@@ -1,13 +1,12 @@
-/* browser.h -- opening an address in the user's browser. */
+/* browser.h -- opens an address in the user's browser. */
 #ifndef FROB_VIEW_BROWSER_H
 #define FROB_VIEW_BROWSER_H
 
-/* Opens an address if there is a desktop, and says nothing if there is none. The
- * address goes through a file that only the user can read, for a command line can be
- * seen by everybody on the computer. */
+/* Opens an address if there is a desktop; otherwise does nothing. The address is passed in a file
+ * that only the user can read, because everybody on the computer can see command lines. */
 void browser_open(const char *address);
 
-/* Takes the file away again. */
+/* Removes this file. */
 void browser_forget(void);
 
 #endif

@@ -23,7 +23,8 @@ static bool is_for_picture(const char *request)
     return strncmp(request, "picture ", 8) == 0;
 }
 
-/* Of requests for an instant, or a picture, only the newest is of use: the cursor has moved on. */
+/* Drops older requests of a kind (instants or pictures) of which only the newest matters, because
+ * the cursor has moved on. */
 static void drop_older(struct client *client, bool (*is_such)(const char *request))
 {
     for (size_t i = client->count; i-- > 0;) {
@@ -34,19 +35,10 @@ static void drop_older(struct client *client, bool (*is_such)(const char *reques
     }
 }
 
-static enum reception take(struct client *client, const char *token, const char *message)
+static enum reception take(struct client *client, const char *message)
 {
-    static const char greeting[] = "hello ";
     const size_t length = strlen(message) + 1;
     char *copy;
-    if (!client->admitted) {
-        client->admitted = strncmp(message, greeting, sizeof greeting - 1) == 0 &&
-                           token_is(token, message + sizeof greeting - 1);
-        if (!client->admitted)
-            return WRONG_TOKEN;
-        message = "program";
-        return take(client, token, message);
-    }
     if (strcmp(message, "more") == 0) {
         client->is_behind = false;
         return GOES_ON;
@@ -72,16 +64,37 @@ static enum reception take(struct client *client, const char *token, const char 
     return GOES_ON;
 }
 
+enum reception client_admit(struct client *client)
+{
+    client->admitted = true;
+    return take(client, "program");
+}
+
+static enum reception greet(struct client *client, const char *token, const char *message)
+{
+    static const char greeting[] = "hello ";
+    const bool is_right = strncmp(message, greeting, sizeof greeting - 1) == 0 &&
+                          token_is(token, message + sizeof greeting - 1);
+    return is_right ? client_admit(client) : WRONG_TOKEN;
+}
+
 enum reception client_receive(struct client *client, const char *token, const char *piece,
                               size_t length, bool is_last)
 {
+    const size_t most = client->admitted ? SERVER_MESSAGE : SERVER_STRANGER_MESSAGE;
+    const char *message;
     enum reception verdict;
-    if (client->incoming.length + length > SERVER_MESSAGE)
+    if (client->incoming.length + length > most)
         return TOO_LONG;
     buffer_bytes(&client->incoming, piece, length);
     if (!is_last)
         return GOES_ON;
-    verdict = take(client, token, client->incoming.length > 0 ? client->incoming.data : "");
+    /* Requests must not contain NUL. */
+    message =
+        client->incoming.length > 0 && strlen(client->incoming.data) == client->incoming.length
+            ? client->incoming.data
+            : "";
+    verdict = client->admitted ? take(client, message) : greet(client, token, message);
     buffer_clear(&client->incoming);
     return verdict;
 }

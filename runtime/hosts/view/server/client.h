@@ -1,5 +1,5 @@
-/* client.h -- one page that is connected: its requests, as they wait, and what it is to be
- * told. Of that only the newest is kept, so a page that does not listen takes no memory. */
+/* client.h -- a connected page: its pending requests, and the messages for it. Only the newest
+ * message of each kind is kept, so a page that does not read takes no memory. */
 #ifndef FROB_VIEW_CLIENT_H
 #define FROB_VIEW_CLIENT_H
 
@@ -9,27 +9,30 @@ struct lws;
 
 struct client {
     struct lws *line;
-    unsigned long number;   /* of its connection; none has it again */
-    bool admitted;          /* it has said the token */
-    struct buffer incoming; /* of a message that has not yet come whole */
+    unsigned long number;   /* unique number of its connection */
+    bool admitted;          /* it has presented the token */
+    struct buffer incoming; /* parts of an incomplete message */
     char *pending[SERVER_PENDING];
     size_t count;
-    bool is_waiting;      /* for the answer to a request */
-    struct buffer answer; /* that has come */
-    char *command;        /* what it wants to do to a run, to be done at once */
-    bool is_to_be_told_news, is_to_be_told_run;
+    bool is_waiting;      /* an answer to a request is pending */
+    struct buffer answer; /* an answer to send */
+    char *command;        /* a command to the run, to execute immediately */
+    bool is_to_be_told_news, is_to_be_told_run, is_to_be_told_beat;
     bool is_behind;      /* it has not drawn the last news yet */
-    const char *refusal; /* why a command was not done */
+    const char *refusal; /* why the last command was refused */
 };
 
-/* What to do with a page after what it sent. */
+/* How to react to a page's message. */
 enum reception { GOES_ON, COMMANDS, TOO_LONG, WRONG_TOKEN, TOO_MANY };
 
-/* Takes a piece of a message, the last or not. */
+/* Handles a piece of a message. */
 enum reception client_receive(struct client *client, const char *token, const char *piece,
                               size_t length, bool is_last);
 
-/* The oldest request, which the caller frees; NULL if none waits. */
+/* Accepts a page that has presented the token, and queues the request `program` for it. */
+enum reception client_admit(struct client *client);
+
+/* Returns the oldest request, which the caller frees; NULL if there is none. */
 char *client_next(struct client *client);
 
 void client_end(struct client *client);

@@ -5,8 +5,8 @@
 #include <string.h>
 #include <time.h>
 
-static const char *const words[] = { "stop",  "take", "pause", "go",  "step",
-                                     "speed", "key",  "touch", "hold" };
+static const char *const words[] = { "at",   "stop",  "take", "pause", "go",
+                                     "step", "speed", "key",  "touch", "hold" };
 
 static bool begins_with(const char *request, const char *word)
 {
@@ -31,7 +31,7 @@ void control_start(struct control *control, struct ring *ring)
     control->events = CONTROL_EVENTS;
 }
 
-/* The number after a word; NAN if there is none, or more than it. */
+/* Returns the number after a word; NAN if there is none, or if more text follows it. */
 static double number_after(const char *request)
 {
     const char *blank = strchr(request, ' ');
@@ -54,15 +54,15 @@ static const char *send(struct control *control, const struct ring_event *event)
 {
     const double now = now_s();
     if (!ring_permits(control->ring, RING_SENDS))
-        return "this robot is only looked at: `--view=control` lets a page do more";
+        return "this page can only watch the run: start it with `--view=control` to send events";
     control->events += (now - control->since_s) * CONTROL_EVENTS;
     control->since_s = now;
     if (control->events > CONTROL_EVENTS)
         control->events = CONTROL_EVENTS;
     if (control->events < 1.0)
-        return "these are too many events: a hundred in a second is the most";
+        return "too many events: the maximum is 100 per second";
     if (!ring_send(control->ring, event))
-        return "so many events wait already that this one is dropped";
+        return "the event queue is full, so this event was dropped";
     control->events -= 1.0;
     return NULL;
 }
@@ -72,12 +72,12 @@ static const char *key(struct control *control, const char *request)
     const double code = number_after(request);
     struct ring_event event = { RING_KEY, 0, 0.0, 0.0 };
     if (!(code >= 0 && code <= 0x10ffff && code == floor(code)))
-        return "this is no key";
+        return "this is not a key";
     event.id = (uint32_t)code;
     return send(control, &event);
 }
 
-/* touch NUMBER X Y, hold NUMBER X. */
+/* Executes `touch NUMBER X Y` or `hold NUMBER X`. */
 static const char *touch(struct control *control, const char *request)
 {
     const bool holds = begins_with(request, "hold");
@@ -91,7 +91,7 @@ static const char *touch(struct control *control, const char *request)
     }
     if (at == NULL || *at != '\0' || !isfinite(numbers[1]) || !isfinite(numbers[2]) ||
         !(numbers[0] >= 0.0 && numbers[0] <= 1e6 && numbers[0] == floor(numbers[0])))
-        return "this is nothing on a console";
+        return "this is not a part of a console";
     event.id = (uint32_t)numbers[0];
     event.x = numbers[1];
     event.y = holds ? now_s() : numbers[2];
@@ -101,7 +101,7 @@ static const char *touch(struct control *control, const char *request)
 static const char *pace(struct control *control, const char *request)
 {
     if (!ring_permits(control->ring, RING_PACES))
-        return "only a simulated run can be paused or made faster";
+        return "only a simulated run can be paused or change its speed";
     if (strcmp(request, "pause") == 0 || strcmp(request, "go") == 0) {
         control->paused = request[0] == 'p';
         ring_pause(control->ring, control->paused);
@@ -110,18 +110,38 @@ static const char *pace(struct control *control, const char *request)
     } else if (begins_with(request, "speed")) {
         const double speed = number_after(request);
         if (!(speed >= 0.1 && speed <= 100.0))
-            return "a speed is from 0.1 to 100";
+            return "the speed must be from 0.1 to 100";
         control->speed = speed;
         ring_set_speed(control->ring, speed);
     } else {
-        return "this is no request, or not while the run goes on";
+        return "this is not a request, or not one for a run in progress";
     }
     return NULL;
 }
 
+const char *control_in_time(const char **request)
+{
+    char *end;
+    double age_ms;
+    if (!begins_with(*request, "at"))
+        return NULL;
+    age_ms = now_s() * 1000.0 - strtod(*request + 2, &end);
+    if (*end != ' ' || !(age_ms > -1.0))
+        return "this is not a request, or not one for a run in progress";
+    *request = end + 1;
+    return age_ms > CONTROL_LATE_MS ? CONTROL_TOO_LATE : NULL;
+}
+
+bool control_was_late(struct control *control)
+{
+    const uint32_t before = control->late;
+    control->late = ring_late(control->ring);
+    return control->late != before;
+}
+
 const char *control_do(struct control *control, const char *request, bool operates)
 {
-    if (control->ring == NULL)
+    if (control->ring == NULL || ring_has_ended(control->ring))
         return "this run is over";
     if (strcmp(request, "stop") == 0) {
         ring_stop(control->ring);
@@ -132,6 +152,8 @@ const char *control_do(struct control *control, const char *request, bool operat
         return NULL;
     if (!operates)
         return "another page operates this run";
+    if (ring_silence_s(control->ring) * 1000.0 > CONTROL_LATE_MS)
+        return "the run does not answer, so the request was ignored";
     if (begins_with(request, "touch") || begins_with(request, "hold"))
         return touch(control, request);
     return begins_with(request, "key") ? key(control, request) : pace(control, request);
@@ -147,5 +169,22 @@ void control_state(const struct control *control, bool operates, struct buffer *
                   ring_permits(ring, RING_SENDS) ? "true" : "false",
                   control->stopping ? "true" : "false", control->paused ? "true" : "false");
     buffer_number(message, control->speed);
+    buffer_text(message, "}");
+}
+
+static const char *fate_of(const struct ring *ring, bool host_has_ended)
+{
+    static const char *const fates[] = { "goes on", "stopping", "at rest", "told", "not reached" };
+    return host_has_ended && !ring_has_ended(ring) ? "gone" : fates[ring_fate(ring)];
+}
+
+void control_beat(const struct control *control, bool host_has_ended, struct buffer *message)
+{
+    buffer_format(message, "{\"is\":\"beat\",\"time\":%.0f", floor(now_s() * 1000.0));
+    if (control->ring != NULL) {
+        buffer_format(message,
+                      ",\"fate\":\"%s\",\"silence\":", fate_of(control->ring, host_has_ended));
+        buffer_number(message, ring_silence_s(control->ring));
+    }
     buffer_text(message, "}");
 }

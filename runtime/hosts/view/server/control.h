@@ -1,19 +1,25 @@
-/* control.h -- what a page may do to a run that goes on, besides looking.
+/* control.h -- a page's commands to a live run.
  *
- *   stop       ends the run: motors at zero. From any page, at any time
- *   take       this page is the one that operates from now on
+ *   stop       ends the run, with the motors at zero; from any page, at any time
+ *   take       makes this page the one that operates
  *   pause, go, step
- *              holds a simulated run, lets it go on, or lets it take one instant
- *   speed X    how fast a simulated run goes, 0.1 to 100
+ *              pause a simulated run, resume it, or run one instant
+ *   speed X    sets the speed of a simulated run, 0.1 to 100
  *   key CODE   a key was pressed: an event of the program's input at the next instant
  *   touch N X Y
- *              something happens to number N on the program's console, as
- *              frob_console_touch has it
- *   hold N X   button N is held, if X is 1, and let go of 0.3 s after the last time that is
- *              said; or at once, if X is 0
+ *              operates control number N on the program's console; see
+ *              frob_console_touch
+ *   hold N X   if X is 1, button N is held until 0.3 s after the last such command; if X is 0,
+ *              it is released immediately
  *
- * Of several pages one operates, at first the oldest; all but `stop` and `take` is for it alone.
- * No request waits for anything: each is a word or two in the memory that the host shares. */
+ * A command may begin with a timestamp, as `at MS COMMAND`: MS is from the last beat that the page
+ * received. If that beat is more than CONTROL_LATE_MS old, the command is refused, because it
+ * waited in a connection or a process that had stopped, and its page says so. A `stop` is never
+ * late.
+ *
+ * If there are several pages, one operates, at first the oldest; only it may send commands other
+ * than `stop` and `take`. No command blocks: each writes a word or two to the memory shared with
+ * the host. */
 #ifndef FROB_VIEW_CONTROL_H
 #define FROB_VIEW_CONTROL_H
 
@@ -21,25 +27,39 @@
 
 #include "../../common/ring.h"
 
-#define CONTROL_EVENTS 100 /* in a second, at most */
+#define CONTROL_EVENTS 100 /* maximum number of events per second */
+#define CONTROL_LATE_MS 500
+#define CONTROL_TOO_LATE "the request came too late and was ignored"
 
 struct control {
-    struct ring *ring; /* NULL: the run is over, and nothing can be done to it */
+    struct ring *ring; /* NULL: the run is over, and cannot be controlled */
     bool stopping, paused;
     double speed;
-    double events;  /* that may come at once … */
-    double since_s; /* … at this time */
+    double events;  /* rate limit: number of events allowed now */
+    double since_s; /* time of the last update of `events` */
+    uint32_t late;  /* the last known value of ring_late */
 };
 
 void control_start(struct control *control, struct ring *ring);
 
-/* Whether a request is one of these. */
+/* Returns whether a request is one of these commands. */
 bool control_is(const char *request);
 
-/* Does what is asked. NULL, or why not. */
+/* Removes the timestamp from a command. Returns NULL, or why the command is refused. */
+const char *control_in_time(const char **request);
+
+/* Executes a command. Returns NULL, or why it is refused. */
 const char *control_do(struct control *control, const char *request, bool operates);
 
-/* Appends how the run goes on, and what the page may do. */
+/* Returns whether the host has dropped events since the last call, because it was frozen. */
+bool control_was_late(struct control *control);
+
+/* Appends the state of the run, and what the page may do. */
 void control_state(const struct control *control, bool operates, struct buffer *message);
+
+/* Appends a beat: the time, in ms; and for a live run, how many seconds its host has been silent,
+ * and the state of the run as the host reports it (ring.h), or `gone` if the process has ended
+ * without a report. */
+void control_beat(const struct control *control, bool host_has_ended, struct buffer *message);
 
 #endif

@@ -1,4 +1,4 @@
-/* The files of the page, as they are. */
+/* Embeds the files of the page in the executable. */
 #define FILE(name, path)   \
     .global frob_page_##name;      \
     .global frob_page_##name##_end; \

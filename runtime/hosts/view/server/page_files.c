@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* From page_files.S. */
+/* Defined in page_files.S. */
 extern const char frob_page_html[], frob_page_html_end[];
 extern const char frob_page_css[], frob_page_css_end[];
 extern const char frob_page_icon[], frob_page_icon_end[];

@@ -2,11 +2,16 @@
 
 #include "client.h"
 #include "control.h"
+#include "listener.h"
+#include "loopback.h"
 #include "page_files.h"
+#include "strangers.h"
+#include "token.h"
 #include "worker.h"
 
 #include <libwebsockets.h>
 
+#include <errno.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,33 +20,46 @@
 struct server {
     struct view *view;
     const char *token;
-    char host_name[32], origin[48];         /* as a request must name them */
-    struct client *clients[SERVER_CLIENTS]; /* the oldest first */
+    int listener;
+    struct strangers strangers;
+    struct client *clients[SERVER_CLIENTS + STRANGERS]; /* oldest first */
     size_t client_count;
     unsigned long connections;
     struct worker worker;
     struct control control;
-    unsigned long operator; /* the number of the page that asked to operate */
-    pid_t host;             /* of the run that is shown */
+    unsigned long operator; /* number of the page that took control */
+    pid_t host;             /* process id of the run's host */
+    bool host_has_ended, was_visited;
+    long leaving; /* beats since the request to end */
     lws_sorted_usec_list_t again;
-    long idle; /* beats without a page after the run's end */
+    long idle; /* beats since the last page was closed, or the run ended */
 };
 
-/* What libwebsockets keeps for each connection. */
+/* Data that libwebsockets keeps for each connection. */
 struct connection {
-    struct client *client;        /* of a WebSocket */
-    const struct page_file *file; /* of a request for a file … */
-    size_t sent;                  /* … of which this has gone */
+    struct client *client;        /* of a WebSocket connection */
+    const struct page_file *file; /* of a request for a file */
+    size_t sent;                  /* number of its bytes already sent */
 };
 
 static struct lws_context *serving;
-static volatile sig_atomic_t ending;
+static volatile sig_atomic_t ending, asked_to_end;
 
+/* The answering thread may be running an endless program; then the alarm ends the process. */
 static void end(int number)
 {
     (void)number;
     ending = 1;
+    alarm(SERVER_ENDS);
     lws_cancel_service(serving);
+}
+
+/* The signal handler while a run is shown: the server first sends the pages how the run ended. */
+static void end_with_run(int number)
+{
+    (void)number;
+    asked_to_end = 1;
+    alarm(2 * SERVER_ENDS);
 }
 
 static struct server *server_of(struct lws *wsi)
@@ -49,32 +67,38 @@ static struct server *server_of(struct lws *wsi)
     return (struct server *)lws_context_user(lws_get_context(wsi));
 }
 
-static bool header_is(struct lws *wsi, enum lws_token_indexes header, const char *value)
+static bool header_is(struct lws *wsi, enum lws_token_indexes header,
+                      bool (*is_such)(const char *text, size_t length))
 {
     char text[64];
-    return lws_hdr_copy(wsi, text, sizeof text, header) > 0 && strcmp(text, value) == 0;
+    const int length = lws_hdr_copy(wsi, text, sizeof text, header);
+    return length > 0 && is_such(text, (size_t)length);
 }
 
 /* {1 Files} */
 
-static int refuse(struct lws *wsi, unsigned status)
+static int refuse(struct lws *wsi, unsigned status, const char *why)
 {
-    if (lws_return_http_status(wsi, status, NULL) != 0)
+    if (lws_return_http_status(wsi, status, why) != 0)
         return -1;
     return lws_http_transaction_completed(wsi) != 0 ? -1 : 0;
 }
 
-static int begin_file(struct lws *wsi, struct connection *connection, const char *path)
+static int begin_file(struct lws *wsi, struct connection *connection, const char *path,
+                      size_t length)
 {
     unsigned char headers[LWS_PRE + 1024], *start = headers + LWS_PRE, *at = start;
     unsigned char *last = headers + sizeof headers - 1;
-    const struct page_file *file = page_file(path);
-    if (!header_is(wsi, WSI_TOKEN_HOST, server_of(wsi)->host_name))
-        return refuse(wsi, HTTP_STATUS_FORBIDDEN);
+    const struct page_file *file = strlen(path) == length ? page_file(path) : NULL;
+    if (!header_is(wsi, WSI_TOKEN_HOST, loopback_is_host))
+        return refuse(
+            wsi, HTTP_STATUS_FORBIDDEN,
+            "This page is only available on this computer: open it as localhost, 127.0.0.1 or "
+            "[::1]. From another computer, use a tunnel (ssh -L PORT:127.0.0.1:PORT).");
     if (lws_hdr_total_length(wsi, WSI_TOKEN_GET_URI) <= 0)
-        return refuse(wsi, HTTP_STATUS_METHOD_NOT_ALLOWED);
+        return refuse(wsi, HTTP_STATUS_METHOD_NOT_ALLOWED, "Only GET requests are supported.");
     if (file == NULL)
-        return refuse(wsi, HTTP_STATUS_NOT_FOUND);
+        return refuse(wsi, HTTP_STATUS_NOT_FOUND, "This file does not exist.");
     connection->file = file;
     connection->sent = 0;
     if (lws_add_http_common_headers(wsi, HTTP_STATUS_OK, file->type,
@@ -109,16 +133,24 @@ static int on_http(struct lws *wsi, enum lws_callback_reasons reason, void *user
 {
     struct connection *connection = (struct connection *)user;
     switch (reason) {
-    case LWS_CALLBACK_HTTP: return begin_file(wsi, connection, (const char *)in);
+    case LWS_CALLBACK_WSI_DESTROY: strangers_remove(&server_of(wsi)->strangers, wsi); return 0;
+    case LWS_CALLBACK_HTTP:
+        strangers_hear(&server_of(wsi)->strangers, wsi);
+        return begin_file(wsi, connection, (const char *)in, length);
     case LWS_CALLBACK_HTTP_WRITEABLE:
+        strangers_hear(&server_of(wsi)->strangers, wsi);
         return connection == NULL || connection->file == NULL ? 0 : send_file(wsi, connection);
     case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION:
-        return -1; /* a WebSocket of no protocol that is spoken here */
+        return -1; /* a WebSocket with an unknown protocol */
     default: return lws_callback_http_dummy(wsi, reason, user, in, length);
     }
 }
 
 /* {1 The page's WebSocket} */
+
+/* libwebsockets does not define this close code; IANA registers it as "Try Again Later"
+ * (RFC 6455). */
+#define TRY_AGAIN_LATER ((enum lws_close_status)1013)
 
 static int close_with(struct lws *wsi, enum lws_close_status status, const char *why)
 {
@@ -129,24 +161,15 @@ static int close_with(struct lws *wsi, enum lws_close_status status, const char 
     return -1;
 }
 
-static int open_client(struct lws *wsi, struct connection *connection)
+static size_t pages(const struct server *server)
 {
-    struct server *server = server_of(wsi);
-    struct client *client;
-    if (server->client_count == SERVER_CLIENTS)
-        return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "too many pages are open");
-    client = (struct client *)calloc(1, sizeof *client);
-    if (client == NULL)
-        return -1;
-    client->line = wsi;
-    client->number = ++server->connections;
-    connection->client = client;
-    server->clients[server->client_count++] = client;
-    lws_set_timer_usecs(wsi, SERVER_PATIENCE * LWS_USEC_PER_SEC);
-    return 0;
+    size_t count = 0;
+    for (size_t i = 0; i < server->client_count; i++)
+        count += server->clients[i]->admitted ? 1 : 0;
+    return count;
 }
 
-/* Each is told how the run goes on. */
+/* Sends the state of the run to each page. */
 static void tell_run(struct server *server)
 {
     for (size_t i = 0; i < server->client_count; i++) {
@@ -158,8 +181,8 @@ static void tell_run(struct server *server)
     }
 }
 
-/* The page that operates: the one that asked to, or else the oldest. */
-static const struct client *operator_of(const struct server *server)
+/* Returns the page that operates: the last one that took control, or else the oldest. */
+static struct client *operator_of(const struct server *server)
 {
     for (size_t i = 0; i < server->client_count; i++)
         if (server->clients[i]->number == server->operator)
@@ -187,30 +210,87 @@ static void close_client(struct lws *wsi, struct connection *connection)
     tell_run(server);
 }
 
-/* Hands requests over, one of each page at a time, so that no page keeps others waiting. */
+/* Passes requests to the worker, at most one of each page at a time, so that no page delays
+ * others. */
 static void ask(struct server *server)
 {
     for (size_t i = 0; i < server->client_count; i++) {
         struct client *client = server->clients[i];
-        if (!client->is_waiting && client->count > 0 && worker_is_free(&server->worker)) {
+        if (client->admitted && !client->is_waiting && client->count > 0 &&
+            worker_is_free(&server->worker)) {
             client->is_waiting = true;
             worker_ask(&server->worker, client->number, client_next(client));
         }
     }
 }
 
-/* At once, whatever else a page has asked for. */
+/* Executes a command immediately, regardless of pending requests. */
 static void command(struct server *server, struct client *client)
 {
-    const char *refusal =
-        control_do(&server->control, client->command, client == operator_of(server));
+    const char *request = client->command, *refusal = control_in_time(&request);
+    if (refusal == NULL)
+        refusal = control_do(&server->control, request, client == operator_of(server));
     if (refusal != NULL)
         client->refusal = refusal;
-    else if (strcmp(client->command, "take") == 0)
+    else if (strcmp(request, "take") == 0)
         server->operator= client->number;
     free(client->command);
     client->command = NULL;
     tell_run(server);
+}
+
+/* Acts on a message from a page. */
+static int react(struct server *server, struct client *client, bool was_admitted,
+                 enum reception reception)
+{
+    struct lws *wsi = client->line;
+    switch (reception) {
+    case TOO_LONG:
+        return close_with(wsi, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE, "this request is too long");
+    case WRONG_TOKEN:
+        return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "the token is wrong");
+    case TOO_MANY: return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "too many requests");
+    case COMMANDS: command(server, client); break;
+    case GOES_ON: break;
+    }
+    if (client->admitted && !was_admitted) {
+        if (pages(server) > SERVER_CLIENTS) {
+            client->admitted = false;
+            return close_with(wsi, TRY_AGAIN_LATER, "too many pages are open");
+        }
+        strangers_remove(&server->strangers, wsi);
+        client->is_to_be_told_beat = true;
+        tell_run(server);
+    }
+    ask(server);
+    lws_callback_on_writable(wsi);
+    return 0;
+}
+
+/* A page presents the token in the address of its WebSocket; other clients must send it within
+ * SERVER_PATIENCE. */
+static int open_client(struct lws *wsi, struct connection *connection)
+{
+    struct server *server = server_of(wsi);
+    struct client *client = NULL;
+    char token[TOKEN_LENGTH + 2];
+    const int length = lws_hdr_total_length(wsi, WSI_TOKEN_HTTP_URI_ARGS);
+    if (server->client_count < sizeof server->clients / sizeof server->clients[0])
+        client = (struct client *)calloc(1, sizeof *client);
+    if (client == NULL)
+        return -1;
+    client->line = wsi;
+    client->number = ++server->connections;
+    connection->client = client;
+    server->clients[server->client_count++] = client;
+    strangers_hear(&server->strangers, wsi);
+    lws_set_timer_usecs(wsi, SERVER_PATIENCE * LWS_USEC_PER_SEC);
+    if (length <= 0)
+        return 0;
+    if (lws_hdr_copy(wsi, token, sizeof token, WSI_TOKEN_HTTP_URI_ARGS) != TOKEN_LENGTH ||
+        !token_is(server->token, token))
+        return react(server, client, false, WRONG_TOKEN);
+    return react(server, client, false, client_admit(client));
 }
 
 static int receive(struct lws *wsi, struct connection *connection, const char *piece, size_t length)
@@ -218,38 +298,32 @@ static int receive(struct lws *wsi, struct connection *connection, const char *p
     struct server *server = server_of(wsi);
     struct client *client = connection->client;
     bool is_last = lws_is_final_fragment(wsi) && lws_remaining_packet_payload(wsi) == 0;
+    bool was_admitted;
     if (client == NULL)
         return -1;
     if (lws_frame_is_binary(wsi))
-        return close_with(wsi, LWS_CLOSE_STATUS_UNACCEPTABLE_OPCODE, "requests are text");
-    const bool was_admitted = client->admitted;
-    switch (client_receive(client, server->token, piece, length, is_last)) {
-    case TOO_LONG:
-        return close_with(wsi, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE, "this request is too long");
-    case WRONG_TOKEN:
-        return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "this is not the token");
-    case TOO_MANY: return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "too many requests");
-    case COMMANDS: command(server, client); break;
-    case GOES_ON: break;
-    }
-    if (client->admitted && !was_admitted)
-        tell_run(server);
-    ask(server);
-    lws_callback_on_writable(wsi);
-    return 0;
+        return close_with(wsi, LWS_CLOSE_STATUS_UNACCEPTABLE_OPCODE, "requests must be text");
+    was_admitted = client->admitted;
+    return react(server, client, was_admitted,
+                 client_receive(client, server->token, piece, length, is_last));
 }
 
-/* What a page is to be told next; false if there is nothing. What is urgent comes first. */
+/* Writes the next message to a page, the most urgent first. Returns false if there is none. */
 static bool next_message(struct server *server, struct client *client, struct buffer *text)
 {
+    if (!client->admitted)
+        return false;
     if (client->is_to_be_told_run) {
         client->is_to_be_told_run = false;
         control_state(&server->control, client == operator_of(server), text);
     } else if (client->refusal != NULL) {
-        buffer_text(text, "{\"is\":\"refused\",\"why\":");
+        buffer_text(text, "{\"is\":\"refused\",\"command\":true,\"why\":");
         buffer_string(text, client->refusal);
         buffer_text(text, "}");
         client->refusal = NULL;
+    } else if (client->is_to_be_told_beat) {
+        client->is_to_be_told_beat = false;
+        control_beat(&server->control, server->host_has_ended, text);
     } else if (client->answer.length > 0) {
         buffer_bytes(text, client->answer.data, client->answer.length);
         text->is_binary = client->answer.is_binary;
@@ -288,7 +362,7 @@ static int write_message(struct lws *wsi, struct connection *connection)
     return status;
 }
 
-/* The worker has something: answers to the pages that asked, news for all. */
+/* Distributes what the worker has finished: answers to the pages that asked, news to all pages. */
 static void deliver(struct server *server)
 {
     struct buffer text;
@@ -320,8 +394,8 @@ static int on_page(struct lws *wsi, enum lws_callback_reasons reason, void *user
     struct connection *connection = (struct connection *)user;
     switch (reason) {
     case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION:
-        return header_is(wsi, WSI_TOKEN_HOST, server_of(wsi)->host_name) &&
-                       header_is(wsi, WSI_TOKEN_ORIGIN, server_of(wsi)->origin)
+        return header_is(wsi, WSI_TOKEN_HOST, loopback_is_host) &&
+                       header_is(wsi, WSI_TOKEN_ORIGIN, loopback_is_origin)
                    ? 0
                    : -1;
     case LWS_CALLBACK_ESTABLISHED: return open_client(wsi, connection);
@@ -335,28 +409,82 @@ static int on_page(struct lws *wsi, enum lws_callback_reasons reason, void *user
     }
 }
 
+/* {1 Connections} */
+
+static int on_listener(struct lws *wsi, enum lws_callback_reasons reason, void *user, void *in,
+                       size_t length)
+{
+    struct server *server = server_of(wsi);
+    (void)user;
+    (void)in;
+    (void)length;
+    for (int i = 0; reason == LWS_CALLBACK_RAW_RX_FILE && i < LISTENER_AT_ONCE; i++) {
+        const int number = listener_accept(server->listener);
+        struct lws *line;
+        if (number < 0) {
+            if (errno == EMFILE || errno == ENFILE)
+                strangers_end_one(&server->strangers);
+            break;
+        }
+        line = lws_adopt_socket_vhost(lws_get_vhost(wsi), number);
+        if (line != NULL)
+            strangers_add(&server->strangers, line);
+    }
+    return 0;
+}
+
 /* {1 Serving} */
 
 static const struct lws_protocols protocols[] = {
     { "http", on_http, sizeof(struct connection), 0, 0, NULL, 0 },
     { "frob-view", on_page, sizeof(struct connection), 4096, 0, NULL, 0 },
+    { "listener", on_listener, 0, 0, 0, NULL, 0 },
     { NULL, NULL, 0, 0, 0, NULL, 0 },
 };
 
-/* A few times a second, while there is a host to hear it. */
+/* Checks at each beat of a live run whether no page is open any more, its host wants the viewer to
+ * end, or the host has ended. */
+static bool is_to_end(struct server *server, bool is_over)
+{
+    const long patience_s = server->was_visited ? SERVER_RELOADS : SERVER_LINGERS;
+    const bool is_visited = pages(server) > 0;
+    server->was_visited |= is_visited;
+    server->idle = is_visited || (!server->was_visited && !is_over) ? 0 : server->idle + 1;
+    if (asked_to_end || server->host_has_ended)
+        server->leaving++;
+    if (is_over && server->leaving > 0 && !is_visited)
+        return true;
+    return (is_over && server->idle * SERVER_BEAT_US > patience_s * LWS_USEC_PER_SEC) ||
+           server->leaving > (is_over ? SERVER_FAREWELL : SERVER_ENDS * 1000000 / SERVER_BEAT_US);
+}
+
+/* Sends the viewer's heartbeat to the host and the pages. */
 static void beat(lws_sorted_usec_list_t *again)
 {
     struct server *server = lws_container_of(again, struct server, again);
     struct ring *ring = server->control.ring;
-    ring_beat(ring);
-    if (ring_has_ended(ring) || getppid() != server->host)
-        server->idle += server->client_count == 0 ? 1 : 0;
-    if (server->client_count > 0)
-        server->idle = 0;
-    if (server->idle * SERVER_BEAT_US > SERVER_LINGERS * LWS_USEC_PER_SEC)
-        ending = 1;
-    else
+    for (size_t i = 0; i < server->client_count; i++) {
+        if (server->clients[i]->admitted) {
+            server->clients[i]->is_to_be_told_beat = true;
+            lws_callback_on_writable(server->clients[i]->line);
+        }
+    }
+    if (ring != NULL) {
+        struct client *client = operator_of(server);
+        if (control_was_late(&server->control) && client != NULL)
+            client->refusal = CONTROL_TOO_LATE;
+        ring_beat(ring);
+        server->host_has_ended = getppid() != server->host;
+        if (is_to_end(server, ring_has_ended(ring) || server->host_has_ended))
+            ending = 1;
+    }
+    if (ending) {
+        /* Without this, the server would wait for the next event of a page. */
+        lws_cancel_service(serving);
+        alarm(SERVER_ENDS);
+    } else {
         lws_sul_schedule(serving, 0, again, beat, SERVER_BEAT_US);
+    }
 }
 
 static void wake(void)
@@ -367,18 +495,17 @@ static void wake(void)
 static bool serve(struct server *server)
 {
     if (!worker_start(&server->worker, server->view, wake)) {
-        fprintf(stderr, "error: no thread can be made\n");
+        fprintf(stderr, "error: cannot create a thread\n");
         return false;
     }
-    if (server->control.ring != NULL)
-        beat(&server->again);
+    beat(&server->again);
     while (!ending && lws_service(serving, 0) >= 0)
         continue;
     worker_end(&server->worker);
     return true;
 }
 
-/* A page can run and ask for only what comes from here, and be in no other page. */
+/* The page may load and contact only this server, and may not be embedded in another page. */
 static const struct lws_protocol_vhost_options
     no_sniffing = { NULL, NULL, "x-content-type-options:", "nosniff" },
     no_caching = { &no_sniffing, NULL, "cache-control:", "no-store" },
@@ -391,36 +518,36 @@ bool server_run(struct view *view, int port, const char *token, server_ready *re
 {
     struct server server = { .view = view, .token = token, .host = getppid() };
     struct lws_context_creation_info info;
+    lws_sock_file_fd_type listener;
     struct lws_vhost *vhost;
     bool serves = false;
     memset(&info, 0, sizeof info);
-    info.port = port;
-    info.iface = "127.0.0.1";
+    info.port = CONTEXT_PORT_NO_LISTEN_SERVER;
     info.protocols = protocols;
     info.headers = &security;
     info.user = &server;
     info.options = LWS_SERVER_OPTION_DISABLE_IPV6 | LWS_SERVER_OPTION_VALIDATE_UTF8 |
-                   LWS_SERVER_OPTION_EXPLICIT_VHOSTS | LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND;
+                   LWS_SERVER_OPTION_EXPLICIT_VHOSTS;
     lws_set_log_level(0, NULL);
     serving = lws_create_context(&info);
     vhost = serving == NULL ? NULL : lws_create_vhost(serving, &info);
-    if (vhost == NULL) {
-        if (port != 0)
-            fprintf(stderr, "error: port %d is taken; without --port any that is free is used\n",
-                    port);
-        else
-            fprintf(stderr, "error: no port of this computer (127.0.0.1) can be listened at\n");
+    server.listener = listener.filefd = listener_open(&port);
+    if (server.listener < 0 && errno == EADDRINUSE) {
+        fprintf(stderr, "error: port %d is in use; remove --port to use any free port\n", port);
+    } else if (server.listener < 0) {
+        fprintf(stderr, "error: cannot listen on port %d of this computer (127.0.0.1): %s\n", port,
+                strerror(errno));
+    } else if (vhost == NULL || lws_adopt_descriptor_vhost(vhost, LWS_ADOPT_RAW_FILE_DESC, listener,
+                                                           "listener", NULL) == NULL) {
+        fprintf(stderr, "error: not enough memory to serve the page\n");
     } else {
-        port = lws_get_vhost_listen_port(vhost);
-        snprintf(server.host_name, sizeof server.host_name, "127.0.0.1:%d", port);
-        snprintf(server.origin, sizeof server.origin, "http://%s", server.host_name);
         control_start(&server.control, view->live.ring);
-        /* An interrupt is for the run, if there is one, and this is to be seen after it; and what
-         * cannot suspend a robot is not to suspend its Stop. */
+        /* Leave SIGINT to a live run, whose page stays open after it. Ignore Ctrl-Z, which cannot
+         * suspend the robot and must not suspend its Stop button. */
         signal(SIGINT, view->live.ring != NULL ? SIG_IGN : end);
         if (view->live.ring != NULL)
             signal(SIGTSTP, SIG_IGN);
-        signal(SIGTERM, end);
+        signal(SIGTERM, view->live.ring != NULL ? end_with_run : end);
         signal(SIGPIPE, SIG_IGN);
         serves = ready(context, port) && serve(&server);
     }

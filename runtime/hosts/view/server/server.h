@@ -1,27 +1,38 @@
-/* server.h -- serves the page, and answers it over a WebSocket.
+/* server.h -- serves the page, and answers its requests over a WebSocket.
  *
- * Only for this computer (127.0.0.1), only under the exact name of its address, only to
- * pages of its own origin, and only to who says the token first. At most
- * SERVER_CLIENTS pages at a time. */
+ * It listens only on 127.0.0.1. Requests must name this computer as their host and come from a page
+ * of this computer (loopback.h). A page must present the token before it is answered: in the query
+ * of the WebSocket's address, or in its first message, `hello TOKEN`. At most SERVER_CLIENTS pages
+ * are served at a time; connections that have not presented the token take none of their places
+ * (strangers.h).
+ *
+ * The server sends `beat` to each page ten times a second, whatever else it does. The beat shows
+ * that the viewer works, and contains how long the host of a run has been silent. */
 #ifndef FROB_VIEW_SERVER_H
 #define FROB_VIEW_SERVER_H
 
 #include "../answers/view.h"
 
 #define SERVER_CLIENTS 4
-#define SERVER_MESSAGE 65536 /* bytes of a request, at most */
-#define SERVER_PENDING 64    /* requests that a page may have waiting */
-#define SERVER_PATIENCE 5    /* seconds for the token */
-#define SERVER_LINGERS 5     /* seconds without a page, after the end of the run that is shown */
-#define SERVER_BEAT_US 200000
+#define SERVER_MESSAGE 65536 /* maximum bytes of a request */
+#define SERVER_PENDING 64    /* maximum number of pending requests of a page */
+#define SERVER_PATIENCE 5    /* seconds to present the token */
+/* Seconds without a page after which the viewer of a finished run ends: before the first page
+ * connects, and while a page reloads. */
+#define SERVER_LINGERS 5
+#define SERVER_RELOADS 2
+#define SERVER_ENDS 2              /* maximum seconds for shutting down */
+#define SERVER_FAREWELL 3          /* beats for telling pages how a run ended */
+#define SERVER_STRANGER_MESSAGE 64 /* maximum bytes of a request without the token */
+#define SERVER_BEAT_US 100000
 
-/* Called when the page can be asked for. False if nobody can be told, so that there is no
- * use in serving. */
+/* Called when the server is ready. Returns false if the address cannot be reported, so that serving
+ * would be useless. */
 typedef bool server_ready(void *context, int port);
 
-/* Serves until the process gets SIGTERM, or SIGINT if this is no run that goes on; one that
- * does is served until it is over and no page is open. Port 0 is any that is free. False if the
- * port cannot be had, with one line on standard error, or nobody was told. */
+/* Serves until the process receives SIGTERM, or SIGINT if the run is not live. A live run is served
+ * until it is over and no page is open. Port 0 means any free port. Returns false if the port is
+ * not available, with a line on standard error, or if `ready` fails. */
 bool server_run(struct view *view, int port, const char *token, server_ready *ready, void *context);
 
 #endif

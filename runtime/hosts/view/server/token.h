@@ -1,4 +1,4 @@
-/* token.h -- what a page must know to be answered: 128 random bits. */
+/* token.h -- the secret that a page must present: 128 random bits. */
 #ifndef FROB_VIEW_TOKEN_H
 #define FROB_VIEW_TOKEN_H
 
@@ -6,10 +6,10 @@
 
 #define TOKEN_LENGTH 32 /* hexadecimal digits */
 
-/* A new one, from the operating system. False if it has none. */
+/* Creates a token from the operating system's random numbers. Returns false if there are none. */
 bool token_make(char token[TOKEN_LENGTH + 1]);
 
-/* Is this the token? Takes as long wherever they differ. */
+/* Returns whether `text` is the token, in constant time. */
 bool token_is(const char *token, const char *text);
 
 #endif

@@ -4,10 +4,11 @@
 #include <string.h>
 #include <time.h>
 
-#define LOOK_NS 4000000 /* how often to look for new instants of a run */
-#define WORK_S 0.005    /* how long to work without looking for requests */
+#define LOOK_NS 4000000 /* how often to check a run for new instants */
+#define WORK_S 0.005    /* how long to work before checking for requests */
 
-/* Until there is a request, or it is time to look; with the lock. */
+/* Waits until there is a request, or until it is time to check for instants. The caller holds the
+ * lock. */
 static void wait_for_something(struct worker *worker, bool looks)
 {
     struct timespec until;
@@ -27,7 +28,7 @@ static void wait_for_something(struct worker *worker, bool looks)
         continue;
 }
 
-/* The oldest request; with the lock. False if there is none. */
+/* Takes the oldest request; returns false if there is none. The caller holds the lock. */
 static bool take(struct worker *worker, struct job *job)
 {
     if (worker->waiting_count == 0)

@@ -1,8 +1,8 @@
-/* worker.h -- the thread that answers requests, so that no answer that takes its time keeps
- * the server from hearing what is urgent.
+/* worker.h -- the thread that answers requests, so that a slow answer does not delay the server's
+ * urgent messages.
  *
- * The view is this thread's alone while it runs. Requests and answers go through here; one
- * lock guards them, and is never held for long. */
+ * While it runs, only this thread uses the view. Requests and answers are exchanged here, guarded
+ * by one lock, which is held only briefly. */
 #ifndef FROB_VIEW_WORKER_H
 #define FROB_VIEW_WORKER_H
 
@@ -10,9 +10,9 @@
 
 #include <pthread.h>
 
-#define WORKER_JOBS 4 /* at a time */
+#define WORKER_JOBS 4 /* maximum number of pending requests */
 
-/* A request; or its answer, and by whom it was asked. */
+/* A request, or its answer; `who` is the page that sent it. */
 struct job {
     unsigned long who;
     char *request;
@@ -21,35 +21,36 @@ struct job {
 
 struct worker {
     struct view *view;
-    void (*wake)(void); /* called when there is an answer, or news */
+    void (*wake)(void); /* called when there is an answer or news */
     pthread_t thread;
     pthread_mutex_t lock;
     pthread_cond_t asked;
     struct job waiting[WORKER_JOBS], done[WORKER_JOBS];
     size_t waiting_count, done_count;
-    size_t jobs; /* that were asked for and not taken; known to the asking thread alone */
+    /* Number of requests whose answers have not been taken; used only by the thread that asks. */
+    size_t jobs;
     struct buffer news;
     bool has_news;
     bool is_ending;
 };
 
-/* Begins. `wake` is called from the thread. False if there cannot be one. */
+/* Starts the thread, which calls `wake`. Returns false if it cannot be started. */
 bool worker_start(struct worker *worker, struct view *view, void (*wake)(void));
 void worker_end(struct worker *worker);
 
-/* Whether there is room for a request. */
+/* Returns whether there is room for a request. */
 bool worker_is_free(const struct worker *worker);
 
-/* Hands over a request, for which there is room; it is freed later. */
+/* Queues a request, for which there must be room; the worker frees it. */
 void worker_ask(struct worker *worker, unsigned long who, char *request);
 
-/* Takes an answer, which the caller frees. False if there is none. */
+/* Takes an answer, which the caller frees. Returns false if there is none. */
 bool worker_answer(struct worker *worker, unsigned long *who, struct buffer *answer);
 
-/* Whether there is news since this was asked. */
+/* Returns whether there has been news since the last call. */
 bool worker_has_news(struct worker *worker);
 
-/* Appends the newest of what pages are told without having asked. */
+/* Appends the newest news for the pages. */
 void worker_news(struct worker *worker, struct buffer *news);
 
 #endif

@@ -1,11 +1,11 @@
 """usage: faults.py FROBC FOLDER COUNT SEED
 
-How many controllers with a planted fault the trials and tests of the examples catch: those of all
-examples without cameras and C, as they stand. As many faults in each example, drawn by the seed:
-first a kind (see plant.py), then a place. What does not compile is no controller, and another is
-drawn. A fault is caught if `frobc test` says that a trial or a test fails. If not, and if the
-program has the same outputs as the one without it at each instant of all runs of the trials, then
-it is no fault, and does not count.
+Measures how many controllers with a planted fault the trials and tests of the examples catch. It
+uses all examples without cameras and C, unchanged, and plants the same number of faults in each.
+The seed determines the faults: first a kind (see plant.py), then a place. If the program with a
+fault does not compile, another fault is drawn. A fault is caught if `frobc test` reports a failed
+trial or test. A fault that is not caught does not count if it has no effect: if the program has the
+same outputs as the original at each instant of all runs of the trials.
 
 Prints a row for each example, and a line for each fault that was missed.
 """
@@ -26,14 +26,27 @@ frobc, folder, count, seed = sys.argv[1], sys.argv[2], int(sys.argv[3]), sys.arg
 WORKERS = 2
 
 
+def with_tests(program):
+    """Returns the text of a program and of its test file."""
+    tests = program.removesuffix(".frob") + ".test.frob"
+    text = ""
+    for path in program, tests:
+        if os.path.exists(path):
+            with open(path) as file:
+                text += file.read()
+    return text
+
+
 def examples():
-    """The programs that have trials, and need neither a camera nor C."""
+    """Returns the programs that have trials and need neither a camera nor C, with their texts."""
     for path in sorted(glob.glob("examples/*/*.frob")):
+        if path.endswith(".test.frob"):
+            continue
         with open(path) as file:
             text = file.read()
         world = os.path.join(os.path.dirname(path), "world.toml")
         in_c = glob.glob(os.path.join(os.path.dirname(path), "*.c"))
-        if in_c or not re.search(r"^trial ", text, re.MULTILINE):
+        if in_c or not re.search(r"^trial ", with_tests(path), re.MULTILINE):
             continue
         with open(world) as file:
             if not re.search(r"^\[(camera|stereo)\]", file.read(), re.MULTILINE):
@@ -50,11 +63,11 @@ def ask(command, *words):
 
 
 def outputs(program):
-    """What the program does in each run of its trials: the columns `out.` of the recordings."""
-    with open(program) as file:
-        text = file.read()
+    """Returns the program's outputs in each run of its trials: the columns `out.` of the
+    recordings.
+    """
     done = []
-    for trial in re.split(r"^trial ", text, flags=re.MULTILINE)[1:]:
+    for trial in re.split(r"^trial ", with_tests(program), flags=re.MULTILINE)[1:]:
         world = re.search(r'world = "(.*)"', trial).group(1)
         lasts = re.search(r"lasts = (\S+)\[(\w+)\]", trial)
         first, last = re.search(r"seeds = (\d+) `to` (\d+)", trial).groups()
@@ -75,7 +88,9 @@ def outputs(program):
 
 
 def draw(text, random_source):
-    """Faults of a program in random order: by turns of any kind, none twice."""
+    """Yields faults of a program in random order without repetition, choosing a random kind each
+    time.
+    """
     left = {
         kind: random_source.sample(places, len(places)) for kind, places in faults(text).items()
     }
@@ -87,7 +102,9 @@ def draw(text, random_source):
 
 
 def judge(path, text, wanted):
-    """Of so many faults: how many are caught, the lines of those missed, how many are none."""
+    """Tests `wanted` faults. Returns the number that were caught, a line for each missed one, and
+    the number without effect.
+    """
     name = os.path.basename(path)
     there = os.path.join(folder, name)
     shutil.copytree(os.path.dirname(path), there)

@@ -1,8 +1,8 @@
-"""Faults that a person may make, planted in a Frob program by its text: all that can be, each with
-what was done. Whether it compiles then is for the compiler to say.
+"""Plants faults that a person might make into the text of a Frob program. Finds all possible
+faults, each with a description. The modified program may not compile.
 
-The controller is what stands before the first trial or test, without imports, types, units, and
-assertions: what judges a controller is left as it is.
+Only the controller is changed: the text before the first trial or test, without imports, types,
+units and assertions. The code that judges a controller stays unchanged.
 """
 
 import re
@@ -26,7 +26,7 @@ EXCHANGED = [
 
 
 class Token:
-    """A word of the program: its kind, text, and where it begins and ends."""
+    """A token of the program: its kind, its text, and its start and end."""
 
     def __init__(self, match):
         self.kind = match.lastgroup if match.lastgroup != "unit" else "number"
@@ -35,7 +35,7 @@ class Token:
 
 
 def closing(tokens, opened):
-    """Which token closes the parenthesis that this one opens."""
+    """Returns the index of the token that closes this parenthesis."""
     depth = 0
     for at in range(opened, len(tokens)):
         depth += {"(": 1, ")": -1}.get(tokens[at].text, 0)
@@ -45,7 +45,7 @@ def closing(tokens, opened):
 
 
 def definitions(program):
-    """The tokens of each definition of the controller."""
+    """Returns the tokens of each definition of the controller."""
     end = re.search(r"^(trial|test) ", program, re.MULTILINE).start()
     starts = [m.start() for m in re.finditer(r"^\S", program[:end], re.MULTILINE)] + [end]
     for start, stop in zip(starts, starts[1:]):
@@ -58,7 +58,7 @@ def definitions(program):
 
 
 def without_what_judges(program, tokens):
-    """Tokens without signatures and assertions."""
+    """Removes the tokens of signatures and assertions."""
     kept, at = [], 0
     while at < len(tokens):
         token = tokens[at]
@@ -77,7 +77,7 @@ def without_what_judges(program, tokens):
 
 
 def faults(program):
-    """All of them by kind: lists of (start, end, instead), where text is replaced."""
+    """Maps each kind to its faults: lists of (start, end, replacement)."""
     found = {}
 
     def add(kind, start, end, instead):
@@ -134,7 +134,9 @@ def faults(program):
 
 
 def statements(program, tokens):
-    """Lines of a `do` that only do something, and are followed by another."""
+    """Yields the lines of a `do` that can be left out: plain statements, followed by another
+    one.
+    """
     lines = list(re.finditer(r"^( +)(.*)\n", program[: tokens[-1].end + 1], re.MULTILINE))
     for line, following in zip(lines, lines[1:]):
         said = line.group(2)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# How many controllers with a planted fault the trials of the examples without cameras catch; see
-# faults.py. The first argument is the folder to work in; then how many faults, and a seed.
+# Measures how many controllers with a planted fault the trials of the examples without cameras
+# catch; see faults.py. The arguments are the working folder, the number of faults, and a seed.
 set -eu
 out=$1/faults
 rm -rf "$out"

@@ -1,9 +1,8 @@
-(* Writes a Frob program of about the given number of lines: blocks as a
-   programmer writes them (data types, records, functions with case and guards,
-   signal functions with feedback), joined ten by ten into larger signal
-   functions, these again, up to main. *)
+(* Writes a Frob program of about the given number of lines. It consists of blocks such as
+   programmers write (data types, records, functions with case and guards, signal functions with
+   feedback), joined ten at a time into larger signal functions, and so on up to main. *)
 
-(* Number # of its kind. *)
+(* # is replaced by the number of the block. *)
 let template =
   {|
 data Gait# = Idle# | Walk# Float | Turn# { rate# :: Float, left# :: Bool }
@@ -46,8 +45,8 @@ unit# = proc x -> y where
 let block k = print_string (String.concat (string_of_int k) (String.split_on_char '#' template))
 let lines_of_block = List.length (String.split_on_char '\n' template) - 1
 
-(* Runs the signal functions called [name] from number [first] one after the
-   other, as the definition [whole]. *)
+(* Defines [whole], which runs [count] signal functions called [name], from number [first] on,
+   one after the other. *)
 let join whole name first count =
   Printf.printf "\n%s :: SF Float Float\n%s = proc x0 -> x%d where\n" whole whole count;
   for i = 1 to count do
@@ -66,7 +65,7 @@ let rec levels level name count =
 
 let () =
   let lines = int_of_string Sys.argv.(1) in
-  (* ten blocks come with about 15 lines that join them *)
+  (* joining ten blocks takes about 15 lines *)
   let blocks = max 1 (10 * lines / ((10 * lines_of_block) + 15)) in
   Printf.printf "-- A generated program of about %d lines.\n" lines;
   for k = 0 to blocks - 1 do

@@ -1,4 +1,4 @@
-"""How long the server takes: python3 latency.py FOLDER COUNT"""
+"""Measures the response times of the language server: python3 latency.py FOLDER COUNT"""
 
 import json
 import random
@@ -24,7 +24,7 @@ def position(offset):
 
 
 def processor():
-    """What the server has taken of a processor, in seconds; on Linux."""
+    """Processor time that the server has used, in seconds; Linux only."""
     with open("/proc/%d/schedstat" % client.process.pid) as file:
         return int(file.read().split()[0]) * 1e-9
 

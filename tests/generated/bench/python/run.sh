@@ -1,5 +1,5 @@
 #!/bin/sh
-# Programs that Python runs on arrays, beside a loop in C; where there is numpy.
+# Compares programs that Python runs on arrays with a loop in C. Requires numpy.
 set -eu
 here=tests/generated/bench/python
 python=/usr/bin/python3

@@ -1,8 +1,8 @@
-"""The processor time of a step of `Program.run` from Python, beside a loop in C, on a million
-instants in an array: the best of nine each, by turns of three. Both put outputs into memory that
-is new, as `run` gives them. Prints an object of JSON for each program.
+"""Measures the processor time of a step of `Program.run` from Python, compared with a loop in C,
+for a million instants in an array. Takes the best of nine runs each, alternating after every three.
+Both allocate new memory for the outputs, as `run` does. Prints a JSON object for each program.
 
-usage: speed.py PROGRAM.frob...   (programs from numbers to numbers)"""
+usage: speed.py PROGRAM.frob...   (programs whose inputs and outputs are numbers)"""
 
 import json
 import os
@@ -64,7 +64,7 @@ def build(folder, name, file, inputs):
 
 
 def in_c(folder):
-    # New memory in large pages, as numpy asks for; small ones take longer than the filter.
+    # Allocate memory in large pages, as numpy requests; small pages take longer than the filter.
     env = {**os.environ, "GLIBC_TUNABLES": "glibc.malloc.hugetlb=1"}
     done = subprocess.run(["./loop", "in"], cwd=folder, check=True, capture_output=True, env=env)
     return min(float(line) for line in done.stdout.split()), done.stderr

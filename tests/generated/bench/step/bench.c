@@ -52,7 +52,7 @@ static double median(double *values, int count)
     return values[count / 2];
 }
 
-/* Bit for bit, or equal zeros. */
+/* Whether the outputs are equal: bit for bit, or both zero. */
 static bool equal(const struct bench *bench)
 {
     for (size_t i = 0; i < bench->doubles; i++) {
@@ -79,13 +79,13 @@ int bench_main(const struct bench *bench, int argc, char **argv)
         bench_dt[i] = (double)(int64_t)(19e6 + 2e6 * bench_random()) / 1e9;
     bench->make_inputs();
     for (int round = 0; round < rounds; round++) {
-        /* who goes first changes from round to round */
+        /* alternate which step goes first */
         if (round % 2 == 0)
             generated[round] = step_time(bench->generated_pass);
         by_hand[round] = step_time(bench->by_hand_pass);
         if (round % 2 != 0)
             generated[round] = step_time(bench->generated_pass);
-        /* not every tool's programs can be restarted: later rounds may differ */
+        /* some tools' programs cannot be restarted, so later rounds may differ */
         if (round == 0 && !equal(bench))
             return 1;
     }

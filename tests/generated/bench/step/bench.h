@@ -1,32 +1,33 @@
-/* bench.h -- one program's generated step beside the same step written by
- * hand, in one process.
+/* bench.h -- compares one program's generated step with the same step written by hand, in one
+ * process.
  *
- * A program's bench.c says BENCH(name) and defines make_input. Both steps get
- * the same table of inputs and store all outputs in tables, which must be
- * equal in the end. The hand-written step takes the generated structs of input
- * and output, so that it could stand in for the other.
+ * A program's bench.c contains BENCH(name) and defines make_input. Both steps get the same table
+ * of inputs and store all outputs in tables, which must be equal at the end. The hand-written
+ * step takes the generated structs of input and output, so that it could replace the generated
+ * one.
  *
- * With BENCH_BATCH the generated step stands beside itself: all instants in one call
- * (`frobc compile --batch`), and a call for each. */
+ * With BENCH_BATCH, the generated step is compared with itself: all instants in one call
+ * (`frobc compile --batch`), and one call for each instant. */
 #ifndef FROB_BENCH_H
 #define FROB_BENCH_H
 
 #include <stddef.h>
 
-/* So many that a processor does not learn the table's branches by heart. */
+/* Large enough that the processor cannot learn the table's branches. */
 enum { INSTANTS = 16384 };
 
-/* Seconds since the instant before: whole nanoseconds around 20 ms. */
+/* Seconds since the previous instant: whole nanoseconds around 20 ms. */
 extern double bench_dt[INSTANTS];
 
-/* The same numbers on every machine: xorshift, not rand(). Uniform in [0, 1). */
+/* Uniform random numbers in [0, 1) from xorshift instead of rand(), so that they are the same on
+ * every machine. */
 double bench_random(void);
 
 /* True with this probability. */
 int bench_chance(double probability);
 
-/* What one program brings: a pass runs all instants from a reset. The outputs
- * are structs of doubles, `doubles` of them in all. */
+/* The definitions of one program. A pass runs all instants after a reset. The outputs are
+ * structs of doubles, `doubles` in total. */
 struct bench {
     void (*make_inputs)(void);
     void (*generated_pass)(void);
@@ -34,7 +35,7 @@ struct bench {
     const double *generated_outputs;
     const double *by_hand_outputs;
     size_t doubles;
-    size_t generated_bytes; /* of state */
+    size_t generated_bytes; /* size of the state */
     size_t by_hand_bytes;
 };
 
@@ -43,7 +44,7 @@ struct bench {
  * The only argument is the number of rounds; the times are medians. */
 int bench_main(const struct bench *bench, int argc, char **argv);
 
-/* Kept apart whatever the compiler sees, so that its instructions can be counted. */
+/* Never inlined, so that valgrind can count its instructions. */
 #define BENCH_PASS __attribute__((noinline))
 
 #ifdef BENCH_BATCH

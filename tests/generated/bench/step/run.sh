@@ -1,52 +1,57 @@
 #!/bin/sh
-# Generated C beside C by hand, under gcc and clang at -O2 and -O3, each also with
-# link-time optimization, which takes the step into the loop that calls it: the
-# step's time (see bench.c) and instructions (counted by valgrind, so the same on
-# each run), bytes of state, and bytes of text at -O2. Where the machine code lies in
-# memory alone moves the ratio of two times by up to a tenth: so each is compiled in
-# several layouts, and the time is that of the layout whose ratio is in the middle.
-# Some also stand beside what Copilot makes of the same program. The arguments are the folder to work in,
-# and programs, if not all.
+# Compares generated C with hand-written C, under gcc and clang at -O2 and -O3, each also with
+# link-time optimization, which inlines the step into the loop that calls it. Measures the time of a
+# step (see bench.c), its instructions (counted by valgrind, so the same in each run), the size of
+# the state, and the size of the text at -O2. The placement of machine code in memory alone changes
+# the ratio of two times by up to a tenth, so each program is compiled in several layouts, and the
+# script reports the layout with the median ratio. Some programs are also compared with the C that
+# Copilot generates for them. The arguments are the working folder, and the programs; the default is
+# all.
 set -eu
 out=$1/step
 shift
 here=tests/generated/bench/step
 frobc=_build/install/default/bin/frobc
-rounds=67
-# Where functions and loops begin; the usual one is what the compilers do by themselves.
+rounds=67 middle=2
+levels="O2 O3"
+# Alignments of functions and loops; the usual one is the compilers' default.
 usual=-falign-functions=16
 layouts="-falign-functions=64 -falign-loops=32 $usual"
 # The elementary functions.
 library=_build/install/default/lib/frobc/libfrob.a
-# As frobc's own hosts build generated code; hand-written code gets the same.
+# The options with which frobc's hosts compile generated code; hand-written code gets the same.
 exact="-std=c99 -ffp-contract=off"
 warnings="-Wall -Wextra -Werror"
+if [ -n "${SHORT:-}" ]; then
+    rounds=1 levels=O2 layouts=$usual middle=1
+    [ $# -gt 0 ] || set -- pid
+fi
 mkdir -p "$out"
 
-# Measure, compiler, value, reference, unit.
+# Arguments: measure, compiler, value, reference, unit.
 row() {
     ratio=$(awk "BEGIN { printf \"%.3f\", $3 / $4 }")
     printf '{"program": "%s", "measure": "%s", "compiler": "%s", "value": %s, "reference": %s, "ratio": %s, "unit": "%s"}\n' \
         "$program" "$1" "$2" "$3" "$4" "$ratio" "$5"
 }
 
-# Of code and constants, without tables for debuggers and exceptions.
+# Size of code and constants, without debugging and exception tables.
 text_bytes() {
     size -A "$1" | awk '$1 ~ /^\.(text|rodata)/ { sum += $2 } END { print sum + 0 }'
 }
 
-# Instructions of a pass, a step.
+# Instructions of a pass, divided by the number of steps.
 instructions() {
     valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$2*" "$1" 1 2>&1 |
         awk '/Collected/ { printf "%.1f", $4 / 16384 }'
 }
 
-# Of the executable in each layout, what that in the middle prints.
+# Runs the executable of each layout, and prints the output of the one with the median ratio.
 middle_of_layouts() {
     for layout in $layouts; do
         "$1$layout" $rounds
     done >"$1-times"
-    awk '{ print $1 / $2, $0 }' "$1-times" | sort -n | sed -n 2p | cut -d ' ' -f 2-
+    awk '{ print $1 / $2, $0 }' "$1-times" | sort -n | sed -n ${middle}p | cut -d ' ' -f 2-
 }
 
 measure() {
@@ -54,7 +59,7 @@ measure() {
     label="$compiler -$2"
     made=$out/$program-$compiler-$2
     include="-I $out -I $here -I $here/$program -I runtime/include"
-    # The usual layout is the last: its objects are what is measured in bytes.
+    # The usual layout is the last one, so that the sizes below are those of its objects.
     for layout in $layouts; do
         flags="-$2 $layout $exact"
         # shellcheck disable=SC2086
@@ -81,7 +86,7 @@ measure() {
     esac
 }
 
-# The same, and the bench, as one unit.
+# The same with link-time optimization, including the benchmark.
 measure_linked() {
     compiler=$1
     label="$compiler -$2 -flto"
@@ -98,7 +103,7 @@ measure_linked() {
         "$(instructions "$made$usual" by_hand_pass)" instructions
 }
 
-# All steps in one call beside a call for each.
+# All steps in one call, compared with a call for each step.
 measure_batch() {
     compiler=$1
     made=$out/$program-$compiler-batch
@@ -118,7 +123,7 @@ measure_batch() {
     row "step time, many in a call" "$compiler -O2" "$1" "$2" ns
 }
 
-# The generated step beside Copilot's: C that `copilot.hs` writes, compiled alike.
+# The generated step, compared with the C that `copilot.hs` writes, compiled with the same options.
 measure_copilot() {
     tool=$out/$program-copilot
     mkdir -p "$tool"
@@ -143,7 +148,7 @@ measure_copilot() {
     done
 }
 
-# Text for a microcontroller, as programs for one are compiled.
+# Size of the text for a microcontroller, with the usual options for one.
 measure_cortex() {
     flags="-mcpu=cortex-m4 -mthumb -Os $exact $warnings"
     include="-I $out -I $here -I $here/$program -I runtime/include"
@@ -168,7 +173,7 @@ has_copilot() {
 if [ $# -eq 0 ]; then set -- wall_follow pid modes obstacles kalman events nested patrol bug; fi
 for program in "$@"; do
     "$frobc" compile "$here/$program/$program.frob" -o "$out"
-    for level in O2 O3; do
+    for level in $levels; do
         for compiler in gcc clang; do
             measure "$compiler" "$level"
             measure_linked "$compiler" "$level"

@@ -1,6 +1,6 @@
-/* time_by_hand.h -- the language's promise about time, as a careful person
- * keeps it: dt counts in whole nanoseconds, halves rounded to even, is never
- * negative or NaN, and at most 10^9 s. With DT_AS_IT_COMES it is taken as it comes instead. */
+/* time_by_hand.h -- the language's rules for time, as a careful programmer would implement them:
+ * dt is rounded to whole nanoseconds, halves to even; it is never negative or NaN, and at most
+ * 10^9 s. With DT_AS_IT_COMES, dt is used unchanged instead. */
 #ifndef TIME_BY_HAND_H
 #define TIME_BY_HAND_H
 
@@ -20,7 +20,7 @@ static inline int64_t nanoseconds(double seconds)
 
 #else
 
-/* Adding 2^52 leaves no bits for a fraction; above it there is none. */
+/* Adding 2^52 leaves no bits for a fraction; larger numbers have no fraction. */
 static inline double rounded_nanoseconds(double seconds)
 {
     const double all = 4503599627370496.0;

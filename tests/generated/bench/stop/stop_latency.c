@@ -1,17 +1,16 @@
-/* stop_latency -- how long after the controller of a driving robot is killed
- * the robot is told to stop.
+/* stop_latency -- measures the time from killing the controller of a driving robot until the
+ * robot receives a stop command.
  *
  *   stop_latency EXE COUNT LANES
  *
- * EXE is a program for a Pioneer, made by `frobc build`. Each of LANES
- * processes is a robot of a few lines on a pseudo-terminal of its own, starts
- * EXE on it, waits until it is told to drive, kills the process in which the
- * program's step runs, and takes the time until the whole packet `VEL 0` has
- * arrived. The lanes run at the same time, so the machine is loaded.
+ * EXE is a program for a Pioneer, made by `frobc build`. Each of the LANES processes plays a
+ * minimal robot on its own pseudo-terminal: it starts EXE on it, waits until it receives a
+ * command to drive, kills the process that runs the program's steps, and measures the time until
+ * the whole packet `VEL 0` has arrived. The lanes run in parallel, so the machine is loaded.
  *
- * The reference, measured in the same lanes: the time from killing a process
- * until another one that waits for the end of a socket of it wakes up, which
- * is what the system itself needs.
+ * The reference, measured in the same lanes, is the time that the operating system itself needs:
+ * from killing a process until another process, which waits for the end of a socket shared with
+ * it, wakes up.
  *
  * Prints one JSON object a line: median, 99th percentile and maximum, in ms. */
 #include <errno.h>
@@ -37,7 +36,7 @@ static int64_t now_ns(void)
     return (int64_t)t.tv_sec * 1000000000 + t.tv_nsec;
 }
 
-/* {1 A robot of a few lines} */
+/* {1 A minimal robot} */
 
 struct robot {
     int line;
@@ -70,7 +69,7 @@ static void send_sip(struct robot *r)
     send_body(r, sip, sizeof sip);
 }
 
-/* What a command says: a speed in mm/s, or nothing of interest. */
+/* The value of a command: a speed in mm/s, or NOTHING for other commands. */
 enum { NOTHING = 1 << 20 };
 
 static int obey(struct robot *r, const uint8_t *body, size_t length)
@@ -87,7 +86,7 @@ static int obey(struct robot *r, const uint8_t *body, size_t length)
     return NOTHING;
 }
 
-/* Takes a packet that has arrived, if there is one. */
+/* Takes a packet that has arrived; returns NOTHING if it sets no speed. */
 static int next(struct robot *r)
 {
     while (r->count >= 3) {
@@ -107,7 +106,7 @@ static int next(struct robot *r)
     return NOTHING;
 }
 
-/* Waits for a speed that is zero, or is not. */
+/* Waits for a speed command that is zero, or that is not. */
 static bool wait_for(struct robot *r, bool zero, int64_t patience_ms)
 {
     int64_t end = now_ns() + patience_ms * 1000000;
@@ -132,7 +131,7 @@ static bool wait_for(struct robot *r, bool zero, int64_t patience_ms)
 
 /* {1 Kills} */
 
-/* The first child of a process: the program's step. */
+/* Returns the first child of a process, which runs the program's steps. */
 static pid_t first_child(pid_t parent)
 {
     char path[64];
@@ -160,7 +159,7 @@ static int open_line(void)
     return line;
 }
 
-/* One kill: the time to the stop in ns, or -1. */
+/* Kills a controller once. Returns the time to the stop in ns, or -1. */
 static int64_t kill_once(const char *exe)
 {
     struct robot robot;
@@ -194,7 +193,7 @@ static int64_t kill_once(const char *exe)
     return took;
 }
 
-/* What the system needs to tell a process that another one was killed. */
+/* The time that the system needs to tell a process that another one was killed. */
 static int64_t reference_once(void)
 {
     int ends[2];

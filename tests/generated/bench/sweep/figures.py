@@ -1,15 +1,15 @@
 """usage: figures.py FROBC FOLDER RUNS
 
-Prints, as JSON, of a sweep in the folder, with two workers:
+Measures a sweep in the folder, with two workers, and prints JSON:
 
-- `sweep`, `sweep, processor time`: how long all its runs take, in seconds, beside what they may: 10
-  ms for each, and twice that by both workers together;
-- `sweep, a run`: processor time of a run of 60 s, with its part of all else that a sweep does, in
-  milliseconds, beside the same runs by the simulator's host alone, one after another in one
-  process, whose rows nobody keeps;
-- `sweep, killed`: of how many runs in a hundred the work was done again, or in vain, when 20
-  processes have been killed at random moments, the sweep itself or one of its workers; beside what
-  may be: 1. That the table is the same is made sure of.
+- `sweep`, `sweep, processor time`: the time that all its runs take, in seconds, compared with the
+  limits: 10 ms for each run, and twice that for the processor time of both workers together;
+- `sweep, a run`: the processor time of a run of 60 s, including its part of the sweep's other work,
+  in milliseconds, compared with the same runs made by the simulator's host alone, one after another
+  in one process, without storing the rows;
+- `sweep, killed`: the percentage of runs that were repeated or lost because 20 processes (for a
+  short sweep, one) were killed at random moments, either the sweep itself or one of its workers;
+  compared with the limit, 1. The script also checks that the table is the same.
 """
 
 import filecmp
@@ -23,7 +23,8 @@ import sys
 import time
 
 frobc, folder, runs = sys.argv[1], sys.argv[2], int(sys.argv[3])
-KILLS, COMPARED, TIMES = 20, max(1, runs // 10), 3
+# Use few kills for few runs, so that the sweep does not end before the kills.
+KILLS, COMPARED, TIMES = min(20, max(1, runs // 300)), max(1, runs // 10), 3
 os.chdir(folder)
 
 
@@ -40,7 +41,7 @@ def used():
 
 
 def workers(sweep):
-    """Of a sweep, those that make runs: the number and the words of each."""
+    """The workers of a sweep that make runs: pid and command line of each."""
     try:
         with open(f"/proc/{sweep}/task/{sweep}/children") as file:
             children = file.read().split()
@@ -75,7 +76,7 @@ def row(measure, value, reference, unit):
     print(json.dumps(result), flush=True)
 
 
-# All runs.
+# Time of all runs.
 whole = plan("whole", runs)
 before, used_before = time.monotonic(), used()
 sweep = start(whole, "whole.told")
@@ -89,7 +90,7 @@ took = time.monotonic() - before
 row("sweep", round(took, 1), runs * 0.01, "s")
 row("sweep, processor time", round(used() - used_before, 1), runs * 0.02, "s")
 
-# By turns, as a machine is not always as fast.
+# Alternate the two commands, because the speed of the machine varies.
 part = plan("part", COMPARED)
 at = alone[0].index("--runs")
 by_itself = alone[0][:at] + ["--seed", "1", "--last-seed", str(COMPARED)]
@@ -101,12 +102,12 @@ for turn in range(TIMES):
         each.append((used() - before) / COMPARED * 1000)
 row("sweep, a run", round(min(costs[1]), 2), round(min(costs[0]), 2), "ms")
 
-# Killed.
+# Kill processes during the sweep.
 random.seed(1)
 killed = plan("killed", runs)
 sweep, in_vain, kills = start(killed, "killed.told"), 0, 0
 while kills < KILLS:
-    time.sleep(random.uniform(0, 1.5 * took / KILLS))
+    time.sleep(random.uniform(0, (1.5 if KILLS > 10 else 0.7) * took / KILLS))
     if sweep.poll() is not None:
         sys.exit(f"the sweep ended after {kills} kills")
     if random.random() < 0.5:

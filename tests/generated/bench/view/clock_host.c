@@ -1,10 +1,10 @@
 /* usage: clock_host PROGRAM.so COUNT PERIOD_US PRIORITY [VIEWER ARGUMENT...]
  *
- * A host that does nothing but keep time: COUNT instants, one each PERIOD_US, of clock.frob,
- * published for a viewer as any host publishes them, or for none. The input is the time on the
- * wall, in milliseconds, as it is published, and by how many microseconds the process woke up too
- * late for it. With a PRIORITY it has that of SCHED_FIFO. At the end it prints the median and the
- * 99 % quantile of the latter, of all but the first second. */
+ * A host that does nothing but keep time. It runs COUNT instants of clock.frob, one every
+ * PERIOD_US, and publishes them as all hosts do, with or without a viewer. The input is the
+ * wall-clock time of publication in milliseconds, and the number of microseconds by which the
+ * process woke up late. With a PRIORITY it runs under SCHED_FIFO with this priority. At the end
+ * it prints the median and the 99 % quantile of the lateness, excluding the first second. */
 #include "load.h"
 #include "publisher.h"
 
@@ -63,7 +63,8 @@ int main(int argc, char **argv)
         if (argc > 5)
             ring_publish(&publisher.ring, k * period_us * 1000, input, output, NULL);
     }
-    publisher_end(&publisher);
+    publisher_end(&publisher, RING_AT_REST);
+    publisher_leave(&publisher, false);
     qsort(late + first, (size_t)(count - first), sizeof *late, by_size);
     printf("late: %.1f %.1f\n", late[first + (count - first) / 2],
            late[first + (count - first) * 99 / 100]);

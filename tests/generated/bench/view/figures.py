@@ -1,4 +1,4 @@
-"""What the measurements of the viewer share: where things are, and how a figure is told."""
+"""Code that the viewer's benchmarks share: paths, and output of the figures."""
 
 import os
 import subprocess
@@ -27,22 +27,22 @@ def quantile(values, share):
 
 
 def memory(pid, share="Private"):
-    """In MB: what is there for this process alone; or, of what it shares, its part too (Pss)."""
+    """Memory of a process in MB: its private memory, or its proportional share (Pss)."""
     with open(f"/proc/{pid}/smaps_rollup") as file:
         lines = [line.split() for line in file if line.startswith(share)]
     return sum(int(words[1]) for words in lines) / 1024
 
 
 def processor_time(pid):
-    """In seconds, so far, of a process and of those that it has waited for: other work on the
-    machine does not count."""
+    """Processor time so far, in seconds, of a process and of the children that it has waited for.
+    The machine's other work does not count."""
     with open(f"/proc/{pid}/stat") as file:
         fields = file.read().rsplit(")", 1)[1].split()
     return sum(map(int, fields[11:15])) / os.sysconf("SC_CLK_TCK")
 
 
-# Goes to a place of the timeline, a share of its width; `done` is told how long it took until the
-# element whose text tells of it has changed, and is on the screen.
+# Clicks at a place on the timeline, given as a fraction of its width. Calls `done` with the time
+# until the element that shows the instant has changed and is on the screen.
 scrub = """
 const [shows, to, done] = arguments;
 const canvas = document.querySelector("#timeline canvas");
@@ -66,7 +66,7 @@ for (const type of ["pointerdown", "pointerup"])
 
 
 class Clock:
-    """The host of clock_host.c, which keeps time; with a viewer, or with none."""
+    """The host in clock_host.c, which keeps time, with or without a viewer."""
 
     def __init__(self, frobc, folder):
         recording, program = os.path.join(folder, "clock.csv"), os.path.join(here, "clock.frob")

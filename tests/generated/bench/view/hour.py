@@ -1,8 +1,8 @@
-"""usage: hour.py FROBC FOLDER
+"""usage: hour.py FROBC FOLDER SECONDS
 
-An hour at 50 Hz, in 40 columns: what processor time it takes to open it, compiling the program the
-first time, and again; how long to go to any instant, with all signals, from the viewer and on the
-screen; and what memory that takes."""
+Measures the page for a recording of SECONDS, or an hour, at 50 Hz, with 40 columns: the processor
+time to open it, the first time (including compilation) and again; the time to show any instant with
+all signals, from the viewer and on the screen; and the memory use."""
 
 import asyncio
 import os
@@ -25,14 +25,15 @@ PROBES = (
 
 async def ask(client, request):
     await client.send(request)
-    while '"progress"' in (text := await client.recv())[:20]:
-        pass
-    return text
+    while True:
+        text = await client.recv()
+        if not any(kind in text[:20] for kind in ('"progress"', '"beat"')):
+            return text
 
 
 async def asked(v, instants):
-    """At what processor time a page is told of the program, and of its last instant; and how long
-    other instants take."""
+    """Returns the viewer's processor time when the page has received the program's description, and
+    when it has received the last instant; and how long requests for other instants take."""
     async with connect(v) as client:
         await ask(client, f"hello {v.token}")
         told = processor_time(v.process.pid)
@@ -48,7 +49,7 @@ async def asked(v, instants):
 
 
 def renderer(driver):
-    """The process of the page: the largest of its kind."""
+    """The process that renders the page: the largest renderer."""
     browser = driver.service.process.pid
     parents = {}
     for pid in filter(str.isdigit, os.listdir("/proc")):
@@ -69,11 +70,11 @@ def renderer(driver):
 
 
 def main():
-    frobc, folder = sys.argv[1:]
+    frobc, folder, seconds = sys.argv[1:]
     recording = os.path.join(folder, "hour.csv")
     program = example("explore")
     subprocess.run(
-        [frobc, "run", program, "--for", "3600s", "--record", recording, "--probe", PROBES],
+        [frobc, "run", program, "--for", f"{seconds}s", "--record", recording, "--probe", PROBES],
         check=True,
         stdout=subprocess.DEVNULL,
     )
@@ -102,7 +103,7 @@ def main():
         took = [driver.execute_async_script(scrub, "#now", random.random()) for _ in range(200)]
         for name, share in ("median", 0.5), ("99 %", 0.99):
             figure("explore", f"any instant on the screen, {name}", quantile(took, share), 33, "ms")
-        time.sleep(10)  # for the browser to collect what it does not need
+        time.sleep(10)  # give the browser time to collect garbage
         figure("explore", "memory of the viewer", memory(v.process.pid), 150, "MB")
         figure("explore", "memory of the tab", memory(renderer(driver)), 100, "MB")
     finally:

@@ -1,9 +1,8 @@
 """usage: jitter.py FROBC FOLDER ROUNDS
 
-How much later a host wakes up when its run is looked at, by a viewer and a browser that shows all
-that comes: the median and the 99 % quantile over rounds of ten seconds at 200 Hz, with and
-without in turn. The host has real-time priority, as one that drives a robot should, if that is
-allowed."""
+Measures how much later a host wakes up while a viewer and a browser show its run: the median and
+the 99 % quantile over rounds of ten seconds at 200 Hz, alternately with and without a viewer. The
+host has real-time priority if that is allowed, as a host that drives a robot should."""
 
 import re
 import subprocess

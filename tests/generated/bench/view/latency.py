@@ -1,9 +1,9 @@
 """usage: latency.py FROBC FOLDER COUNT
 
-From an instant until it is drawn on the page: published by the host, run again by the viewer, sent,
-and on the screen of a browser without one. Then from a key that is pressed on the page until what the
-program makes of it is drawn there: the same, and before it the way to the host, and into its
-next instant (of 20 ms)."""
+Measures the time from an instant until the page shows it: the host publishes it, the viewer replays
+it and sends it, and a headless browser draws it. Then measures the time from pressing a key on the
+page until the page shows the program's reaction: the same, preceded by the way to the host and the
+wait for its next instant (20 ms)."""
 
 import sys
 
@@ -12,7 +12,7 @@ from figures import Clock, example, figure, quantile
 import viewer
 from journey import Page, start
 
-# What is drawn after a change of a cell in the list of signals: `then` is called when it has been.
+# Calls `then` when the page has redrawn a cell in the list of signals.
 watch = """
 const drawn = (name, then) => {
   const row = [...document.querySelectorAll("#list section > button")]
@@ -87,7 +87,7 @@ def main():
             [driver.execute_async_script(press, "ax"[i % 2]) for i in range(count)],
         )
         page.all("#stop")[0].click()
-        run.process.wait(10)
+        run.kill()  # otherwise it keeps running for the page
     finally:
         driver.quit()
 

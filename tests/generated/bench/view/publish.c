@@ -1,5 +1,6 @@
-/* What it costs a host to publish an instant of 1 kB (runtime/hosts/common/ring.h), with a
- * reader in another process; each of a million, with the time that the clock itself takes. */
+/* Measures the cost for a host of publishing an instant of 1 kB (runtime/hosts/common/ring.h),
+ * with a reader in another process. Measures a million instants one by one; the times include
+ * that of reading the clock. */
 #include "ring.h"
 
 #include <stdio.h>
@@ -55,7 +56,7 @@ int main(void)
         ring_publish(&ring, k, input, output, truth);
         took[k] = now_ns() - before;
     }
-    ring_end(&ring);
+    ring_end(&ring, RING_AT_REST);
     waitpid(reader, NULL, 0);
     qsort(took, COUNT, sizeof *took, by_size);
     printf("{\"program\": \"ring\", \"measure\": \"publish 1 kB, median\", \"compiler\": \"\", "

@@ -1,8 +1,7 @@
 #!/bin/sh
-# Runs that are looked at: the cost of publishing an instant; and, where there is a browser, what it
-# costs the host to be looked at, how late the page is, how long a recording of an hour takes to
-# open and to go through, images with what is drawn on them, and a what-if. The argument is the folder
-# to work in.
+# Measures live runs in the viewer: the cost of publishing an instant; and, if there is a browser,
+# how much a viewer slows down the host, the delay of the page, the time to open and to search a
+# recording of an hour, images with overlays, and a what-if. The argument is the working folder.
 set -eu
 here=tests/generated/bench/view
 common=runtime/hosts/common
@@ -18,9 +17,10 @@ python=/usr/bin/python3
 frobc=$PWD/_build/install/default/bin/frobc
 if test -x $python && test -x /usr/bin/chromedriver &&
     $python -c 'import selenium, websockets' 2>/dev/null; then
-    $python $here/latency.py "$frobc" "$1" 300
-    $python $here/jitter.py "$frobc" "$1" 3
-    $python $here/hour.py "$frobc" "$1"
+    if test -z "${SHORT:-}"; then times=300 rounds=3 lasts=3600 tries=20; else times=5 rounds=1 lasts=60 tries=2; fi
+    $python $here/latency.py "$frobc" "$1" $times
+    $python $here/jitter.py "$frobc" "$1" $rounds
+    $python $here/hour.py "$frobc" "$1" $lasts
     $python $here/sees.py "$frobc" "$1"
-    $python $here/what_if.py "$frobc" "$1" 20
+    $python $here/what_if.py "$frobc" "$1" $tries
 fi

@@ -1,7 +1,7 @@
 """usage: sees.py FROBC FOLDER
 
-A recording of a program that sees, with what it draws on the image: how long the frame of any
-instant takes, with its marks, from the viewer and on the screen."""
+Measures a recording of a program with a camera, which draws marks on the image: the time to get the
+frame of any instant with its marks, from the viewer and on the screen."""
 
 import asyncio
 import os
@@ -25,7 +25,9 @@ def tell(measure, took, aim):
 
 
 async def answered(v):
-    """A picture of 320 by 240 pixels; the first one, until all is read, does not count."""
+    """Times requests for frames of 320 by 240 pixels. The first one does not count, because it
+    waits until the recording has been read.
+    """
     async with connect(v) as client:
         await client.send(f"hello {v.token}")
         took, begun = [], 0
@@ -46,7 +48,7 @@ def on_screen(v):
         page = Page(driver, v.address)
         page.at(0)
         driver.set_script_timeout(10)
-        # to and fro, so that it is another frame each time
+        # alternate, so that each request is for a different frame
         return [
             driver.execute_async_script(scrub, "#camera p", (k % 2 + random.random()) / 2)
             for k in range(200)

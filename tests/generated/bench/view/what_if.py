@@ -1,7 +1,7 @@
 """usage: what_if.py FROBC FOLDER COUNT
 
-In processor time: what if a constant of the wall follower were another: compiled, run on the inputs of a minute, and
-compared, each time with a number that it has not had before."""
+Measures the processor time of a what-if that changes a constant of the wall follower: compiling,
+running on the inputs of a minute, and comparing. Each time the constant has a new value."""
 
 import asyncio
 import json

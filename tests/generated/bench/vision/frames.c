@@ -1,12 +1,13 @@
-/* How long a frame takes from its source until a program may take it, and how long a camera takes
- * to give frames again (runtime/hosts/camera). Prints JSON, one object a line.
+/* Measures the time from a frame's source until a program can take it, and the time until a
+ * camera delivers frames again after a failure (runtime/hosts/camera). Prints JSON, one object a
+ * line.
  *
  *   frames on-the-way PIPE RAW JPEGS
- *       320 by 240 in colours: raw frames and JPEGs of two files, through a pipe that is there, and
- *       the JPEGs from their file; without the time that decoding takes
+ *       Frames of 320 by 240 in colour: raw frames and JPEGs of two files, through an existing
+ *       pipe, and the JPEGs from their file; excludes the time for decoding.
  *   frames again COUNT AT_A_TIME
- *       /dev/video7 is unplugged, and plugged in again; and it freezes, and goes on. Needs
- *       tests/robots/camera/fake_camera.c preloaded, and its variables but FAKE_STATE */
+ *       Unplugs /dev/video7 and plugs it in again; then freezes it and lets it continue. Needs
+ *       tests/robots/camera/fake_camera.c preloaded, and its variables except FAKE_STATE. */
 #include "hosts/camera/capture.h"
 #include "hosts/camera/decode.h"
 #include "hosts/camera/splitter.h"
@@ -54,7 +55,7 @@ static void rows(const char *measure, double *took, int count, double aim, const
     row(text, took[(int)ceil(count * 0.99) - 1], aim, unit);
 }
 
-/* {1 The process that captures} */
+/* {1 The capturing process} */
 
 struct camera_process {
     struct buffers *buffers;
@@ -65,6 +66,7 @@ struct camera_process {
 static struct camera_process begin(const struct camera_options *options)
 {
     struct camera_process p;
+    const pid_t parent = getpid();
     int sockets[2];
     p.buffers = buffers_make();
     if (p.buffers == NULL || socketpair(AF_UNIX, SOCK_SEQPACKET, 0, sockets) != 0)
@@ -73,7 +75,7 @@ static struct camera_process begin(const struct camera_options *options)
     if (p.process == 0) {
         const struct capture_way way = { p.buffers, p.buffers, NULL };
         close(sockets[0]);
-        capture_run(options, &way, sockets[1]);
+        capture_run(options, &way, sockets[1], parent);
     }
     close(sockets[1]);
     p.socket = sockets[0];
@@ -88,7 +90,8 @@ static void end(struct camera_process *p)
     buffers_free(p->buffers);
 }
 
-/* The next frame that was captured then or later; NULL if there is none for so long. */
+/* Returns the next frame that was captured at this time or later; NULL if none arrives within
+ * `seconds`. */
 static const struct captured *await(struct camera_process *p, int64_t time_ns, int seconds)
 {
     const int64_t until = source_now_ns() + seconds * INT64_C(1000000000);
@@ -117,7 +120,7 @@ static struct camera_options options_of(const char *source)
     return options;
 }
 
-/* {1 On the way} */
+/* {1 Transit time} */
 
 struct film {
     size_t sizes[COUNT];
@@ -153,7 +156,7 @@ static struct film cut(const char *name, size_t raw_size)
     return film;
 }
 
-/* In milliseconds, the median; 0 of raw frames, which are only copied. */
+/* Median decoding time in milliseconds; 0 for raw frames, which are only copied. */
 static double decoding(const struct film *film)
 {
     struct buffers *buffers = buffers_make();
@@ -171,7 +174,7 @@ static double decoding(const struct film *film)
     return took[COUNT / 2];
 }
 
-/* From the first byte that is written until the program may take the frame. */
+/* Measures the time from writing a frame's first byte until the program can take it. */
 static void through_pipe(const char *measure, const char *pipe, const struct film *film,
                          const struct camera_options *options, double decoding_ms)
 {
@@ -195,7 +198,8 @@ static void through_pipe(const char *measure, const char *pipe, const struct fil
     rows(measure, took + WARM, COUNT - WARM, 1, "ms");
 }
 
-/* From when it is due, which is its time. Some may be skipped on a busy machine. */
+/* Measures the time from when a frame is due, which is its timestamp. On a busy machine, some
+ * frames may be skipped. */
 static void from_file(const char *measure, const struct camera_options *options, double decoding_ms)
 {
     struct camera_process p = begin(options);
@@ -231,7 +235,7 @@ static void on_the_way(char **arguments)
     from_file("JPEG, from a file, likewise", &options, decoding_ms);
 }
 
-/* {1 Again} */
+/* {1 Recovery} */
 
 static void write_state(const char *name, const char *state)
 {
@@ -249,7 +253,7 @@ static void pause_ms(int least, int most)
     source_sleep_until_ns(source_now_ns() + (least + rand() % (most - least)) * INT64_C(1000000));
 }
 
-/* One camera, which fails and is well again so often; in seconds. */
+/* Makes one camera fail and recover `count` times; stores the recovery times in seconds. */
 static void fail_often(int which, const char *state, double *took, int count)
 {
     const struct camera_options options = options_of("/dev/video7");

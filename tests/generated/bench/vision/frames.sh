@@ -1,6 +1,6 @@
 #!/bin/sh
-# How long frames are on their way to a program, and how soon a camera is back: see frames.c. The
-# argument is the folder to work in.
+# Measures how long frames take to reach a program, and how soon a camera recovers: see frames.c.
+# The argument is the working folder.
 set -eu
 out=$1/frames
 tests=tests/robots/camera

@@ -1,5 +1,6 @@
-/* Times of the kernels of vision, as JSON, one object a line: medians of many calls, in
- * milliseconds, beside the aims. With an argument, instead: the time of stereo, and disparities.
+/* Measures the vision kernels. Prints JSON, one object a line: medians of many calls in
+ * milliseconds, compared with the goals. With arguments, it measures stereo only, and writes the
+ * disparities.
  *
  *   kernels                 the table
  *   kernels W H DISPARITIES WINDOW LEFT RIGHT OUT
@@ -28,7 +29,7 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* An orange ball before a floor, noise over all: what a camera has. */
+/* An orange ball above a floor, with noise everywhere, as from a camera. */
 static uint8_t colours[HEIGHT][WIDTH][3];
 static uint8_t greys[HEIGHT][WIDTH], others[HEIGHT][WIDTH];
 static struct frob_image colour, grey, other;
@@ -118,7 +119,7 @@ static void corner(void)
     sink = found.x;
 }
 
-/* From where it does not stop before the tenth step. */
+/* The start is far enough that the search takes ten steps. */
 static void match(void)
 {
     const struct frob_search search = { { 163, 117, 0.15, 1.1 }, 0, 10, 4 };
@@ -135,7 +136,7 @@ static void cut(void)
     sink = samples[0];
 }
 
-/* A thousand of them, through a lens of some distortion. */
+/* A thousand points through a lens with some distortion. */
 static void undistort(void)
 {
     struct frob_image bent = grey;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The kernels of vision, in milliseconds beside the aims; and, where Debian's Python has OpenCV,
-# stereo beside its StereoBM. The argument is the folder to work in.
+# Measures the vision kernels in milliseconds, compared with the goals; and, if Debian's Python has
+# OpenCV, compares stereo with its StereoBM. The argument is the working folder.
 set -eu
 here=tests/generated/bench/vision
 case $(uname -m) in x86_64) clones=-DFROB_VISION_CLONES ;; *) clones= ;; esac

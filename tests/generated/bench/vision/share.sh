@@ -1,7 +1,8 @@
 #!/bin/sh
-# Which part of a tracker's work is Frob, and not its kernels': of the instructions of its step, by
-# callgrind, on the frames of a run (tests/robots/trackers). A kernel's instructions do more at a
-# time than others, so of the time it is less. The argument is the folder to work in.
+# Measures how much of a tracker's work is the Frob program itself rather than the kernels: its
+# share of the instructions of a step, counted by callgrind, on the frames of a run
+# (tests/robots/trackers). Its share of the time is smaller, because an instruction of a kernel
+# takes longer than an average one. The argument is the working folder.
 set -eu
 out=$1/share
 trackers=tests/robots/trackers
@@ -16,7 +17,8 @@ share() { # a tracker of share.frob
     "$frobc" build "$out/$1.frob" --shared -o "$out/$1.so"
     valgrind --quiet --tool=callgrind --callgrind-out-file="$out/$1.out" \
         _build/install/default/lib/frobc/frob-trace "$out/$1.so" "$out/run.csv" "$out/$1.csv"
-    # It did see its thing: else the kernels would look everywhere, or nowhere.
+    # Check that the tracker saw its object; otherwise the kernels would search the whole image, or
+    # nothing.
     awk -F, '$2 == "Seen" { n++ } END { if (n < 0.9 * (NR - 1)) exit 1 }' "$out/$1.csv"
     callgrind_annotate --inclusive=yes --threshold=100 "$out/$1.out" | awk -v program="$1" '
         { count = $1; gsub(",", "", count) }

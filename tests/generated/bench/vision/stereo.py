@@ -1,10 +1,10 @@
-"""Stereo beside OpenCV's StereoBM: one core each, the least time of 15, the same window,
-disparities, check from the right and uniqueness, on a random pair. Prints a JSON object. What the
-disparities of photographs are worth is told by tests/generated/photographs.
+"""Compares stereo with OpenCV's StereoBM: one core each, the least time of 15, with the same
+window, disparities, left-right check and uniqueness, on a random pair. Prints a JSON object.
+tests/generated/photographs measures the quality of disparities on photographs.
 
     stereo.py KERNELS FOLDER
 
-KERNELS is the program kernels.c, FOLDER where to work.
+KERNELS is the program kernels.c, FOLDER the working folder.
 """
 
 import json

@@ -1,10 +1,10 @@
-"""What programs that see make of it in the simulator, beside the truth that it knows. Prints JSON,
-one object a line: a value, and the aim as its reference.
+"""Compares the results of programs with cameras in the simulator with the simulator's ground truth.
+Prints JSON, one object a line: a value, with the goal as its reference.
 
     truth.py FROBC FOLDER [SEEDS]
 
-FROBC is the compiler, FOLDER where to work; SEEDS of noise that examples are tried with, 100
-unless told. Of recordings with frames a tenth of these are made.
+FROBC is the compiler, FOLDER the working folder. SEEDS is the number of seeds that each example
+runs with, by default 100; a tenth of these runs are recorded with their frames.
 """
 
 import csv
@@ -44,11 +44,13 @@ def call(*arguments):
     ).stdout
 
 
-# What the trials of examples measure
+# Measurements of the examples' trials
 
 
 def measured(example):
-    """What its trial measures: a list of numbers for each name, of all runs. All have to hold."""
+    """Returns the measurements of an example's trial: for each name, a list of numbers from all
+    runs. All runs must succeed.
+    """
     tests = call(
         "test",
         f"examples/{example}/{example}.frob",
@@ -75,11 +77,11 @@ def examples():
     row("dock_tag", "turn off, at most", math.degrees(max(dock["largestTurned"])), 2, "deg")
 
 
-# What trackers see, beside where the world says that it is
+# Results of trackers, compared with the true positions
 
 
 def recording(program, world, seconds, seed):
-    """A run with its frames; the next one takes its place."""
+    """Records a run with its frames, replacing those of the previous run."""
     log = folder / "run.csv"
     subprocess.run(["rm", "-rf", folder / "run.frames"], check=True)
     call(
@@ -98,8 +100,7 @@ def recording(program, world, seconds, seed):
 
 
 def judged(program, world, seconds, unwanted):
-    """The numbers of each field that the program's `judged` gives for its frames, but the first
-    ones."""
+    """Returns each field of the program's `judged` over its frames, except the first ones."""
     fields = {}
     for seed in RECORDED:
         log = recording(program, world, seconds, seed)
@@ -124,11 +125,13 @@ def against_truth():
     row("stereo", "depth at 2 m off, on average", 100 * sum(shares) / len(shares), 5, "%")
 
 
-# How soon they find again what was hidden
+# Time until trackers find hidden objects again
 
 
 def found_again(rows):
-    """For each time that the camera was covered and each tracker, how long it took after that."""
+    """Returns, for each time that the camera was covered and for each tracker, how long it took
+    afterwards to find its object.
+    """
     waits, was, before = [], "false", None
     since = {}
     for line in rows:

@@ -26,9 +26,10 @@ let write path text =
   let channel = open_out_bin path in
   Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel text)
 
-(* {1 Tests and trials that stand in it} *)
+(* {1 Tests and trials in the program} *)
 
-(* No host asks for them: not a byte of the C is another. *)
+(* Checks that the program's C is the same, byte for byte, without its tests: hosts do not need
+   them. *)
 let change_nothing tools file subject without : Engines.outcome =
   write file without;
   match Engines.load tools ~entry:"main" file with
@@ -36,7 +37,7 @@ let change_nothing tools file subject without : Engines.outcome =
   | Ok plain when Engines.files plain = Engines.files subject -> Agree
   | Ok _ -> Failed "without its tests its C is another"
 
-(* What judges in them is a program like any other. *)
+(* Compares the engines on the judges of the program's tests, which are ordinary programs. *)
 let judge_alike random tools file : Engines.outcome =
   let of_entry so_far entry : Engines.outcome =
     if so_far <> Engines.Agree then so_far
@@ -56,9 +57,9 @@ let judge_alike random tools file : Engines.outcome =
   | Ok entries ->
       List.fold_left of_entry Engines.Agree (List.filteri (fun k _ -> k < most_judges) entries)
 
-(* {1 A batch} *)
+(* {1 Batches} *)
 
-(* Input for a batch: what a program does alone, it does on that of its batch. *)
+(* Generates and judges programs. A program judged alone gets the same input as its batch. *)
 let on_input_of ?seen batch (tools : Engines.tools) engines ~seed ~first ~count =
   let make with_tests =
     Constant.in_range tools.real (Program.make ?seen ~sees:true ~with_tests ~seed ~first ~count ())
@@ -79,8 +80,11 @@ let on_input_of ?seen batch (tools : Engines.tools) engines ~seed ~first ~count 
     | Error outcome -> (outcome, [])
     | Ok subject -> (
         let recordings = Engines.recordings random ~rows subject in
+        (* Small programs take so little time that all of them also run with arbitrary dt. *)
+        let is_short = (Bias.of_program ~seed first).root <> Any in
         let recordings =
-          if Choice.chance random 3 then recordings @ [ Engines.with_dt random ~rows tools subject ]
+          if Choice.chance random 3 || is_short then
+            recordings @ [ Engines.with_dt random ~rows tools subject ]
           else recordings
         in
         match Engines.judge tools engines subject recordings with
@@ -111,14 +115,15 @@ let shrunk (tools : Engines.tools) engines ~seed { number; recordings; outcome; 
   in
   { number; recordings = small.recordings; outcome; text = small.text; real }
 
-(* A program that is alone is the whole: what it is made of is at the root. Other
-   C compilers than tcc are too slow for that. *)
+(* Whether the programs of this batch are compiled one by one. A program that is compiled alone
+   is the root of the whole program, which tests other paths of the compiler. Compilers other
+   than tcc are too slow for that. *)
 let is_one_by_one (engines : Engines.c_engine list) ~seed first =
   let batch = first / size in
   let is_short =
     match (Bias.of_program ~seed first).root with
     | Small -> true
-    | Cascade | Handed_on -> batch / Bias.count mod 2 = 0
+    | Cascade | Handed_on | Errand -> batch / Bias.count mod 2 = 0
     | Any -> false
   in
   engines = [ Tcc ] && (is_short || batch mod 8 = 7)

@@ -1,22 +1,22 @@
-(** Random programs through both engines, many in one compilation. *)
+(** Runs random programs in both engines, many in one compilation. *)
 
 val size : int
-(** How many programs a batch has at most. *)
+(** Maximum number of programs in a batch. *)
 
 type failure = {
-  number : int;  (** of the program, for its seed *)
-  recordings : Recording.t list;  (** its input, if it came so far *)
+  number : int;  (** index of the program for its seed *)
+  recordings : Recording.t list;  (** its input, if it got that far *)
   outcome : Engines.outcome;
   text : string;
   real : Basis.Real.t;
 }
 
 val summary : seed:int -> failure -> string
-(** In a line. *)
+(** A description in one line. *)
 
 val describe : seed:int -> failure -> string
-(** With the program and, if it differs, the recording: as NAME.frob and NAME.csv in
-    [tests/meaning/interp] they are a test. *)
+(** A description with the program and, if the engines differ, the recording. Saved as NAME.frob and
+    NAME.csv in [tests/meaning/interp] they become a test. *)
 
 val first_failure :
   ?seen:Coverage.t ->
@@ -26,10 +26,11 @@ val first_failure :
   first:int ->
   count:int ->
   failure option
-(** Only whether there is one: that of the whole batch, under its first number. *)
+(** Only finds out whether there is a failure. A failure of the whole batch is reported under its
+    first number. *)
 
 val shrunk : Engines.tools -> Engines.c_engine list -> seed:int -> failure -> failure
-(** A small program that fails in the same way, if one is found in a minute. *)
+(** Searches for up to a minute for a small program that fails in the same way. *)
 
 val failures :
   ?seen:Coverage.t ->
@@ -39,6 +40,6 @@ val failures :
   first:int ->
   count:int ->
   failure list
-(** Now and then the programs of a batch are tried one by one. If another batch fails, each of its
-    programs is tried alone, and those that fail are given; if none does, the batch is, under its
-    first number. *)
+(** Compiles the programs of some batches one by one, and the others together. If a batch fails,
+    tests each of its programs alone and returns those that fail; if none does, returns the failure
+    of the batch under its first number. *)

@@ -40,7 +40,8 @@ type subject = {
 let ( let* ) = Result.bind
 let ( / ) = Filename.concat
 
-(* In a bug of the compiler the programs to look at are those that show it. *)
+(* The message and stage of a compiler bug, or None for other exceptions. The fuzzer reports the
+   program that triggers it. *)
 let internal_error : exn -> string option = function
   | Diagnostic.Bug { stage; message } ->
       Some (Printf.sprintf "internal error in %s: %s" stage message)
@@ -53,47 +54,49 @@ let guarded act =
   match act () with
   | result -> result
   | exception exn when internal_error exn <> None ->
-      (* With OCAMLRUNPARAM=b, where it was. *)
+      (* OCAMLRUNPARAM=b adds a backtrace. *)
       Error (Failed (Option.get (internal_error exn) ^ "\n" ^ Printexc.get_backtrace ()))
 
-(* As many as a call may have results: tcc has room for few. *)
+(* Limited because tcc has little room for a call's results. *)
 let most_probes = 40
 
-let is_claim (c : Driver.Columns.t) =
+let is_claim (c : Build.Columns.t) =
   let word = Str.regexp "\\.\\(assert\\|assume\\) " in
   match Str.search_forward word c.name 0 with _ -> true | exception Not_found -> false
 
-(* Some of all, from everywhere in the program; and whether few things are asserted. *)
+(* Chooses some of the program's signals, evenly spread over it. Also returns whether the program
+   has few enough assertions. *)
 let some_probes request =
-  match Driver.Pipeline.columns (Diagnostic.sink ()) (Source.create ()) request with
+  match Build.Queries.columns (Diagnostic.sink ()) (Source.create ()) request with
   | None -> ([], false)
   | Some columns ->
       let few =
         List.compare_length_with (List.filter is_claim columns) (Int.div most_probes 2) <= 0
       in
-      let is_probe (c : Driver.Columns.t) = String.starts_with ~prefix:"probe." c.name in
+      let is_probe (c : Build.Columns.t) = String.starts_with ~prefix:"probe." c.name in
       let all = List.filter is_probe columns in
       let every = 1 + Int.div (List.length all) most_probes in
       let some = List.filteri (fun k _ -> k mod every = 0) all in
-      (List.map (fun (c : Driver.Columns.t) -> c.name) some, few)
+      (List.map (fun (c : Build.Columns.t) -> c.name) some, few)
 
-(* With [watched], what is asserted is judged besides. *)
+(* Loads a program with these probes. With [watched], its assertions are judged as well. *)
 let rec load_with ?(watched = false) probes ?robot tools ~entry file =
   let sink = Diagnostic.sink () and sources = Source.create () in
-  let request = Driver.Request.make ~library:tools.library file in
-  let request =
-    { request with robot; entry; real = tools.real; lint = true; probes; asserts = watched }
+  let asserts = if watched then Build.Common_options.Count else Off in
+  let options =
+    { Build.Common_options.default with real = tools.real; lint = true; probes; asserts }
   in
-  match Driver.Pipeline.for_both_engines sink sources request with
+  let request = Build.Request.make ~options ?robot ~entry ~library:tools.library file in
+  match Build.Queries.for_both_engines sink sources request with
   | None
-    when List.exists
-           (fun (d : Diagnostic.t) -> d.code = Driver.Probes.unknown)
-           (Diagnostic.all sink) ->
-      (* One of them is what a switch fed with its own output cannot show. *)
+    when List.exists (fun (d : Diagnostic.t) -> d.code = Build.Probes.unknown) (Diagnostic.all sink)
+    ->
+      (* One of the probes may be a signal that cannot be observed, in a switch fed with its own
+         output. *)
       load_with [] ?robot tools ~entry file
   | None -> Error (Rejected (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink)))
   | Some (core, entry, c) ->
-      let name = Driver.C_file.name file in
+      let name = Build.C_file.name file in
       let input, output = Interp.Execution.interface core entry in
       let sees (c : Core.Ir.control) = c.kind = Camera in
       if List.exists sees core.console then Frames.write ~folder:tools.folder;
@@ -116,19 +119,19 @@ let load ?robot tools ~entry file =
   let probes, watched =
     if not tools.probed then ([], false)
     else
-      let request = Driver.Request.make ~library:tools.library file in
-      some_probes { request with robot; entry; real = tools.real }
+      let options = { Build.Common_options.default with real = tools.real } in
+      some_probes (Build.Request.make ~options ?robot ~entry ~library:tools.library file)
   in
   load_with ~watched probes ?robot tools ~entry file
 
 let judges tools file =
   guarded @@ fun () ->
   let sink = Diagnostic.sink () and sources = Source.create () in
-  let request = Driver.Request.make ~library:tools.library file in
-  match Driver.Pipeline.checks sink sources request with
+  let request = Build.Request.make ~library:tools.library file in
+  match Build.Queries.checks sink sources request with
   | None -> Error (Rejected (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink)))
   | Some checks ->
-      let judge (check : Driver.Checks.t) =
+      let judge (check : Build.Checks.t) =
         match check.plan with
         | Traced _ -> None
         | Alone | Simulated _ -> Some (Resolve.Labels.judge check.name)
@@ -137,7 +140,7 @@ let judges tools file =
 
 let files subject = subject.files
 
-(* The lines of what was saved, or else any values. *)
+(* Parses the parameters from a saved recording's lines, or chooses random values. *)
 let params_of lines random subject : Recording.param list =
   let core = subject.core in
   let param (p : Core.Ir.param) : Recording.param =
@@ -186,7 +189,7 @@ let read_recording subject text =
   let params = params_of (String.split_on_char '\n' text) (Random.State.make [| 1 |]) subject in
   Result.map (Recording.with_params params) (Recording.read subject.input text)
 
-(* One that ends has columns of its own for that. *)
+(* The columns of a program's trace. A program that ends has additional columns. *)
 let traced subject recording =
   let text = Recording.csv recording in
   let at = ref 0 and out = Buffer.create 4096 in
@@ -251,7 +254,7 @@ let traces tools engine subject recordings =
       failed
         (Sanitized.run compiler ~runtime:tools.runtime ~folder:tools.folder subject.files recordings)
 
-(* {1 Comparing} *)
+(* {1 Comparison} *)
 
 let cells text =
   let next = ref 0 in
@@ -289,11 +292,13 @@ let first_difference by recording ~c ~interpreted =
   | columns :: c, _ :: interpreted -> in_rows 0 columns c interpreted
   | _, _ -> Failed "a trace is empty"
 
-(* A trace without the columns of probes, which come last. *)
+(* Removes the columns of probes, which come last. *)
 let without_probes trace =
   let is_probe name = String.starts_with ~prefix:"probe." name in
   let header = List.hd (String.split_on_char '\n' trace) in
-  let plain = List.filter (fun name -> not (is_probe name)) (String.split_on_char ',' header) in
+  (* Labels of assertions may contain commas. *)
+  let names = List.hd (cells header) in
+  let plain = List.filter (fun name -> not (is_probe name)) names in
   let count = List.length plain in
   let kept = Buffer.create (String.length trace) in
   let column = ref 0 and is_quoted = ref false in
@@ -311,7 +316,7 @@ let without_probes trace =
 let judge tools engines subject recordings =
   let result =
     guarded @@ fun () ->
-    (* Others read files, which have times. *)
+    (* Other engines read files, which contain times instead of dt. *)
     let possible engine recording = engine = Tcc || not (Recording.has_dt recording) in
     let expected = List.map (fun r -> (r, interpreted subject r)) recordings in
     let compare engine recording expected trace =

@@ -1,23 +1,24 @@
-(** The same program and input through the interpreter and the compiled C. *)
+(** Runs the same program and input in the interpreter and as compiled C. *)
 
 type tools = {
   library : string;  (** the folder of the standard library *)
-  runtime : string;  (** the runtime's sources: [include], [core], [hosts] *)
-  folder : string;  (** for files on the way *)
-  real : Basis.Real.t;  (** what the program computes with *)
-  probed : bool;  (** C shows inner signals too, which must change nothing *)
+  runtime : string;  (** the folder of the runtime's sources: [include], [core], [hosts] *)
+  folder : string;  (** for temporary files *)
+  real : Basis.Real.t;  (** precision of the program *)
+  probed : bool;
+      (** whether the C also exposes internal signals, which must not change its output *)
 }
 
-(** What runs the C. *)
-type c_engine = Tcc  (** in this process, in no time *) | Sanitized of Sanitized.compiler
+(** A way to compile and run the C. *)
+type c_engine = Tcc  (** within this process, which is fast *) | Sanitized of Sanitized.compiler
 
 type outcome =
   | Agree
   | Rejected of string  (** the diagnostics *)
-  | Failed of string  (** an engine or the C compiler reports an error, or crashes *)
+  | Failed of string  (** an engine or the C compiler reported an error or crashed *)
   | Differ of {
       by : c_engine;
-      row : int;  (** of the first difference, from 0 *)
+      row : int;  (** row of the first difference, counted from 0 *)
       column : string;
       c : string;
       interpreted : string;
@@ -25,35 +26,36 @@ type outcome =
     }
 
 val describe : outcome -> string
-(** What a program does, in words that follow its name. *)
+(** What the program did, as a phrase that follows its name. *)
 
 type subject
-(** A program, ready for both engines. *)
+(** A program that is ready for both engines. *)
 
 val load : ?robot:Cgen.Robot.t -> tools -> entry:string -> string -> (subject, outcome) result
-(** Of a file; a program that leaves its robot open is one for [robot]. *)
+(** Loads a program from a file. [robot] is the robot of a program that leaves it open. *)
 
 val judges : tools -> string -> (string list, outcome) result
-(** The entries of a file that judge in its tests and trials. *)
+(** Names of the entries that judge the tests and trials in a file. *)
 
 val files : subject -> (string * string) list
-(** The names and texts of its C, with the table for hosts. *)
+(** Names and contents of its C files, including the table for hosts. *)
 
 val interpreted : subject -> Recording.t -> string
-(** The trace of the output as the interpreter has it. May raise what a program of its own would
-    show as an internal error. *)
+(** The trace of the output as the interpreter computes it. Raises the same exceptions as a compiler
+    bug does. *)
 
 val recordings : Random.State.t -> rows:int -> subject -> Recording.t list
-(** A tame one and a wild one. *)
+(** One tame and one wild recording. *)
 
 val with_dt : Random.State.t -> rows:int -> tools -> subject -> Recording.t
-(** One whose steps are given any dt, as no host gives them. {!judge} leaves it to [Tcc]. *)
+(** A recording in which each step has an arbitrary dt, which hosts never pass. {!judge} uses it
+    with [Tcc] only. *)
 
 val fits : subject -> Recording.t -> bool
-(** Whether the recording has the program's columns. *)
+(** Whether the recording has the columns of the program's input. *)
 
 val read_recording : subject -> string -> (Recording.t, string) result
-(** From CSV. *)
+(** Parses CSV. *)
 
 val judge : tools -> c_engine list -> subject -> Recording.t list -> outcome
-(** The first disagreement. *)
+(** Runs all engines, and returns the first disagreement. *)

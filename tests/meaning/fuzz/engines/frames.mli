@@ -1,9 +1,10 @@
-(** A few small pictures, for random programs that see.
+(** A few small images, for random programs with cameras.
 
-    They are files in the folder beside a recording, as hosts have them. *)
+    They are files in a folder next to a recording, as hosts write them. *)
 
 val write : folder:string -> unit
-(** Those of [folder/in.csv]; once for each folder. From then on {!any} has them. *)
+(** Writes the images that belong to [folder/in.csv]. Call it once for each folder; afterwards
+    {!any} returns these images. *)
 
 val any : Random.State.t -> Kernels.image
-(** After {!write}. *)
+(** A random image. Call {!write} first. *)

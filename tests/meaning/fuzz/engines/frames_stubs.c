@@ -1,5 +1,5 @@
-/* Small pictures of all kinds, as files of a recording; and the kernels that look at them, for what
- * tcc compiles. */
+/* Writes small images of all kinds as the frames of a recording, and provides the vision kernels
+ * to programs that tcc compiles. */
 #include "frames_stubs.h"
 
 #include <frob/lens.h>
@@ -26,13 +26,13 @@ struct size {
     enum frob_image_format format;
 };
 
-static const struct size sizes[] = { { 32, 24, FROB_RGB8 }, { 40, 40, FROB_GREY8 },
-                                     { 64, 20, FROB_RGB8 }, { 7, 9, FROB_GREY8 },
-                                     { 1, 1, FROB_RGB8 },   { 90, 12, FROB_GREY8 },
-                                     { 48, 48, FROB_RGB8 }, { 32, 24, FROB_GREY8 } };
+static const struct size sizes[] = {
+    { 32, 24, FROB_RGB8 }, { 40, 40, FROB_GREY8 }, { 64, 20, FROB_RGB8 }, { 7, 9, FROB_GREY8 },
+    { 1, 1, FROB_RGB8 },   { 90, 12, FROB_GREY8 }, { 48, 48, FROB_RGB8 }, { 32, 24, FROB_GREY8 },
+};
 enum { COUNT = sizeof sizes / sizeof sizes[0] };
 
-/* A bright square, a disc in colours, and noise. */
+/* Draws a bright square, a coloured disc, and noise. */
 static void draw(uint8_t *pixels, const struct size *size, uint32_t seed)
 {
     const int bytes = frob_image_pixel_size(size->format);
@@ -69,8 +69,8 @@ static struct frob_image image_of(uint32_t k, const uint8_t *pixels)
     return image;
 }
 
-/* frames_write : string -> (int * int64 * int64) array -- those of this recording; their numbers,
- * sizes and hashes. */
+/* frames_write : string -> (int * int64 * int64) array -- writes the frames of this recording;
+ * returns their numbers, sizes and hashes. */
 value frames_write(value record)
 {
     CAMLparam1(record);

@@ -1,12 +1,12 @@
-/* What compiled programs are given of frames: those of the recording, and what looks at them. */
+/* The frames of the recording and the vision kernels, for compiled programs. */
 #ifndef FROB_FUZZ_FRAMES_STUBS_H
 #define FROB_FUZZ_FRAMES_STUBS_H
 
-#include "hosts/common/frames.h"
+#include "frames.h"
 
 #include <libtcc.h>
 
-/* NULL before there are any. */
+/* NULL until frames have been written. */
 const struct frob_frames *frames_of_fuzz(void);
 
 void frames_add_kernels(TCCState *compiler);

@@ -8,10 +8,10 @@ external run_rows :
 
 external release : t -> unit = "in_process_release"
 
-(* Where tcc 0.9.27 receives a struct that a function returns in registers, it
-   writes whole registers: if the struct's size is no multiple of theirs, over the
-   variable beside it. So all structs get such a size. And it does not find that a
-   sum with NaN or infinity in it is constant, so local tables are variables. *)
+(* Works around two bugs of tcc 0.9.27. When it receives a struct that a function returns in
+   registers, it writes whole registers; if the struct's size is not a multiple of theirs, this
+   overwrites the variable after it. So all structs are padded to a multiple. And it does not
+   recognize a sum that contains NaN or infinity as a constant, so local tables become variables. *)
 let for_tcc text =
   let starts_struct line =
     String.starts_with ~prefix:"struct " line && String.ends_with ~suffix:"{" line

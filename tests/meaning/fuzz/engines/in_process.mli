@@ -1,17 +1,16 @@
-(** Generated C in this process: compiled by libtcc, which is quick, and run with nothing written to
-    a file in between. *)
+(** Generated C in this process: libtcc compiles it quickly, and running it writes no files. *)
 
 type t
 
 val for_tcc : string -> string
-(** Generated C such as tcc compiles rightly. *)
+(** Adapts generated C to avoid bugs of tcc. *)
 
 val compile : headers:string -> folder:string -> string list -> (t, string) result
-(** Of C files in the folder; the error is what the C compiler says. *)
+(** Compiles C files of the folder. The error is the C compiler's message. *)
 
 val run : t -> Recording.t -> (string, string) result
-(** The trace of the output, as {!Recording.trace} writes it. The error says that the program
-    crashes or does not come to an end. *)
+(** Returns the trace of the output, as {!Recording.trace} writes it. The error says that the
+    program crashes or does not terminate. *)
 
 val release : t -> unit
-(** Gives the memory of the code back; it is not to be used after that. *)
+(** Frees the code, which must not be used afterwards. *)

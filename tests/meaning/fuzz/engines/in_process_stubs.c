@@ -1,8 +1,8 @@
-/* Generated C compiled by libtcc into this process, and run there.
+/* Compiles generated C with libtcc into this process, and runs it there.
  *
- * A program that crashes or does not end must not take the judge with it: while
- * it runs, the signals that tell so lead back here. Nothing of OCaml's is
- * allocated meanwhile, so what is left behind is plain memory. */
+ * A program that crashes or does not terminate must not end the fuzzer. While it runs, the
+ * signals for this jump back here. Nothing is allocated on the OCaml heap meanwhile, so the jump
+ * leaves only plain memory behind. */
 #define _XOPEN_SOURCE 700
 #include <frob/cell.h>
 #include <frob/elementary.h>
@@ -49,7 +49,7 @@ static struct custom_operations operations = {
     "frob.fuzz.in_process",     finalize,
     custom_compare_default,     custom_hash_default,
     custom_serialize_default,   custom_deserialize_default,
-    custom_compare_ext_default, custom_fixed_length_default
+    custom_compare_ext_default, custom_fixed_length_default,
 };
 
 struct messages {
@@ -69,7 +69,7 @@ static void add_message(void *context, const char *message)
     all->text[all->length] = '\0';
 }
 
-/* The runtime's elementary functions, as the interpreter calls them. */
+/* Adds the runtime's elementary functions, the same ones that the interpreter calls. */
 static void add_elementary(TCCState *compiler)
 {
 #define ONE(name) tcc_add_symbol(compiler, #name, (const void *)(intptr_t)name)
@@ -93,8 +93,8 @@ static void add_elementary(TCCState *compiler)
 #undef ONE
 }
 
-/* in_process_compile : string array -> string array -> t -- include folders and files;
- * raises Failure with what the compiler says. */
+/* in_process_compile : string array -> string array -> t -- takes include folders and files;
+ * raises Failure with the compiler's message. */
 value in_process_compile(value folders, value files)
 {
     CAMLparam2(folders, files);
@@ -163,11 +163,11 @@ static void add_column(void *context, const char *name, const struct frob_value 
     columns->values[columns->count++] = value;
 }
 
-/* What an instant of the program is: through the table for hosts, or the function
- * itself of a program in single precision, which is given a float. */
+/* The step function of a program: the one in the table for hosts, or, for a single-precision
+ * program, its own function, which takes dt as a float. */
 struct stepper {
     void (*step)(void *state, const void *params, double dt, const void *input, void *output);
-    /* Without parameters, and with. */
+    /* Without parameters, and with parameters. */
     void (*step_single)(void *state, float dt, const void *input, void *output);
     void (*step_set)(void *state, const void *params, float dt, const void *input, void *output);
     const void *params;
@@ -183,8 +183,8 @@ static void step(const struct stepper *s, void *state, double dt, const void *in
         s->step(state, s->params, dt, input, output);
 }
 
-/* All instants; the rows are written to `text`. The text of a cell that cannot
- * be read, or NULL. */
+/* Runs all instants and writes the rows to `text`. Returns the text of an unreadable cell, or
+ * NULL. */
 static const char *instants(const struct frob_program *program, const struct stepper *stepper,
                             const struct columns *columns, value dts, value times, value rows,
                             void *state, void *input, void *output, struct frob_text *text)
@@ -204,8 +204,7 @@ static const char *instants(const struct frob_program *program, const struct ste
     return NULL;
 }
 
-/* The same once more, from the state as it was left: what `reset` leaves over of it
- * shows. */
+/* Runs everything again from the current state, to detect data that `reset` does not clear. */
 static bool same_again(const struct frob_program *program, const struct stepper *stepper,
                        const struct columns *columns, value dts, value times, value rows,
                        void *state, void *input, void *output, const struct frob_text *first,
@@ -217,7 +216,8 @@ static bool same_again(const struct frob_program *program, const struct stepper 
            strcmp(first->data, second->data) == 0;
 }
 
-/* Memory as a careless caller has it: what is read before it is written shows. */
+/* Memory filled with garbage, as a careless caller might pass it, so that reads of uninitialized
+ * memory change the results. */
 static void *litter(size_t size)
 {
     void *memory = malloc(size + 1);
@@ -226,7 +226,7 @@ static void *litter(size_t size)
     return memset(memory, 0xa5, size + 1);
 }
 
-/* NAME_step, by its name. */
+/* Finds NAME_step in the object. */
 static const void *step_function(const struct in_process *p)
 {
     char name[256];
@@ -234,7 +234,7 @@ static const void *step_function(const struct in_process *p)
     return length < (int)sizeof name ? tcc_get_symbol(p->compiler, name) : NULL;
 }
 
-/* The struct of the parameters with these values. */
+/* Creates the parameter struct from these cells. */
 static void *params_of(const struct frob_program *program, value cells)
 {
     struct frob_cell_error error;
@@ -248,10 +248,10 @@ static void *params_of(const struct frob_program *program, value cells)
     return params;
 }
 
-/* in_process_run : t -> bool * string array -> float array -> int array -> string array array
- * -> string -- a recording: whether NAME_step is to be given floats, and the values of the
- * parameters, the seconds that each step is given, the absolute nanoseconds of each row, and
- * its cells. Gives the trace of the output. */
+/* in_process_run : t -> bool * string array -> float array -> int array -> string array array ->
+ * string -- runs a recording. The arguments are: whether to pass floats to NAME_step, and the
+ * values of the parameters; the dt of each step in seconds; the absolute time of each row in
+ * nanoseconds; and its cells. Returns the trace of the output. */
 value in_process_run(value v, value how, value dts, value times, value rows)
 {
     CAMLparam5(v, how, dts, times, rows);

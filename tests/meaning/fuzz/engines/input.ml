@@ -76,7 +76,7 @@ let make random kind shape ~rows =
   in
   Recording.make shape (go rows 0 [])
 
-(* {1 Steps of any dt} *)
+(* {1 Arbitrary dt} *)
 
 let extreme_dts =
   [
@@ -105,7 +105,8 @@ let extreme_dts =
     8388607.5;
   ]
 
-(* Nanoseconds of which a half is left over: of doubles below 2^52, of singles below 2^23. *)
+(* A number of nanoseconds with a fraction of one half: below 2^52 for doubles, below 2^23 for
+   singles. *)
 let halves random =
   Float.of_int (Random.State.int random (1 lsl (1 + Random.State.int random 29))) +. 0.5
 
@@ -126,22 +127,27 @@ let dt random steady (precision : Basis.Real.t) =
     | 2 -> beside (Float.of_int (Random.State.int random 20_000_000) /. 1e9)
     | 3 -> Float.ldexp (1. +. Random.State.float random 1.) (Random.State.int random 70 - 40)
     | 4 | 5 -> Random.State.float random 0.2
+    | 6 -> beside steady
     | _ -> steady
   in
   Basis.Real.round precision seconds
 
-(* So few nanoseconds that in single precision one more shows in the time of a whole
-   recording, and mostly a half of one. *)
+(* A dt of so few nanoseconds that in single precision one nanosecond, and mostly half of one,
+   changes the time of a whole recording. *)
 let fine_dt random precision =
   let ns = Float.of_int (Random.State.int random 4096) +. one_of random [ 0.; 0.25; 0.5; 0.5 ] in
   Basis.Real.round precision (ns /. 1e9)
 
-(* With the longest of all a recording comes to the end of time. *)
 let with_dt random precision shape ~rows =
   let steady = one_of random [ 0.02; 0.1; 1. /. 30.; 0.7; 0.05; 1. /. 3.; 0.008388609; 1e9 ] in
-  let is_fine = chance random 3 in
+  let next_dt =
+    match Random.State.int random 6 with
+    | 0 | 1 -> fun () -> fine_dt random precision
+    | 2 -> fun () -> if chance random 8 then dt random steady precision else 1e9
+    | _ -> fun () -> dt random steady precision
+  in
   let row _ =
-    let dt = if is_fine then fine_dt random precision else dt random steady precision in
+    let dt = next_dt () in
     (dt, value random Tame shape)
   in
   Recording.with_dt precision shape (List.init rows row)

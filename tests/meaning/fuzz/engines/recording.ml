@@ -12,7 +12,7 @@ let make shape values =
   let row (time_ns, value) = { time_ns; dt = None; value; cells = cells columns shape value } in
   { shape; precision = Double; rows = List.map row values; params = [] }
 
-(* Their output is written with the numbers of the rows for times. *)
+(* Their output has row numbers in place of times. *)
 let with_dt precision shape values =
   let columns = Interp.Shape.columns "in" shape in
   let row k (dt, value) =
@@ -22,7 +22,7 @@ let with_dt precision shape values =
 
 let has_shape shape recording = shape = recording.shape
 
-(* Of a CSV file's rows, the header left out. *)
+(* Parses the rows of a CSV file, without its header. *)
 let read_rows shape first (rows : Interp.Csv.row list) =
   let columns = Interp.Shape.columns "in" shape in
   let cell (c : Interp.Shape.column) text =
@@ -77,7 +77,7 @@ let with_params params recording = { recording with params }
 let precision recording = recording.precision
 let has_dt recording = List.exists (fun row -> Option.is_some row.dt) recording.rows
 
-(* The first dt is not to be looked at, so it may be anything. *)
+(* Programs must ignore the first dt, so it may be any number. *)
 let seconds recording =
   let of_row before row =
     let since =

@@ -1,61 +1,62 @@
-(** Input for a program: its value at some instants.
+(** The input of a program: its values at some instants.
 
-    Mostly these have times, as in a file for [frobc trace]. Or each has the dt that the program's
-    step is given: any number, of which the language says what it means. *)
+    Most recordings have times, as in a file for [frobc trace]. Others have a dt for each step,
+    which may be any number; the language defines what the program does with it. *)
 
 type row = {
   time_ns : int;
-  dt : float option;  (** in seconds; if there is none, the difference of the times *)
+  dt : float option;  (** in seconds; if None, the difference of the times *)
   value : Interp.Value.t;
-  cells : string list;  (** the value's, in the order of the columns *)
+  cells : string list;  (** the cells of the value, in the order of the columns *)
 }
 
 type param = {
-  line : string;  (** before the header *)
+  line : string;  (** its line above the header *)
   cell : string;
   setting : Core.Ir.Global.t * Interp.Value.t;
 }
-(** A parameter of the program, and its value. *)
+(** A parameter of the program, with its value. *)
 
 type t
 
 val params : t -> param list
-(** None, unless it is made {!with_params}; else all of the program's, in its order. *)
+(** The parameters set by {!with_params}, all of the program's in order; otherwise empty. *)
 
 val with_params : param list -> t -> t
 
 val make : Interp.Shape.t -> (int * Interp.Value.t) list -> t
-(** Of times in nanoseconds, not falling, and values of this shape. *)
+(** A recording with nondecreasing times in nanoseconds, and values of this shape. *)
 
 val with_dt : Basis.Real.t -> Interp.Shape.t -> (float * Interp.Value.t) list -> t
-(** Of dts, in seconds and of this precision, and values. With singles it is one for [NAME_step] of
-    a program in single precision. *)
+(** A recording with dts, in seconds and of this precision, and values. One with singles is for
+    [NAME_step] of a single-precision program. *)
 
 val read : Interp.Shape.t -> string -> (t, string) result
-(** From CSV as {!csv} writes it. *)
+(** Parses CSV in the format of {!csv}. *)
 
 val has_shape : Interp.Shape.t -> t -> bool
-(** Whether it has the columns of this shape, with cells of the same kinds. *)
+(** Whether it has the columns of this shape, with cells of the same types. *)
 
 val rows : t -> row list
 
 val has_dt : t -> bool
-(** Whether it is made {!with_dt}. *)
+(** Whether it was made with {!with_dt}. *)
 
 val precision : t -> Basis.Real.t
-(** Of the seconds that a step is given: double, unless it has dts that are singles. *)
+(** Precision of the dt passed to steps: double, unless the dts are singles. *)
 
 val seconds : t -> float list
-(** What a step is given at each row. *)
+(** The dt passed to the step at each row. *)
 
 val first_rows : int -> t -> t
-(** No more than so many. *)
+(** The first [n] rows, or all if there are fewer. *)
 
 val without : int -> t -> t
-(** All rows but one, which counts from 0. *)
+(** All rows except the one with this index, from 0. *)
 
 val csv : t -> string
-(** As [frobc trace] reads it; in one with dts these stand in place of the times. *)
+(** The format that [frobc trace] reads. In a recording with dts, these take the place of the times.
+*)
 
 val trace : Interp.Shape.t -> (int * Interp.Value.t) list -> string
-(** The output at these times as [frobc trace] writes it. *)
+(** The output at these times in the format that [frobc trace] writes. *)

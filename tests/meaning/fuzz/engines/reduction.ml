@@ -34,7 +34,7 @@ let without_some ~separator parts good =
 let opens c = c = '(' || c = '[' || c = '{'
 let closes c = c = ')' || c = ']' || c = '}'
 
-(* The place of what closes the bracket at [i]. *)
+(* The index of the bracket that closes the one at [i]. *)
 let partner text i =
   let rec go i depth =
     if i >= String.length text then None
@@ -44,7 +44,7 @@ let partner text i =
   in
   go i 0
 
-(* The pieces of a text between the separators outside all brackets. *)
+(* Splits a text at separators outside all brackets. *)
 let split text separators =
   let pieces = ref [] and start = ref 0 and depth = ref 0 in
   let close i =
@@ -75,7 +75,7 @@ let is_word piece =
 let is_keyword piece =
   List.mem piece [ "if"; "then"; "else"; "case"; "of"; "let"; "in"; "do"; "proc"; "where" ]
 
-(* What can stand for anything of some type. *)
+(* Replacements for an expression of any type. *)
 let simplest =
   [ "()"; "0"; "True"; "False"; "NoEvent"; "Nothing"; "1"; "1.5"; "[0]"; "identity"; "never" ]
 
@@ -91,7 +91,7 @@ let before word pieces =
 let without_each joined pieces =
   List.mapi (fun k _ -> joined (List.filteri (fun i _ -> i <> k) pieces)) pieces
 
-(* What may stand for a bracketed text. *)
+(* Smaller replacements for a text in brackets. *)
 let instead group =
   let inside = String.sub group 1 (String.length group - 2) in
   let words = split inside [ ' '; ',' ] in

@@ -1,18 +1,19 @@
-(** Smaller programs made of the text of a program, right or wrong: who asks for them has them
-    compiled.
+(** Makes smaller programs from a program's text. They may be invalid; the caller finds out by
+    compiling them.
 
-    Random programs put everything into parentheses and one equation on a line, so text is structure
-    enough. *)
+    Random programs put every expression in parentheses and every equation on a line, so the text
+    shows enough structure. *)
 
 val paragraphs : string -> string list
-(** What stands between blank lines. *)
+(** The parts of a text between blank lines. *)
 
 val lines : string -> string list
 
 val without_some : separator:string -> string list -> (string -> bool) -> string list
-(** [without_some ~separator parts good]: as few of the parts as the search finds such that they are
-    [good] when joined: first large chunks are left out, then smaller ones. All of them are. *)
+(** [without_some ~separator parts good] removes as many parts as it can find such that the rest is
+    still [good] when joined. It first removes large chunks, then smaller ones. All parts together
+    must be [good]. *)
 
 val at : string -> int -> (int * string list) option
-(** [at text i]: the first place from [i] on where something can stand for what stands there, and
-    the texts with something smaller there, the smallest first. *)
+(** [at text i] is the first place from [i] on where a part can be replaced, and the whole texts
+    with smaller replacements there, the smallest first. *)

@@ -13,7 +13,7 @@ let flags =
     "-fno-sanitize-recover=all";
   ]
 
-(* Generated C promises to have none. *)
+(* Generated C promises to compile without these warnings. *)
 let warnings = [ "-Wall"; "-Wextra"; "-Wpedantic"; "-Wconversion"; "-Wshadow"; "-Werror" ]
 
 let host_sources runtime =
@@ -21,7 +21,9 @@ let host_sources runtime =
     (fun file -> runtime / file)
     [
       "hosts/trace/main.c";
+      "hosts/common/streams.c";
       "hosts/common/csv.c";
+      "hosts/common/dialect.c";
       "hosts/common/load.c";
       "hosts/common/params.c";
       "hosts/common/claims.c";
@@ -47,7 +49,7 @@ let sources_in folder =
     (Array.to_list (Sys.readdir folder))
 
 let executed program arguments =
-  match Driver.Process.run program arguments with
+  match Build.Process.run program arguments with
   | Ok () -> Ok ()
   | Error (Not_found program) -> Error ("there is no " ^ program)
   | Error (Failed { status; errors }) ->
@@ -80,7 +82,7 @@ let run compiler ~runtime ~folder files recordings =
   List.iter (fun (file, text) -> write (folder / file) text) files;
   let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
   let generated = List.map (fun (file, _) -> folder / file) sources in
-  (* It is C++ too, and in single precision has no doubles. *)
+  (* The C must also compile as C++, and in single precision it must not contain doubles. *)
   let* () =
     executed
       (match compiler with Gcc -> "g++" | Clang -> "clang++")

@@ -1,5 +1,5 @@
-(** Generated C as gcc and clang optimize it, with the checks of AddressSanitizer and
-    UndefinedBehaviorSanitizer. Slow: for now and then. *)
+(** Runs generated C compiled and optimized by gcc and clang, with AddressSanitizer and
+    UndefinedBehaviorSanitizer. Slow, so used for a few batches only. *)
 
 type compiler = Gcc | Clang
 
@@ -12,6 +12,6 @@ val run :
   (string * string) list ->
   Recording.t list ->
   (string list, string) result
-(** [run compiler ~runtime ~folder files recordings]: the traces of the output, of a program's files
-    (names with texts) in the folder. [runtime] holds the sources of the trace host, which is built
-    once for each folder and compiler. *)
+(** [run compiler ~runtime ~folder files recordings] compiles a program's files (names and contents)
+    in the folder, and returns the traces of its output. [runtime] is the folder of the trace host's
+    sources; the host is built once for each folder and compiler. *)

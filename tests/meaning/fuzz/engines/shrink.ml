@@ -2,20 +2,20 @@ type failing = { text : string; outcome : Engines.outcome; recordings : Recordin
 
 let first_line text = List.hd (String.split_on_char '\n' text)
 
-(* Of the first error among the diagnostics: [error\[E0301\]]. *)
+(* The code of the first error among the diagnostics, such as [error\[E0301\]]. *)
 let first_code text =
   let lines = String.split_on_char '\n' text in
   match List.find_opt (String.starts_with ~prefix:"error") lines with
   | Some line -> List.hd (String.split_on_char ':' line)
   | None -> ""
 
-(* Whether it fails for what may be the same reason. *)
+(* Whether two failures may have the same cause. *)
 let alike (a : Engines.outcome) (b : Engines.outcome) =
   match (a, b) with
   | Differ _, Differ _ -> true
   | Rejected a, Rejected b -> String.equal (first_code a) (first_code b)
   | Failed a, Failed b ->
-      (* What tcc says starts with a place. *)
+      (* tcc's messages start with a place in the file. *)
       let reason text =
         match String.index_opt text ':' with
         | Some i when text.[0] = '/' -> "C" ^ string_of_int (min i 0)
@@ -34,12 +34,12 @@ let outcome (tools : Engines.tools) engines recordings text : Engines.outcome =
   match Engines.load tools ~entry:"main" file with
   | Error outcome -> outcome
   | Ok subject ->
-      (* A smaller program may have lost some of its input. *)
+      (* A smaller program may have fewer input columns. *)
       if List.for_all (Engines.fits subject) recordings then
         Engines.judge tools engines subject recordings
       else Agree
 
-(* Where the engines differ, one recording shows it, up to the first difference. *)
+(* If the engines differ, one recording up to the first difference is enough to show it. *)
 let enough (outcome : Engines.outcome) recordings =
   match outcome with
   | Differ { recording; row; _ } -> [ Recording.first_rows (row + 1) recording ]

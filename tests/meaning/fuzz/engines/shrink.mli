@@ -1,12 +1,12 @@
-(** A small program that fails as a large one does. *)
+(** Reduces a failing program to a small one that fails in the same way. *)
 
 type failing = {
-  text : string;  (** with an entry [main] *)
+  text : string;  (** with the entry [main] *)
   outcome : Engines.outcome;
-  recordings : Recording.t list;  (** on which it fails, all together *)
+  recordings : Recording.t list;  (** a set of recordings on which it fails *)
 }
 
 val program :
   Engines.tools -> Engines.c_engine list -> seconds:float -> first:string list -> failing -> failing
-(** A smaller one, with few rows. The first of the texts [first] that fails alike is what the search
-    begins with; if none does, it begins with the program itself. It ends after some time. *)
+(** Returns a smaller program, with few rows. The search starts with the first text of [first] that
+    fails in the same way, or with the program itself if none does. It ends after [seconds]. *)

@@ -19,7 +19,7 @@ let start ~folder work i =
             prerr_endline (Printexc.to_string exn);
             1
       in
-      (* Not [exit]: what is to be done at the end is the parent's to do. *)
+      (* Not [exit]: at_exit functions are for the parent. *)
       flush_all ();
       Unix._exit status
   | pid -> (pid, result)
@@ -35,7 +35,7 @@ let answer result (status : Unix.process_status) =
   | WSIGNALED signal | WSTOPPED signal ->
       Error (Printf.sprintf "a process was ended by signal %d" signal)
 
-(* It may have ended by itself, as when all of them get a signal. *)
+(* The process may already have ended, for example because all of them received a signal. *)
 let end_process (pid, _) =
   try
     Unix.kill pid Sys.sigkill;

@@ -1,4 +1,4 @@
-(** The same work in several processes at once. *)
+(** Runs the same work in several processes in parallel. *)
 
 val run :
   jobs:int ->
@@ -6,7 +6,7 @@ val run :
   enough:('a -> bool) ->
   (int -> folder:string -> 'a) ->
   ('a, string) result list
-(** [run ~jobs ~folder ~enough work]: what [work i] gives for each i below [jobs], each in a process
-    and a folder of its own. The error tells how a process died. With an answer that is [enough] the
-    other processes are ended, and their answers left out. If this process exits before, so do they.
-*)
+(** [run ~jobs ~folder ~enough work] returns the results of [work i] for each [i] below [jobs], each
+    computed in its own process and folder. The error says how a process died. When a result is
+    [enough], the other processes are ended and their results omitted. If this process exits early,
+    so do the others. *)

@@ -1,4 +1,4 @@
-(** Random conditions, as are asserted, and as observers say of a test. *)
+(** Random conditions for assertions, and for observers of tests. *)
 
 val condition : Scope.t -> string
-(** A [Bool] or a [Verdict], in parentheses: of this instant, or of the past. *)
+(** An expression of type [Bool] or [Verdict], in parentheses, about this instant or the past. *)

@@ -27,7 +27,8 @@ let floats =
 let odd_floats =
   [ "(0.0 / 0.0)"; "(1.0 / 0.0)"; "((-1.0) / 0.0)"; "(-0.0)"; "1.0e300"; "(-1.0e300)"; "5.0e-324" ]
 
-(* What is out of range in single precision, near the end of it. *)
+(* Replaces numbers that are out of range in single precision by numbers near the end of its
+   range. *)
 let in_range : Basis.Real.t -> string -> string = function
   | Double -> Fun.id
   | Single ->
@@ -79,14 +80,14 @@ let construct (data : Type.data) (c : Type.constructor) arguments =
 
 let array elements = f "[%s]" (String.concat ", " elements)
 
+let odd_float s =
+  let text = one_of s.random odd_floats in
+  if String.equal text "(0.0 / 0.0)" then note s "NaN";
+  text
+
 let rec literal s (ty : Type.t) =
   match ty with
-  | Float ->
-      if chance s.random s.bias.odd_numbers then (
-        let text = one_of s.random odd_floats in
-        if String.equal text "(0.0 / 0.0)" then note s "NaN";
-        text)
-      else one_of s.random floats
+  | Float -> if chance s.random s.bias.odd_numbers then odd_float s else one_of s.random floats
   | Measure u -> measure s u
   | Array (n, t) -> array (List.init n (fun _ -> literal s t))
   | Int -> one_of s.random ints

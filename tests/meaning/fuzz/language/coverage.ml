@@ -13,7 +13,7 @@ let is_letter c =
 
 let is_symbol c = String.contains "+-*/^=<>&|!.@:\\$" c
 
-(* Tokens, roughly: names, operators, single characters. *)
+(* Approximate tokens: names, operators, single characters. *)
 let words text visit =
   let length = String.length text in
   let rec last test i = if i < length && test text.[i] then last test (i + 1) else i in
@@ -97,6 +97,9 @@ let noted =
     "event of signal functions";
     "local modes that start each other";
     "local task that starts itself";
+    "task that is the whole program";
+    "task inside a task";
+    "task with state that ends at once";
     "event of functions";
     "function out of a signal function";
     "function out of a switch";
@@ -109,6 +112,7 @@ let noted =
     "local function";
     "section";
     "both orders";
+    "operation on literals";
     "record update";
     "record field";
     "pattern of an array";
@@ -129,7 +133,7 @@ let noted =
     "unit";
   ]
 
-(* The names whose types stand in the text. *)
+(* The names that have a type signature in the text. *)
 let prelude_names text =
   let names line =
     match Str.bounded_split_delim (Str.regexp " :: ") line 2 with

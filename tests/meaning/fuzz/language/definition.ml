@@ -34,7 +34,7 @@ let function_ (s : Signal_function.scope) name =
 
 let named_parameters values parameters = List.map (fun p -> (Scope.fresh values "p", p)) parameters
 
-(* Parameters in scope: as values, functions and signal functions. *)
+(* Brings parameters into scope: as values, functions and signal functions. *)
 let bind_parameters (s : Signal_function.scope) named : Signal_function.scope =
   let some choose = List.filter_map choose named in
   let values =
@@ -80,8 +80,8 @@ let wide (s : Signal_function.scope) =
   let text, input = Wide.definition s.values name in
   (text, { s with known = { name; parameters = []; input; output = Wide.output } :: s.known })
 
-(* A call with an argument for each parameter. One that is a signal function is
-   handed on as it came, or starts anew: to grow it would make ever more modes. *)
+(* A call with an argument for each parameter. An argument that is a signal function is either
+   passed on unchanged or starts anew; wrapping it would create more modes with every call. *)
 let call (s : Signal_function.scope) own (values : Scope.t) (name, parameters) =
   let is_own name = List.mem_assoc name own in
   let functions = List.filter (fun (name, _, _) -> not (is_own name)) values.functions in
@@ -102,8 +102,7 @@ let call (s : Signal_function.scope) own (values : Scope.t) (name, parameters) =
   in
   String.concat " " (name :: List.map argument parameters)
 
-(* What leads on from the value of an event or the result of a task: into one of
-   the targets, chosen by that value. *)
+(* Continues with one of the targets, chosen by the value of an event or the result of a task. *)
 let onward (values : Scope.t) another =
   let call () = f "(%s)" (another values) in
   match Random.State.int values.random 4 with
@@ -124,7 +123,7 @@ let signature name parameters result =
   f "%s :: %s\n" name
     (String.concat " -> " (List.map Signal_function.parameter_text parameters @ [ result ]))
 
-(* Some definitions, with the same kind of parameter in several of them. *)
+(* A group of definitions; several of them have the same kind of parameter. *)
 let group (s : Signal_function.scope) start =
   let random = s.values.random in
   let any () = Scope.any_type s.values in
@@ -151,9 +150,8 @@ let note_brought values what named =
       | Value _ -> ())
     named
 
-(* Definitions that switch into each other in tail position, with parameters. A
-   switch back, to an earlier one or to itself, takes time; one onward may be at
-   the first instant. *)
+(* Definitions with parameters that switch into each other in tail position. A switch to an
+   earlier mode or to itself takes time; a switch to a later one may happen at the first instant. *)
 let modes (s : Signal_function.scope) =
   let values = s.values in
   let random = values.random in
@@ -183,7 +181,7 @@ let modes (s : Signal_function.scope) =
   in
   (String.concat "" texts, { s with known = known @ s.known })
 
-(* Tasks that go on as each other, likewise. *)
+(* Tasks that continue as each other, under the same rules. *)
 let tasks (s : Signal_function.scope) =
   let values = s.values in
   let random = values.random in
@@ -226,7 +224,7 @@ let tasks (s : Signal_function.scope) =
   let runs = List.map run tasks in
   (String.concat "" (texts @ List.map fst runs), { s with known = List.map snd runs @ s.known })
 
-(* Of a declared data type, some methods left to their defaults. *)
+(* Class instances of a declared data type; some methods keep their defaults. *)
 let instances (s : Signal_function.scope) ty =
   let head = Type.text ty and random = s.values.random in
   let given name arguments result =

@@ -1,7 +1,8 @@
-(** Random definitions at top level: their text, and the scope after them. *)
+(** Random top-level definitions. The functions return their text, and the scope that includes them.
+*)
 
 val function_ : Signal_function.scope -> string -> string * Signal_function.scope
-(** Of that name. *)
+(** A function of this name. *)
 
 val signal_function :
   Signal_function.scope ->
@@ -11,16 +12,16 @@ val signal_function :
   result:Signal_function.output ->
   string ->
   string * Signal_function.scope
-(** Of that name, with equations for signals of these types. *)
+(** A signal function of this name, with equations for signals of these types. *)
 
 val wide : Signal_function.scope -> string * Signal_function.scope
 (** See {!Wide}. *)
 
 val modes : Signal_function.scope -> string * Signal_function.scope
-(** Signal functions that switch into each other in tail position, with parameters. *)
+(** Signal functions with parameters that switch into each other in tail position. *)
 
 val tasks : Signal_function.scope -> string * Signal_function.scope
-(** Tasks that go on as each other, and signal functions that run them. *)
+(** Tasks that continue as each other, and signal functions that run them. *)
 
 val instances : Signal_function.scope -> Type.t -> string
-(** Of the shared classes, for a declared type; some methods are left to their defaults. *)
+(** Instances of the shared classes for a declared type; some methods keep their defaults. *)

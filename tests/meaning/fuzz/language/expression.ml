@@ -36,7 +36,8 @@ let rec expression s fuel ty =
     in
     make ()
 
-(* Where a value may not be computed, no instance of what remembers may stand. *)
+(* The scope of an expression that may not be evaluated at every instant: it must not contain
+   stateful instances. *)
 and elsewhere s = { s with run = (if s.run = None then None else s.senses) }
 and unary s fuel name ty = f "(%s %s)" name (expression s fuel ty)
 and binary s fuel name ty = f "(%s %s %s)" name (expression s fuel ty) (expression s fuel ty)
@@ -57,7 +58,7 @@ and parts s fuel (ty : Type.t) =
 
 and by_type s fuel (ty : Type.t) =
   match ty with
-  | (Float | Int) when chance s.random 10 -> by_rule s fuel ty
+  | (Float | Int | Bool) when chance s.random 10 -> by_rule s fuel ty
   | Float -> float s fuel
   | Int -> int s fuel
   | Bool -> bool s fuel
@@ -79,9 +80,40 @@ and by_type s fuel (ty : Type.t) =
         else f "(%s { %s = %s })" record name value)
       else typed (Constant.construct data c arguments) ty
 
-(* What compilers have rules for: numbers that change nothing, or everything, and one
+(* Expressions that the compiler has algebraic rules for: neutral and absorbing elements, and one
    operation on the same two numbers in both orders. *)
 and by_rule s fuel (ty : Type.t) =
+  match ty with
+  | Bool when chance s.random 2 ->
+      let ty = one_of s.random [ Type.Float; Float; Int ] in
+      f "(%s %s %s)" (of_literals s ty) (comparison s) (of_literals s ty)
+  | Bool -> with_itself s fuel
+  | _ -> if chance s.random 4 then of_literals s ty else by_numbers s fuel ty
+
+and comparison s = one_of s.random [ "=="; "/="; "<"; "<="; ">"; ">=" ]
+
+(* Compares a number that is often NaN with itself. *)
+and with_itself s fuel =
+  let a = fresh s "a" and e = typed (expression s fuel Type.Float) Type.Float in
+  let number = one_of s.random [ e; f "sqrt %s" e; f "log %s" e; f "(%s / %s)" e e ] in
+  f "((\\%s -> %s %s %s) (%s))" a a (comparison s) a number
+
+(* An operation that the compiler evaluates itself. *)
+and of_literals s (ty : Type.t) =
+  note s "operation on literals";
+  let operand () =
+    if chance s.random 3 then of_literals s ty
+    else typed (if ty = Float && chance s.random 3 then Constant.odd_float s else literal s ty) ty
+  in
+  let operators =
+    match ty with
+    | Int -> [ "+"; "-"; "*"; "`div`"; "`mod`"; "`shiftL`"; "`shiftR`" ]
+    | _ -> [ "+"; "-"; "*"; "/" ]
+  in
+  let operator = one_of s.random ([ "`max`"; "`max`"; "`min`"; "`min`" ] @ operators) in
+  f "(%s %s %s)" (operand ()) operator (operand ())
+
+and by_numbers s fuel (ty : Type.t) =
   let point = match ty with Int -> "" | _ -> ".0" in
   let zero = one_of s.random [ "0" ^ point; "0" ^ point; f "(-0%s)" point ] and one = "1" ^ point in
   if chance s.random 3 then (
@@ -109,7 +141,7 @@ and by_rule s fuel (ty : Type.t) =
         f "(%s - %s)" e e;
       ]
 
-(* A function of the values of the instant. *)
+(* A function that may use the values of the instant. *)
 and function_ s fuel arguments result =
   let inside = elsewhere s in
   let patterns = List.map (Pattern.any inside) arguments in
@@ -148,7 +180,7 @@ and index s fuel =
   if chance s.random 2 then expression s fuel Int
   else one_of s.random [ "0"; "1"; "2"; "3"; "(-1)"; "4" ]
 
-(* What comes out of an array. *)
+(* An element of an array, or a value computed from one. *)
 and of_array s fuel ty =
   let own = (1 + Random.State.int s.random 4, ty) and ((_, element) as other) = any_array s in
   let key : Type.t =
@@ -220,7 +252,8 @@ and event s fuel payload =
   | _, Tuple [ x; y ] -> f "(pairEvents %s %s)" (any x) (any y)
   | _, _ -> typed (f "Event %s" (expression s fuel payload)) ty
 
-(* What may be taken for its operand, or for a constant, and often must not. *)
+(* An expression that resembles its operand or a constant; often the compiler must not replace it
+   by that. *)
 and nearly_nothing s fuel ty =
   let e = expression s fuel ty in
   match (ty : Type.t) with
@@ -267,7 +300,7 @@ and nearly_nothing s fuel ty =
           f "(div %s (-1))" e;
         ]
 
-(* The same two operands both ways round, or an operand with itself. *)
+(* The same two operands in both orders, or an operand with itself. *)
 and both_ways s ty operators =
   let operand () = typed (expression s 0 ty) ty in
   let x = operand () in
@@ -327,7 +360,7 @@ and int s fuel =
   | 6 -> extreme s fuel Int
   | 7 -> f "(%s ^ %s)" (expression s fuel Int) (one_of s.random [ "0"; "1"; "2"; "3"; "9" ])
   | n ->
-      (* Of a unit: without it again, as a whole number of them. *)
+      (* Removes the unit again by rounding to a whole number of units. *)
       let name = one_of s.random [ "round"; "floor"; "ceiling"; "truncate" ] in
       if n = 9 && chance s.random 3 then
         let u = Type.any_measure s.random in
@@ -392,8 +425,8 @@ and let_ s fuel ty =
   let text, bound = Pattern.any s other in
   f "(let %s = %s in %s)" text (typed value other) (expression (bind bound s) fuel ty)
 
-(* Arrays and what comes out of them, each with a name. Where it stands many times
-   over, as in a lambda, it is short of fuel and left out. *)
+(* Arrays and values computed from them, each with a name. Uses little fuel, or is left out,
+   where its text would be repeated many times, as in a lambda. *)
 and chain s ty =
   let makers = { Chain.expression; instances = None } in
   let bindings = Chain.make s makers (Chain.size s) in
@@ -477,7 +510,7 @@ and overloaded s fuel ty =
   | _ when Type.has_instances ~measured:true ty -> f "(largest %s %s)" (e ty) (e ty)
   | Measure _ | Int | Tuple _ | Array _ | Data _ -> f "(id %s)" (expression s fuel ty)
 
-(* Functions that are values of the instant. *)
+(* Functions that may use the values of the instant. *)
 and higher_order s fuel ty =
   let argument = any_type s in
   let value s = typed (expression s fuel argument) argument in
@@ -499,7 +532,7 @@ and higher_order s fuel ty =
       let middle = any_type s in
       f "((%s . %s) %s)" (lambda s fuel middle ty) (lambda s fuel argument middle) (value s)
 
-(* Made at run time, each with what it captured; some are used. *)
+(* Functions made at run time, each with its captured values; the result uses some of them. *)
 and array_of_functions s fuel argument ty =
   note s "array of functions";
   let n = 1 + Random.State.int s.random 3 in

@@ -1,7 +1,7 @@
-(** Random expressions of a given type, as text that can stand anywhere. *)
+(** Random expressions of a given type, as text that can be used anywhere. *)
 
 val expression : Scope.t -> int -> Type.t -> string
-(** No deeper than the number says. *)
+(** The number limits the depth. *)
 
 val lambda : Scope.t -> int -> Type.t -> Type.t -> string
 (** A function of one argument. *)

@@ -19,14 +19,14 @@ let rec any s (ty : Type.t) =
       note s "pattern of an array";
       let patterns = List.init n (fun _ -> any s element) in
       (Constant.array (List.map fst patterns), List.concat_map snd patterns)
-  (* Its size may be known from nowhere else. *)
+  (* Only this pattern may determine the size. *)
   | Data { constructors = [ { name = "Series"; _ } ]; _ } -> variable s ty
   | Data ({ constructors = [ c ]; _ } as data) when chance s.random 2 ->
       let patterns = List.map (fun (_, t) -> any s t) c.fields in
       (f "(%s)" (Constant.construct data c (List.map fst patterns)), List.concat_map snd patterns)
   | Float | Measure _ | Int | Bool | Tuple _ | Array _ | Data _ -> variable s ty
 
-(* Patterns that cover a type together, each with its variables. *)
+(* Patterns that together cover a type, each with its variables. *)
 let rec cover s depth (ty : Type.t) =
   match ty with
   | _ when depth = 0 -> [ any s ty ]
@@ -56,7 +56,7 @@ let rec cover s depth (ty : Type.t) =
           else (text, bound))
         all
 
-(* Of several parts only one is covered by more than one pattern. *)
+(* Only one of several parts is covered by more than one pattern. *)
 and one_split s depth parts =
   let chosen = Random.State.int s.random (max 1 (List.length parts)) in
   let rec go i = function
@@ -68,7 +68,7 @@ and one_split s depth parts =
           (fun (text, bound) -> List.map (fun (texts, more) -> (text :: texts, bound @ more)) rest)
           here
   in
-  (* Names are bound once: patterns are made again for each row. *)
+  (* Each row needs new names, because a name is bound only once. *)
   match parts with
   | [] -> [ ([], []) ]
   | _ -> go 0 parts

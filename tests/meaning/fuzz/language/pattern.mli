@@ -3,7 +3,7 @@
 type bound = string * (string * Type.t) list
 
 val any : Scope.t -> Type.t -> bound
-(** One that always matches. *)
+(** A pattern that always matches. *)
 
 val cover : Scope.t -> int -> Type.t -> bound list
-(** Some that match together, looking no deeper than the number says. *)
+(** Patterns that together always match. The number limits their depth. *)

@@ -108,7 +108,14 @@ let handing_on values prefix =
     f "%s%s%s = proc i -> (%s i)\n\n" text (signature prefix Float) prefix start,
     [ Type.Float ] )
 
-(* Of the program that is whole: two programs of a batch have none in common. *)
+let errand values prefix =
+  let text, start = Errand.definitions values ~input:input_type in
+  let signals = [ Type.either Float Float ] in
+  ( prefix,
+    f "%s%s%s = proc i -> (%s i)\n\n" text (signature prefix (Tuple signals)) prefix start,
+    signals )
+
+(* The parameters of a program that is compiled alone; programs of a batch have none. *)
 let params ~seed ~prefix number : (string * Type.t) list * string =
   let random = Random.State.make [| seed; number; 3 |] in
   let one k : (string * Type.t) * string =
@@ -137,23 +144,24 @@ let one ~seen ~seed number =
     | Small -> small values prefix
     | Cascade -> cascades values prefix
     | Handed_on -> handing_on values prefix
+    | Errand -> errand values prefix
   in
   (name, declarations ^ text, signals)
 
-(* {1 How they run} *)
+(* {1 Ways to run a program} *)
 
-(* Some run always; others are started late, started again or run now and then. *)
+(* Some programs always run; others start late, restart, or run only at some instants. *)
 type kind = Always | After_switch | After_delayed_switch | Restarted | Replaced | At_events
 
 let kinds = [| Always; After_switch; Restarted; At_events; Replaced; After_delayed_switch; Always |]
 
-(* Values of so many parts are as much as tcc takes in one expression. *)
+(* tcc has no room for more parts in one expression. *)
 let most_parts = 150
 
 let events =
   [ "edge b"; "when (x > 0.0)"; "tag e ()"; "after 0.3[s] ()"; "every 0.2[s] ()"; "now () ()" ]
 
-(* Defines what runs the signal function of that name so. *)
+(* Defines a signal function that runs the named one in a random way. *)
 let running ~seed number name output =
   let random = Random.State.make [| seed; number; 2 |] in
   let seen = Coverage.create () in
@@ -164,7 +172,7 @@ let running ~seed number name output =
   let stays =
     match ((Bias.of_program ~seed number).root, output) with
     | Small, _ | Cascade, Type.Tuple [ _ ] -> not (chance random 6)
-    | Handed_on, _ -> chance random 2
+    | (Handed_on | Errand), _ -> chance random 2
     | (Any | Cascade), _ -> false
   in
   let late switch = f "%s (%s -> (%s, %s)) (\\_ -> %s)" switch input (literal ()) event name in
@@ -187,14 +195,15 @@ let is_operated number = number mod 5 = 3
 let past = "import Past\n"
 let import = "import Capability (Console, buttonPressed, buttonHeld, knob, toggle, mapClicked)\n"
 
-(* Defines what an operator makes of the input of the program of that number. *)
+(* Defines a signal function in which an operator changes the input of the program with this
+   number. *)
 let operated ~seed number =
   let random = Random.State.make [| seed; number; 3 |] in
   let name = f "operated%d" number in
   let label word = f "\"%s %d\"" word (number + Random.State.int random 2) in
   let pick choices = one_of random choices in
   let decimal () = f "%d.%d" (Random.State.int random 9) (Random.State.int random 100) in
-  (* All knobs that may share a label are alike. *)
+  (* All knobs that may share a label must be equal. *)
   let dial () = f "dial%d (0.5 * %s) c" number (pick [ "2.5"; "3.0"; "(top + 1.0)" ]) in
   let text =
     String.concat ",\n     "
@@ -233,7 +242,8 @@ let is_seeing number = number mod 60 = 6
 let seen ~seed number =
   Seeing.definition (Random.State.make [| seed; number; 4 |]) ~number ~input:input_type
 
-(* [main], of programs with their numbers and outputs; and whether there is an operator. *)
+(* Defines [main] for programs with their numbers and outputs; also returns whether there is an
+   operator. *)
 let main ~sees ~seed programs =
   let numbers = List.map (fun (number, _, _) -> number) programs in
   let operating = List.filter is_operated numbers
@@ -268,7 +278,7 @@ let main ~sees ~seed programs =
 
 let is_tried number = number / Bias.alike mod 7 = 1
 
-(* What is tried of the program of that number is one number's own, as the program is. *)
+(* The scope for a program's tests. It depends on the number alone, like the program itself. *)
 let tried_scope ~seen ~seed number =
   let random = Random.State.make [| seed; number; 6 |] in
   scope ~seen ~seed ~random ~prefix:(f "p%d" number) ~declared:[] number
@@ -277,7 +287,7 @@ let tried ~seen ~seed (number, _, signals, run) =
   let scope = tried_scope ~seen ~seed number in
   if is_tried number && chance scope.random 2 then Trying.some scope { name = run; signals } else ""
 
-(* {1 All of it} *)
+(* {1 Whole programs} *)
 
 let define ~seen ~seed number =
   let name, text, signals = one ~seen ~seed number in
@@ -294,7 +304,7 @@ let make ?(seen = Coverage.create ()) ?(sees = false) ?(with_tests = true) ~seed
   let programs = List.map fst defined in
   let imports, main = main_of ~sees ~seed programs in
   let checks = String.concat "" (List.map (tried ~seen ~seed) programs) in
-  (* lines keep their numbers *)
+  (* keeps the line numbers the same *)
   let blank = String.map (fun c -> if c = '\n' then c else ' ') Trying.imports in
   let trying = if checks = "" then "" else if with_tests then Trying.imports else blank in
   past ^ trying ^ imports

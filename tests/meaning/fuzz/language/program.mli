@@ -1,7 +1,7 @@
-(** Random programs, several in one module.
+(** Generates random programs, several in one module.
 
-    The module's input type is one for all; [main] runs all of them side by side, so one compilation
-    by the C compiler tests them all. *)
+    All programs of a module have the same input type. [main] runs all of them side by side, so one
+    compilation by the C compiler tests them all. *)
 
 val make :
   ?seen:Coverage.t ->
@@ -12,20 +12,21 @@ val make :
   count:int ->
   unit ->
   string
-(** [count] programs, from the one with the number [first]: each depends only on the seed and its
-    own number. What stands in them is added to [seen]. With [sees] some look through a camera
-    ({!Seeing}), and need the kernels of vision. Without tests, those that some programs come with
-    ({!is_tried}) are left out, and nothing else is another line. *)
+(** Generates [count] programs, starting with number [first]. Each depends only on the seed and its
+    own number. [seen] counts the constructs in them. With [sees] some of them use a camera
+    ({!Seeing}) and need the vision kernels. With [with_tests] false, the tests that some programs
+    come with ({!is_tried}) are left out, without changing any other line. *)
 
 val is_tried : int -> bool
-(** Whether programs of that number may come with a test or a trial. *)
+(** Whether programs with this number may come with a test or a trial. *)
 
 val observed : seed:int -> first:int -> count:int -> string * (string * Trying.observer) list
-(** Likewise programs, each with a test that must be judged as the signal function beside it has it,
-    which is named here ({!Trying.reference}). They assert nothing themselves. *)
+(** Generates programs that each have a test. The test's verdict must be that of the signal function
+    next to it, which is returned with its name ({!Trying.reference}). The programs themselves
+    contain no assertions. *)
 
 val alone : seed:int -> int -> component:int -> string
-(** One program, of whose signals only this one comes out. *)
+(** One program that outputs only this one of its signals. *)
 
 val signals : seed:int -> int -> int
-(** How many components the output of a program has. *)
+(** Number of components of a program's output. *)

@@ -9,7 +9,7 @@ let rec px random =
   | 1 -> f "(%s + 1000000.0[px])" (px random)
   | _ -> f "%.2f[px]" (Random.State.float random 40. -. 5.)
 
-(* In parentheses: it may be negative, and an argument. *)
+(* In parentheses, because it may be negative and an argument. *)
 let share random = f "(%.2f)" (Random.State.float random 1.2 -. 0.1)
 let angle random = f "%d[deg]" (Random.State.int random 400 - 20)
 
@@ -45,7 +45,7 @@ let search random =
 
 let point random = f "(Vec2 { x = %s, y = %s })" (px random) (px random)
 
-(* A number that a kernel finds in the frame [f]. *)
+(* A number that a kernel computes from the frame [f]. *)
 let found random =
   match Random.State.int random 13 with
   | 0 | 1 ->
@@ -91,7 +91,7 @@ let counted random =
       f "(getHistogram f.image %s) ! %d" (region random) (Random.State.int random 256);
     ]
 
-(* A signal of a number, by what is kept from frame to frame. *)
+(* A numeric signal that uses something remembered from earlier frames. *)
 let followed random =
   let learned k =
     f

@@ -1,10 +1,10 @@
-(** What a camera shows a random program: frames are events, kernels look at them, and trackers
-    follow what is in them.
+(** Random programs with a camera: frames are events, kernels analyse them, and trackers follow
+    objects in them.
 
-    Frames are those of {!Frames}; the camera is on the console of [main]. *)
+    The frames are those of {!Frames}; the camera is on the console of [main]. *)
 
 val imports : string
 
 val definition : Random.State.t -> number:int -> input:Type.t -> string * string
-(** Name and text of a signal function that makes of the console and the input of the program of
-    that number another such input, with what is seen mixed into it. *)
+(** Name and text of a signal function that takes the console and the input of the program with this
+    number, and mixes results from the camera into the input. *)

@@ -19,7 +19,7 @@ type scope = { values : Scope.t; known : named list }
 let static s fuel ty = Expression.expression { s.values with run = None } fuel ty
 let literal s ty = if chance s.values.random 3 then static s 1 ty else Constant.literal s.values ty
 
-(* Of one signal function known, with arguments for its parameters. *)
+(* A known signal function, with arguments for its parameters. *)
 let rec applied s fuel { name; parameters; _ } =
   match parameters with
   | [] -> name
@@ -112,7 +112,7 @@ and expression s fuel (a : Type.t) (b : Type.t) =
           one_of random
             [
               "(time >>> arr (\\x -> x / 1[s]))";
-              (* It shows if a mode sees a dt at its own first instant. *)
+              (* The result shows whether a mode sees a dt at its own first instant. *)
               "(time >>> arr (\\x -> x + 1[s]) >>> derivative)";
             ] );
       ((if a = Type.event b then 6 else 0), fun () -> f "(latest %s)" (literal s b));
@@ -185,7 +185,7 @@ and maker s =
 and typed_expression values fuel ty =
   f "(%s :: %s)" (Expression.expression values fuel ty) (Type.text ty)
 
-(* An instance in the place of an expression. *)
+(* An instance in place of an expression. *)
 and running s values fuel ty =
   let input = Scope.any_type s.values in
   let candidates = List.filter (fun n -> n.output = ty) s.known in
@@ -214,7 +214,7 @@ and running s values fuel ty =
 
 and run s = Some (running s)
 
-(* An instance that may stand anywhere in the proc of these signals. *)
+(* A stateless instance that can be used anywhere in the proc with these signals. *)
 and sense signals (values : Scope.t) _ (ty : Type.t) =
   let of_type t = List.filter (fun (_, t') -> t' = t) signals in
   let measured (_, t) = Type.has_instances ~measured:true t in
@@ -230,8 +230,8 @@ and sense signals (values : Scope.t) _ (ty : Type.t) =
   | _, _, (_ :: _ as them), _ -> f "(identity %s)" (fst (one_of values.random them))
   | _ -> f "(constant %s ())" (Constant.literal values ty)
 
-(* A signal function whose output is a function; of a switch different modes may give
-   different ones. *)
+(* A signal function whose output is a function. The modes of a switch may output different
+   functions. *)
 and of_functions s fuel a argument result =
   let values = { s.values with run = None } in
   let text, bound = Pattern.any values a in
@@ -287,16 +287,21 @@ let any_equation s ~signals ~later (name, ty) =
       Scope.note s.values "feedback through delay";
       f "%s = delay %s %s" name (literal s ty) (e ~scope:later 2 ty)
   | 3, _ when chance random 3 ->
-      let input = Scope.any_type s.values and late = Scope.any_type s.values in
-      f "%s = %s (%s, %s)" name
-        (Circle.machine (maker s) input ~late ty)
-        (e 2 input) (typed_expression later 2 late)
+      let input = Scope.any_type s.values in
+      (* The output of the machine, or anything that may depend on it. *)
+      let late, fed_back =
+        if chance random 2 then (ty, name)
+        else
+          let late = Scope.any_type s.values in
+          (late, typed_expression later 2 late)
+      in
+      f "%s = %s (%s, %s)" name (Circle.machine (maker s) input ~late ty) (e 2 input) fed_back
   | 3, _ ->
       let input = Scope.any_type s.values in
       f "%s = %s %s" name (expression s 2 input ty) (e 2 input)
   | _, _ -> f "%s = %s" name (e (3 + s.values.bias.depth) ty)
 
-(* A part of what a wide function gives, if there is one. *)
+(* One of the results of a wide function, if there is one. *)
 let of_wide s ~signals ty =
   let call { name; input; _ } = f "%s %s" name (Expression.expression signals 1 input) in
   match List.find_opt (fun n -> n.output = Wide.output && n.parameters = []) s.known with
@@ -308,8 +313,8 @@ let equation s ~signals ~later (name, ty) =
   | Some text -> f "%s = %s" name text
   | None -> any_equation s ~signals ~later (name, ty)
 
-(* Two signals that are found together: the second component may need the
-   first one of the same instant. *)
+(* Two signals computed together: the second component may depend on the first one at the same
+   instant. *)
 let pair s ~signals ((x, t) as first) (y, u) =
   let with_first = Scope.bind [ first ] signals in
   Scope.note s.values "pair of signals";
@@ -328,8 +333,8 @@ let pair s ~signals ((x, t) as first) (y, u) =
         (Expression.expression signals 2 a)
         (Expression.expression with_first 2 b)
 
-(* Equations of a chain of arrays, the last of which often comes round to the first,
-   an instant later, and the signals in which they are shown. *)
+(* Equations of a chain of arrays, in which the last one often feeds back to the first an instant
+   later, and the signals that show their values. *)
 let chain s ~signals ~shown =
   let values : Scope.t = s.values in
   let makers =
@@ -362,7 +367,7 @@ let local_function s ~signals name argument result =
   let inside = { (Scope.bind bound signals) with Scope.run = None } in
   f "%s %s = %s" name text (Expression.expression inside 2 result)
 
-(* What is asserted changes nothing, whatever it is made of. *)
+(* Assertions never change the output, whatever they contain. *)
 let claim s signals =
   Scope.note s.values "assertion";
   let word = if chance s.values.random 5 then "assume" else "assert" in
@@ -379,7 +384,7 @@ let body s ~indent ~input ~signals output =
   let random = s.values.random in
   let text, bound = Pattern.any s.values input in
   let fresh start = Scope.fresh s.values start in
-  (* Static values and signal functions first: what is run may use them. *)
+  (* Define static values and signal functions first, so that instances may use them. *)
   let constant = (fresh "k", Scope.any_type s.values) in
   let constant_text =
     f "%s = (%s :: %s)" (fst constant) (static s 2 (snd constant)) (Type.text (snd constant))

@@ -9,7 +9,7 @@ type parameter =
 type named = { name : string; parameters : parameter list; input : Type.t; output : Type.t }
 
 val parameter_text : parameter -> string
-(** Its type. *)
+(** The type of a parameter. *)
 
 type scope = { values : Scope.t;  (** static *) known : named list }
 
@@ -17,16 +17,16 @@ val expression : scope -> int -> Type.t -> Type.t -> string
 (** A signal function of these types. *)
 
 val argument : scope -> int -> parameter -> string
-(** For such a parameter. *)
+(** A random argument for this parameter. *)
 
 val maker : scope -> Reactive.maker
 
-(** What a proc gives out. *)
-type output = Computed of Type.t | All_signals  (** so that every equation counts *)
+(** The output of a proc. *)
+type output = Computed of Type.t | All_signals  (** so that every equation matters *)
 
 val body : scope -> indent:string -> input:Type.t -> signals:Type.t list -> output -> string
-(** [proc … -> … where …], on several lines, with equations for signals of these types, at least
-    two. *)
+(** The text [proc … -> … where …], on several lines, with equations for signals of these types, of
+    which there must be at least two. *)
 
 val any_signals : scope -> Type.t list
-(** The types of some signals. *)
+(** Types for some signals. *)

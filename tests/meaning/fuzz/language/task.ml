@@ -5,7 +5,7 @@ let still (values : Scope.t) = { values with run = None }
 let value (m : Reactive.maker) fuel ty = Expression.expression (still m.values) fuel ty
 let any (m : Reactive.maker) = Scope.any_type m.values
 
-(* What a task ends with: often what the combinators make. *)
+(* The result type of a task, often one that combinators produce. *)
 let any_result (m : Reactive.maker) =
   match Random.State.int m.values.random 6 with
   | 0 | 1 -> Type.unit
@@ -24,7 +24,7 @@ let lambda (m : Reactive.maker) fuel argument result =
 
 let times (m : Reactive.maker) = one_of m.values.random [ "0"; "1"; "2"; "3"; "(-1)" ]
 
-(* One that takes time, as a constant. *)
+(* A positive constant time. *)
 let delay_time (m : Reactive.maker) = one_of m.values.random [ "0.05[s]"; "0.3[s]"; "1[us]" ]
 
 let rec task (m : Reactive.maker) ~slow fuel a b (c : Type.t) =
@@ -72,7 +72,7 @@ let rec task (m : Reactive.maker) ~slow fuel a b (c : Type.t) =
   in
   (weighted random (ended @ at_once @ of_nothing @ deeper)) ()
 
-(* What comes first takes the time. *)
+(* The first task takes the time. *)
 and sequence m ~slow fuel a b c =
   let first = any_result m in
   let text, bound = Pattern.any m.values first in
@@ -81,14 +81,14 @@ and sequence m ~slow fuel a b c =
   if chance m.values.random 4 then f "(do %s; %s)" before (rest m)
   else f "(do %s <- %s; %s)" text before (rest (with_values m bound))
 
-(* Which of two comes next is known when the first has ended. *)
+(* Chooses the second task when the first one has ended. *)
 and chosen m ~slow fuel a b c =
   let by = Scope.fresh m.values "c" in
   let first = Reactive.ending m ~slow (max 1 (fuel - 1)) a b Type.Bool in
   let rest () = task m ~slow:false (fuel - 1) a b c in
   f "(do %s <- mkTask %s; if %s then %s else %s)" by first by (rest ()) (rest ())
 
-(* A task that goes on as itself where it is needed, as [Reactive.local_modes]. *)
+(* A local task that continues as itself, like [Reactive.local_modes]. *)
 and local m fuel a b c =
   let values = m.Reactive.values in
   let go = Scope.fresh values "go" and n = Scope.fresh values "n" in
@@ -112,7 +112,7 @@ and side_by_side m ~slow fuel a b c =
         Type.Tuple [ result; result' ] )
     else (Type.Tuple [ output; output' ], Type.either result result')
   in
-  (* [both] takes time if one does, [race] if both do. *)
+  (* [both] takes time if one of its tasks does, [race] only if both do. *)
   f "(mapOutput %s (mapT %s (%s %s %s)))" (lambda m 2 shown b) (lambda m 2 ends c)
     (if both then "both" else "race")
     (sub slow output result)
@@ -139,7 +139,7 @@ and by_result m ~slow fuel a b (c : Type.t) =
         let q = if slow then delay_time m else Reactive.time m in
         (6, fun () -> f "(timeOut %s %s)" (sub a b result) q)
         ::
-        (* It may not try at all. *)
+        (* With a limit of 0 attempts or less, retryT ends at its first instant. *)
         (if slow then [] else [ (3, fun () -> f "(retryT %s %s)" (times m) (sub ~slow:true a b c)) ])
     | Data
         {

@@ -13,7 +13,7 @@ type observer = {
 let f = Printf.sprintf
 let imports = "import Geometry (Vec2)\nimport Sources\nimport Trial\n"
 
-(* {1 Inputs that are made up} *)
+(* {1 Generated inputs} *)
 
 let wave random =
   let number low = f "%d.%d" (low + Random.State.int random 4) (Random.State.int random 10) in
@@ -51,19 +51,19 @@ let made_up random =
     ("d", f "0.5[m] * (%s)" (wave ()));
   ]
 
-(* As the programs' input type has them. *)
+(* The pattern of the programs' input type. *)
 let input = "(x, n, b, e, m, y, xs, d)"
 
 (* {1 Observers} *)
 
-(* [answer]: a Bool that is so now and then. *)
+(* [answer] is a Bool that is sometimes true. *)
 let outcome ~answer (s : Scope.t) =
   let condition = Claim.condition s in
   match Random.State.int s.random 6 with
   | 0 -> f "by 0.3[s] (holds (verdict %s))" condition
   | 1 -> f "atEnd (holds (verdict %s))" condition
   | 2 -> f "verdict (%s)" condition
-  (* which are not so at once *)
+  (* conditions that are not true at once *)
   | 3 -> f "respondsWithin 0.2[s] (%s, %s)" (Expression.expression s 2 Bool) answer
   | 4 -> f "implies (time () > 0.2[s]) (holds (verdict %s))" condition
   | _ -> condition

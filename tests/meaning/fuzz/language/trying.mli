@@ -1,9 +1,8 @@
-(** Random tests and trials of a program: what [frobc test] runs, and what is nothing to anyone
-    else. They need the imports of {!imports}. *)
+(** Random tests and trials of a program, which only [frobc test] runs. They need {!imports}. *)
 
 type program = {
-  name : string;  (** of its signal function, of the input that all programs have *)
-  signals : Type.t list;  (** its output, a tuple of these *)
+  name : string;  (** name of its signal function, which takes the common input type *)
+  signals : Type.t list;  (** types of the components of its output tuple *)
 }
 
 val imports : string
@@ -13,19 +12,20 @@ type observer = {
   seconds : float;
   judge : string;  (** an expression *)
   claims : (string * string * string) list;  (** [assert] or [assume], a label, an expression *)
-  equations : string list;  (** of what these mention *)
+  equations : string list;  (** equations that define the names in these expressions *)
 }
-(** What is said of a program for a time, on an input that is made up. *)
+(** An observer of a program: it runs the program for some time on a generated input and judges it.
+*)
 
 val observer : Scope.t -> program -> string -> observer
-(** Of that label. *)
+(** An observer with this label. *)
 
 val test : observer -> string
-(** It as a test. *)
+(** The observer as a test. *)
 
 val reference : string -> observer -> string
-(** A signal function of that name, without input, that gives the verdicts: a pair of the judge's,
-    and a tuple of () and those on the claims. *)
+(** A signal function of this name, without input, that outputs the verdicts: a pair of the judge's
+    verdict, and a tuple of () and the claims' verdicts. *)
 
 val some : Scope.t -> program -> string
-(** A test, a golden trace or a trial, with files that are not there. *)
+(** A test, or a golden trace or trial whose files do not exist. *)

@@ -122,7 +122,7 @@ let rec of_depth random ~declared depth =
           if Random.State.int random 12 = 0 then 5 + Random.State.int random 30
           else 1 + Random.State.int random 4
         in
-        (* Large ones of small elements. *)
+        (* Large arrays have small elements. *)
         Array (size, if size > 4 then scalar random else inner ())
     | 14 ->
         if Random.State.bool random then Measure (any_measure random)

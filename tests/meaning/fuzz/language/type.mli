@@ -5,7 +5,7 @@ type t =
   | Measure of measure  (** a Float with a unit *)
   | Int
   | Bool
-  | Tuple of t list  (** two or more, or none *)
+  | Tuple of t list  (** two or more components, or none *)
   | Array of int * t
   | Data of data
 
@@ -13,46 +13,46 @@ and measure = { metres : int; seconds : int }
 (** exponents; not both 0 *)
 
 and data = {
-  head : string;  (** as it is written: [Maybe Float], [Shape3] *)
+  head : string;  (** in source syntax: [Maybe Float], [Shape3] *)
   constructors : constructor list;
 }
 
-and constructor = { name : string; fields : (string * t) list  (** names, or [""] *) }
+and constructor = { name : string; fields : (string * t) list  (** field names, or [""] *) }
 
 val maybe : t -> t
 val event : t -> t
 val unit : t
 
 val event_payload : t -> t option
-(** What an event type carries. *)
+(** The payload type of an event type. *)
 
 val measure : metres:int -> seconds:int -> t
-(** A Float with a unit of these exponents, or without. *)
+(** A Float with a unit of these exponents; without a unit if both are 0. *)
 
 val scalars : t -> int
-(** How many a value has at most, or more. *)
+(** An upper bound on the number of scalars in a value. *)
 
 val unit_text : measure -> string
-(** As it stands between brackets. *)
+(** The unit in source syntax, without the brackets. *)
 
 val either : t -> t -> t
 
 val has_instances : measured:bool -> t -> bool
-(** Of the classes that random programs share: [Measured], else [Renewed]. Declared types have both.
-*)
+(** Whether the type has an instance of a class that random programs share: [Measured] or [Renewed].
+    Declared types have both. *)
 
 val is_record : data -> bool
 
 val text : t -> string
-(** In parentheses where an argument needs them. *)
+(** In parentheses if needed for an argument of a type. *)
 
 val any_measure : Random.State.t -> measure
 
 val any : Random.State.t -> declared:t list -> t
-(** A small type; [declared] are data types of the program. *)
+(** A small random type; [declared] are the program's data types. *)
 
 val declare : Random.State.t -> declared:t list -> string -> t
-(** A data type of that name: a record, a sum or an enumeration. *)
+(** A random data type of this name: a record, a sum or an enumeration. *)
 
 val declaration : t -> string
-(** Of what {!declare} made. *)
+(** The declaration of a type made by {!declare}. *)

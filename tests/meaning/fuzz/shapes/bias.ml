@@ -1,4 +1,4 @@
-type root = Any | Small | Cascade | Handed_on
+type root = Any | Small | Cascade | Handed_on | Errand
 
 type t = {
   events : int;
@@ -37,6 +37,7 @@ let all =
     { even with root = Small };
     { even with root = Cascade };
     { even with root = Handed_on };
+    { even with root = Errand };
   |]
 
 let count = Array.length all

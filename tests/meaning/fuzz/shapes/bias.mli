@@ -1,18 +1,19 @@
-(** What the programs of a seed have most of. *)
+(** The features that dominate each random program. *)
 
-(** What a program is. *)
+(** The root of a program. *)
 type root =
   | Any  (** equations and definitions of all kinds *)
   | Small  (** see {!Small_root} *)
   | Cascade  (** see {!Cascade} *)
   | Handed_on  (** see {!Handed_on} *)
+  | Errand  (** see {!Errand} *)
 
 type t = {
-  events : int;  (** one type in so many is an event *)
+  events : int;  (** one type in this many is an event *)
   switches : int;  (** the weight of switches among signal functions *)
   tasks : int;  (** the weight of tasks among signal functions *)
   library : int;  (** the weight of the event library *)
-  odd_numbers : int;  (** one constant in so many is NaN, infinite or extreme *)
+  odd_numbers : int;  (** one constant in this many is NaN, infinite or extreme *)
   depth : int;  (** added to the depth of expressions *)
   width : int;  (** added to the number of equations *)
   chains : int;  (** the weight of chains of array functions among expressions *)
@@ -20,11 +21,12 @@ type t = {
 }
 
 val alike : int
-(** So many programs in a row are of one kind. *)
+(** Number of consecutive programs with the same bias. *)
 
 val of_program : seed:int -> int -> t
-(** Of the program with this number, by turns: even, event-heavy, switch-storms, NaN-heavy, deep,
-    wide, array-heavy, with a small root, cascades of modes, modes that hand on numbers. *)
+(** The bias of the program with this number. The biases alternate: balanced, event-heavy, many
+    switches, NaN-heavy, deep, wide, array-heavy, small root, cascades of modes, modes that hand on
+    numbers, a single task. *)
 
 val count : int
-(** How many there are. *)
+(** Number of different biases. *)

@@ -3,7 +3,7 @@ open Choice
 let f = Printf.sprintf
 let small (values : Scope.t) = string_of_int (Random.State.int values.random 5)
 
-(* What a range of it must not forget: numbers from -infinity to infinity, and NaN. *)
+(* A number that range analysis must treat as unbounded: from -infinity to infinity, or NaN. *)
 let unbounded (values : Scope.t) n =
   let part () =
     one_of values.random
@@ -43,7 +43,7 @@ let one_of_few ?by (values : Scope.t) =
 
 (* {1 A program of modes} *)
 
-(* A mode with an Int and a Bool that are handed on to it. *)
+(* A mode with two parameters, an Int and a Bool. *)
 type mode = { name : string; number : string; flag : string }
 
 let modes values =
@@ -53,16 +53,16 @@ let modes values =
       let fresh = Scope.fresh values in
       { name = fresh "m"; number = fresh "n"; flag = fresh "c" })
 
-(* What modes hand on: numbers that are chosen as the program runs, or literals alone, of
-   which the compiler computes what a mode makes of them. *)
+(* The arguments that modes pass on: numbers chosen at run time, or literals only, for which the
+   compiler can evaluate the next mode's condition. *)
 type handed = Chosen | Literals
 
-(* [paced]: none of them ends at its first instant, and the compiler can tell. *)
+(* [paced]: no mode ends at its first instant, and the compiler can prove it. *)
 type style = { hands : handed; paced : bool }
 
 let truth (values : Scope.t) = one_of values.random [ "True"; "False" ]
 
-(* Into the next of the modes or a later one, or into one of two. *)
+(* Switches into the next mode or a later one, or into one of two. *)
 let onward static hands ~handed:(n, c) later =
   let inside = Scope.bind [ (n, Type.Int); (c, Bool) ] static in
   let into mode =
@@ -80,7 +80,7 @@ let onward static hands ~handed:(n, c) later =
         (into (next ()))
         (into (next ()))
   | 0 ->
-      (* The longer way may be either. *)
+      (* Either of the two may skip modes. *)
       let then_, else_ =
         if chance inside.random 2 then (into (one_of inside.random later), into (List.hd later))
         else (into (next ()), into (next ()))
@@ -91,7 +91,7 @@ let onward static hands ~handed:(n, c) later =
       f "let %s = %s in %s %s %s" k (one_of_few ~by:c inside) mode.name k c
   | _ -> into (next ())
 
-(* By what goes on in the mode from instant to instant. *)
+(* A condition on a value that changes in the mode from instant to instant. *)
 let timed (inside : Scope.t) number =
   let handed_on = f "(toFloat %s * 0.1[s])" number in
   let q = one_of inside.random [ "0"; "0.05[s]"; "0.1[s]"; "0.3[s]"; handed_on ] in
@@ -101,7 +101,8 @@ let timed (inside : Scope.t) number =
   | 1 -> f "when (nanoseconds (timeSince (%s)) >= nanoseconds %s)" (bool inside) q
   | _ -> f "when (derivative (if %s then 1 else 0) * 1[s] > 0)" (bool inside)
 
-(* Mostly at the mode's first instant, if the number that was handed to it is so. *)
+(* The event that ends a mode. It mostly occurs at the mode's first instant, depending on its
+   number. *)
 let ends (inside : Scope.t) style { number; flag; _ } =
   let asked () =
     let asked = asked_of inside number in
@@ -121,7 +122,7 @@ let ends (inside : Scope.t) style { number; flag; _ } =
   | 5 -> f "when (%s %s %s)" (asked ()) (one_of inside.random [ "&&"; "||" ]) (asked ())
   | _ -> f "when (%s)" (asked ())
 
-(* It tells which mode runs. *)
+(* The output shows which mode runs. *)
 let output (inside : Scope.t) k number =
   match Random.State.int inside.random 4 with
   | 0 -> f "%d + (%s)" (10 * k) (one_of_few inside)
@@ -140,7 +141,7 @@ let switch input style ~static ~shows ~event later =
     input.pattern shows (one_of_few inside) (bool inside) event n c
     (onward static style.hands ~handed:(n, c) later)
 
-(* A mode that stays, and may run another of the program's machines. *)
+(* The last mode, which never ends, and may run another of the program's machines. *)
 let lasting input ~(inside : Scope.t) ~machines k number =
   let whole = Scope.fresh inside "i" in
   let shows =
@@ -168,7 +169,7 @@ let rec define values input style ~machines k = function
         mode.name mode.number mode.flag body
       :: define values input style ~machines (k + 1) later
 
-(* Some modes, and what starts in the first of them: at once or at an event. *)
+(* Some modes, and a signal function that starts in the first one, either at once or at an event. *)
 let machine values input ~alone ~machines =
   let modes = modes values in
   let start = Scope.fresh values "s" in
@@ -189,7 +190,7 @@ let machine values input ~alone ~machines =
     define values input style ~machines 1 modes
     @ [ f "%s%s = %s\n\n" (signature start "" input) start begins ] )
 
-(* A machine for each element of an array. *)
+(* One machine for each element of an array. *)
 let for_each values input start =
   Scope.note values "array of machines";
   let many = Scope.fresh values "s" and whole = Scope.fresh values "i" in
@@ -201,7 +202,8 @@ let for_each values input start =
 let definitions values ~input ~pattern:(pattern, bound) =
   Scope.note values "cascade of modes";
   let input = { ty = input; pattern; bound } in
-  (* One alone may be the whole program, which looks at the time in ways of its own. *)
+  (* If there is only one machine, it may be the whole program, which then uses another
+     representation of time. *)
   let alone = chance values.random 2 in
   let rec more k machines texts =
     if k = 0 then (String.concat "" texts, List.rev machines)

@@ -11,11 +11,11 @@ type makers = {
 let f = Printf.sprintf
 let annotated = Constant.annotated
 
-(* Few types, so that what came out of one loop is found in the body of the next. *)
+(* Uses few types, so that a result of one loop often occurs in the body of the next. *)
 let element s usual = if chance s.random 6 then any_type s else one_of s.random usual
 
-(* A function of the elements. Its parameters and what the chain has made come
-   first, of all else in scope only a little. *)
+(* A function of the elements. It mostly uses its parameters and the chain's earlier results, and
+   only a few other variables in scope. *)
 let lambda s makers arguments result =
   let named = List.map (fun ty -> (fresh s "e", ty)) arguments in
   let inside = bind named { s with run = None } in
@@ -23,7 +23,7 @@ let lambda s makers arguments result =
     (String.concat " " (List.map fst named))
     (annotated (makers.expression inside (1 + Random.State.int s.random 2) result) result)
 
-(* Nothing of some elements. *)
+(* Returns 0 for some of the elements. *)
 let or_zero s makers u =
   let e = fresh s "e" in
   let inside = bind [ (e, u) ] { s with run = None } in
@@ -31,7 +31,7 @@ let or_zero s makers u =
     (annotated (makers.expression inside 1 Float) Float)
     (one_of s.random [ "0"; "0"; "(-0)" ])
 
-(* All NaN at the instants at which a number is negative. *)
+(* Makes all elements NaN at the instants at which a number is negative. *)
 let lost s makers (a, _) =
   let e = fresh s "e" in
   let number =
@@ -41,11 +41,11 @@ let lost s makers (a, _) =
   in
   f "map (\\%s -> %s %s sqrt %s) %s" e e (one_of s.random [ "+"; "*" ]) (annotated number Float) a
 
-(* Of the latest more often than of the earlier ones. *)
+(* Prefers the most recent elements of the list. *)
 let latest s list =
   one_of s.random (List.filteri (fun k _ -> k = 0 || not (chance s.random 3)) list)
 
-(* With their types: a parameter's may be known from nowhere else. *)
+(* Annotated with their types, which may not be known otherwise, for example for a parameter. *)
 let arrays_of n variables =
   List.filter_map
     (fun (name, (ty : Type.t)) ->
@@ -88,7 +88,7 @@ let fold s makers (a, u) result =
   let value = annotated (makers.expression { s with run = None } 0 result) result in
   f "foldl %s %s %s" (lambda s makers [ result; u ] result) value a
 
-(* Two results at once, which often begin or go on alike. *)
+(* Two results at once, which often start or continue with equal values. *)
 let fold_of_two s makers (a, u) result =
   let first = fresh s "r" and second = fresh s "r" and e = fresh s "e" in
   let inside = bind [ (e, u); (first, result); (second, result) ] { s with run = None } in
@@ -125,7 +125,7 @@ let new_value s makers ~n arrays usual : Type.t * string =
       let result = element s usual in
       (result, fold s makers array result)
 
-(* Short ones are written out, without a loop. *)
+(* The compiler unrolls loops over short arrays. *)
 let size s =
   let known =
     List.filter_map
@@ -158,9 +158,9 @@ let make s makers ?last n =
   in
   go { s with variables = List.filteri near s.variables } [] (3 + Random.State.int s.random 5)
 
-(* {1 What the chain comes to} *)
+(* {1 Results of the chain} *)
 
-(* An element as a number that tells it from others. *)
+(* Converts an element to a number that distinguishes it from others. *)
 let number (ty : Type.t) e =
   match ty with
   | Float -> Some (f "round (64.0 * %s)" e)
@@ -169,7 +169,7 @@ let number (ty : Type.t) e =
   | Bool -> Some (f "(if %s then 1 else 0)" e)
   | Tuple _ | Array _ | Data _ -> None
 
-(* In order, so that it shows if two elements are exchanged. *)
+(* Depends on the order, to detect exchanged elements. *)
 let digest (name, (ty : Type.t)) =
   match ty with
   | Array (_, t) ->

@@ -1,22 +1,24 @@
-(** Random chains of array functions: arrays of one size, each made of earlier ones and of the
-    numbers that came out of them, each used several times.
+(** Random chains of array functions: arrays of one size, each computed from earlier ones and from
+    numbers computed from those, and each used several times.
 
-    They are what the compiler makes loops of, joins, and must not join. *)
+    The compiler turns them into loops, and fuses the loops where that is allowed. *)
 
 type binding = { name : string; ty : Type.t; text : string }
 
 type makers = {
   expression : Scope.t -> int -> Type.t -> string;
   instances : (Type.t -> Type.t -> string) option;
-      (** signal functions from one type to another, where instances may stand *)
+      (** makes a signal function from one type to another; None if instances are not allowed here
+      *)
 }
 
 val size : Scope.t -> int
-(** A size for one, often that of an array in scope. *)
+(** A size for a chain, often that of an array in scope. *)
 
 val make : Scope.t -> makers -> ?last:Type.t -> int -> binding list
-(** Of so many elements, each binding after those that it uses; the last one, if its type is given,
-    is an array of elements of that type. The arrays of that size in scope are used as well. *)
+(** A chain of arrays with this many elements, in dependency order. If [last] is given, the last
+    binding is an array with elements of this type. The chain also uses the arrays of this size in
+    scope. *)
 
 val result : Scope.t -> makers -> binding list -> Type.t -> string
-(** A value of this type that most of the chain takes part in. *)
+(** A value of this type that depends on most of the chain. *)

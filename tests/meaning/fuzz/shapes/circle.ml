@@ -2,7 +2,7 @@ open Choice
 
 let f = Printf.sprintf
 
-(* What of the late input a mode remembers. *)
+(* A signal that remembers something about the late input of a mode. *)
 let remembered (m : Reactive.maker) late y =
   match (late : Type.t) with
   | Float when chance m.values.random 2 -> f "integral %s / 1[s]" y
@@ -17,8 +17,19 @@ let event (inside : Scope.t) m =
         (one_of inside.random [ "when"; "edge"; "edgeFrom False" ])
         (Expression.expression inside 1 Bool)
 
-(* One mode, and those that come after it. An event that leads on a moment later may
-   look at the late input itself. *)
+(* The output of a mode. In two of three modes it depends on the time, which reveals a step that
+   was made twice. *)
+let shown (inside : Scope.t) ~now (b : Type.t) =
+  let value () = Expression.expression inside 1 b in
+  match (Random.State.int inside.random 3, b) with
+  | 0, _ -> value ()
+  | _, Float -> f "(%s + %s)" now (value ())
+  | _, _ ->
+      let limit = one_of inside.random [ "0.05"; "0.3"; "1"; "5" ] in
+      f "(if %s < %s then %s else %s)" now limit (value ()) (value ())
+
+(* A mode, and the ones after it. An event that leads on an instant later may use the late input
+   directly. *)
 let rec modes (m : Reactive.maker) a ~late b k =
   let random = m.values.random in
   let text, bound = Pattern.any m.values a in
@@ -27,8 +38,7 @@ let rec modes (m : Reactive.maker) a ~late b k =
   let inside =
     Scope.bind ((before, late) :: (now, Type.Float) :: bound) { m.values with run = None }
   in
-  let shown = Expression.expression inside 1 b in
-  (* The time shows a step that was made twice. *)
+  let shown = shown inside ~now b in
   let proc result =
     f "proc (%s, %s) -> let %s = (%s :: %s) in let %s = time () / 1[s] in %s" text y before
       (remembered m late y) (Type.text late) now result

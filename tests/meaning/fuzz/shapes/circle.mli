@@ -1,8 +1,8 @@
-(** Machines in a circle: one of a machine's inputs is made of what the machine gives at the same
-    instant, and shows an instant later only.
+(** Machines in a loop: one input of a machine depends on the machine's output at the same instant,
+    but affects it only an instant later.
 
-    Such a machine cannot be opened, as another node can that feeds back to itself, so it is stepped
-    on trial first, without that input. *)
+    The compiler can inline other nodes that feed back to themselves, but not such a machine. So the
+    generated C first steps it on trial, without that input. *)
 
 val machine : Reactive.maker -> Type.t -> late:Type.t -> Type.t -> string
-(** [machine m a ~late b], of type [SF (a, late) b]. *)
+(** [machine m a ~late b] has type [SF (a, late) b]. *)

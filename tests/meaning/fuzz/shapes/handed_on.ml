@@ -4,7 +4,7 @@ let f = Printf.sprintf
 
 type mode = { name : string; a : string; b : string }
 
-(* What this program computes of two numbers. *)
+(* The function of two numbers that the program uses everywhere. *)
 let measure random =
   let k = one_of random [ "3"; "0.5"; "(-1)"; "0" ]
   and l = one_of random [ "1"; "2.5"; "(-0.25)" ] in
@@ -45,7 +45,7 @@ let asked (inside : Scope.t) measure { a; b; _ } (x, y) =
   | 3 -> f "%s < %s" (measure a b) (float inside)
   | _ -> Cascade.bool inside
 
-(* Work that is worth a branch. *)
+(* A condition that is expensive enough for a branch. *)
 let much (inside : Scope.t) measure { a; b; _ } (x, y) =
   let of_ a b =
     match Random.State.int inside.random 3 with
@@ -66,7 +66,7 @@ let handed (inside : Scope.t) mode (p, q) =
   | 4 -> "2 (-1)"
   | _ -> f "%s %s" p q
 
-(* Whither an event leads, and what it hands on. *)
+(* The event that leads on, its target, and the arguments for it. *)
 let way ?(keeps = false) (inside : Scope.t) mode later ~edge ~asked ~event_of (x, y) =
   let p = Scope.fresh inside "p" and q = Scope.fresh inside "q" in
   let next = if chance inside.random 3 then one_of inside.random later else List.hd later in
@@ -102,7 +102,7 @@ let rec define scope (pattern, bound) ~signature measure = function
                 if chance inside.random 3 then asked inside measure mode others
                 else much inside measure mode others
               in
-              (* The second may ask what the first one asks too. *)
+              (* The second condition may include the first one. *)
               let also = chance inside.random 2 in
               let second_asked =
                 if also then f "%s || %s" first_asked second_asked else second_asked

@@ -1,10 +1,10 @@
-(** Modes that hand two numbers on to each other, of which some need only what they compute of both.
+(** Modes that hand on two numbers to each other; some of them need only a function of both.
 
-    The compiler then hands on that, and computes it where the numbers come from, or takes what is
-    computed there anyhow; so the modes and their conditions compute the same of these numbers and
-    of the input, sometimes with other signs. *)
+    The compiler then hands on the function's value instead, and computes it where the numbers come
+    from, or reuses it if it is already computed there. So the modes and their conditions compute
+    the same function of these numbers and of the input, sometimes with opposite signs. *)
 
 val definitions :
   Scope.t -> input:Type.t -> pattern:string * (string * Type.t) list -> string * string
-(** The text, and the name of the signal function of that input that starts in the first mode. It
-    gives a Float. *)
+(** The text, and the name of the signal function with this input that starts in the first mode. Its
+    output is a Float. *)

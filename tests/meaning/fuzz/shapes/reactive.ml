@@ -14,7 +14,7 @@ let time m =
 let number m = one_of m.values.random [ "0"; "1"; "2"; "3"; "(-1)" ]
 let literal m ty = Constant.literal m.values ty
 
-(* A function of the values of the instant, with what more is in scope. *)
+(* A function that may use the values of the instant and the variables in [more]. *)
 let lambda m ?(more = []) arguments fuel result =
   let values = still (Scope.bind more m.values) in
   let patterns = List.map (Pattern.any values) arguments in
@@ -88,7 +88,7 @@ let source m fuel (a : Type.t) b payload =
   @ (if a = Type.maybe payload then [ (6, fun () -> "edgeJust") ] else [])
   @ by_input @ any
 
-(* The event carries functions; they may have captured signals. *)
+(* An event that carries functions, which may have captured signals. *)
 let accumulated_functions m fuel a b =
   let values = still m.values in
   Scope.note values "event of functions";
@@ -157,8 +157,8 @@ let once_switched m fuel a b =
   mode m ~earlier:false fuel a b ~continuation:(fun values ->
       m.signal_function values (fuel - 1) a b)
 
-(* Switches of which several may occur at one instant: each hands on a number, and
-   the next one mostly asks about it. *)
+(* Nested switches, several of which may occur at one instant: each hands on a number, and the
+   next one mostly tests it. *)
 let rec cascade m ?latest fuel a b =
   let random = m.values.random in
   let text, bound = Pattern.any m.values a in
@@ -171,7 +171,7 @@ let rec cascade m ?latest fuel a b =
   in
   let n = Scope.fresh m.values "n" and c = Scope.fresh m.values "c" in
   let handed = Scope.bind [ (n, Type.Int); (c, Bool) ] m.values in
-  (* The compiler knows more of what is made after the event. *)
+  (* The compiler knows more about a value that is computed after the event. *)
   let made, latest, values =
     if chance random 3 then ("", n, handed)
     else
@@ -190,8 +190,8 @@ let rec cascade m ?latest fuel a b =
     (one_of random [ "when"; "edgeFrom False" ])
     asked n c made after
 
-(* Modes that start each other where they are needed: so often that it ends, or each time
-   after a while. They capture what is in scope. *)
+(* Local modes that start each other, either a limited number of times or each after some time.
+   They capture variables in scope. *)
 let local_modes m fuel a b =
   let values = m.values in
   let go = Scope.fresh values "go" and up = Scope.fresh values "go" in
@@ -221,7 +221,7 @@ let local_modes m fuel a b =
     (Random.State.int values.random 3 - 1)
     (Type.text a) (Type.text b)
 
-(* Of a period that is known to the compiler, or of any. *)
+(* A periodic event; the compiler may know the period. *)
 let ticks m =
   match Random.State.int m.values.random 3 with
   | 0 -> f "(ticks %s)" (Expression.expression (still m.values) 1 Type.Float)
@@ -229,7 +229,7 @@ let ticks m =
   | _ ->
       f "(ticks %s)" (one_of m.values.random [ "200000000.5"; "0.9"; "1"; "1000000000000000000.0" ])
 
-(* What comes after is the event's value. *)
+(* Switches into the signal function that an event carries. *)
 let brought m fuel a b =
   Scope.note m.values "switch into the signal function of an event";
   let text, bound = Pattern.any m.values a in
@@ -247,7 +247,7 @@ let brought m fuel a b =
 
 let parenthesized ty text = f "(%s :: %s)" text (Type.text ty)
 
-(* Restarted or replaced at events; what replaces it captures signals. *)
+(* A signal function that is restarted or replaced at events; the replacement captures signals. *)
 let replaced m fuel a b =
   let text, bound = Pattern.any m.values a in
   let whole = Scope.fresh m.values "w" in
@@ -277,7 +277,7 @@ let initially m fuel a b =
   let text, bound = Pattern.any m.values a in
   f "(initially (\\%s -> %s))" text (m.signal_function (Scope.bind bound m.values) (fuel - 1) a b)
 
-(* Ways through an event on the way, where the types leave few. *)
+(* Compositions through an event, which produce types that few other constructs do. *)
 let composed m fuel a (b : Type.t) =
   let event payload = lively m (fuel - 1) a payload in
   let value ty = m.signal_function m.values (fuel - 1) a ty in

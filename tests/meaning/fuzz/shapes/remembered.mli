@@ -1,8 +1,8 @@
-(** Events that ask what a condition is and what it was an instant ago.
+(** Events that depend on a condition's current value and on its value an instant ago.
 
-    While a mode runs none of its events has occurred, so the compiler knows parts of their
-    conditions; and a condition of an instant ago that this keeps as it began it takes for a
-    constant. What it takes for one and is none shows where the event depends on it. *)
+    While a mode runs, none of its events has occurred, so the compiler knows parts of their
+    conditions. If this implies that a remembered condition never changes, the compiler treats it as
+    a constant. These events reveal a condition that it wrongly treats as constant. *)
 
 val event : Scope.t -> (unit -> string) -> string
-(** In a scope, of what makes conditions: an expression of type [Event ()]. *)
+(** An expression of type [Event ()] in this scope, made with a generator of conditions. *)

@@ -1,5 +1,6 @@
-(** Programs as small as the first that one writes: a few numbers which are kept from one instant to
-    the next, and some of which begin in their own way. *)
+(** Programs as small as a beginner's first ones: a few numbers that are remembered from one instant
+    to the next, some of which start in a special way. *)
 
 val make : Scope.t -> pattern:string * (string * Type.t) list -> string * Type.t list
-(** A [proc] of an input with that pattern, which gives a tuple, and what is in it. *)
+(** A [proc] for an input with this pattern, whose output is a tuple; also returns the types of the
+    components. *)

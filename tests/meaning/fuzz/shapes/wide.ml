@@ -3,14 +3,14 @@ open Choice
 let f = Printf.sprintf
 let output : Type.t = Tuple [ Int; Float; Bool ]
 
-(* All of them in one expression. *)
+(* Joins all names in one expression. *)
 let joined random operators names =
   let join text x = f "(%s %s %s)" text (one_of random operators) x in
   List.fold_left join (List.hd names) (List.tl names)
 
 let definition (values : Scope.t) name =
   let random = values.random in
-  (* There are no tuples of so many parts. *)
+  (* Tuples cannot have that many components, so they are nested. *)
   let groups =
     List.init
       (7 + Random.State.int random 3)
@@ -33,7 +33,7 @@ let definition (values : Scope.t) name =
   let number = joined random [ "+"; "-"; "*"; "`min`" ] (shuffled random (all Int)) in
   let float = joined random [ "+"; "-"; "`max`" ] (shuffled random (all Float)) in
   let truth = joined random [ "&&"; "||"; "/=" ] (shuffled random (all Bool)) in
-  (* With a state, or a function. *)
+  (* Adds a state, or a function. *)
   let number = if chance random 2 then number else f "delay 0 %s" number in
   let truth = if chance random 2 then truth else f "%s /= (%s > 2)" truth (List.hd (all Int)) in
   Scope.note values "wide function";

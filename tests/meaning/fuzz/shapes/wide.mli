@@ -1,9 +1,9 @@
-(** A signal function that is given very many numbers, needs them all, and gives several. *)
+(** A signal function that takes very many numbers, uses all of them, and has several outputs. *)
 
 val output : Type.t
 
 val definition : Scope.t -> string -> string * Type.t
-(** Of that name: the text, and the type of its input. *)
+(** A signal function of this name: its text, and the type of its input. *)
 
 val part : Scope.t -> Type.t -> call:string -> string option
-(** What a call of it, as text, gives of this type. *)
+(** The component of this type of a call's result; the call is given as text. *)

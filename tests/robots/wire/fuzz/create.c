@@ -1,5 +1,5 @@
-/* The Create's frames: whatever comes, the receiver finds exactly the frames
- * that are there, each with its last byte. */
+/* Fuzzes the Create's frames: for any bytes, the receiver must find exactly the frames in them,
+ * each at its last byte. */
 #include "fuzz.h"
 #include "random.h"
 
@@ -8,7 +8,7 @@
 #include <string.h>
 
 static const uint8_t ids[] = { 7, 35, 22, 43, 44, 46 };
-/* Header, N, six ids with two data of one byte and four of two, sum. */
+/* Header, N, six ids (two with one data byte, four with two), checksum. */
 enum { SIZE = 2 + 6 + 2 + 8 + 1 };
 
 size_t fuzz_frame(uint64_t *seed, uint8_t bytes[FUZZ_FRAME])

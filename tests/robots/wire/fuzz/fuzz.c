@@ -16,8 +16,7 @@ void fuzz_fail(const char *what)
     abort();
 }
 
-/* Checks the bytes, in memory of exactly their size, so that a read beyond
- * their end is noticed. */
+/* Checks the bytes in a buffer of exactly their size, so that reads beyond its end are detected. */
 static void check_exactly(const uint8_t *bytes, size_t count)
 {
     static uint64_t budget;
@@ -39,7 +38,7 @@ static void check_exactly(const uint8_t *bytes, size_t count)
     }
 }
 
-/* One byte on its way. */
+/* Passes a byte through a faulty line. */
 static size_t garble(uint64_t *seed, unsigned rate, uint8_t byte, uint8_t *out)
 {
     if (random_below(seed, rate) != 0) {
@@ -57,7 +56,7 @@ static size_t garble(uint64_t *seed, unsigned rate, uint8_t byte, uint8_t *out)
     }
 }
 
-/* The bytes with good frames between them, all of it garbled. */
+/* Mixes the bytes with good frames, and garbles everything. */
 static size_t mix(uint64_t *seed, const uint8_t *bytes, size_t count, uint8_t *out)
 {
     uint8_t frame[FUZZ_FRAME];

@@ -1,10 +1,9 @@
-/* What the fuzzers of wire formats share. A fuzzer checks a run of bytes; it
- * gets those that libFuzzer made, and those bytes mixed with good frames and
- * garbled in many ways, from seeds that the bytes give: flipped bits, lost
- * bytes, doubled bytes, garbage.
+/* Shared code of the fuzzers for wire formats. A fuzzer checks sequences of bytes: those that
+ * libFuzzer generates, and the same bytes mixed with good frames and garbled in many ways, with
+ * seeds derived from the bytes: flipped bits, lost bytes, duplicated bytes, garbage.
  *
- * After FUZZ_BYTES bytes (of the environment) the process ends well, with a
- * line that says how many they were. */
+ * After FUZZ_BYTES bytes (an environment variable) the process exits successfully and prints the
+ * number of bytes. */
 #ifndef FUZZ_H
 #define FUZZ_H
 
@@ -13,14 +12,15 @@
 
 enum { FUZZ_FRAME = 256 };
 
-/* Of each fuzzer: feeds the bytes to the receiver under test and to a slow
- * search written for the purpose, and aborts where the two differ. */
+/* Each fuzzer defines this function. It feeds the bytes to the receiver under test and to a slow
+ * reference search, and aborts if they differ. */
 void fuzz_check(const uint8_t *bytes, size_t count);
 
-/* Of each fuzzer: writes a good frame with random content; gives its size. */
+/* Each fuzzer defines this function. It writes a good frame with random content and returns its
+ * size. */
 size_t fuzz_frame(uint64_t *seed, uint8_t bytes[FUZZ_FRAME]);
 
-/* Ends the process as a failure, after saying what is wrong. */
+/* Reports what is wrong and ends the process as a failure. */
 void fuzz_fail(const char *what);
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count);

@@ -1,6 +1,5 @@
-/* The Pioneer's packets: whatever comes, and in whatever portions, the
- * receiver finds exactly the packets that are whole by then, each as soon as it
- * is. */
+/* Fuzzes the Pioneer's packets: for any bytes in any portions, the receiver must find exactly
+ * the complete packets, each as soon as it is complete. */
 #include "fuzz.h"
 #include "random.h"
 
@@ -21,14 +20,14 @@ size_t fuzz_frame(uint64_t *seed, uint8_t bytes[FUZZ_FRAME])
     for (size_t i = 1; i < length; i++)
         bytes[3 + i] = (uint8_t)random_below(seed, 256);
     if (length > 19)
-        bytes[3 + 19] = (uint8_t)random_below(seed, 24); /* sonars in it */
+        bytes[3 + 19] = (uint8_t)random_below(seed, 24); /* number of sonar readings */
     sum = frob_p2os_checksum(bytes + 3, length);
     bytes[3 + length] = (uint8_t)(sum >> 8);
     bytes[4 + length] = (uint8_t)(sum & 0xFF);
     return length + 5;
 }
 
-/* The manual's sum, over pairs, written another way than the driver's. */
+/* The manual's checksum, over pairs of bytes, implemented differently from the driver. */
 static unsigned sum_of(const uint8_t *body, size_t length)
 {
     unsigned sum = 0;
@@ -37,7 +36,7 @@ static unsigned sum_of(const uint8_t *body, size_t length)
     return length % 2 != 0 ? sum ^ body[length - 1] : sum;
 }
 
-/* May the bytes from `at` on become a packet when more of them come? */
+/* Whether the bytes from `at` on are the start of a packet that may be completed. */
 static bool is_begun(const uint8_t *bytes, size_t count, size_t at)
 {
     return at < count && bytes[at] == 0xFA && (at + 1 >= count || bytes[at + 1] == 0xFB) &&
@@ -45,8 +44,8 @@ static bool is_begun(const uint8_t *bytes, size_t count, size_t at)
             (bytes[at + 2] >= 3 && bytes[at + 2] <= 249 && at + 3 + bytes[at + 2] > count));
 }
 
-/* The first packet from `from` on that is whole: where it begins and ends. What
- * is begun right `behind` another packet is waited for. */
+/* The first complete packet from `from` on: its start and end. If the start of a packet is right
+ * `behind` another packet, the search waits for it. */
 static bool next_packet(const uint8_t *bytes, size_t count, size_t from, bool behind, size_t *at,
                         size_t *end)
 {
@@ -93,7 +92,7 @@ void fuzz_check(const uint8_t *bytes, size_t count)
             frob_p2os_feed(&receiver, bytes + fed, portion < count - fed ? portion : count - fed);
         if (used == 0)
             fuzz_fail("the receiver takes nothing");
-        /* What began longer ago than the longest packet has been whole before. */
+        /* A packet that started longer ago than the longest packet was complete before. */
         if (fed > FROB_P2OS_PACKET_MOST && from < fed - FROB_P2OS_PACKET_MOST) {
             from = fed - FROB_P2OS_PACKET_MOST;
             behind = false;

@@ -1,7 +1,7 @@
 #!/bin/sh
-# run.sh FOLDER BYTES SEED ROBOT...: fuzzes the wire format of each robot with at
-# least so many bytes, under sanitizers, and prints a line for each. Input that
-# fails is kept in the folder, and said where.
+# run.sh FOLDER BYTES SEED ROBOT...: fuzzes the wire format of each robot with at least BYTES bytes,
+# under sanitizers, and prints a line for each. Input that fails is kept in the folder, and its path
+# printed.
 set -u
 folder=$1 bytes=$2 seed=$3
 shift 3

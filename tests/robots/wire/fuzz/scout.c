@@ -1,5 +1,5 @@
-/* The Scout's packets: whatever comes, the receiver finds exactly the packets
- * that are there, each with its last byte. */
+/* Fuzzes the Scout's packets: for any bytes, the receiver must find exactly the packets in them,
+ * each at its last byte. */
 #include "fuzz.h"
 #include "random.h"
 
@@ -20,7 +20,7 @@ size_t fuzz_frame(uint64_t *seed, uint8_t bytes[FUZZ_FRAME])
     return frob_scout_write_packet(&packet, bytes);
 }
 
-/* The longest packet that ends behind `end`; 0 if none does. */
+/* The longest packet that ends just before `end`; 0 if there is none. */
 static size_t packet_before(const uint8_t *bytes, size_t end)
 {
     for (size_t size = FROB_SCOUT_MAX_PACKET; size >= 6; size--) {

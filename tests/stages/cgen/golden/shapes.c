@@ -46,7 +46,8 @@ void shapes_step(struct shapes_state *self, double dt, const struct shapes_input
     const struct shapes_either_maybe_float_bool e = in->f1;
     const struct shapes_event_int_float v = in->f3.f1;
     const struct shapes_maybe_float chosen = e.tag == SHAPES_EITHER_MAYBE_FLOAT_BOOL_LEFT
-            ? shapes_either_maybe_float_bool_left_part1(e) : shapes_maybe_float_nothing(); /* line 6 */
+            ? shapes_either_maybe_float_bool_left_part1(e)
+            : shapes_maybe_float_nothing(); /* line 6 */
     out->f1 = self->last;                                   /* line 12 */
     out->f3 = v.tag == SHAPES_EVENT_INT_FLOAT_EVENT ? shapes_event_int_float_event(7, v.f0) : v; /* line 11 */
     self->last = shapes_either_maybe_float_bool_left(chosen); /* line 12 */

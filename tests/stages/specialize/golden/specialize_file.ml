@@ -1,5 +1,5 @@
-(* [specialize_file LIBRARY FILE]: the Flow of a file's [main], checked by the
-   lint; or what is wrong with it. *)
+(* [specialize_file LIBRARY FILE] prints the Flow of a file's [main] after checking it with the
+   lint; or its diagnostics. *)
 
 open Basis
 

@@ -1,4 +1,4 @@
-// usage: node read.mjs FILE.mcap: reads it with @mcap/core, by its index and from its beginning.
+// usage: node read.mjs FILE.mcap: reads the file with @mcap/core, by its index and as a stream.
 import { open, readFile } from "node:fs/promises";
 import { McapIndexedReader, McapStreamReader } from "@mcap/core";
 

@@ -1,5 +1,5 @@
-"""usage: read.py FILE.mcap RUN.csv: reads it with the package mcap, checks each message against its
-schema, and compares with the recording."""
+"""usage: read.py FILE.mcap RUN.csv: reads the file with the package mcap, checks each message
+against its schema, and compares it with the recording."""
 
 import csv
 import json

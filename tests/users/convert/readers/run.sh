@@ -1,6 +1,6 @@
 #!/bin/sh
-# usage: run.sh FROBC FOLDER : recordings as MCAP, read by the packages of others: Python's mcap and,
-# where there is npm, @mcap/core. They are installed in FOLDER.
+# usage: run.sh FROBC FOLDER : reads recordings in MCAP format with third-party packages: Python's
+# mcap and, if npm is installed, @mcap/core. Installs them in FOLDER.
 set -eu
 frobc=$1
 here=$PWD/tests/users/convert/readers

@@ -1,5 +1,6 @@
-"""check_vsix.py FILE: whether the extension has what its manifest names, and starts the server: its
-bundle is run by node, with a stand-in for what Visual Studio Code gives to extensions."""
+"""check_vsix.py FILE VERSION: checks that the extension has this version, contains what its
+manifest names, and starts the server. Node runs its bundle, with a stub for the API that Visual
+Studio Code provides to extensions."""
 
 import json
 import pathlib
@@ -33,6 +34,8 @@ with tempfile.TemporaryDirectory() as folder:
     zipfile.ZipFile(sys.argv[1]).extractall(folder)
     extension = pathlib.Path(folder) / "extension"
     manifest = json.loads((extension / "package.json").read_text())
+    if manifest["version"] != sys.argv[2]:
+        sys.exit("the extension has version %s, not %s" % (manifest["version"], sys.argv[2]))
     contributes = manifest["contributes"]
     named = [manifest["main"]]
     named += [language["configuration"] for language in contributes["languages"]]

@@ -1,7 +1,7 @@
 #!/bin/sh
-# run.sh FOLDER: other people's clients and tools on what editors get: pytest-lsp on the server,
-# vscode-tmgrammar-test on the grammar, and the extension in its package. What they need comes from
-# PyPI and npm into FOLDER; what is not at hand is left out, with a word.
+# run.sh FOLDER: runs third-party clients and tools on the editor support: pytest-lsp on the server,
+# vscode-tmgrammar-test on the grammar, and a check of the packaged extension. Installs what they
+# need from PyPI and npm in FOLDER; skips tools that are missing, with a message.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 editors=$(cd "$here/../../../../compiler/editors" && pwd)
@@ -27,7 +27,7 @@ if (cd "$out/npm" && npm install --no-audit --no-fund --silent --prefix . vscode
     "$out/npm/node_modules/.bin/vscode-tmgrammar-test" \
         -g "$editors/vscode/frob.tmLanguage.json" "$here/highlighting.test" || failed=1
     if sh "$editors/vscode/build.sh" "$out/vsix" >"$out/vsix.log" 2>&1; then
-        python3 "$here/check_vsix.py" "$out/vsix/frob.vsix" || failed=1
+        python3 "$here/check_vsix.py" "$out/vsix/frob.vsix" "$(frobc --version)" || failed=1
     else
         cat "$out/vsix.log"
         failed=1

@@ -1,4 +1,4 @@
-"""`frobc lsp` as pytest-lsp sees it, a client that is not ours and checks each message against the
+"""Tests `frobc lsp` with pytest-lsp, a third-party client that checks each message against the
 protocol. `make test-clients` runs this."""
 
 import pathlib

@@ -138,12 +138,12 @@ Rows of a matrix:
    --> const.frob:3:18
     |
   1 | const double gain = 2.0;
-    | ----- this defines a function `const` of `gain`
+    | ----- this defines a function `const` with the parameter `gain`
   2 | main :: SF Float Float
   3 | main = proc x -> gain * x
     |                  ^^^^
     |
-    = hint: a definition has no `const` before it: `gain = …`
+    = hint: remove `const` before the definition: `gain = …`
   
   1 error
   [1]

@@ -23,21 +23,21 @@ Records and arrays as other languages have them.
   > main = proc s -> x s + y s
   > FROB
   $ frobc check record_function_access.frob
-  error[E0205]: `x` is a field, and no function
+  error[E0205]: `x` is a field, not a function
    --> record_function_access.frob:2:18
     |
   2 | main = proc s -> x s + y s
     |                  ^
     |
-    = hint: write `s.x`; the function is `\r -> r.x`
+    = hint: write `s.x`; as a function, write `\r -> r.x`
   
-  error[E0205]: `y` is a field, and no function
+  error[E0205]: `y` is a field, not a function
    --> record_function_access.frob:2:24
     |
   2 | main = proc s -> x s + y s
     |                        ^
     |
-    = hint: write `s.y`; the function is `\r -> r.y`
+    = hint: write `s.y`; as a function, write `\r -> r.y`
   
   2 errors
   [1]
@@ -70,7 +70,7 @@ Records and arrays as other languages have them.
   2 | main = proc b -> if b then Mode.Drive else Mode.Turn
     |                            ^^^^            ---- and here
     |
-    = hint: `Mode` is a type, of which the constructors stand alone: leave out `Mode.`
+    = hint: `Mode` is a type; write its constructors without it: remove `Mode.`
   
   1 error
   [1]
@@ -315,7 +315,7 @@ Records and arrays as other languages have them.
   1 | m :: Array 2 2 Float
     |      ^^^^^^^^^^^^^^^
     |
-    = hint: rows of columns are arrays in an array: `Array 2 (Array 3 Float)`
+    = hint: write a matrix as an array of arrays: `Array 2 (Array 3 Float)`
   
   1 error
   [1]

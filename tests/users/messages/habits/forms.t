@@ -116,13 +116,13 @@ Names with a capital, of a value (told once, however often it is used) and of a 
   > twice = 2 * Speed
   > FROB
   $ frobc check capital.frob
-  error[E0226]: a pattern cannot be defined at top level
+  error[E0226]: a top-level definition defines one name, not a pattern
    --> capital.frob:1:1
     |
   1 | Speed = 0.3[m/s]
     | ^^^^^^^^^^^^^^^^
     |
-    = hint: the name of a value starts with a small letter: `speed`
+    = hint: start the name of a value with a small letter: `speed`
   
   1 error
   [1]

@@ -136,7 +136,7 @@ A field is no function:
   3 | speeds wheels = map speed wheels
     |                     ^^^^^
     |
-    = note: `speed` is a field of `Wheel`: `r.speed` reads it; the function is `\r -> r.speed`, the signal function `proc r -> r.speed`
+    = note: `speed` is a field of `Wheel`: write `r.speed`; as a function, `\r -> r.speed`; as a signal function, `proc r -> r.speed`
     = hint: did you mean `speeds`?
   
   1 error
@@ -292,7 +292,7 @@ Names from Haskell, Yampa and C are told by the name here.
   2 | main = proc n -> fromIntegral n + product [1.0] + fromJust None where
     |                  ^^^^^^^^^^^^
     |
-    = hint: `toFloat n` makes a Float of an Int
+    = hint: use `toFloat n` to convert an Int to a Float
   
   error[E0205]: unknown name `product`
    --> names.frob:2:35
@@ -300,7 +300,7 @@ Names from Haskell, Yampa and C are told by the name here.
   2 | main = proc n -> fromIntegral n + product [1.0] + fromJust None where
     |                                   ^^^^^^^
     |
-    = hint: `foldl (*) 1 xs` multiplies the elements of an array
+    = hint: use `foldl (*) 1 xs` to multiply the elements of an array
   
   error[E0205]: unknown name `fromJust`
    --> names.frob:2:51
@@ -308,7 +308,7 @@ Names from Haskell, Yampa and C are told by the name here.
   2 | main = proc n -> fromIntegral n + product [1.0] + fromJust None where
     |                                                   ^^^^^^^^
     |
-    = hint: `fromMaybe x m` is what is in `m`, and `x` where there is nothing
+    = hint: use `fromMaybe x m`, where `x` replaces a missing value
   
   error[E0206]: unknown constructor `None`
    --> names.frob:2:60
@@ -316,7 +316,7 @@ Names from Haskell, Yampa and C are told by the name here.
   2 | main = proc n -> fromIntegral n + product [1.0] + fromJust None where
     |                                                            ^^^^
     |
-    = hint: it is `Nothing`
+    = hint: write `Nothing`
   
   error[E0205]: unknown name `iPre`
    --> names.frob:3:9
@@ -324,7 +324,7 @@ Names from Haskell, Yampa and C are told by the name here.
   3 |     a = iPre 0 n
     |         ^^^^
     |
-    = hint: it is `delay x0`
+    = hint: use `delay x0`, where `x0` is the first value
   
   error[E0205]: unknown name `lMerge`
    --> names.frob:4:9
@@ -332,7 +332,7 @@ Names from Haskell, Yampa and C are told by the name here.
   4 |     b = lMerge NoEvent NoEvent
     |         ^^^^^^
     |
-    = hint: it is `mergeE`
+    = hint: write `mergeE`
   
   error[E0205]: unknown name `fmap`
    --> names.frob:5:9
@@ -340,7 +340,7 @@ Names from Haskell, Yampa and C are told by the name here.
   5 |     c = fmap id NoEvent
     |         ^^^^
     |
-    = hint: it is `map` on arrays, `mapE` on events, `mapT` on the results of tasks
+    = hint: use `map` for arrays, `mapE` for events, `mapT` for the results of tasks
   
   error[E0205]: unknown name `pow`
    --> names.frob:6:9
@@ -348,7 +348,7 @@ Names from Haskell, Yampa and C are told by the name here.
   6 |     d = pow 2 3
     |         ^^^
     |
-    = hint: a power is `x ** y`, or `x ^ 2` with a literal exponent
+    = hint: write a power as `x ** y`, or as `x ^ 2` if the exponent is a literal
   
   error[E0205]: unknown name `stop`
    --> names.frob:7:9
@@ -356,7 +356,7 @@ Names from Haskell, Yampa and C are told by the name here.
   7 |     e = stop
     |         ^^^^
     |
-    = hint: a robot at rest has the output `restingOutput`
+    = hint: use `restingOutput` for a robot at rest
   
   9 errors
   [1]

@@ -94,7 +94,7 @@ An Arduino's `delay`, and `sleep`.
   5 |     sleep 2[s]))
     |     ^^^^^
     |
-    = hint: a task that waits is `sleepT 2[s] restingOutput`, with the robot at rest
+    = hint: to wait in a task, write `sleepT 2[s] restingOutput`: the robot rests meanwhile
   
   1 error
   [1]
@@ -147,16 +147,16 @@ Modules of other languages, for what needs none.
   >   frobc check m.frob 2>&1 | grep -e error -e hint
   > done
   error[E0201]: there is no module `Maths`
-    = hint: the functions on numbers need no module: `abs x`, `sqrt x`
+    = hint: the mathematical functions are built in: write `abs x`, `sqrt x`
   1 error
   error[E0201]: there is no module `Time`
-    = hint: time needs no module: `time ()` is the time since the start
+    = hint: time is built in: write `time ()` for the time since the start
   1 error
   error[E0201]: there is no module `List`
-    = hint: arrays need no module: `map f xs`, `foldl (+) 0 xs`
+    = hint: arrays are built in: write `map f xs`, `foldl (+) 0 xs`
   1 error
   error[E0201]: there is no module `Random`
-    = hint: random numbers are `whiteNoise 1 ()`: `import Sources`
+    = hint: for random numbers write `whiteNoise 1 ()`, with `import Sources`
   1 error
 
 A colour that nobody has defined.
@@ -177,7 +177,7 @@ A colour that nobody has defined.
   5 | side f = bearing (lens f.image) (findBlob f.image (everywhere f.image) red).cx
     |                                                                        ^^^
     |
-    = hint: a colour that a camera looks for is a range of one's own: `ColourRange { hueFrom = 340[deg], hueTo = 20[deg], … }`, with `import Vision`
+    = hint: describe a colour for the camera as a range: `ColourRange { hueFrom = 340[deg], hueTo = 20[deg], … }`, with `import Vision`
   
   1 error
   [1]

@@ -50,7 +50,7 @@ C and Arduino:
   4 |     while (not (bumped i))
     |     ^^^^^
     |
-    = hint: a task again and again is `forever t`, and `whileT condition t` while a signal function gives True; until something happens, `abortWhen`
+    = hint: to repeat a task, write `forever t`, or `whileT condition t` while a signal function returns True; to end it when something happens, use `abortWhen`
   
   1 error
   [1]
@@ -66,9 +66,9 @@ C and Arduino:
   2 | main = proc n -> m where
     |                  ^
   3 |     int m = n + 1
-    |     --- this defines a function `int` of `m`
+    |     --- this defines a function `int` with the parameter `m`
     |
-    = hint: no type stands before a name: `m = …`, and if wanted `m :: Int` on a line of its own
+    = hint: write `m = …` without a type; if you want to give the type, write `m :: Int` on the line above
   
   1 error
   [1]
@@ -249,7 +249,7 @@ Haskell:
   5 |     pure ())
     |     ^^^^
     |
-    = hint: it is `return`
+    = hint: write `return`
   
   1 error
   [1]
@@ -267,7 +267,7 @@ Haskell:
   1 | twice :: Num a => a -> a
     |          ^^^
     |
-    = hint: numbers have no classes: `n[u]` is any number, of any unit, as in `twice :: n[u] -> n[u]`; `Float[u]` has fractions
+    = hint: there are no classes of numbers: write `n[u]` for a number of any kind and unit, as in `twice :: n[u] -> n[u]`, or `Float[u]` for a number with fractions
   
   1 error
   [1]

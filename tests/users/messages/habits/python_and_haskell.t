@@ -116,7 +116,7 @@ A class with a method: told once.
   2 | main :: IO ()
     |         ^^
     |
-    = hint: a program's `main` is a `Program RobotInput RobotOutput`, or a signal function
+    = hint: give `main` the type `Program RobotInput RobotOutput`, or make it a signal function
   
   1 error
   [1]
@@ -161,13 +161,13 @@ A class with a method: told once.
   > main = reactimateRobot (proc _ -> roMake (setVelTR 0.3(m/s) 0))
   > FROB
   $ frobc check parentheses.frob
-  error[E0205]: this unit stands apart from its number
+  error[E0205]: there is a space between this unit and its number
    --> parentheses.frob:2:55
     |
   2 | main = reactimateRobot (proc _ -> roMake (setVelTR 0.3(m/s) 0))
     |                                                       ^^^^^
     |
-    = hint: a unit stands in square brackets, without a blank before them: `0.3[m/s]`
+    = hint: write the unit in square brackets directly after the number: `0.3[m/s]`
   
   1 error
   [1]

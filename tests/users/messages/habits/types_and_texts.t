@@ -8,13 +8,13 @@ Types before names, texts in other quotes, fields that are assigned.
   > main = reactimateRobot (proc _ -> roMake (setVelTR speed 0))
   > FROB
   $ frobc check typed.frob
-  error[E0226]: a pattern cannot be defined at top level
+  error[E0226]: a top-level definition defines one name, not a pattern
    --> typed.frob:3:1
     |
   3 | Velocity speed = 0.3[m/s]
     | ^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: no type stands before a name: `speed = …`, and if wanted `speed :: Velocity` on a line of its own
+    = hint: write `speed = …` without a type; if you want to give the type, write `speed :: Velocity` on the line above
   
   1 error
   [1]

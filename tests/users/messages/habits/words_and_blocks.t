@@ -33,7 +33,7 @@ A block in braces is one mistake, whatever is in it:
   1 | clamp' x = if x > 1 then 1 else x end
     |                                   ^^^
     |
-    = hint: a block ends where its indentation does, and needs no word for it
+    = hint: remove it: a block ends where its indentation ends
   
   1 error
   [1]
@@ -119,7 +119,7 @@ An equation where a task is done:
   3 |     y = 0.9 * prev y + 0.1 * x
     |               ^^^^
     |
-    = hint: the value of the instant before is `delay x0 x`; at the first instant it is `x0`
+    = hint: for the value one instant ago write `delay 0 x`, where 0 is the value at the first instant
   
   1 error
   [1]

@@ -9,13 +9,13 @@ What nothing uses: a rule that was never wired in is told at its equation.
   >     v = 0.2[m/s])
   > FROB
   $ frobc check never_wired.frob
-  warning[W0304]: `stop` is defined here, and nothing uses it
+  warning[W0304]: `stop` is defined here, but nothing uses it
    --> never_wired.frob:5:5
     |
   5 |     stop = near || bumped i
     |     ^^^^
     |
-    = hint: use it in what comes out, or take it out; `_stop` says that this is meant
+    = hint: use it in an output, or remove it; if it is unused on purpose, call it `_stop`
   
   1 warning
 
@@ -38,56 +38,56 @@ is used and one of which a part is, what a task ends with:
   >     sleepT 1[s] 1
   > FROB
   $ frobc check circles.frob
-  warning[W0304]: `a` is defined here, and nothing uses it
+  warning[W0304]: `a` is defined here, but nothing uses it
    --> circles.frob:3:5
     |
   3 |     a = delay 0 b
     |     ^
     |
     = note: `a` and `b` use only each other
-    = hint: use it in what comes out, or take it out; `_a` says that this is meant
+    = hint: use it in an output, or remove it; if it is unused on purpose, call it `_a`
   
-  warning[W0304]: `n` is defined here, and nothing uses it
+  warning[W0304]: `n` is defined here, but nothing uses it
    --> circles.frob:5:5
     |
   5 |     n = delay 0 (n + 1)
     |     ^
     |
-    = note: only its own equation reads it
-    = hint: use it in what comes out, or take it out; `_n` says that this is meant
+    = note: only its own equation uses it
+    = hint: use it in an output, or remove it; if it is unused on purpose, call it `_n`
   
-  warning[W0304]: these are defined here, and nothing uses them
+  warning[W0304]: these are defined here, but nothing uses them
    --> circles.frob:6:5
     |
   6 |     (p, q) = (x, delay 0 p)
     |     ^^^^^^
     |
-    = note: only its own equation reads it
-    = hint: use one of them in what comes out, or take the equation out
+    = note: only its own equation uses it
+    = hint: use one of them in an output, or remove the equation
   
-  warning[W0305]: nothing reads `high`
+  warning[W0305]: `high` is never used
    --> circles.frob:7:11
     |
   7 |     (low, high) = (min 0 x, max 0 x)
     |           ^^^^
     |
-    = hint: write `_` in its place, or `_high`
+    = hint: replace it by `_` or `_high`
   
-  warning[W0304]: `k` is defined here, and nothing uses it
+  warning[W0304]: `k` is defined here, but nothing uses it
     --> circles.frob:11:9
      |
   11 |     let k = 2
      |         ^
      |
-     = hint: use it in what comes out, or take it out; `_k` says that this is meant
+     = hint: use it in an output, or remove it; if it is unused on purpose, call it `_k`
   
-  warning[W0305]: nothing reads `r`
+  warning[W0305]: `r` is never used
     --> circles.frob:12:5
      |
   12 |     r <- sleepT 1[s] 0
      |     ^
      |
-     = hint: write `_` in its place, or `_r`
+     = hint: replace it by `_` or `_r`
   
   6 warnings
 
@@ -129,29 +129,29 @@ Imports of which nothing is used, and names of their lists; what a header hands 
   > main = proc x -> norm (Vec2 { x = x, y = 0 })
   > FROB
   $ frobc check imports.frob
-  warning[W0306]: nothing of `Control` is used here
+  warning[W0306]: `Control` is imported but nothing from it is used
    --> imports.frob:1:1
     |
   1 | import Control
     | ^^^^^^^^^^^^^^
     |
-    = hint: take it out
+    = hint: remove it
   
-  warning[W0306]: `Pose` is imported, and nothing uses it
+  warning[W0306]: `Pose` is imported but not used
    --> imports.frob:2:24
     |
   2 | import Geometry (norm, Pose, Vec2)
     |                        ^^^^
     |
-    = hint: take it out
+    = hint: remove it
   
-  warning[W0306]: nothing of `Ranging` is used here
+  warning[W0306]: `Ranging` is imported but nothing from it is used
    --> imports.frob:3:1
     |
   3 | import qualified Ranging as R
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: take it out
+    = hint: remove it
   
   3 warnings
   $ cat > gathered.frob <<'FROB'
@@ -197,12 +197,12 @@ Many variables of one pattern are one warning.
   > main = proc (a, b, c, d, e, f) -> c
   > FROB
   $ frobc check many.frob
-  warning[W0305]: nothing reads `a`, `b`, `d` and 2 more
+  warning[W0305]: `a`, `b`, `d` and 2 more are never used
    --> many.frob:2:14
     |
   2 | main = proc (a, b, c, d, e, f) -> c
     |              ^
     |
-    = hint: write `_` in their places, or names such as `_a`
+    = hint: replace them by `_` or by names such as `_a`
   
   1 warning

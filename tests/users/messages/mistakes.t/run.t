@@ -300,11 +300,11 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   4 |     v = min v 0.3[m/s]
     |     ^
     |
-    = hint: nothing is assigned: one equation says what `v` is at every instant; what it was one instant ago is `delay x0 v`
+    = hint: write one equation for `v`: it holds at every instant, unlike an assignment; for its value one instant ago write `delay 0 v`, where 0 is the first value
   
   1 error
   # 027_counts_itself.frob
-  error[E0401]: signal `count` needs its own value in the same instant
+  error[E0401]: the signal `count` needs its own value in the same instant
    --> 027_counts_itself.frob:3:5
     |
   3 |     count = if pressed then count + 1 else count
@@ -458,13 +458,13 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   
   2 errors
   # 039_unit_after_a_space.frob
-  error[E0205]: this unit stands apart from its number
+  error[E0205]: there is a space between this unit and its number
    --> 039_unit_after_a_space.frob:3:56
     |
   3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3 [m/s] 0))
     |                                                        ^^^^^
     |
-    = hint: a unit stands in square brackets, without a blank before them: `0.3[m/s]`
+    = hint: write the unit in square brackets directly after the number: `0.3[m/s]`
   
   1 error
   # 040_truth_in_small_letters.frob
@@ -549,7 +549,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   
   1 error
   # 047_signature_only.frob
-  error[E0214]: the signature of `wallFollow` has no definition with it
+  error[E0214]: the signature of `wallFollow` has no definition
    --> 047_signature_only.frob:1:1
     |
   1 | wallFollow :: Distance -> SF Distance Velocity
@@ -586,7 +586,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   5 | main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
     |                              - this `i` is a signal of a `proc`
     |
-    = hint: a signal is known in its `proc` only: write the equation in the `where` of that one, or make a signal function, `proc i -> …`
+    = hint: a signal can only be used inside its `proc`: move the equation to the `where` of that `proc`, or write a signal function, `proc i -> …`
   
   1 error
   # 051_task_started_in_proc.frob
@@ -631,9 +631,9 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
     4 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . setLight On))
       |                                                                 ^^^^^^^^ `setLight` needs it
       |
-     ::: stdlib/Capability.frob:216:17
+     ::: stdlib/Capability.frob:229:17
       |
-  216 |     setLight :: Light -> o -> o
+  229 |     setLight :: Light -> o -> o
       |                 --------------- `setLight` asks for `HasLight o` here
       |
       = note: what has `HasLight`: `CreateOutput`
@@ -704,7 +704,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   6 |     scaled = 2 * v
     |                  ^
     |
-    = hint: a `where` after `do` belongs to the whole definition and sees no signals: write a `let` in the `do`
+    = hint: a `where` after `do` belongs to the whole definition and cannot use signals: write a `let` in the `do`
   
   1 error
   # 061_bind_operator.frob
@@ -734,7 +734,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   5 |     pure ())
     |     ^^^^
     |
-    = hint: it is `return`
+    = hint: write `return`
   
   1 error
   # 064_num_constraint.frob
@@ -744,7 +744,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   1 | twice :: Num a => a -> a
     |          ^^^
     |
-    = hint: numbers have no classes: `n[u]` is any number, of any unit, as in `twice :: n[u] -> n[u]`; `Float[u]` has fractions
+    = hint: there are no classes of numbers: write `n[u]` for a number of any kind and unit, as in `twice :: n[u] -> n[u]`, or `Float[u]` for a number with fractions
   
   1 error
   # 065_texts_joined.frob
@@ -766,8 +766,8 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
     |                                         |
     |                                         `factorial` uses `factorial` here
     |
-    = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
-    = hint: a value that depends on its own past is an equation of a `proc`, with `delay`, as in `n = delay 0 n + 1`
+    = note: functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal function may only restart itself in the continuation of a switch
+    = hint: for a value that depends on its own past, write an equation in a `proc`, with `delay`, as in `n = delay 0 n + 1`
   
   1 error
   # 067_if_between_commands.frob
@@ -832,7 +832,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   2 | main = proc n -> fromIntegral n / 2
     |                  ^^^^^^^^^^^^
     |
-    = hint: `toFloat n` makes a Float of an Int
+    = hint: use `toFloat n` to convert an Int to a Float
   
   1 error
   # 073_int_times_float.frob
@@ -998,7 +998,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   4 |     while (not (bumped i))
     |     ^^^^^
     |
-    = hint: a task again and again is `forever t`, and `whileT condition t` while a signal function gives True; until something happens, `abortWhen`
+    = hint: to repeat a task, write `forever t`, or `whileT condition t` while a signal function returns True; to end it when something happens, use `abortWhen`
   
   1 error
   # 089_milliseconds.frob
@@ -1030,9 +1030,9 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   2 | main = proc n -> m where
     |                  ^
   3 |     int m = n + 1
-    |     --- this defines a function `int` of `m`
+    |     --- this defines a function `int` with the parameter `m`
     |
-    = hint: no type stands before a name: `m = …`, and if wanted `m :: Int` on a line of its own
+    = hint: write `m = …` without a type; if you want to give the type, write `m :: Int` on the line above
   
   1 error
   # 091_slash_comment.frob

@@ -30,16 +30,16 @@ Classes, assertions and tests that lack a part.
   > main = proc x -> area (Sq x)
   > FROB
   $ frobc check instance_extra_method.frob
-  error[E0230]: `size` is no method of the class `Shape`
+  error[E0230]: `size` is not a method of the class `Shape`
    --> instance_extra_method.frob:6:5
     |
   1 | class Shape a where
-    |       ----- its methods have their signatures there
+    |       ----- the methods are declared here
   ...
   6 |     size s = 1
     |     ^^^^
     |
-    = hint: a function of its own stands at the left edge; what every `Shape` has is given its signature in the class
+    = hint: if it is a separate function, move it to the left margin; if every `Shape` must have it, add its signature to the class
   
   1 error
   [1]
@@ -149,7 +149,7 @@ Classes, assertions and tests that lack a part.
   1 | f x = Fast (compute x)
     |       ^^^^  ------- unknown name `compute`
     |
-    = hint: a definition of both is missing, or the `import` of the module that has them
+    = hint: define both, or `import` the module that defines them
   
   1 error
   [1]

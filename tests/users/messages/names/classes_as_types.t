@@ -25,13 +25,13 @@ Classes in signatures: before `=>`, in parentheses, of the variable that is mean
   > main = reactimateRobot go
   > FROB
   $ frobc check arrow.frob
-  error[E0207]: `HasSonar` is a class, and no type
+  error[E0207]: `HasSonar` is a class, not a type
    --> arrow.frob:2:8
     |
   2 | go :: (HasSonar i, DiffDrive o) -> SF i o
     |        ^^^^^^^^
     |
-    = hint: a class says what a type can do: it stands before `=>`, and a variable is the type, as in `(HasSonar i, DiffDrive o) => SF i o`
+    = hint: write the class before `=>` and use a type variable, as in `(HasSonar i, DiffDrive o) => SF i o`
   
   1 error
   [1]
@@ -43,13 +43,13 @@ Classes in signatures: before `=>`, in parentheses, of the variable that is mean
   > main = reactimateRobot go
   > FROB
   $ frobc check types.frob
-  error[E0207]: `HasSonar` is a class, and no type
+  error[E0207]: `HasSonar` is a class, not a type
    --> types.frob:2:10
     |
   2 | go :: SF HasSonar DiffDrive
     |          ^^^^^^^^
     |
-    = hint: a class says what a type can do: it stands before `=>`, and a variable is the type, as in `(HasSonar i, DiffDrive o) => SF i o`
+    = hint: write the class before `=>` and use a type variable, as in `(HasSonar i, DiffDrive o) => SF i o`
   
   1 error
   [1]
@@ -91,9 +91,9 @@ Classes in signatures: before `=>`, in parentheses, of the variable that is mean
    3 | go = proc i -> roMake (setVelTR (0.5[1/s] * (frontSonar i - 0.3[m])) 0)
      |                                              ^^^^^^^^^^
      |
-    ::: stdlib/Capability.frob:35:19
+    ::: stdlib/Capability.frob:48:19
      |
-  35 |     frontSonar :: SF i Distance
+  48 |     frontSonar :: SF i Distance
      |                   ------------- `frontSonar` asks for `HasSonar i` here
      |
      = hint: write `(HasSonar i, HasConsole i, DiffDrive o) => SF i o`
@@ -119,7 +119,7 @@ A type that lacks an argument:
   3 | square :: (HasSonar i, DiffDrive o) => Task i o
     |                                        ^^^^^^^^
     |
-    = hint: what comes in, what comes out, and what it ends with, as in `Task i o ()`; `()` is nothing
+    = hint: write the types of the input, the output and the result, as in `Task i o ()`; use `()` for no result
   
   1 error
   [1]

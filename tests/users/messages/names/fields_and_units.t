@@ -19,7 +19,7 @@ Fields of another record, fields as values, units of what is computed.
   44 | data ColourRange = ColourRange
      |                    ----------- declared here
      |
-     = hint: it is built so: `ColourRange { hueFrom = …, hueTo = …, saturationFrom = …, saturationTo = …, valueFrom = …, valueTo = … }`
+     = hint: its fields are `ColourRange { hueFrom = …, hueTo = …, saturationFrom = …, saturationTo = …, valueFrom = …, valueTo = … }`
   
   1 error
   [1]
@@ -38,7 +38,7 @@ Fields of another record, fields as values, units of what is computed.
   5 | trial "keeps off" = Trial { world = "room.toml", lasts = 60[s], seeds = 1 `to` 5, judge = not touches }
     |                                                                                               ^^^^^^^
     |
-    = note: `touches` is a field of `Truth`: `r.touches` reads it; the function is `\r -> r.touches`, the signal function `proc r -> r.touches`
+    = note: `touches` is a field of `Truth`: write `r.touches`; as a function, `\r -> r.touches`; as a signal function, `proc r -> r.touches`
   
   1 error
   [1]
@@ -49,13 +49,13 @@ Fields of another record, fields as values, units of what is computed.
   >     v = (0.5 * frontSonar i)[m/s])
   > FROB
   $ frobc check unit.frob
-  error[E0205]: a unit stands on a number written out or on a type, not on what is computed
+  error[E0205]: a unit can only follow a literal number or a type, not a computed value
    --> unit.frob:3:29
     |
   3 |     v = (0.5 * frontSonar i)[m/s])
     |                             ^^^^^
     |
-    = hint: a value has its unit already; to give one to a plain number, multiply: `x * 1[m/s]`
+    = hint: a value already has its unit; to give a plain number a unit, multiply: `x * 1[m/s]`
   
   1 error
   [1]
@@ -73,7 +73,7 @@ Fields of another record, fields as values, units of what is computed.
   2 | deg a = a as deg
     |           ^^
     |
-    = hint: nothing is converted: how many of a unit there are in x is `x / 1[deg]`
+    = hint: to get a plain number, divide by the unit: `x / 1[deg]`
   
   1 error
   [1]
@@ -89,7 +89,7 @@ Fields of another record, fields as values, units of what is computed.
   2 | main = proc v -> integral v dt
     |                             ^^
     |
-    = hint: `integral x` and `derivative x` know the time by themselves; `stepTime ()` of `Control` is the time since the instant before
+    = hint: use `integral x` and `derivative x`, which need no time step; `stepTime ()` of `Control` returns the time since the previous instant
   
   1 error
   [1]

@@ -12,7 +12,7 @@ A field:
   > main = reactimateTask (driveTo home.position)
   > FROB
   $ frobc check field.frob
-  error[E0228]: `Pose` is built without its field `heading`
+  error[E0228]: this `Pose` lacks its field `heading`
     --> field.frob:5:8
      |
    5 | home = Pose { position = zeroVec }
@@ -23,7 +23,7 @@ A field:
   19 | data Pose = Pose { position :: Point2, heading :: Angle }
      |             ---- declared here
      |
-     = hint: a record has all its fields: add `heading = …`
+     = hint: give every field a value: add `heading = …`
   
   1 error
   [1]
@@ -74,14 +74,14 @@ A parameter that follows from another:
   > main = reactimateRobot (proc _ -> roMake (setVelTR half 0))
   > FROB
   $ frobc check parameter.frob
-  error[E0391]: the value of the parameter `half` is not known before the run
+  error[E0391]: the value of the parameter `half` must be known before the run
    --> parameter.frob:4:26
     |
   4 | param half :: Velocity = speed / 2
     |                          ^^^^^^^^^
     |
     = note: it depends on the parameter `speed`, which a run may set
-    = hint: what follows from a parameter is a definition: `half = …`, without `param`
+    = hint: define it without `param`: `half = …`
   
   1 error
   [1]

@@ -64,7 +64,7 @@ Assertions and trials:
   > trial touchesNothing = Trial { world = "room.toml", lasts = 60[s], seeds = 1 `to` 20, judge = neverTouches }
   > FROB
   $ frobc check trial_name.frob
-  error[E0235]: the label of a `trial` is a text, in quotes
+  error[E0235]: the label of a `trial` must be in quotes
    --> trial_name.frob:5:7
     |
   5 | trial touchesNothing = Trial { world = "room.toml", lasts = 60[s], seeds = 1 `to` 20, judge = neverTouches }
@@ -90,7 +90,7 @@ Assertions and trials:
   5 |     assert "moved" True
     |     ^^^^^^
     |
-    = hint: an assertion is an equation of a `proc`, and no task or value: `proc i -> y where`, with `assert "label" (y > 0)` below
+    = hint: an assertion is one of the equations of a `proc`: write `proc i -> y where`, and `assert "label" (y > 0)` in the lines below
   
   1 error
   [1]
@@ -214,7 +214,7 @@ Parameters, modules and what is foreign:
   3 | main = proc p -> norm p
     |                  ^^^^
     |
-    = hint: it is imported with its module's name: write `Geometry.norm`
+    = hint: it is imported under its module's name: write `Geometry.norm`
   
   1 error
   [1]
@@ -305,7 +305,7 @@ Equations:
   3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0))
     | ^^^^
     |
-    = hint: take one of them out, or give it another name
+    = hint: remove one of them, or rename it
   
   1 error
   [1]

@@ -56,8 +56,8 @@ The import has its capital, the file lacks it:
   1 | import Wall
     |        ^^^^
     |
-    = note: looked for `Wall.frob` beside this file and in the library
-    = hint: a module's file begins with a capital too: call `wall.frob` `Wall.frob`
+    = note: frobc looked for `Wall.frob` in the folder of this file and in the library
+    = hint: the file name of a module must also start with a capital: rename `wall.frob` to `Wall.frob`
   
   1 error
   [1]

@@ -19,13 +19,13 @@ Unknown names: other capitals, units as words, what a later version will have.
   > Speed = 0.4[m/s]
   > FROB
   $ frobc check capital.frob
-  error[E0226]: a pattern cannot be defined at top level
+  error[E0226]: a top-level definition defines one name, not a pattern
    --> capital.frob:1:1
     |
   1 | Speed = 0.4[m/s]
     | ^^^^^^^^^^^^^^^^
     |
-    = hint: the name of a value starts with a small letter: `speed`
+    = hint: start the name of a value with a small letter: `speed`
   
   1 error
   [1]
@@ -88,7 +88,7 @@ A `where` after `proc … -> do` does not see the signals.
   6 |     z = 2 * y
     |             ^
     |
-    = hint: a `where` after `do` belongs to the whole definition and sees no signals: write a `let` in the `do`
+    = hint: a `where` after `do` belongs to the whole definition and cannot use signals: write a `let` in the `do`
   
   1 error
   [1]
@@ -112,7 +112,7 @@ An equation is no assignment; parameters have other troubles.
   4 |     n = n + x
     |     ^
     |
-    = hint: nothing is assigned: one equation says what `n` is at every instant; what it was one instant ago is `delay x0 n`
+    = hint: write one equation for `n`: it holds at every instant, unlike an assignment; for its value one instant ago write `delay 0 n`, where 0 is the first value
   
   error[E0212]: `x` is bound twice in one group
    --> twice.frob:6:5

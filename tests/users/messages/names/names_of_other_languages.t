@@ -9,83 +9,83 @@ Names that other languages have are answered with what they are here. Of each na
   > }
 
   $ hint ceil floorf trunc rint int toInt float
-  ceil: `ceiling` makes an Int, `ceilingFloat` a Float
-  floorf: `floor` makes an Int, `floorFloat` a Float
-  trunc: it is `truncate`, which makes an Int
-  rint: `round`, `floor`, `ceiling` and `truncate` make an Int of a Float
-  int: `round`, `floor`, `ceiling` and `truncate` make an Int of a Float
-  toInt: `round`, `floor`, `ceiling` and `truncate` make an Int of a Float
-  float: `toFloat n` makes a Float of an Int
+  ceil: use `ceiling` to get an Int, `ceilingFloat` to get a Float
+  floorf: use `floor` to get an Int, `floorFloat` to get a Float
+  trunc: use `truncate`, which returns an Int
+  rint: use `round`, `floor`, `ceiling` or `truncate` to convert a Float to an Int
+  int: use `round`, `floor`, `ceiling` or `truncate` to convert a Float to an Int
+  toInt: use `round`, `floor`, `ceiling` or `truncate` to convert a Float to an Int
+  float: use `toFloat n` to convert an Int to a Float
   $ hint pow powf sq exp2 ln log10 tanh fabs fmin fmaxf sgn sign copysign
-  pow: a power is `x ** y`, or `x ^ 2` with a literal exponent
-  powf: a power is `x ** y`, or `x ^ 2` with a literal exponent
-  sq: it is `x ^ 2`
-  exp2: it is `2 ** x`
-  ln: it is `log`
-  log10: the natural logarithm is `log`: to the base 10 it is `log x / log 10`
-  tanh: it is made of `exp`: tanh x is `1 - 2 / (exp (2 * x) + 1)`
-  fabs: it is `abs`
-  fmin: it is `min`
-  fmaxf: it is `max`
-  sgn: it is `signum`
-  sign: it is `signum`
-  copysign: it is `if y < 0 then -(abs x) else abs x`
+  pow: write a power as `x ** y`, or as `x ^ 2` if the exponent is a literal
+  powf: write a power as `x ** y`, or as `x ^ 2` if the exponent is a literal
+  sq: use `x ^ 2`
+  exp2: use `2 ** x`
+  ln: write `log`
+  log10: `log` is the natural logarithm; for base 10 write `log x / log 10`
+  tanh: define it by `exp`: tanh x is `1 - 2 / (exp (2 * x) + 1)`
+  fabs: write `abs`
+  fmin: write `min`
+  fmaxf: write `max`
+  sgn: write `signum`
+  sign: write `signum`
+  copysign: use `if y < 0 then -(abs x) else abs x`
   $ hint fmod remainder rem quot even odd constrain clip lerp
-  fmod: of Floats it is `x - y * floorFloat (x / y)`, which has the sign of y; of angles, `wrapAngle`
-  remainder: of Floats it is `x - y * floorFloat (x / y)`, which has the sign of y; of angles, `wrapAngle`
-  rem: `div` and `mod` of Ints round to minus infinity
-  quot: `div` and `mod` of Ints round to minus infinity
-  even: it is `mod n 2 == 0`
-  odd: it is `mod n 2 == 1`
-  constrain: it is `clamp low high x`: `import Control`
-  clip: it is `clamp low high x`: `import Control`
-  lerp: it is `a + t * (b - a)`
+  fmod: for Floats write `x - y * floorFloat (x / y)`, which has the sign of y; for angles, `wrapAngle`
+  remainder: for Floats write `x - y * floorFloat (x / y)`, which has the sign of y; for angles, `wrapAngle`
+  rem: use `div` and `mod` for Ints: they round towards minus infinity
+  quot: use `div` and `mod` for Ints: they round towards minus infinity
+  even: use `mod n 2 == 0`
+  odd: use `mod n 2 == 1`
+  constrain: use `clamp low high x`, with `import Control`
+  clip: use `clamp low high x`, with `import Control`
+  lerp: use `a + t * (b - a)`
   $ hint isnan nan isinf isfinite NAN INFINITY
-  isnan: NaN is the only number with `x /= x`; it is written `0 / 0`
-  nan: NaN is the only number with `x /= x`; it is written `0 / 0`
-  isinf: `x - x == 0` tells that x is finite; infinity is written `1 / 0`
-  isfinite: `x - x == 0` tells that x is finite; infinity is written `1 / 0`
-  NAN: NaN is written `0 / 0`
-  INFINITY: infinity is written `1 / 0`
+  isnan: to test for NaN, write `x /= x`; to get NaN, write `0 / 0`
+  nan: to test for NaN, write `x /= x`; to get NaN, write `0 / 0`
+  isinf: to test whether x is finite, write `x - x == 0`; for infinity write `1 / 0`
+  isfinite: to test whether x is finite, write `x - x == 0`; for infinity write `1 / 0`
+  NAN: use `0 / 0` for NaN
+  INFINITY: use `1 / 0` for infinity
   $ hint PI M_PI TWO_PI HALF_PI deg2rad radians rad2deg degrees
-  PI: it is `pi`
-  M_PI: it is `pi`
-  TWO_PI: it is `2 * pi`
-  HALF_PI: it is `pi / 2`
-  deg2rad: angles are in radians, and `90[deg]` is one; x degrees are `x * 1[deg]`
-  radians: angles are in radians, and `90[deg]` is one; x degrees are `x * 1[deg]`
-  rad2deg: an angle in degrees is `a / 1[deg]`
-  degrees: an angle in degrees is `a / 1[deg]`
+  PI: write `pi`
+  M_PI: write `pi`
+  TWO_PI: use `2 * pi`
+  HALF_PI: use `pi / 2`
+  deg2rad: write an angle with its unit, such as `90[deg]`; for x degrees write `x * 1[deg]`
+  radians: write an angle with its unit, such as `90[deg]`; for x degrees write `x * 1[deg]`
+  rad2deg: to get the number of degrees, divide by the unit: `a / 1[deg]`
+  degrees: to get the number of degrees, divide by the unit: `a / 1[deg]`
   $ hint wrapToPi normalize_angle shortest_angular_distance math.sqrt Math.sqrt np.abs random
-  wrapToPi: it is `wrapAngle a`: `import Geometry`
-  normalize_angle: it is `wrapAngle a`: `import Geometry`
-  shortest_angular_distance: it is `angleDiff a b`: `import Geometry`
-  math.sqrt: the functions on numbers need no module: `abs x`, `sqrt x`
-  Math.sqrt: the functions on numbers need no module: `abs x`, `sqrt x`
-  np.abs: the functions on numbers need no module: `abs x`, `sqrt x`
-  random: noise that is the same in each run is `whiteNoise 1 ()`, of a seed: `import Sources`
+  wrapToPi: use `wrapAngle a`, with `import Geometry`
+  normalize_angle: use `wrapAngle a`, with `import Geometry`
+  shortest_angular_distance: use `angleDiff a b`, with `import Geometry`
+  math.sqrt: the mathematical functions are built in: write `abs x`, `sqrt x`
+  Math.sqrt: the mathematical functions are built in: write `abs x`, `sqrt x`
+  np.abs: the mathematical functions are built in: write `abs x`, `sqrt x`
+  random: use `whiteNoise 1 ()`, where 1 is the seed, with `import Sources`: each run has the same noise
   $ hint minimum maximum average len enumerate zeros append null TRUE
-  minimum: the least element of an array is `minimumBy id xs`
-  maximum: the greatest element of an array is `maximumBy id xs`
-  average: it is `mean xs`
-  len: the size of an array is `length xs`
-  enumerate: `imap (\i x -> (i, x)) xs` has each element with its index
-  zeros: `generate (const 0)` makes an array of as many elements as its type says
-  append: an array keeps its size: `replace i x xs` has another element at i
-  null: what may be missing is a `Maybe`: it is `Nothing`
-  TRUE: it is `True`
+  minimum: use `minimumBy id xs` for the least element of an array
+  maximum: use `maximumBy id xs` for the greatest element of an array
+  average: use `mean xs`
+  len: use `length xs` for the size of an array
+  enumerate: use `imap (\i x -> (i, x)) xs` to pair each element with its index
+  zeros: use `generate (const 0)`: its type gives the number of elements
+  append: the size of an array is fixed; to change the element at i, write `replace i x xs`
+  null: use a `Maybe` for a value that may be missing, and `Nothing` for the missing value
+  TRUE: write `True`
   $ hint millis micros delayMicroseconds digitalWrite analogRead for undefined
-  millis: `time ()` is the time since the start, in seconds
-  micros: `time ()` is the time since the start, in seconds
-  delayMicroseconds: a task that waits is `sleepT 2[s] restingOutput`, with the robot at rest
-  digitalWrite: what is written is a part of the program's output
-  analogRead: what is read is a part of the program's input
-  for: `map f xs` is each element's; tasks one after the other are `forEachT xs f`
-  undefined: a program never stops at a fault: what may have no value is a `Maybe`
+  millis: use `time ()` for the time since the start, in seconds
+  micros: use `time ()` for the time since the start, in seconds
+  delayMicroseconds: to wait in a task, write `sleepT 2[s] restingOutput`: the robot rests meanwhile
+  digitalWrite: make the value that you want to write a part of the program's output
+  analogRead: make the value that you want to read a part of the program's input
+  for: to compute something for each element, write `map f xs`; to run a task for each, write `forEachT xs f`
+  undefined: a program never aborts: use `Maybe` for a value that may be absent
   $ hint pre integrate deriv
-  pre: it is `delay x0`
-  integrate: it is `integral`
-  deriv: it is `derivative`
+  pre: use `delay x0`, where `x0` is the first value
+  integrate: write `integral`
+  deriv: write `derivative`
 
 A near name of the program's own or of the library is still offered where no other language has it:
 

@@ -97,9 +97,9 @@ A minus with blanks on both sides, or on none, is a subtraction.
     2 | main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
       |                         ^^^^^^ `roMake` needs it
       |
-     ::: stdlib/Capability.frob:202:11
+     ::: stdlib/Capability.frob:215:11
       |
-  202 | roMake :: RobotOutput o => (o -> o) -> o
+  215 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` asks for `RobotOutput o` here
       |
       = hint: `constant e` is the signal function that always gives `e`

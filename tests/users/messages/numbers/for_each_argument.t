@@ -93,7 +93,7 @@ A number that is no Int is not exchanged with a 0:
   3 | warm = 21[C]
     |           - and here
     |
-    = hint: a temperature is in kelvin, `K`, where 0 degrees Celsius are `273.15[K]`; a coulomb is `A s`
+    = hint: use kelvin, `K`, for a temperature: 0 degrees Celsius is `273.15[K]`; use `A s` for a coulomb
   
   1 error
   [1]

@@ -18,7 +18,7 @@ A function among the arguments that was to be applied to those behind it.
     |
     = hint: what is applied stands in parentheses as an argument: `sleepT 2[s] (roMake (setVelTR 0 0))`
   
-  error[E0301]: expected `Task a b c`, found the function `Angle -> Task d e ()`
+  error[E0301]: expected `Task a b c`, found the function `Angle -> Task d e Bool`
    --> tasks.frob:5:13
     |
   5 |     forever turnBy 90[deg])
@@ -65,7 +65,7 @@ What `return` is given is not done:
   4 |     return turnBy 90[deg]
     |     ------        ^^^^^^^ one too many
     |     |
-    |     with one argument the result is `Task a b (Angle -> Task c d ())`
+    |     with one argument the result is `Task a b (Angle -> Task c d Bool)`
     |
     = hint: `return x` does nothing and ends with `x`: a task that is to be done stands there without it, `turnBy 90[deg]`
   

@@ -56,13 +56,13 @@ A turn, a pause, and a unit that stands apart:
   > main = reactimateRobot (proc i -> roMake (setVelTR 0.3 [m/s] 0))
   > FROB
   $ frobc check unit_after_a_space.frob
-  error[E0205]: this unit stands apart from its number
+  error[E0205]: there is a space between this unit and its number
    --> unit_after_a_space.frob:3:56
     |
   3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3 [m/s] 0))
     |                                                        ^^^^^
     |
-    = hint: a unit stands in square brackets, without a blank before them: `0.3[m/s]`
+    = hint: write the unit in square brackets directly after the number: `0.3[m/s]`
   
   1 error
   [1]

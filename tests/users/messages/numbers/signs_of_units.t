@@ -16,7 +16,7 @@ A power without its sign, on a number and in a type:
   3 | a = 9.81[m/s2]
     |            ^^
     |
-    = hint: a power is written `s^2`
+    = hint: write the power with `^`: `s^2`
   
   1 error
   [1]

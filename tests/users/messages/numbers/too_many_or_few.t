@@ -24,9 +24,9 @@ Arguments that are one too many, or missing in front: what the function takes, o
   5 |     turnBy 90[deg] 0.5[rad/s])
     |     ------         ^^^^^^^^^^ one too many
     |     |
-    |     with one argument the result is `Task a b ()`
+    |     with one argument the result is `Task a b Bool`
     |
-    = hint: `turnBy :: Angle -> Task i o ()`
+    = hint: `turnBy :: Angle -> Task i o Bool`
   
   2 errors
   [1]

@@ -39,7 +39,7 @@ Words that others have:
   3 | away = proc i -> 1[1/s] * (heading i + laser i) * i.pose.x
     |                            ^^^^^^^
     |
-    = hint: the direction in which the robot looks is `(robotPose i).heading`
+    = hint: use `(robotPose i).heading` for the direction in which the robot faces
   
   error[E0205]: unknown name `laser`
    --> words.frob:3:40
@@ -47,7 +47,7 @@ Words that others have:
   3 | away = proc i -> 1[1/s] * (heading i + laser i) * i.pose.x
     |                                        ^^^^^
     |
-    = hint: the distance ahead is `frontSonar i`, to the left `sideSonar i`, to the right `rightSonar i`
+    = hint: for the distance ahead write `frontSonar i`; to the left, `sideSonar i`; to the right, `rightSonar i`
   
   error[E0205]: unknown name `moveForward`
    --> words.frob:6:5
@@ -55,7 +55,7 @@ Words that others have:
   6 |     moveForward 1[m]
     |     ^^^^^^^^^^^
     |
-    = hint: a task that drives straight ahead is `forward 1[m]`
+    = hint: to drive straight ahead in a task, write `forward 1[m]`
   
   error[E0205]: unknown name `turnLeft`
    --> words.frob:7:5
@@ -63,7 +63,7 @@ Words that others have:
   7 |     turnLeft 90[deg]
     |     ^^^^^^^^
     |
-    = hint: a task that turns on the spot is `turnBy 90[deg]`, to the left if it is positive
+    = hint: to turn on the spot in a task, write `turnBy 90[deg]`; a positive angle turns left
   
   error[E0205]: unknown name `stop`
    --> words.frob:8:5
@@ -71,7 +71,7 @@ Words that others have:
   8 |     stop
     |     ^^^^
     |
-    = hint: a robot at rest has the output `restingOutput`
+    = hint: use `restingOutput` for a robot at rest
   
   5 errors
   [1]
@@ -86,7 +86,7 @@ Words that others have:
   2 | main = reactimateRobot (proc i -> roMake (setVelTR (0.1[1/s] * i.pose.x) 0))
     |                                                                  ^^^^
     |
-    = hint: where the robot is: `place i`, with the fields `x` and `y`, and `robotPose i`, with `position` and `heading`
+    = hint: for the robot's position write `place i`, with the fields `x` and `y`, or `robotPose i`, with `position` and `heading`
   
   1 error
   [1]

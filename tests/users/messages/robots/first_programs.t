@@ -104,13 +104,13 @@ Blocks in braces, and a lambda, a field or a unit as elsewhere:
   > bell = after 3 [s]
   > FROB
   $ frobc check unit.frob
-  error[E0205]: this unit stands apart from its number
+  error[E0205]: there is a space between this unit and its number
    --> unit.frob:2:16
     |
   2 | bell = after 3 [s]
     |                ^^^
     |
-    = hint: a unit stands in square brackets, without a blank before them: `3[s]`
+    = hint: write the unit in square brackets directly after the number: `3[s]`
   
   1 error
   [1]

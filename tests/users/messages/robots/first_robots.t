@@ -249,9 +249,9 @@ A signature that asks for too little.
    4 | main = reactimateRobot (proc i -> roMake (setVelTR (if bumped i then 0 else 0.1[m/s]) 0))
      |                                                        ^^^^^^
      |
-    ::: stdlib/Capability.frob:76:11
+    ::: stdlib/Capability.frob:89:11
      |
-  76 | bumped :: HasBumpers i => i -> Bool
+  89 | bumped :: HasBumpers i => i -> Bool
      |           ------------------------- `bumped` asks for `HasBumpers i` here
      |
      = hint: write `(DiffDrive o, HasBumpers i) => Program i o`
@@ -271,13 +271,13 @@ signature it is for a Pioneer, as a program is.
   > main = proc _ -> roMake (setVelTR 0.1[m/s] 0)
   > FROB
   $ frobc compile logger.frob --entry logger
-  error[E0502]: `logger` leaves open which robot it runs on
+  error[E0502]: the type of `logger` does not say which robot it runs on
    --> logger.frob:4:1
     |
   4 | logger = proc i -> integral (abs (velocity i))
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `pioneer`, `scout` and `create` have all that it asks for: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
+    = hint: `pioneer`, `scout` and `create` have everything that it needs: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
   
   1 error
   [1]
@@ -317,7 +317,7 @@ A program named without its ending, a number for a code.
   error: there is no file logger; did you mean logger.frob?
   [2]
   $ frobc explain 402 | head -1
-  # signal functions or tasks that may start each other for ever within one instant
+  # signal functions or tasks that may start each other endlessly within one instant
 
 A signature that promises too little is one mistake, whoever needs what it lacks.
 

@@ -18,7 +18,7 @@ A loop through a signal function of the library is broken in the program's own m
 Where the library has its line now is no matter here.
 
   $ sed 's/Control.frob:[0-9]*/Control.frob:N/; s/^ *[0-9]* |     y = if/ N |     y = if/' said
-  error[E0401]: signal `y` needs its own value in the same instant
+  error[E0401]: the signal `y` needs its own value in the same instant
     --> Filters.frob:5:5
      |
    5 |     y = before + g * (x - before)
@@ -29,7 +29,7 @@ Where the library has its line now is no matter here.
     ::: stdlib/Control.frob:N:5
      |
    N |     y = if start then x else before
-     |     - `previous` passes `x` on to this in the same instant
+     |     - `previous` passes `x` to this in the same instant
      |
     ::: main.frob:2:1
      |

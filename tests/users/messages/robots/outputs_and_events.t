@@ -11,9 +11,9 @@ Outputs of robots where something else stands: said once, with what is lacking.
     2 | main = reactimateRobot $ proc i -> roMake . setVelTR 0.2[m/s] 0
       |                                             ^^^^^^^^ `setVelTR` needs it
       |
-     ::: stdlib/Capability.frob:209:17
+     ::: stdlib/Capability.frob:222:17
       |
-  209 |     setVelTR :: Velocity -> AngularVelocity -> o -> o
+  222 |     setVelTR :: Velocity -> AngularVelocity -> o -> o
       |                 ------------------------------------- `setVelTR` asks for `DiffDrive o` here
       |
       = hint: `.` composes functions; what one is applied to stands in parentheses: `roMake (setVelTR v omega)`
@@ -32,9 +32,9 @@ Outputs of robots where something else stands: said once, with what is lacking.
     2 | main = reactimateRobot (switch (proc i -> (0.2[m/s], edge (bumped i))) (\_ -> proc _ -> roMake (setVelTR 0 0)))
       |                                                                                         ^^^^^^ `roMake` needs it
       |
-     ::: stdlib/Capability.frob:202:11
+     ::: stdlib/Capability.frob:215:11
       |
-  202 | roMake :: RobotOutput o => (o -> o) -> o
+  215 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` asks for `RobotOutput o` here
       |
       = hint: this is of a robot's input or output, and what it is given is `Float[m/s]`: perhaps two things stand in the other order
@@ -53,9 +53,9 @@ Outputs of robots where something else stands: said once, with what is lacking.
     2 | main = reactimateTask (mkTask (proc i -> roMake (setVelTR 0.2[m/s] 0)))
       |                                          ^^^^^^ `roMake` needs it
       |
-     ::: stdlib/Capability.frob:202:11
+     ::: stdlib/Capability.frob:215:11
       |
-  202 | roMake :: RobotOutput o => (o -> o) -> o
+  215 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` asks for `RobotOutput o` here
       |
       = hint: besides its output it gives the event that ends it, which is lacking here: `(roMake (…), after 1[s] ())`

@@ -58,7 +58,7 @@ A name with a signature alone is told once:
   > main = reactimateRobot drive
   > FROB
   $ frobc check alone.frob
-  error[E0214]: the signature of `drive` has no definition with it
+  error[E0214]: the signature of `drive` has no definition
    --> alone.frob:3:1
     |
   3 | drive :: SF RobotInput RobotOutput

@@ -79,7 +79,7 @@ A sense lacks its input, is read like a field, or in a task:
   5 | main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
     |                              - this `i` is a signal of a `proc`
     |
-    = hint: a signal is known in its `proc` only: write the equation in the `where` of that one, or make a signal function, `proc i -> …`
+    = hint: a signal can only be used inside its `proc`: move the equation to the `where` of that `proc`, or write a signal function, `proc i -> …`
   
   1 error
   [1]
@@ -206,9 +206,9 @@ A robot has no such thing, or its module is not imported:
     4 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . setLight On))
       |                                                                 ^^^^^^^^ `setLight` needs it
       |
-     ::: stdlib/Capability.frob:216:17
+     ::: stdlib/Capability.frob:229:17
       |
-  216 |     setLight :: Light -> o -> o
+  229 |     setLight :: Light -> o -> o
       |                 --------------- `setLight` asks for `HasLight o` here
       |
       = note: what has `HasLight`: `CreateOutput`

@@ -19,7 +19,7 @@ A signal is known in its `proc` only, and that ends at a bracket or comma:
   5 |     way = integral (velocity i)
     |                              ^
     |
-    = hint: a `proc` ends at the bracket or comma that follows it; behind that, and in a `where` behind that, its signals are not known
+    = hint: a `proc` ends at the bracket or comma that follows it; its signals cannot be used after that, nor in a `where` after that
   
   1 error
   [1]
@@ -37,7 +37,7 @@ A signal is known in its `proc` only, and that ends at a bracket or comma:
     |                     |
     |                     this `i` is a signal of the `proc`
     |
-    = hint: a `proc` ends at the bracket or comma that follows it; behind that, and in a `where` behind that, its signals are not known
+    = hint: a `proc` ends at the bracket or comma that follows it; its signals cannot be used after that, nor in a `where` after that
   
   1 error
   [1]
@@ -54,8 +54,8 @@ A signal is known in its `proc` only, and that ends at a bracket or comma:
     |                                |
     |                                this `s` is a signal of the `proc`
     |
-    = note: `s` is a unit: it stands in brackets directly after a number, as in `3[s]`
-    = hint: a `proc` ends at the bracket or comma that follows it; behind that, and in a `where` behind that, its signals are not known
+    = note: `s` is a unit: write it in brackets directly after a number, as in `3[s]`
+    = hint: a `proc` ends at the bracket or comma that follows it; its signals cannot be used after that, nor in a `where` after that
   
   1 error
   [1]
@@ -155,7 +155,7 @@ Nothing is assigned, in no branch; and a choice by constructors is a `case`:
   4 |     Go -> 1[m/s]
     |     ^^
     |
-    = hint: its pattern is `Go a`, with `_` for what is not looked at
+    = hint: its pattern is `Go a`: write `_` for an argument that you do not use
   
   1 error
   [1]
@@ -309,7 +309,7 @@ A type stands with its expression; names are not hidden; an hour:
   2 | main = proc v -> v / 1[km/h]
     |                           ^
     |
-    = hint: `hour` is the unit
+    = hint: the unit is `hour`
   
   1 error
   [1]
@@ -443,8 +443,8 @@ Tasks side by side have two outputs, and a text is no output:
   2 | main = proc stopped -> (0, if stopped then "stopped" else "ready")
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: functions, signal functions and labels exist only while compiling
-    = hint: a `data` type's constructors are shown by their names: `data State = Ready | Stopped`
+    = note: functions, signal functions and labels only exist at compile time
+    = hint: to show names, declare a `data` type: `data State = Ready | Stopped`
   
   1 error
   [1]

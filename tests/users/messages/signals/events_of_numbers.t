@@ -58,20 +58,20 @@ A function of the input where a switch has signal functions:
     |
     = hint: what is switched are signal functions, which get their signal from the `switch`: `drive = proc i -> …`, and the whole runs as `switch drive … i`
   
-  warning[W0201]: `i` hides a local variable of that name
+  warning[W0201]: `i` hides a local variable of the same name
    --> functions.frob:4:11
     |
   2 | main = reactimateRobot (proc i -> o where
-    |                              - hidden from here on
+    |                              - this variable is hidden
   3 |     o = switch (drive i) (\_ -> turn i)
   4 |     drive i = (roMake (setVelTR 0.2[m/s] 0), edge (frontSonar i < 0.5[m]))
     |           ^
   
-  warning[W0201]: `i` hides a local variable of that name
+  warning[W0201]: `i` hides a local variable of the same name
    --> functions.frob:5:10
     |
   2 | main = reactimateRobot (proc i -> o where
-    |                              - hidden from here on
+    |                              - this variable is hidden
   ...
   5 |     turn i = roMake (setVelTR 0 0.5[rad/s]))
     |          ^

@@ -17,9 +17,9 @@ with the way that leads there, and the call in the program comes first.
      ::: stdlib/Prelude.frob:N:20
       |
     N |     y = fromEvent (delay x0 y) e
-      |                    ---------- it would be stored here, in a `delay`
+      |                    ---------- this `delay` would store it
       |
-      = note: functions, signal functions and labels exist only while compiling
+      = note: functions, signal functions and labels only exist at compile time
   
   1 error
   $ cat > best.frob <<'FROB'
@@ -37,9 +37,9 @@ with the way that leads there, and the call in the program comes first.
      ::: stdlib/Prelude.frob:N:5
       |
     N |     before = delay Nothing (Just (best, bestKey))
-      |     --------------------------------------------- it would be stored here, in a `delay`
+      |     --------------------------------------------- this `delay` would store it
       |
-      = note: functions, signal functions and labels exist only while compiling
+      = note: functions, signal functions and labels only exist at compile time
   
   1 error
   $ cat > own.frob <<'FROB'
@@ -66,7 +66,7 @@ with the way that leads there, and the call in the program comes first.
   9 | main = proc x -> wrap id (mapE (\_ y -> x + y) (edge (x > 1)), x)
     |                  ------------------------------------------------ `wrap` is called here
     |
-    = note: functions, signal functions and labels exist only while compiling
+    = note: functions, signal functions and labels only exist at compile time
   
   1 error
   [1]
@@ -107,7 +107,7 @@ the input or the output of the program.
   3 |     fs = delay [abs, negate] [\y -> y + x, negate]
     |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: functions, signal functions and labels exist only while compiling
+    = note: functions, signal functions and labels only exist at compile time
   
   1 error
   [1]
@@ -126,9 +126,9 @@ the input or the output of the program.
      ::: stdlib/Prelude.frob:N:20
       |
     N |     y = fromEvent (delay x0 y) e
-      |                    ---------- it would be stored here, in a `delay`
+      |                    ---------- this `delay` would store it
       |
-      = note: functions, signal functions and labels exist only while compiling
+      = note: functions, signal functions and labels only exist at compile time
   
   1 error
   $ cat > output.frob <<'FROB'
@@ -142,7 +142,7 @@ the input or the output of the program.
   2 | main = proc x -> Just (generate (\_ y -> y + x))
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: functions, signal functions and labels exist only while compiling
+    = note: functions, signal functions and labels only exist at compile time
   
   1 error
   [1]
@@ -170,14 +170,14 @@ the input or the output of the program.
   > go fs = switch (proc (x, i) -> (at i id fs x, tag (edge (i > 1)) (map (\f y -> f (x + y)) fs))) go
   > FROB
   $ frobc check grows.frob
-  error[E0416]: `go` grows each time it starts itself again
+  error[E0416]: `go` grows each time it restarts itself
    --> grows.frob:4:9
     |
   4 | go fs = switch (proc (x, i) -> (at i id fs x, tag (edge (i > 1)) (map (\f y -> f (x + y)) fs))) go
-    |         ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, with one more `go`
+    |         ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ it restarts here, with one more `go`
     |
-    = note: which signal functions can run must be known, and be finitely many
-    = hint: start it with the same signal functions each time; numbers may change
+    = note: frobc must know all signal functions that can run, so their number must be finite
+    = hint: restart it with the same signal functions each time; numbers may change
   
   1 error
   [1]

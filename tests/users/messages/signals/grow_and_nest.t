@@ -13,25 +13,25 @@ A task of the library runs first; what grows is the program's.
   > twice t = do
   >     t
   >     t
-  > main = reactimateTask (esc 0 (turnBy 30[deg]))
+  > main = reactimateTask (esc 0 (sleepT 30[s] restingOutput))
   > FROB
   $ frobc check tasks.frob
-  warning[W0306]: nothing of `Geometry` is used here
+  warning[W0306]: `Geometry` is imported but nothing from it is used
    --> tasks.frob:2:1
     |
   2 | import Geometry
     | ^^^^^^^^^^^^^^^
     |
-    = hint: take it out
+    = hint: remove it
   
-  error[E0416]: `esc` grows each time it starts itself again
+  error[E0416]: `esc` grows each time it restarts itself
    --> tasks.frob:6:5
     |
   6 |     if ok then return () else esc (n + 1) (twice t)
-    |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, with one more `twice`
+    |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ it restarts here, with one more `twice`
     |
-    = note: which tasks can run must be known, and be finitely many
-    = hint: start it with the same tasks each time; numbers may change
+    = note: frobc must know all tasks that can run, so their number must be finite
+    = hint: restart it with the same tasks each time; numbers may change
   
   1 error, 1 warning
   [1]
@@ -44,22 +44,22 @@ A task of the library runs first; what grows is the program's.
   >     search (do
   >         forward 1[m]
   >         t)
-  > main = reactimateTask (search (turnBy 90[deg]))
+  > main = reactimateTask (search (sleepT 9[s] restingOutput))
   > FROB
   $ frobc check blocks.frob
-  error[E0416]: `search` grows each time it starts itself again
+  error[E0416]: `search` grows each time it restarts itself
    --> blocks.frob:7:9
     |
   5 |     search (do
     |     ----------
   6 |         forward 1[m]
   7 |         t)
-    |         ^- on the way `search` starts here
+    |         ^- `search` starts here on the way
     |         |
-    |         here, with one more `search`
+    |         it restarts here, with one more `search`
     |
-    = note: which tasks can run must be known, and be finitely many
-    = hint: start it with the same tasks each time; numbers may change
+    = note: frobc must know all tasks that can run, so their number must be finite
+    = hint: restart it with the same tasks each time; numbers may change
   
   1 error
   [1]
@@ -77,17 +77,17 @@ A task of the library runs first; what grows is the program's.
   > main = reactimateRobot cruise
   > FROB
   $ frobc check around.frob
-  error[E0415]: `turn` would run inside itself
+  error[E0415]: `turn` restarts itself inside itself
    --> around.frob:7:5
     |
   3 | cruise = switch (proc i -> (roMake (setVelTR 0.2[m/s] 0), edge (frontSonar i < 0.5[m]))) (\_ -> turn)
-    |                                                                                                 ---- here `turn` starts again
+    |                                                                                                 ---- `turn` restarts here
   ...
   7 |     o = rSwitch cruise (i, tag e cruise)
-    |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ `turn` goes on around what runs here
+    |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ `turn` continues around the signal function that runs here
     |
-    = note: a signal function may start itself again only as the whole result of a continuation: then it takes no room
-    = hint: `rSwitch` goes on for ever; `switch` ends, and what its continuation gives takes its place
+    = note: a signal function may only restart itself as the whole result of a continuation; otherwise each restart would need more memory
+    = hint: use `switch`, whose continuation replaces it; `rSwitch` never ends
   
   1 error
   [1]

@@ -17,11 +17,11 @@ function may well be the parameter.
   > other x = x + offset
   > FROB
   $ frobc check gain.frob
-  warning[W0201]: `gain` hides the parameter of that name
+  warning[W0201]: `gain` hides the parameter of the same name
    --> gain.frob:6:5
     |
   1 | param gain :: Float = 0.5
-    |       ---- what is set when a run starts does not matter there
+    |       ---- setting this parameter has no effect where it is hidden
   ...
   6 |     gain = 2 * x
     |     ^^^^

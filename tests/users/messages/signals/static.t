@@ -48,19 +48,19 @@ A task that goes on as itself must take time.
   >         go
   > FROB
   $ frobc check local_task.frob
-  error[E0402]: `driveTo → go → driveTo` may go round for ever within one instant
+  error[E0402]: `driveTo → go → driveTo` may repeat endlessly within one instant
     --> local_task.frob:6:9
      |
    6 |         go
-     |         ^^ `driveTo` may go on to itself at its own first instant
+     |         ^^ `driveTo` may start itself again at its own first instant
      |
-    ::: stdlib/Driving.frob:51:5
+    ::: stdlib/Driving.frob:84:5
      |
-  51 |     arrived = atPlace goal i
+  84 |     arrived = atPlace goal i
      |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
      |
-     = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
-     = hint: let time pass between: `sleepT 10[ms] …` after the task takes some, with the output meanwhile, such as the `restingOutput` of a robot
+     = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
+     = hint: add a task that takes time: `sleepT 10[ms] …` after the task, with the output meanwhile, such as the `restingOutput` of a robot
   
   1 error
   [1]

@@ -113,7 +113,7 @@ A signature that says a function: it is told of the definition, and not again wh
   2 | main = reactimateRobot (go `until` edge bumped)
     |                             ^^^^^
     |
-    = hint: one signal function until an event, and then another, is `switch`; a task until an event is ``t `abortWhen` sf``
+    = hint: to run another signal function after an event, use `switch`; to end a task at an event, write ``t `abortWhen` sf``
   
   1 error
   [1]
@@ -132,7 +132,7 @@ A signature that says a function: it is told of the definition, and not again wh
   3 |     let d = frontSonar i
     |                        ^
     |
-    = hint: what a robot senses has a name in a `proc` only, as in `proc i -> …`; a task reads it once by `d <- ask frontSonar`
+    = hint: only a `proc` has a name for the robot's input, as in `proc i -> …`; in a task, write `d <- ask frontSonar` to read it once
   
   1 error
   [1]

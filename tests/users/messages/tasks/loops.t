@@ -15,14 +15,14 @@ A time that may be 0: it is the task with the time-out, not `timeOut`, that goes
   >     blink (knob "period" 0 5[s] 1[s] i))
   > FROB
   $ frobc check blink.frob 2>&1 | grep -v -e Prelude -e "^ *[0-9]* |   where" -e "^ *|$"
-  error[E0402]: `blink → blink` may go round for ever within one instant
+  error[E0402]: `blink → blink` may repeat endlessly within one instant
    --> blink.frob:5:5
   5 |     forward 1[m] `timeOut` q
     |     ^^^^^^^^^^^^^^^^^^^^^^^^ this may end as soon as it starts
   6 |     blink q
-    |     ------- `blink` may go on to itself at its own first instant
-    = note: at an instant at which `blink` is left as soon as it starts, nothing waits for the next one
-    = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
+    |     ------- `blink` may start itself again at its own first instant
+    = note: no time passes between these steps at an instant at which `blink` is left as soon as it starts
+    = hint: wait for at least 1 ns: `max 1[ms] q`
   
   1 error
   $ sed 's/`timeOut` q/`timeOut` max 1[ms] q/;s/max 1.ms. q/(&)/' blink.frob > cured.frob
@@ -40,14 +40,14 @@ A task that may have nothing to do, for ever:
   >     whenT (bumped i) (turnBy 90[deg])
   > FROB
   $ frobc check look.frob
-  error[E0402]: `look → forever → look` may go round for ever within one instant
+  error[E0402]: `look → forever → look` may repeat endlessly within one instant
    --> look.frob:3:24
     |
   3 | main = reactimateTask (forever look)
-    |                        ^^^^^^^^^^^^ `look` may end at once, and `forever` goes on
+    |                        ^^^^^^^^^^^^ `look` may end without taking time, and `forever` follows it
     |
-    = note: what ends as soon as it starts takes no time, as `return` and `snapT`: nothing here waits for the next instant
-    = hint: put a task that takes time into the circle: `untilT (proc x -> (…, condition))` takes one instant at least, `sleepT 10[ms] …` 10 ms, each with its output in place of `…`
+    = note: a task such as `return` or `snapT` takes no time, and no task in this loop waits for the next instant
+    = hint: add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least one instant, `sleepT 10[ms] …` takes 10 ms; write the robot's output in place of `…`
   
   1 error
   [1]

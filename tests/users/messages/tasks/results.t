@@ -6,7 +6,7 @@ Nothing is no truth:
   > import Robot
   > 
   > patrol = do
-  >     ok <- turnBy 90[deg]
+  >     ok <- sleepT 1[s] restingOutput
   >     if ok then forward 1[m] else return False
   > 
   > main = reactimateTask patrol
@@ -15,7 +15,7 @@ Nothing is no truth:
   error[E0301]: a condition must be `Bool`, but this is `()`
    --> nothing.frob:5:8
     |
-  4 |     ok <- turnBy 90[deg]
+  4 |     ok <- sleepT 1[s] restingOutput
     |     -- `ok` is bound here
   5 |     if ok then forward 1[m] else return False
     |        ^^
@@ -32,7 +32,7 @@ A task that may run out of time:
   > 
   > main = reactimateTask (do
   >     ok <- forward 3[m] `timeOut` 5[s]
-  >     if ok then turnBy 90[deg] else return ())
+  >     if ok then turnBy 90[deg] else return False)
   > FROB
   $ frobc check late.frob
   error[E0301]: a condition must be `Bool`, but this is `Maybe Bool`
@@ -40,7 +40,7 @@ A task that may run out of time:
     |
   4 |     ok <- forward 3[m] `timeOut` 5[s]
     |     -- `ok` is bound here
-  5 |     if ok then turnBy 90[deg] else return ())
+  5 |     if ok then turnBy 90[deg] else return False)
     |        ^^
     |
     = hint: `fromMaybe False ok` is what is in it, and False in `Nothing`, as where a time has run out

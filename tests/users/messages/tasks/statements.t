@@ -60,7 +60,7 @@ Branches end with one type:
   >     ok <- forward 1[m]
   >     if ok
   >       then return True
-  >       else turnBy 90[deg])
+  >       else sleepT 1[s] restingOutput)
   > FROB
   $ frobc check branches.frob
   error[E0301]: expected a task that ends with `Bool`, but this one ends with `()`
@@ -68,8 +68,8 @@ Branches end with one type:
     |
   6 |       then return True
     |            ----------- this branch is `Task a b Bool`
-  7 |       else turnBy 90[deg])
-    |            ^^^^^^^^^^^^^^
+  7 |       else sleepT 1[s] restingOutput)
+    |            ^^^^^^^^^^^^^^^^^^^^^^^^^
     |
     = hint: in a `do`, `return x` below it ends the two with `x`
   
@@ -96,7 +96,7 @@ Several tasks in a branch:
    --> several.frob:8:9
     |
   7 |         turnBy 90[deg]
-    |         ------ with one argument the result is `Task a b ()`
+    |         ------ with one argument the result is `Task a b Bool`
   8 |         forward 1[m]
     |         ^^^^^^^ one too many
     |

@@ -1,4 +1,4 @@
-// What the program shows of an image, with its marks; or else what its camera saw last.
+// Shows the program's image with its marks, or the camera's last image if the program shows none.
 import { clear } from "../canvas";
 import { drawShape, readMarks } from "../map/marks";
 import type { Point } from "../map/world";
@@ -8,18 +8,18 @@ import { colour, onTheme } from "../theme";
 import { formatNumber } from "../values";
 import { hueSaturationValue } from "./colours";
 
-/** What is said below it, in pixels. */
+/** Height of the note below the image, in pixels. */
 const noteHeight = 20;
-/** Of the page for one of the image, beyond which single ones are to be seen. */
+/** Page pixels per image pixel from which single image pixels are drawn sharply. */
 const largePixels = 3;
 
-/** What is said of a frame that a recording names, and does not have. */
+/** Describes a frame that the recording names but does not contain. */
 function loss({ number, k, changed }: NonNullable<Picture["lost"]>): string {
   return (
     `frame ${number}, of instant ${k}, ` +
     (changed
-      ? "is not what was recorded: its file has been changed"
-      : "is missing: it is not in the folder beside the recording")
+      ? "is not the recorded frame: its file was changed"
+      : "is missing from the folder next to the recording")
   );
 }
 
@@ -36,7 +36,7 @@ export function startCamera(store: Store, host: HTMLElement): void {
   const note = document.createElement("p");
   host.append(canvas, note);
   let picture: Picture | null = null;
-  /** Of the page for one of the image; where the middle of its first pixel is. */
+  /** Page pixels per image pixel, and the position of the centre of the first pixel. */
   let scale = 1,
     left = 0,
     top = 0;
@@ -64,7 +64,7 @@ export function startCamera(store: Store, host: HTMLElement): void {
     if (at) return at;
     return shown.chosen ? age : `${age}, as the camera saw it`;
   };
-  /** What is seen there, as a program has it. */
+  /** Describes the pixel at a position, with its colour in a program's terms. */
   const under = ({ width = 0, height = 0, by = 1 }: Picture, [px, py]: Point): string | null => {
     const x = Math.round((px - left) / scale),
       y = Math.round((py - top) / scale);

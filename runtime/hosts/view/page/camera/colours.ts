@@ -1,7 +1,7 @@
-// Colours as a program asks for them: the library's ColourRange.
+// Colours in a program's terms: the library's ColourRange.
 
-/** Hue in degrees, by the colours' hexagon; grey has none, and is said to have 0. The others
- *  from 0 to 1. */
+/** Computes the hue in degrees, on the HSV hexagon (0 for grey, which has no hue), and saturation
+ * and value from 0 to 1. */
 export function hueSaturationValue(
   red: number,
   green: number,

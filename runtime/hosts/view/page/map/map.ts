@@ -1,4 +1,4 @@
-// Where the robot is by its odometry, the way it has come, what its sonars hear, and the world.
+// The map: the robot's position by odometry, its path, its sonar readings, and the world.
 import { clear } from "../canvas";
 import type { Instant, Path, Way } from "../protocol";
 import { drawShape, markSignals, moved, points, readingsList, readMarks } from "./marks";
@@ -9,9 +9,9 @@ import { Track } from "./track";
 import { readWorld, type Point, type World } from "./world";
 
 const pathPoints = 4000;
-/** What is said below it, in pixels. */
+/** Height of the note below the map, in pixels. */
 const noteHeight = 18;
-/** Around what is drawn, in metres. */
+/** Margin around the drawing, in metres. */
 const margin = 0.35;
 
 interface Pose {
@@ -20,7 +20,7 @@ interface Pose {
   readonly heading: number;
 }
 
-/** A pose that is seen from another, in that other's frame. */
+/** Converts a pose relative to `frame` to the coordinates in which `frame` is given. */
 function within(frame: Pose, pose: Pose): Pose {
   const cos = Math.cos(frame.heading),
     sin = Math.sin(frame.heading);
@@ -49,21 +49,22 @@ export function startMap(store: Store, host: HTMLElement): void {
   const sonars = robot.sonars.map((_, k) => number(`in.sonar[${k}]`));
   const world: World | null = worldFile && readWorld(worldFile.text);
   const start: Pose = world?.start ?? { x: 0, y: 0, heading: 0 };
-  // By odometry; of a simulator's run that goes on, of each robot where it really is.
+  // `believed` is the path by odometry; `ways` has the true paths of the robots in a live simulated
+  // run.
   const believed = new Track();
   const ways = new Map<number, Track>();
   const shownTracks = () => (ways.size > 0 ? [...ways.values()] : [believed]);
-  /** Of the edited program, where it has driven itself. */
+  /** Path of the edited program, if it ran in the simulator. */
   let otherPath: Point[] = [];
   const marks = markSignals(signals);
   const showReadings = readingsList(host);
-  /** The farthest places, to every side, of what was drawn so far. */
+  /** Bounding corners of everything drawn so far. */
   let drawnWithin: Point[] = [];
   let toPixel = (p: Point): Point => p;
   let fromPixel = (p: Point): Point => p;
   const clicks = store.program.console.findIndex((control) => control.kind === "map");
   let scale = 1;
-  /** The last click that was the program's. */
+  /** The last click that was sent to the program. */
   let clicked: Point | null = null;
 
   const fit = () => {
@@ -160,7 +161,7 @@ export function startMap(store: Store, host: HTMLElement): void {
     });
   };
 
-  /** Where odometry has it, beside where it is. */
+  /** Draws the position by odometry, in addition to the true one. */
   const drawBelief = (pose: Pose) => {
     context.beginPath();
     context.arc(...toPixel([pose.x, pose.y]), Math.max(5, robot.radius * scale), 0, 2 * Math.PI);
@@ -182,7 +183,7 @@ export function startMap(store: Store, host: HTMLElement): void {
     });
   };
 
-  /** What the program draws, around where it is by odometry or, on the robot, where that is. */
+  /** Returns the program's marks, placed in the frame of odometry or in the robot's frame. */
   const marksOf = (instant: Instant, robotIs: Pose) => {
     const { marks: drawn, readings } = readMarks(marks.map((i) => instant.cells[i] ?? ""));
     const placed = drawn
@@ -239,7 +240,7 @@ export function startMap(store: Store, host: HTMLElement): void {
     drawBody(pose, colour("accent"));
     drawMarks();
   };
-  /** Where the edited program came, if it has driven itself. */
+  /** Draws the path and the robot of the edited program, if it ran in the simulator. */
   const drawOther = (instant: Instant) => {
     if (otherPath.length === 0) return;
     line(otherPath, colour("mark"), 1.5);
@@ -277,10 +278,14 @@ export function startMap(store: Store, host: HTMLElement): void {
     });
   load();
   store.on("what-if", load);
+  store.on("resumed", () => {
+    ways.clear();
+    load();
+  });
   store.on("extent", () => {
     const { newest } = store;
     if (!newest) return;
-    // Of what was before this page, once.
+    // Requests the paths from before the page was opened, once.
     if (ways.size === 0)
       newest.truth?.forEach((_, i) =>
         store.way(i, pathPoints, (way: Way) =>
@@ -292,7 +297,7 @@ export function startMap(store: Store, host: HTMLElement): void {
       );
     grow(newest);
   });
-  /** Where the program has its origin: where odometry began. */
+  /** Converts a point to the program's coordinates, whose origin is where odometry started. */
   const byOdometry = ([px, py]: Point): Point => {
     const cos = Math.cos(start.heading),
       sin = Math.sin(start.heading);
@@ -302,8 +307,9 @@ export function startMap(store: Store, host: HTMLElement): void {
   };
   canvas.addEventListener("click", (event) => {
     if (clicks >= 0 && store.operates && store.following) {
-      clicked = fromPixel([event.offsetX, event.offsetY]);
-      store.command(`touch ${clicks} ${byOdometry(clicked).join(" ")}`);
+      const place = fromPixel([event.offsetX, event.offsetY]);
+      if (!store.command(`touch ${clicks} ${byOdometry(place).join(" ")}`)) return;
+      clicked = place;
       draw();
       return;
     }

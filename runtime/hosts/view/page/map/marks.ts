@@ -1,5 +1,5 @@
-// What the program draws in an instant: the cells of the probe `draw`, each a mark as the
-// language writes it.
+// What the program draws at an instant: the cells of the probe `draw`, each a mark in Frob's
+// syntax.
 import type { Signal } from "../protocol";
 import { isDark } from "../theme";
 import { formatNumber } from "../values";
@@ -23,7 +23,7 @@ export interface Reading {
   readonly value: string;
 }
 
-// A value of the language: a number, a text, or a constructor with its arguments or fields.
+// A value in Frob's syntax: a number, a text, or a constructor with its arguments or fields.
 type Value = number | string | { readonly name: string; readonly parts: readonly Value[] };
 
 const token = /\s*("(?:[^"\\]|\\.)*"|[A-Z][\w']*|[a-z_][\w']*|-?(?:\d[\w.+-]*|inf|nan)|[(){}=,])/y;
@@ -73,7 +73,7 @@ class Reader {
     const parts: Value[] = [];
     if (this.words[this.at] === "{")
       for (this.at++; this.at < this.words.length; ) {
-        this.at += 2; // the field's name and the equals sign: fields are in order
+        this.at += 2; // skip the field's name and the equals sign; fields are in order
         parts.push(this.whole());
         if (this.take() === "}") break;
       }
@@ -125,7 +125,7 @@ function shape(value: Value | undefined): Shape | null {
   }
 }
 
-/** Its points in the plane. */
+/** Returns points of the shape that determine its bounding box. */
 export function points(shape: Shape): readonly Point[] {
   switch (shape.is) {
     case "line":
@@ -144,7 +144,7 @@ export function points(shape: Shape): readonly Point[] {
   }
 }
 
-/** The same with its points moved, angles and lengths being kept. */
+/** Returns the shape with its points moved; angles and lengths do not change. */
 export function moved(shape: Shape, move: (p: Point) => Point): Shape {
   switch (shape.is) {
     case "line":
@@ -160,7 +160,7 @@ export function moved(shape: Shape, move: (p: Point) => Point): Shape {
   }
 }
 
-/** The numbers of the signals that are marks. */
+/** Returns the numbers of the signals that are marks. */
 export function markSignals(signals: readonly Signal[]): number[] {
   return signals.flatMap((signal, i) =>
     /^probe\.draw(\.\d+)?\[\d+\]$/.test(signal.name) ? [i] : [],
@@ -173,7 +173,7 @@ const frames: Readonly<Record<string, Mark["frame"]>> = {
   InImage: "image",
 };
 
-/** What the cells say; what is no place in the plane is left out. */
+/** Parses the cells; ignores shapes whose coordinates are not finite. */
 export function readMarks(cells: readonly string[]): { marks: Mark[]; readings: Reading[] } {
   const marks: Mark[] = [],
     readings: Reading[] = [];
@@ -194,7 +194,7 @@ export function readMarks(cells: readonly string[]): { marks: Mark[]; readings: 
   return { marks, readings };
 }
 
-// Okabe's and Ito's, on light and on dark ground.
+// Okabe and Ito's colours, adapted for light and for dark backgrounds.
 const colours: Readonly<Record<string, readonly [string, string]>> = {
   Red: ["#d03b00", "#ff7043"],
   Orange: ["#c98500", "#e69f00"],
@@ -205,7 +205,8 @@ const colours: Readonly<Record<string, readonly [string, string]>> = {
   Grey: ["#6b7280", "#9aa3af"],
 };
 
-/** In pixels: on the map, or on an image, where each has dark edges, whatever is behind it. */
+/** Draws a shape in pixels, on the map or on an image. On an image it has dark edges, so that it is
+ * visible on any background. */
 export function drawShape(
   context: CanvasRenderingContext2D,
   shape: Shape,
@@ -275,7 +276,7 @@ export function drawShape(
   stroke(2);
 }
 
-/** A list of numbers, on top of the map. */
+/** Creates a list of numbers on top of the map; returns the function that updates it. */
 export function readingsList(host: HTMLElement): (readings: readonly Reading[]) => void {
   const list = document.createElement("dl");
   list.id = "readings";

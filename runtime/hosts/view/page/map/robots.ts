@@ -1,4 +1,4 @@
-// What a map knows of robots: how large they are, and where their sonars sit and look.
+// The robots' sizes, and the positions and directions of their sonars.
 
 export interface Sonar {
   readonly x: number;
@@ -11,7 +11,7 @@ export interface Robot {
   readonly sonars: readonly Sonar[];
 }
 
-// As in stdlib/Pioneer.frob: ahead, to the left, degrees.
+// The sonars of stdlib/Pioneer.frob: metres ahead, metres to the left, degrees.
 const pioneerSonars = [
   [0.069, 0.136, 90],
   [0.114, 0.119, 50],
@@ -39,7 +39,7 @@ const robots: Readonly<Record<string, Robot>> = {
     radius: 0.22,
     sonars: pioneerSonars.map(([x, y, degrees]) => ({ x, y, heading: radians(degrees) })),
   },
-  // As in stdlib/Scout.frob.
+  // The sonars of stdlib/Scout.frob.
   scout: {
     radius: scoutRadius,
     sonars: Array.from({ length: 16 }, (_, k) => {

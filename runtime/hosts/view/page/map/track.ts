@@ -1,7 +1,7 @@
-// The way that a robot has come, and when it passed each point of it.
+// The path of a robot, with the time at which it passed each point.
 import type { Point } from "./world";
 
-/** How far apart points are that are added as it drives, in metres. */
+/** Minimum distance of points that are added during a live run, in metres. */
 const apart = 0.01;
 
 export class Track {
@@ -13,7 +13,7 @@ export class Track {
     this.times = times;
   }
 
-  /** Adds where it is now, if that is somewhere else. */
+  /** Adds the current position, unless it is close to the last one. */
   extend(x: number, y: number, time: number): void {
     const last = this.points.at(-1);
     if (last && Math.hypot(x - last[0], y - last[1]) < apart) return;
@@ -21,7 +21,7 @@ export class Track {
     this.times.push(time);
   }
 
-  /** What it has passed by then. */
+  /** Returns the points passed by this time. */
   until(time: number): Point[] {
     return this.points.filter((_, i) => (this.times[i] ?? 0) <= time);
   }

@@ -1,4 +1,4 @@
-// A world file: what of TOML such files are written in, and what of it a map shows.
+// World files: parses the part of TOML that they use, and extracts what the map shows.
 
 export type Point = readonly [number, number];
 
@@ -13,7 +13,7 @@ export interface World {
 type Value = string | number | boolean | Value[];
 type Table = Map<string, Value>;
 
-/** The text without comments; none of our files has a `#` in a string. */
+/** Removes comments; no world file has a `#` in a string. */
 function withoutComments(text: string): string {
   return text
     .split("\n")
@@ -22,11 +22,11 @@ function withoutComments(text: string): string {
 }
 
 function parseValue(text: string): Value {
-  // An array may have a comma at its end, which JSON has not.
+  // TOML allows a comma at the end of an array, JSON does not.
   return JSON.parse(text.trim().replace(/,(\s*\])/g, "$1")) as Value;
 }
 
-/** A line with a table's name; or a key and its value, up to the next of either. */
+/** Matches a line with a table's name, or a key and its value, up to the next of either. */
 const tableName = String.raw`\[\[?\s*(\w+)\s*\]\]?\s*$`;
 const nextEntry = String.raw`\s*(?:\w+\s*=|\[\[?\s*\w+\s*\])`;
 const entry = new RegExp(
@@ -34,7 +34,7 @@ const entry = new RegExp(
   "gm",
 );
 
-/** All tables by name, in order; what is no value is left out. */
+/** Returns all tables by name, in order; ignores invalid values. */
 function tables(text: string): Map<string, Table[]> {
   const all = new Map<string, Table[]>();
   let table: Table = new Map();
@@ -46,7 +46,7 @@ function tables(text: string): Map<string, Table[]> {
       try {
         table.set(key, parseValue(value));
       } catch {
-        // Not for the map.
+        // Not needed for the map.
       }
     }
   }

@@ -1,16 +1,17 @@
-// What the program asks its operator for: buttons, knobs and toggles, while a run goes on that this
-// page operates. Clicks on the map are the map's.
+// The program's controls: buttons, knobs and toggles, shown during a live run that this page
+// operates. The map handles clicks on it; cameras are not controls.
 import type { Control } from "../protocol";
 import type { Store } from "../store";
 import { formatNumber } from "../values";
 
-/** How often a button that is held says so, in ms: it is let go of after 300 without. */
+/** Interval at which a held button is reported, in ms: the host releases it after 300 ms without a
+ * report. */
 const renewal = 100;
-/** How often a knob that is turned says so, in ms. */
+/** Minimum interval between values sent while a knob is turned, in ms. */
 const pace = 50;
 const steps = 200;
 
-/** One thing on the console: what is shown of it, and how that follows the program's input. */
+/** A control: its element, and functions that update and release it. */
 interface Shown {
   readonly host: HTMLElement;
   readonly show: (cell: string) => void;
@@ -69,7 +70,7 @@ function holdButton(control: Control, hold: (x: number) => void): Shown {
   host.className = "hold";
   host.ariaPressed = "false";
   host.textContent = control.label;
-  host.title = `${control.label}: as long as it is held down`;
+  host.title = `${control.label}: active while you hold it down`;
   host.onpointerdown = (event) => {
     if (event.button !== 0) return;
     host.setPointerCapture(event.pointerId);
@@ -113,7 +114,7 @@ function knob(control: Control, touch: (x: number) => void): Shown {
   host.append(name, value, slider);
   draw();
   const show = (cell: string) => {
-    // Not while it is being turned.
+    // Not while the user is turning it.
     if (timer !== undefined || slider.matches(":active")) return;
     slider.value = cell;
     draw();
@@ -121,36 +122,49 @@ function knob(control: Control, touch: (x: number) => void): Shown {
   return { host, show, release: nothing };
 }
 
-function text(control: Control): Shown {
+function note(text: string): Shown {
   const host = document.createElement("p");
-  host.textContent = control.kind === "map" ? "Clicks on the map go to the program." : "";
+  host.textContent = text;
   return { host, show: nothing, release: nothing };
 }
 
-export function startConsole(store: Store, host: HTMLElement): void {
-  const shown = store.program.console.map((control, number) => {
-    const touch = (x: number) => store.command(`touch ${number} ${x} 0`);
-    switch (control.kind) {
-      case "button":
-        return button(control, () => touch(1));
-      case "hold":
-        return holdButton(control, (x) => store.command(`hold ${number} ${x}`));
-      case "knob":
-        return knob(control, touch);
-      case "toggle":
-        return toggle(control, touch);
-      case "map":
-      case "camera":
-        return text(control);
-    }
-  });
-  const isAsked = store.program.console.some(({ kind }) => kind !== "camera");
-  const releaseAll = () => {
-    for (const each of shown) each.release();
+/** Null if the page does not show this kind. */
+function make(store: Store, control: Control, number: number): Shown | null {
+  const touch = (x: number) => void store.command(`touch ${number} ${x} 0`);
+  // Without contact the host releases the button by itself.
+  const hold = (x: number) => {
+    if (x > 0 || !store.contact.isLost) store.command(`hold ${number} ${x}`);
   };
-  host.append(...shown.map((each) => each.host));
+  switch (control.kind) {
+    case "button":
+      return button(control, () => touch(1));
+    case "hold":
+      return holdButton(control, hold);
+    case "knob":
+      return knob(control, touch);
+    case "toggle":
+      return toggle(control, touch);
+    case "map":
+      return note("The program receives clicks on the map.");
+    case "camera":
+    case "tags":
+      return null;
+    default: {
+      const unknown: never = control.kind;
+      return note(`${control.label}: this page does not support “${String(unknown)}”.`);
+    }
+  }
+}
 
-  // What is in the program's input counts, whoever did it; but not while that is on its way.
+export function startConsole(store: Store, host: HTMLElement): void {
+  const shown = store.program.console.map((control, number) => make(store, control, number));
+  const seen = shown.filter((each) => each !== null);
+  const releaseAll = () => {
+    for (const each of seen) each.release();
+  };
+  host.append(...seen.map((each) => each.host));
+
+  // Follow the program's input, whoever changed it, but not while a change is on its way.
   const follow = () => {
     store.program.console.forEach((control, number) => {
       const cell = store.newest?.cells[control.signal];
@@ -161,8 +175,13 @@ export function startConsole(store: Store, host: HTMLElement): void {
     });
   };
   const cells: string[] = [];
-  const note = document.createElement("p");
-  note.textContent = "This robot is only looked at. --view=control lets a page operate it.";
+  /** Shows the value that the program has, rather than the value that the user requested. */
+  const forget = () => {
+    cells.length = 0;
+  };
+  const lookedAt = note(
+    "This page can only watch the robot. Use --view=control to operate it.",
+  ).host;
   const show = () => {
     const {
       operates,
@@ -170,16 +189,18 @@ export function startConsole(store: Store, host: HTMLElement): void {
       run,
     } = store;
     const isLookedAt = live && run !== null && !run.sends;
-    shown.forEach((each, i) => {
-      each.host.hidden = !operates || store.program.console[i]?.kind === "camera";
-    });
-    if (isLookedAt) host.prepend(note);
-    else note.remove();
-    host.hidden = !isAsked || !(operates || isLookedAt);
-    if (!operates) releaseAll();
+    for (const each of seen) each.host.hidden = !operates;
+    if (isLookedAt) host.prepend(lookedAt);
+    else lookedAt.remove();
+    host.hidden = seen.length === 0 || !(operates || isLookedAt);
+    host.inert = store.contact.isLost;
+    if (!operates || store.contact.isLost) releaseAll();
   };
   store.on("extent", follow);
   store.on("run", show);
+  store.on("contact", show);
+  store.on("undone", forget);
+  store.on("resumed", forget);
   window.addEventListener("pagehide", releaseAll);
   window.addEventListener("blur", releaseAll);
   document.addEventListener("visibilitychange", releaseAll);

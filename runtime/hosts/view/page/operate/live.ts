@@ -1,10 +1,10 @@
-// A run that goes on: back to its newest instant, how fast it goes, keys for the program, and the
-// stop.
+// Controls of a live run: return to its newest instant, its speed, keys for the program, and Stop.
+import { Stop } from "./stop";
 import type { Store } from "../store";
 
 const speeds = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
 
-/** What a terminal sends for keys that are no characters. */
+/** The codes that a terminal sends for keys that are not characters. */
 const codes: Readonly<Record<string, number>> = {
   Enter: 10,
   Backspace: 127,
@@ -18,7 +18,7 @@ function element<T extends HTMLElement>(id: string): T {
   return found as T;
 }
 
-/** Typed characters become events, also those of a phone's keyboard. */
+/** Sends typed characters as events, including those of a phone's keyboard. */
 function startKeyboard(store: Store, field: HTMLInputElement): void {
   const press = (code: number) => store.command(`key ${code}`);
   field.oninput = () => {
@@ -34,7 +34,7 @@ function startKeyboard(store: Store, field: HTMLInputElement): void {
   };
 }
 
-export function startLive(store: Store): void {
+export function startLive(store: Store): Stop {
   const bar = element("live");
   const follow = element("follow");
   const hold = element("hold");
@@ -42,7 +42,6 @@ export function startLive(store: Store): void {
   const speed = element<HTMLSelectElement>("run-speed");
   const type = element<HTMLInputElement>("type");
   const operate = element("operate");
-  const stop = element<HTMLButtonElement>("stop");
   const takesKeys = store.program.sources.some(
     (source) => !source.library && source.text.includes("keyPressed"),
   );
@@ -54,31 +53,41 @@ export function startLive(store: Store): void {
   single.onclick = () => store.command("step");
   speed.onchange = () => {
     store.command(`speed ${speed.value}`);
-    speed.blur(); // keys are the page's again
+    speed.blur(); // return the keyboard focus to the page
   };
   operate.onclick = () => store.command("take");
-  stop.onclick = () => store.command("stop");
   startKeyboard(store, type);
 
   const show = () => {
     const { run, program, following } = store;
     bar.hidden = !isLive;
     bar.classList.toggle("over", !program.live);
-    follow.textContent = !program.live ? "The run is over" : following ? "Live" : "Back to live";
-    follow.ariaPressed = String(following);
+    const { isLost, silent } = store.contact;
+    follow.textContent = !program.live
+      ? "The run is over"
+      : isLost
+        ? "No contact"
+        : !following
+          ? "Back to live"
+          : silent === "instants"
+            ? "No new instant"
+            : "Live";
+    follow.ariaPressed = String(following && silent === "nobody");
+    // Disable controls whose command cannot be executed now.
+    for (const each of [element("pace"), type, operate]) each.inert = isLost;
     element("pace").hidden = !run?.paces || !run.operates;
-    hold.textContent = run?.paused ? "Go on" : "Pause";
+    hold.textContent = run?.paused ? "Continue" : "Pause";
     hold.ariaPressed = String(run?.paused === true);
-    // Of a run that is followed there is only its own speed.
+    // The playback speed does not apply to a run that is followed.
     element("speed").hidden = following;
     single.disabled = !run?.paused;
     speed.value = String(run?.speed ?? 1);
     type.hidden = !takesKeys || !run?.sends || !run.operates;
     operate.hidden = !run || run.operates;
-    stop.hidden = !program.live;
-    stop.textContent = run?.stopping ? "Stopping …" : "Stop";
   };
   store.on("run", show);
   store.on("following", show);
+  store.on("contact", show);
   show();
+  return new Stop(store, element<HTMLButtonElement>("stop"), element("fate"));
 }

@@ -1,11 +1,11 @@
-// The program's assertions: what became of each, and where it was violated; a click goes there.
+// The program's assertions: the result of each, and where it was violated. A click goes there.
 import type { Claim, Fate } from "../protocol";
 import type { Store } from "../store";
 
-/** How often those of a run that goes on are asked for, in milliseconds. */
+/** Interval at which the results of a live run are requested, in ms. */
 const every = 500;
 
-/** How bad it is, as a class of the page's style. */
+/** Returns the CSS class for the severity of a result. */
 function kindOf(fate: Fate, isAssumed: boolean): string {
   if (fate.failed) return isAssumed ? "failed" : "violated";
   return fate.open || !fate.asked ? "undecided" : "held";
@@ -15,7 +15,7 @@ function counted(number: number, what: string): string {
   return `${number} ${what}${number === 1 ? "" : "s"}`;
 }
 
-/** All in a line, for who looks at nothing else. */
+/** Summarizes all results in one line. */
 function inShort(claims: readonly Claim[], isLive: boolean): string {
   const asserted = claims.filter(({ assumed }) => !assumed);
   const violated = asserted.filter(({ fate }) => fate.failed).length;
@@ -28,8 +28,8 @@ function inShort(claims: readonly Claim[], isLive: boolean): string {
   return `no assertion violated${isLive ? " so far" : ""}`;
 }
 
-/** The next instant in `times` at which something begins, after the one that is shown or before
- *  it; round to the other end where there is none. */
+/** Returns the next of `times` after the current time, or the previous one before it. Wraps around
+ * at the ends. */
 function nextOf(times: readonly number[], now: number, isForward: boolean): number | undefined {
   const sorted = [...new Set(times)].sort((a, b) => a - b);
   return isForward
@@ -39,7 +39,7 @@ function nextOf(times: readonly number[], now: number, isForward: boolean): numb
 
 const starts = ({ times }: Claim) => times.filter((_, i) => i % 2 === 0);
 
-/** Goes on to where any assertion or assumption next begins to be violated, or back. */
+/** Goes to the next or previous start of a violation of any assertion or assumption. */
 export function goToViolation(
   store: Store,
   isForward: boolean,
@@ -80,17 +80,17 @@ export function startClaims(
     return { row, fate, now };
   };
 
-  /** Of the edited program only what is other. */
+  /** Adds the edited program's result if it differs. */
   const textOf = ({ fate, other }: Claim): string => {
     const text = store.program.live
       ? fate.text.replace(" at the end", "").replace(/^held$/, "held so far")
       : fate.text;
     if (other === undefined) return text;
-    const edited = other === null ? "not there" : other.text;
+    const edited = other === null ? "removed" : other.text;
     return edited === text ? text : `${text} → ${edited}`;
   };
 
-  /** The verdict at the instant that is shown. */
+  /** Shows the verdicts at the current instant. */
   const showNow = () =>
     store.claims.forEach(({ signal }, at) => {
       const cell = store.instant?.cells[signal] ?? "";

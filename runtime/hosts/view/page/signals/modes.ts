@@ -1,5 +1,5 @@
-// The modes of a machine as a state diagram, the one that runs lit; a click goes to when one next
-// begins.
+// Shows the modes of a machine as a state diagram with the running mode highlighted. A click on a
+// mode goes to when it next begins.
 import type { Program, Signal, Transition } from "../protocol";
 import type { Store } from "../store";
 import { lineColour, onTheme } from "../theme";
@@ -7,8 +7,8 @@ import { lineColour, onTheme } from "../theme";
 const any = -1;
 const before = -2;
 
-/** The signals that say which mode of a machine runs: those inside, of which transitions are
- *  known, or else what the host knows. */
+/** Returns the signals that are running modes: the inner signals with known transitions, or the
+ * modes that the host knows if there are more of these. */
 export function modeSignals({ signals }: Program): number[] {
   const numbers = signals.map((_, number) => number);
   const inside = numbers.filter((number) => signals[number]?.transitions);
@@ -16,12 +16,12 @@ export function modeSignals({ signals }: Program): number[] {
   return inside.length >= known.length ? inside : known;
 }
 
-/** How a machine is called. */
+/** Returns the name of a machine. */
 export function machineName(signal: Signal | undefined): string {
   return (signal?.name ?? "").replace(/^(mode|probe)\./, "").replace(/\.mode$/, "");
 }
 
-/** From what it begins in on, the next ones first. */
+/** Orders the modes from the initial one, each followed by the modes that it leads to. */
 function inOrder(signal: Signal, transitions: readonly Transition[]): number[] {
   const order: number[] = [];
   const visit = (from: number) => {
@@ -39,8 +39,8 @@ function inOrder(signal: Signal, transitions: readonly Transition[]): number[] {
   return order;
 }
 
-// Modes stand one below the other; a transition to the next one is a short line between them,
-// one further down a curve on the right, one up a curve on the left.
+// The modes are arranged in a column. A transition to the next mode is a short line between them, a
+// transition further down is a curve on the right, and one further up a curve on the left.
 
 const step = 27;
 const height = 20;
@@ -53,7 +53,8 @@ interface Edge {
   readonly lane: number;
 }
 
-/** Edges by the places of their ends; each in the first lane that is free along it. */
+/** Computes the edges by the positions of their ends. Each gets the first lane that is free along
+ * its length. */
 function edges(
   transitions: readonly Transition[],
   order: readonly number[],
@@ -120,7 +121,7 @@ class Diagram {
     const row = document.createElement("div");
     const pill = document.createElement("button");
     pill.textContent = name;
-    pill.title = `Go to when ${name} next begins`;
+    pill.title = `Go to the next start of ${name}`;
     pill.onclick = () =>
       this.store.find(`${this.signal.name} == ${name}`, (found) => {
         const to = found.after ?? found.first;
@@ -136,7 +137,7 @@ class Diagram {
     ];
     const note = document.createElement("small");
     note.textContent = waits.join(", ");
-    note.title = waits.length > 0 ? `It is left by ${waits.join(", ")}` : "";
+    note.title = waits.length > 0 ? `Leaves this mode: ${waits.join(", ")}` : "";
     row.append(pill, note);
     return row;
   }

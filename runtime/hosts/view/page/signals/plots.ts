@@ -1,17 +1,18 @@
-// The signals that were picked, one below the other over the same time.
+// The plots of the chosen signals, one below the other on the same time axis.
 import uPlot from "uplot";
 import type { Series, Signal } from "../protocol";
 import type { Store } from "../store";
 import { colour, lineColour, onTheme } from "../theme";
 import { difference, formatCell, formatNumber, formatPoint } from "../values";
 
-/** Of a plot of truth or names, and of numbers: lower where there are many. */
+/** Heights of a plot of truth values or names, and of a plot of numbers, which is lower if there are
+ * many plots. */
 const lowHeight = 64;
 const highHeight = (plots: number) => (plots > 4 ? 92 : 124);
 const axisWidth = 72;
-/** With so few there is room for a word on how to add one. */
+/** Maximum number of plots at which there is room for a hint on how to add one. */
 const hinted = 3;
-/** As many as there are, of what has just come. */
+/** Practically unlimited, for requests of the newest data. */
 const mostPoints = 100_000;
 
 function isLow(signal: Signal): boolean {
@@ -44,7 +45,7 @@ class Strip {
     close.onclick = () => store.toggle(number);
     const head = document.createElement("header");
     this.other.className = "other";
-    name.title = "Why is it so?";
+    name.title = "Why does it have this value?";
     name.onclick = () => store.wonder(number);
     head.append(name, this.value, this.other, this.apart, close);
     this.place.className = "plot";
@@ -57,7 +58,7 @@ class Strip {
     return signal;
   }
 
-  /** Asks for what there is to draw in the range that is shown. */
+  /** Requests the data for the visible range. */
   load(): void {
     const [from, to] = this.store.range;
     const [min, max] = this.times();
@@ -81,7 +82,7 @@ class Strip {
     else this.build();
   }
 
-  /** Asks for what has come since, of a run that is followed. */
+  /** Requests the data that has arrived since, in a live run that is followed. */
   grow(): void {
     if (this.isGrowing) return;
     const from = this.data[0].at(-1) ?? this.store.range[0];
@@ -97,7 +98,7 @@ class Strip {
     const last = this.data[0].at(-1) ?? -Infinity;
     const isNew = (_: unknown, i: number) => (series.times[i] ?? 0) > last;
     const times = [...this.data[0], ...series.times.filter(isNew)];
-    // One before what is shown, from which a step goes into it.
+    // Keep one point before the visible range, from which a step leads into it.
     const first = Math.max(0, times.findIndex((time) => time > from) - 1);
     const joined = (before: readonly (number | null)[], more: readonly (number | null)[]) =>
       [...before, ...more.filter(isNew)].slice(first);
@@ -122,7 +123,7 @@ class Strip {
     } else this.build();
   }
 
-  /** Draws it anew, in another size or other colours. */
+  /** Redraws the plot, with another size or other colours. */
   build(index = this.index): void {
     this.index = index;
     this.plot?.destroy();
@@ -131,7 +132,7 @@ class Strip {
     this.readOut();
   }
 
-  /** From when to when; never nothing. */
+  /** Returns the visible time range, which is never empty. */
   private times(): [number, number] {
     const [from, to] = this.store.range;
     return [from, Math.max(to, from + 1e-9)];
@@ -196,7 +197,7 @@ class Strip {
                   values: (_plot: uPlot, splits: number[]) =>
                     splits.map((x) => shorten(formatPoint(signal, x))),
                 }
-              : // Not where the names of times begin.
+              : // Omit labels next to the first label of the time axis.
                 {
                   values: (plot: uPlot, splits: number[]) => {
                     const { min = 0, max = 1 } = plot.scales["y"] ?? {};
@@ -267,7 +268,7 @@ class Strip {
     if (this.store.instant) draw(this.store.instant.time, colour("cursor"), []);
   }
 
-  /** A mark at the edge, where a value is beyond what is shown. */
+  /** Draws a mark at the edge where a value is outside the visible range. */
   private drawBeyond(plot: uPlot): void {
     const { min, max } = plot.scales["y"] ?? {};
     const {
@@ -289,7 +290,7 @@ class Strip {
     });
   }
 
-  /** The value below the pointer, or else at the instant that is shown. */
+  /** Shows the value at the pointer, or else at the current instant. */
   readOut(): void {
     const { signal, store, plot } = this;
     const pointed = plot?.cursor.idx;
@@ -308,7 +309,8 @@ class Strip {
     this.apart.textContent = apart === null ? "" : `Δ ${apart}`;
   }
 
-  /** What a signal was last, at the pointer; of an event, whether it is there. */
+  /** Returns the value that the signal has at the pointer: its last value before it; for an event,
+   * its value there, if any. */
   private heldAt(plot: uPlot): number | null {
     const seconds = plot.posToVal(plot.cursor.left ?? 0, "x");
     const nearest = plot.cursor.idx ?? 0;
@@ -326,8 +328,8 @@ class Strip {
   }
 }
 
-/** What a plot shows from bottom to top. A few values far out, as a first derivative is, do not
- *  count: all others would be a flat line. */
+/** Returns the range of a plot. It ignores a few extreme values, such as a derivative's first one,
+ * which would make all others a flat line. */
 function around(values: readonly (number | null)[]): [number, number] {
   const sorted = values.filter((x): x is number => typeof x === "number").sort((a, b) => a - b);
   if (sorted.length === 0) return [0, 1];
@@ -380,6 +382,10 @@ export function startPlots(store: Store, host: HTMLElement): void {
   );
   store.on(
     "what-if",
+    all((strip) => strip.load()),
+  );
+  store.on(
+    "resumed",
     all((strip) => strip.load()),
   );
   store.on(

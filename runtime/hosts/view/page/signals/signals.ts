@@ -47,7 +47,7 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
       const cell = store.instant?.cells[number] ?? "";
       if (cell === shown.cell) return;
       shown.cell = cell;
-      // In the node that is there: new ones many times a second would leave much behind.
+      // Change the existing text node: new nodes many times a second would leave a lot of garbage.
       (value.firstChild as Text).data = formatCell(signal, cell);
       value.title = cell;
       row.classList.toggle("nothing", isNothing(signal, cell));

@@ -1,4 +1,4 @@
-// Frob's words, for colours.
+// Syntax highlighting for Frob.
 import { StreamLanguage, type StringStream } from "@codemirror/language";
 
 const words = new Set([
@@ -28,7 +28,7 @@ const words = new Set([
 ]);
 
 interface State {
-  /** How deep in comments that nest. */
+  /** Nesting depth of comments. */
   depth: number;
 }
 

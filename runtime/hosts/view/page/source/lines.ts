@@ -1,23 +1,23 @@
-// Which signals a line of the source has, and what there is to say of them at an instant.
+// Finds the signals of each source line, and their values at an instant.
 import type { Program, Signal } from "../protocol";
 import type { Store } from "../store";
 import { formatCell } from "../values";
 
-/** Of one signal, at the end of its line. */
+/** The value of one signal, shown at the end of its line. */
 export interface Chip {
   readonly number: number;
   readonly name: string;
   readonly value: string;
-  /** In the edited program, if there is one and it is another there. */
+  /** The edited program's value, if it differs. */
   readonly other: string | null;
   readonly isPlotted: boolean;
 }
 
 export interface LineValues {
   readonly chips: readonly Chip[];
-  /** How many signals there are besides. */
+  /** Number of further signals. */
   readonly more: number;
-  /** Which of the instances of its signal function is shown, of how many. */
+  /** Index of the shown instance of its signal function, and the number of instances. */
   readonly instance: number;
   readonly instances: number;
   readonly instanceName: string;
@@ -27,12 +27,12 @@ export interface LineValues {
 
 const mostChips = 6;
 
-/** The signals of a line, by the instance that they are in. */
+/** The signals of a line, by instance. */
 type Instances = Map<string, number[]>;
 
 export class Lines {
   private readonly files = new Map<string, Map<number, Instances>>();
-  /** Which instance is shown where there are these. */
+  /** Index of the chosen instance, by the line's instances. */
   private readonly chosen = new Map<string, number>();
   /** The signals of each instance. */
   private readonly members = new Map<string, number[]>();
@@ -54,13 +54,13 @@ export class Lines {
     return this.files.has(file);
   }
 
-  /** The first of a file; 1 if it has none. */
+  /** Returns the first line with signals in a file; 1 if there is none. */
   first(file: string): number {
     const lines = [...(this.files.get(file)?.keys() ?? [])];
     return lines.length === 0 ? 1 : Math.min(...lines);
   }
 
-  /** Those of a file, in order, from one line to another. */
+  /** Returns the lines with signals in a range of a file, in order. */
   between(file: string, first: number, last: number): number[] {
     const lines = this.files.get(file);
     const all = Array.from({ length: last - first + 1 }, (_, i) => first + i);
@@ -71,7 +71,7 @@ export class Lines {
     return [...instances.keys()].join(" ");
   }
 
-  /** Shows the next instance of what this line is in. */
+  /** Shows the next instance of the signal function of this line. */
   next(file: string, line: number): void {
     const instances = this.files.get(file)?.get(line);
     if (!instances) return;
@@ -79,7 +79,8 @@ export class Lines {
     this.chosen.set(key, (this.shown(instances) + 1) % instances.size);
   }
 
-  /** What does not run has no values; an event has none at most instants anyway. */
+  /** Returns whether an instance runs: then some signal has a value. An instance that contains only
+   * events, which have no value at most instants, counts as running. */
   private runs(instance: string): boolean {
     const { instant, program } = this.store;
     const members = this.members.get(instance) ?? [];
@@ -89,7 +90,7 @@ export class Lines {
     );
   }
 
-  /** The instance that was chosen, or else the first that runs. */
+  /** Returns the index of the chosen instance, or else of the first that runs. */
   private shown(instances: Instances): number {
     const chosen = this.chosen.get(Lines.key(instances));
     if (chosen !== undefined) return chosen;
@@ -132,7 +133,7 @@ export class Lines {
   }
 }
 
-/** The sources that are worth a tab: the user's, and those of the library that have signals. */
+/** Returns the sources that get a tab: the user's, and those of the library that have signals. */
 export function shownSources(program: Program, lines: Lines): Program["sources"] {
   return program.sources.filter((source) => !source.library || lines.has(source.name));
 }

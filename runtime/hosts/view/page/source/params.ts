@@ -1,7 +1,7 @@
-// A field for each parameter of the program, for what would be if it were set otherwise.
+// A field for each parameter of the program, for running it with other values.
 import type { Param } from "../protocol";
 
-/** A setting without its unit. */
+/** Removes the unit from a setting. */
 function bare(value: string): string {
   return value.replace(/\[.*$/, "");
 }
@@ -34,7 +34,7 @@ export class ParamFields {
     this.reset();
   }
 
-  /** All as they were in the run. */
+  /** Sets all fields to the values of the run. */
   reset(): void {
     for (const [param, field] of this.fields) {
       field.value = bare(param.value);
@@ -43,7 +43,7 @@ export class ParamFields {
     }
   }
 
-  /** What is set otherwise than in the run, as NAME=VALUE. */
+  /** Returns the parameters that differ from the run, as NAME=VALUE. */
   changed(): string[] {
     return [...this.fields]
       .filter(([param, field]) => this.of(param, field) !== bare(param.value))

@@ -1,4 +1,4 @@
-// The program's source, read-only, with the values of the instant at the ends of its lines.
+// The program's source, read-only, with the values at the current instant at the ends of its lines.
 import { HighlightStyle, syntaxHighlighting } from "@codemirror/language";
 import {
   Compartment,
@@ -73,7 +73,7 @@ interface Act {
   next(line: number): void;
 }
 
-/** What stands at the end of a line. */
+/** The values at the end of a line. */
 class Values extends WidgetType {
   private readonly text: string;
 
@@ -116,7 +116,7 @@ class Values extends WidgetType {
       const button = document.createElement("button");
       button.className = "instance";
       button.textContent = `${instanceName} ${instance + 1}/${instances}`;
-      button.title = "Show the next one of these";
+      button.title = "Show the next instance";
       button.onclick = () => this.act.next(this.line);
       place.append(button);
     }
@@ -147,7 +147,7 @@ const shown = StateField.define<DecorationSet>({
 });
 
 const tinted = EditorView.editorAttributes.of({ class: "editing" });
-/** A line that may not be seen while the first one is. */
+/** First line that may not be visible when the file is scrolled to its top. */
 const farDown = 15;
 const idle = Decoration.line({ class: "idle" });
 const asked = Decoration.line({ class: "asked" });
@@ -157,8 +157,8 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
   const sources = shownSources(store.program, lines);
   const tabs = document.createElement("nav");
   const editor = document.createElement("div");
-  // In a shadow tree the editor's styles are style sheets, and no `<style>` elements, which the
-  // page's security policy would refuse.
+  // In a shadow tree the editor adds its styles as style sheets, not as `<style>` elements, which
+  // the page's security policy would reject.
   const root = editor.attachShadow({ mode: "open" });
 
   const writing = new Compartment();
@@ -187,7 +187,7 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
       update();
     },
   };
-  /** The first and the last line that may be seen. */
+  /** Returns the first and the last line that may be visible. */
   const inView = (): [number, number] => {
     const {
       state: { doc },
@@ -200,7 +200,8 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     const [first, last] = inView();
     if (first < covered[0] || last > covered[1]) update();
   };
-  /** Not where lines have come or gone, and values would stand beside others. */
+  /** Returns whether the text has its original lines. If lines were added or removed, values would
+   * be next to other lines. */
   const hasItsLines = () => view.state.doc.lines === current?.text.split("\n").length;
   const update = () => {
     if (!current) return;
@@ -229,7 +230,7 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     update();
     showFirst();
   };
-  /** Values are to be seen at first sight, with some of what is above them. */
+  /** Scrolls so that the first values are visible, with some lines above them. */
   const showFirst = () => {
     const line = current ? lines.first(current.name) : 1;
     if (store.isEditing || line < farDown || line > view.state.doc.lines) return;

@@ -1,9 +1,9 @@
-// What if the program were another: its text is edited or its parameters are set, and it is run on
-// the same inputs, or drives again.
+// What-if: runs the program with an edited text or other parameters, on the same inputs or again in
+// the simulator.
 import { ParamFields } from "./params";
 import type { Store } from "../store";
 
-/** As much as a request may have. */
+/** Maximum length of the text; a request is limited to 64 kB. */
 const longest = 60_000;
 
 export interface Editor {
@@ -13,9 +13,9 @@ export interface Editor {
 }
 
 export class WhatIfBar {
-  /** Begins it. */
+  /** The button that starts it. */
   readonly button = document.createElement("button");
-  /** What there is to do, and what came of it. */
+  /** The actions and their result. */
   readonly element = document.createElement("section");
   private readonly said = document.createElement("pre");
   private readonly params: ParamFields;
@@ -42,12 +42,12 @@ export class WhatIfBar {
       press("Drive again", "Run it in the simulator, from the start (Ctrl Shift Enter)", () =>
         this.run("drive"),
       ),
-      press("Discard", "Back to the program as it was (Escape)", () => this.discard()),
+      press("Discard", "Restore the original program (Escape)", () => this.discard()),
     );
     const hint = document.createElement("p");
     hint.textContent =
-      "Run: on the inputs as recorded; the world does not answer. " +
-      "Drive again: in the simulator, from the start.";
+      "Run: uses the recorded inputs; the world does not react. " +
+      "Drive again: runs in the simulator, from the start.";
     this.element.className = "what-if";
     this.element.append(buttons, hint, this.params.element, this.said);
     this.element.hidden = true;
@@ -68,7 +68,7 @@ export class WhatIfBar {
     const text = this.editor.text();
     const settings = this.params.changed();
     if (new TextEncoder().encode(text).length > longest) {
-      this.said.textContent = `The program is too long to be sent: ${longest} bytes at most.`;
+      this.said.textContent = `The program is too long to send: the maximum is ${longest} bytes.`;
       return;
     }
     this.said.textContent = "compiling …";
@@ -89,11 +89,11 @@ export class WhatIfBar {
     if (!whatIf) return;
     const { there, drives, why, first, signal } = whatIf;
     this.said.classList.toggle("bad", why !== undefined);
-    const where = drives ? "It has driven in the simulator. " : "";
+    const where = drives ? "It ran in the simulator. " : "";
     if (why !== undefined) this.said.textContent = why.trim();
     else if (!there) this.said.textContent = "";
     else if (first === undefined)
-      this.said.textContent = `${where}Its outputs are the same, at all instants.`;
+      this.said.textContent = `${where}Its outputs are the same at all instants.`;
     else
       this.said.textContent = `${where}Its outputs differ from instant ${first} on, first in ${signal ?? ""}.`;
   }

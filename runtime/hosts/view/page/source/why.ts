@@ -1,10 +1,10 @@
-// Why a value is so: its equation, and the values that this mentions, each of which can be asked
-// for in turn.
+// Explains a value: shows its equation and the values that it reads, each of which can be explained
+// in turn.
 import type { Origin, Place, Signal, Switch, Why } from "../protocol";
 import type { Store } from "../store";
 import { formatCell, formatTime } from "../values";
 
-/** Of an equation, at most. */
+/** Maximum number of lines shown of an equation. */
 const mostLines = 8;
 
 interface Asked {
@@ -28,12 +28,12 @@ function span(className: string, text: string): HTMLElement {
 }
 
 export class WhyPanel {
-  /** Begins to ask, or ends it. */
+  /** The button that starts and ends explaining. */
   readonly button: HTMLButtonElement;
   readonly element = document.createElement("section");
-  /** What was asked for, one step after the other; the last one is shown. */
+  /** The steps back so far; the last one is shown. */
   private way: Asked[] = [];
-  /** Whether the cursor is on its way to the instant that is asked for. */
+  /** Whether the cursor is moving to the instant of the last step. */
   private isMoving = false;
 
   constructor(private readonly store: Store) {
@@ -71,7 +71,7 @@ export class WhyPanel {
     this.store.changed("why");
   }
 
-  /** A step further back. */
+  /** Goes one step further back. */
   private step(signal: number, k: number): void {
     this.way.push({ signal, k });
     this.load();
@@ -93,7 +93,7 @@ export class WhyPanel {
     this.store.askWhy(last.signal, last.k);
   }
 
-  /** The cursor was moved by other means: the same signal there. */
+  /** If the cursor was moved by other means, explains the same signal at the new instant. */
   private follow(): void {
     const last = this.way.at(-1);
     const k = this.store.instant?.k;
@@ -110,7 +110,7 @@ export class WhyPanel {
     this.store.show(why.file === "" ? null : why);
   }
 
-  // What is shown.
+  // Returns a signal by its number.
 
   private signal(number: number): Signal {
     const signal = this.store.program.signals[number];
@@ -126,8 +126,8 @@ export class WhyPanel {
     this.element.hidden = !isAsking;
     const back = button("‹ Back", "One step back (Backspace)", () => this.back());
     back.disabled = way.length < 2;
-    const close = button("×", "No more of this (w)", () => this.end());
-    close.ariaLabel = "No more of this";
+    const close = button("×", "Close (w)", () => this.end());
+    close.ariaLabel = "Close";
     const head = document.createElement("header");
     head.append(back);
     this.element.replaceChildren(head);
@@ -150,7 +150,7 @@ export class WhyPanel {
     const { longer } = since;
     const made = button(
       `since instant ${since.k}${longer ? " or longer" : ""}`,
-      longer ? "As far as it was looked" : "Go to where it became so",
+      longer ? "The search ended here" : "Go to the instant at which it changed",
       () => {
         this.way.push({ signal: this.way.at(-1)?.signal ?? 0, k: since.k });
         this.load();
@@ -160,7 +160,7 @@ export class WhyPanel {
     return made;
   }
 
-  /** The lines of its equation. */
+  /** Returns the lines of its equation. */
   private equation(place: Place): HTMLElement[] {
     const source = this.store.program.sources.find(({ name }) => name === place.file);
     if (!source) return [];
@@ -187,7 +187,9 @@ export class WhyPanel {
           signal.instance !== "" && signal.instance === of.instance
             ? signal.own
             : plainName(signal);
-        const made = button("", `Why is ${name} so?`, () => this.step(source.signal, source.k));
+        const made = button("", `Why does ${name} have this value?`, () =>
+          this.step(source.signal, source.k),
+        );
         made.append(
           span("name", name),
           span("value", formatCell(signal, source.cell) || "–"),
@@ -230,7 +232,7 @@ function plainName(signal: Signal): string {
 }
 
 function reasonForNone(signal: Signal): string {
-  if (signal.side === "input") return "It is input: what the robot or the operator said.";
-  if (signal.side === "mode") return "Ask for the mode on its line in the source.";
-  return "Nothing that can be seen: numbers, the time, or a mode that ran from the beginning.";
+  if (signal.side === "input") return "It is an input from the robot or the operator.";
+  if (signal.side === "mode") return "Click the mode on its line in the source.";
+  return "It depends on no signal, only on constants, the time, or a mode that ran from the beginning.";
 }

@@ -1,4 +1,4 @@
-// Playing the run, and the buttons and read-outs for its instants.
+// Plays the run, and handles the buttons and displays for its instants.
 import type { Store } from "../store";
 import { formatNumber, formatTime } from "../values";
 
@@ -55,7 +55,7 @@ export class Player {
     } else requestAnimationFrame((next) => this.advance(next));
   }
 
-  /** Of a run that goes on, the newest instant, whatever comes. */
+  /** Goes to the end; in a live run, follows the newest instant. */
   toEnd(): void {
     const { store } = this;
     if (store.program.live) store.follow();

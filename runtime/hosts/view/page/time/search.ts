@@ -1,4 +1,4 @@
-// When a condition begins to hold.
+// Finds when a condition becomes true.
 import type { Found } from "../protocol";
 import type { Store } from "../store";
 

@@ -1,5 +1,4 @@
-// The whole run from left to right: modes as bands, the cursor, the mark, and what the
-// plots show.
+// The time line of the whole run: modes as bands, the cursor, the mark, and the range of the plots.
 import { clear } from "../canvas";
 import { machineName, modeSignals } from "../signals/modes";
 import type { Claim, Series } from "../protocol";
@@ -9,15 +8,16 @@ import { formatNumber, formatTime } from "../values";
 
 const bandHeight = 16;
 const axisHeight = 20;
-/** So many that the rest of the page keeps its room. */
+/** Maximum number of bands that leaves room for the rest of the page. */
 const mostBands = () => (innerHeight < 800 ? 4 : 6);
-/** How often the bands of a run that goes on are asked for, in milliseconds. */
+/** Interval at which the bands of a live run are requested, in ms. */
 const bandsEvery = 500;
 
 export function startTimeline(store: Store, host: HTMLElement): void {
   const canvas = host.querySelector("canvas");
   const shown = canvas?.getContext("2d");
-  // What stays the same from instant to instant: everything but the cursor and the mark.
+  // An offscreen canvas for what does not change between instants: everything but the cursor and
+  // the mark.
   const context = document.createElement("canvas").getContext("2d");
   if (!canvas || !shown || !context) return;
   const { program } = store;
@@ -83,7 +83,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   };
 
   const drawLine = (seconds: number, stroke: string, dash: number[]) => {
-    // All of it is to be seen at the ends, too.
+    // Keep the whole line visible at the ends.
     const x = Math.min(Math.max(place(seconds), 6), width - 6);
     shown.strokeStyle = stroke;
     shown.lineWidth = 2;

@@ -5,8 +5,8 @@
 
 BENCH(bug)
 
-/* Round a circle that moves to and from the goal, looking about, now and then with
- * something ahead. */
+/* The robot drives around a circle that moves towards the goal and away from it, and looks
+ * around; sometimes there is an obstacle ahead. */
 static void make_input(size_t i)
 {
     const double angle = 0.01 * (double)i;

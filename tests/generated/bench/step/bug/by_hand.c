@@ -12,7 +12,7 @@ static const struct place goal = { 3.0, 1.0 };
 static const double radius = 0.15, keep = 0.3, room = 0.15;
 static const int64_t leave_ns = 5000000000, arrived_ns = 1000000000, failed_ns = 2000000000;
 
-/* What an input of NaN makes stays NaN, so that it cannot pass for a speed. */
+/* A NaN stays NaN, so that it cannot pass for a valid speed. */
 static double limit(double x, double y)
 {
     if (y > x || x != x)
@@ -30,7 +30,7 @@ static double distance(const struct bug_input *in, struct place p)
     return frob_hypot(in->x - p.x, in->y - p.y);
 }
 
-/* Has it come to the place, or does it start there? */
+/* Whether the robot has reached the place after having left it. */
 static bool comes_near(struct by_hand *self, double d)
 {
     const bool before = self->near_before;
@@ -70,7 +70,7 @@ static void rest(struct by_hand *self, int64_t ns)
     self->rest_ns = ns;
 }
 
-/* Whether the state goes on. */
+/* Runs the current state; returns whether it continues. */
 static bool drive(struct by_hand *self, const struct bug_input *in, struct bug_output *out)
 {
     const double way_x = goal.x - in->x, way_y = goal.y - in->y;
@@ -132,7 +132,7 @@ void by_hand_step(struct by_hand *self, double dt, const struct bug_input *in,
     self->since_ns += ns;
     if (self->state == LEAVE || self->state == RETURN)
         look_for_nearest(self, in);
-    /* A state that ends is followed by the next in the same instant. */
+    /* When a state ends, the next one starts in the same instant. */
     for (;;) {
         switch (self->state) {
         case DRIVE:

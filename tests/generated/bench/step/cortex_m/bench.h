@@ -1,8 +1,8 @@
-/* bench.h -- in place of the one beside it in `step/`: the generated step alone, on a
- * Cortex-M4 that qemu emulates with `-icount shift=0`, where each instruction takes 1 ns.
- * Prints how many instructions a step takes on the average, with its call.
+/* bench.h -- replaces the file of this name in `step/`: measures the generated step alone, on a
+ * Cortex-M4 that qemu emulates with `-icount shift=0`, where each instruction takes 1 ns. Prints
+ * the average number of instructions of a step, including its call.
  *
- * With BENCH_SINGLE the program is one of single precision. */
+ * With BENCH_SINGLE the program uses single precision. */
 #ifndef FROB_BENCH_CORTEX_M_H
 #define FROB_BENCH_CORTEX_M_H
 
@@ -12,7 +12,7 @@
 
 enum { INSTANTS = 1024 };
 
-/* The same numbers as there. */
+/* The same numbers as in `step/bench.c`. */
 static inline double bench_random(void)
 {
     static uint64_t state = UINT64_C(0x9e3779b97f4a7c15);
@@ -27,7 +27,7 @@ static inline int bench_chance(double probability)
     return bench_random() < probability;
 }
 
-/* The processor's own timer counts down from 2^24 at the board's 25 MHz. */
+/* The processor's timer, SysTick, counts down from 2^24 at the board's 25 MHz. */
 #define SYSTICK ((volatile uint32_t *)0xE000E010u)
 enum { CONTROL, RELOAD, VALUE, TICK_NS = 40, MOST_TICKS = 0xFFFFFF };
 
@@ -35,7 +35,7 @@ static void ticks_start(void)
 {
     SYSTICK[RELOAD] = MOST_TICKS;
     SYSTICK[VALUE] = 0;
-    SYSTICK[CONTROL] = 5; /* counts the processor's clock, without interrupts */
+    SYSTICK[CONTROL] = 5; /* run from the processor's clock, without interrupts */
 }
 
 static uint32_t ticks_passed(void)

@@ -1,8 +1,8 @@
 #!/bin/sh
-# The generated step in single precision beside that in double precision, on a
-# Cortex-M4 whose floating-point unit knows floats only: bytes of text, and
-# instructions of a step, as bench.h here counts them. The arguments are the folder to
-# work in, and programs, if not all.
+# Compares the generated step in single precision with that in double precision on a Cortex-M4,
+# whose floating-point unit supports only single precision. Measures the size of the text in bytes,
+# and the instructions of a step, as bench.h in this folder counts them. The arguments are the
+# working folder, and the programs; the default is all.
 set -eu
 out=$1/cortex_m
 shift
@@ -12,12 +12,12 @@ gcc="arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=har
     -ffp-contract=off -I runtime/include"
 board="--specs=rdimon.specs -T tests/generated/matrix/cortex_m.ld tests/generated/matrix/cortex_m.c"
 
-# Of code and constants.
+# Size of code and constants.
 text_bytes() {
     arm-none-eabi-size -A "$1" | awk '$1 ~ /^\.(text|rodata)/ { sum += $2 } END { print sum + 0 }'
 }
 
-# Leaves PROGRAM.o, and prints the bytes of its text and the instructions of a step.
+# Builds PROGRAM.o, and prints the size of its text and the instructions of a step.
 measured() { # PRECISION, OPTIONS
     made=$out/$1
     mkdir -p "$made"
@@ -39,6 +39,7 @@ row() { # MEASURE, VALUE, REFERENCE, UNIT
         "$program" "$1" "$2" "$3" "$ratio" "$4"
 }
 
+if [ $# -eq 0 ] && [ -n "${SHORT:-}" ]; then set -- pid; fi
 if [ $# -eq 0 ]; then set -- wall_follow pid kalman; fi
 for program in "$@"; do
     # shellcheck disable=SC2046

@@ -3,7 +3,7 @@
 
 BENCH(events)
 
-/* A button that bounces, and is held for a while. */
+/* A button that bounces and is sometimes held down. */
 static void make_input(size_t i)
 {
     static bool held;

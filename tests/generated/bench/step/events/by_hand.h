@@ -1,4 +1,4 @@
-/* A debounced button and what it does, as a careful person writes it in C. */
+/* A debounced button and its effects in C, as a careful programmer would write it. */
 #ifndef BY_HAND_H
 #define BY_HAND_H
 
@@ -8,7 +8,7 @@ struct by_hand {
     double at_press, sampled;
     int64_t time_ns;
     int64_t differs_since_ns;
-    int64_t sampled_ns; /* the multiple of the period reached last */
+    int64_t sampled_ns; /* the last multiple of the period */
     int32_t presses;
     bool started;
     bool button; /* debounced */
@@ -18,7 +18,7 @@ struct by_hand {
 
 void by_hand_reset(struct by_hand *self);
 
-/* dt in s, not looked at in the first step. */
+/* dt in s, ignored in the first step. */
 void by_hand_step(struct by_hand *self, double dt, const struct events_input *in,
                   struct events_output *out);
 

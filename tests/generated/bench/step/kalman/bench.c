@@ -3,7 +3,8 @@
 
 BENCH(kalman)
 
-/* Along a wall at about half a metre; now and then somebody passes. */
+/* The robot drives along a wall at a distance of about half a metre; sometimes a person passes
+   between them. */
 static void make_input(size_t i)
 {
     input[i].went = 0.01 * bench_random();

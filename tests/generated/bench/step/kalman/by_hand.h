@@ -1,4 +1,4 @@
-/* A Kalman filter for odometry along a wall, as a careful person writes it in C. */
+/* A Kalman filter for odometry along a wall in C, as a careful programmer would write it. */
 #ifndef BY_HAND_H
 #define BY_HAND_H
 

@@ -3,7 +3,7 @@
 
 BENCH(modes)
 
-/* Now and then a bump; the way is free after a while. */
+/* Occasional bumps; the way is free again after a while. */
 static void make_input(size_t i)
 {
     input[i].bump = bench_chance(0.02);

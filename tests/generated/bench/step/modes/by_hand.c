@@ -5,8 +5,8 @@ static const int64_t back_up_ns = 1000000000;
 static const double distance = 0.5, k_side = 0.8, k_slope = 0.3;
 static const double free_way = 0.6;
 
-/* Each mode starts with its own output in the instant in which the mode before
- * it ends; an edge does not count at a mode's first instant. */
+/* Each mode's first output is in the instant in which the previous mode ends. Edges at a mode's
+ * first instant do not count. */
 
 static void follow(const struct by_hand *self, const struct modes_input *in,
                    struct modes_output *out)

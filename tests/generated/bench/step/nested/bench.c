@@ -3,7 +3,7 @@
 
 BENCH(nested)
 
-/* On duty most of the time, things come and go. */
+/* The robot is on duty most of the time; obstacles come and go. */
 static void make_input(size_t i)
 {
     static bool duty;

@@ -18,7 +18,7 @@ void by_hand_reset(struct by_hand *self)
     self->free_before = true;
 }
 
-/* The starts of modes. An edge does not count at a mode's first instant. */
+/* Start the modes. Edges at a mode's first instant do not count. */
 
 static void start_cruise(struct by_hand *self, const struct nested_input *in)
 {

@@ -1,5 +1,4 @@
-/* Duty, patrol and caution, one within the other, as a careful person writes it
- * in C. */
+/* Nested modes for duty, patrol and caution in C, as a careful programmer would write them. */
 #ifndef BY_HAND_H
 #define BY_HAND_H
 
@@ -7,12 +6,12 @@
 
 struct by_hand {
     double speed;     /* while accelerating */
-    int64_t since_ns; /* the start of the drive or turn */
+    int64_t since_ns; /* start of the drive or turn */
     bool started;
     bool working;
     bool turning;
     bool slow;
-    bool duty_before; /* each of these: what may end a mode, one instant ago */
+    bool duty_before; /* the conditions that may end a mode, at the previous instant */
     bool close_before;
     bool near_before;
     bool free_before;
@@ -20,7 +19,7 @@ struct by_hand {
 
 void by_hand_reset(struct by_hand *self);
 
-/* dt in s, not looked at in the first step. */
+/* dt in s, ignored in the first step. */
 void by_hand_step(struct by_hand *self, double dt, const struct nested_input *in,
                   struct nested_output *out);
 

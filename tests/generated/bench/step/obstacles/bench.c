@@ -3,7 +3,7 @@
 
 BENCH(obstacles)
 
-/* Some near, most far. */
+/* Some readings are near, most are far. */
 static void make_input(size_t i)
 {
     for (size_t k = 0; k < 16; k++)

@@ -17,7 +17,7 @@ void by_hand_step(struct by_hand *self, double dt, const struct obstacles_input 
                   struct obstacles_output *out)
 {
     double back = 0.0, aside = 0.0;
-    double nearest = INFINITY; /* a dead sonar is nearer than nothing */
+    double nearest = INFINITY; /* a dead sonar (NaN) is never the nearest */
     (void)dt;
     for (int i = 0; i < 16; i++) {
         const double before = self->near[i];

@@ -1,4 +1,4 @@
-/* An obstacle avoider on a ring of 16 sonars, as a careful person writes it in C. */
+/* An obstacle avoider with a ring of 16 sonars in C, as a careful programmer would write it. */
 #ifndef BY_HAND_H
 #define BY_HAND_H
 

@@ -5,8 +5,8 @@ static const int64_t back_up_ns = 1000000000, wait_ns = 500000000;
 static const double distance = 0.5, k_side = 0.8;
 static const double free_way = 0.6;
 
-/* Each state starts with its own output in the instant in which the one before
- * it ends; an edge does not count at a state's first instant. */
+/* Each state's first output is in the instant in which the previous state ends. Edges at a
+ * state's first instant do not count. */
 
 static void follow(const struct patrol_input *in, struct patrol_output *out)
 {

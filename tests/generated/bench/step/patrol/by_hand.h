@@ -1,5 +1,5 @@
-/* Follow a wall; after a bump back up for 1 s and wait for 0.5 s; turn until
- * the way is free: the state machine that a careful person writes in C. */
+/* Follow a wall; after a bump, back up for 1 s and wait for 0.5 s; turn until the way is free. A
+ * state machine in C, as a careful programmer would write it. */
 #ifndef BY_HAND_H
 #define BY_HAND_H
 
@@ -8,15 +8,15 @@
 enum by_hand_state { FOLLOW, BACK_UP, WAIT, TURN };
 
 struct by_hand {
-    int64_t since_ns; /* the state's start, where that matters */
+    int64_t since_ns; /* start of the state, if it needs it */
     uint8_t state;    /* an enum by_hand_state */
     bool started;
-    bool condition_before; /* what ends the state, one instant ago */
+    bool condition_before; /* the condition that ends the state, at the previous instant */
 };
 
 void by_hand_reset(struct by_hand *self);
 
-/* dt in s, not looked at in the first step. */
+/* dt in s, ignored in the first step. */
 void by_hand_step(struct by_hand *self, double dt, const struct patrol_input *in,
                   struct patrol_output *out);
 

@@ -3,7 +3,7 @@
 
 BENCH(pid)
 
-/* Reaches the limits part of the time. */
+/* The output is at its limits part of the time. */
 static void make_input(size_t i)
 {
     input[i].value = 1.2 * (bench_random() - 0.5);

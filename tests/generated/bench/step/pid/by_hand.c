@@ -10,6 +10,7 @@ void by_hand_reset(struct by_hand *self)
     self->sum = 0.0;
     self->counted = 0.0;
     self->before = 0.0;
+    self->usual = 0.0;
     self->slope = 0.0;
     self->started = false;
 }
@@ -23,7 +24,11 @@ void by_hand_step(struct by_hand *self, double dt, const struct pid_input *in,
     if (!self->started) {
         self->started = true;
     } else if (dt > 0) {
-        self->sum += dt * self->counted;
+        /* Limit the step, so that the integral does not grow by a whole outage. */
+        const double most = fmax(0.2, 2.0 * self->usual);
+        const double step = self->usual > 0 && dt > most ? most : dt;
+        self->sum += step * self->counted;
+        self->usual = step;
         self->slope = (error - self->before) / dt;
     }
     self->before = error;

@@ -1,5 +1,5 @@
-/* A PID controller with conditional integration and a limited output, as a
- * careful person writes it in C. */
+/* A PID controller with conditional integration and a limited output in C, as a careful
+ * programmer would write it. */
 #ifndef BY_HAND_H
 #define BY_HAND_H
 
@@ -7,15 +7,16 @@
 
 struct by_hand {
     double sum;     /* the integral of the error */
-    double counted; /* the error to be integrated over the next step */
-    double before;  /* the error one instant ago */
-    double slope;   /* its last slope, kept while time stands still */
+    double counted; /* the error to integrate over the next step */
+    double before;  /* the error at the previous instant */
+    double usual;   /* the step counted at the previous instant */
+    double slope;   /* the last slope, kept while dt is 0 */
     bool started;
 };
 
 void by_hand_reset(struct by_hand *self);
 
-/* dt in s, not looked at in the first step. */
+/* dt in s, ignored in the first step. */
 void by_hand_step(struct by_hand *self, double dt, const struct pid_input *in,
                   struct pid_output *out);
 

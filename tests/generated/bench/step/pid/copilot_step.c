@@ -1,4 +1,4 @@
-/* Copilot's program as a step like the others. */
+/* Wraps Copilot's program as a step with the usual interface. */
 #include "by_hand.h"
 #include "copilot.h"
 
@@ -10,7 +10,7 @@ void command(double value)
     output->value = value;
 }
 
-/* It cannot be restarted. */
+/* Copilot's program cannot be restarted. */
 void by_hand_reset(struct by_hand *self)
 {
     (void)self;

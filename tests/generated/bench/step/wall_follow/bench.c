@@ -3,7 +3,7 @@
 
 BENCH(wall_follow)
 
-/* Reaches both limits part of the time. */
+/* The output is at its limits part of the time. */
 static void make_input(size_t i)
 {
     input[i].f1 = 0.4 * bench_random();

@@ -9,7 +9,7 @@ static const double v_max = 0.4;
 static const double theta_max = 20 * 3.14159265358979323846 / 180;
 static const double k_front = 1.0, k_side = 0.8, k_turn = 3.0;
 
-/* Of y, at most x from 0; NaN if either is. */
+/* Limits y to ±x; NaN if either is NaN. */
 static double limit(double x, double y)
 {
     if (y > x)

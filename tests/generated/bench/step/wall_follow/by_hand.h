@@ -1,5 +1,4 @@
-/* The wall follower of the Frob paper (section 3), as a careful person writes
- * it in C. */
+/* The wall follower of the Frob paper (section 3) in C, as a careful programmer would write it. */
 #ifndef BY_HAND_H
 #define BY_HAND_H
 
@@ -7,14 +6,14 @@
 
 struct by_hand {
     double sin_theta_max;
-    double s_before; /* the side distance one instant ago */
-    double s_dot;    /* its last slope, kept while time stands still */
+    double s_before; /* the side distance at the previous instant */
+    double s_dot;    /* the last slope, kept while dt is 0 */
     bool started;
 };
 
 void by_hand_reset(struct by_hand *self);
 
-/* dt in s, not looked at in the first step. */
+/* dt in s, ignored in the first step. */
 void by_hand_step(struct by_hand *self, double dt, const struct wall_follow_input *in,
                   struct wall_follow_output *out);
 

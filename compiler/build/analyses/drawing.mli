@@ -1,0 +1,21 @@
+(** Drawings: counts the marks in each program that draws, and adds the drawing to the output if the
+    user requests the probe [draw]. Programs that drive a robot do not contain the drawing. *)
+
+open Basis
+
+val probe : string
+(** The name of the drawing among the probes. *)
+
+val is_shown : Request.t -> bool
+(** Whether the request asks for the drawing, by name or with all probes. *)
+
+val row : Flow.Ir.program -> string
+(** The drawing's line in the list of probes; [""] if the program draws nothing. *)
+
+val others : Flow.Ir.program -> string list -> string list
+(** The requested probes without the drawing. *)
+
+val bound : Diagnostic.sink -> Typing.Ir.definition -> Flow.Ir.program -> int option
+(** The maximum number of marks that the program draws in one instant. The program must be
+    specialized with room for one mark. [None] after a diagnostic: E0432 if there is no maximum,
+    E0413 if it draws too many different texts. *)

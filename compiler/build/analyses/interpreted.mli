@@ -1,0 +1,24 @@
+(** Runs programs in the interpreter, with files for input and output. *)
+
+val trace :
+  params:Interp.Recorded_params.settings ->
+  dialect:Interp.Dialect.t ->
+  Core.Ir.program ->
+  entry:Core.Ir.Global.t ->
+  marks:int ->
+  input:string ->
+  output:string option ->
+  (unit, string list) result
+(** - [params]: the parameters that are set.
+    - [dialect]: the dialect of the input.
+    - [input]: a path, or [-] for standard input.
+    - [output]: a path; by default standard output.
+
+    The errors are those of {!Interp.Trace.run}, and files that cannot be opened or written. *)
+
+val no_interpreter : string
+(** The code of the diagnostic for a program that the interpreter cannot run. *)
+
+val refusal : at:Basis.Span.t -> Flow.Ir.program -> Basis.Diagnostic.t option
+(** The diagnostic for a program that contains C code, or whose input or output has C types, if this
+    is one; the interpreter only runs Frob. [at] is the program's entry. *)

@@ -1,0 +1,12 @@
+(** The measurements of a trial's judge: the numbers that equations of its module define with a
+    measuring function of the library, for example [error = meanOf e]. A run reports their final
+    values. *)
+
+type t = {
+  name : string;  (** for example [error]; with the path if the name is not unique *)
+  unit_ : string;  (** for example [m/s]; or empty *)
+  probe : string;  (** the probe with which the judge shows it *)
+}
+
+val of_judge : Typing.Ir.program -> Core.Ir.program -> Probe.Catalogue.probe list -> t list
+(** In source order. *)

@@ -1,0 +1,18 @@
+(** The parameters of a program: their default values, and the values that the command line sets. *)
+
+open Basis
+
+val defaults : Diagnostic.sink -> Core.Ir.program -> (Core.Ir.param -> Flow.Ir.atom) option
+(** Reports E0391 for a value that is not known before the run, or is not a number. *)
+
+type set = {
+  param : Core.Ir.Global.t;
+  setting : string;  (** the setting for hosts, for example [kTurn=5] *)
+  value : Interp.Value.t;
+}
+
+val given : Diagnostic.sink -> Core.Ir.program -> set list option
+(** The parameters that are set. Reports E0391 for the same reasons. *)
+
+val host_options : set list -> string list
+(** The options that set them for a host. *)

@@ -1,0 +1,63 @@
+(** The inner signals of a program that the user wants to see.
+
+    Reports [E0506] if there is no signal with a name. *)
+
+open Basis
+
+val name_of : Typing.Ir.definition -> Basis.Span.t
+(** The place of an entry's name in its definition. *)
+
+val unknown : string
+(** The code of that diagnostic. *)
+
+val claims : string
+(** The name of the probe that represents all verdicts of assertions. *)
+
+val margins : string
+(** The name of the probe that represents the margins of all assertions. *)
+
+val list : Typing.Ir.program -> Flow.Ir.program -> Probe.Catalogue.probe list -> string
+(** A line for each probe: its name, its type, and its place in the source. *)
+
+val all :
+  Diagnostic.sink ->
+  Typing.Ir.definition ->
+  Core.Ir.program ->
+  Flow.Ir.program ->
+  Probe.Catalogue.probe list option
+(** All probes of a program, which is given before and after specialization. [None] after a
+    diagnostic, which is at the name of the entry. *)
+
+val named :
+  Diagnostic.sink ->
+  Typing.Ir.definition ->
+  Core.Ir.program ->
+  Flow.Ir.program ->
+  asserts:bool ->
+  string list ->
+  (Probe.Catalogue.probe * bool) list option
+(** The probes that {!Probe.Selection} finds for these names, each with whether a name selects it.
+    If [asserts] is true, the verdicts of assertions are added. *)
+
+val causal :
+  Typing.Ir.definition ->
+  Flow.Ir.program ->
+  Probe.Catalogue.probe list ->
+  Probe.Catalogue.probe list * Probe.Catalogue.probe list
+(** Splits probes into those that can be shown together, as many as possible, and the others. All
+    outputs of a switch depend on every input that any of its signal functions reads. Showing an
+    input that was not read before may therefore create a dependency of a signal on itself within an
+    instant. *)
+
+val warn_of_claims :
+  Diagnostic.sink -> Typing.Ir.definition -> Core.Ir.program -> Flow.Ir.program -> unit
+(** Reports W0311 for each assertion that cannot be checked. *)
+
+val refuse_hidden :
+  Diagnostic.sink ->
+  Typing.Ir.definition ->
+  names:string list ->
+  Probe.Catalogue.probe list ->
+  unit option
+(** Reports probes that cannot be shown. [None] after an error, if the user named one of them.
+    Reports W0311 for an assertion. *)

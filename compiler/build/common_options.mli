@@ -1,0 +1,34 @@
+(** Options that all commands which compile programs have in common. *)
+
+type format = Text | Json
+
+(** The treatment of a program's assertions. *)
+type asserts =
+  | Off  (** they are not compiled *)
+  | Count  (** hosts judge them and report the results *)
+  | Stop  (** the same, and the first violated assertion ends the run *)
+  | Margin  (** hosts judge them and report how far each was from being violated *)
+
+type t = {
+  format : format;  (** format of diagnostics and reports *)
+  dump : Stage.t option;  (** print the program after this stage *)
+  stop_after : Stage.t option;
+  lint : bool;  (** check each stage's invariants *)
+  specialization_limit : int;
+  real : Basis.Real.t;  (** the precision of [Float] *)
+  robot : string option;  (** for programs that work with several robots *)
+  probes : string list;  (** inner signals to show, as {!Probe.Selection} takes them *)
+  asserts : asserts;
+  params : string list;  (** values of the program's parameters, each [NAME=VALUE] *)
+}
+
+val default : t
+(** Text messages, double precision, no assertions, and nothing else. *)
+
+val to_repeat : t -> sources:string list -> string list
+(** The options, quoted for a shell, with which a command compiles the same program for the same
+    robot, without those that have their default value. [sources] are the files given with [--with].
+    Omits the parameters, which a command sets when it runs a program. *)
+
+val assert_options : t -> string list
+(** The options of a host process for these assertions. *)

@@ -1,0 +1,39 @@
+(** Compiles a file as far as a command needs, or reports why that is impossible. *)
+
+val accepted :
+  ?quiet:bool ->
+  ?banner:bool ->
+  'result option Queries.t ->
+  Common_options.t ->
+  ?batch:bool ->
+  Resources.t ->
+  entry:string ->
+  string ->
+  (Request.t -> 'result -> int) ->
+  int
+(** Continues with the answer of a query. Without one, prints why and returns the exit status.
+    [quiet] hides warnings, which another call has reported. *)
+
+val to_c :
+  ?quiet:bool ->
+  ?batch:bool ->
+  ?banner:bool ->
+  Common_options.t ->
+  Resources.t ->
+  entry:string ->
+  string ->
+  (Cgen.Emit.t -> int) ->
+  int
+(** Compiles a file to C and continues with the result, or reports the errors. [quiet] hides
+    warnings. *)
+
+val robot_header : Resources.t -> Robots.t -> (string * string, string) result
+(** The name and text of the header, or an error text for the user. *)
+
+val header_of : Resources.t -> Robots.t -> string option * Basis.Diagnostic.sink * Basis.Source.t
+(** The header's text, and the diagnostics for the robot's module. *)
+
+val with_params :
+  Common_options.t -> Resources.t -> entry:string -> string -> (Params.set list -> int) -> int
+(** Continues with the parameter values that the command line sets. Reports invalid ones as wrong
+    use. *)

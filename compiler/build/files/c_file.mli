@@ -1,0 +1,13 @@
+(** The names of a program's C files. *)
+
+val name : string -> string
+(** [name "walls/follow it.frob"] is ["follow it"]: the file's name without folder and extension.
+    Control characters and those that cannot be in quotes in C become [_]. *)
+
+val is_standard_header : string -> bool
+(** [is_standard_header "math.h"] is true for headers of C and POSIX. *)
+
+val check : ?beside_c:bool -> string -> (unit, string) result
+(** Checks that C files can be named after this program. Reports an error if [NAME.h] would hide a
+    header that they include, or that the user's C may include if there is any ([beside_c]), or if
+    the name is too long for a file. *)

@@ -1,0 +1,17 @@
+(** A cache of build results in [XDG_CACHE_HOME] or [~/.cache].
+
+    Since cached files are executed, the folder must belong to the user, and other users must not
+    have write permission. Otherwise, results are deleted when the command ends. *)
+
+val entry :
+  name:string ->
+  key:string ->
+  suffix:string ->
+  reuse:bool ->
+  (folder:string -> string -> (unit, string) result) ->
+  (string, string) result
+(** [entry ~name ~key ~suffix ~reuse make] returns the path of an entry. [key] is a digest of
+    everything that it depends on; [name] is the start of its file name. If [reuse] is true, a
+    complete entry is reused. Otherwise, [make ~folder path] must create it at [path]; it may use
+    [folder] for temporary files. The error is a text for the user: the one of [make], or the reason
+    why nothing could be written. *)

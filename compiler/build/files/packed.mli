@@ -1,0 +1,31 @@
+(** Compressed files. Files with the extension [.gz] or [.zst] are read and written through [gzip]
+    or [zstd], which run as separate processes, as in hosts ([runtime/hosts/common/packed.h]). All
+    other files are used unchanged. *)
+
+val stem : string -> string
+(** The name without [.gz] or [.zst]. *)
+
+(** {1 Reading} *)
+
+val with_input :
+  ?damaged:(string -> unit) ->
+  string ->
+  (in_channel -> ('a, string list) result) ->
+  ('a, string list) result
+(** The result of the reader. If an archive turns out to be truncated or damaged, the result is an
+    error, whatever the reader returned, unless [damaged] is given: then it is called with the
+    reason. *)
+
+val read : most:int -> string -> (string, string) result
+(** The whole content, if its unpacked size does not exceed this number of bytes. *)
+
+(** {1 Writing} *)
+
+type writer = { channel : out_channel; close : unit -> unit }
+
+val writer : ?named:string -> string -> writer
+(** Creates or overwrites the file. It is compressed if the name [named], by default the path, has
+    one of the extensions. Opening, writing and closing raise [Sys_error]. *)
+
+val packed : named:string -> string -> (string, string) result
+(** The contents of a file with this name and this text. *)

@@ -1,0 +1,20 @@
+(** The files of a program. The command line names one of them. *)
+
+val files : Resolve.Files.t
+(** Reads files from the disk. The syntax trees of library modules are built into the compiler. *)
+
+val modules : library:string -> string -> string list * string list
+(** The files of the program's own modules, the main one first, and of the library modules it uses.
+*)
+
+val check : string -> (unit, string) result
+(** Checks that the file exists, can be read, and is not a different kind of file according to its
+    extension or its bytes, such as a world or a recording. The error is a text for the user, which
+    names the command that takes such a file. *)
+
+val with_tests : string list -> string list
+(** Files from the command line, each program followed by its test file if there is one
+    ({!Resolve.Test_file}); no file twice. *)
+
+val all_exist : string list -> (unit, string) result
+(** Checks that the files named on the command line exist. *)

@@ -1,0 +1,23 @@
+(** Finds the standard library, the runtime and the hosts: relative to [frobc], in an installation
+    or a build, or in [FROB_HOME]. *)
+
+type t = {
+  prefix : string;  (** folder of the installation, which contains [lib] and [share] *)
+  library : string;  (** folder of the standard library's [.frob] files *)
+  headers : string;  (** folder for [-I], which contains [frob/program.h] … *)
+  runtime : string;  (** archive [libfrob.a], which generated C is linked with *)
+  robot_host : string;
+      (** archive [libfrob-robot.a]: the host that drives a robot, without a program *)
+  runtime_sources : string;  (** sources of the robot hosts, with their drivers and ports *)
+  elementary : string;  (** folder with the sources of [runtime] *)
+  trace_host : string;  (** executable [frob-trace] *)
+  viewer : string;  (** executable [frob-view] *)
+  simulator : string;  (** executable [frob-sim] *)
+  server : string;  (** executable [frob-serve], which simulates robots on a serial line *)
+  worlds : string;  (** folder of the worlds that come with the simulator *)
+  selftest : string;  (** folder of the programs and C files of {!Selftest} *)
+  template : string;  (** folder of the templates of {!New_project} *)
+}
+
+val find : unit -> (t, string) result
+(** The error lists the places that were searched, and says what to do. *)

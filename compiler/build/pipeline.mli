@@ -1,0 +1,61 @@
+(** The compiler's stages in their order, from text to C. {!Queries} combines them into answers for
+    commands.
+
+    A stage emits what is wrong with the program to the sink. Its result is [None] if the program
+    was rejected, or if the request asks to stop after this stage. *)
+
+open Basis
+
+(** {1 From text to Core} *)
+
+type front = {
+  resolved : Resolve.Ir.program;  (** with all definitions of the library *)
+  typed : Typing.Ir.program;
+  core : Core.Ir.program;
+  margin : Span.t -> Core.Formula.t option;
+      (** for each assertion, by its place: how far it is from being violated, if the request asks
+          for margins *)
+}
+
+(** The results that later mistakes do not affect. *)
+type tree = Resolved of Resolve.Ir.program | Typed of Typing.Ir.program
+
+val front : ?seen:(tree -> unit) -> Request.t -> Diagnostic.sink -> Source.t -> front option
+(** Parses, resolves and types the modules and elaborates them to Core. Adds their texts to the
+    sources, and passes each tree to [seen] as soon as it exists. *)
+
+val reachable : Resolve.Ir.program -> Resolve.Ir.program
+(** The program without those definitions of the library that it cannot reach. *)
+
+(** {1 From Core to Flow} *)
+
+val to_flow :
+  Request.t ->
+  Diagnostic.sink ->
+  front ->
+  written:Typing.Ir.definition ->
+  Core.Ir.program * Core.Ir.Global.t ->
+  ((Core.Ir.program * Core.Ir.Global.t) * Flow.Ir.program) option
+(** Finds the console, specializes the entry and checks causality. [written] is the entry as the
+    programmer knows it, and the last argument the program closed for a robot, with its entry. The
+    result has the same program with the fields of its console. *)
+
+val lint : Flow.Ir.program -> unit
+(** Checks the invariants of Flow between two stages. *)
+
+(** {1 From Flow to C} *)
+
+val optimize : Request.t -> Diagnostic.sink -> Flow.Ir.program -> Flow.Ir.program option
+
+val lower : Request.t -> Diagnostic.sink -> Flow.Ir.program -> Step.Ir.program option
+(** Turns an optimized program into state, reset and step. *)
+
+val emit :
+  Request.t ->
+  Diagnostic.sink ->
+  Source.t ->
+  units:Cgen.Units.t ->
+  named:Cgen.Named_constants.t ->
+  Step.Ir.program ->
+  Cgen.Emit.t option
+(** [units]: for the comments of members; [named]: the constants that keep their names. *)

@@ -1,0 +1,23 @@
+(** Ends a command: prints messages on standard error and determines the exit status. *)
+
+val colour : unit -> bool
+(** Whether standard error is a terminal that shows colours, and the user wants them. *)
+
+val print_diagnostics : Common_options.format -> Basis.Source.t -> Basis.Diagnostic.sink -> unit
+(** Prints all diagnostics on standard error. *)
+
+val status : Basis.Diagnostic.sink -> int
+(** The exit status of a command that compiled a program as far as possible. *)
+
+val wrong_use : string -> int
+(** Prints what is wrong with the command line, and returns {!Exit_status.wrong_use}. *)
+
+val ( let* ) : ('a, string) result -> ('a -> int) -> int
+(** Continues with a value, or reports a wrong use. *)
+
+val report_bug : string -> string -> int
+(** [report_bug stage message] reports a fault of the compiler. *)
+
+val report_exception : exn -> int
+(** Reports the exception that ended the command: an error of the operating system, which is
+    {!Exit_status.wrong_use}, or a fault of the compiler, {!Exit_status.bug}. *)

@@ -1,0 +1,49 @@
+(** The robots that programs can be compiled for, and the choice among them.
+
+    Reports [E0502] if the program does not determine the robot and no option does, and [E0503] if
+    the program does not fit the robot. *)
+
+open Basis
+
+type t = Cgen.Robot.t
+
+val names : string list
+
+val unfit : string
+(** The code for a program that does not fit the robot, or any robot. *)
+
+val known : string option -> (t option, string) result
+(** The robot that the option names, if it is given: a robot of the library by its name, or a robot
+    of the user's own by the file of its module, which ends in [.frob]. The error is a text for the
+    user. *)
+
+val own_of : string option -> t option
+(** The robot that the option names, if it is the user's own and exists. *)
+
+type program = {
+  typed : Typing.Ir.program;
+  core : Core.Ir.program;
+  entry : Core.Ir.Global.t;
+  signed : bool;  (** whether the entry has a type signature *)
+  own : t option;  (** the robot of the user's own, if the program is for one *)
+}
+(** A program for a robot that has not been chosen yet. *)
+
+val input : t -> Core.Ir.Global.t
+(** The type of the robot's sensor values. *)
+
+val check_own : Diagnostic.sink -> Typing.Ir.program -> t -> unit
+(** Reports an error if the module of a user's own robot lacks the records of its input and output,
+    or the instance of [RobotOutput]. *)
+
+val is_open : program -> bool
+(** Whether the program's type leaves the robot open. *)
+
+val closed : Diagnostic.sink -> t option -> program -> (Core.Ir.program * Core.Ir.Global.t) option
+(** The program for a specific robot, with its entry. If the program's type leaves the robot open,
+    the robot is the one that the option names or, for an entry without a signature, the one of
+    [RobotInput]. [None] after an error. *)
+
+val sampled : program -> (Core.Ir.program * Core.Ir.Global.t) option
+(** An open program for the first robot that fits, for checks that need a robot; [None] if none
+    fits. *)

@@ -1,0 +1,7 @@
+(** Reports programs that need more stack than available. *)
+
+open Basis
+
+val guarded : Diagnostic.sink -> Source.t -> Request.t -> otherwise:'a -> (unit -> 'a) -> 'a
+(** The result of the function. If the stack overflows, reports E0106 at the largest definition of
+    the request's file, and returns [otherwise]. *)

@@ -1,0 +1,34 @@
+(** Child processes of frobc.
+
+    They end when frobc ends, even by SIGKILL: the kernel sends them a signal when their parent has
+    ended. *)
+
+type life =
+  | Outlives  (** The child may still have data to write, and exits at the end of its input. *)
+  | Ends_with_us
+  | Ends_with_all_it_started
+      (** For programs that start others, such as compilers. The child has its own process group, so
+          it must not read the terminal. *)
+
+val start :
+  life ->
+  string ->
+  string list ->
+  stdin:Unix.file_descr ->
+  stdout:Unix.file_descr ->
+  stderr:Unix.file_descr ->
+  int
+(** [start life program arguments] searches [PATH] for the program and returns its process id.
+    Raises [Unix.Unix_error] if the program cannot be started. *)
+
+val end_with_parent : unit -> unit
+(** If the environment variable [FROBC_PARENT] is the id of the process that started frobc, asks the
+    kernel to send SIGTERM to frobc when that process (or the thread that forked) has ended. The
+    Python package sets this variable. *)
+
+val allow_stack : int -> unit
+(** Lets the stack of this process grow to this many bytes, if the system allows that. Processes
+    created by {!start} get the original limit. *)
+
+val put_stack_back : unit -> unit
+(** Undoes {!allow_stack}, for a process that becomes another program. *)

@@ -1,0 +1,16 @@
+(** The exit statuses of [frobc], on which scripts may rely. *)
+
+val ok : int
+(** Success. *)
+
+val rejected : int
+(** The program was rejected; diagnostics are on standard error. *)
+
+val wrong_use : int
+(** Wrong use, missing file, unreadable input, missing tool. *)
+
+val bug : int
+(** A bug in frobc. *)
+
+val fault : int
+(** The run ended with a fault: robot lost, watchdog, collision limit, or a violated assertion. *)

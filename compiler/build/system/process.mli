@@ -1,0 +1,25 @@
+(** Runs other programs. *)
+
+type failure =
+  | Not_found of string  (** the program, which is not installed *)
+  | Failed of { status : int; errors : string }  (** [errors] is what the program wrote *)
+
+val run : string -> string list -> (unit, failure) result
+(** [run program arguments] runs a program silently, without input. The error contains its output.
+*)
+
+val output : string -> string list -> (string, failure) result
+(** Same as {!run}, but returns everything that the program wrote to standard output and standard
+    error. *)
+
+val result : string -> string list -> (string, failure) result
+(** Returns only the program's standard output. If it succeeds, its standard error is forwarded to
+    ours; if it fails, the error contains it. *)
+
+val hand_over : string -> string list -> (int, failure) result
+(** Runs a program with our own standard input, output and error; the result is its exit status (128
+    \+ n if signal n ended it). *)
+
+val become : string -> string list -> failure
+(** Replaces this process by another program, which then also receives its signals. Returns only if
+    the program cannot be started. *)

@@ -1,0 +1,8 @@
+(** How a process ended, as an exit status in the convention of shells. *)
+
+val status : Unix.process_status -> int
+(** The exit status, or 128 + n if signal n ended the process. This n is the system's number of the
+    signal, not OCaml's. *)
+
+val name : int -> string option
+(** The name of the signal in such a status, for example [SIGKILL] for 137. *)

@@ -1,0 +1,9 @@
+(** Temporary folders, which exist only as long as this process or the programs that replace it. *)
+
+val folder : unit -> string
+(** A new folder in [TMPDIR] or [/tmp] that only the user can access. It is removed when this
+    process and the processes it started have ended, in whatever way. Raises [Unix.Unix_error] if it
+    cannot be created. *)
+
+val remove : string -> unit
+(** Removes a file, or a folder with its contents, as far as possible. *)

@@ -1,0 +1,113 @@
+open Common_options
+open Reporting
+
+let host_table ~entry (files : Cgen.Emit.t) =
+  match files.host_table with
+  | Some table -> Ok table
+  | None ->
+      Error
+        (Printf.sprintf
+           "the input or output of `%s` has a foreign type, which a table cannot show; compile it \
+            and call it from C"
+           entry)
+
+let for_robot ~name ~sees (files : Cgen.Emit.t) =
+  match (files.robot, files.cameras) with
+  | None, _ ->
+      Error (Printf.sprintf "%s is not a robot program; use `reactimateRobot` to make one" name)
+  | Some _, camera :: _ when not sees ->
+      Error
+        (Printf.sprintf
+           "%s uses the camera `%s`, but only the simulator and Linux robots have cameras, not \
+            boards"
+           name camera)
+  | Some _, _ -> Ok ()
+
+let own_driver general =
+  match Robots.own_of general.robot with
+  | Some robot -> Printf.sprintf "frob_%s_driver" robot.name
+  | None -> ""
+
+(* The linker's message depends on the locale. It is about the driver if it names the driver, but no
+   line of C. *)
+let is_driver_missing general ~sources text =
+  let driver = own_driver general in
+  let has word =
+    let n = String.length word in
+    let rec within i =
+      i + n <= String.length text && (String.sub text i n = word || within (i + 1))
+    in
+    within 0
+  in
+  driver <> "" && has driver && not (List.exists has sources)
+
+let about_driver general ~sources text =
+  if is_driver_missing general ~sources text then
+    Printf.sprintf
+      "%s is your own robot: add the C files of its driver, which define `%s`, with `--with FILE.c`"
+      (Option.value general.robot ~default:"this")
+      (own_driver general)
+  else text
+
+type linked = {
+  machine : Toolchain.machine option;
+  inputs : string list;
+  includes : string list;
+  generated : (string * string) list;
+  sees : bool;
+}
+
+let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
+  let* resources = Resources.find () in
+  let* () = Program_file.all_exist sources in
+  Compiled.to_c ?quiet ?batch general resources ~entry file (fun (files : Cgen.Emit.t) ->
+      let name = C_file.name file in
+      let linked = linked resources ~name in
+      let* () =
+        match (kind : Toolchain.kind) with
+        | Executable -> for_robot ~name ~sees:linked.sees files
+        | Shared_object -> Ok ()
+      in
+      let* host_table = host_table ~entry files in
+      let* () = C_file.check ~beside_c:(sources <> []) file in
+      let* foreign = Foreign_files.checked ~name ~sources files in
+      let* program =
+        Toolchain.build ?machine:linked.machine kind ~headers:resources.headers
+          ~inputs:linked.inputs ~includes:linked.includes ~foreign ~name
+          ([
+             (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", host_table);
+           ]
+          @ Option.to_list files.robot_header @ linked.generated)
+        |> Result.map_error (about_driver general ~sources)
+      in
+      continue resources program)
+
+(* All C files of a user's own robot may be given, including its driver, which needs the runtime's
+   headers. *)
+let with_runtime general (resources : Resources.t) ~name:_ =
+  let machine =
+    Option.map
+      (fun _ -> { (Toolchain.this_machine ()) with options = [ "-I"; resources.runtime_sources ] })
+      (Robots.own_of general.robot)
+  in
+  { machine; inputs = [ resources.runtime ]; includes = []; generated = []; sees = true }
+
+let missing_host host = wrong_use (Printf.sprintf "the host %s is missing: reinstall frobc" host)
+
+let shared ?quiet ?batch ?(generated = []) ?(options = []) general ~entry ~sources file continue =
+  let linked resources ~name =
+    let linked = with_runtime general resources ~name in
+    let machine = Option.value linked.machine ~default:(Toolchain.this_machine ()) in
+    let machine = { machine with options = machine.options @ options } in
+    { linked with machine = Some machine; generated }
+  in
+  built ?quiet ?batch general Shared_object ~entry ~sources ~linked file continue
+
+let hosted ?(goes_on = false) general ~entry ~sources file ~host ~arguments =
+  shared general ~entry ~sources file (fun resources program ->
+      let host = host resources in
+      let arguments = arguments resources program in
+      let ended =
+        if goes_on then Process.hand_over host arguments else Error (Process.become host arguments)
+      in
+      match ended with Ok status -> status | Error (Not_found _ | Failed _) -> missing_host host)

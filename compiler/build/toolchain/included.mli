@@ -1,0 +1,34 @@
+(** The files that a C compiler has included.
+
+    The scanner in {!Own_headers} reads a file as text, so it cannot know everything that a C
+    compiler does: which conditions hold, which macro an [#include] names, and in which folder a
+    name is found first. So [frobc] also asks the compiler, by the option [-H] of gcc and clang, and
+    checks the answer before anything that was compiled runs. *)
+
+val option : string
+(** Makes the compiler list the included files on standard error. *)
+
+val in_folder : string -> string
+(** The folder in a spelling that lets {!check} recognize the files that were found there. Pass it
+    to the compiler in place of the folder. *)
+
+val lists_some : string -> bool
+(** Whether the compiler's output lists at least one file. Each program that [frobc] generates
+    includes its own header, and each copy of a user's file an empty one, so a compiler whose output
+    lists none ignores {!option}. *)
+
+val identity : string -> (int * int) option
+(** The device and inode of a file, or [None] if it cannot be read. Compare these instead of paths,
+    because links and other spellings may name the same file. *)
+
+val other_lines : string -> string
+(** The compiler's output without the list. *)
+
+val check :
+  allowed:string list ->
+  sources:string list ->
+  folders:string list ->
+  string ->
+  (unit, string) result
+(** Checks the compiler's output: each file that was found in one of [folders] must be [allowed], or
+    be in the folder of an allowed file that includes it, or of one of [sources]. *)

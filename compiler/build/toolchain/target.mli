@@ -1,0 +1,24 @@
+(** The machines for which executables that drive robots can be built. *)
+
+type t
+
+val names : string list
+val of_name : string -> t option
+
+val meaning : t -> string
+(** A short description for the user. *)
+
+val own_driver : name:string -> Cgen.Robot.t option -> string * string
+(** The name and content of the file that tells the host which driver is the user's own. For the
+    robot [rover], the driver is [const struct frob_driver frob_rover_driver]. *)
+
+val linked :
+  ?own:Cgen.Robot.t -> t -> real:Basis.Real.t -> Resources.t -> name:string -> Built.linked
+(** [own]: the robot of the user's own, whose driver is among the user's C files. *)
+
+val size_tool : t -> string option
+(** The program that prints the memory use of an executable, for targets where this matters. *)
+
+val state_of : string -> string * string
+(** The name and content of a file with the memory for a program's state, for hosts without a heap.
+*)

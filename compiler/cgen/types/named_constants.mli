@@ -1,0 +1,19 @@
+(** The constants to which the programmer has given names.
+
+    Step has only their values. Whoever has the source supplies the names in this form. *)
+
+type constant = {
+  name : string;  (** in the source *)
+  unit_ : string;  (** for example [m/s], or [""] *)
+  place : Basis.Span.t;  (** of its definition *)
+}
+
+type t = at:Basis.Span.t -> float -> constant option
+(** The constant that is written as an operand of the operation [at] this place, and that has this
+    value. [None] if there is none, or if another operand could be meant. *)
+
+val none : t
+
+val definition : program:string -> Basis.Real.t -> constant -> name:string -> float -> string
+(** The constant in C, with its unit and place in a comment. The place is a line in the file of
+    [program], or in another one. *)

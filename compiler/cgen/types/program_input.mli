@@ -1,0 +1,24 @@
+(** Determines which functions read the program's input through the pointer that the root's step
+    receives.
+
+    A node's step often receives members of the program's input unchanged from all its callers. If
+    there are at least three of these, it receives the pointer to the input instead, and reads
+    [in->side] as a person would write it. This takes less code than passing each member through all
+    functions in between. *)
+
+type t
+
+val of_program : Step.Ir.program -> Interface.t -> t
+(** The interface must be that of the program's input. *)
+
+val is_given : t -> int -> bool
+(** Whether the step of this node receives the pointer. *)
+
+val member : t -> int -> Step.Ir.variable -> Interface.step list option
+(** The path from the pointer to a parameter of this node's step, if the step reads it through the
+    pointer. *)
+
+val variables_by_pointer :
+  t -> Step.Ir.program -> Step.Ir.node -> Step.Ir.statement list -> Step.Ir.variable list
+(** The variables that a body of this node passes through the pointer, once for each call that reads
+    them there. *)

@@ -1,0 +1,56 @@
+(** The robots. Each has a module that declares its input and output types, which are C structs in a
+    header of their own. The standard library contains some robots; users can define others in
+    modules of their own. *)
+
+type step = { quantity : string; size : float; unit_ : string }
+(** The smallest change of a quantity that the robot's protocol can express. *)
+
+type t = {
+  module_ : string;  (** for example [Pioneer], which declares [PioneerInput] and [PioneerOutput] *)
+  name : string;  (** the name for hosts and users, for example [pioneer] *)
+  header : string;
+      (** for example [frob/pioneer.h]; for a user's own robot [rover.h], which is generated next to
+          the program *)
+  file : string option;  (** file of the module, if the robot is the user's own *)
+  steps : step list;  (** resolution of the speeds in commands; empty for a user's own robot *)
+}
+
+val all : t list
+(** The robots of the library, in the order in which they are listed for users. *)
+
+val default : t
+(** The robot that the library's [RobotInput] and [RobotOutput] belong to. *)
+
+val of_name : string -> t option
+(** Finds a robot of the library. *)
+
+val own : string -> t
+(** The robot whose module is in this file: [Rover.frob] defines the robot [rover]. *)
+
+val is_own : t -> bool
+
+val included : t -> string
+(** The operand of [#include] for the robot's header. *)
+
+(** {1 Types}
+
+    The names of types that the robot's module declares. *)
+
+val input : t -> string
+(** The type of the sensor values. *)
+
+val output : t -> string
+(** The type of the commands. *)
+
+val of_shape : ?own:t -> Flow.Ir.shape -> t option
+(** The robot whose input or output type the whole shape is. *)
+
+type console = {
+  part : string * Flow.Ir.shape;
+  at : int;  (** number of the robot's leaves before the console *)
+}
+(** The operator's console in a robot's input is the program's, not the robot's. For hosts, it comes
+    after the robot's struct. *)
+
+val apart : Flow.Ir.shape -> Flow.Ir.shape * console option
+(** Splits a robot's input into the robot's own part and the console. *)

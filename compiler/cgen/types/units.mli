@@ -1,0 +1,22 @@
+(** Units of the members of generated structs, for their comments.
+
+    Step has no units. Whoever has the types of the program supplies them in this form; they change
+    nothing but comments. A unit is a text like [m/s]. It is [""] if the value is not a number, if
+    it is a plain number, or if its unit is not known. *)
+
+type value = {
+  unit_ : string;
+  part : string -> value;  (** by the name of a field, or the number of a component, from 1 *)
+}
+(** The units of a value and of its parts. Those of an array are the units of its elements. *)
+
+type t = {
+  input : value;  (** the program's input *)
+  output : value;
+  record : Flow.Ir.product -> value;
+      (** a record's declaration, in which all its uses have the same units *)
+  field : Step.Ir.field -> string;  (** the unit of a member of the state *)
+}
+
+val unknown : value
+val none : t

@@ -1,0 +1,9 @@
+(** Counts all instances and values of a program, including nested ones. Instances of a node share
+    its code, so a few lines can create more instances than any memory can hold: [s2 = s1 >>> s1],
+    [s3 = s2 >>> s2], … *)
+
+open Basis
+
+val check : Diagnostic.sink -> entry:Span.t -> Ir.program -> unit
+(** Reports E0413 if there are too many instances or too many state values. The message lists the
+    path through the largest part of each node. *)

@@ -1,0 +1,42 @@
+(** Dependencies between signals within one instant.
+
+    The unit is a group of leaves that the causality check treats as one ([signal.group]). An
+    instance is transparent: each of its outputs needs those inputs from which its node computes
+    that output in the same instant, and the static parameters. A loop is one box. A machine is one
+    box, too: each of its outputs needs everything that any of its modes needs for any output or for
+    a transition that is not delayed, and the controls that are not delayed. *)
+
+type definition =
+  | Parameter  (** a static parameter or an input of the node *)
+  | Equation of Ir.equation
+  | Output of Ir.instance * int  (** an output of this instance, by number *)
+  | Box of Ir.atom list
+      (** an output of the machine or a result of C, with everything it needs in the same instant *)
+
+module Inputs : Set.S with type elt = int
+
+type passage = {
+  passed : Inputs.t array;  (** for each output, the indices of the inputs it needs *)
+  decisive : Inputs.t;
+      (** the inputs needed by transitions that are not delayed, which affect the output of the same
+          instant *)
+}
+(** The properties of a node that its callers need. *)
+
+type node = {
+  graph : Basis.Graph.t;  (** an edge means "needs in the same instant" *)
+  definitions : definition list array;  (** definitions of the leaves in each vertex *)
+  vertex : Ir.signal -> int;  (** vertex of one of the node's own signals *)
+  components : int list list;  (** strongly connected components of [graph] *)
+  passage : passage;
+}
+
+val program : ?each:(passage array -> int -> node -> unit) -> Ir.program -> passage array
+(** The passages of all nodes. Calls [each] with one node at a time, callees first, and the passages
+    of the preceding nodes; keeping the graphs of all nodes would need much memory. *)
+
+val passed_by : passage -> Ir.instance -> int -> Inputs.t
+(** For an instance of the node: the indices of the inputs that this output needs. *)
+
+val reads : passage array -> definition -> Ir.signal list
+(** The signals that a definition needs in the same instant. *)

@@ -1,0 +1,49 @@
+(** Reads recordings from other programs, which may use another separator, a decimal comma, or other
+    column names. The hosts have the same options (runtime/hosts/common/dialect.h) and the same
+    messages. *)
+
+type t = {
+  separator : char;
+  decimal_comma : bool;  (** whether numbers have a decimal comma, as in [0,5] *)
+  time_column : string option;  (** [None]: the first column, which must be [time] *)
+  columns : (string * string) list;
+      (** pairs of the program's name for a column and the recording's name *)
+}
+
+val ours : t
+
+val names : t -> bool
+(** Whether the dialect names columns. If so, additional columns of a recording are ignored. *)
+
+val arguments : t -> string list
+(** The dialect as command-line options for a host. *)
+
+val header : t -> string list -> (int * string list, string) result
+(** The index of the time column, and the program's names of the columns with [time] first. The
+    error names the missing column. *)
+
+val to_front : int -> 'a list -> 'a list
+(** Moves the element at this index to the front of the list. *)
+
+val cell : t -> string -> string
+(** Replaces the decimal comma of a number by a decimal point. *)
+
+(** {1 Hints for error messages}
+
+    Each is empty if no option would help. *)
+
+val time_hint : t -> string list -> string
+(** For the error that the first column of the header must be [time]. *)
+
+val separator_hint : t -> string list -> string option
+(** The part of {!time_hint} about another separator. If the result is [Some], the names are not the
+    columns of the file, so messages about the other columns would mislead. *)
+
+val column_hint : missing:string -> unknown:string list -> string
+(** For the error that a column is missing, if the recording has unknown columns. *)
+
+val width_hint : t -> width:int -> cells:int -> string
+(** For the error that a row does not have the [width] cells of the header. *)
+
+val number_hint : t -> string -> string
+(** For the error that a cell is not a number. *)

@@ -1,0 +1,164 @@
+open Basis
+module Ir = Typing.Ir
+
+type t = {
+  data : (Ir.Global.t, Ir.data) Hashtbl.t;
+  variables : (string, Span.t * Ir.ty) Hashtbl.t;  (** types of variables, by name *)
+}
+
+(* {1 Patterns} *)
+
+let add found (local : Ir.Local.t) ty = Hashtbl.add found local.name (local.span, ty)
+
+let rec pattern found (p : Ir.pattern) =
+  match p.desc with
+  | Any | Literal _ -> ()
+  | Bound local -> add found local p.ty
+  | As (local, inner) ->
+      add found local p.ty;
+      pattern found inner
+  | Tuple_of parts | Array_of parts | Constructed (_, parts) -> List.iter (pattern found) parts
+
+let rec expr found (e : Ir.expr) =
+  let binding (b : Ir.binding) = pattern found b.pattern in
+  (match e.desc with
+  | Proc { input; equations; _ } ->
+      pattern found input;
+      List.iter binding equations
+  | Lambda (parameters, _) -> List.iter (pattern found) parameters
+  | Let (bindings, _) -> List.iter binding bindings
+  | Case (_, branches) -> List.iter (fun (b : Ir.branch) -> pattern found b.pattern) branches
+  | _ -> ());
+  Typing.Walk.parts (expr found) e
+
+let of_program (program : Ir.program) =
+  let data = Hashtbl.create 64 and variables = Hashtbl.create 256 in
+  List.iter (fun (d : Ir.data) -> Hashtbl.replace data d.tycon d) program.data;
+  List.iter (fun (d : Ir.definition) -> expr variables d.value) program.definitions;
+  { data; variables }
+
+(* {1 Parts} *)
+
+let product factors : Ir.unit_ =
+  let add sum (key, power) =
+    let before = Option.value (List.assoc_opt key sum) ~default:Typing.Rational.zero in
+    (key, Typing.Rational.add before power) :: List.remove_assoc key sum
+  in
+  let all select =
+    List.concat_map select factors |> List.fold_left add []
+    |> List.filter (fun (_, power) -> not (Typing.Rational.is_zero power))
+    |> List.sort compare
+  in
+  { base = all (fun (u : Ir.unit_) -> u.base); variables = all (fun u -> u.variables) }
+
+let power (u : Ir.unit_) exponent : Ir.unit_ =
+  let raise_ (x, p) = (x, Typing.Rational.multiply p exponent) in
+  { base = List.map raise_ u.base; variables = List.map raise_ u.variables }
+
+let in_unit units (u : Ir.unit_) =
+  let variable ((v : Ir.variable), exponent) =
+    match List.assoc_opt v.id units with
+    | Some unit_ -> power unit_ exponent
+    | None -> { base = []; variables = [ (v, exponent) ] }
+  in
+  product ({ u with variables = [] } :: List.map variable u.variables)
+
+let rec instantiated ~units ~types (ty : Ir.ty) : Ir.ty =
+  let go = instantiated ~units ~types in
+  match ty with
+  | Variable v -> Option.value (List.assoc_opt v.id types) ~default:ty
+  | Number (representation, unit_) -> Number (representation, in_unit units unit_)
+  | Bool | String | Size _ -> ty
+  | Tuple parts -> Tuple (List.map go parts)
+  | Function (a, b) -> Function (go a, go b)
+  | Signal_function (a, b) -> Signal_function (go a, go b)
+  | Data d ->
+      Data { d with units = List.map (in_unit units) d.units; arguments = List.map go d.arguments }
+
+let fields t (ty : Ir.ty) =
+  match ty with
+  | Data { tycon; units; arguments } -> (
+      match Hashtbl.find_opt t.data tycon with
+      | Some { constructors = [ only ]; unit_parameters; type_parameters; _ } ->
+          let ids = List.map (fun (v : Ir.variable) -> v.id) in
+          let units = List.combine (ids unit_parameters) units in
+          let types = List.combine (ids type_parameters) arguments in
+          List.map (fun (name, ty) -> (name, instantiated ~units ~types ty)) only.fields
+      | Some _ | None -> [])
+  | Tuple parts -> List.map (fun ty -> ("", ty)) parts
+  | _ -> []
+
+let rec part t (ty : Ir.ty) path : Ir.ty option =
+  match (path, ty) with
+  | [], _ -> Some ty
+  | word :: rest, Data { tycon = { name = "Array"; _ }; arguments = [ _; element ]; _ }
+    when String.length word > 0 && word.[0] = '[' ->
+      part t element rest
+  | path, Data ({ tycon = { name = "Array"; _ }; arguments = [ size; element ]; _ } as array) ->
+      let within element = Ir.Data { array with arguments = [ size; element ] } in
+      Option.map within (part t element path)
+  | word :: rest, ty -> (
+      let fields = fields t ty in
+      match List.assoc_opt word fields with
+      | Some field when word <> "" -> part t field rest
+      | _ -> (
+          match int_of_string_opt word with
+          | Some k when k >= 1 && k <= List.length fields ->
+              part t (snd (List.nth fields (k - 1))) rest
+          | Some _ | None -> None))
+
+let type_of_signal t ~name (written : Span.t) =
+  match String.split_on_char '.' name with
+  | [] -> None
+  | name :: path ->
+      (* The components of a tuple pattern have their variables inside the span of the whole
+         pattern. *)
+      let is_there ((span : Span.t), _) =
+        String.equal span.file written.file
+        && span.start >= written.start && span.stop <= written.stop
+      in
+      Hashtbl.find_all t.variables name |> List.find_opt is_there |> Option.map snd
+      |> Fun.flip Option.bind (fun ty -> part t ty path)
+
+let type_of t (p : Catalogue.probe) =
+  match p.own with Running_mode -> None | Signal s -> type_of_signal t ~name:s.name s.span
+
+let times_seconds k (ty : Ir.ty) : Ir.ty =
+  match ty with
+  | Number (representation, unit_) ->
+      let second : Ir.Global.t = { module_ = "Prelude"; name = "s" } in
+      let seconds : Ir.unit_ = { base = [ (second, Typing.Rational.of_int k) ]; variables = [] } in
+      Number (representation, product [ unit_; seconds ])
+  | ty -> ty
+
+(* Derived units that the library defines. Hz is missing on purpose: 1/s may also be an angular
+   velocity. *)
+let derived =
+  [
+    ("N", [ ("kg", 1); ("m", 1); ("s", -2) ]);
+    ("J", [ ("kg", 1); ("m", 2); ("s", -2) ]);
+    ("W", [ ("kg", 1); ("m", 2); ("s", -3) ]);
+    ("V", [ ("A", -1); ("kg", 1); ("m", 2); ("s", -3) ]);
+    ("Ohm", [ ("A", -2); ("kg", 1); ("m", 2); ("s", -3) ]);
+    ("Pa", [ ("kg", 1); ("m", -1); ("s", -2) ]);
+  ]
+
+let short (u : Ir.unit_) =
+  let is_factor (name, power) =
+    let is_it ((g : Ir.Global.t), p) =
+      String.equal g.name name && Typing.Rational.equal p (Typing.Rational.of_int power)
+    in
+    List.exists is_it u.base
+  in
+  let is_it (_, factors) =
+    List.compare_lengths factors u.base = 0 && List.for_all is_factor factors
+  in
+  match List.find_opt is_it derived with Some (name, _) -> name | None -> Typing.Show.unit_ u
+
+let rec unit_ (ty : Ir.ty) =
+  match ty with
+  | Number (_, { base = []; variables = [] }) -> None
+  | Number (_, ({ variables = []; _ } as unit_)) -> Some (short unit_)
+  | Data { tycon = { name = "Event" | "Array"; _ }; arguments; _ } -> (
+      match List.rev arguments with last :: _ -> unit_ last | [] -> None)
+  | _ -> None

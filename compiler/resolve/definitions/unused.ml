@@ -1,0 +1,187 @@
+open Basis
+
+type kind = Equation | Variable of Span.t (* the whole pattern *)
+
+(* A vertex of the dependency graph: a variable, or a destructuring binding, on which its variables
+   depend. *)
+type vertex = { name : string; at : Span.t; kind : kind; needs : int list }
+
+type found = {
+  mutable vertices : vertex list; (* newest first *)
+  mutable count : int;
+  of_local : int Int_table.t;
+  mutable told : int list; (* vertices that hosts report, and that therefore count as used *)
+  mutable reads : (int * int) list; (* pairs of a reading vertex and the local variable it reads *)
+}
+
+let add found vertex =
+  let number = found.count in
+  found.vertices <- vertex :: found.vertices;
+  found.count <- number + 1;
+  number
+
+let add_local found kind needs (local : Ir.Local.t) =
+  Int_table.replace found.of_local local.id
+    (add found { name = local.name; at = local.span; kind; needs })
+
+let add_pattern found needs (pattern : Ir.pattern) =
+  List.iter (add_local found (Variable pattern.span) needs) (Patterns.variables pattern)
+
+(* [reader]: the vertex that contains the expression. *)
+let rec expr found reader (e : Ir.expr) =
+  match e.desc with
+  | Local local -> found.reads <- (reader, local.id) :: found.reads
+  | _ -> Walk.expr (visitor found reader) e
+
+(* An equation such as [error = meanOf x], whose value `frobc test` reports. *)
+and is_measured (b : Ir.binding) =
+  match b.body.guards with
+  | [ { condition = None; value = { desc = Apply { head = { desc = Global g; _ }; _ }; _ } } ] ->
+      Labels.is_measuring g
+  | _ -> false
+
+and binding found (b : Ir.binding) =
+  let number = found.count in
+  (match b.name with
+  | Top (g, at) -> ignore (add found { name = g.name; at; kind = Equation; needs = [] })
+  | Inner local ->
+      add_local found Equation [] local;
+      if is_measured b || Labels.is_name local.name then found.told <- number :: found.told
+  | Destructure p ->
+      (* A pattern without variables is unused on purpose, so it counts as named `_`. *)
+      let name = if Patterns.variables p = [] then "_" else "" in
+      ignore (add found { name; at = p.span; kind = Equation; needs = [] });
+      add_pattern found [ number ] p);
+  Walk.binding (visitor found number) b
+
+and visitor found reader : Walk.visitor =
+  { expr = expr found reader; pattern = add_pattern found []; binding = binding found }
+
+(* [circle]: the names that depend on each other, if the equation is part of a cycle. *)
+let report_equation sink ~circle at name =
+  Diagnostic.warning ~code:"W0304" ~at "%s here, but nothing uses %s"
+    (if name = "" then "these are defined" else Printf.sprintf "`%s` is defined" name)
+    (if name = "" then "them" else "it")
+  |> (match circle with
+     | [] -> Fun.id
+     | [ _ ] -> Diagnostic.note "only its own equation uses it"
+     | names -> Diagnostic.note (Enumeration.all names ^ " use only each other"))
+  |> Diagnostic.hint
+       (if name = "" then "use one of them in an output, or remove the equation"
+        else
+          Printf.sprintf
+            "use it in an output, or remove it; if it is unused on purpose, call it `_%s`" name)
+  |> (if name = "" || name.[0] < 'a' then Fun.id
+      else Diagnostic.fix (Printf.sprintf "rename it to `_%s`" name) [ (at, "_" ^ name) ])
+  |> Diagnostic.emit sink
+
+let report_variable sink v =
+  Diagnostic.warning ~code:"W0305" ~at:v.at "`%s` is never used" v.name
+  |> Diagnostic.hint (Printf.sprintf "replace it by `_` or `_%s`" v.name)
+  |> Diagnostic.fix ~safe:true (Printf.sprintf "write `_%s`" v.name) [ (v.at, "_" ^ v.name) ]
+  |> Diagnostic.emit sink
+
+(* The unread variables of one pattern; many of them are reported together. *)
+let report_variables sink = function
+  | a :: b :: c :: (_ :: _ as others) ->
+      let told = List.map (fun v -> Printf.sprintf "`%s`" v.name) [ a; b; c ] in
+      Diagnostic.warning ~code:"W0305" ~at:a.at "%s are never used"
+        (Enumeration.some told ~more:(List.length others))
+      |> Diagnostic.hint (Printf.sprintf "replace them by `_` or by names such as `_%s`" a.name)
+      |> Diagnostic.fix ~safe:true
+           (Printf.sprintf "write `_%s`, and `_` before the other names" a.name)
+           (List.map (fun v -> (v.at, "_" ^ v.name)) (a :: b :: c :: others))
+      |> Diagnostic.emit sink
+  | few -> List.iter (report_variable sink) few
+
+(* Reports the unused names in one definition. *)
+let of_definition sink ~is_labelled (b : Ir.binding) =
+  let found = { vertices = []; count = 0; of_local = Int_table.create 16; told = []; reads = [] } in
+  binding found b;
+  let vertices = Array.of_list (List.rev found.vertices) in
+  let graph = Array.map (fun v -> v.needs) vertices in
+  let read (reader, local) =
+    let vertex = Int_table.find found.of_local local in
+    graph.(reader) <- vertex :: graph.(reader)
+  in
+  List.iter read found.reads;
+  let used = Array.make found.count false in
+  let unused = Array.make found.count false in
+  used.(0) <- true;
+  List.iter (fun k -> used.(k) <- true) found.told;
+  let is_silent v = v.kind <> Equation && String.starts_with ~prefix:"_" v.name in
+  (* Visits users before the definitions they use. An unused pattern variable does not mark its
+     pattern as used, so that a wholly unused pattern is reported once. *)
+  let component members =
+    let first = vertices.(List.hd members) in
+    let is_used = is_silent first || List.exists (fun v -> used.(v)) members in
+    let mark v = if not (List.mem v members) then used.(v) <- true in
+    if is_used || first.kind = Equation then List.iter (fun v -> List.iter mark graph.(v)) members;
+    if not is_used then unused.(List.hd members) <- true
+  in
+  let components = List.rev (Graph.components graph) in
+  List.iter component components;
+  let unread = ref [] in
+  let report members =
+    let number = List.hd members in
+    let v = vertices.(number) in
+    if unused.(number) && not (List.exists (fun whole -> unused.(whole)) v.needs) then
+      match v.kind with
+      | Equation when String.starts_with ~prefix:"_" v.name -> ()
+      | Equation ->
+          let name v =
+            if vertices.(v).name = "" then None else Some (Printf.sprintf "`%s`" vertices.(v).name)
+          in
+          let circle = if Graph.is_cyclic graph members then List.filter_map name members else [] in
+          report_equation sink ~circle v.at v.name
+      | Variable _ -> if not (is_labelled v.at) then unread := number :: !unread
+  in
+  List.iter report components;
+  (* Groups the variables by pattern. The variables of a pattern have consecutive numbers. *)
+  let by_pattern patterns number =
+    let v = vertices.(number) in
+    match patterns with
+    | (w :: _ as variables) :: others when w.kind = v.kind -> (v :: variables) :: others
+    | _ -> [ v ] :: patterns
+  in
+  List.sort (fun a b -> Int.compare b a) !unread
+  |> List.fold_left by_pattern []
+  |> List.iter (report_variables sink)
+
+let report_import sink (idle : Ir.idle) =
+  (match idle.listed with
+  | Some name -> Diagnostic.warning ~code:"W0306" ~at:idle.at "`%s` is imported but not used" name
+  | None ->
+      Diagnostic.warning ~code:"W0306" ~at:idle.at "`%s` is imported but nothing from it is used"
+        idle.of_module)
+  |> Diagnostic.hint "remove it"
+  |> Diagnostic.fix ~safe:true "remove it" [ (idle.whole, "") ]
+  |> Diagnostic.emit sink
+
+(* A module may be imported only for its instances, or, if it is the user's own, for the instances
+   of the modules that it imports. *)
+let imports sink (program : Ir.program) =
+  let own = Walk.own_modules program in
+  let with_instances = String_table.create 16 and by_name = String_table.create 16 in
+  List.iter
+    (fun (i : Ir.instance) -> String_table.replace with_instances i.span.file ())
+    program.instances;
+  List.iter (fun (m : Ir.module_) -> String_table.replace by_name m.name m) program.modules;
+  let gives_instances (m : Ir.module_) = String_table.mem with_instances m.file in
+  let own_give_instances = List.exists gives_instances own in
+  let may_be_for_instances name =
+    match String_table.find_opt by_name name with
+    | Some ({ library = true; _ } as m) -> gives_instances m
+    | Some _ | None -> own_give_instances
+  in
+  let told (idle : Ir.idle) = idle.listed <> None || not (may_be_for_instances idle.of_module) in
+  let report (m : Ir.module_) = List.iter (report_import sink) (List.filter told m.idle_imports) in
+  List.iter report own
+
+let warn sink program =
+  imports sink program;
+  (* Skips places that another warning mentions, because that warning may explain the unused name:
+     `stop` where `Stop` was meant. *)
+  let labels = List.concat_map (fun (d : Diagnostic.t) -> d.labels) (Diagnostic.all sink) in
+  let is_labelled at = List.exists (fun (l : Diagnostic.label) -> l.at = at) labels in
+  List.iter (of_definition sink ~is_labelled) (Walk.own program)

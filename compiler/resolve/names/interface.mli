@@ -1,0 +1,96 @@
+(** The names that a module declares and exports, before anything in it is resolved. They hold just
+    enough information for other code to refer to them. *)
+
+open Basis
+module String_map : Map.S with type key = string
+module String_set : Set.S with type elt = string
+
+type value = {
+  global : Ir.Global.t;
+  signed : bool;
+  class_ : Ir.Global.t option;  (** the class, for a method *)
+  span : Span.t;
+}
+(** A definition, primitive or method. *)
+
+type constructor = {
+  global : Ir.Global.t;
+  tycon : Ir.Global.t;
+  arity : int;
+  fields : string list option;  (** in order, if the fields are named *)
+  span : Span.t;
+}
+
+type tycon = {
+  global : Ir.Global.t;
+  unit_arity : int;
+  units_optional : bool;
+      (** whether the name without brackets means unit 1, as for [Float], [Int] and their aliases
+          with one unit *)
+  type_arity : int;
+  record_fields : string list;
+  span : Span.t;
+}
+
+type unit_name = { global : Ir.Global.t; span : Span.t }
+type class_ = { global : Ir.Global.t; methods : string list; span : Span.t }
+
+type names = {
+  values : value String_table.t;
+  constructors : constructor String_table.t;
+  tycons : tycon String_table.t;
+  units : unit_name String_table.t;
+  classes : class_ String_table.t;
+}
+(** Tables that are no longer modified. *)
+
+type 'a space = {
+  noun : string;  (** for messages, for example ["type"] *)
+  unknown : string;  (** code of the diagnostic for an unknown name *)
+  table : names -> 'a String_table.t;
+  global : 'a -> Ir.Global.t;
+  place : 'a -> Span.t;
+}
+(** One of the five namespaces, for code that handles them uniformly. *)
+
+val values : value space
+val constructors : constructor space
+val tycons : tycon space
+val units : unit_name space
+val classes : class_ space
+val none : unit -> names
+
+val is_operator : string -> bool
+(** Is the name an operator symbol? *)
+
+val builtin_types : file:string -> (string * tycon) list
+(** The types without a declaration. They belong to the prelude, whose file name is given. *)
+
+val is_builtin : tycon -> bool
+
+val is_builtin_class : class_ -> bool
+(** Is it [Eq] or [Ord] of the prelude? *)
+
+val declared : Context.t -> module_:string -> ?after:names -> Syntax.Ir.program -> names
+(** The names declared at a module's top level; the prelude's include the built-in types and
+    classes. Emits E0211 for a name declared twice. [after]: for a test file, the names of its
+    program; they are included in the result and count as declared. *)
+
+val method_names : Syntax.Ir.declaration list -> Syntax.Ir.name list
+(** The method names that a class body declares. *)
+
+val select : names -> String_set.t -> names
+(** The part that a name list of a header or import refers to. A type includes its constructors and
+    fields, a class its methods. *)
+
+val mem : names -> string -> bool
+(** Is the name in any namespace? *)
+
+val union : names -> names -> names
+(** The first argument takes precedence. *)
+
+val in_order : 'a String_table.t -> string list
+(** The names, in alphabetical order. *)
+
+val all : names -> string list
+(** The names in all namespaces. *)

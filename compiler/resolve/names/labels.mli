@@ -1,0 +1,43 @@
+(** Assertions and tests, and the names of the definitions that they create.
+
+    Assertions are [assert "label" condition] and [assume …] among the equations of a proc. From
+    here on, each is an ordinary equation that defines the verdict on its condition (by the
+    library's class method [verdict]) under a name that cannot occur in source code. Nothing depends
+    on this equation, so it is removed unless a host asks for the verdict.
+
+    [test "label" = e] and [trial "label" = e] are definitions of the library types [Test] and
+    [Trial], under names that cannot occur in source code. The judge in each test is another
+    definition, which a program can be compiled from. *)
+
+val verdict : Ir.Global.t
+(** The method that computes the verdict on a condition. *)
+
+val name : Syntax.Ir.claim -> string -> string
+(** The name of the verdict variable for a label, for example [assert keeps off]. *)
+
+val is_name : string -> bool
+(** Is this the name of a verdict? *)
+
+val label : string -> string option
+(** The label in the name of a verdict. *)
+
+val is_assumption : string -> bool
+val word : Syntax.Ir.claim -> string
+
+val check_name : Syntax.Ir.check -> string -> string
+(** The name of a test's definition, for a label. *)
+
+val judge : string -> string
+(** The name of the judge's definition, for the name of the test. *)
+
+val is_measuring : Ir.Global.t -> bool
+(** Does [frobc test] report the value of an equation that applies this library function, such as
+    [error = meanOf x]? *)
+
+val kind_of_check : string -> (Syntax.Ir.check * string) option
+(** The kind and label of a test, if this is the name of one. *)
+
+val checked : Syntax.Ir.declaration -> (Syntax.Ir.name * Syntax.Ir.expr) list
+(** The definitions that a test declaration creates; empty for other declarations. *)
+
+val check_signature : Syntax.Ir.declaration -> (Syntax.Ir.name * Syntax.Ir.qualified_type) list

@@ -1,0 +1,19 @@
+(** Entry point of the resolver: turns a file into a whole program in which all names are resolved.
+*)
+
+val load :
+  Basis.Diagnostic.sink ->
+  files:Files.t ->
+  remember:(file:string -> string -> unit) ->
+  library:string ->
+  ?also:string ->
+  ?given:Parameters.setting list ->
+  ?partial:bool ->
+  string ->
+  Ir.program option
+(** [load sink ~files ~remember ~library ~also ~given main] reads the module in the file [main], its
+    imports, the module in [also] (if any) and the prelude, from [files] and the folder [library],
+    and sets the parameters in [given]. It passes each text read to [remember], together with the
+    file name that spans use, for rendering diagnostics. All errors of all modules are emitted
+    (E01xx by the parser, E02xx here). The result is [None] after an error. With [partial], for
+    editors, erroneous parts become [()] instead. *)

@@ -1,0 +1,89 @@
+open Grammar
+open Found
+
+(* A `case` whose line ends without `of`. *)
+let lacks_of found =
+  match found.context with
+  | (Case, { by; _ }) :: _ when by.start.pos_lnum <> found.token.start.pos_lnum ->
+      let line = between found by.stop.pos_cnum (end_of_line found by.stop.pos_cnum) in
+      let line =
+        match String.index_opt line ':' with
+        | Some colon when colon = String.length line - 1 -> String.trim (String.sub line 0 colon)
+        | _ -> line
+      in
+      if line = "" || String.length line > 40 then None
+      else Some (Printf.sprintf "the line of the `case` ends with `of`: `case %s of`" line)
+  | _ -> None
+
+(* Is this the first of a pair of bars around an expression? *)
+let encloses found =
+  (not (is_blank (after found) || is_symbol (after found)))
+  && String.contains
+       (between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum))
+       '|'
+
+let matched found =
+  match (found.token.token, found.before) with
+  | BAR, Some ({ token = LOWER _; _ } as before) when written found before = "with" ->
+      Some "a choice by constructors is written `case x of`, and each branch `pattern -> value`"
+  | _ -> None
+
+let after_value found =
+  match (found.token.token, found.before) with
+  | IF, Some before when (not (expects_more (Some before))) && not found.token.first ->
+      Some "a choice is written `if c then a else b`"
+  | _ -> None
+
+let double_arrow found =
+  match (found.token.token, found.before) with
+  | DOUBLE_ARROW, Some _ when innermost_block found.context = Of ->
+      Some "a branch is written `pattern -> value`"
+  | _ -> None
+
+let branch found =
+  match (found.token.token, found.before) with
+  | EQUAL, Some { token = UPPER _ | NUMBER _ | UNDERSCORE | RPAREN; _ }
+    when innermost_block found.context = Of && not (in_brackets found.context) ->
+      Some
+        (Printf.sprintf "a branch has `->`: `%s -> …`"
+           (between found found.token.start.pos_bol found.token.start.pos_cnum))
+  | _ -> None
+
+let in_braces found =
+  match (found.token.token, found.before) with
+  | (NUMBER _ | LOWER _ | UPPER _ | LPAREN), Some { token = LBRACE; _ }
+    when List.exists (fun (opener, _) -> opener = Layout.If) found.context ->
+      Some "a choice is written `if c then a else b`, without braces"
+  | _ -> None
+
+let otherwise found =
+  match (found.token.token, found.before) with
+  | ELSE, Some { token = BAR; _ } -> Some "what holds for the rest is written `| otherwise`"
+  | _ -> None
+
+let without_then found =
+  match (found.token.token, found.before) with
+  | ELSE, _ when opens_with Layout.If found.context ->
+      Some "`then` stands between the condition and the first choice: `if c then a else b`"
+  | _ -> None
+
+let chain found =
+  match (found.token.token, found.before) with
+  | THEN, _ when opens_with Layout.Then found.context ->
+      Some "a chain of choices is written `if a then x else if b then y else z`"
+  | _ -> None
+
+let absolute_value found =
+  match (found.token.token, found.before) with
+  | BAR, before when encloses found && expects_more before ->
+      Some "the absolute value of `x` is `abs x`"
+  | _ -> None
+
+let equation_before_guards found =
+  match (found.token.token, found.before) with
+  | BAR, Some { token = EQUAL; _ } ->
+      Some "leave out the `=` before the guards: each of them has its own, as in `| x > 0 = 1`"
+  | _ -> None
+
+let without_of found =
+  match (found.token.token, found.before) with ARROW, _ -> lacks_of found | _ -> None

@@ -1,0 +1,34 @@
+(** Hints about choices: `if`, `case` and guards. *)
+
+val matched : Found.rule
+(** [match x with], as in OCaml. *)
+
+val after_value : Found.rule
+(** [x if c else y], as in Python. *)
+
+val double_arrow : Found.rule
+(** A branch of a `case` with [=>]. *)
+
+val branch : Found.rule
+(** A branch of a `case` with [=]. *)
+
+val in_braces : Found.rule
+(** An `if` whose choices are in braces. *)
+
+val otherwise : Found.rule
+(** A guard with `else`. *)
+
+val without_then : Found.rule
+(** An `else` after the condition. *)
+
+val chain : Found.rule
+(** A second `then`, as after [elif]. *)
+
+val absolute_value : Found.rule
+(** Bars around an expression. *)
+
+val equation_before_guards : Found.rule
+(** A `=` before the guards. *)
+
+val without_of : Found.rule
+(** A `case` whose line ends without `of`. *)

@@ -1,0 +1,90 @@
+open Grammar
+open Found
+
+(* Is the enclosing `do` that of a `proc`, so that its statements are not tasks? *)
+let of_a_proc found =
+  match innermost found.context with
+  | Some (Do, { by; _ }) ->
+      let line = between found by.start.pos_bol by.start.pos_cnum in
+      List.mem "proc" (String.split_on_char ' ' (String.concat " " (String.split_on_char '(' line)))
+  | _ -> false
+
+(* `f (v = 1)`, a keyword argument. *)
+let is_a_keyword_argument found (name : Layout.token) =
+  opens_with Layout.Paren found.context
+  &&
+  let rec back i = if i >= 0 && char_at found i = ' ' then back (i - 1) else i in
+  let opener = back (name.start.pos_cnum - 1) in
+  match char_at found opener with
+  | '(' -> (
+      match char_at found (back (opener - 1)) with
+      | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true
+      | _ -> false)
+  | ',' -> true
+  | _ -> false
+
+(* The name before `.speed`. *)
+let record_before found (field : Layout.token) =
+  match word_before found field.start.pos_cnum with "" -> "r" | name -> name
+
+let split_by_value found =
+  match found.token.token with
+  | LEFT_ARROW when not (is_blank (after found)) ->
+      Some "`<-` is always one symbol; to compare with a negative number write `< -` with a blank"
+  | _ -> None
+
+let outside_do found =
+  match found.token.token with
+  | LEFT_ARROW when innermost_block found.context <> Do ->
+      Some "`<-` belongs to the statements of a `do`; an equation is written with `=`"
+  | _ -> None
+
+let outside_proc found =
+  match found.token.token with
+  | TAIL ->
+      Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
+  | _ -> None
+
+let changed found =
+  match (found.token.token, found.before) with
+  | EQUAL, Some before when is_adjacent found before -> Operator_hint.assigns found
+  | _ -> None
+
+let in_a_choice found =
+  match (found.token.token, found.before) with
+  | EQUAL, Some ({ token = LOWER _; _ } as name)
+    when stands_after found "then" name || stands_after found "else" name ->
+      Some "nothing is assigned: one equation chooses the value, as in `x = if c then a else b`"
+  | _ -> None
+
+let keyword_argument found =
+  match (found.token.token, found.before) with
+  | EQUAL, Some ({ token = LOWER _; _ } as name) when is_a_keyword_argument found name ->
+      Some "arguments have no names: they stand side by side in their order, as in `f 1 2`"
+  | _ -> None
+
+let changed_field found =
+  match (found.token.token, found.before) with
+  | EQUAL, Some ({ token = FIELD field; _ } as before) ->
+      Some
+        (Printf.sprintf "no record is changed: `%s { %s = … }` is one with another `%s`"
+           (record_before found before) field field)
+  | _ -> None
+
+let statement found =
+  match (found.token.token, found.before) with
+  | EQUAL, Some ({ token = LOWER _; _ } as name)
+    when innermost_block found.context = Do
+         && (not (in_brackets found.context))
+         && not (of_a_proc found) ->
+      let name = written found name in
+      Some
+        (Printf.sprintf
+           "`%s <- t` does the task `t` and names what it ends with; `let %s = e` names a value"
+           name name)
+  | _ -> None
+
+let comparison found =
+  match found.token.token with
+  | EQUAL when compares found.context -> Some "`=` defines; to compare write `==`"
+  | _ -> None

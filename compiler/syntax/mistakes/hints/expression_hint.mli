@@ -1,0 +1,13 @@
+(** Hints about functions, arguments and arrays. *)
+
+val do_argument : Found.rule
+(** A `do` among arguments. *)
+
+val lambda_argument : Found.rule
+(** A lambda among arguments. *)
+
+val pattern_of_proc : Found.rule
+(** A pattern with an argument as the input of a `proc`. *)
+
+val list_comprehension : Found.rule
+(** [2 * x | x <- xs], as in Haskell. *)

@@ -1,0 +1,51 @@
+open Grammar
+open Found
+
+(* The suggested name [MyRobot] for `my-robot`, whose first part is the token. *)
+let module_name found =
+  let is_part c =
+    match c with 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '-' -> true | _ -> false
+  in
+  let rec stop i = if is_part (char_at found i) then stop (i + 1) else i in
+  let start = found.token.start.pos_cnum in
+  String.split_on_char '-' (String.sub found.text start (stop start - start))
+  |> List.map String.capitalize_ascii |> String.concat ""
+
+let path found =
+  match (found.token.token, found.before) with
+  | (LOWER _ | STRING _ | SLASH | OPERATOR "."), Some { token = IMPORT | QUALIFIED; _ } ->
+      Lacking.path found
+  | _ -> None
+
+let capital found =
+  match (found.token.token, found.before) with
+  | LOWER _, Some { token = MODULE | IMPORT | QUALIFIED; _ } ->
+      let name = module_name found in
+      Some
+        (Printf.sprintf "a module begins with a capital, and its file too: `%s`, in `%s.frob`" name
+           name)
+  | _ -> None
+
+let of_haskell found =
+  match (found.token.token, found.before) with
+  | ( QUALIFIED_UPPER (("Data" | "Control" | "Prelude" | "Math" | "System" | "Text" | "GHC"), _),
+      Some { token = IMPORT | QUALIFIED; _ } ) ->
+      Some
+        "what that has for lists, numbers and choices is there without an import, as `map`, \
+         `foldl`, `maybe`; the modules of the library are `Control`, `Geometry`, `Robot` and \
+         others, without points"
+  | _ -> None
+
+let with_points found =
+  match (found.token.token, found.before) with
+  | QUALIFIED_UPPER _, Some { token = IMPORT | QUALIFIED; _ } ->
+      Some "the name of a module has no points: its file stands beside this one, or in the library"
+  | _ -> None
+
+let hiding found =
+  match (found.token.token, found.before) with
+  | LOWER _, Some _ when first_word found = "import" && written found found.token = "hiding" ->
+      Some
+        "nothing needs hiding: a module's own definitions hide imported ones, and two imports of \
+         one name clash only where it is used"
+  | _ -> None

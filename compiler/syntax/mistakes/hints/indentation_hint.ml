@@ -1,0 +1,65 @@
+open Grammar
+open Found
+
+let items : Layout.block -> string = function
+  | Top | Let | Where -> "definitions"
+  | Do | Rec -> "statements"
+  | Of -> "branches"
+
+(* The column of the first token on the found token's line. *)
+let line_column found =
+  let bol = found.token.start.pos_bol in
+  let rec go i = if is_blank (char_at found i) && char_at found i <> '\n' then go (i + 1) else i in
+  go bol - bol + 1
+
+let misplaced_line found =
+  match innermost found.context with
+  | Some (Let, { column; _ })
+    when found.token.first && found.token.column > 1 && found.token.column < column ->
+      Some
+        (Printf.sprintf
+           "`in` comes before the expression, as in `let x = 1 in x + x`; one more definition \
+            starts at column %d"
+           column)
+  | Some (((Where | Do | Of | Rec) as block), { column; _ })
+    when found.token.first && found.token.column > 1 && found.token.column < column ->
+      Some
+        (Printf.sprintf "the %s of this block start at column %d, but this line at column %d"
+           (items block) column found.token.column)
+  | Some (block, { column; _ }) when (not found.token.first) && line_column found > column -> (
+      match (found.token.token, block) with
+      | (EQUAL | DOUBLE_COLON), (Top | Let | Where) | ARROW, Of | (LEFT_ARROW | TAIL), (Do | Rec) ->
+          let line_start = found.token.start.pos_bol in
+          (* the block or the item starts on this line *)
+          let own_line =
+            match found.context with
+            | (_, { by; _ }) :: _ -> by.start.pos_bol = line_start
+            | [] -> false
+          in
+          if own_line then None
+          else
+            Some
+              (Printf.sprintf
+                 "the %s of this block start at column %d; this line stands further right, so it \
+                  goes on with the one above%s"
+                 (items block) column
+                 (if found.token.token = EQUAL && opens_with (Layout.Block Top) found.context then
+                    ", unless a `where` ends that"
+                  else ""))
+      | _ -> None)
+  | Some _ | None -> None
+
+let by_indentation = "blocks are made by indentation; braces write records only"
+
+let of_where found =
+  match (found.token.token, found.before) with
+  | WHERE, None -> Some "indent `where` and what follows it: they belong to the definition above"
+  | _ -> None
+
+let not_indented found =
+  match (found.token.token, found.before) with
+  | (END | SEMICOLON), before
+    when expects_more before && (not found.token.last)
+         && (found.token.token = END || found.token.made) ->
+      Some "a definition goes on only in lines that are indented more than its first"
+  | _ -> None

@@ -1,0 +1,218 @@
+open Basis
+open Grammar
+open Found
+
+(* {1 The beginnings of lines in other languages} *)
+
+(* `Robot (setVelTR)` for `from Robot import setVelTR`. *)
+let python_import found =
+  let bol = found.token.start.pos_bol in
+  let module_ = between found bol found.token.start.pos_cnum in
+  let module_ = String.trim (String.sub module_ 4 (String.length module_ - 4)) in
+  let names =
+    between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum)
+  in
+  let is_name =
+    String.for_all (function
+      | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | ',' | ' ' -> true
+      | _ -> false)
+  in
+  if module_ = "" || not (is_name module_) then "Control (limit)"
+  else
+    let module_ = String.capitalize_ascii module_ in
+    if names = "" || not (is_name names) then module_ else Printf.sprintf "%s (%s)" module_ names
+
+(* The position and hint for a definition, or the current line, that begins like code in another
+   language. *)
+let beginning found =
+  let start = found.token.start in
+  let bol = start_of_definition found in
+  let above = String.split_on_char '\n' (String.sub found.text bol (start.pos_cnum - bol)) in
+  let definition =
+    { start with pos_bol = bol; pos_lnum = start.pos_lnum + 1 - List.length above }
+  in
+  match part found (word_from found bol) with
+  | "void" -> Some (definition, Beginnings.no_procedures)
+  | "function" -> Some (definition, Beginnings.by_equation)
+  | "from" when found.token.token = IMPORT ->
+      Some (start, Printf.sprintf "names are imported by `import %s`" (python_import found))
+  | _ ->
+      let word = part found (first_word_from found start.pos_bol) in
+      Option.map (fun hint -> (start, hint)) (Beginnings.of_word word)
+
+(* {1 Rules}
+
+   The first rule that applies gives the hint, so the order is the priority:
+
+   - What is certainly of another language comes first, whatever Frob expects at that token.
+   - A rule for a token in one context, such as a `=` in the braces of a record, comes before the
+     rule for that token anywhere.
+   - The indentation comes last: it is to blame only if nothing else explains the token. *)
+
+let habits = [ (fun found -> Option.map snd (beginning found)); Operator_hint.foreign ]
+
+let imports =
+  Import_hint.[ path; capital; Declaration_hint.choices; of_haskell; with_points; hiding ]
+
+let declarations =
+  Declaration_hint.
+    [
+      Choice_hint.matched;
+      Choice_hint.after_value;
+      Choice_hint.double_arrow;
+      Equation_hint.split_by_value;
+      Equation_hint.outside_do;
+      Equation_hint.outside_proc;
+      defined_word;
+      without_where;
+      type_of_choices;
+      Operator_hint.row;
+      foreign_import;
+      without_value;
+      capital;
+      Choice_hint.branch;
+      Type_hint.split_arrow;
+      Type_hint.parameters;
+      Choice_hint.in_braces;
+    ]
+
+let equations_and_fields =
+  [
+    Equation_hint.changed;
+    Equation_hint.in_a_choice;
+    Equation_hint.keyword_argument;
+    Equation_hint.changed_field;
+    Equation_hint.statement;
+    Record_hint.without_names;
+    Record_hint.in_a_unit;
+    Equation_hint.comparison;
+    Type_hint.capital;
+    Record_hint.without_comma;
+    Record_hint.typed;
+    Expression_hint.do_argument;
+    Expression_hint.lambda_argument;
+    Record_hint.block_in_braces;
+    Record_hint.without_equation;
+  ]
+
+let expressions =
+  [
+    Expression_hint.pattern_of_proc;
+    Choice_hint.otherwise;
+    Choice_hint.without_then;
+    Choice_hint.chain;
+    Expression_hint.list_comprehension;
+    Operator_hint.member;
+    Record_hint.changed;
+    Record_hint.strict;
+    Choice_hint.absolute_value;
+    Declaration_hint.local;
+    Type_hint.pointer;
+    Type_hint.size;
+    Choice_hint.equation_before_guards;
+    Record_hint.capital;
+    Choice_hint.without_of;
+    Indentation_hint.of_where;
+  ]
+
+let general =
+  [
+    Operator_hint.negation;
+    Operator_hint.before_point;
+    Operator_hint.after_point;
+    Operator_hint.comment;
+    Operator_hint.own;
+    Operator_hint.pipe;
+    Declaration_hint.word_as_name;
+    Indentation_hint.not_indented;
+    Indentation_hint.misplaced_line;
+  ]
+
+let rules = habits @ imports @ declarations @ equations_and_fields @ expressions @ general
+let of_token found = List.find_map (fun (rule : Found.rule) -> rule found) rules
+
+(* {1 Hints that the state of the automaton may precede} *)
+
+(* Does the text after an opening brace continue with a name and this sign: `=` in a record value,
+   `::` in a record type? *)
+let opens_fields found sign =
+  let rec skip accepts i =
+    if accepts (char_at found i) && i < String.length found.text then skip accepts (i + 1) else i
+  in
+  let name = skip (fun c -> c = ' ') found.token.stop.pos_cnum in
+  let stop = skip Basis.Character.is_name name in
+  let at = skip is_blank stop in
+  stop > name
+  && at + String.length sign <= String.length found.text
+  && String.equal (String.sub found.text at (String.length sign)) sign
+
+(* Hints used if neither the token nor the state suggests a better one. *)
+let usual found =
+  match found.token.token with
+  | ARROW -> (
+      match found.context with
+      | ((Block (Top | Let | Where) | Paren), _) :: _ ->
+          Some "a function without a name is written `\\x -> …`, a signal function `proc x -> …`"
+      | _ -> None)
+  | LBRACE when opens_fields found "=" ->
+      Some "a record is built by the name of its constructor, as in `Pose { heading = 0 }`"
+  | LBRACE when opens_fields found "::" && first_word found = "type" ->
+      Some "`data` declares a record, and its constructor: `data Pose = Pose { heading :: Angle }`"
+  | LBRACE -> Some Indentation_hint.by_indentation
+  | DOUBLE_COLON -> Some "the type of an expression stands with it in parentheses: `(e :: T)`"
+  | _ -> None
+
+let hint found ~state_hints =
+  match (of_token found, state_hints, usual found) with
+  | Some hint, _, _ -> [ hint ]
+  | None, (_ :: _ as hints), _ -> hints
+  | None, [], Some hint -> [ hint ]
+  | None, [], None -> []
+
+(* The operator of another language that contains the token. *)
+let foreign_operator_around found =
+  let is_foreign =
+    match (found.token.token, found.before) with
+    | BAR, _ | SLASH, None -> is_symbol (after found)
+    | EQUAL, Some _ -> Equation_hint.changed found <> None
+    | _ -> Operator_hint.foreign found <> None
+  in
+  let rec first i = if is_symbol (char_at found (i - 1)) then first (i - 1) else i in
+  let rec last i = if is_symbol (char_at found i) then last (i + 1) else i in
+  if is_foreign then Some (first found.token.start.pos_cnum, last found.token.stop.pos_cnum)
+  else None
+
+(* The `elif` before this `then`. *)
+let else_if found =
+  let stop = found.token.start.pos_cnum in
+  let rec words i =
+    if i < found.token.start.pos_bol then None
+    else
+      let ((_, last) as word) = word_from found i in
+      if List.mem (part found word) [ "elif"; "elsif"; "elseif" ] && last < stop then Some word
+      else words (i - 1)
+  in
+  match found.token.token with
+  | THEN when opens_with Layout.Then found.context -> words stop
+  | _ -> None
+
+let foreign found =
+  let at (line : Lexing.position) ((first, last) as it) =
+    let there offset = { line with pos_cnum = offset } in
+    (part found it, Build.span (there first, there last))
+  in
+  let here = found.token.start in
+  match (beginning found, foreign_operator_around found) with
+  | Some (line, _), _ -> Some (at line (first_word_from found line.pos_bol))
+  | None, Some it -> Some (at here it)
+  | None, None -> Option.map (at here) (else_if found)
+
+let other_place found diagnostic =
+  match found.context with
+  | (((If | Then | Case) as opener), { by; _ }) :: _
+    when by.start.pos_lnum <> found.token.start.pos_lnum ->
+      let word = match opener with Case -> "case" | _ -> "if" in
+      Diagnostic.label
+        ~at:(Build.span (by.start, by.stop))
+        (Printf.sprintf "this `%s`" word) diagnostic
+  | _ -> diagnostic

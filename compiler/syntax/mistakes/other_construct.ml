@@ -1,0 +1,207 @@
+open Basis
+open Grammar
+open Found
+
+let span (t : Layout.token) = Build.span (t.start, t.stop)
+let error found format = Diagnostic.error ~code:"E0110" ~at:(span found.token) format
+
+let is_a_name : Layout.token option -> bool = function
+  | Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } -> true
+  | Some _ | None -> false
+
+(* {1 Definitions} *)
+
+(* `let x = 1` at the left margin. *)
+let is_a_top_let found =
+  match found.token.token with
+  | END | SEMICOLON -> part found (word_from found (start_of_definition found)) = "let"
+  | _ -> false
+
+let top_let found =
+  if not (is_a_top_let found) then None
+  else
+    let bol = start_of_definition found in
+    let line = first_line_of_definition found in
+    let own = String.trim (String.sub line 3 (String.length line - 3)) in
+    let start =
+      {
+        found.token.start with
+        pos_bol = bol;
+        pos_cnum = bol;
+        pos_lnum = found.token.start.pos_lnum - lines_between found bol found.token.start.pos_cnum;
+      }
+    in
+    let first n = Build.span (start, { start with pos_cnum = bol + n }) in
+    Diagnostic.error ~code:"E0110" ~at:(first 3)
+      "a definition at the left edge has no `let` before it"
+    |> Diagnostic.hint
+         (if String.length own > 50 then "leave it out" else Printf.sprintf "write `%s`" own)
+    |> Diagnostic.fix "leave it out" [ (first 4, "") ]
+    |> Option.some
+
+let word_in_backticks found =
+  match (found.token.token, found.before) with
+  | ( (THEN | ELSE | IF | IN | OF | WHERE | DO | CASE | LET | TYPE | DATA | MODULE | CLASS | REC),
+      Some { token = BACKTICK; _ } ) ->
+      Some (error found "%s" (Declaration_hint.reserved_word (written found found.token)))
+  | _ -> None
+
+(* Does the line up to here consist of a name and its type only? *)
+let ends_a_signature found =
+  let start = found.token.start.pos_bol in
+  let line = String.sub found.text start (found.token.start.pos_cnum - start) in
+  let has_type =
+    List.exists
+      (fun i -> line.[i] = ':' && line.[i + 1] = ':')
+      (List.init (max 0 (String.length line - 1)) Fun.id)
+  in
+  has_type && not (String.exists (function '=' | '{' | '(' | '\\' -> true | _ -> false) line)
+
+let value_after_type found =
+  match (found.token.token, found.before) with
+  | EQUAL, Some _ when ends_a_signature found ->
+      error found "expected `->`, or the end of the type, found `=`"
+      |> Diagnostic.hint "the definition stands on a line of its own, below its type"
+      |> Option.some
+  | _ -> None
+
+(* {1 Words of Haskell} *)
+
+let absent found format =
+  Printf.ksprintf
+    (fun what ->
+      Diagnostic.error ~code:"E0112" ~at:(span found.token) "%s of this version of Frob" what)
+    format
+
+(* The span of the word `deriving` and the classes after it: one, or several in parentheses. *)
+let of_deriving found =
+  let text = found.text and stop = found.token.stop.pos_cnum in
+  let rec skip is i = if i < String.length text && is text.[i] then skip is (i + 1) else i in
+  let is_name = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' -> true | _ -> false in
+  let first = skip (Char.equal ' ') stop in
+  let last =
+    if first < String.length text && text.[first] = '(' then
+      let close = skip (fun c -> c <> ')' && c <> '\n') first in
+      if close < String.length text && text.[close] = ')' then close + 1 else stop
+    else skip is_name first
+  in
+  let at = span found.token in
+  { at with stop = Span.forward (last - stop) at.stop }
+
+let reserved found =
+  match found.token.token with
+  | RESERVED "deriving" ->
+      absent found "`deriving` is not part"
+      |> Diagnostic.hint "leave it out: `==` and `<` work on all data without functions"
+      |> Diagnostic.fix ~safe:true "leave it out" [ (of_deriving found, "") ]
+      |> Option.some
+  | RESERVED "newtype" ->
+      absent found "`newtype` is not part"
+      |> Diagnostic.hint "`data` makes a new type, and one with a single field costs nothing"
+      |> Diagnostic.write (span found.token) "data"
+      |> Option.some
+  | RESERVED word -> Some (absent found "`%s` is not part" word)
+  | _ -> None
+
+(* {1 Brackets} *)
+
+(* `[x * 2 for x in xs]`, a Python list comprehension. *)
+let for_each found =
+  match found.context with
+  | (Bracket, { by; _ }) :: _ when found.token.token = IN -> (
+      let inside = between found by.stop.pos_cnum found.token.start.pos_cnum in
+      let rest =
+        between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum)
+      in
+      match (List.rev (String.split_on_char ' ' inside), String.split_on_char ']' rest) with
+      | x :: "for" :: element, xs :: _ ->
+          Some (String.concat " " (List.rev element), x, String.trim xs)
+      | _ -> None)
+  | _ -> None
+
+let list_comprehension found =
+  Option.map
+    (fun (element, x, xs) ->
+      error found "no array is made by a `for`"
+      |> Diagnostic.hint
+           (Printf.sprintf "each element is computed with by `map (\\%s -> %s) %s`" x element
+              (Source.grouped xs)))
+    (for_each found)
+
+let no_index found = error found "a `[` directly after a name starts no index and no array"
+
+(* The digits in a `[` directly after a name, and the offset of its end. *)
+let index found =
+  let start = found.token.stop.pos_cnum in
+  match String.index_from_opt found.text start ']' with
+  | Some stop ->
+      let inside = String.sub found.text start (stop - start) in
+      if inside <> "" && String.for_all Basis.Character.is_digit inside then Some (inside, stop + 1)
+      else None
+  | None -> None
+
+let index_in_brackets found =
+  match (found.token.token, found.before, index found) with
+  | UNIT_BRACKET, Some name, Some (digits, stop) when is_a_name found.before ->
+      let name = word_before found name.stop.pos_cnum in
+      let whole = Build.span (found.token.start, { found.token.stop with pos_cnum = stop }) in
+      no_index found
+      |> Diagnostic.hint
+           (Printf.sprintf
+              "an element of an array is `(%s ! %s)`; a tuple is taken apart by an equation, `(a, \
+               b) = %s`, and an argument needs a blank before it"
+              name digits name)
+      |> Diagnostic.write whole (" ! " ^ digits)
+      |> Option.some
+  | _ -> None
+
+(* Does this bracket contain a letter? Then it is probably not an index. *)
+let holds_a_unit found =
+  let i = found.token.stop.pos_cnum in
+  i < String.length found.text
+  && match found.text.[i] with 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
+
+let bracket_after_name found =
+  match found.token.token with
+  | UNIT_BRACKET when is_a_name found.before ->
+      Some
+        (if holds_a_unit found then
+           error found "a unit stands on a number written out or on a type, not on a name"
+           |> Diagnostic.hint
+                "a value has its unit already; to give one to a plain number, multiply: `x * 1[m]`"
+         else
+           no_index found
+           |> Diagnostic.hint
+                "an element of an array is written `xs ! 0`, a tuple is taken apart by an \
+                 equation, `(a, b) = p`; an argument needs a blank before it")
+  | _ -> None
+
+let type_in_brackets found =
+  match (found.token.token, found.before) with
+  | LBRACKET, Some { token = DOUBLE_COLON | ARROW; _ } ->
+      error found "the type of an array is not written in brackets"
+      |> Diagnostic.hint "it has the size first, as in `Array 4 Float`"
+      |> Option.some
+  | LBRACKET, Some { token = UPPER _ | LOWER _ | QUALIFIED_UPPER _; _ } ->
+      error found "a `[` cannot stand here"
+      |> Diagnostic.hint
+           "a unit directly follows its type, as in `Float[m]`; the type of an array is `Array 4 \
+            Float`"
+      |> Option.some
+  | _ -> None
+
+(* The rules exclude each other, but for two: `index_in_brackets` is a case of
+   `bracket_after_name`, and a `let` at the left edge explains whatever follows it. *)
+let rules =
+  [
+    top_let;
+    word_in_backticks;
+    list_comprehension;
+    index_in_brackets;
+    value_after_type;
+    reserved;
+    bracket_after_name;
+    type_in_brackets;
+  ]
+
+let diagnostic found = List.find_map (fun rule -> rule found) rules

@@ -1,0 +1,14 @@
+(** Commands that translate a program or report about it, without running it. Each returns the exit
+    status. Results go to standard output, everything else to standard error. *)
+
+val check : Common_options.t -> string list -> int
+val compile : Common_options.t -> string -> batch:bool -> standalone:bool -> string -> string -> int
+
+val report : Common_options.t -> entry:string -> states:bool -> string -> int
+(** Prints the costs of the program, in the format chosen for diagnostics; if [states] is true,
+    prints its state diagram for Graphviz instead. *)
+
+val header : string -> int
+(** Prints the C header with a robot's types. *)
+
+val explain : string -> int

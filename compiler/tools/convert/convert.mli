@@ -1,0 +1,5 @@
+(** [frobc convert]: converts recordings to MCAP and back, and from one compression to another. *)
+
+val run : Interp.Dialect.t -> string -> string -> int
+(** [run dialect from path] converts the recording [from] to [path] and returns the exit status.
+    [dialect] is the dialect of [from]. The file extensions determine the formats. *)

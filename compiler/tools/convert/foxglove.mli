@@ -1,0 +1,48 @@
+(** Messages in Foxglove's JSON schemas, which PlotJuggler understands as well. Lengths in m, angles
+    in rad, times in ns. *)
+
+type schema = string * string
+(** The name of the schema, and its JSON Schema. *)
+
+val number : string -> string
+(** Converts the text of a number to JSON; empty if it is not finite. *)
+
+val words : string -> string
+(** Converts a text to a JSON string. *)
+
+(** {1 Poses} *)
+
+type pose = { x : float; y : float; heading : float }
+
+val pose_in_frame : schema
+val of_pose : time:int -> frame:string -> pose -> string
+val frame_transform : schema
+
+val of_transform : time:int -> parent:string -> child:string -> pose -> string
+(** The pose of the child frame in the parent frame. *)
+
+(** {1 Ranges} *)
+
+val scene_update : schema
+
+type echo = { id : string; seat : pose; half_angle : float; range : float; lasts : int }
+(** [lasts]: how long the echo is shown unless another one with the same [id] replaces it *)
+
+val of_echoes : time:int -> frame:string -> echo list -> string
+(** Each echo is a cone that contains the places it may have come from. *)
+
+(** {1 Images} *)
+
+val raw_image : schema
+(** Has two members in addition to Foxglove's: the name of the frame's file, and the file's header.
+*)
+
+type image = { file : string; head : string; width : int; height : int; pixels : string }
+
+val image : file:string -> string -> image option
+(** Parses a binary PPM or PGM; [None] for anything else. *)
+
+val of_image : time:int -> frame:string -> image -> string
+
+val file_of : string -> (string * string) option
+(** The name and contents of the frame's file, restored from a message of {!of_image}. *)

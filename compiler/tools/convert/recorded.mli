@@ -1,0 +1,23 @@
+(** A recording, or any other trace, as a table of texts. The program that made it is not needed. *)
+
+type kind = Number | Truth | Words  (** any other value of the language *)
+type column = { name : string; kind : kind  (** the kind of all its non-empty cells *) }
+
+type t = {
+  path : string;
+  dialect : Interp.Dialect.t;
+  params : (string * string) list;  (** recorded parameters, such as [("kTurn", "4[1/m]")] *)
+  columns : column array;  (** [time] is the first column *)
+  torn : string option;  (** if the end is missing: the reason and the place *)
+}
+
+val survey : dialect:Interp.Dialect.t -> string -> (t, string) result
+(** Reads the whole file. The error contains the file and line. If an archive or the last row is
+    truncated, the recording ends with the last complete row. *)
+
+val iter : t -> (time:int -> string array -> unit) -> (unit, string) result
+(** Calls the function with the time of each row, in nanoseconds, and its cells. Times are not
+    negative and never decrease. *)
+
+val lines : t -> (string -> unit) -> (unit, string) result
+(** Each complete line without its line end, translated from the dialect to our format. *)

@@ -1,0 +1,4 @@
+(** Compares two texts line by line, in the format of [diff -u]. *)
+
+val unified : name:string -> string -> string -> string
+(** [unified ~name before after] with three lines of context; [""] if they are equal. *)

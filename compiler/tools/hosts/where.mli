@@ -1,0 +1,19 @@
+(** The world in which a robot is simulated, and the robot that it names. *)
+
+type from = Here | Beside of string  (** the current folder, or the folder of this file *)
+
+val find : Resources.t -> from list -> string -> (string, string) result
+(** The path of the world with this name, which may be an absolute path. Otherwise searches these
+    places in order, and then the worlds that come with frobc. The error distinguishes a missing
+    world from an unreadable one. *)
+
+val beside : string -> string -> string
+(** [beside file name] resolves the path [name] relative to the folder of [file]. *)
+
+val world_of : string option -> Resources.t -> string -> (string, string) result
+(** [world_of given resources file]: the world that the user names, found in the current folder or
+    in the program's; otherwise [world.toml] in the program's folder; otherwise the room that comes
+    with frobc. *)
+
+val for_world : Common_options.t -> Resources.t -> string -> (Common_options.t, string) result
+(** Sets the robot to the one that the world names, unless the user chose one. *)

@@ -1,0 +1,36 @@
+(** Draws a trace as SVG: numbers as lines over time, those with the same unit in one panel; Bools,
+    modes and other data as bands; events as dots.
+
+    A line has a gap where its cells are empty. The colors are suitable for color-blind readers, and
+    lines also differ in their dashes. *)
+
+type column = {
+  name : string;
+  unit_ : string;  (** for example [m/s]; or empty *)
+  cells : string array;  (** one for each instant *)
+}
+
+(** {1 Parts for other pictures} *)
+
+type frame = { low : float; high : float; from : float; upto : float }
+(** A scale that maps numbers from [low] to [high] to coordinates from [from] to [upto]. *)
+
+val place : frame -> float -> float
+
+val range : float list -> float * float
+(** The range of the numbers with a margin. Not empty even if all numbers are equal. *)
+
+val ticks : float -> float -> about:int -> float list
+(** About [about] round numbers between the limits. *)
+
+val number : float -> string
+
+val line : Buffer.t -> ?colour:string -> float -> float -> float -> float -> unit
+(** Draws a line from x and y to x and y. *)
+
+val text : Buffer.t -> ?anchor:string -> ?colour:string -> float -> float -> string -> unit
+
+(** {1 The picture} *)
+
+val svg : times:float array -> column list -> string
+(** The times are in seconds, one for each instant. *)

@@ -1,0 +1,38 @@
+(** Commands for robots on a serial line: simulated robots, and programs that drive real robots.
+    Each returns the exit status, like {!Commands}. *)
+
+type serve = {
+  world : string option;
+  log : string option;  (** file in which received commands are logged *)
+  link : string option;  (** symbolic link to create for the device *)
+  host : string list;  (** additional arguments for the server *)
+}
+
+val serve : robot:string option -> sources:string list -> serve -> int
+(** Replaces this process by the simulated robot. [sources] are the C files of a robot of the user's
+    own. *)
+
+type run = {
+  device : string;  (** a serial device, or [tcp:HOST:PORT] *)
+  record : string option;
+  look : Viewing.look option;  (** how the run is shown live *)
+  host : string list;  (** additional arguments for the program that drives the robot *)
+}
+
+val run : Common_options.t -> entry:string -> sources:string list -> run -> string -> int
+(** Replaces this process by the program that drives the robot. *)
+
+val build :
+  Common_options.t ->
+  entry:string ->
+  sources:string list ->
+  target:string ->
+  output:string option ->
+  string ->
+  int
+(** Builds that program for a {!Target}. [sources] are the user's own C files. *)
+
+val library :
+  Common_options.t -> entry:string -> sources:string list -> output:string option -> string -> int
+(** Builds the program, for a robot or not, as a shared object for hosts on this machine. They use
+    its table ([frob/program.h]) and the function that takes many steps. *)

@@ -1,0 +1,22 @@
+(** [frobc selftest]: checks that a C compiler, called as the user calls it, compiles generated C
+    correctly.
+
+    The programs together contain every construct of generated C. This [frobc] compiles them; the
+    reference interpreter and the compiled C run them on {!Sample_input}. The outputs must be equal
+    bit for bit. No expected output is stored, so none can be out of date. *)
+
+type compiler = {
+  cc : string option;  (** the command, with or without options; [None] means [CC], or [cc] *)
+  cflags : string option;  (** replaces {!Toolchain.flags} *)
+  runner : string option;  (** a command that runs the compiled programs, such as an emulator *)
+  real : Basis.Real.t;  (** the precision of the programs *)
+}
+
+val run : compiler -> int
+(** Prints a line for each group and the verdict to standard output, and failures to standard error.
+    The exit status is {!Exit_status.ok}; {!Exit_status.rejected} if the compiler rejects valid C,
+    has different arithmetic, or compiles incorrectly; {!Exit_status.wrong_use} if it cannot be
+    tested. *)
+
+val programs : (string * string) list
+(** File and entry of each program. A test checks that they cover every construct. *)

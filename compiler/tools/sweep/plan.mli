@@ -1,0 +1,27 @@
+(** The contents of a sweep's plan file. Numbers with units are not parsed yet. *)
+
+type 'a placed = { place : string;  (** [FILE:LINE:COLUMN] *) value : 'a }
+
+type variation =
+  | Range of { low : string; high : string; steps : int  (** 0: sampled *) }
+  | Values of string list
+
+type sampling = Grid | Random | Latin
+
+type t = {
+  program : string placed;
+  trial : string placed option;  (** label of the trial; [None] for the only one *)
+  seeds : (int * int) option;  (** [None]: the trial's value, as for the next two *)
+  lasts : float option;
+  rate : float option;  (** Hz; 50 if [None] *)
+  worlds : string placed list;
+  robots : string placed list;
+  sampling : sampling;
+  points : int;  (** number of points if they are sampled *)
+  sampling_seed : int;
+  params : (string * variation) placed list;
+}
+
+val read : Resources.t -> string -> (t, string) result
+(** Reads a plan file with the help of the simulator. The error contains one line for each mistake,
+    in the format of other messages. *)

@@ -1,0 +1,52 @@
+type t = (string, string list) Hashtbl.t
+
+let create () = Hashtbl.create 1024
+let suffix = ".rows"
+
+(* 64-bit FNV-1a. *)
+let checksum text =
+  let step hash c = Int64.mul (Int64.logxor hash (Int64.of_int (Char.code c))) 1099511628211L in
+  String.fold_left step (-3750763034362895579L) text
+
+let add t line =
+  match String.rindex_opt line '\t' with
+  | None -> ()
+  | Some at -> (
+      let said = String.sub line (at + 1) (String.length line - at - 1) in
+      let text = String.sub line 0 at in
+      if String.equal said (Printf.sprintf "%016Lx" (checksum text)) then
+        match String.split_on_char '\t' text with
+        | key :: cells -> Hashtbl.replace t key cells
+        | [] -> ())
+
+let load_file t path =
+  let channel = open_in_bin path in
+  Fun.protect
+    ~finally:(fun () -> close_in channel)
+    (fun () ->
+      let text = Lines.of_channel channel in
+      (* An overlong line is not a row, and no row can follow it. *)
+      let rec lines () =
+        match Lines.next text with
+        | Some line ->
+            add t line;
+            lines ()
+        | None | (exception Lines.Too_long) -> ()
+      in
+      lines ())
+
+let load t folder =
+  if Sys.file_exists folder then
+    let load name =
+      if Filename.check_suffix name suffix then load_file t (Filename.concat folder name)
+    in
+    Array.iter load (Sys.readdir folder)
+
+let find = Hashtbl.find_opt
+let count = ref 0
+
+let fresh folder =
+  incr count;
+  let now = Int64.of_float (Unix.gettimeofday () *. 1e6) in
+  let host = String.map (function '/' | '\000' -> '-' | c -> c) (Unix.gethostname ()) in
+  Filename.concat folder (Printf.sprintf "%s-%Lx-%d-%d%s" host now (Unix.getpid ()) !count suffix)

@@ -1,0 +1,25 @@
+(** The numbered runs of a sweep, which several processes make. *)
+
+type run = {
+  place : Setup.place;
+  point : string array;
+  seed : int;
+  key : string;  (** a digest of everything that the run depends on *)
+}
+
+val count : Setup.t -> int
+
+val run : Setup.t -> int -> run
+(** The run with this number, from 0. Seeds vary fastest, then points, then robots, then worlds. *)
+
+type shard = { number : int; of_ : int }
+(** One of [of_] shards, numbered from 1. *)
+
+val missing : Setup.t -> shard -> Rows.t -> int list
+(** The shard's runs without a row, in order. *)
+
+val make :
+  Setup.t -> Resources.t -> jobs:int -> folder:string -> Rows.t -> int list -> (unit, string) result
+(** Makes these runs with up to [jobs] processes, which write rows to files in the folder. If a
+    process is killed, another one makes its runs. The error says why it stopped; existing rows are
+    kept. *)

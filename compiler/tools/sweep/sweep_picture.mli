@@ -1,0 +1,8 @@
+(** Draws a sweep as SVG: a panel for the share of runs that held, and one for the mean of each
+    measure.
+
+    If two parameters vary, each panel is a heat map. If one varies, it shows the mean and the range
+    from the minimum to the maximum. Otherwise it is a histogram of all runs. The runs of a point
+    with different seeds, worlds and robots are combined. *)
+
+val svg : Setup.t -> Rows.t -> string

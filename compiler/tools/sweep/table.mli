@@ -1,0 +1,14 @@
+(** Formats the results of a sweep as one CSV table. *)
+
+type fate = { held : bool; void : bool }
+
+val csv : Setup.t -> Rows.t -> string
+(** One row for each run, in order; all runs must be complete. The columns are its number, world,
+    robot, parameters and seed, its fate with time and cause, the robot's final position, and the
+    measurements. *)
+
+val fate : string list -> fate
+(** Parses the fate in a run's cells. *)
+
+val measured : Setup.t -> string list -> Measures.t -> float
+(** The measurement in a run's cells; NaN if there is none. *)

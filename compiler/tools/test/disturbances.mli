@@ -1,0 +1,21 @@
+(** The disturbances in a world file: noise, slip, drift and losses, each identified by a table and
+    a key. Only settings of the form [key = number] below [[table]] are recognized. *)
+
+type t = { table : string; key : string }
+
+val of_world : string -> t list
+(** The nonzero disturbances in the text of a world file. *)
+
+val names_files : string -> bool
+(** Whether the text refers to pictures, which are found relative to the world file. *)
+
+val without : t list -> string -> string
+(** Turns the lines that set these disturbances into comments. *)
+
+val name : t -> string
+(** For example [[sonar] noise]. *)
+
+val needed : still_fails:(t list -> bool) -> t list -> t list
+(** The disturbances without which the failure does not occur. Removes all at once if it still
+    fails; otherwise tries them one after another, and removes each if it still fails. The argument
+    of [still_fails] is the list of removed disturbances. *)

@@ -1,0 +1,91 @@
+(** The results of tests, for the terminal, other tools, and CI servers. *)
+
+type fate =
+  | Held
+  | Violated
+  | Undecided  (** an obligation is still open at the end *)
+  | Unasked  (** no condition applied at any instant *)
+  | Void  (** an assumption failed, so the run proves nothing *)
+
+type collision = {
+  time : float;  (** s *)
+  x : float;  (** m, position in the world *)
+  y : float;
+  clearance : float;  (** m, measured from the robot's center at that time *)
+  with_ : string;  (** for display, for example [the wall (room.toml, line 12)] *)
+}
+(** The beginning of a collision, when the robot first touches an object. *)
+
+type run = {
+  seed : int option;
+  fate : fate;
+  at : float;  (** seconds *)
+  by : string;  (** the label of the failed assertion; [judge] if the judge itself failed *)
+  truth : float list;  (** x, y, heading, clearance, touches, driven, odometry error *)
+  collisions : int;  (** number of the robot's collisions; 0 for a test without a robot *)
+  first : collision option;  (** the first of these *)
+  measured : (string * float) list;  (** final values, by {!Measures.t.probe} *)
+}
+
+type look = {
+  around : string list;  (** lines with the program's outputs at the last two instants *)
+  picture : string;  (** path of the picture, or empty *)
+  view : string;  (** command that shows the run, or empty *)
+}
+(** Files and lines that illustrate a run. *)
+
+type simpler = {
+  needs : string list;  (** the remaining disturbances *)
+  world : string;  (** the path of the world file with only those disturbances *)
+  again : run;
+  seen : look;
+}
+(** A run that fails in the same way with fewer of the world's disturbances. *)
+
+type evidence = {
+  run : run;
+  look : look;  (** files and lines about [run] *)
+  simpler : simpler option;
+  note : string;  (** why something could not be saved, or empty *)
+}
+(** The report about a failed run. *)
+
+type t = {
+  file : string;
+  label : string;
+  lasts : float;
+  measures : Measures.t list;
+  chance : Chance.t option;
+  note : string;  (** additional remark, or empty *)
+  result : (run list, string) result;  (** the error is the reason why it could not be run *)
+  evidence : evidence option;
+}
+
+type skipped = {
+  path : string;  (** path of its program *)
+  name : string;  (** label of the test *)
+  what : string;  (** the missing requirement *)
+  command : string;  (** the command that runs the test *)
+}
+(** A test that was skipped because its requirements must be given on the command line. *)
+
+val failures : t -> run list
+val has_failed : t -> bool
+
+val decided : t -> int option
+(** The number of runs after which the required chance was decided; [None] if it is not decided, or
+    no chance is required. *)
+
+val print : t -> unit
+(** Prints one line on standard output, and details if the test has failed. *)
+
+val print_skipped : skipped -> unit
+val print_total : t list -> skipped:int -> unit
+
+val json : t -> string
+(** One JSON object on a single line. *)
+
+val skipped_json : skipped -> string
+
+val junit : t list -> skipped list -> string
+(** A document in the JUnit format, for CI servers. *)

@@ -1,0 +1,12 @@
+(** A progress line on standard error that overwrites itself; nothing if that is not a terminal. *)
+
+type t
+
+val start : string -> total:int -> t
+(** Starts a line with this label, for a total number of runs. *)
+
+val add : t -> int -> unit
+(** Counts finished runs and estimates the remaining time from those so far. *)
+
+val finish : t -> unit
+(** Erases the line. *)

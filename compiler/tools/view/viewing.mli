@@ -1,0 +1,38 @@
+(** [frobc view], and the live view of a run. *)
+
+type look = {
+  browser : bool;  (** whether to open a browser, if there is a desktop *)
+  control : bool;  (** whether pages may do more to a real robot than stop it *)
+}
+(** How a run is shown live. *)
+
+val shown :
+  ?params:Params.set list ->
+  Common_options.t ->
+  entry:string ->
+  sources:string list ->
+  look option ->
+  record:string option ->
+  world:string option ->
+  string ->
+  (string list -> int) ->
+  int
+(** Calls the function with the command that shows the run live. The caller must append the name of
+    the ring buffer. The command is empty if [look] is [None]. [world] is the world the robot drives
+    in, if it is known. *)
+
+type view = {
+  recording : string option;  (** [None]: only builds, for a run that is still in progress *)
+  dialect : Interp.Dialect.t;  (** dialect of the recording *)
+  browser : bool;  (** whether to open a browser, if there is a desktop *)
+  port : int option;  (** [None]: any free port *)
+  world : string option;
+      (** the world of the recorded run; [None]: the same default as for {!run} *)
+  seed : int;  (** seed for running it again in the simulator *)
+  at : float option;  (** the time to show first, in seconds *)
+  only_build : bool;  (** only prints the path of the executable *)
+  why_nan : bool;  (** only prints the origin of NaN in the output *)
+}
+
+val view : Common_options.t -> entry:string -> sources:string list -> view -> string -> int
+(** Shows a recorded run on a page, until the user ends it. *)

@@ -1,0 +1,369 @@
+open Basis
+
+type 'a later = unit -> 'a
+
+type entry = { scheme : Type.scheme; kind : kind; at : Span.t option }
+and kind = Defined | Recursive | Primitive | Method of Ir.Global.t
+
+type constraint_ = int * Ir.class_
+
+type required = {
+  class_ : Ir.class_;
+  argument : Type.t;
+  at : Span.t;
+  by : string;
+  because : (Span.t * (Show.words -> string)) option;
+  from : constraint_ option;
+}
+
+type question = { attempt : unit -> bool; guess : unit -> bool; give_up : unit -> unit }
+
+type size = {
+  size : Type.t;
+  used : Span.t;
+  of_ : string;  (** name of the definition that was used, for the message *)
+  written : string option;  (** the size variable in its signature, if that is in the same file *)
+}
+
+type group = {
+  locals : Type.scheme Int_table.t;
+  definitions : Resolve.Ir.expr Int_table.t;
+      (** values of the local variables that have no parameters *)
+  first_uses : Span.t option Int_table.t;
+      (** place where each local function without a signature is first applied *)
+  mutable errors : int;
+  mutable waiting : question list;  (** newest first *)
+  mutable required : required list;  (** newest first *)
+  mutable sizes : size list;  (** newest first *)
+  mutable told : (int * string * string) list;
+      (** mismatches already reported: line, quoted source text, message *)
+}
+
+type t = {
+  reader : Annotation.t;
+  real : Real.t;
+  globals : entry Resolve.Global_table.t;
+  owners : (int, Signature_mistake.owned) Hashtbl.t;
+  given : (int, Ir.class_ list) Hashtbl.t;
+  needs : (constraint_, required) Hashtbl.t;
+  scope : Annotation.scope;
+  depth : int;
+  left_operand : (Resolve.Ir.expr * string) option;
+  inputs : (string * Type.t) list;
+  sources : Source.t;
+  group : group;
+}
+
+let new_group () =
+  {
+    locals = Int_table.create 16;
+    definitions = Int_table.create 8;
+    first_uses = Int_table.create 8;
+    errors = 0;
+    waiting = [];
+    required = [];
+    sizes = [];
+    told = [];
+  }
+
+let start reader ~sources ~real =
+  {
+    reader;
+    real;
+    globals = Resolve.Global_table.create 1024;
+    owners = Hashtbl.create 64;
+    given = Hashtbl.create 64;
+    needs = Hashtbl.create 64;
+    scope = Annotation.empty;
+    depth = 1;
+    left_operand = None;
+    inputs = [];
+    sources;
+    group = new_group ();
+  }
+
+let in_group t = { t with group = new_group () }
+let bind_local t (x : Ir.Local.t) scheme = Int_table.replace t.group.locals x.id scheme
+let find_local t (x : Ir.Local.t) = Int_table.find_opt t.group.locals x.id
+
+let defined_locally t (x : Ir.Local.t) (b : Resolve.Ir.binding) =
+  match (b.parameters, b.body) with
+  | [], { guards = [ { condition = None; value } ]; _ } ->
+      Int_table.replace t.group.definitions x.id value
+  | [], _ -> ()
+  | _ :: _, _ -> Int_table.replace t.group.first_uses x.id None
+
+let first_use t (x : Ir.Local.t) ~at =
+  match Int_table.find_opt t.group.first_uses x.id with
+  | Some None ->
+      Int_table.replace t.group.first_uses x.id (Some at);
+      None
+  | Some (Some earlier) when Span.compare earlier at <> 0 -> Some earlier
+  | Some _ | None -> None
+
+let fresh ?kind t = Type.fresh t.reader.supply ?kind ~depth:t.depth ()
+let fresh_number t = Type.fresh_number t.reader.supply ~depth:t.depth
+
+let words t =
+  let asks input (r : required) = Type.expand r.argument == Type.expand input in
+  let needs_class input = List.exists (asks input) t.group.required in
+  let definition (x : Ir.Local.t) = Int_table.find_opt t.group.definitions x.id in
+  let fields ty =
+    match Type.expand ty with
+    | Data { tycon; _ } ->
+        Option.map
+          (fun (c : Environment.constructor) -> (c.ir.constructor.name, List.map fst c.ir.fields))
+          (Environment.record_of t.reader.environment tycon)
+    | _ -> None
+  in
+  let choices ty =
+    match Type.expand ty with
+    | Data { tycon; _ } -> (
+        match (Environment.type_ t.reader.environment tycon).definition with
+        | Data { constructors = _ :: _ :: _ as all; _ }
+          when List.compare_length_with all 4 <= 0
+               && List.for_all (fun (c : Ir.constructor) -> c.fields = []) all ->
+            List.map (fun (c : Ir.constructor) -> c.constructor.name) all
+        | Data _ | Alias _ | Builtin | Foreign -> [])
+    | _ -> []
+  in
+  let makers ty ~of_ =
+    match (Type.expand ty, Type.expand of_) with
+    | Data { tycon; _ }, Data { tycon = part; units; _ } -> (
+        let same u unit_ = Units.is_open u || Units.to_ir u = unit_ in
+        let is_part (_, (field : Ir.ty)) =
+          match field with
+          | Data { tycon = t; units = declared; _ } -> t = part && List.for_all2 same units declared
+          | _ -> false
+        in
+        match (Environment.type_ t.reader.environment tycon).definition with
+        | Data { constructors; _ } ->
+            List.filter (fun (c : Ir.constructor) -> List.exists is_part c.fields) constructors
+            |> List.map (fun (c : Ir.constructor) ->
+                   let shown (name, field) =
+                     if is_part (name, field) then "…"
+                     else String.uncapitalize_ascii (Show.ty field)
+                   in
+                   String.concat " " (c.constructor.name :: List.map shown c.fields))
+        | Alias _ | Builtin | Foreign -> [])
+    | _ -> []
+  in
+  let declared g =
+    Option.map
+      (fun (entry : entry) -> entry.scheme.body)
+      (Resolve.Global_table.find_opt t.globals g)
+  in
+  let place : Show.place =
+    {
+      sources = t.sources;
+      inputs = t.inputs;
+      needs_class;
+      definition;
+      fields;
+      choices;
+      declared;
+      makers;
+    }
+  in
+  Show.words ~place ~named_unit:(Environment.named_unit t.reader.environment) ()
+
+let report t diagnostic =
+  t.group.errors <- t.group.errors + 1;
+  Diagnostic.emit t.reader.sink (diagnostic (words t))
+
+let errors t = t.group.errors
+
+(* Has the same mismatch already been reported for the same source text on this line? Numbers are
+   exempt: each literal must be corrected separately. *)
+let is_told t (subject : Resolve.Ir.expr option) (d : Diagnostic.t) =
+  match subject with
+  | None | Some { desc = Number _ | Negate _; _ } -> false
+  | Some { span; _ } -> (
+      match Source.quote t.sources span with
+      | None -> false
+      | Some text ->
+          let key = (Span.line span.start, text, d.message) in
+          List.mem key t.group.told
+          ||
+          (t.group.told <- key :: t.group.told;
+           false))
+
+let expect t ?subject ~at (expected : Expected.t) found =
+  match Unify.types expected.ty found with
+  | Ok () -> ()
+  | Error clash ->
+      let owner (v : Ir.variable) = Hashtbl.find_opt t.owners v.id in
+      let d = Mistake.mismatch (words t) owner ~subject ~at ~expected ~found clash in
+      if is_told t subject d then t.group.errors <- t.group.errors + 1 else report t (fun _ -> d)
+
+let require t required = t.group.required <- required :: t.group.required
+
+let has_no_instance t (class_ : Ir.class_) ty =
+  match (class_, Head.of_type ty) with
+  | Declared class_, Some (head, _) ->
+      Option.is_none (Environment.instance t.reader.environment class_ head)
+  | _ -> false
+
+let asked_in_vain t ~wanted given =
+  let lacks (r : required) =
+    Type.expand r.argument == Type.expand given && has_no_instance t r.class_ wanted
+  in
+  match Type.expand given with
+  | Flexible _ -> Option.map (fun (r : required) -> r.by) (List.find_opt lacks t.group.required)
+  | _ -> None
+
+let lacks_class t ~wanted given = Option.is_some (asked_in_vain t ~wanted given)
+
+(* Records the constraints that the scheme's context puts on the types of this instance. *)
+let require_context t ~at ~name ~said (scheme : Type.scheme) (instance : Type.instance) =
+  let demand (class_, argument) (_, parameter) =
+    let because =
+      Option.map
+        (fun place ->
+          ( place,
+            fun words ->
+              Printf.sprintf "`%s` asks for `%s` here" name
+                (Show.constraint_ words class_ parameter) ))
+        said
+    in
+    let from =
+      match Type.expand parameter with Rigid r -> Some (r.variable.id, class_) | _ -> None
+    in
+    require t { class_; argument; at; by = "`" ^ name ^ "`"; because; from }
+  in
+  List.iter2 demand instance.required scheme.context
+
+let note_sizes t ~at ~name ~said (scheme : Type.scheme) (instance : Type.instance) =
+  let note (r : Type.rigid) argument =
+    if r.kind = Of_sizes then
+      let written =
+        match said with
+        | Some (place : Span.t) when String.equal place.file at.Span.file -> Some r.variable.name
+        | Some _ | None -> None
+      in
+      t.group.sizes <- { size = argument; used = at; of_ = name; written } :: t.group.sizes
+  in
+  List.iter2 note scheme.types instance.type_arguments
+
+let nothing : Ir.instantiation = { types = []; representations = [] }
+
+let use t ~at ~name ?said (scheme : Type.scheme) =
+  let instance = Type.instantiate t.reader.supply ~depth:t.depth scheme in
+  if scheme.context <> [] then require_context t ~at ~name ~said scheme instance;
+  if scheme.types <> [] then note_sizes t ~at ~name ~said scheme instance;
+  let final =
+    match (instance.type_arguments, instance.representation_arguments) with
+    | [], [] -> fun () -> nothing
+    | types, representations -> (
+        fun () : Ir.instantiation ->
+          {
+            types = List.map Final.ty types;
+            representations = List.map Final.representation representations;
+          })
+  in
+  (instance.ty, final)
+
+let is_variable r =
+  match Type.representation r with
+  | Rigid_representation _ -> true
+  | Int | Float | Flexible_representation _ -> false
+
+let check_context t (written : Resolve.Ir.scheme) (scheme : Type.scheme) =
+  let mentioned (v : Ir.variable) = Type.mentions v scheme.body in
+  let check (c : Resolve.Ir.constraint_) (_, argument) =
+    match Type.expand argument with
+    | Rigid r ->
+        let own =
+          List.exists (fun (o : Type.rigid) -> o.variable.id = r.variable.id) scheme.types
+        in
+        if own && not (mentioned r.variable) then
+          report t (fun _ ->
+              Diagnostic.error ~code:"E0364" ~at:c.span
+                "the context speaks of `%s`, but the type does not" r.variable.name
+              |> Diagnostic.label ~at:written.ty.span
+                   (Printf.sprintf "nothing here tells which type `%s` is" r.variable.name))
+    | Number (r, _) when is_variable r -> ()
+    | Erroneous -> ()
+    | _ ->
+        report t (fun words ->
+            Diagnostic.error ~code:"E0365" ~at:c.span
+              "a context promises something of a variable, not of %s" (Show.quoted words argument))
+  in
+  List.iter2 check written.context scheme.context
+
+let with_variables t ~by (written : Resolve.Ir.scheme) =
+  let depth = t.depth + 1 in
+  let scheme, scope = Annotation.signature t.reader t.scope ~depth written in
+  let owned : Signature_mistake.owned = { by; place = written.span } in
+  let own (v : Ir.variable) = Hashtbl.replace t.owners v.id owned in
+  List.iter (fun (r : Type.rigid) -> own r.variable) scheme.types;
+  List.iter (fun (r : Units.rigid) -> own r.variable) (scheme.representations @ scheme.units);
+  check_context t written scheme;
+  (scheme, { t with scope; depth })
+
+let with_signature t ~name = with_variables t ~by:(Printf.sprintf "the signature of `%s`" name)
+
+let ask t question =
+  if not (question.attempt ()) then t.group.waiting <- question :: t.group.waiting
+
+let rec settle t =
+  match List.rev t.group.waiting with
+  | [] -> ()
+  | waiting ->
+      t.group.waiting <- [];
+      let answered before after = List.compare_lengths after before < 0 in
+      let after_attempts = List.filter (fun q -> not (q.attempt ())) waiting in
+      let still =
+        if answered waiting after_attempts then after_attempts
+        else List.filter (fun q -> not (q.attempt () || q.guess ())) waiting
+      in
+      if answered waiting still then (
+        t.group.waiting <- List.rev_append still t.group.waiting;
+        settle t)
+      else List.iter (fun q -> q.give_up ()) still
+
+let forgetting_what_errors_need t f =
+  let before = t.group.errors and required = t.group.required in
+  let result = f () in
+  if t.group.errors > before then t.group.required <- required;
+  result
+
+let check_sizes t =
+  let check { size; used; of_; written } =
+    match Type.expand size with
+    | Flexible variable when t.group.errors = 0 ->
+        variable.found <- Some Type.Erroneous;
+        report t (fun _ ->
+            Diagnostic.error ~code:"E0331" ~at:used
+              "nothing decides the size of an array where `%s` is used" of_
+            |> (match written with
+               | Some variable ->
+                   Diagnostic.note
+                     (Printf.sprintf
+                        "`%s` in the signature of `%s` stands for any size; a certain one is a \
+                         number there, or a name for it: `type Size = 4`"
+                        variable of_)
+               | None -> Fun.id)
+            |> Diagnostic.hint
+                 "annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature")
+    | _ -> ()
+  in
+  (* The list is newest first, and the newest use is usually the nearest to where the array is made.
+     *)
+  List.iter check t.group.sizes
+
+let requirements t = List.rev t.group.required
+
+type typed = { ty : Type.t; build : Ir.expr later }
+
+type expressions = {
+  infer : t -> Resolve.Ir.expr -> typed;
+  check : t -> Resolve.Ir.expr -> Expected.t -> Ir.expr later;
+}
+
+exception Too_large of Span.t
+
+let node span ty desc : Ir.expr =
+  match Final.ty ty with
+  | ty -> { desc; ty; span }
+  | exception Final.Too_large -> raise (Too_large span)

@@ -1,0 +1,169 @@
+(** The state of type inference, and the questions it postpones.
+
+    Inference computes types first and builds the typed program later. Inferring an expression
+    returns its type at once, together with a function that builds the typed expression. That
+    function is called when everything about the top-level group is known. *)
+
+open Basis
+
+type 'a later = unit -> 'a
+
+type entry = {
+  scheme : Type.scheme;
+  kind : kind;
+  at : Span.t option;  (** its signature in the program *)
+}
+
+and kind =
+  | Defined
+  | Recursive  (** in the group being inferred; generalized when the group is finished *)
+  | Primitive
+  | Method of Ir.Global.t  (** the class that declares it *)
+
+type constraint_ = int * Ir.class_
+(** The id of a quantified variable and a class that it must have. *)
+
+type required = {
+  class_ : Ir.class_;
+  argument : Type.t;
+  at : Span.t;
+  by : string;
+  because : (Span.t * (Show.words -> string)) option;
+  from : constraint_ option;
+}
+(** A class that a use of a name requires. [by]: the name, in backticks, for messages. [because]:
+    the place that imposes the constraint, and the explanation to print there. [from]: the
+    constraint in the name's own scheme. *)
+
+type question = {
+  attempt : unit -> bool;  (** answers the question if the types known so far allow it *)
+  guess : unit -> bool;
+      (** answers it by the defaulting rule for types that stay unknown, if there is one *)
+  give_up : unit -> unit;
+}
+(** A question that cannot be answered until a type is known. *)
+
+type t = {
+  reader : Annotation.t;
+  real : Real.t;
+  globals : entry Resolve.Global_table.t;
+  owners : (int, Signature_mistake.owned) Hashtbl.t;  (** see {!Signature_mistake.owner} *)
+  given : (int, Ir.class_ list) Hashtbl.t;
+      (** classes that the enclosing signatures promise for their variables, by variable id *)
+  needs : (constraint_, required) Hashtbl.t;
+      (** the use that requires each constraint in a definition's context *)
+  scope : Annotation.scope;
+  depth : int;  (** number of enclosing signatures *)
+  left_operand : (Resolve.Ir.expr * string) option;
+      (** the left operand that is being inferred, if any, and its operator *)
+  inputs : (string * Type.t) list;  (** input signals of the enclosing proc *)
+  sources : Source.t;
+  group : group;
+}
+
+and group
+(** State of one top-level binding group and its local variables. *)
+
+val start : Annotation.t -> sources:Source.t -> real:Real.t -> t
+(** The initial state, outside all groups. *)
+
+val in_group : t -> t
+(** The state at the start of a new group. *)
+
+val bind_local : t -> Ir.Local.t -> Type.scheme -> unit
+
+val find_local : t -> Ir.Local.t -> Type.scheme option
+(** The scheme of a local variable of this group. *)
+
+val defined_locally : t -> Ir.Local.t -> Resolve.Ir.binding -> unit
+(** Records that this binding defines the local variable without a signature. *)
+
+val first_use : t -> Ir.Local.t -> at:Span.t -> Span.t option
+(** Records that a local function without a signature is applied at this place. Returns the place of
+    its first application, if that was another one. *)
+
+(** {1 New types} *)
+
+val fresh : ?kind:Type.kind -> t -> Type.t
+val fresh_number : t -> Type.t
+
+(** {1 Diagnostics} *)
+
+val words : t -> Show.words
+val report : t -> (Show.words -> Diagnostic.t) -> unit
+
+val errors : t -> int
+(** The number of errors reported in this group so far. *)
+
+val expect : t -> ?subject:Resolve.Ir.expr -> at:Span.t -> Expected.t -> Type.t -> unit
+(** Unifies the type found with the expected type, and reports a mismatch. *)
+
+(** {1 Names} *)
+
+val use :
+  t ->
+  at:Span.t ->
+  name:string ->
+  ?said:Span.t ->
+  Type.scheme ->
+  Type.t * (unit -> Ir.instantiation)
+(** Instantiates the scheme and records the constraints of its context. [said]: the place of the
+    signature. *)
+
+val require : t -> required -> unit
+
+val has_no_instance : t -> Ir.class_ -> Type.t -> bool
+(** Is the type known to have no instance of the class? *)
+
+val asked_in_vain : t -> wanted:Type.t -> Type.t -> string option
+(** If the second type is an unsolved variable and something requires a class for it that the first
+    type does not have, the name of what requires it, in backticks. *)
+
+val lacks_class : t -> wanted:Type.t -> Type.t -> bool
+(** Whether {!asked_in_vain} finds such a class. *)
+
+val with_variables : t -> by:string -> Resolve.Ir.scheme -> Type.scheme * t
+(** The scheme as a type, and the state for the code below it: the scheme's variables are in scope,
+    one level deeper. [by]: the construct that introduces the variables, for messages. Reports a
+    constraint on something other than a variable ([E0365]) and on a variable that the type does not
+    mention ([E0364]). *)
+
+val with_signature : t -> name:string -> Resolve.Ir.scheme -> Type.scheme * t
+(** Like {!with_variables}, for the signature of a definition. *)
+
+(** {1 Postponed questions} *)
+
+val ask : t -> question -> unit
+(** Tries to answer at once; otherwise postpones the question until {!settle}. *)
+
+val settle : t -> unit
+(** Answers all postponed questions: attempts them repeatedly, guesses when attempts make no
+    progress, and finally gives up on the rest. *)
+
+val forgetting_what_errors_need : t -> (unit -> 'a) -> 'a
+(** Runs the function. If it reports errors, drops the constraints it recorded, because they come
+    from types that may be wrong. *)
+
+val check_sizes : t -> unit
+(** After generalization: reports an array size that nothing determines. *)
+
+val requirements : t -> required list
+(** In source order. *)
+
+(** {1 Expressions} *)
+
+type typed = { ty : Type.t; build : Ir.expr later }
+
+type expressions = {
+  infer : t -> Resolve.Ir.expr -> typed;
+  check : t -> Resolve.Ir.expr -> Expected.t -> Ir.expr later;  (** reports a mismatch *)
+}
+(** The inference functions, as a record that breaks the recursion between the modules for each kind
+    of expression. *)
+
+exception Too_large of Span.t
+(** {!Final.Too_large}, for the type of this expression and not of a part of it. *)
+
+val node : Span.t -> Type.t -> Ir.expr_desc -> Ir.expr
+(** A typed expression with its final type. Call it only when all types are inferred.
+    @raise Too_large *)

@@ -1,0 +1,303 @@
+open Basis
+open Context
+
+type lack = { lacking : Ir.class_; culprit : Type.t; through : Environment.instance list }
+
+let explain words required diagnostic =
+  match required.because with
+  | Some (place, text) -> Diagnostic.label ~at:place (text words) diagnostic
+  | None -> diagnostic
+
+let through_instances words { lacking; culprit; through } diagnostic =
+  let asks = Show.constraint_ words lacking culprit in
+  match through with
+  | [] -> diagnostic
+  | last :: _ ->
+      Diagnostic.label ~at:last.place (Printf.sprintf "this instance asks for `%s`" asks) diagnostic
+
+let is_signal_function t = match Type.expand t with Signal_function _ -> true | _ -> false
+
+let foreign_of ctx t =
+  match Type.expand t with
+  | Data { tycon; _ }
+    when (Environment.type_ ctx.reader.environment tycon).definition = Environment.Foreign ->
+      Some tycon
+  | _ -> None
+
+let same_foreign ctx a b =
+  match (foreign_of ctx a, foreign_of ctx b) with Some a, Some b -> a = b | _, _ -> false
+
+(* Is this a type without capabilities, used by mistake in place of a robot's input or output type?
+   *)
+let is_no_robot t =
+  Environment.is_task t
+  ||
+  match Type.expand t with
+  | Function _ | Signal_function _ | Tuple _ | Number _ | Bool | String -> true
+  | Data { tycon; _ } ->
+      List.exists
+        (fun name -> tycon = Environment.built_in name)
+        [ "Event"; "Maybe"; "Either"; "Array" ]
+  | Flexible _ | Rigid _ | Size _ | Erroneous | Alias _ -> false
+
+(* The types that have an instance of the class. *)
+let those_with ctx class_ =
+  let name : Head.t -> string option = function Data g -> Some ("`" ^ g.name ^ "`") | _ -> None in
+  List.filter_map name (Environment.heads ctx.reader.environment class_)
+
+(* [robot]: the named type of the robot's input or output. *)
+let for_any_robot (class_ : Ir.Global.t) robot =
+  let asked =
+    match Type.expand robot with
+    | Data { tycon; _ } when Filename.check_suffix tycon.name "Output" ->
+        Printf.sprintf "(HasOdometry i, %s o)" class_.name
+    | _ -> Printf.sprintf "(%s i, DiffDrive o)" class_.name
+  in
+  Diagnostic.hint
+    (Printf.sprintf
+       "a program for each robot that has it asks for the class in place of a robot's type: `main \
+        :: %s => Program i o`"
+       asked)
+
+let is_function t = match Type.expand t with Function _ -> true | _ -> false
+
+let is_with_an_event t =
+  match Type.expand t with Tuple [ _; event ] -> Environment.is_event event | _ -> false
+
+let is_pair t = match Type.expand t with Tuple [ _; _ ] -> true | _ -> false
+
+let about_foreign ctx t diagnostic =
+  match foreign_of ctx t with
+  | None -> diagnostic
+  | Some tycon ->
+      Diagnostic.hint
+        (Printf.sprintf "only C knows what is in a `%s`: import a function that compares two"
+           tycon.name)
+        diagnostic
+
+(* For classes and types that the program itself declares, a missing instance is a likely cause. *)
+let is_of_the_program (class_ : Ir.Global.t) culprit =
+  (not (List.mem class_.module_ [ "Prelude"; "Capability"; "Trial"; "Display" ]))
+  &&
+  match Type.expand culprit with
+  | Data { tycon; _ } -> not (String.equal tycon.module_ "Prelude")
+  | Number _ | Bool -> true
+  | _ -> false
+
+(* {1 A missing instance} *)
+
+type fact = {
+  ctx : Context.t;
+  words : Show.words;
+  required : required;
+  lack : lack;
+  culprit : string;  (** the culprit as text *)
+}
+
+(* Does the class itself lack the instance, and not one that an instance of it asks for? *)
+let is_asked_itself fact = fact.lack.through = []
+
+(* Does the required type itself lack it, and not a part of that type? *)
+let is_direct fact =
+  is_asked_itself fact
+  && (Type.expand fact.required.argument == Type.expand fact.lack.culprit
+     || same_foreign fact.ctx fact.required.argument fact.lack.culprit)
+
+let without_hints { required; lack; words; culprit; _ } =
+  let at = required.at in
+  match lack.lacking with
+  | Declared _ when Environment.is_task lack.culprit ->
+      Diagnostic.error ~code:"E0371" ~at "%s makes no task, but %s is needed here" required.by
+        culprit
+  | Declared _ ->
+      Diagnostic.error ~code:"E0360" ~at "there is no instance `%s`"
+        (Show.constraint_ words lack.lacking lack.culprit)
+  | (Eq | Ord) as class_ ->
+      let what = match class_ with Eq -> "equality" | Ord | Declared _ -> "order" in
+      let of_ = if lack.through = [] then Show.quoted words required.argument else culprit in
+      Diagnostic.error ~code:"E0307" ~at "%s has no %s" of_ what
+
+let where_needed { required; lack; words; _ } d =
+  if Environment.is_task lack.culprit then d
+  else
+    Diagnostic.here (Printf.sprintf "%s needs it" required.by) d
+    |> through_instances words lack |> explain words required
+
+(* {2 Rules}
+
+   Each returns how it completes the message, if it applies. *)
+
+(* `roMake` of several functions. *)
+let several_outputs fact =
+  match fact.lack.lacking with
+  | Declared { name = "RobotOutput"; _ }
+    when fact.required.by = "`roMake`" && is_function fact.lack.culprit ->
+      Some
+        (fun (d : Diagnostic.t) ->
+          { d with message = "`roMake` takes one function, and makes an output of it" }
+          |> Diagnostic.hint
+               "several commands are put together by a dot: `roMake (setVelTR v omega . setLight \
+                On)`")
+  | _ -> None
+
+(* A mode that lacks its event. *)
+let output_with_an_event fact =
+  match fact.lack.lacking with
+  | Declared { name = "RobotOutput"; _ } when is_with_an_event fact.lack.culprit ->
+      Some
+        (Diagnostic.hint
+           "besides its output it gives the event that ends it, which is lacking here: `(roMake \
+            (…), after 1[s] ())`")
+  | _ -> None
+
+(* The outputs of two tasks side by side. *)
+let two_outputs fact =
+  match fact.lack.lacking with
+  | Declared { name = "RobotOutput"; _ } when is_pair fact.lack.culprit ->
+      Some
+        (Diagnostic.hint
+           "tasks side by side put out both their outputs, of which `mapOutput` makes one; \
+            `timeOut` and `abortWhen` end a task and have its output only")
+  | _ -> None
+
+(* A task in an equation. *)
+let task fact =
+  match fact.lack.lacking with
+  | Declared _ when Environment.is_task fact.lack.culprit ->
+      Some
+        (Diagnostic.hint
+           "a task takes time, and no equation runs it: `reactimateTask` does, and in a `do` one \
+            follows another")
+  | _ -> None
+
+(* Arithmetic of signal functions, where one operand is a number. *)
+let signal_function fact =
+  match fact.lack.lacking with
+  | Declared _ when is_signal_function fact.lack.culprit ->
+      Some (Diagnostic.hint "`constant e` is the signal function that always gives `e`")
+  | _ -> None
+
+(* `==` and `<` of types without them. *)
+let not_comparable fact =
+  match fact.lack.lacking with
+  | Declared _ -> None
+  | (Eq | Ord) when (not (is_direct fact)) && is_asked_itself fact ->
+      Some
+        (fun d ->
+          Diagnostic.note (Printf.sprintf "it contains %s" fact.culprit) d
+          |> about_foreign fact.ctx fact.lack.culprit)
+  | (Eq | Ord) when Type.expand fact.lack.culprit = String ->
+      Some
+        (Diagnostic.hint
+           "a text is a label, and no value; what is one of several has a type of its own: `data \
+            Mode = Go | Stop`")
+  | Eq | Ord -> Some (about_foreign fact.ctx fact.lack.culprit)
+
+(* A function that sets an output, without `roMake`. *)
+let output_not_made fact =
+  match fact.lack.lacking with
+  | Declared { name = "RobotOutput"; _ } when fact.required.by <> "`roMake`" ->
+      let hint = Output_mistake.hint_without_instance fact.lack.culprit in
+      Some (Option.fold hint ~none:Fun.id ~some:Diagnostic.hint)
+  | _ -> None
+
+(* `roMake setVelTR . setLight`, where an argument is missing. *)
+let composed_without_parentheses fact =
+  match fact.lack.lacking with
+  | Declared { name = "DiffDrive"; _ } when is_function fact.lack.culprit ->
+      Some
+        (Diagnostic.hint
+           "`.` composes functions; what one is applied to stands in parentheses: `roMake \
+            (setVelTR v omega)`")
+  | _ -> None
+
+(* Another value in place of a robot's input or output. *)
+let of_no_robot fact =
+  match fact.lack.lacking with
+  | Declared { module_ = "Capability"; _ }
+    when is_asked_itself fact && is_no_robot fact.lack.culprit ->
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf
+              "this is of a robot's input or output, and what it is given is %s: perhaps two \
+               things stand in the other order"
+              fact.culprit))
+  | _ -> None
+
+(* A class or type of the program. *)
+let not_declared fact =
+  match fact.lack.lacking with
+  | Declared class_ when is_asked_itself fact && is_of_the_program class_ fact.lack.culprit ->
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf "`instance %s where` gives it one, with its methods in the lines below"
+              (Show.constraint_ fact.words fact.lack.lacking fact.lack.culprit)))
+  | _ -> None
+
+(* Lists the types that have an instance, if they are few. *)
+let other_instances fact =
+  match fact.lack.lacking with
+  | Eq | Ord -> None
+  | Declared class_ -> (
+      match those_with fact.ctx class_ with
+      | _ :: _ as types when is_asked_itself fact && List.compare_length_with types 6 <= 0 ->
+          let for_others =
+            if String.equal class_.module_ "Capability" then for_any_robot class_ fact.lack.culprit
+            else Fun.id
+          in
+          Some
+            (fun d ->
+              Diagnostic.note
+                (Printf.sprintf "what has `%s`: %s" class_.name (String.concat ", " types))
+                d
+              |> for_others)
+      | _ -> None)
+
+(* The first rule that applies is used: those for `RobotOutput` and for kinds of types come before
+   those for any class. *)
+let rules =
+  [
+    several_outputs;
+    output_with_an_event;
+    two_outputs;
+    task;
+    signal_function;
+    not_comparable;
+    output_not_made;
+    composed_without_parentheses;
+    of_no_robot;
+    not_declared;
+    other_instances;
+  ]
+
+let no_instance ctx required (lack : lack) =
+  report ctx (fun words ->
+      let culprit = Show.quoted words lack.culprit in
+      let fact = { ctx; words; required; lack; culprit } in
+      let d = without_hints fact |> where_needed fact in
+      let complete = List.find_map (fun rule -> rule fact) rules in
+      Option.value complete ~default:Fun.id d)
+
+(* Reports a bad condition of an assertion in terms that do not mention classes, because its author
+   need not know them. *)
+let report_no_condition ctx ~at culprit =
+  report ctx (fun words ->
+      Diagnostic.error ~code:"E0360" ~at "%s is nothing that holds or does not"
+        (Show.quoted words culprit)
+      |> Diagnostic.hint
+           (if Environment.is_event culprit then "`isEvent e` tells whether it occurs now"
+            else "what is asserted is a condition, as in `x > 0`, or a `Verdict`"))
+
+let lacking ctx required (lack : lack) =
+  match (lack.lacking, lack.through) with
+  | Declared class_, [] when class_ = Environment.built_in "Claim" && required.by = "`verdict`" ->
+      report_no_condition ctx ~at:required.at lack.culprit
+  | _ -> no_instance ctx required lack
+
+let undecided ctx (required : required) class_ =
+  report ctx (fun words ->
+      Diagnostic.error ~code:"E0308" ~at:required.at "nothing decides the type at which %s is used"
+        required.by
+      |> Diagnostic.note (Printf.sprintf "it must be a type with `%s`" (Show.class_ class_))
+      |> Diagnostic.hint "annotate it, as in `(e :: T)`"
+      |> explain words required)

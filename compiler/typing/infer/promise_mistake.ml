@@ -1,0 +1,141 @@
+open Basis
+open Context
+
+type t = { required : required; class_ : Ir.class_; variable : Ir.variable; of_ : Type.t }
+
+let owner ctx missing = Hashtbl.find_opt ctx.owners missing.variable.id
+
+let same_signature ctx a b =
+  match (owner ctx a, owner ctx b) with
+  | Some a, Some b -> Span.compare a.place b.place = 0
+  | None, None -> true
+  | Some _, None | None, Some _ -> false
+
+(* Lists each missing class of a variable once, with the use that needs it first, without classes
+   implied by other missing ones. *)
+let essential ctx missing =
+  let implies a b =
+    a.variable.id = b.variable.id
+    && List.mem b.class_ (Environment.superclasses ctx.reader.environment a.class_)
+  in
+  let same a b = a.variable.id = b.variable.id && a.class_ = b.class_ in
+  let first kept m = if List.exists (same m) kept then kept else m :: kept in
+  List.rev (List.fold_left first [] missing)
+  |> List.filter (fun m -> not (List.exists (fun other -> implies other m) missing))
+
+let constraint_ words m = Show.constraint_ words m.class_ m.of_
+
+(* If the context promises all needed classes, but for other variables: the corrected context. *)
+let of_other_variables needed promised =
+  let class_of text = List.hd (String.split_on_char ' ' (String.trim text)) in
+  let promised = List.map String.trim (String.split_on_char ',' promised) in
+  let is_promised need =
+    List.exists (fun p -> String.equal (class_of p) (class_of need)) promised
+  in
+  if not (List.for_all is_promised needed) then None
+  else
+    let meant p =
+      let same need = String.equal (class_of need) (class_of p) in
+      Option.value (List.find_opt same needed) ~default:p
+    in
+    Some (String.concat ", " (List.map meant promised))
+
+(* The hint that adds the missing classes to the signature's context. *)
+let promised words ~by (place : Span.t) needed d =
+  let joined = String.concat ", " needed in
+  let alone = match needed with [ _ ] -> joined | _ -> "(" ^ joined ^ ")" in
+  let at i =
+    Span.make ~file:place.file ~start:(Span.forward i place.start)
+      ~stop:(Span.forward i place.start)
+  in
+  let insert whole edits =
+    Diagnostic.hint (Printf.sprintf "write `%s`" whole) d
+    |> Diagnostic.fix (Printf.sprintf "write `%s`" whole) edits
+  in
+  (* The place of an instance covers only its head, not its context. *)
+  let is_whole = String.starts_with ~prefix:"the signature" by in
+  match Show.quote words place with
+  | Some text
+    when is_whole && String.length text > 0 && Span.line place.start = Span.line place.stop -> (
+      let arrow = List.exists (String.equal "=>") (String.split_on_char ' ' text) in
+      match (arrow, text.[0]) with
+      | false, _ -> insert (alone ^ " => " ^ text) [ (at 0, alone ^ " => ") ]
+      | true, '(' ->
+          let rest = String.sub text 1 (String.length text - 1) in
+          insert ("(" ^ joined ^ ", " ^ rest) [ (at 1, joined ^ ", ") ]
+      | true, _ -> (
+          match String.index_opt text '=' with
+          (* a context in parentheses; the place starts inside them *)
+          | Some i when String.contains (String.sub text 0 i) ')' -> (
+              let close = String.rindex_from text i ')' in
+              let rest = String.sub text close (String.length text - close) in
+              match of_other_variables needed (String.sub text 0 close) with
+              | Some promised ->
+                  let whole =
+                    Span.make ~file:place.file ~start:place.start
+                      ~stop:(Span.forward close place.start)
+                  in
+                  insert ("(" ^ promised ^ rest) [ (whole, promised) ]
+              | None -> insert ("(" ^ joined ^ ", " ^ text) [ (at 0, joined ^ ", ") ])
+          | Some i ->
+              let before = String.trim (String.sub text 0 i) in
+              let rest = String.sub text i (String.length text - i) in
+              insert
+                (Printf.sprintf "(%s, %s) %s" before joined rest)
+                [ (at 0, "("); (at (String.length before), ", " ^ joined ^ ")") ]
+          | None -> d))
+  | _ ->
+      Diagnostic.hint
+        (Printf.sprintf "begin %s with `%s =>`, or add it to what stands there: `(…, %s) =>`" by
+           alone joined)
+        d
+
+let one ctx ({ required; _ } as m) =
+  report ctx (fun words ->
+      let needed = constraint_ words m in
+      let error by =
+        Diagnostic.error ~code:"E0309" ~at:required.at "%s needs `%s`, which %s does not promise"
+          required.by needed by
+      in
+      let asked diagnostic =
+        match required.because with
+        | Some (place, text) -> Diagnostic.label ~at:place (text words) diagnostic
+        | None -> diagnostic
+      in
+      match owner ctx m with
+      | None -> error "the signature"
+      | Some { by; place } ->
+          error by
+          |> (if Span.compare place required.at = 0 then Fun.id else Diagnostic.label ~at:place by)
+          |> asked
+          |> promised words ~by place [ needed ])
+
+let several ctx (first : t) rest =
+  report ctx (fun words ->
+      let all = first :: rest in
+      let needed = List.map (constraint_ words) all in
+      let in_words = Enumeration.all (List.map (Printf.sprintf "`%s`") needed) in
+      let by, place =
+        match owner ctx first with
+        | None -> ("the signature", first.required.at)
+        | Some { by; place } -> (by, place)
+      in
+      let label diagnostic m =
+        Diagnostic.label ~at:m.required.at
+          (Printf.sprintf "%s needs `%s`" m.required.by (constraint_ words m))
+          diagnostic
+      in
+      List.fold_left label
+        (Diagnostic.error ~code:"E0309" ~at:place "%s does not promise %s" by in_words)
+        all
+      |> promised words ~by place needed)
+
+let rec report ctx = function
+  | [] -> ()
+  | m :: _ as missing ->
+      let here, elsewhere = List.partition (same_signature ctx m) missing in
+      (match essential ctx here with
+      | [ m ] -> one ctx m
+      | first :: rest -> several ctx first rest
+      | [] -> ());
+      report ctx elsewhere

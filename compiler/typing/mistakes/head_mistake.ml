@@ -1,0 +1,232 @@
+open Basis
+open Diagnostic
+
+let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.expr) ty =
+  (* the operand [1] in [f -1 x] *)
+  let rec first (e : Resolve.Ir.expr) =
+    match e.desc with Apply { head; style = Juxtaposed; _ } -> first head | _ -> e
+  in
+  let operand = Option.map first operand in
+  let place = Option.map (fun (e : Resolve.Ir.expr) -> e.span) operand in
+  let name = Option.value (Show.quote words function_.span) ~default:"f" in
+  let operand = Option.value (Option.bind place (Show.quote words)) ~default:"1" in
+  error ~code:"E0301" ~at:minus "this `-` subtracts from a function"
+  |> label ~at:function_.span (Printf.sprintf "this is %s" (Show.described words ty))
+  |> hint (Printf.sprintf "a negative argument needs parentheses: `%s (-%s)`" name operand)
+  |> Option.fold place ~none:Fun.id ~some:(fun (at : Span.t) ->
+         let place at = Span.make ~file:minus.file ~start:at ~stop:at in
+         fix "put parentheses around it" [ (place minus.start, "("); (place at.stop, ")") ])
+
+(* {1 Not a function} *)
+
+(* The head cannot take the argument at this position. *)
+type fact = {
+  words : Show.words;
+  head : Resolve.Ir.expr;
+  position : int;  (** of the argument, counted from 1 *)
+  at : Span.t;  (** the argument *)
+  left : Type.t;  (** the type of the head after the arguments before this one *)
+}
+
+let not_taken fact =
+  let callee =
+    match Plain_name.of_expr fact.head with Some name -> "`" ^ name ^ "`" | None -> "this"
+  in
+  let left = Show.described fact.words fact.left in
+  match fact.position with
+  | 1 ->
+      error ~code:"E0302" ~at:fact.head.span "%s is %s, not a function" callee left
+      |> label ~at:fact.at "it is given an argument here"
+  | position ->
+      error ~code:"E0302" ~at:fact.at "%s takes %d argument%s, but is given more" callee
+        (position - 1)
+        (if position = 2 then "" else "s")
+      |> here "one too many"
+      |> label ~at:fact.head.span
+           (Printf.sprintf "with %s the result is %s"
+              (if position = 2 then "one argument" else Printf.sprintf "%d arguments" (position - 1))
+              left)
+
+(* {2 Rules}
+
+   Each returns how it completes the message, if it applies. *)
+
+(* `[1 2]`. *)
+let after_a_number fact =
+  match fact.head.desc with
+  | Number { digits; _ } when fact.position = 1 ->
+      Some
+        (hint
+           (Printf.sprintf
+              "the elements of an array are separated by commas, factors by `*`: `[%s, …]`" digits))
+  | _ -> None
+
+(* `r.speed 1`, meant to set the field. *)
+let after_a_field fact =
+  match fact.head.desc with
+  | Field { record; field; _ } when fact.position = 1 ->
+      Some
+        (match (Show.quote fact.words record.span, Show.quote fact.words fact.at) with
+        | Some record, Some value ->
+            hint
+              (Printf.sprintf "nothing is set: a record with another `%s` is `%s { %s = %s }`"
+                 field.text (Source.grouped record) field.text value)
+        | _ -> Fun.id)
+  | _ -> None
+
+(* `min a b c`. *)
+let of_three fact =
+  match fact.head.desc with
+  | Global { name = ("mergeE" | "mergeR" | "min" | "max") as name; _ } when fact.position = 3 ->
+      Some (hint (Printf.sprintf "of three it is `%s a (%s b c)`" name name))
+  | _ -> None
+
+(* `when c a`, meant as a choice. *)
+let event_as_choice fact =
+  match (Type.expand fact.left, fact.head.desc) with
+  | Data _, Global { name = "when" | "edge"; _ } when Environment.is_event fact.left ->
+      Some
+        (hint
+           "it makes an event of a truth; a choice between two values is `if c then a else b`, and \
+            a task that is done on a condition is `whenT c t`")
+  | _ -> None
+
+let without_paren text =
+  let n = String.length text in
+  if n > 1 && text.[n - 1] = '(' then String.trim (String.sub text 0 (n - 1)) else text
+
+let without_brackets text =
+  let n = String.length text in
+  if n > 2 && text.[0] = '[' && text.[n - 1] = ']' then String.sub text 1 (n - 2) else text
+
+(* `xs 0`, `xs(0)` or `xs [0]`. *)
+let element fact =
+  match Type.expand fact.left with
+  | Data { tycon; _ } when tycon = Environment.array ->
+      (* the array with the arguments applied before this one, and the index, possibly in brackets
+         *)
+      let applied = { fact.head.span with stop = fact.at.start } in
+      let array =
+        Show.quote fact.words applied |> Option.map String.trim |> Option.map without_paren
+      in
+      let index = Option.map without_brackets (Show.quote fact.words fact.at) in
+      let written array index = Printf.sprintf "%s ! %s" array index in
+      let text = written (Option.value array ~default:"xs") (Option.value index ~default:"0") in
+      let rewrite =
+        match (array, index) with
+        | Some _, Some _ ->
+            fix
+              (Printf.sprintf "write `%s`" text)
+              [ (Span.merge fact.head.span fact.at, "(" ^ text ^ ")") ]
+        | _ -> Fun.id
+      in
+      Some (fun d -> hint (Printf.sprintf "an element is `%s`, counted from 0" text) d |> rewrite)
+  | _ -> None
+
+(* `integral x0 v`, the arguments of other languages. *)
+let initial_value fact =
+  match fact.head.desc with
+  | Global { name = "integral"; _ } when fact.position = 2 ->
+      Some
+        (hint
+           "it begins at 0: with another beginning it is `x0 + integral v`; to start it afresh at \
+            each occurrence of an event, `resetOn integral (v, e)`")
+  | _ -> None
+
+(* An event as one more argument of a signal function of the prelude. *)
+let started_afresh fact =
+  match fact.head.desc with
+  | Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ }
+    when fact.position > 1 ->
+      Some
+        (hint
+           (Printf.sprintf "to start it afresh at each occurrence of an event: `resetOn %s (x, e)`"
+              (if name = "delay" then "(delay x0)" else name)))
+  | _ -> None
+
+(* Two tasks, one below the other, without a `do`. *)
+let without_do fact =
+  if Environment.is_task fact.left && Span.line fact.at.start > Span.line fact.head.span.stop then
+    Some (hint "several tasks, one below the other, stand in a `do`, which opens their block")
+  else None
+
+(* The signature, for a definition that is given an argument too many. *)
+let signature fact =
+  match fact.head.desc with
+  | Global g when fact.position > 1 ->
+      Option.map
+        (fun ty -> hint (Printf.sprintf "`%s :: %s`" g.name ty))
+        (Show.declared fact.words g)
+  | _ -> None
+
+let signature_of_task fact = if Environment.is_task fact.left then signature fact else None
+
+(* A task that is given its input. *)
+let task fact =
+  if Environment.is_task fact.left then
+    Some (hint "a task is run by `runTask`: `runTask t` is a signal function")
+  else None
+
+let is_digit c = c >= '0' && c <= '9'
+
+(* A local name, which may hide the function that was meant. *)
+let local fact =
+  match fact.head.desc with
+  | Local x when fact.position = 1 ->
+      let pair =
+        match (Type.expand fact.left, Show.quote fact.words fact.at) with
+        | (Number _ | Bool), Some text when not (is_digit text.[0]) ->
+            hint
+              (Printf.sprintf
+                 "two values stand in a tuple, `(%s, %s)`, or have an operator between them" x.name
+                 text)
+        | _ -> Fun.id
+      in
+      Some
+        (fun d ->
+          label ~at:x.span (Printf.sprintf "this local `%s` is meant here" x.name) d |> pair)
+  | _ -> None
+
+(* The first rule that applies is used. The rules for a kind of head come first, then those for
+   functions of the prelude, then those for any task, local name or definition. *)
+let rules =
+  [
+    after_a_number;
+    after_a_field;
+    of_three;
+    event_as_choice;
+    element;
+    initial_value;
+    started_afresh;
+    without_do;
+    signature_of_task;
+    task;
+    local;
+    signature;
+  ]
+
+let not_a_function words ~head ~position ~at left =
+  let fact = { words; head; position; at; left } in
+  let complete = List.find_map (fun rule -> rule fact) rules in
+  Option.value complete ~default:Fun.id (not_taken fact)
+
+(* {1 Other mistakes} *)
+
+let applied_without_parentheses ~name ~inner ~whole (d : Diagnostic.t) =
+  hint
+    (if String.equal name "return" then
+       Printf.sprintf
+         "`return x` does nothing and ends with `x`: a task that is to be done stands there \
+          without it, `%s`"
+         inner
+     else Printf.sprintf "what is applied stands in parentheses as an argument: `%s`" whole)
+    { d with hints = []; fixes = [] }
+
+let not_a_signal_function words ~(head : Resolve.Ir.expr) found =
+  let diagnostic =
+    error ~code:"E0304" ~at:head.span "`-<` needs a signal function, but this is %s"
+      (Show.described words found)
+  in
+  match Type.expand found with
+  | Function _ -> hint "`arr` makes a signal function of a function" diagnostic
+  | _ -> diagnostic

@@ -1,0 +1,26 @@
+(** Messages about the head of an application: [E0301] a negative argument without parentheses ·
+    [E0302] not a function, or too many arguments · [E0304] not a signal function before [-<]. *)
+
+open Basis
+
+val not_a_function :
+  Show.words -> head:Resolve.Ir.expr -> position:int -> at:Span.t -> Type.t -> Diagnostic.t
+(** The head of an application cannot take the argument at this position. The last argument is the
+    type that the head has after the arguments before it. *)
+
+val applied_without_parentheses :
+  name:string -> inner:string -> whole:string -> Diagnostic.t -> Diagnostic.t
+(** Rewrites the message about an application with too many arguments: parentheses are missing
+    around [inner], and the whole should read [whole]. *)
+
+val negative_argument :
+  Show.words ->
+  minus:Span.t ->
+  operand:Resolve.Ir.expr option ->
+  Resolve.Ir.expr ->
+  Type.t ->
+  Diagnostic.t
+(** [f -1], where [f] is a function of the given type. [operand]: the expression after the minus. *)
+
+val not_a_signal_function : Show.words -> head:Resolve.Ir.expr -> Type.t -> Diagnostic.t
+(** For the head of [sf -< e]. *)

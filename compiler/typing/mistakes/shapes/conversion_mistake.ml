@@ -1,0 +1,38 @@
+open Shape_fact
+
+let of_a_number fact =
+  match (fact.wanted, fact.given) with
+  | Data { tycon = { name; _ }; _ }, Number _ ->
+      Option.map (hinted fact) (Number_mistake.makes name (grouped fact "x"))
+  | _ -> None
+
+let of_a_text fact =
+  match (fact.wanted, fact.given) with
+  | Number _, String ->
+      Some
+        (hinted fact "a text is a label: nothing is computed with it, and none is joined to another")
+  | _ -> None
+
+let alternatives names = String.concat " or " (List.map (Printf.sprintf "`%s`") names)
+
+let by_a_constructor fact =
+  match (fact.wanted, fact.given) with
+  | Data _, Data _ -> (
+      match Show.makers fact.words fact.expected.ty ~of_:fact.found with
+      | [] -> None
+      | makers ->
+          Some (hinted fact (Printf.sprintf "%s makes one of such a value" (alternatives makers))))
+  | _ -> None
+
+let to_a_choice fact =
+  match fact.expected.because with
+  | Parameter _ | Operand _ | Field _ | Signature _ | Output _ | Branch _ -> (
+      match (Show.choices fact.words fact.expected.ty, fact.given) with
+      | [], _ -> None
+      | ([ _; _ ] as choices), Bool ->
+          Some
+            (hinted fact
+               (Printf.sprintf "it is %s, as in `if %s then … else …`" (alternatives choices)
+                  (raw fact "b")))
+      | choices, _ -> Some (hinted fact ("it is " ^ alternatives choices)))
+  | _ -> None

@@ -1,0 +1,388 @@
+open Basis
+open Shape_fact
+
+let is_of name t =
+  match Type.expand t with
+  | Type.Data { tycon; _ } -> tycon = Environment.built_in name
+  | _ -> false
+
+let is_maybe = is_of "Maybe"
+
+let content t =
+  match Type.expand t with Type.Data { arguments = [ content ]; _ } -> Some content | _ -> None
+
+let is_function t = match Type.expand t with Type.Function _ -> true | _ -> false
+
+let is_plain t =
+  match Type.expand t with
+  | Number _ | Bool | String | Tuple _ -> true
+  | Data _ -> not (Environment.is_event t || Environment.is_task t)
+  | _ -> false
+
+(* An example of a value of this type: a record expression if it is a small record, otherwise `x`.
+   *)
+let value words t =
+  match Show.fields words t with
+  | Some (constructor, fields) when List.compare_length_with fields 4 <= 0 ->
+      Printf.sprintf "(%s { %s })" constructor
+        (String.concat ", " (List.map (Printf.sprintf "%s = …") fields))
+  | _ -> "x"
+
+(* Is this the type of the second component of the wanted pair, given in place of the whole pair? *)
+let is_beside wanted found =
+  match Type.expand wanted with
+  | Tuple [ _; second ] -> (
+      match (Type.expand second, Type.expand found) with
+      | Bool, Bool -> true
+      | Data { tycon; _ }, Data { tycon = other; _ } -> tycon = other
+      | _ -> false)
+  | _ -> false
+
+let is_of_nothing t =
+  Environment.is_event t
+  && Option.fold (content t) ~none:false ~some:(fun t -> Type.expand t = Tuple [])
+
+(* The time in `after 5[s] ()`. *)
+let after words (subject : Resolve.Ir.expr option) =
+  match subject with
+  | Some
+      {
+        desc =
+          Apply
+            {
+              head =
+                {
+                  desc =
+                    Apply { head = { desc = Global { name = "after"; _ }; _ }; argument = time; _ };
+                  _;
+                };
+              _;
+            };
+        _;
+      } ->
+      Option.map Source.grouped (Show.quote words time.span)
+  | _ -> None
+
+let of_numbers found =
+  Environment.is_event found
+  && Option.fold (content found) ~none:false ~some:(fun t ->
+         match Type.expand t with Number _ -> true | _ -> false)
+
+(* The event and the amount it adds, for `accumHold 0 (tag e 1)`. *)
+let added_up words (subject : Resolve.Ir.expr option) =
+  let quoted (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
+  let event =
+    match subject with
+    | Some
+        {
+          desc =
+            Apply
+              {
+                head =
+                  {
+                    desc =
+                      Apply { head = { desc = Global { name = "tag"; _ }; _ }; argument = e; _ };
+                    _;
+                  };
+                argument = x;
+                _;
+              };
+          _;
+        } -> (
+        match (quoted e, quoted x) with
+        | Some e, Some x -> Some (Printf.sprintf "tag %s (\\n -> n + %s)" e x)
+        | _ -> None)
+    | Some e -> Option.map (fun e -> Printf.sprintf "mapE (\\x n -> n + x) %s" e) (quoted e)
+    | None -> None
+  in
+  Printf.sprintf "each event brings a function of what was before; to add up the numbers it is `%s`"
+    (Option.value event ~default:"mapE (\\x n -> n + x) e")
+
+(* `hold 2[s] b`, meant to keep a truth value true for a time. *)
+let for_a_time words wanted found =
+  Type.expand found = Bool
+  &&
+  match Option.map Type.expand (content wanted) with
+  | Some (Number (_, u)) -> String.equal (Show.measure words u) "s"
+  | _ -> false
+
+(* A record, tuple or other data that is neither an event, a task nor a `Maybe`. *)
+let is_thing t =
+  match Type.expand t with
+  | Data _ | Tuple (_ :: _) -> not (Environment.is_event t || Environment.is_task t || is_maybe t)
+  | _ -> false
+
+(* How to get the wanted type from `x`, which has this type: from the field named like the wanted
+   type, if there is one. *)
+let within words t wanted =
+  match (Show.fields words t, Type.expand wanted) with
+  | Some (_, fields), Data { tycon; _ } when List.mem (String.uncapitalize_ascii tycon.name) fields
+    ->
+      "x." ^ String.uncapitalize_ascii tycon.name
+  | _ -> "x"
+
+let accumulated words ~name ~at (arguments : (Resolve.Ir.expr * Type.t) list) d =
+  let text (e : Resolve.Ir.expr) =
+    Option.fold (Show.quote words e.span) ~none:"…" ~some:Source.grouped
+  in
+  match arguments with
+  | [ (start, _); (f, change); (e, event) ] when Environment.is_event event && is_function change ->
+      let takes_its_value =
+        match Type.expand change with Function (_, result) -> is_function result | _ -> false
+      in
+      let event = Printf.sprintf (if takes_its_value then "mapE %s %s" else "tag %s %s") in
+      let event = if takes_its_value then event (text f) (text e) else event (text e) (text f) in
+      let cure = Printf.sprintf "%s %s (%s)" name (text start) event in
+      Diagnostic.error ~code:"E0301" ~at:f.span "`%s` takes no function of its own" name
+      |> Diagnostic.label ~at:e.span "the event brings it"
+      |> Diagnostic.hint (Printf.sprintf "write `%s`" cure)
+      |> Diagnostic.write at cure
+  | _ -> d
+
+(* {1 Hints by the use of the event}
+
+   Each function gives the hint if it applies. *)
+
+let is_an_event fact = Environment.is_event fact.found
+let event_wanted fact = Environment.is_event fact.wanted
+
+(* `mergeE a b` applied to truth values, which were meant for `||`. *)
+let merged_truths fact =
+  match fact.expected.because with
+  | Parameter { callee = Some ("mergeE" | "mergeR" | "pairEvents"); _ }
+    when event_wanted fact && fact.given = Bool ->
+      let b = grouped fact "b" in
+      Some
+        (Printf.sprintf
+           "`a || b` holds where one of two truths does; an event is `edge %s`, where it becomes \
+            True, or `when %s`, wherever it is"
+           b b)
+  | _ -> None
+
+(* The pattern `Just x` for an event, or `Event x` for a `Maybe`. *)
+let other_constructor fact =
+  match fact.expected.because with
+  | Value _ when is_maybe fact.found && event_wanted fact ->
+      Some "an event is matched by `Event x` where it occurs, by `NoEvent` elsewhere"
+  | Value _ when is_an_event fact && is_maybe fact.wanted ->
+      Some "a `Maybe` is matched by `Just x` or `Nothing`"
+  | _ -> None
+
+(* An event or a `Maybe` compared with the value that may be in it. *)
+let compared_with_content fact =
+  match fact.expected.because with
+  | Operand { operator = ("==" | "/=") as operator; other; _ }
+    when (event_wanted fact || is_maybe fact.wanted) && not (is_an_event fact || is_maybe fact.found)
+    -> (
+      let constructor = if is_maybe fact.wanted then "Just" else "Event" in
+      match (Show.quote fact.words other.span, source fact) with
+      | Some other, Some text ->
+          Some
+            (Printf.sprintf "what is in it is compared so: `%s %s %s %s`" other operator constructor
+               (Source.grouped text))
+      | _ -> Some (Printf.sprintf "what is in it is compared as `%s x`" constructor))
+  | _ -> None
+
+(* `accum` and its relatives: each event brings a function. *)
+let without_function fact =
+  match fact.expected.because with
+  | Parameter { callee = Some ("accum" | "accumHold" | "dAccumHold"); _ }
+    when event_wanted fact && Option.fold (content fact.wanted) ~none:false ~some:is_function ->
+      Some
+        (if of_numbers fact.found then added_up fact.words fact.subject
+         else if is_an_event fact then
+           Printf.sprintf
+             "each event brings a function of what was before: `tag %s (\\n -> n + 1)`; `count` \
+              counts events"
+             (grouped fact "e")
+         else
+           "after the initial value comes an event with a function of what was before: `tag e (\\n \
+            -> n + 1)`")
+  | _ -> None
+
+(* `hold 2[s] b`, meant to keep a truth value true for a time. *)
+let truth_held_for_a_time fact =
+  match fact.expected.because with
+  | Parameter { callee = Some ("hold" | "dHold"); position = 2; _ }
+    when event_wanted fact && for_a_time fact.words fact.wanted fact.found ->
+      Some
+        (Printf.sprintf
+           "`hold x0 e` keeps the value of an event; that a condition was True at some instant of \
+            the last seconds is `within 2[s] %s`: `import Past`"
+           (grouped fact "b"))
+  | _ -> None
+
+(* `hold` for a value that exists at every instant. *)
+let held_value fact =
+  match fact.expected.because with
+  | Parameter { callee = Some (("hold" | "dHold") as hold); _ }
+    when event_wanted fact && is_plain fact.found && fact.given <> Bool ->
+      Some
+        (Printf.sprintf
+           "this has a value at every instant, and needs no `%s`, which keeps that of an event; \
+            `tag e %s` is an event with the value that it has where `e` occurs"
+           hold (grouped fact "x"))
+  | _ -> None
+
+(* Any other value in place of an event. *)
+let value_in_place_of_event fact =
+  match (fact.expected.because, content fact.wanted) with
+  | (Parameter _ | Field _ | Signature _ | Output _ | Branch _ | Element _), Some x
+    when event_wanted fact && is_plain fact.found && fact.given <> Bool ->
+      Some
+        (Printf.sprintf
+           "`tag e %s` is such an event, with this value where the event `e` occurs; there is none \
+            at all in `NoEvent`"
+           (value fact.words x))
+  | _ -> None
+
+(* An event of `()` in place of one with a value. *)
+let without_value fact =
+  match fact.expected.because with
+  | (Parameter _ | Signature _ | Output _ | Branch _)
+    when is_of_nothing fact.found && event_wanted fact
+         && Option.fold (content fact.wanted) ~none:false ~some:is_plain ->
+      Some
+        (Printf.sprintf
+           "the value of such an event is `()`: `tag %s x` is one with the value of `x`"
+           (grouped fact "e"))
+  | _ -> None
+
+(* `if after 5[s] () then …`, which is meant to stay True. *)
+let time_as_condition fact =
+  match (fact.expected.because, after fact.words fact.subject) with
+  | Condition, Some time when is_an_event fact ->
+      Some
+        (Printf.sprintf "this occurs once, at one instant; `elapsed %s ()` is True from then on"
+           time)
+  | _ -> None
+
+(* `()` or a `Maybe` as a condition. *)
+let content_as_condition fact =
+  match fact.expected.because with
+  | Condition when fact.given = Tuple [] ->
+      Some "`()` says no more than that something has happened, or has ended"
+  | Condition when is_maybe fact.found && Option.map Type.expand (content fact.found) = Some Bool ->
+      Some
+        (Printf.sprintf
+           "`fromMaybe False %s` is what is in it, and False in `Nothing`, as where a time has run \
+            out"
+           (grouped fact "m"))
+  | _ -> None
+
+(* `edge e`, where [e] is an event already. *)
+let made_twice fact =
+  match fact.expected.because with
+  | Parameter { callee = Some (("edge" | "when" | "falling") as f); _ } when is_an_event fact ->
+      Some (Printf.sprintf "this is an event already, and needs no `%s`" f)
+  | _ -> None
+
+(* An event as the argument of a function of truth values. *)
+let in_place_of_a_truth fact =
+  match fact.expected.because with
+  | Parameter { callee = Some f; _ }
+    when fact.wanted = Bool && is_an_event fact && not (List.mem f [ "&&"; "||"; "not" ]) ->
+      Some (Printf.sprintf "`isEvent %s` tells whether it occurs now" (grouped fact "e"))
+  | _ -> None
+
+(* The event that ends a mode, without the mode's output. *)
+let without_output fact =
+  match fact.expected.because with
+  | Output (Parameter { position = 1; _ }) when is_beside fact.wanted fact.found ->
+      Some (Printf.sprintf "the output stands beside it: `(output, %s)`" (raw fact "…"))
+  | _ -> None
+
+(* A function applied to an event of its argument's type. *)
+let applied_to_an_event fact =
+  match (fact.expected.because, content fact.found) with
+  | Parameter { callee = Some f; takes; _ }, Some content
+    when is_an_event fact && is_thing fact.wanted
+         && not (List.mem f [ "switch"; "dSwitch"; "mkTask"; "."; "map" ]) ->
+      Some
+        (Printf.sprintf
+           "an event has a value only where it occurs: `mapE (\\x -> %s %s%s) %s` is the event of \
+            what `%s` makes of it"
+           f
+           (within fact.words content fact.wanted)
+           (if takes > 1 then " …" else "")
+           (grouped fact "e") f)
+  | _ -> None
+
+(* A variable whose value is `()`, because it is that of an event. *)
+let value_is_nothing fact =
+  match (fact.expected.because, fact.subject) with
+  | (Parameter _ | Operand _ | Branch _), Some { desc = Local _; _ }
+    when fact.given = Tuple [] && not (event_wanted fact) ->
+      Some
+        "the events of `edge`, `when` and `after` have the value `()`: `tag e x` is one with the \
+         value of `x`"
+  | _ -> None
+
+(* The first hint that applies is given. One about a function of the prelude comes before the one
+   about any parameter: `held_value` before `value_in_place_of_event`, and `made_twice` before
+   `in_place_of_a_truth`. *)
+let hints =
+  [
+    merged_truths;
+    other_constructor;
+    compared_with_content;
+    without_function;
+    truth_held_for_a_time;
+    held_value;
+    value_in_place_of_event;
+    without_value;
+    time_as_condition;
+    content_as_condition;
+    made_twice;
+    in_place_of_a_truth;
+    without_output;
+    applied_to_an_event;
+    value_is_nothing;
+  ]
+
+(* {1 Rules} *)
+
+let by_its_use fact =
+  let message text =
+    (match fact.expected.because with
+    | Value _ -> not_matched fact
+    | Condition -> not_a_condition fact
+    | _ -> different fact)
+    |> Diagnostic.hint text
+  in
+  Option.map message (first hints fact)
+
+let in_a_maybe fact =
+  match fact.expected.because with
+  | (Parameter _ | Operand _ | Output _ | Field _ | Signature _)
+    when is_maybe fact.found && not (is_maybe fact.wanted) ->
+      Some
+        (hinted fact
+           (Printf.sprintf "`fromMaybe x0 %s` is what is in it, and `x0` where there is nothing"
+              (grouped fact "m")))
+  | _ -> None
+
+let in_place_of_a_number fact =
+  match fact.wanted with
+  | Number _ when is_an_event fact ->
+      Some
+        (hinted fact
+           (Printf.sprintf
+              "an event has a value only where it occurs: `hold x0 %s` is the latest one, at first \
+               `x0`%s"
+              (grouped fact "e")
+              (Option.fold (Array_mistake.with_each fact) ~none:""
+                 ~some:(Printf.sprintf "; `mapE %s` computes with each one"))))
+  | _ -> None
+
+let of_a_truth fact =
+  if event_wanted fact && fact.given = Bool then
+    let b = grouped fact "b" in
+    Diagnostic.error ~code:"E0301" ~at:fact.at "expected %s, found `Bool`" (expected_text fact)
+    |> Diagnostic.hint
+         (Printf.sprintf
+            "`edge %s` occurs when it becomes True, `when %s` wherever it is, each with `()`; \
+             `tag` gives it another value"
+            b b)
+    |> Option.some
+  else None

@@ -1,0 +1,26 @@
+(** Rules for an event where another value is expected, or the reverse. *)
+
+val by_its_use : Shape_fact.rule
+(** The functions that take events, and what they take: [hold], [accum], [mergeE], patterns,
+    conditions and the like. *)
+
+val in_a_maybe : Shape_fact.rule
+(** A [Maybe] where its content is expected. *)
+
+val in_place_of_a_number : Shape_fact.rule
+(** An event where a number is expected. *)
+
+val of_a_truth : Shape_fact.rule
+(** A truth value where an event is expected. *)
+
+(** {1 Other messages} *)
+
+val accumulated :
+  Show.words ->
+  name:string ->
+  at:Basis.Span.t ->
+  (Resolve.Ir.expr * Type.t) list ->
+  Basis.Diagnostic.t ->
+  Basis.Diagnostic.t
+(** Rewrites the message about [accumHold x0 f e], the argument order of other languages. The list
+    has the arguments with their types. *)

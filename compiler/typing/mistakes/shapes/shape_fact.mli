@@ -1,0 +1,84 @@
+(** A mismatch of two types of different shapes: all that the rules for its message look at. *)
+
+open Basis
+
+type t = {
+  words : Show.words;
+  subject : Resolve.Ir.expr option;  (** the expression that has the wrong type, if there is one *)
+  at : Span.t;
+  expected : Expected.t;
+  found : Type.t;
+  wanted : Type.t;  (** the expected type, expanded *)
+  given : Type.t;  (** the type found, expanded *)
+}
+
+type rule = t -> Diagnostic.t option
+(** The message, if the rule applies to the mismatch. *)
+
+val make :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  at:Span.t ->
+  expected:Expected.t ->
+  found:Type.t ->
+  t
+
+val first : (t -> 'a option) list -> t -> 'a option
+(** The result of the first rule that applies. *)
+
+(** {1 Questions} *)
+
+val other_operand : t -> Resolve.Ir.expr option
+(** The other operand of an operator, if its type is the only reason for the expected type. *)
+
+val is_statement : t -> bool
+(** Is it a statement of a [do]? *)
+
+val is_a_parameter : t -> bool
+(** Is it an argument of a function, not an operand of arithmetic? *)
+
+val callee : t -> string
+(** The name of the function that it is an argument of, otherwise [f]. *)
+
+val name : t -> string option
+(** The subject, if it is a variable or a constructor. *)
+
+(** {1 Texts} *)
+
+val expected_text : t -> string
+(** The expected type as part of a sentence. *)
+
+val found_text : t -> string
+(** The type found as part of a sentence. *)
+
+val source : t -> string option
+(** The source text of the subject, if it is short. *)
+
+val raw : t -> string -> string
+(** The source text of the subject, otherwise this one. *)
+
+val grouped : t -> string -> string
+(** Like {!raw}, with parentheses around the subject if it needs them as an argument. *)
+
+val elements : t -> string option list
+(** The source texts of the components, if the subject is a tuple; otherwise no text at all. *)
+
+val all : string option list -> string list option
+(** All the texts, if none is missing. *)
+
+val names : int -> string list
+(** The first names for parts that the programmer did not name: [a], [b], … *)
+
+(** {1 Messages} *)
+
+val different : t -> Diagnostic.t
+(** [E0301]: the type found is not the expected one. *)
+
+val hinted : t -> string -> Diagnostic.t
+(** {!different} with this hint. *)
+
+val not_a_condition : t -> Diagnostic.t
+(** [E0301], for the condition of an [if]. *)
+
+val not_matched : t -> Diagnostic.t
+(** [E0301], for a pattern whose type is not that of the value. *)

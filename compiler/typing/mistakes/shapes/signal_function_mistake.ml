@@ -1,0 +1,93 @@
+open Basis
+open Diagnostic
+open Shape_fact
+
+let in_place_of_a_test fact =
+  match (fact.wanted, fact.given) with
+  | Data { tycon = { name = "Test"; _ }; _ }, Signal_function (input, _) ->
+      let sf = grouped fact "sf" in
+      error ~code:"E0301" ~at:fact.at
+        "a test is no signal function: it says how long that is to hold"
+      |> here (Printf.sprintf "this is %s" (found_text fact))
+      |> hint
+           (match Type.expand input with
+           | Data { tycon = { name = "Truth"; _ }; _ } ->
+               Printf.sprintf
+                 "what is to hold in the simulator is a trial: `trial \"name\" = Trial { world = \
+                  \"room.toml\", lasts = 10[s], seeds = 1 `to` 20, judge = %s }`"
+                 (raw fact "sf")
+           | _ -> Printf.sprintf "`during 10[s] %s` is a test" sf)
+      |> Option.some
+  | _ -> None
+
+let no_signal_function fact =
+  error ~code:"E0304" ~at:fact.at "expected a signal function, found a function: %s"
+    (found_text fact)
+
+let condition_of_an_event fact =
+  match (fact.wanted, fact.given) with
+  | Signal_function (_, wanted), Function (_, given)
+    when Environment.is_event wanted && Type.expand given = Bool ->
+      no_signal_function fact
+      |> hint
+           (match name fact with
+           | Some name -> Printf.sprintf "`proc x -> edge (%s x)` occurs when it becomes True" name
+           | None -> "`proc x -> edge (f x)` occurs when `f x` becomes True")
+      |> Option.some
+  | _ -> None
+
+let function_not_lifted fact =
+  match (fact.wanted, fact.given, source fact) with
+  | Signal_function _, Function _, Some text ->
+      let text = "arr " ^ Source.grouped text in
+      no_signal_function fact
+      |> hint (Printf.sprintf "`arr` makes a signal function of a function: `%s`" text)
+      |> Unrun_mistake.instead fact.subject text
+      |> Option.some
+  | Signal_function _, Function _, None ->
+      no_signal_function fact
+      |> hint
+           (match Show.quote fact.words fact.at with
+           | Some text when text.[0] = '\\' ->
+               "a signal function is written `proc x -> …`, with `proc` in place of `\\`; `arr` \
+                makes one of a function"
+           | _ -> "`arr` makes a signal function of a function")
+      |> Option.some
+  | _ -> None
+
+(* The hint for a signal function where a function is expected, by the function that expects it. *)
+let by_its_use fact =
+  match (fact.expected.because, fact.wanted) with
+  | Parameter { callee = Some "arr"; _ }, _ -> Some "leave out `arr`"
+  | Parameter { callee = Some "map"; _ }, _ -> Some "`mapSF` runs a signal function on each element"
+  | Parameter { callee = Some "."; _ }, _ ->
+      Some "signal functions are composed with `>>>`, from left to right"
+  | Parameter { callee = Some name; _ }, _ ->
+      Some
+        (Printf.sprintf "if `%s` is to run it, the signature of `%s` must ask for an `SF`" name name)
+  | Signature _, Function (input, output) ->
+      Some
+        (Printf.sprintf "the type of such a signal function is %s"
+           (Show.described fact.words (Signal_function (input, output))))
+  | _ -> None
+
+let in_place_of_a_function fact =
+  match (fact.wanted, fact.given) with
+  | Function _, Signal_function _ ->
+      let d =
+        error ~code:"E0304" ~at:fact.at "expected a function, found a signal function: %s"
+          (found_text fact)
+      in
+      Some
+        (if Switch_mistake.goes_on fact.expected then
+           let text = "\\_ -> " ^ raw fact "…" in
+           hint (Printf.sprintf "it is given a value, and may ignore it: `%s`" text) d
+           |> if source fact = None then Fun.id else Unrun_mistake.instead fact.subject text
+         else Option.fold (by_its_use fact) ~none:d ~some:(fun text -> hint text d))
+  | _ -> None
+
+let constant fact =
+  match (fact.wanted, fact.given, other_operand fact) with
+  | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
+      Some (hinted fact "`constant e` is the signal function that always gives `e`")
+  | _ -> None

@@ -1,0 +1,133 @@
+open Basis
+open Diagnostic
+open Shape_fact
+
+let ends_a_mode (expected : Expected.t) =
+  match expected.because with
+  | Parameter { position = 1; callee = Some ("switch" | "dSwitch" | "mkTask"); _ } -> true
+  | _ -> false
+
+let goes_on (expected : Expected.t) =
+  match expected.because with
+  | Parameter { callee = Some ("switch" | "dSwitch" | "initially" | "thenSF"); _ } -> true
+  | _ -> false
+
+let is_pair t = match Type.expand t with Tuple [ _; _ ] | Flexible _ -> true | _ -> false
+
+let is_unrun_event t =
+  match Type.expand t with Signal_function (_, o) -> Environment.is_event o | _ -> false
+
+(* The type given in place of a mode's event, if the mode returns a pair. *)
+let in_place_of_the_event wanted given =
+  match (Type.expand wanted, Type.expand given) with
+  | Tuple [ _; event ], Tuple [ _; other ] when Environment.is_event event -> Some other
+  | _ -> None
+
+let by_an_event =
+  "what ends it is an event: `edge b` occurs when `b` becomes True, `when b` wherever it is"
+
+(* A function defined in the program, applied to one argument. *)
+let of_a_local_function (e : Resolve.Ir.expr option) =
+  match e with
+  | Some { desc = Apply { head; argument; style = Juxtaposed }; _ } -> (
+      match head.desc with
+      | Local x -> Some (x.name, argument.span)
+      | Global g when not (String.equal g.module_ "Prelude") -> Some (g.name, argument.span)
+      | _ -> None)
+  | _ -> None
+
+let callee (expected : Expected.t) =
+  match expected.because with Parameter { callee = Some name; _ } -> name | _ -> "switch"
+
+let input words t =
+  match Type.expand t with
+  | Type.Signal_function (input, _) -> Option.value (Show.signal words input) ~default:"x"
+  | _ -> "x"
+
+(* A signal function whose output is no pair, or a pair without an event. *)
+let hint_for_an_output wanted given =
+  if is_pair wanted && not (is_pair given) then
+    Some "it gives its output together with the event that ends it, as `sf &&& e` does"
+  else
+    match in_place_of_the_event wanted given with
+    | Some other when is_unrun_event other ->
+        Some
+          "the event is a signal function here, and not run: it lacks its signal, as in `after \
+           5[s] ()`"
+    | Some other when Type.expand other = Bool -> Some by_an_event
+    | _ -> None
+
+(* A function of the program that was applied to the signal. *)
+let hint_for_a_function fact (name, argument) =
+  let argument = Option.value (Show.quote fact.words argument) ~default:"x" in
+  Printf.sprintf
+    "what is switched are signal functions, which get their signal from the `switch`: `%s = proc \
+     %s -> …`, and the whole runs as `switch %s … %s`"
+    name argument name argument
+
+(* The output and the event themselves. *)
+let hint_for_a_pair fact =
+  let callee = callee fact.expected and x = input fact.words fact.expected.ty in
+  Printf.sprintf
+    "what is %s are signal functions, each of which gets its signal by itself: `%s (proc %s -> %s) \
+     …`, and where that is to be run, `%s` behind it all"
+    (if callee = "mkTask" then "made a task" else "switched")
+    callee x (raw fact "(output, event)") x
+
+let hint_for_a_mode fact =
+  match (fact.wanted, fact.given, of_a_local_function fact.subject) with
+  | Signal_function (_, wanted), Signal_function (_, given), _ -> hint_for_an_output wanted given
+  | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), Some f ->
+      Some (hint_for_a_function fact f)
+  | Signal_function _, Tuple [ _; _ ], None -> Some (hint_for_a_pair fact)
+  | _ -> None
+
+let mode fact =
+  match (fact.wanted, other_operand fact) with
+  | Signal_function _, None when ends_a_mode fact.expected ->
+      Option.map (hinted fact) (hint_for_a_mode fact)
+  | _ -> None
+
+let three_arguments words ~name ~at arguments d =
+  let raw (e : Resolve.Ir.expr) otherwise =
+    Option.value (Show.quote words e.span) ~default:otherwise
+  in
+  let text e otherwise = Source.grouped (raw e otherwise) in
+  match arguments with
+  | (first, mode) :: (second, event) :: (third, next) :: rest -> (
+      let first' = text first "mode" and second' = text second "event" in
+      let x = input words mode in
+      let applied =
+        match first.desc with Apply { style = Juxtaposed; _ } -> raw first "mode" | _ -> first'
+      in
+      let beside e = Some (Printf.sprintf "(proc %s -> (%s %s, %s))" x applied x e) in
+      let first' =
+        match Type.expand event with
+        | Data _ when Environment.is_event event -> beside (raw second "event")
+        | Bool -> beside ("edge " ^ second')
+        | Signal_function (_, o) when Environment.is_event o ->
+            Some (Printf.sprintf "(%s &&& %s)" first' second')
+        | Signal_function (_, o) when Type.expand o = Bool ->
+            Some (Printf.sprintf "(%s &&& (%s >>> edge))" first' second')
+        | Function (_, o) when Type.expand o = Bool ->
+            beside (Printf.sprintf "edge (%s %s)" second' x)
+        | Function (_, o) when Environment.is_event o -> beside (Printf.sprintf "%s %s" second' x)
+        | _ -> None
+      in
+      let next =
+        match Type.expand next with
+        | Signal_function _ -> Printf.sprintf "(\\_ -> %s)" (raw third "next")
+        | _ -> text third "next"
+      in
+      let rest = List.map (fun (e, _) -> text e "…") rest in
+      match first' with
+      | None -> d
+      | Some first' ->
+          let cure = String.concat " " (name :: first' :: next :: rest) in
+          let d =
+            error ~code:"E0301" ~at:second.span "the event of `%s` is no argument of its own" name
+            |> label ~at:first.span "it stands beside the output of this"
+            |> hint (Printf.sprintf "write `%s`" cure)
+          in
+          if String.contains cure '\n' then d else write at cure d)
+  | _ -> d

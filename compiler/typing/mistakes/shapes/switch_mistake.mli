@@ -1,0 +1,21 @@
+(** Hints about the arguments of [switch], [dSwitch] and [mkTask]: a mode, which returns its output
+    and the event that ends it, and for switches the function from the event's value to the next
+    mode. *)
+
+open Basis
+
+val mode : Shape_fact.rule
+(** Something other than a mode in the place of a mode. *)
+
+val goes_on : Expected.t -> bool
+(** Is the expected type the function to the next mode, which takes the event's value? *)
+
+val three_arguments :
+  Show.words ->
+  name:string ->
+  at:Span.t ->
+  (Resolve.Ir.expr * Type.t) list ->
+  Diagnostic.t ->
+  Diagnostic.t
+(** Rewrites the message about [switch mode event next], the argument order of other languages. The
+    list has the arguments with their types. *)

@@ -1,0 +1,185 @@
+open Basis
+open Diagnostic
+open Shape_fact
+
+(* The source texts of a [proc]'s input and output, or names for them if they are long. *)
+let parts words (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Proc { input; body = { output; _ } } ->
+      let quote at otherwise = Option.value (Show.quote words at) ~default:otherwise in
+      Some (quote input.span "x", quote output.span "output")
+  | _ -> None
+
+(* `delay(1000)`, meant as waiting: its argument. *)
+let waits (expected : Expected.t) (e : Resolve.Ir.expr) =
+  match (expected.because, e.desc) with
+  | ( (Statement _ | Last_statement _),
+      Apply { head = { desc = Global { module_ = "Prelude"; name = "delay" }; _ }; argument; _ } )
+    ->
+      Some argument
+  | _ -> None
+
+let to_wait words (argument : Resolve.Ir.expr) =
+  let how_long =
+    match argument.desc with
+    | Number { unit_ = Some _; _ } -> Option.value (Show.quote words argument.span) ~default:"1[s]"
+    | _ -> "1[s]"
+  in
+  hint
+    (Printf.sprintf
+       "`delay` is the value of a signal one instant ago; a task that waits is `sleepT %s \
+        restingOutput`, with the robot at rest"
+       how_long)
+
+(* How to turn a signal function into a task that ends at its event, or never ends. *)
+let to_task words subject output =
+  let name = match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "sf" in
+  match Type.expand output with
+  | Tuple [ _; last ] when Environment.is_event last ->
+      hint (Printf.sprintf "`mkTask %s` is the task that ends when its event occurs" name)
+  | _ -> (
+      match Option.bind subject (parts words) with
+      | Some (input, output) ->
+          hint
+            (Printf.sprintf
+               "a task ends at an event, which its `proc` gives beside the output: `mkTask (proc \
+                %s -> (%s, after 1[s] ()))`; one with `never ()` in that place goes on for ever"
+               input output)
+      | None ->
+          hint
+            (Printf.sprintf
+               "`mkTask (%s &&& event)` ends when the event occurs; `mkTask (%s &&& never)` never \
+                does"
+               name name))
+
+let in_place_of_a_task fact output =
+  error ~code:"E0371" ~at:fact.at "a signal function stands where a task is needed"
+  |> here (Printf.sprintf "this is %s" (found_text fact))
+  |> (match (fact.expected.because, name fact) with
+     | Statement _, Some name -> hint (Printf.sprintf "to read it once: `ask %s`" name)
+     | Parameter { callee = Some "reactimateTask"; _ }, _ ->
+         hint "`reactimateRobot` makes a program of a signal function"
+     | _ -> Fun.id)
+  |>
+  match Option.bind fact.subject (waits fact.expected) with
+  | Some argument -> to_wait fact.words argument
+  | None -> to_task fact.words fact.subject output
+
+let in_place_of_a_signal_function fact =
+  let name = Option.value (name fact) ~default:"t" in
+  error ~code:"E0371" ~at:fact.at "a task stands where a signal function is needed"
+  |> here (Printf.sprintf "this is %s" (found_text fact))
+  |> hint
+       (match fact.expected.because with
+       | Parameter { callee = Some "reactimateRobot"; _ } ->
+           Printf.sprintf "`reactimateTask %s` makes a program of a task" name
+       | _ ->
+           Printf.sprintf
+             "`runTask %s` is a signal function: `Left` its output while it runs, then `Right` its \
+              result"
+             name)
+
+let task_or_signal_function fact =
+  match (fact.wanted, fact.given) with
+  | wanted, Signal_function (_, output) when Environment.is_task wanted ->
+      Some (in_place_of_a_task fact output)
+  | Signal_function _, given when Environment.is_task given ->
+      Some (in_place_of_a_signal_function fact)
+  | _ -> None
+
+let statement_without_task fact =
+  match fact.given with
+  | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _)
+    when Environment.is_task fact.wanted
+         && (not (Environment.is_task fact.given))
+         && is_statement fact ->
+      error ~code:"E0370" ~at:fact.at "the statements of a `do` are tasks, but this is %s"
+        (found_text fact)
+      |> hint
+           (match name fact with
+           | Some name -> Printf.sprintf "`return %s` is the task that ends at once with it" name
+           | None -> "`let x = …` names a value; `return x` is the task that ends at once with it")
+      |> Option.some
+  | _ -> None
+
+let beside_each_other fact =
+  match fact.expected.because with
+  | (Parameter { callee = Some ("||" | "&&"); _ } | Operand { operator = "||" | "&&"; _ })
+    when fact.wanted = Bool && Environment.is_task fact.given ->
+      Some
+        (hinted fact
+           "two tasks are done side by side by `both s t`, and one until something happens by \
+            `abortWhen`; one after the other they stand in a `do`")
+  | _ -> None
+
+(* Is this the type of a bare `return`, which fits any task? *)
+let is_only_returned words t =
+  match Environment.as_task t with
+  | Some (input, output, _) -> (
+      match (Type.expand input, Type.expand output) with
+      | Flexible _, Flexible _ -> not (Show.needs_class words input || Show.needs_class words output)
+      | _ -> false)
+  | None -> false
+
+let only_returned fact =
+  match fact.wanted with
+  | (Number _ | Bool | Data _ | Tuple (_ :: _))
+    when is_only_returned fact.words fact.given && not (Environment.is_task fact.wanted) ->
+      Some
+        (hinted fact
+           "`return` makes a task: the value of a function or an equation is what stands behind \
+            its `=`, without a `return`")
+  | _ -> None
+
+let condition fact =
+  match fact.expected.because with
+  | Condition when Environment.is_task fact.found ->
+      not_a_condition fact
+      |> hint
+           (Printf.sprintf
+              "the task runs on a line before, which names its result: `ok <- %s`, and here stands \
+               `ok`"
+              (raw fact "t"))
+      |> Option.some
+  | _ -> None
+
+(* {1 Two tasks whose types differ in one part} *)
+
+let of_another_result result result' =
+  let nothing t = Type.expand t = Type.Tuple [] in
+  if nothing result then
+    "`mapT (const ()) t` is the task `t` without its result; in a `do`, `return ()` below it drops \
+     it"
+  else if nothing result' then "in a `do`, `return x` below it ends the two with `x`"
+  else "`mapT f t` is the task `t`, and ends with `f` of its result"
+
+let of_another_input fact d =
+  match fact.expected.because with
+  | Parameter { callee = Some "watching"; _ } ->
+      hint
+        "`watching` adds to the input what is heard; a task of any input has the capabilities in \
+         its signature: `(HasSonar i, DiffDrive o) => Task i o Bool`"
+        d
+  | _ -> d
+
+let unlike fact =
+  let text = Show.described fact.words in
+  let differ a b =
+    match Type.expand a with Flexible _ -> false | _ -> not (String.equal (text a) (text b))
+  in
+  let says format a b = error ~code:"E0301" ~at:fact.at format (text a) (text b) in
+  match (Environment.as_task fact.expected.ty, Environment.as_task fact.found) with
+  | Some (input, output, result), Some (input', output', result') -> (
+      match (differ input input', differ output output', differ result result') with
+      | false, false, true ->
+          says "expected a task that ends with %s, but this one ends with %s" result result'
+          |> hint (of_another_result result result')
+          |> Option.some
+      | false, true, false ->
+          Some
+            (says "expected a task whose output is %s, but that of this one is %s" output output')
+      | true, false, false ->
+          says "expected a task whose input is %s, but that of this one is %s" input input'
+          |> of_another_input fact |> Option.some
+      | _ -> None)
+  | _ -> None

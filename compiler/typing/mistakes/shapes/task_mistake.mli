@@ -1,0 +1,21 @@
+(** Rules for tasks: a task where a signal function is expected, or the reverse ([E0371]); a
+    statement of a [do] that is not a task ([E0370]); a task where a value is expected, and tasks
+    whose types differ in one part ([E0301]). *)
+
+val task_or_signal_function : Shape_fact.rule
+(** One of the two is a task and the other a signal function. *)
+
+val statement_without_task : Shape_fact.rule
+(** A statement of a [do] that is a value. *)
+
+val beside_each_other : Shape_fact.rule
+(** Tasks combined by a Boolean operator. *)
+
+val only_returned : Shape_fact.rule
+(** [return x] as the value of a function or an equation. *)
+
+val condition : Shape_fact.rule
+(** A task as the condition of an [if]. *)
+
+val unlike : Shape_fact.rule
+(** Two tasks of which only the inputs, only the outputs or only the results differ. *)

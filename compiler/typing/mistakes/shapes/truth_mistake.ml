@@ -1,0 +1,92 @@
+open Basis
+open Diagnostic
+open Shape_fact
+
+let no_truth fact text =
+  error ~code:"E0301" ~at:fact.at "expected `Bool`, found %s" (found_text fact) |> hint text
+
+(* A comparison to write in place of a number. *)
+let comparison fact =
+  match (fact.given, fact.subject) with
+  | Number _, Some { desc = Number { digits; _ }; _ } ->
+      Some
+        (Printf.sprintf "the truths are `True` and `False`: it is `%s`"
+           (if float_of_string_opt digits = Some 0. then "False" else "True"))
+  | Number (_, u), _ ->
+      let e = raw fact "x" in
+      let u = Units.resolve u in
+      let text =
+        if Units.equal u Units.one || Units.is_open u then Printf.sprintf "%s /= 0" e
+        else Printf.sprintf "%s < 1[%s]" e (Show.measure fact.words u)
+      in
+      Some (Printf.sprintf "no number is True or False: a comparison is, as in `%s`" text)
+  | _ -> None
+
+let is_now fact otherwise =
+  Printf.sprintf "`isEvent %s` tells whether it occurs now" (grouped fact otherwise)
+
+let condition fact =
+  match fact.expected.because with
+  | Condition ->
+      let d = not_a_condition fact in
+      Some
+        (match comparison fact with
+        | Some text -> hint text d
+        | None when Environment.is_event fact.found -> hint (is_now fact "e") d
+        | None -> d)
+  | _ -> None
+
+(* The event function to use instead of a Boolean operator that is applied to an event. *)
+let event_function fact =
+  match fact.expected.because with
+  | Operand { operator = "&&" | "||"; other; _ } ->
+      let b = Option.fold (Show.quote fact.words other.span) ~none:"b" ~some:Source.grouped in
+      Some
+        (Printf.sprintf "%s; `gate %s %s` is the event where that is True, too" (is_now fact "e")
+           (grouped fact "e") b)
+  | Parameter { callee = Some "||"; _ } -> Some "`mergeE a b` occurs where one of two events does"
+  | Parameter { callee = Some "&&"; _ } ->
+      Some "`pairEvents a b` occurs where two events do, and `gate e b` where `b` is True"
+  | Parameter { callee = Some "not"; _ } -> Some (is_now fact "e")
+  | _ -> None
+
+let of_events fact =
+  if fact.wanted = Bool && Environment.is_event fact.found then
+    Option.map (no_truth fact) (event_function fact)
+  else None
+
+(* The hint for `not x > 0`. *)
+let hint_to_group name operator =
+  Printf.sprintf "application binds tighter than `%s`: write `%s (… %s …)`" operator name operator
+
+let grouped_with_an_argument fact =
+  match (fact.wanted, fact.expected.because) with
+  | Bool, Parameter { before = Some operator; callee = Some name; _ } ->
+      Some (no_truth fact (hint_to_group name operator))
+  | _ -> None
+
+let equal_to_a_truth fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | Bool, Number _, Operand { operator = ("==" | "/=") as operator; other; _ } ->
+      let itself truth =
+        let negated = Printf.sprintf "not %s" (Source.grouped truth) in
+        match (raw fact "1", operator) with
+        | "1", "==" | "0", "/=" -> Printf.sprintf "it is True or False by itself: write `%s`" truth
+        | "0", "==" | "1", "/=" ->
+            Printf.sprintf "it is True or False by itself: write `%s`" negated
+        | _ -> Printf.sprintf "it is True or False by itself: `%s`, or `%s`" truth negated
+      in
+      Option.map (fun truth -> no_truth fact (itself truth)) (Show.quote fact.words other.span)
+  | _ -> None
+
+let grouped_with_an_operand fact =
+  match (fact.wanted, fact.expected.because) with
+  | Bool, Operand { operator; other = { desc = Apply { head; style = Juxtaposed; _ }; _ }; _ } ->
+      Option.map (fun name -> no_truth fact (hint_to_group name operator)) (Plain_name.of_head head)
+  | _ -> None
+
+let compared fact =
+  match (fact.wanted, fact.expected.because) with
+  | Bool, (Parameter { before = None; _ } | Operand { other = { desc = Apply _; _ }; _ }) ->
+      Option.map (no_truth fact) (comparison fact)
+  | _ -> None

@@ -1,0 +1,19 @@
+(** Rules for values of other types where a truth value is expected. *)
+
+val condition : Shape_fact.rule
+(** The condition of an [if]. *)
+
+val of_events : Shape_fact.rule
+(** A Boolean operator that is applied to an event. *)
+
+val grouped_with_an_argument : Shape_fact.rule
+(** [not x > 0], where the function is applied to the operand only. *)
+
+val equal_to_a_truth : Shape_fact.rule
+(** [b == 1], where [b] is a truth value. *)
+
+val grouped_with_an_operand : Shape_fact.rule
+(** Like {!grouped_with_an_argument}, where the operator has the application on its left. *)
+
+val compared : Shape_fact.rule
+(** A number that is to be compared with another one first. *)

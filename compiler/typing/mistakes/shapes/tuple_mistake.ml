@@ -1,0 +1,110 @@
+open Basis
+open Diagnostic
+open Shape_fact
+
+let selected fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | Function _, Tuple (_ :: _), (Parameter { callee = Some "."; _ } | Operand { operator = "."; _ })
+    ->
+      let p = raw fact "p" in
+      Some
+        (hinted fact
+           (Printf.sprintf
+              "a tuple is taken apart by an equation, `(a, b) = %s`; of a pair there are `fst %s` \
+               and `snd %s`"
+              p p p))
+  | _ -> None
+
+(* The call with the arguments from the mismatch on gathered in one tuple of this length. If as many
+   are given, they are taken; otherwise names stand for the others. *)
+let gathered fact length =
+  let before, after =
+    match fact.expected.because with
+    | Parameter { given; position; _ } ->
+        ( List.filteri (fun i _ -> i < position - 1) given,
+          List.filteri (fun i _ -> i >= position) given )
+    | _ -> ([], [])
+  in
+  let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+  let before =
+    List.map (fun e -> " " ^ Option.fold (quote e) ~none:"…" ~some:Source.grouped) before
+  in
+  let written = if List.length after + 1 = length then List.map quote after else [] in
+  let other i =
+    match List.nth_opt written i with
+    | Some (Some text) -> text
+    | Some None | None -> Variable_name.nth Variable_name.Type (i + 1)
+  in
+  Printf.sprintf "%s%s (%s)" (callee fact) (String.concat "" before)
+    (String.concat ", " (raw fact "a" :: List.init (length - 1) other))
+
+let parameter fact =
+  match (fact.wanted, fact.given) with
+  | Tuple (_ :: _ as wanted), (Number _ | Bool | Data _) when is_a_parameter fact ->
+      let length = List.length wanted in
+      Some
+        (hinted fact
+           (Printf.sprintf "`%s` takes one tuple of %d: `%s`" (callee fact) length
+              (gathered fact length)))
+  | _ -> None
+
+(* How to take the tuple apart, for which other components are expected. *)
+let taken_apart fact given =
+  let names = String.concat ", " (names (List.length given)) in
+  match fact.expected.because with
+  | Parameter { callee = Some ("fst" | "snd"); _ } ->
+      hint (Printf.sprintf "an equation takes it apart: `(%s) = %s`" names (raw fact "p"))
+  | Pattern _ -> hint (Printf.sprintf "a pattern for it is `(%s)`" names)
+  | _ -> Fun.id
+
+let of_another_length fact =
+  match (fact.wanted, fact.given) with
+  | Tuple (_ :: _ as wanted), Tuple (_ :: _ as given) when List.compare_lengths wanted given <> 0 ->
+      error ~code:"E0301" ~at:fact.at "expected a tuple of %d, found one of %d" (List.length wanted)
+        (List.length given)
+      |> (match fact.subject with
+         | Some { desc = Tuple _; _ } -> Fun.id
+         | _ -> here (Printf.sprintf "this is %s" (found_text fact)))
+      |> taken_apart fact given |> Option.some
+  | _ -> None
+
+let written_as_an_array fact =
+  match (fact.wanted, fact.subject) with
+  | Tuple (_ :: _ as parts), Some { desc = Array elements; span }
+    when Array_mistake.is_array fact.given && List.compare_lengths elements parts = 0 ->
+      let message texts =
+        let tuple = "(" ^ String.concat ", " texts ^ ")" in
+        hinted fact (Printf.sprintf "a tuple stands in parentheses: `%s`" tuple) |> write span tuple
+      in
+      List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) elements
+      |> all |> Option.map message
+  | _ -> None
+
+(* The components as arguments; names stand for those that are long. *)
+let side_by_side fact components =
+  let written = elements fact in
+  let argument i _ =
+    match List.nth_opt written i with
+    | Some (Some text) -> Source.grouped text
+    | _ -> Variable_name.nth Variable_name.Type i
+  in
+  String.concat " " (List.mapi argument components)
+
+let is_a_letter = function 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
+
+let separated_by_commas fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | ( (Number _ | Bool | String | Data _),
+      Tuple (_ :: _ as components),
+      Parameter { position = 1; callee = Some name; takes; _ } )
+    when is_a_letter name.[0] ->
+      let arguments = side_by_side fact components in
+      error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of %d" (expected_text fact)
+        (List.length components)
+      |> hint
+           (match (takes, name) with
+           | 1, "atan" -> Printf.sprintf "of two numbers it is `atan2 %s`" arguments
+           | 1, _ -> Printf.sprintf "`%s` takes one argument, and no tuple" name
+           | _ -> Printf.sprintf "several arguments stand side by side: `%s %s`" name arguments)
+      |> Option.some
+  | _ -> None

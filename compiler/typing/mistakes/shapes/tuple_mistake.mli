@@ -1,0 +1,16 @@
+(** Rules for tuples where other values, or other tuples, are expected. *)
+
+val selected : Shape_fact.rule
+(** [p.1], where `.` composes functions and does not select a component. *)
+
+val parameter : Shape_fact.rule
+(** A single value as the argument of a function that takes one tuple. *)
+
+val of_another_length : Shape_fact.rule
+(** Tuples with different numbers of components. *)
+
+val written_as_an_array : Shape_fact.rule
+(** An array literal with as many elements as the expected tuple has components. *)
+
+val separated_by_commas : Shape_fact.rule
+(** The C-style call [f(x, y)]. *)

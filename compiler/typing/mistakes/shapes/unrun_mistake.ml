@@ -1,0 +1,141 @@
+open Basis
+open Diagnostic
+
+(* Signal functions of the prelude whose only argument before the signal is their initial output. *)
+let has_initial_value = function
+  | "delay" | "hold" | "dHold" | "accum" | "accumHold" | "dAccumHold" -> true
+  | _ -> false
+
+let count = function
+  | 1 -> "one argument"
+  | 2 -> "two arguments"
+  | n -> Printf.sprintf "%d arguments" n
+
+let rec arguments_of (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Apply { head; argument; style = Juxtaposed } -> arguments_of head @ [ argument ]
+  | _ -> []
+
+(* The signal to run it on. *)
+let signal_for words input =
+  match Type.expand input with
+  | Tuple [] -> "()"
+  | Flexible _ when not (Show.needs_class words input) -> "()"
+  | _ -> Option.value (Show.signal words input) ~default:"x"
+
+(* Does the expression mention a local name, other than in arguments to an operator? *)
+let rec is_a_signal (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Local _ -> true
+  | Apply { head; argument; style = Juxtaposed } -> is_a_signal head || is_a_signal argument
+  | _ -> false
+
+let has_signal e =
+  match List.rev (arguments_of e) with last :: _ -> is_a_signal last | [] -> false
+
+(* [f 1 x], where [f 1 y x] was meant. *)
+let signal_in_place_of_an_argument words name arguments =
+  match List.rev_map (fun (e : Resolve.Ir.expr) -> (e, Show.quote words e.span)) arguments with
+  | (last, Some signal) :: before when before <> [] && is_a_signal last ->
+      let before =
+        List.rev_map (fun (_, text) -> Option.fold text ~none:"…" ~some:Source.grouped) before
+      in
+      Some
+        (Printf.sprintf "`%s` takes %s before its signal: `%s`, where the signal is `%s`" name
+           (count (List.length arguments))
+           (String.concat " " ((name :: before) @ [ "…"; Source.grouped signal ]))
+           signal)
+  | _ -> None
+
+(* The fix that replaces the expression by this application. The parentheses are needed because the
+   expression may be an argument. *)
+let instead (e : Resolve.Ir.expr option) text d =
+  match e with
+  | Some e -> fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ] d
+  | None -> d
+
+(* For a local name that is defined as the application of a signal function, such as `far` in `far =
+   hysteresis 1 x`: that application. *)
+let meant words (subject : Resolve.Ir.expr option) =
+  match subject with
+  | Some { desc = Local x; _ } -> (
+      match Show.definition words x with
+      | Some ({ desc = Apply { style = Juxtaposed; _ }; _ } as e)
+        when Plain_name.of_head e <> None && has_signal e ->
+          Some e
+      | _ -> subject)
+  | _ -> subject
+
+let hint_to_run words subject input d =
+  let subject = meant words subject in
+  let signal = signal_for words input in
+  let arguments = Option.fold subject ~none:[] ~some:arguments_of in
+  let argument = function
+    | ({ span; _ } : Resolve.Ir.expr) ->
+        Option.fold (Show.quote words span) ~none:"…" ~some:Source.grouped
+  in
+  hint
+    (match (Option.bind subject Plain_name.of_head, arguments) with
+    | Some name, [ only ] when has_initial_value name ->
+        Printf.sprintf "`%s` has an initial value before its signal: `%s x0 %s`" name name
+          (argument only)
+    | Some name, _ :: _ -> (
+        match signal_in_place_of_an_argument words name arguments with
+        | Some text -> text
+        | None ->
+            Printf.sprintf "run it on %s, its last argument: `%s %s`"
+              (if signal = "()" then "`()`" else "a signal")
+              (String.concat " " (name :: List.map argument arguments))
+              signal)
+    | Some name, [] -> Printf.sprintf "run it on `%s`: `%s %s`" signal name signal
+    | None, _ -> Printf.sprintf "run it on `%s`" signal)
+    d
+  |>
+  match (Option.bind subject Plain_name.of_head, arguments) with
+  | Some name, [] -> instead subject (Printf.sprintf "%s %s" name signal)
+  | _ -> Fun.id
+
+(* `after 5[s]` used as a condition. *)
+let truth_of_event words ~(subject : Resolve.Ir.expr option) ~wanted ~found =
+  let text = Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
+  match (Type.expand wanted, Type.expand found, subject, text) with
+  | Type.Bool, Type.Signal_function (input, output), Some e, Some text
+    when Environment.is_event output -> (
+      let signal = signal_for words input in
+      match (Plain_name.of_head e, arguments_of e) with
+      | Some "after", [ q ] ->
+          Some
+            (Printf.sprintf "elapsed %s ()"
+               (Option.fold (Show.quote words q.span) ~none:"q" ~some:Source.grouped))
+      | _ -> Some (Printf.sprintf "isEvent (%s %s)" text signal))
+  | _ -> None
+
+let message words ~subject ~at ~wanted ~input ~found =
+  let d =
+    error ~code:"E0303" ~at "a signal function stands where the value of its signal is needed"
+    |> here (Printf.sprintf "this is %s" (Show.described words found))
+  in
+  match truth_of_event words ~subject ~wanted ~found with
+  | Some cure ->
+      hint (Printf.sprintf "it gives events; what is True or False is `%s`" cure) d
+      |> instead subject cure
+  | None -> hint_to_run words subject input d
+
+let unrun (fact : Shape_fact.t) =
+  match (fact.wanted, fact.given) with
+  | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _) ->
+      message fact.words ~subject:fact.subject ~at:fact.at ~wanted:fact.expected.ty ~input
+        ~found:fact.found
+      |> note (Printf.sprintf "expected %s" (Shape_fact.expected_text fact))
+      |> Option.some
+  | _ -> None
+
+let unrun_operand (fact : Shape_fact.t) =
+  match (fact.wanted, fact.given, Shape_fact.other_operand fact) with
+  | Signal_function (input, _), (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Some other
+    ->
+      message fact.words ~subject:(Some other) ~at:other.span ~wanted:fact.found ~input
+        ~found:fact.expected.ty
+      |> label ~at:fact.at (Printf.sprintf "this is %s" (Shape_fact.found_text fact))
+      |> Option.some
+  | _ -> None

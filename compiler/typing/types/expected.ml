@@ -1,0 +1,118 @@
+open Basis
+
+type decider = { place : Span.t; decides : Type.t; a_size : bool }
+
+type reason =
+  | Unknown
+  | Signature of { name : string; at : Span.t }
+  | Annotation of Span.t
+  | Parameter of {
+      callee : string option;
+      head : Resolve.Ir.expr option;
+      at : Span.t;
+      position : int;
+      decided_by : decider list;
+      takes : int;
+      given : Resolve.Ir.expr list;
+      later : Type.t list;
+      before : string option;
+      of_local : Span.t option;
+    }
+  | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }
+  | Branch of Span.t
+  | Condition
+  | Element of Span.t
+  | Value of Span.t
+  | Pattern of Span.t
+  | Statement of Span.t option
+  | Last_statement of reason
+  | Uses of { name : string; at : Span.t }
+  | Field of { name : string; at : Span.t; units : string option }
+  | Output of reason
+
+type t = { ty : Type.t; because : reason }
+
+let make because ty = { ty; because }
+
+open Diagnostic
+
+let decided words decided_by diagnostic =
+  match decided_by with
+  | { place; decides; _ } :: _ ->
+      label ~at:place
+        (Printf.sprintf "because this is %s" (Show.described words decides))
+        diagnostic
+  | [] -> diagnostic
+
+let rec explain_reason words reason (expected : Type.t) diagnostic =
+  let is_here at = Span.compare at diagnostic.at = 0 in
+  let label ~at text = if is_here at then Fun.id else label ~at text in
+  match reason with
+  | Unknown | Condition | Statement None -> diagnostic
+  | Last_statement reason -> explain_reason words reason expected diagnostic
+  | Signature { name; at } ->
+      label ~at
+        (Printf.sprintf "the signature of `%s` asks for %s" name (Show.described words expected))
+        diagnostic
+  | Annotation at ->
+      label ~at
+        (Printf.sprintf "the annotation asks for %s" (Show.described words expected))
+        diagnostic
+  | Parameter { callee; at; position; decided_by; _ } ->
+      let callee = match callee with Some name -> "`" ^ name ^ "`" | None -> "this" in
+      label ~at
+        (Printf.sprintf "argument %d of %s is %s" position callee (Show.described words expected))
+        diagnostic
+      |> decided words decided_by
+  | Operand { other; other_type; _ } ->
+      label ~at:other.span
+        (Printf.sprintf "this is %s" (Show.described words other_type))
+        diagnostic
+  | Branch at ->
+      label ~at (Printf.sprintf "this branch is %s" (Show.described words expected)) diagnostic
+  | Statement (Some at) ->
+      label ~at
+        (Printf.sprintf "so each task of this `do` is %s" (Show.described words expected))
+        diagnostic
+  | Element at ->
+      label ~at
+        (Printf.sprintf "the first element is %s" (Show.described words expected))
+        diagnostic
+  | Value at ->
+      label ~at (Printf.sprintf "the value is %s" (Show.described words expected)) diagnostic
+  | Pattern at ->
+      label ~at (Printf.sprintf "the pattern takes %s" (Show.described words expected)) diagnostic
+  | Uses { name; at } ->
+      label ~at
+        (Printf.sprintf "elsewhere `%s` is used as %s" name (Show.described words expected))
+        diagnostic
+  | Output (Signature { name; at }) ->
+      label ~at
+        (Printf.sprintf "the signature of `%s` asks for the output %s" name
+           (Show.described words expected))
+        diagnostic
+  | Output (Parameter { callee; at; position; decided_by; _ }) ->
+      let callee = match callee with Some name -> "`" ^ name ^ "`" | None -> "this" in
+      label ~at
+        (Printf.sprintf "argument %d of %s has the output %s" position callee
+           (Show.described words expected))
+        diagnostic
+      |> decided words decided_by
+  | Output reason -> explain_reason words reason expected diagnostic
+  | Field { name; at; units } ->
+      Option.fold units ~none:Fun.id ~some:note diagnostic
+      |> label ~at (Printf.sprintf "the field `%s` is %s" name (Show.described words expected))
+
+(* If there is no better place to point at, label where the variable is bound. *)
+
+let explain_subject subject reason diagnostic =
+  match (subject, reason) with
+  | Some ({ desc = Local local; _ } : Resolve.Ir.expr), (Unknown | Condition | Statement None)
+    when Span.compare local.span diagnostic.at <> 0 ->
+      label ~at:local.span (Printf.sprintf "`%s` is bound here" local.name) diagnostic
+  | _ -> diagnostic
+
+let explain words { ty; because } diagnostic = explain_reason words because ty diagnostic
+
+let explain_all words ~subject expected diagnostic =
+  diagnostic |> explain words expected |> explain_subject subject expected.because

@@ -1,0 +1,60 @@
+(** The type expected of an expression, and the reason. *)
+
+open Basis
+
+type decider = {
+  place : Span.t;
+  decides : Type.t;  (** the type of that argument *)
+  a_size : bool;  (** the shared variable is an array size *)
+}
+(** An earlier argument whose type shares a variable with the parameter's type. *)
+
+(** Why an expression must have a certain type. *)
+type reason =
+  | Unknown
+  | Signature of { name : string; at : Span.t }
+  | Annotation of Span.t
+  | Parameter of {
+      callee : string option;
+      head : Resolve.Ir.expr option;  (** the applied expression *)
+      at : Span.t;
+      position : int;
+      decided_by : decider list;
+      takes : int;  (** number of the callee's parameters *)
+      given : Resolve.Ir.expr list;  (** all arguments of the call *)
+      later : Type.t list;  (** types of the parameters after this one *)
+      before : string option;
+          (** the operator that follows the application, if this is its last argument *)
+      of_local : Span.t option;
+          (** first application of the callee, if that is a local function without a signature *)
+    }
+  | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }
+      (** one operand must match the other *)
+  | Branch of Span.t  (** an earlier branch has this type *)
+  | Condition
+  | Element of Span.t  (** the first element of the array has this type *)
+  | Value of Span.t  (** for a pattern: the matched value has this type *)
+  | Pattern of Span.t  (** for a value: the pattern that it is matched with has this type *)
+  | Statement of Span.t option
+      (** for a statement of a [do]: the place that determines the input and output of its tasks *)
+  | Last_statement of reason
+      (** for the last statement: the reason that applies to the whole [do] *)
+  | Uses of { name : string; at : Span.t }  (** other uses of the name being defined *)
+  | Field of {
+      name : string;
+      at : Span.t;
+      units : string option;  (** how the units of the record's fields relate *)
+    }
+  | Output of reason
+      (** for the output of a signal function: the reason that applies to the signal function *)
+
+type t = { ty : Type.t; because : reason }
+
+val make : reason -> Type.t -> t
+
+val explain : Show.words -> t -> Diagnostic.t -> Diagnostic.t
+(** Labels the place that determines the expected type. *)
+
+val explain_all : Show.words -> subject:Resolve.Ir.expr option -> t -> Diagnostic.t -> Diagnostic.t
+(** Like {!explain}. If no place determines the type, labels where the offending variable is bound.
+*)

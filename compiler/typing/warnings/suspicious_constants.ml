@@ -1,0 +1,68 @@
+open Basis
+open Ir
+
+type walk = { sink : Diagnostic.sink; constants : Constant.t }
+
+let arguments (e : expr) =
+  match e.desc with
+  | Negate a | Power (a, _) -> [ a ]
+  | _ -> ( match Constant.operation e with Some (_, arguments) -> arguments | None -> [])
+
+let is_zero w e = Constant.float w.constants e = Some 0.
+
+let is_on_purpose w e =
+  match Constant.operation e with Some ("/", [ a; b ]) -> is_zero w a && is_zero w b | _ -> false
+
+let number w (e : expr) =
+  match (e.desc, Constant.value w.constants e) with
+  | (Apply _ | Power _), Some (Float x) when Float.is_nan x ->
+      let of_nan a =
+        match Constant.float w.constants a with Some x -> Float.is_nan x | None -> false
+      in
+      if not (List.exists of_nan (arguments e) || is_on_purpose w e) then
+        Diagnostic.(
+          warning ~code:"W0307" ~at:e.span "this is never a number: it is NaN"
+          |> note "every comparison with NaN is False, and what is computed with it is NaN too"
+          |> emit w.sink)
+  | (Apply _ | Negate _ | Global _), Some (Int n)
+    when Int32.to_int (Int32.of_int n) <> n
+         && match e.desc with Global _ -> Constant.is_of_any_numbers w.constants e | _ -> true ->
+      Diagnostic.(
+        warning ~code:"W0308" ~at:e.span "this is %d, which no Int can be: it wraps around to %ld" n
+          (Int32.of_int n)
+        |> note "an Int is from -2147483648 to 2147483647"
+        |> hint "write Floats, or numbers of a larger unit"
+        |> emit w.sink)
+  | _ -> ()
+
+(* The positions, from 0, of the duration parameters of library functions. *)
+let durations (g : Global.t) =
+  match (g.module_, g.name) with
+  | "Prelude", ("after" | "elapsed" | "every" | "sampleEvery" | "sleepT") -> [ 0 ]
+  | "Prelude", "timeOut" -> [ 1 ]
+  | "Control", ("lowPass" | "debounce") -> [ 0 ]
+  | "Sources", "chirp" -> [ 2 ]
+  | "Sources", "colouredNoise" -> [ 0 ]
+  | _ -> []
+
+let duration w name (e : expr) =
+  match Constant.float w.constants e with
+  | Some x when x < 0. ->
+      Diagnostic.(
+        warning ~code:"W0309" ~at:e.span "`%s` is given a time below zero, which counts as none"
+          name
+        |> hint "write a time of at least `0[s]`"
+        |> emit w.sink)
+  | Some _ | None -> ()
+
+let rec expr w (e : expr) =
+  number w e;
+  (match Constant.spine e with
+  | { desc = Global (g, _) | Primitive (g, _); _ }, (_ :: _ as arguments) ->
+      let told index = Option.iter (duration w g.name) (List.nth_opt arguments index) in
+      List.iter told (durations g)
+  | _ -> ());
+  Walk.parts (expr w) e
+
+let warn sink resolved program =
+  Walk.own resolved (expr { sink; constants = Constant.of_program program }) program

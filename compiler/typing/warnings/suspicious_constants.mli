@@ -1,0 +1,8 @@
+(** Warns of constants that are almost certainly mistakes.
+
+    Codes: [W0307] a number that is NaN although its operands are not · [W0308] a constant [Int]
+    that wraps around · [W0309] a negative time where a duration is expected. *)
+
+val warn : Basis.Diagnostic.sink -> Resolve.Ir.program -> Ir.program -> unit
+(** Checks the definitions of the program's own modules. Does not warn of an intended NaN, [0 / 0].
+*)

@@ -1,0 +1,40 @@
+/* dialect.h -- reads recordings from other programs: another separator, a decimal comma, other
+ * column names. If such a file is rejected, the error message suggests the options. */
+#ifndef FROB_HOST_DIALECT_H
+#define FROB_HOST_DIALECT_H
+
+#include "csv.h"
+
+/* If argv[*i] is an option of the dialect, reads it with its value, sets *i to its last argument,
+ * and returns true. `dialect->columns` must have room for `argc` entries. */
+bool dialect_option(struct csv_dialect *dialect, int argc, char **argv, int *i);
+
+/* Whether the dialect names columns. If so, additional columns of a recording are ignored. */
+bool dialect_names(const struct csv_dialect *dialect);
+
+/* Translates the row that was read last. Returns CSV_ROW, CSV_RETURN, CSV_NO_COLUMN or
+ * CSV_NO_MEMORY. */
+enum csv_status dialect_translate(struct csv *csv);
+
+/* Hints for error messages. Each string is valid until the next call with this csv, and empty if
+ * no option would help. */
+
+/* For the error that the first column of the header must be `time`. */
+const char *dialect_time_hint(struct csv *csv);
+
+/* The part of dialect_time_hint about another separator; NULL if the separator seems right. If it
+ * is not NULL, the names are not the columns of the file, so do not report the other columns. */
+const char *dialect_separator_hint(const struct csv *csv);
+
+/* For the error that a column is missing; the recording has `unknown` unknown columns, one of
+ * which is `other`. */
+const char *dialect_column_hint(struct csv *csv, const char *missing, size_t unknown,
+                                const char *other);
+
+/* For the error that the current row does not have the `width` cells of the header. */
+const char *dialect_width_hint(const struct csv *csv, size_t width);
+
+/* For the error that a cell is not a number. */
+const char *dialect_number_hint(const struct csv *csv, const char *cell);
+
+#endif

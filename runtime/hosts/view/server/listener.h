@@ -1,0 +1,18 @@
+/* listener.h -- the socket that pages connect to.
+ *
+ * libwebsockets keeps accepting connections while any are waiting. A client that opens connections
+ * fast enough keeps it from reading accepted ones, and so locks out every page. This listener
+ * accepts a few connections, and then lets the server read all that have sent something. */
+#ifndef FROB_VIEW_LISTENER_H
+#define FROB_VIEW_LISTENER_H
+
+#define LISTENER_AT_ONCE 8
+
+/* Listens on 127.0.0.1 at this port; if it is 0, chooses a free port and stores it in `*port`.
+ * Returns -1 with errno set on failure. */
+int listener_open(int *port);
+
+/* Accepts the next connection; returns -1 if none is waiting. */
+int listener_accept(int listener);
+
+#endif

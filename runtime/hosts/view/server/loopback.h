@@ -1,0 +1,20 @@
+/* loopback.h -- the names by which a computer addresses itself: `localhost`, `127.0.0.1` and
+ * `[::1]`, with or without a port.
+ *
+ * A request for any other host name comes from another site's page, whose name was made to resolve
+ * to this computer (DNS rebinding). Any port is allowed, because behind `ssh -L` it is the port of
+ * the other end. */
+#ifndef FROB_VIEW_LOOPBACK_H
+#define FROB_VIEW_LOOPBACK_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Returns whether the header `Host` names this computer. The text is `length` bytes long and must
+ * not contain a NUL. */
+bool loopback_is_host(const char *text, size_t length);
+
+/* Returns whether the header `Origin` names a page of this computer: `http://` and such a host. */
+bool loopback_is_origin(const char *text, size_t length);
+
+#endif

@@ -1,0 +1,21 @@
+Of a folder the trials are skipped that need a library that is not installed; of a file that is
+named they fail, for the same reason. What is called so here is no library.
+
+  $ mkdir none && printf 'no library' > none/libapriltag.so.3
+  $ export LD_LIBRARY_PATH=$PWD/none
+  $ cp -r ../../../examples/dock_tag . && chmod -R u+w dock_tag
+  $ frobc test dock_tag --seeds 1
+  skip  docks in time: needs the library libapriltag, which is not installed
+        sudo apt-get install libapriltag-dev
+  skip  docks within 2 cm and 2 degrees: needs the library libapriltag, which is not installed
+        sudo apt-get install libapriltag-dev
+  error: no test was run; see above for how to run the skipped tests
+  [2]
+  $ printf 'import Trial\ntest "another" = during 1[s] (proc () -> True)\n' > dock_tag/another.frob
+  $ frobc test dock_tag --seeds 1 | tail -n 1
+  1 test: all hold; 2 skipped
+  $ frobc test dock_tag/dock_tag.frob --seeds 1
+  FAIL  docks in time: this program detects tags, but the library for that, libapriltag.so.3, is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
+  FAIL  docks within 2 cm and 2 degrees: this program detects tags, but the library for that, libapriltag.so.3, is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
+  2 tests: 2 failed
+  [1]

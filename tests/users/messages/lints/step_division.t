@@ -1,0 +1,41 @@
+A division by the length of the step, which is 0 at the first instant; also by an equation that
+is that length, and by a multiple of it. In a branch it is silent.
+
+  $ cat > slopes.frob <<'FROB'
+  > import Control
+  > 
+  > main :: SF Float (Float, Float, Float, Float, Float)
+  > main = proc x -> (x / step, x * 1[s] / stepTime (), safe, x * 1[s] / (2 * half), x / 2) where
+  >     step = stepTime () / 1[s]
+  >     half = stepTime () / 2
+  >     safe = if step > 0 then x / step else 0
+  > FROB
+  $ frobc check slopes.frob
+  warning[W0314]: this divides by the length of the step, which is 0 at the first instant
+   --> slopes.frob:4:19
+    |
+  4 | main = proc x -> (x / step, x * 1[s] / stepTime (), safe, x * 1[s] / (2 * half), x / 2) where
+    |                   ^^^^^^^^
+    |
+    = note: there it is infinite, or NaN if what is divided is 0 too
+    = hint: for the slope of a signal use `derivative`; else divide in a branch that is taken only if the step is longer than 0
+  
+  warning[W0314]: this divides by the length of the step, which is 0 at the first instant
+   --> slopes.frob:4:29
+    |
+  4 | main = proc x -> (x / step, x * 1[s] / stepTime (), safe, x * 1[s] / (2 * half), x / 2) where
+    |                             ^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: there it is infinite, or NaN if what is divided is 0 too
+    = hint: for the slope of a signal use `derivative`; else divide in a branch that is taken only if the step is longer than 0
+  
+  warning[W0314]: this divides by the length of the step, which is 0 at the first instant
+   --> slopes.frob:4:59
+    |
+  4 | main = proc x -> (x / step, x * 1[s] / stepTime (), safe, x * 1[s] / (2 * half), x / 2) where
+    |                                                           ^^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: there it is infinite, or NaN if what is divided is 0 too
+    = hint: for the slope of a signal use `derivative`; else divide in a branch that is taken only if the step is longer than 0
+  
+  3 warnings
