@@ -223,16 +223,19 @@ def listed_dt_of_time(given: Sequence[Any]) -> List[float]:
 
 
 def _time_ns(value: Any, row: int) -> int:
+    seconds = ns = None
     try:
-        given = value if isinstance(value, (str, decimal.Decimal, kinds.Rational)) else None
+        seconds = value if isinstance(value, (str, decimal.Decimal, kinds.Rational)) else None
         if shapes.is_truth(value):
-            given = None
-        ns = times.of_value(shapes.number(value) if given is None else given)
+            seconds = None
+        if seconds is None:
+            seconds = shapes.number(value)
+        ns = times.of_value(seconds)
     except (TypeError, ValueError, ArithmeticError):
-        ns = None
+        pass
     if ns is None:
         raise InputError(
-            f"time, row {row}: {shapes.shown(value)} is not a time in seconds{times.hint(value)}"
+            f"time, row {row}: {shapes.shown(value)} is not a time in seconds{times.hint(seconds)}"
         )
     return ns
 
