@@ -1,4 +1,4 @@
-A hundred mistakes, and what is said of each; INDEX.md tells what its author meant.
+A hundred mistakes and the messages for them. INDEX.md describes each mistake.
 
   $ for program in [01]*.frob; do echo "# $program"; frobc check "$program"; done 2>&1
   # 001_sonar_without_input.frob
