@@ -151,7 +151,7 @@ let foreign_prototypes (v : V.t) =
   in
   match List.concat_map prototypes v.imports with
   | [] -> []
-  | all -> Ir.Text "/* What is imported. */\n" :: List.map (fun p -> Ir.Prototype p) all
+  | all -> Ir.Text "/* Imported functions. */\n" :: List.map (fun p -> Ir.Prototype p) all
 
 (* Variables whose addresses are placeholders for missing foreign values. *)
 let absent (v : V.t) =

@@ -64,7 +64,7 @@ let field_types s span ty constructor =
             (fun (_, field) -> instantiate s span (d.parameters, field) types)
             fields.(constructor)
       | Some _, Some _ -> fail span "`%s` has no constructor %d" tycon.name constructor
-      | _ -> fail span "`%s` is no data type" tycon.name)
+      | _ -> fail span "`%s` is not a data type" tycon.name)
   | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Array _
   | Size _ ->
       fail span "%a has no constructors" Print.ty ty

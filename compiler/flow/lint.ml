@@ -203,7 +203,7 @@ let instance scope names (i : Ir.instance) =
       bug "a trial of `%s` in `%s` gets a wrong number of inputs" i.name scope.node.name;
     let is_output (s : Ir.signal) = List.exists (fun (o : Ir.signal) -> o.id = s.id) i.outputs in
     if not (List.for_all is_output t.gives) then
-      bug "a trial of `%s` in `%s` gives what is no output" i.name scope.node.name
+      bug "a trial of `%s` in `%s` returns a value that is not an output" i.name scope.node.name
   in
   List.iter trial i.trials
 
@@ -284,7 +284,7 @@ let node program owners names modes_of index (node : Ir.node) =
 let transitions modes_of (index, scope) =
   match (Hashtbl.find_opt modes_of index, scope.node.transitions) with
   | None, [] -> ()
-  | None, _ :: _ -> bug "`%s` has transitions and is no mode" scope.node.name
+  | None, _ :: _ -> bug "`%s` has transitions but is not a mode" scope.node.name
   | Some modes, transitions -> List.iter (transition scope modes) transitions
 
 let program (p : Ir.program) =

@@ -64,7 +64,7 @@ let rounded program value =
       float
 
 let number env ty value : Value.t =
-  let wrong () = bug "the number %s is of another type" (Exact.to_string value) in
+  let wrong () = bug "the number %s has an unexpected type" (Exact.to_string value) in
   match closed env.types ty with
   | Int -> ( match Exact.to_int32 value with Some n -> Int n | None -> wrong ())
   | Float -> Float (rounded env.program value)
@@ -86,7 +86,7 @@ let is_true : Value.t -> bool = function
   | Bool b -> b
   | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
   | Signal_function _ | Task _ | Ending _ ->
-      bug "a condition that is no Bool"
+      bug "a condition that is not a Bool"
 
 let rec expr env (e : expr) : Value.t =
   Work.step ();
@@ -112,18 +112,18 @@ let rec expr env (e : expr) : Value.t =
   | Component (value, index) -> (
       match expr env value with
       | Tuple parts -> Thunk.force parts.(index)
-      | _ -> bug "a component of what is no tuple")
+      | _ -> bug "a component of a value that is not a tuple")
   | Construct { data; _ } when Core.Console.is_console data -> Operator.at_rest env.program.console
   | Construct { constructor; arguments; data = _ } ->
       Data { constructor; arguments = parts_on_demand env arguments }
   | Is_constructor (value, constructor) -> (
       match expr env value with
       | Data data -> Bool (data.constructor = constructor)
-      | _ -> bug "a constructor of what is no data")
+      | _ -> bug "a constructor of a value that is not data")
   | Payload { value; constructor; field } -> (
       match expr env value with
       | Data data when data.constructor = constructor -> Thunk.force data.arguments.(field)
-      | _ -> bug "a payload of what has another constructor")
+      | _ -> bug "the payload of another constructor")
   | If (condition, then_, else_) ->
       if is_true (expr env condition) then expr env then_ else expr env else_
   | Proc proc -> Signal_function (fun () -> start env proc)
@@ -147,7 +147,7 @@ and apply (f : Value.t) arguments =
   | ( ( Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
       | Signal_function _ | Task _ | Ending _ ),
       _ ) ->
-      bug "what is applied is no function"
+      bug "an applied value is not a function"
 
 (* Applies a primitive to the arguments given so far. If there are fewer than its arity, the result
    is a function of the next argument. *)
@@ -274,7 +274,7 @@ and started env signal_function =
   | Signal_function start -> start ()
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
   | Function _ | Task _ | Ending _ ->
-      bug "what is run is no signal function"
+      bug "a value that is run is not a signal function"
 
 let definition program name = global program name []
 

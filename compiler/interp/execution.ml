@@ -17,14 +17,14 @@ let start ?(params = []) core ~entry =
   let started ended (value : Value.t) =
     match value with
     | Signal_function start -> { instance = start (); ended; is_first = true }
-    | _ -> bug "`%s` is no signal function" entry.name
+    | _ -> bug "`%s` is not a signal function" entry.name
   in
   match Thunk.demand definition with
   | Signal_function _ as signal_function -> started None signal_function
   | Ending { signal_function; result } -> started (Some result) (Thunk.demand signal_function)
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
   | Function _ | Task _ ->
-      bug "`%s` is no signal function" entry.name
+      bug "`%s` is not a signal function" entry.name
 
 let ended t = t.ended
 

@@ -5,14 +5,14 @@ let started nesting (value : Value.t) =
   | Signal_function start -> Thunk.afresh nesting start
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
   | Function _ | Task _ | Ending _ ->
-      bug "what is switched to is no signal function"
+      bug "the target of a switch is not a signal function"
 
 let component index (value : Value.t) =
   match value with
   | Tuple parts -> parts.(index)
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Array _ | Data _ | Function _
   | Signal_function _ | Task _ | Ending _ ->
-      bug "what is no tuple"
+      bug "a value that is not a tuple"
 
 let part nesting thunk index =
   Thunk.equation nesting ~name:"a switch" (fun () ->
@@ -25,14 +25,14 @@ let occurrence event =
   | Data { arguments = [| value |]; _ } -> Some value
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
   | Function _ | Signal_function _ | Task _ | Ending _ ->
-      bug "what is no event"
+      bug "a value that is not an event"
 
 let apply f argument =
   match Thunk.force f with
   | Value.Function f -> f argument
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
   | Signal_function _ | Task _ | Ending _ ->
-      bug "a continuation that is no function"
+      bug "a continuation that is not a function"
 
 (* The instance that runs from this instant on, and its output in this instant. *)
 type next = { instance : Value.instance; output : Value.thunk }
@@ -152,6 +152,6 @@ let initially nesting choose : Value.instance =
   let running () =
     match !chosen with
     | Some first -> (Thunk.demand first).instance
-    | None -> bug "a state of what has not started"
+    | None -> bug "the state of a signal function that has not started"
   in
   { output; commit = (fun () -> (running ()).commit ()); successor = (fun () -> Some (running ())) }

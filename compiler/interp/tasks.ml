@@ -8,8 +8,8 @@ let by_event output : (Value.thunk, Value.thunk) Either.t =
       match Thunk.force event with
       | Value.Data { constructor = 1; arguments = [| result |] } -> Right result
       | Data { constructor = 0; _ } -> Left shown
-      | _ -> bug "what is no event")
-  | _ -> bug "an output that is no pair"
+      | _ -> bug "a value that is not an event")
+  | _ -> bug "an output that is not a pair"
 
 let by_side output : (Value.thunk, Value.thunk) Either.t =
   match Thunk.force output with
@@ -23,12 +23,12 @@ let until_right signal_function = Value.Task (Runs { signal_function; ended = by
 let started nesting signal_function =
   match Thunk.force signal_function with
   | Value.Signal_function start -> Thunk.afresh nesting start
-  | _ -> bug "a task of what is no signal function"
+  | _ -> bug "a task from a value that is not a signal function"
 
 let next_task continuation result =
   match Thunk.force continuation with
   | Value.Function f -> f result
-  | _ -> bug "what follows a task is no function"
+  | _ -> bug "the continuation of a task is not a function"
 
 (* The running instance, and the continuations that follow it, the next one first. *)
 type running = {
@@ -54,7 +54,7 @@ let rec enter nesting (task : Value.t) rest input =
   | Task (Runs { signal_function; ended }) ->
       let instance = started nesting signal_function in
       look nesting { instance; ended; rest } (instance.output Clock.first input) input
-  | _ -> bug "what is no task"
+  | _ -> bug "a value that is not a task"
 
 and go_on nesting result rest input =
   match rest with

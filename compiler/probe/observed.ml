@@ -112,7 +112,7 @@ let inner_wanted (node : Ir.node) (w : wanted) =
   | [], _ -> None
   | Instance k :: path, _ -> Some ((List.nth node.instances k).node, { w with path })
   | Mode k :: path, Some machine -> Some (List.nth machine.modes k, { w with path })
-  | Mode _ :: _, None -> bug "a mode of no machine"
+  | Mode _ :: _, None -> bug "a mode without a machine"
 
 let ask t index w =
   let key = key w in
@@ -139,7 +139,7 @@ let own_signal (node : Ir.node) id =
   let is_it (s : Ir.signal) = s.id = id in
   match List.find_opt is_it (node.statics @ node.inputs @ Catalogue.defined node) with
   | Some s -> s
-  | None -> bug "a node has no such signal"
+  | None -> bug "a node does not have the requested signal"
 
 (* Adds outputs for the requested signals to an instance. *)
 let instance t (i : Ir.instance) =
@@ -159,7 +159,7 @@ let with_outputs (node : Ir.node) ~equations others =
 let find (found : given String_table.t) (w : wanted) =
   match String_table.find_opt found (key w) with
   | Some given -> given
-  | None -> bug "a node does not give what it was asked for"
+  | None -> bug "a node does not return the requested signal"
 
 (* All modes of a machine must have the same outputs. Each mode computes the signals requested from
    it; the signals of the other modes are absent. *)
@@ -240,7 +240,7 @@ let extend t ~is_mode index =
         let inner = find inside.(k) { w with path } in
         { inner with wanted = w }
     | [], Running_mode | Mode _ :: _, _ -> (
-        match of_machine with Some given -> find given w | None -> bug "a mode of no machine")
+        match of_machine with Some given -> find given w | None -> bug "a mode without a machine")
   in
   let given = List.map given t.wanted.(index) in
   t.given.(index) <- given;

@@ -71,7 +71,7 @@ let definitions t index =
       all
 
 let machine_of node : Ir.machine =
-  match (node : Ir.node).machine with Some m -> m | None -> bug "a mode of no machine"
+  match (node : Ir.node).machine with Some m -> m | None -> bug "a mode without a machine"
 
 let inside t frame (step : Catalogue.step) =
   match Hashtbl.find_opt t.frames (frame.number, step) with

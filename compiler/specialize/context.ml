@@ -171,7 +171,8 @@ let enter t trail ~name ~span =
   | None -> String_table.replace t.called name (ref 1));
   if trail.depth > t.options.depth then
     stop t trail
-      (Diagnostic.error ~code:"E0413" ~at:span "calls nest more than %d deep" t.options.depth);
+      (Diagnostic.error ~code:"E0413" ~at:span "calls are nested more than %d levels deep"
+         t.options.depth);
   trail
 
 (* {1 Causes of growing work} *)
@@ -285,8 +286,7 @@ let check_lasting t trail ~span tys =
       Diagnostic.error ~code:"E0430" ~at:span "an image cannot be kept from one instant to another"
       |> Diagnostic.note "the camera reuses the memory of an image for the next frames"
       |> Diagnostic.hint
-           "compute the numbers that you need at the instant at which the frame arrives, and \
-            `hold` these numbers"
+           "when the frame arrives, compute the numbers that you need, and `hold` them"
       |> with_trail trail |> Diagnostic.emit t.sink
   | Some { foreign_name = name; _ } ->
       t.kept <- span :: t.kept;
@@ -297,8 +297,8 @@ let check_lasting t trail ~span tys =
               "a `%s` from C is valid for one instant; C may reuse its memory after that" name)
       |> Diagnostic.hint
            (Printf.sprintf
-              "keep only the numbers that you need; or declare the type `copyable`, if a copy of \
-               the struct works as well as the struct")
+              "keep only the numbers that you need, or declare the type `copyable` if a copy of \
+               the struct works like the original")
       |> with_trail trail |> Diagnostic.emit t.sink
 
 (* A mode is determined by the task that runs and by everything that follows it. *)
@@ -307,8 +307,8 @@ let explain_copies t trail diagnostic =
   | { of_; modes; _ } :: _ when modes > t.options.limit / 2 ->
       Diagnostic.note
         (Printf.sprintf
-           "the state machine of `%s` already has %d modes: one for each task or signal function \
-            together with everything that can follow it"
+           "the state machine of `%s` already has %d modes: one for each combination of a task or \
+            signal function and everything that can follow it"
            of_ modes)
         diagnostic
       |> Diagnostic.hint

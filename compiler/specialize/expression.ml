@@ -120,7 +120,7 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
           Leaves.select c.types s.node target ~span:e.span ty condition then_ else_
       | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Signal_function _
       | Primitive _ | Choice _ | Program _ ->
-          bug "a condition that is no Bool")
+          bug "a condition that is not a Bool")
 
 and element (c : Context.t) s target ~span (array : Ir.expr) k =
   let ty = Types.close s.types array.ty in
@@ -179,7 +179,7 @@ and param (c : Context.t) s (e : Ir.expr) (name : Ir.Global.t) k =
       let atom = Node.define s.node (Named name.name) ~span:e.span leaf (Param k) in
       Node.add_global s.node code (Atom atom);
       Atom atom
-  | None, ([] | _ :: _ :: _) -> bug "the parameter `%s` is no number" name.name
+  | None, ([] | _ :: _ :: _) -> bug "the parameter `%s` is not a number" name.name
 
 and definition (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types =
   let { Context.core; code } =
@@ -269,7 +269,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Signal_function _
       | Program _ ),
       _ ) ->
-      bug "what is applied is no function"
+      bug "an applied value is not a function"
 
 (* Binds as many arguments as the code takes at once, one after the other. *)
 and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (body : Ir.expr)
@@ -389,7 +389,7 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
   | Signal_function { code = Lambda _; _ }
   | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Primitive _
   | Program _ ->
-      bug "what is run is no signal function"
+      bug "a value that is run is not a signal function"
 
 (* [Left] with the output, or [Right] with the task's result. *)
 and run_task (c : Context.t) s target ~span ~result ~output ~ended signal_function input =
@@ -404,7 +404,7 @@ and run_task (c : Context.t) s target ~span ~result ~output ~ended signal_functi
   | Atom condition ->
       let right : Value.t = Constructed { constructor = 1; arguments = [ part 2 ] } in
       Leaves.select c.types s.node target ~span result condition right left
-  | _ -> bug "whether a task has ended is no Bool"
+  | _ -> bug "the end condition of a task is not a Bool"
 
 (* The result may be a function, which is then applied to the remaining arguments. *)
 and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =
@@ -415,7 +415,7 @@ and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =
   in
   let arity = Core.Primitive.arity primitive in
   match Core.Signature.of_primitive primitive types with
-  | None -> bug "`%s` has other type arguments" (Core.Primitive.name primitive)
+  | None -> bug "`%s` has unexpected type arguments" (Core.Primitive.name primitive)
   | Some ty ->
       let own_result, own, others = split arity ty [] arguments in
       let target = if others = [] then target else Node.Unnamed in

@@ -163,7 +163,7 @@ let param ~default (p : Ir.param) : Flow.Ir.param =
       | Bool -> Bool
       | Int -> Int
       | Float -> Float
-      | _ -> Diagnostic.bug ~stage:"Specialize.Of_core" "`%s` is no number" p.label);
+      | _ -> Diagnostic.bug ~stage:"Specialize.Of_core" "`%s` is not a number" p.label);
     unit_ = p.unit_;
     default = default p;
     doc = p.doc;
@@ -250,7 +250,8 @@ let closed (c : Context.t) ~name ~default ~(entry : Ir.Global.t) =
               Used_up.report c core;
               None)
       | None ->
-          Diagnostic.bug ~stage:"Specialize.Of_core" "`%s` is no closed signal function" entry.name)
+          Diagnostic.bug ~stage:"Specialize.Of_core" "`%s` is not a closed signal function"
+            entry.name)
 
 let controls options sink ~name ~entry (program : Ir.program) =
   let own = Diagnostic.sink () in

@@ -175,7 +175,7 @@ and analyse table (ty : Ir.ty) =
       let array { path; leaf } = { path; leaf = Flow.Ir.Array (n, leaf) } in
       (Array (n, element), first_order, List.map array leaves)
   | Size _ -> (Opaque, false, [])
-  | Array _ -> Diagnostic.bug ~stage:"Specialize.Types" "an array of no size"
+  | Array _ -> Diagnostic.bug ~stage:"Specialize.Types" "an array without a size"
   | Data _ when is_drawing ty ->
       product table ty (Option.fold ~none:[] ~some:parts_of_drawing table.marks)
   | Data _ when is_text ty -> (

@@ -14,7 +14,7 @@ let array_too_long c trail ~at (expansions : Context.expansion list) =
   |> Context.with_trail trail
   |> Diagnostic.note
        "an array of numbers is computed in a loop, but each function or signal function in an \
-        array gets code of its own"
+        array gets its own code"
   |> Diagnostic.hint
        "make the array shorter, or run one signal function on an array of numbers: `mapSF f xs`"
   |> Diagnostic.emit c.Context.sink
@@ -23,8 +23,8 @@ let machine_too_large (c : Context.t) trail ~at (m : Context.machine) =
   error ~at "the state machine of `%s` has too many modes: more than %d" m.of_ m.modes
   |> Context.with_trail trail
   |> Diagnostic.note
-       "there is a mode for each task or signal function that can run, together with everything \
-        that can follow it"
+       "there is one mode for each combination of a task or signal function that can run and \
+        everything that can follow it"
   |> Diagnostic.hint
        "repeat a task with `repeatT n`, `whileT` or `forever`, which use one mode for all \
         repetitions"
@@ -32,15 +32,14 @@ let machine_too_large (c : Context.t) trail ~at (m : Context.machine) =
 
 let type_name : Core.Ir.ty -> string = function
   | Data (tycon, _) -> Printf.sprintf "type `%s`" tycon.name
-  | _ -> "one tuple type"
+  | _ -> "same tuple type"
 
 let too_wide (c : Context.t) trail ~at (wide : Context.wide) =
-  error ~at "%d equations and calls define values of the %s, and more were to come" wide.uses
-    (type_name wide.ty)
+  error ~at "more than %d equations and calls define values of the %s" wide.uses (type_name wide.ty)
   |> Context.with_trail trail
   |> Diagnostic.note
        (Printf.sprintf
-          "each of these values is %d numbers, and each number gets an equation of its own"
+          "each of these values consists of %d numbers, and each number gets its own equation"
           wide.leaves)
   |> Diagnostic.hint "change several fields at once: `r { a = 1, b = 2 }`"
   |> Diagnostic.hint "keep many numbers of one type in an array: `Array 1000 Float` is one value"
@@ -65,7 +64,7 @@ let too_many_calls (c : Context.t) trail ~at (core : Core.Ir.definition) =
   |> Diagnostic.note
        "frobc evaluates a call with a function or signal function as argument or result at compile \
         time; if each level calls the next one twice, every level doubles the work"
-  |> Diagnostic.hint "use fewer levels of functions, or give a result a name and use it twice"
+  |> Diagnostic.hint "use fewer levels of functions, or give a result a name and use the name twice"
   |> Diagnostic.emit c.sink
 
 let report (c : Context.t) (core : Core.Ir.definition) =
@@ -100,7 +99,7 @@ let name_of : Core.Ir.ty -> string = function
 let report_type (c : Context.t) (core : Core.Ir.definition) ty =
   let trail = Context.latest c in
   let at = place c trail ~span:core.span in
-  Diagnostic.error ~code:"E0316" ~at "a value of %s would hold more than %d numbers" (name_of ty)
+  Diagnostic.error ~code:"E0316" ~at "a value of %s would contain more than %d numbers" (name_of ty)
     Types.most_leaves
   |> Context.with_trail trail
   |> Diagnostic.hint "use an array for many values of one type: `Array 1000 Float`"

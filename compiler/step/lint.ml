@@ -67,7 +67,7 @@ let variable c known (v : Ir.variable) =
 let param c k =
   match List.nth_opt c.program.params k with
   | Some (p : Flow.Ir.param) -> Layout.ty p.param_ty
-  | None -> bug "`%s` reads a parameter that is not there" c.node.name
+  | None -> bug "`%s` reads a missing parameter" c.node.name
 
 let dt c : Ir.ty =
   if not c.node.seconds then bug "`%s` reads dt and does not say so" c.node.name;
@@ -159,7 +159,7 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
       Nanoseconds
 
 and callee c k : Ir.node =
-  if k < 0 || k >= c.index then bug "`%s` calls a node that is not before it" c.node.name;
+  if k < 0 || k >= c.index then bug "`%s` calls a node that does not come before it" c.node.name;
   c.program.nodes.(k)
 
 and call c known (parameters : Ir.variable list) arguments =

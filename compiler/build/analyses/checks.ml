@@ -33,7 +33,7 @@ let check_chance sink at ({ share; confidence } as chance : Chance.t) =
       share confidence
 
 let demand = Interp.Thunk.demand
-let bug () = Diagnostic.bug ~stage:"Build.Checks" "a test that is none"
+let bug () = Diagnostic.bug ~stage:"Build.Checks" "a value that is not a test"
 
 (* The order of the arguments is that of the fields of the library's types. *)
 let seeds_of sink at (arguments : Interp.Value.t list) =

@@ -31,7 +31,7 @@ let value sink (places, constants) (p : Core.Ir.param) name : Interp.Value.t opt
       |> Diagnostic.note "it is NaN, like `0 / 0`"
       |> refuse
   | Ok ((Float _ | Int _ | Bool _) as value) -> Some value
-  | Ok _ -> Diagnostic.bug ~stage:"Build.Params" "`%s` is no number" p.label
+  | Ok _ -> Diagnostic.bug ~stage:"Build.Params" "`%s` is not a number" p.label
   | Error (Param other) ->
       unknown p ~at
         (Printf.sprintf "it depends on the parameter `%s`, which a run may set" other.label)
@@ -55,7 +55,7 @@ let atom : Interp.Value.t -> Flow.Ir.atom = function
   | Bool b -> Bool b
   | Int n -> Int n
   | Float x -> Float x
-  | _ -> Diagnostic.bug ~stage:"Build.Params" "a parameter that is no number"
+  | _ -> Diagnostic.bug ~stage:"Build.Params" "a parameter that is not a number"
 
 let evaluated core = (places core, Interp.Constant.program core)
 

@@ -52,7 +52,7 @@ let rec without_arrays steps (ty : M.ty) =
   | Interface.Element _ :: steps, Array (_, element) -> without_arrays steps element
   | Interface.Member _ :: steps, ty -> without_arrays steps ty
   | [], ty -> ty
-  | Element _ :: _, _ -> bug "an array that is none"
+  | Element _ :: _, _ -> bug "an element of a value that is not an array"
 
 let elements names direction ty steps ~c ~own =
   let ty = without_arrays steps ty and depth = Access.dimensions steps in

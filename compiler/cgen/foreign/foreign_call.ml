@@ -20,7 +20,8 @@ let fill names (i : Interface.t) name values =
 
 let size : M.ty -> int = function
   | Array (size, _) -> size
-  | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> bug "elements of no array"
+  | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ ->
+      bug "elements of a value that is not an array"
 
 (* An element of a plain C array. *)
 let bare name : Ir.expr list -> Ir.expr = function
@@ -47,7 +48,7 @@ let argument names k (passing : Foreign_interface.passing) values =
   | Struct i, values ->
       let name = own () in
       (fill names i name values, [ address name ])
-  | (Value _ | Address _ | Elements _), _ -> bug "an argument of other leaves"
+  | (Value _ | Address _ | Elements _), _ -> bug "an argument with unexpected leaves"
 
 (* {1 Results} *)
 
@@ -80,7 +81,7 @@ let leaf_number (foreign : F.foreign) name =
   let rec find k = function
     | (s : F.signal) :: _ when String.equal s.name name -> k
     | _ :: others -> find (k + 1) others
-    | [] -> bug "an output that is no result"
+    | [] -> bug "an output that is not a result"
   in
   find 0 foreign.results
 
@@ -174,7 +175,9 @@ let call_function v names (node : M.node) symbol arguments (passing : Foreign_in
 let step (v : V.t) k (interface : Foreign_interface.t) : Ir.function_ =
   let node = v.program.nodes.(k) in
   let foreign =
-    match node.foreign with Some foreign -> foreign | None -> bug "a call of what is not foreign"
+    match node.foreign with
+    | Some foreign -> foreign
+    | None -> bug "a foreign call of a function that is not foreign"
   in
   let names = Expression.names v ~node:k in
   let given = Expression.parameters names node.step.parameters in

@@ -1,5 +1,5 @@
 let plain desc : Ir.statement = { desc; comment = "" }
-let no_path () = Basis.Diagnostic.bug ~stage:"Cgen.Access" "a place that no path leads to"
+let no_path () = Basis.Diagnostic.bug ~stage:"Cgen.Access" "a place without an access path"
 
 (* A place in the input or output, given the indices of the arrays that contain it. *)
 let path from steps indices =

@@ -29,8 +29,8 @@ let of_program (v : V.t) =
   {
     prototype =
       Printf.sprintf
-        "/* So many steps, one after the other: each takes its %s and its input, and gives its\n\
-        \ * output, of arrays with count elements. */\n\
+        "/* Runs count steps, one after the other. Each step reads its %s and its input and\n\
+        \ * writes its output; all three are arrays with count elements. */\n\
          %s;\n"
         dt signature;
     definition =

@@ -43,7 +43,7 @@ let read_as n (variable : M.variable) e = Int_table.replace n.variables variable
 let variable n (variable : M.variable) =
   match Int_table.find_opt n.variables variable.id with
   | Some (Name name) -> name
-  | Some _ -> Diagnostic.bug ~stage:"Cgen.Expression" "a variable that has no name of its own"
+  | Some _ -> Diagnostic.bug ~stage:"Cgen.Expression" "a variable without a name"
   | None ->
       let name = Name.fresh n.scope variable.name in
       Int_table.replace n.variables variable.id (Ir.Name name);
@@ -73,7 +73,7 @@ let limited n general simple (a : M.expr) (b : M.expr) x y =
   | Some limit, None when not (Float.equal limit 0.) -> V.call n.v simple [ y; x ]
   | Some _, None | None, None -> V.call n.v general [ x; y ]
 
-let bad () = Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values it does not have"
+let bad () = Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values of unexpected types"
 
 (* For a comparison of a whole number with a literal: the number, the literal, and the comparison as
    a function of the number's value. *)

@@ -12,7 +12,7 @@ let robot_of ?own (program : Step.Ir.program) shape =
 let robot_struct (shape : F.shape) =
   match shape with
   | Product { product_name; _ } -> "frob_" ^ Name.snake product_name
-  | Leaf _ | Repeated _ -> bug "a robot's type that is no record"
+  | Leaf _ | Repeated _ -> bug "a robot's type that is not a record"
 
 let same own = { own; host = own; robot = None }
 let host_input = "host_input"

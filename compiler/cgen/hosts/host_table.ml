@@ -67,7 +67,7 @@ let rec value_at number path (ty : F.ty) =
 let element_of i = function
   | Array location -> location i
   | Scalar _ | Sum _ ->
-      Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an element of what is no array"
+      Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an element of a value that is not an array"
 
 let rec shape c locations (whole : F.shape) =
   match whole with
@@ -154,7 +154,7 @@ let locations (program : Step.Ir.program) (side : Border.side) whole =
     | Element _ :: rest, Array (_, element) ->
         Array (fun i -> locate number (sprintf "%s[%d]" path i) rest element)
     | Element _ :: _, (Bool | Int | Float | Sum _ | Foreign _) ->
-        Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an array of a leaf that is none"
+        Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an array leaf that is not an array"
   in
   let leaf steps = locate (number program side steps) "" steps in
   List.rev (List.rev_map2 leaf side.host.leaves (Flow.Shape.leaves whole))

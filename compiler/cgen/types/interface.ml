@@ -88,7 +88,8 @@ let paths (shape : F.shape) (members : Ir.member list) member_list_of =
     | Leaf _, _ -> leaves := List.rev path :: !leaves
     | Product product, _ -> inside path product (member_list_of product ty)
     | Repeated (n, element), Array (ty, _) -> at (Element n :: path) element ty
-    | Repeated _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "an array that is none in C"
+    | Repeated _, _ ->
+        Basis.Diagnostic.bug ~stage:"Cgen.Interface" "an array that is not an array in C"
   and inside path (product : F.product) (members : Ir.member list) =
     match (product.parts, members) with
     | [], member :: _ -> unused := List.rev (Member member.name :: path) :: !unused

@@ -43,7 +43,7 @@ let definition t (program : Step.Ir.program) =
     sprintf "%s    %s %s;\n" (comment p) (ty program.real p.param_ty) t.members.(k)
   in
   sprintf
-    "/* Parameters: the same from a reset to the last step after it. */\n\
+    "/* Parameters. Do not change them between a reset and the last step after it. */\n\
      struct %s {\n\
      %s};\n\n\
      extern const struct %s %s;\n"

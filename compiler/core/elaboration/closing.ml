@@ -17,4 +17,4 @@ let program (p : Ir.program) (d : Ir.definition) ~suffix ~input ~output =
   match d.ty with
   | Data (tycon, [ i; o ]) -> closed i o (fun i o -> Data (tycon, [ i; o ]))
   | Signal_function (i, o) -> closed i o (fun i o -> Signal_function (i, o))
-  | _ -> Basis.Diagnostic.bug ~stage:"Core.Closing" "`%s` is no program" d.name.name
+  | _ -> Basis.Diagnostic.bug ~stage:"Core.Closing" "`%s` is not a program" d.name.name

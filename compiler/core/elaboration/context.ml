@@ -43,7 +43,8 @@ let instances t = t.instances
 let data t (tycon : Ir.Global.t) =
   match Global_table.find_opt t.data tycon with
   | Some d -> d
-  | None -> Diagnostic.bug ~stage:"Core.Context" "`%s.%s` is no data type" tycon.module_ tycon.name
+  | None ->
+      Diagnostic.bug ~stage:"Core.Context" "`%s.%s` is not a data type" tycon.module_ tycon.name
 
 let constructors t tycon = (data t tycon).count
 
@@ -57,4 +58,4 @@ let field_types t (ty : Ir.ty) ~constructor =
         (List.nth d.constructors constructor).fields
   | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Array _
   | Size _ ->
-      Diagnostic.bug ~stage:"Core.Context" "the fields of what is no data type"
+      Diagnostic.bug ~stage:"Core.Context" "the fields of a type that is not a data type"

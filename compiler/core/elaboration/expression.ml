@@ -41,7 +41,7 @@ let number (e : T.expr) =
     match e.ty with
     | Function (_, Function (Number (_, { base = []; variables = [] }), _)) -> ""
     | Function (_, Function (Number (_, unit_), _)) -> Typing.Show.unit_ unit_
-    | _ -> bug "`number` has another type"
+    | _ -> bug "`number` has an unexpected type"
   in
   let ty = Erasure.ty e.ty in
   let f = Term.make (Ir.Function (String, ty)) e.span (Ir.Global (Signature.reading, [])) in
@@ -78,7 +78,7 @@ let rec expr env (e : T.expr) : Ir.expr =
   | Proc { input; equations; output } -> proc env e input equations output
   | Run (h, input) -> (
       match env.equations with
-      | None -> bug "an instance at %a, outside of all procs" Span.pp e.span
+      | None -> bug "the instance at %a is not inside a proc" Span.pp e.span
       | Some equations ->
           let binder : Ir.binder =
             { local = Context.fresh env.ctx "" e.span; ty = Erasure.ty e.ty }
@@ -102,7 +102,7 @@ and construct (ty : T.ty) (c : T.constructor) arguments : Ir.expr_desc =
   | Bool -> Boolean (c.index = 1)
   | Data { tycon; _ } -> Construct { data = tycon; constructor = c.index; arguments }
   | Variable _ | Number _ | String | Tuple _ | Function _ | Signal_function _ | Size _ ->
-      bug "`%s` constructs what is no data" c.constructor.name
+      bug "`%s` constructs a value that is not data" c.constructor.name
 
 (* {2 Application} *)
 

@@ -169,8 +169,8 @@ let report_named entry hops =
   let d =
     if List.exists (fun hop -> List.exists by_a_switch hop.via) hops then
       Diagnostic.note
-        "each output of a switch depends on every input that the signal functions in it read in \
-         the same instant"
+        "each output of a switch depends on every input that the signal functions inside the \
+         switch read in the same instant"
         d
     else d
   in
@@ -191,7 +191,7 @@ let report_unnamed hops =
     else Diagnostic.label ~at:hop.at ("the loop goes through here" ^ through hop.via) d
   in
   List.fold_left label d (fst (shorten (rotate_to first hops)))
-  |> Diagnostic.here ("here its value returns to it" ^ through first.via)
+  |> Diagnostic.here ("the value comes back here" ^ through first.via)
   |> Diagnostic.hint "read the previous value instead, with `delay`"
 
 let report program entry passages uses index (node : Dependency.node) component =

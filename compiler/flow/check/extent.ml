@@ -89,7 +89,8 @@ let report sink ~entry (p : program) measure text =
        "each use of a signal function has its own copy of the state, including the state of all \
         signal functions inside it"
   |> Diagnostic.hint
-       "run a signal function once and use its output twice: give the output a name in an equation"
+       "name the output of a signal function in an equation, so that you can use it twice and run \
+        the signal function only once"
   |> Diagnostic.emit sink
 
 let check sink ~entry (p : program) =
@@ -99,8 +100,8 @@ let check sink ~entry (p : program) =
     report sink ~entry p
       (fun k -> sizes.(k).values)
       (Printf.sprintf
-         "the program would keep %.3g values from instant to instant; the maximum is %.0f" values
-         most_values)
+         "the program would store %.3g values from one instant to the next; the maximum is %.0f"
+         values most_values)
   else if instances > most_instances then
     report sink ~entry p
       (fun k -> sizes.(k).instances)

@@ -32,12 +32,12 @@ let check_node (program : Ir.program) (node : Ir.node) =
     node.equations;
   List.iter
     (fun (i : Ir.instance) ->
-      let what = "what `" ^ i.name ^ "` starts with" in
+      let what = "a start value of `" ^ i.name ^ "`" in
       if not (is_function i) then List.iter (expect what) i.statics)
     node.instances;
   Option.iter
     (fun (m : Ir.machine) ->
-      List.iter (expect "what its first mode starts with") (Transitions.atoms m.start))
+      List.iter (expect "a start value of the first mode") (Transitions.atoms m.start))
     node.machine
 
 let check (program : Ir.program) = Array.iter (check_node program) program.nodes

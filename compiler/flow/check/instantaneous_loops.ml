@@ -42,14 +42,14 @@ let hint ~entry ~(by : Ir.follower) sources =
   | "after" :: _, _ -> "wait for at least 1 ns: `after (max 1[ms] q)`"
   | "elapsed" :: _, _ -> "wait for at least 1 ns: `max 1[ms] q`"
   | _ :: _, _ when not (List.exists (fun (_, at) -> Own_code.is_own ~entry at) sources) ->
-      "add a task that takes time: `sleepT 10[ms] …` after the task, with the output meanwhile, \
-       such as the `restingOutput` of a robot"
+      "after the task, add one that takes time, `sleepT 10[ms] …`; in place of `…`, write the \
+       output during that time, such as the `restingOutput` of a robot"
   | _, Statement _ ->
-      "use `untilT (proc x -> (…, condition))`, which ends when the condition holds but takes at \
-       least one instant; `edge` would wait for ever if the condition holds from the start"
+      "use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at \
+       least one instant; `edge` would wait forever if the condition were true from the start"
   | _, Continuation _ ->
-      "apply `notYet` to the event, which ignores it at the first instant; `edge` would wait for \
-       ever if the condition holds from the start"
+      "apply `notYet` to the event to ignore it at the first instant; `edge` would wait forever if \
+       the condition were true from the start"
 
 (* The modes of the cycle, and the definitions that determine the next mode. *)
 let circle hops =
@@ -68,8 +68,8 @@ let note modes =
   match List.sort_uniq compare modes with
   | [ (mode, Some event) ] when mode <> event ->
       at_which (Printf.sprintf "`%s` occurs as soon as `%s` starts" event mode)
-  | [ (mode, _) ] -> at_which (Printf.sprintf "`%s` is left as soon as it starts" mode)
-  | _ -> at_which "each is left as soon as it starts"
+  | [ (mode, _) ] -> at_which (Printf.sprintf "`%s` ends as soon as it starts" mode)
+  | _ -> at_which "each ends as soon as it starts"
 
 (* The place for the message. For a cycle of the library's modes, it is the place where the program
    uses them. *)

@@ -23,7 +23,7 @@ let anything_but_sums : Ir.ty -> t = function
   | Bool -> any_bool
   | Int -> any_int
   | Float -> any_float
-  | Sum _ | Array _ | Foreign _ -> bug "an operation gives what is no number"
+  | Sum _ | Array _ | Foreign _ -> bug "an operation does not return a number"
 
 let float x =
   if Float.is_nan x then Floats { least = infinity; most = neg_infinity; nan = true }
@@ -150,20 +150,20 @@ and without least most other_least other_most =
         most = (if most = other_most then most - 1 else most);
       }
 
-let may_be_true = function Bools b -> b.true_ | _ -> bug "a condition that is no Bool"
-let may_be_false = function Bools b -> b.false_ | _ -> bug "a condition that is no Bool"
+let may_be_true = function Bools b -> b.true_ | _ -> bug "a condition that is not a Bool"
+let may_be_false = function Bools b -> b.false_ | _ -> bug "a condition that is not a Bool"
 
 let has_constructor t k =
   match t with
   | Constructors ks ->
       Bools { true_ = List.mem_assoc k ks; false_ = List.exists (fun (other, _) -> other <> k) ks }
-  | Bools _ | Ints _ | Floats _ -> bug "a constructor of what is no sum"
+  | Bools _ | Ints _ | Floats _ -> bug "a constructor of a value that is not a sum"
 
 let payload t k leaf =
   match t with
   | Constructors [ (only, Some leaves) ] when only = k -> List.nth_opt leaves leaf
   | Constructors _ -> None
-  | Bools _ | Ints _ | Floats _ -> bug "the payload of what is no sum"
+  | Bools _ | Ints _ | Floats _ -> bug "the payload of a value that is not a sum"
 
 (* The value of a range that contains only one. Zeros are excluded, because a range does not
    distinguish their signs. *)

@@ -4,13 +4,13 @@ let elements : Value.t -> Value.thunk array = function
   | Array elements -> elements
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Data _ | Function _
   | Signal_function _ | Task _ | Ending _ ->
-      bug "an array is something else"
+      bug "a value that is not an array"
 
 let number : Value.t -> int = function
   | Int n -> Int32.to_int n
   | Bool _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
   | Signal_function _ | Task _ | Ending _ ->
-      bug "an index is something else"
+      bug "an index that is not an Int"
 
 let element array k = Thunk.force (elements array).(k)
 let of_int k = Thunk.known (Value.Int (Int32.of_int k))
@@ -66,7 +66,7 @@ let start signal_function : Value.instance =
   | Signal_function start -> start ()
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
   | Function _ | Task _ | Ending _ ->
-      bug "what is run is no signal function"
+      bug "a value that is run is not a signal function"
 
 let side_by_side instances : Value.instance =
   {

@@ -27,7 +27,7 @@ let rec layout (program : Core.Ir.program) (ty : Core.Ir.ty) =
           Parts { record = true; parts = List.map part fields }
       | _, _ -> bug "a kernel of a sum, `%s`" tycon.name)
   | Variable _ | String | Function _ | Signal_function _ | Array _ | Size _ ->
-      bug "a kernel of what is no value"
+      bug "a kernel argument that is not a plain value"
 
 let rec alignment = function
   | Truth -> 1
@@ -67,7 +67,7 @@ let rec write bytes at layout (value : Value.t) =
   | Elements (count, element), Array values ->
       write_all bytes at (List.init count (fun _ -> element)) values
   | (Truth | Whole | Number | Picture | Parts _ | Elements _), _ ->
-      bug "an argument of another type"
+      bug "an argument of an unexpected type"
 
 and write_all bytes at parts values =
   let places = places at parts (fun part at -> (part, at)) in
@@ -82,7 +82,7 @@ let rec read real bytes at layout : Value.t =
       let values = read_all real bytes at parts in
       if record then Data { constructor = 0; arguments = values } else Tuple values
   | Elements (count, element) -> Array (read_all real bytes at (List.init count (fun _ -> element)))
-  | Picture -> bug "a kernel that gives an image"
+  | Picture -> bug "a kernel that returns an image"
 
 and read_all real bytes at parts =
   Array.of_list (places at parts (fun part at -> Thunk.known (read real bytes at part)))

@@ -3,7 +3,7 @@ let bug format = Basis.Diagnostic.bug ~stage:"Interp.Operator" format
 let rec last = function
   | [ console ] -> Thunk.force console
   | _ :: others -> last others
-  | [] -> bug "a console that is not there"
+  | [] -> bug "a missing console"
 
 let label (kind : Core.Primitive.console) (arguments : Value.thunk list) =
   match (kind, arguments) with
@@ -12,14 +12,14 @@ let label (kind : Core.Primitive.console) (arguments : Value.thunk list) =
       match (Thunk.force first : Value.t) with
       | Text camera when kind = Tags -> Core.Console.tags_label camera
       | Text text -> text
-      | _ -> bug "a label that is no text")
+      | _ -> bug "a label that is not a string")
   | (Button | Hold | Knob | Toggle | Camera | Tags), [] -> bug "a console without a label"
 
 let apply controls kind arguments =
   match (last arguments : Value.t) with
   | Data { arguments = fields; _ } ->
       Thunk.force fields.(Core.Console.field controls (label kind arguments))
-  | _ -> bug "a console that is no record"
+  | _ -> bug "a console that is not a record"
 
 let control_at_rest (c : Core.Ir.control) : Value.t =
   match Core.Console.at_rest c.kind with

@@ -1,14 +1,14 @@
 exception Foreign_code of string
 
 let bug (p : Core.Primitive.t) =
-  Basis.Diagnostic.bug ~stage:"Interp" "`%s` is applied to values of other types"
+  Basis.Diagnostic.bug ~stage:"Interp" "`%s` is applied to values of unexpected types"
     (Core.Primitive.name p)
 
 let float : Value.t -> float = function
   | Float x -> x
   | Bool _ | Int _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
   | Signal_function _ | Task _ | Ending _ ->
-      Basis.Diagnostic.bug ~stage:"Interp" "a Float is something else"
+      Basis.Diagnostic.bug ~stage:"Interp" "a value that is not a Float"
 
 let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
   match (p, arguments) with

@@ -4,7 +4,7 @@ let float : Value.t -> float = function
   | Float x -> x
   | Bool _ | Int _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
   | Signal_function _ | Task _ | Ending _ ->
-      Basis.Diagnostic.bug ~stage:"Interp" "a Float is something else"
+      Basis.Diagnostic.bug ~stage:"Interp" "a value that is not a Float"
 
 let zero = Thunk.known (Value.Float 0.)
 let successor () = None
@@ -46,7 +46,7 @@ let bool : Value.t -> bool = function
   | Bool b -> b
   | Float _ | Int _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
   | Signal_function _ | Task _ | Ending _ ->
-      Basis.Diagnostic.bug ~stage:"Interp" "a Bool is something else"
+      Basis.Diagnostic.bug ~stage:"Interp" "a value that is not a Bool"
 
 let time_since real nesting : Value.instance =
   let before = ref 0L and now = ref (Thunk.known 0L) in

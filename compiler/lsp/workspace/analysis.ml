@@ -52,7 +52,7 @@ let guarded f =
       Error (Printf.sprintf "frobc gave up after %.0f s" !patience)
   | exception (Not_at_once | Fun.Finally_raised Not_at_once) -> raise Not_at_once
   | exception Stack_overflow -> broken "frobc" "the stack overflowed"
-  | exception Out_of_memory -> broken "frobc" "there is no more memory"
+  | exception Out_of_memory -> broken "frobc" "out of memory"
   | exception exn -> broken "frobc" (Printexc.to_string exn)
 
 let path_of ~library shown =

@@ -11,7 +11,7 @@ let short = 4
 
 let size_and_element : T.ty -> int * T.ty = function
   | Array (Size n, element) -> (n, element)
-  | ty -> bug "%s is no array" (Types.to_string ty)
+  | ty -> bug "%s is not an array" (Types.to_string ty)
 
 let is_first_order (p : position) ty = (Types.layout p.types ty).first_order
 

@@ -2,7 +2,7 @@ open Basis
 module Ir = Flow.Ir
 
 let bug primitive =
-  Diagnostic.bug ~stage:"Specialize.Drawing" "`%s` has other arguments"
+  Diagnostic.bug ~stage:"Specialize.Drawing" "`%s` has unexpected arguments"
     (Core.Primitive.name primitive)
 
 type drawing = { count : Ir.atom; marks : Ir.atom }

@@ -161,7 +161,7 @@ let report_growth (c : Context.t) ~name (t : t) =
     if List.mem hop.at shown || Context.in_library c hop.at || String.equal hop.name "" then
       (diagnostic, shown)
     else
-      let text = Printf.sprintf "`%s` starts here on the way" hop.name in
+      let text = Printf.sprintf "on the way, `%s` starts here" hop.name in
       (Diagnostic.label ~at:hop.at text diagnostic, hop.at :: shown)
   in
   let name, what =

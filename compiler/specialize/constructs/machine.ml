@@ -398,7 +398,7 @@ let body ({ context = c; trail; node; span; _ } : Evaluator.position) evaluator 
 let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~inside =
   let calls = match Context.since outside inside with [] -> [] | _ :: calls -> List.rev calls in
   match calls with
-  | [] -> bug "a machine is made while it is made"
+  | [] -> bug "a machine is built while it is being built"
   | (_, at) :: inner ->
       let wrappers =
         List.fold_left
@@ -428,24 +428,24 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~insid
       List.fold_left label error labels
       |> Diagnostic.note
            (if is_task then
-              "a task may only restart itself as the last statement of its `do`, with nothing \
-               around it that continues; otherwise each restart would need more memory"
+              "a task may only restart itself as the last statement of its `do`, and nothing \
+               around the task may continue; otherwise each restart would need more memory"
             else
               "a signal function may only restart itself as the whole result of a continuation; \
                otherwise each restart would need more memory")
       |> Diagnostic.hint
            (if is_task then
-              "to repeat a task, write `repeatT 4 t`, `whileT condition t` or `forever t`, and put \
-               the statements that follow all repetitions after it"
+              "to repeat a task, write `repeatT 4 t`, `whileT condition t` or `forever t`, \
+               followed by the statements to run after all repetitions"
             else if by_itself && goes_on then
               "use `switch`, whose continuation replaces it; `rSwitch` never ends"
             else if by_itself then
               Printf.sprintf
-                "let `%s` end in a `switch`, whose continuation starts the other signal function; \
-                 or choose between the two with a signal"
+                "end `%s` in a `switch` whose continuation starts the other signal function, or \
+                 choose between the two with a signal"
                 name
             else
-              Printf.sprintf "apply %s once, where the first mode is started, and not in each mode"
+              Printf.sprintf "apply %s once, where the first mode starts, not in each mode"
                 (String.concat ", " quoted))
       |> Diagnostic.emit c.sink;
       raise Context.Stopped

@@ -61,21 +61,20 @@ let numbers p values =
   | [ Some least; Some most; Some first ] ->
       let number = Printf.sprintf "%g" in
       if List.exists (fun x -> not (Float.is_finite x)) [ least; most; first ] then
-        refuse "the limits of a knob and its first value must be finite numbers" Fun.id
+        refuse "the limits and the initial value of a knob must be finite numbers" Fun.id
       else if least >= most then
         refuse
-          (Printf.sprintf
-             "this knob goes from %s to %s: the first limit must be less than the second"
+          (Printf.sprintf "the lower limit of this knob, %s, must be less than its upper limit, %s"
              (number least) (number most))
           Fun.id
       else if first < least || first > most then
         refuse
-          (Printf.sprintf "this knob begins at %s, which is outside its limits, %s and %s"
+          (Printf.sprintf "the initial value of this knob, %s, is outside its limits, %s and %s"
              (number first) (number least) (number most))
           Fun.id
       else Some (Ir.Knob { least; most; first })
   | _ ->
-      refuse "the limits and the first value of this knob must be known at compile time" (fun d ->
+      refuse "the limits and the initial value of this knob must be known at compile time" (fun d ->
           Diagnostic.note
             "you can use literals, constants, parameters with a constant value, and operators on \
              these"
@@ -102,7 +101,7 @@ let control p (kind : Core.Primitive.console) (arguments : Value.argument list) 
       | Unspecified -> None
       | _ ->
           refuse p ~code:"E0441" ~at:(place p)
-            "the first position of this toggle must be known at compile time" Fun.id)
+            "the initial position of this toggle must be known at compile time" Fun.id)
   | Camera, text :: _ ->
       let* label = label p text in
       Some (label, Ir.Camera)

@@ -55,13 +55,12 @@ let report_circle (c : Context.t) ~span hops =
   (* the task that had ended before determines the text *)
   let this_starts place =
     match List.find_opt (fun hop -> Span.compare hop.place place = 0) (List.rev hops) with
-    | Some { ended; _ } ->
-        Printf.sprintf "this starts as soon as `%s` has ended, without taking time" ended
+    | Some { ended; _ } -> Printf.sprintf "this starts in the instant in which `%s` ends" ended
     | None -> (
         match List.rev hops with
         | { ended; by; _ } :: _ ->
-            Printf.sprintf "`%s` may end without taking time, and `%s` follows it" ended by
-        | [] -> "this starts as soon as the previous task has ended, without taking time")
+            Printf.sprintf "`%s` may end in its first instant, and `%s` follows it" ended by
+        | [] -> "this starts in the instant in which the previous task ends")
   in
   let label d place =
     if Span.compare place at = 0 then d else Diagnostic.label ~at:place (this_starts place) d
@@ -114,7 +113,7 @@ let rec head (task : Value.t) =
       } ->
       Runs { signal_function = signal_function.value; primitive; output; result }
   | Primitive { primitive = Return; arguments = [ value ]; _ } -> Ends value
-  | _ -> bug "what is no task, or not reduced"
+  | _ -> bug "a value that is not a reduced task"
 
 let rec first : Value.t -> Value.t option = function
   | Primitive { primitive = Sequence; arguments = [ _; before ]; _ } -> first before.value
@@ -186,7 +185,9 @@ let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
     match task with
     | Primitive { primitive = Sequence; types; arguments = [ rest; first ]; owner; at } ->
         let a, b, d =
-          match types with [ a; b; _; d ] -> (a, b, d) | _ -> bug "a sequence of other types"
+          match types with
+          | [ a; b; _; d ] -> (a, b, d)
+          | _ -> bug "a sequence with unexpected types"
         in
         let span = if Context.in_prelude c at then span else at in
         follow ~span chain types (owner, at) rest
@@ -223,7 +224,7 @@ let rec after (task : Value.t) result : Value.t =
       sequence types owner at { first with value = after first.value result } rest
   | Primitive { primitive = Make_task | Until_right; types = [ a; b; c ]; owner; at; _ } ->
       returned [ c; a; b ] result owner at
-  | _ -> bug "what has ended is no task that runs"
+  | _ -> bug "a task that has ended was not running"
 
 let rec name (task : Value.t) =
   match task with
@@ -231,14 +232,14 @@ let rec name (task : Value.t) =
       match head first.value with Ends _ -> owner | Runs _ | Passes -> name first.value)
   | Primitive { primitive = Return; _ } -> "ended"
   | Primitive { owner; _ } -> owner
-  | _ -> bug "a name of what is no task"
+  | _ -> bug "the name of a value that is not a task"
 
 let rec place (task : Value.t) =
   match task with
   | Primitive { primitive = Sequence; arguments = [ _; first ]; at; _ } -> (
       match head first.value with Ends _ -> at | Runs _ | Passes -> place first.value)
   | Primitive { at; _ } -> at
-  | _ -> bug "the place of what is no task"
+  | _ -> bug "the place of a value that is not a task"
 
 let rec next (task : Value.t) =
   match task with
@@ -247,4 +248,4 @@ let rec next (task : Value.t) =
       | Primitive { primitive = Sequence; _ } -> next first.value
       | _ -> (owner, place_of ~otherwise:at rest.value))
   | Primitive { owner; at; _ } -> (owner, at)
-  | _ -> bug "the place of what is no task"
+  | _ -> bug "the place of a value that is not a task"

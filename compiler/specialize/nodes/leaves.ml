@@ -110,7 +110,7 @@ let value table ty atoms =
         in
         split [] (List.length (Types.layout table ty).leaves) atoms
     | (Scalar | Sum _), [] | Opaque, _ ->
-        bug "a value of type %s cannot be made of leaves" (Types.to_string ty)
+        bug "a value of type %s cannot be built from leaves" (Types.to_string ty)
   in
   fst (take ty atoms)
 
@@ -124,7 +124,7 @@ let rec component (value : Value.t) index : Value.t =
   | Unspecified -> Unspecified
   | Atom _ | Text _ | Constructed _ | Array _ | Elements _ | Function _ | Signal_function _
   | Primitive _ | Program _ ->
-      bug "component %d of what is no product" index
+      bug "component %d of a value that is not a product" index
 
 let rec is_constructor table node target ~span ty (value : Value.t) index : Ir.atom =
   match value with
@@ -139,7 +139,7 @@ let rec is_constructor table node target ~span ty (value : Value.t) index : Ir.a
       | then_, else_ -> Node.define node target ~span Bool (If { condition; then_; else_ }))
   | Unspecified -> Bool false
   | Text _ | Array _ | Elements _ | Function _ | Signal_function _ | Primitive _ | Program _ ->
-      bug "a constructor is asked of a %s" (Types.to_string ty)
+      bug "a request for the constructor of a %s" (Types.to_string ty)
 
 (* Keeps the condition even if two leaves are equal, because causality must see that the result
    depends on it. {!Flow.Simplify} removes unnecessary choices later. *)
@@ -190,7 +190,7 @@ let rec payload table node target ~span ty (value : Value.t) ~constructor ~field
   | ( ( Atom _ | Text _ | Array _ | Elements _ | Function _ | Signal_function _ | Primitive _
       | Choice _ | Program _ ),
       (Scalar | Product _ | Sum _ | Array _ | Opaque) ) ->
-      bug "a payload is asked of a %s" (Types.to_string ty)
+      bug "a request for the payload of a %s" (Types.to_string ty)
 
 and payload_of_leaf table node target ~span fields atom ~constructor ~field =
   let count (part : Types.part) = List.length (Types.layout table part.ty).leaves in

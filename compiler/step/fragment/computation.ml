@@ -7,7 +7,7 @@ let broken what = Diagnostic.bug ~stage:"Step.Computation" "%s" what
 
 let sum_of : F.ty -> int = function
   | Sum k -> k
-  | Bool | Int | Float | Array _ | Foreign _ -> broken "a constructor of what is no sum"
+  | Bool | Int | Float | Array _ | Foreign _ -> broken "a constructor of a value that is not a sum"
 
 let operation ~span operator ty arguments : Ir.expr = Operation { operator; ty; arguments; span }
 
@@ -41,7 +41,7 @@ let without_self_comparison (rhs : F.rhs) : F.rhs =
 
 let array_type : F.ty -> int * Ir.ty = function
   | Array (n, element) -> (n, Layout.ty element)
-  | Bool | Int | Float | Sum _ | Foreign _ -> broken "an element of what is no array"
+  | Bool | Int | Float | Sum _ | Foreign _ -> broken "an element of a value that is not an array"
 
 (* The expression of an equation without memory. *)
 let computed (eq : F.equation) rhs : computed =
@@ -100,4 +100,5 @@ let computed (eq : F.equation) rhs : computed =
         | _ -> broken "an element with a wrong number of operands")
   | Step_time -> make [] 0 (fun _ -> Ir.Dt)
   | Param k -> make [] 0 (fun _ -> Ir.Param k)
-  | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ -> broken "memory where none can be"
+  | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ ->
+      broken "memory in a place that cannot have any"

@@ -41,7 +41,7 @@ let entry context targets read (t : F.transition) : Ir.entry =
   let value id =
     match Int_table.find_opt values id with
     | Some atom -> read atom
-    | None -> broken "a mode starts with what is no parameter"
+    | None -> broken "a mode starts with a value that is not a parameter"
   in
   {
     mode = t.target;
@@ -70,7 +70,7 @@ let case context targets ~inputs (mode : Ir.mode) : Ir.case =
   let value id =
     match Int_table.find_opt values id with
     | Some e -> e
-    | None -> broken "a mode's step reads what it is not given"
+    | None -> broken "a mode's step reads a value that it does not receive"
   in
   let next (t : F.transition) : Ir.next =
     {

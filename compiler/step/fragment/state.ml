@@ -53,7 +53,7 @@ let origin_of_delay (s : signal) next =
 
 let remember t (s : signal) memory = Int_table.replace t.memories s.id memory
 let value (ty : ty) : Ir.content = Value (Layout.ty ty)
-let past_first = "past the first instant"
+let past_first = "true after the first instant"
 
 let equation t { defines = s; rhs; span } =
   let field ~origin ~name purpose = new_field ~origin t ~name (Value Float) ~purpose span in
@@ -81,14 +81,14 @@ let equation t { defines = s; rhs; span } =
         | Float x when Float.is_finite x -> Float x
         | Signal _ | Bool _ | Int _ | Float _ ->
             let origin = { (origin s) with role = Its_integrand } in
-            Field (field ~origin ~name:(name ^ "_input") "its last input")
+            Field (field ~origin ~name:(name ^ "_input") "previous input")
       in
       remember t s (Integrated { value; input })
   | Derivative input ->
       let name = derived s input ~suffix:"derivative" ~otherwise:"derivative" in
       let value = field ~origin:(origin s) ~name "derivative" in
       let origin = { (origin s) with role = Its_integral } in
-      let input = field ~origin ~name:(name ^ "_input") "its last input" in
+      let input = field ~origin ~name:(name ^ "_input") "previous input" in
       remember t s (Differentiated { value; input })
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Param _
   | Absent | Fill _ | Index _ | At _ | Replace _ | Step_time ->
@@ -131,9 +131,9 @@ let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
   let field name content purpose = new_field t ~name content ~purpose m.span in
   (* A single mode needs no number. *)
   if List.compare_length_with modes 1 > 0 then
-    ignore (field "mode" Ir.Running_mode "the mode that runs" : Ir.field);
+    ignore (field "mode" Ir.Running_mode "active mode" : Ir.field);
   if List.exists keeps modes then
-    ignore (field "modes" (Ir.Modes modes) "what they keep" : Ir.field);
+    ignore (field "modes" (Ir.Modes modes) "state of the modes" : Ir.field);
   let looks_at_time mode =
     let node : Ir.node = callee mode in
     node.seconds || node.nanoseconds
@@ -142,7 +142,7 @@ let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
     match m.active with
     | Some _ when List.exists looks_at_time m.modes ->
         let since = field "since" (Ir.Value Nanoseconds) "ns since its last instant" in
-        let running = field "running" (Ir.Value Bool) "past its first instant" in
+        let running = field "running" (Ir.Value Bool) "true after its first instant" in
         Some { Ir.since; running; elapsed = Later (Field since, Dt_nanoseconds) }
     | Some _ | None -> None
   in
@@ -182,7 +182,7 @@ let of_node ~callee ~statics:(statics_of : int -> (Ir.variable * Ir.origin) list
       (* Without a name it may be an intermediate result, whose span is that of the operation. *)
       let origin = if String.equal s.name "" then None else Some (origin s) in
       let name = if String.equal s.name "" then name else s.name in
-      let purpose = "known at the start" in
+      let purpose = "computed by reset" in
       remember t s (Kept (new_field ?origin t ~name (value s.ty) ~purpose span))
   in
   List.iter

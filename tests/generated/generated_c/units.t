@@ -64,13 +64,13 @@ Each member of the input, the output and the state says its unit.
       double poseBefore_x;           /* m, delay at follow.frob:13 */
       double poseBefore_heading;     /* rad, delay at follow.frob:13 */
       double i_gap_derivative;       /* m/s, derivative at follow.frob:14 */
-      double i_gap_derivative_input; /* m, its last input at follow.frob:14 */
+      double i_gap_derivative_input; /* m, previous input at follow.frob:14 */
       double before;                 /* delay at follow.frob:23 */
       double i_gap_integral;         /* m/s, integral at follow.frob:16 */
-      double i_gap_integral_input;   /* m/s^2, its last input at follow.frob:16 */
+      double i_gap_integral_input;   /* m/s^2, previous input at follow.frob:16 */
       double share;                  /* m, integral at follow.frob:16 */
-      double share_input;            /* m/s, its last input at follow.frob:16 */
-      bool started;                  /* past the first instant at follow.frob:11 */
+      double share_input;            /* m/s, previous input at follow.frob:16 */
+      bool started;                  /* true after the first instant at follow.frob:11 */
   };
 
 The components of a tuple, and a value that is not a record.
@@ -92,6 +92,6 @@ The components of a tuple, and a value that is not a record.
   };
   struct tuple_state {
       double v;       /* m/s, derivative at tuple.frob:3 */
-      double v_input; /* m, its last input at tuple.frob:3 */
-      bool started;   /* past the first instant at tuple.frob:2 */
+      double v_input; /* m, previous input at tuple.frob:3 */
+      bool started;   /* true after the first instant at tuple.frob:2 */
   };

@@ -69,7 +69,7 @@ A program whose state no machine can hold is refused.
   $ for n in $(seq 21 60); do echo "f$n = f$((n - 1)) >>> f$((n - 1))" >> million.frob; done
   $ echo 'main = f60' >> million.frob
   $ operations million.frob
-  error[E0413]: the program would keep 1.15e+18 values from instant to instant; the maximum is 134217728
+  error[E0413]: the program would store 1.15e+18 values from one instant to the next; the maximum is 134217728
      --> million.frob:63:1
       |
    63 | main = f60
@@ -81,7 +81,7 @@ A program whose state no machine can hold is refused.
       |                          --- `>>>` contains 2 of `>>>`
       |
       = note: each use of a signal function has its own copy of the state, including the state of all signal functions inside it
-      = hint: run a signal function once and use its output twice: give the output a name in an equation
+      = hint: name the output of a signal function in an equation, so that you can use it twice and run the signal function only once
   
   1 error
   [1]

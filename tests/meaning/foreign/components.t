@@ -134,7 +134,7 @@ What comes from C is unknown when a program starts, so it may switch at once:
     | `filter` may occur at the first instant of `main`
     |
     = note: no time passes between these steps at an instant at which `filter` occurs as soon as `main` starts
-    = hint: apply `notYet` to the event, which ignores it at the first instant; `edge` would wait for ever if the condition holds from the start
+    = hint: apply `notYet` to the event to ignore it at the first instant; `edge` would wait forever if the condition were true from the start
   
   1 error
   [1]

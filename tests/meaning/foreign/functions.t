@@ -30,8 +30,8 @@ come out.
 The generated header has the types by names that no program owns, and says what it
 expects. A C file that includes it is checked against it.
 
-  $ sed -n '/What is imported/,/^struct/p' shapes.h
-  /* What is imported. */
+  $ sed -n '/Imported functions/,/^struct/p' shapes.h
+  /* Imported functions. */
   
   double point_apart(const struct frob_point *a, const struct frob_point *b);
   

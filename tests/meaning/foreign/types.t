@@ -154,7 +154,7 @@ Foreign values are not compared, and not kept unless copyable, in whatever way:
     |                        ^^^^^^^^^^^^^^^^^
     |
     = note: a `Frame` from C is valid for one instant; C may reuse its memory after that
-    = hint: keep only the numbers that you need; or declare the type `copyable`, if a copy of the struct works as well as the struct
+    = hint: keep only the numbers that you need, or declare the type `copyable` if a copy of the struct works like the original
   
   1 error
   [1]
@@ -172,7 +172,7 @@ Foreign values are not compared, and not kept unless copyable, in whatever way:
     | -------------------------------------------------^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^- `main` is called here
     |
     = note: a `Frame` from C is valid for one instant; C may reuse its memory after that
-    = hint: keep only the numbers that you need; or declare the type `copyable`, if a copy of the struct works as well as the struct
+    = hint: keep only the numbers that you need, or declare the type `copyable` if a copy of the struct works like the original
   
   1 error
   [1]
@@ -193,7 +193,7 @@ Foreign values are not compared, and not kept unless copyable, in whatever way:
     |                  ^^^^^^^^^^^^^^^^^^^^^^^^
     |
     = note: a `Frame` from C is valid for one instant; C may reuse its memory after that
-    = hint: keep only the numbers that you need; or declare the type `copyable`, if a copy of the struct works as well as the struct
+    = hint: keep only the numbers that you need, or declare the type `copyable` if a copy of the struct works like the original
   
   1 error
   [1]

@@ -26,7 +26,7 @@ seconds.
   
   struct cruise_state {
       float error_integral;       /* m, integral at cruise.frob:6 */
-      float error_integral_input; /* m/s, its last input at cruise.frob:6 */
+      float error_integral_input; /* m/s, previous input at cruise.frob:6 */
   };
   
   void cruise_reset(struct cruise_state *self);

@@ -58,7 +58,7 @@ With `switch` it may not: it is one box.
   3 |     y = switch (proc u -> (10, edge (u > 12))) (\_ -> delay 0) (y + x)
     |     ^                                                           ----- `y` reads `y` here, through a switch
     |
-    = note: each output of a switch depends on every input that the signal functions in it read in the same instant
+    = note: each output of a switch depends on every input that the signal functions inside the switch read in the same instant
     = hint: let `y` read its own previous value: `delay x0 y`, where `x0` is the initial value
   
   1 error

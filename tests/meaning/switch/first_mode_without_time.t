@@ -43,4 +43,4 @@ One that does look at time has the mark.
   $ sed 's/main = watch/main = ring/' alarm.frob > rings.frob
   $ frobc compile rings.frob
   $ grep 'started' rings.h
-      bool started; /* past the first instant at rings.frob:4 */
+      bool started; /* true after the first instant at rings.frob:4 */

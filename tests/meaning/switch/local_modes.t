@@ -151,7 +151,7 @@ The rules of tail position are those of the top level.
     |                                                            ^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `>>>`
     |
     = note: a signal function may only restart itself as the whole result of a continuation; otherwise each restart would need more memory
-    = hint: apply `>>>` once, where the first mode is started, and not in each mode
+    = hint: apply `>>>` once, where the first mode starts, not in each mode
   
   1 error
   [1]

@@ -24,7 +24,7 @@ makes each step possible.
     |                                    |
     |                                    `after` may occur at the first instant of `rest`
     |
-    = note: no time passes between these steps at an instant at which each is left as soon as it starts
+    = note: no time passes between these steps at an instant at which each ends as soon as it starts
     = hint: wait for at least 1 ns: `after (max 1[ms] q)`
   
   1 error

@@ -13,7 +13,7 @@ itself; the message names what is around it.
     |                                                    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `>>>`, inside `first`
     |
     = note: a signal function may only restart itself as the whole result of a continuation; otherwise each restart would need more memory
-    = hint: apply `>>>`, `first` once, where the first mode is started, and not in each mode
+    = hint: apply `>>>`, `first` once, where the first mode starts, not in each mode
   
   1 error
   [1]
@@ -138,7 +138,7 @@ Growth and larger types through several definitions: the way round is shown.
    --> round.frob:3:58
     |
   2 | go sf = switch (proc x -> (sf x, edge (x > 1))) (\_ -> back (sf >>> arr (+ 1)))
-    |                                                        ----------------------- `back` starts here on the way
+    |                                                        ----------------------- on the way, `back` starts here
   3 | back sf = switch (proc x -> (sf x, edge (x < 1))) (\_ -> turn (sf &&& sf))
     |                                                          ^^^^^^^^^^^^^^^^ it restarts here, with one more `>>>`
     |

@@ -56,9 +56,9 @@ chosen.
           struct {
               struct three_modes_follow_turnAway_state state; /* turnAway at three_modes.frob:7 */
           } turnAway;
-      } modes;      /* what they keep at three_modes.frob:12 */
-      uint8_t mode; /* the mode that runs at three_modes.frob:12 */
-      bool started; /* past the first instant at three_modes.frob:12 */
+      } modes;      /* state of the modes at three_modes.frob:12 */
+      uint8_t mode; /* active mode at three_modes.frob:12 */
+      bool started; /* true after the first instant at three_modes.frob:12 */
   };
   $ sed -n '/^void three_modes_step/,$p' three_modes.c
   void three_modes_step(struct three_modes_state *self, double dt,

@@ -46,7 +46,7 @@ start; so it may if the time-out can be at once.
   86 |     blocked = when (looks && inTheWay || stuck i))
      |     ---------------------------------------------- `driveTo` may occur at the first instant of `timeOut`
      = note: no time passes between these steps at an instant at which `driveTo` occurs as soon as `timeOut` starts
-     = hint: add a task that takes time: `sleepT 10[ms] …` after the task, with the output meanwhile, such as the `restingOutput` of a robot
+     = hint: after the task, add one that takes time, `sleepT 10[ms] …`; in place of `…`, write the output during that time, such as the `restingOutput` of a robot
   1 error
   $ sed 's/20\[s\]/0[s]/' visit.frob > no_time.frob
   $ frobc check no_time.frob 2>&1 | grep -v '^ *|* *$'
@@ -59,7 +59,7 @@ start; so it may if the time-out can be at once.
   ...
   10 |         Nothing -> return ()
      |         -------------------- `visit` may start itself again at its own first instant
-     = note: no time passes between these steps at an instant at which `visit` is left as soon as it starts
+     = note: no time passes between these steps at an instant at which `visit` ends as soon as it starts
      = hint: wait for at least 1 ns: `max 1[ms] q`
   1 error
 

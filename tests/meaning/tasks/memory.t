@@ -59,7 +59,7 @@ time and one for the state, as by hand.
           struct {
               struct blink_forever_sleepT_2_state state; /* sleepT at blink.frob:4 */
           } sleepT_2;
-      } modes;      /* what they keep at blink.frob:2 */
-      uint8_t mode; /* the mode that runs at blink.frob:2 */
-      bool started; /* past the first instant at Prelude.frob:251 */
+      } modes;      /* state of the modes at blink.frob:2 */
+      uint8_t mode; /* active mode at blink.frob:2 */
+      bool started; /* true after the first instant at Prelude.frob:251 */
   };

@@ -46,8 +46,8 @@ A call that something around goes on watching.
   4 |     _ <- bug (goal + 1) `timeOut` 3[s]
     |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `timeOut`
     |
-    = note: a task may only restart itself as the last statement of its `do`, with nothing around it that continues; otherwise each restart would need more memory
-    = hint: to repeat a task, write `repeatT 4 t`, `whileT condition t` or `forever t`, and put the statements that follow all repetitions after it
+    = note: a task may only restart itself as the last statement of its `do`, and nothing around the task may continue; otherwise each restart would need more memory
+    = hint: to repeat a task, write `repeatT 4 t`, `whileT condition t` or `forever t`, followed by the statements to run after all repetitions
   
   1 error
   [1]
@@ -134,7 +134,7 @@ known to end at once …
    --> at_once.frob:2:17
     |
   2 | main = runTask (forever snapT)
-    |                 ^^^^^^^^^^^^^ `snapT` may end without taking time, and `forever` follows it
+    |                 ^^^^^^^^^^^^^ `snapT` may end in its first instant, and `forever` follows it
     |
     = note: a task such as `return` or `snapT` takes no time, and no task in this loop waits for the next instant
     = hint: add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least one instant, `sleepT 10[ms] …` takes 10 ms; write the robot's output in place of `…`
@@ -165,9 +165,9 @@ known to end at once …
   4 |     other m
     |     ------- `go` may start itself again at its own first instant
     |
-    = note: no time passes between these steps at an instant at which `go` is left as soon as it starts
+    = note: no time passes between these steps at an instant at which `go` ends as soon as it starts
     = note: frobc found no end within 1000 steps, the maximum for one instant
-    = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition holds but takes at least one instant; `edge` would wait for ever if the condition holds from the start
+    = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at least one instant; `edge` would wait forever if the condition were true from the start
   
   warning[W0312]: this `return` does nothing: what follows it is done all the same
    --> returns.frob:8:4
@@ -201,7 +201,7 @@ known to end at once …
       |     forever t
       |     --------- `sleepT` may start itself again at its own first instant
       |
-      = note: no time passes between these steps at an instant at which `sleepT` is left as soon as it starts
+      = note: no time passes between these steps at an instant at which `sleepT` ends as soon as it starts
       = hint: wait for at least 1 ns: `max 1[ms] q`
   
   1 error
@@ -233,7 +233,7 @@ and `untilT` is the cure that neither waits for a change nor stands still.
       |         ---------------- `past` may start itself again at its own first instant
       |
       = note: no time passes between these steps at an instant at which `when` occurs as soon as `past` starts
-      = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition holds but takes at least one instant; `edge` would wait for ever if the condition holds from the start
+      = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at least one instant; `edge` would wait forever if the condition were true from the start
   
   1 error
   $ sed 's/mkTask (proc x -> (limit, when (x > limit)))/untilT (proc x -> (limit, x > limit))/' corners.frob > until.frob
@@ -264,8 +264,8 @@ A task in a combinator of the library's is called by its own name.
       |     forever t
       |     --------- `blink` may start itself again at its own first instant
       |
-      = note: no time passes between these steps at an instant at which `blink` is left as soon as it starts
-      = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition holds but takes at least one instant; `edge` would wait for ever if the condition holds from the start
+      = note: no time passes between these steps at an instant at which `blink` ends as soon as it starts
+      = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at least one instant; `edge` would wait forever if the condition were true from the start
   
   1 error
 
@@ -292,8 +292,8 @@ One that is written in the combinator's argument is called as the definition aro
       |     forever t
       |     --------- `blink` may start itself again at its own first instant
       |
-      = note: no time passes between these steps at an instant at which `blink` is left as soon as it starts
-      = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition holds but takes at least one instant; `edge` would wait for ever if the condition holds from the start
+      = note: no time passes between these steps at an instant at which `blink` ends as soon as it starts
+      = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at least one instant; `edge` would wait forever if the condition were true from the start
   
   1 error
 
@@ -349,7 +349,7 @@ program asks for it, with what takes time there.
     N |
      = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
      = note: frobc found no end within 1000 steps, the maximum for one instant
-     = hint: add a task that takes time: `sleepT 10[ms] …` after the task, with the output meanwhile, such as the `restingOutput` of a robot
+     = hint: after the task, add one that takes time, `sleepT 10[ms] …`; in place of `…`, write the output during that time, such as the `restingOutput` of a robot
   
   1 error
   $ cat > places.frob <<'FROB'
@@ -376,7 +376,7 @@ program asks for it, with what takes time there.
     N |         ---------------- `driveTo` may start itself again at its own first instant
     N |
       = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
-      = hint: add a task that takes time: `sleepT 10[ms] …` after the task, with the output meanwhile, such as the `restingOutput` of a robot
+      = hint: after the task, add one that takes time, `sleepT 10[ms] …`; in place of `…`, write the output during that time, such as the `restingOutput` of a robot
   
   1 error
   $ sed 's/driveTo)/visit)/' places.frob > visits.frob

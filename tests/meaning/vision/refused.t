@@ -16,7 +16,7 @@ An image is there for an instant. What would keep it longer is refused, and told
     |                           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
     = note: the camera reuses the memory of an image for the next frames
-    = hint: compute the numbers that you need at the instant at which the frame arrives, and `hold` these numbers
+    = hint: when the frame arrives, compute the numbers that you need, and `hold` them
   
   1 error
   [1]

@@ -15,8 +15,8 @@ With `--batch` a program has a function that takes many steps in one call.
   > END
   $ frobc compile modes.frob --batch
   $ grep -B 2 -A 4 'void modes_steps' modes.h
-  /* So many steps, one after the other: each takes its dt and its input, and gives its
-   * output, of arrays with count elements. */
+  /* Runs count steps, one after the other. Each step reads its dt and its input and
+   * writes its output; all three are arrays with count elements. */
   void modes_steps(struct modes_state *self,
                    int32_t count,
                    const double *dt,

@@ -37,7 +37,7 @@ An option sets them, and both engines agree.
 The header has them as a struct; the C is that of any value.
 
   $ frobc compile steer.frob && sed -n '/^\/\* Param/,/^extern/p' steer.h
-  /* Parameters: the same from a reset to the last step after it. */
+  /* Parameters. Do not change them between a reset and the last step after it. */
   struct steer_params {
       /* The turn for each metre,
        * to the left. [1/m] */

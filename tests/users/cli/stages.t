@@ -39,8 +39,8 @@ The compiler can be watched at work, stage by stage.
   == step
   node main
     self.x_derivative#0 : Float  -- derivative
-    self.x_derivative_input#1 : Float  -- its last input
-    self.started#2 : Bool  -- past the first instant
+    self.x_derivative_input#1 : Float  -- previous input
+    self.started#2 : Bool  -- true after the first instant
     reset ()
       self.x_derivative#0 := 0.0  -- 2
       self.x_derivative_input#1 := 0.0  -- 2

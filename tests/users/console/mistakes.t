@@ -123,31 +123,31 @@ The numbers of a knob.
   > FROB
   $ sed -i 's/ + knob "e" 0 (turnRate i) 0 i/ + knob "e" 0 (batteryVoltage i * 1[1\/(V s)]) 0 i/' numbers.frob
   $ frobc check numbers.frob
-  error[E0441]: this knob goes from 1 to 0: the first limit must be less than the second
+  error[E0441]: the lower limit of this knob, 1, must be less than its upper limit, 0
    --> numbers.frob:5:7
     |
   5 | a i = knob "a" 1[m/s] 0 0.5[m/s] i + knob "b" 0 1[m/s] 2[m/s] i + knob "c" 0 (1[m/s] / 0) 0 i
     |       ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   
-  error[E0441]: this knob begins at 2, which is outside its limits, 0 and 1
+  error[E0441]: the initial value of this knob, 2, is outside its limits, 0 and 1
    --> numbers.frob:5:38
     |
   5 | a i = knob "a" 1[m/s] 0 0.5[m/s] i + knob "b" 0 1[m/s] 2[m/s] i + knob "c" 0 (1[m/s] / 0) 0 i
     |                                      ^^^^^^^^^^^^^^^^^^^^^^^^^^
   
-  error[E0441]: the limits of a knob and its first value must be finite numbers
+  error[E0441]: the limits and the initial value of a knob must be finite numbers
    --> numbers.frob:5:67
     |
   5 | a i = knob "a" 1[m/s] 0 0.5[m/s] i + knob "b" 0 1[m/s] 2[m/s] i + knob "c" 0 (1[m/s] / 0) 0 i
     |                                                                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^
   
-  error[E0441]: the limits of a knob and its first value must be finite numbers
+  error[E0441]: the limits and the initial value of a knob must be finite numbers
    --> numbers.frob:6:7
     |
   6 | b i = knob "d" 0 (1[rad/s] * 0 / 0) 0 i + knob "e" 0 (batteryVoltage i * 1[1/(V s)]) 0 i + (if toggle "f" (bumped i) i t…
     |       ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   
-  error[E0441]: the limits and the first value of this knob must be known at compile time
+  error[E0441]: the limits and the initial value of this knob must be known at compile time
    --> numbers.frob:6:43
     |
   6 | …i = knob "d" 0 (1[rad/s] * 0 / 0) 0 i + knob "e" 0 (batteryVoltage i * 1[1/(V s)]) 0 i + (if toggle "f" (bumped i) i the…
@@ -156,7 +156,7 @@ The numbers of a knob.
     = note: you can use literals, constants, parameters with a constant value, and operators on these
     = hint: give the knob a fixed range, and scale its value
   
-  error[E0441]: the first position of this toggle must be known at compile time
+  error[E0441]: the initial position of this toggle must be known at compile time
    --> numbers.frob:6:96
     |
   6 | …atteryVoltage i * 1[1/(V s)]) 0 i + (if toggle "f" (bumped i) i then 1[rad/s] else 0)

@@ -41,7 +41,7 @@ An array of a million signal functions, and of a thousand times a thousand funct
   3 |     sfs = (generate (\_ -> delay 0) :: Array 1048576 (SF Float Float))
     |            ^^^^^^^^^^^^^^^^^^^^^^^^ `generate` compiles each of them separately here
     |
-    = note: an array of numbers is computed in a loop, but each function or signal function in an array gets code of its own
+    = note: an array of numbers is computed in a loop, but each function or signal function in an array gets its own code
     = hint: make the array shorter, or run one signal function on an array of numbers: `mapSF f xs`
   
   1 error
@@ -61,7 +61,7 @@ an array of   error[E0413]: 1048576 functions or signal functions is too large t
     |           |               `generate` compiles each of them separately here
     |           `main` is called here
     |
-    = note: an array of numbers is computed in a loop, but each function or signal function in an array gets code of its own
+    = note: an array of numbers is computed in a loop, but each function or signal function in an array gets its own code
     = hint: make the array shorter, or run one signal function on an array of numbers: `mapSF f xs`
   
   1 error
@@ -82,7 +82,7 @@ all combinations:
   19 |     t4
      |     ^^
      |
-     = note: the state machine of `t20` already has 10000 modes: one for each task or signal function together with everything that can follow
+     = note: the state machine of `t20` already has 10000 modes: one for each combination of a task or signal function and everything that can
      = hint: repeat a task with `repeatT n`, `whileT` or `forever`, which use one mode for all repetitions
      = hint: to allow more, use the option `--specialization-limit`
   
@@ -146,13 +146,13 @@ types that double:
      | ^^^^^^^^^^^^
      |
      = note: frobc evaluates a call with a function or signal function as argument or result at compile time; if each level calls the next one
-     = hint: use fewer levels of functions, or give a result a name and use it twice
+     = hint: use fewer levels of functions, or give a result a name and use the name twice
   
   1 error
   $ { echo 'f0 :: a -> Float'; echo 'f0 _ = 1'
   >   for i in $(seq 30); do printf 'f%d :: a -> Float\nf%d x = f%d (x, x)\n' $i $i $((i - 1)); done
   >   echo 'main :: SF Float Float'; echo 'main = proc x -> f30 x'; } | refused types
-  error[E0316]: a value of a tuple would hold more than 20000 numbers
+  error[E0316]: a value of a tuple would contain more than 20000 numbers
     --> types.frob:64:1
      |
   34 | f16 x = f15 (x, x)
@@ -181,7 +181,7 @@ What is small as code and large as state: forty levels of a signal function behi
 
   $ { echo 's0 = delay 0'; for i in $(seq 40); do echo "s$i = s$((i - 1)) >>> s$((i - 1))"; done
   >   echo 'main :: SF Float Float'; echo 'main = s40'; } | refused state
-  error[E0413]: the program would keep 1.1e+12 values from instant to instant; the maximum is 134217728
+  error[E0413]: the program would store 1.1e+12 values from one instant to the next; the maximum is 134217728
      --> state.frob:43:1
       |
    43 | main = s40
@@ -193,7 +193,7 @@ What is small as code and large as state: forty levels of a signal function behi
       |                          --- `>>>` contains 2 of `>>>`
       |
       = note: each use of a signal function has its own copy of the state, including the state of all signal functions inside it
-      = hint: run a signal function once and use its output twice: give the output a name in an equation
+      = hint: name the output of a signal function in an equation, so that you can use it twice and run the signal function only once
   
   1 error
 
@@ -208,7 +208,7 @@ Types of a few lines that are larger than memory, in each place where types are 
   error[E0316]: the type of `T5` is too large
   $ { echo 'data T0 = T0 Float Float'; for i in $(seq 24); do echo "data T$i = T$i T$((i - 1)) T$((i - 1))"; done
   >   printf 'main :: SF T24 Float\nmain = proc _ -> 1\n'; } | refused data
-  error[E0316]: a value of the type `T14` would hold more than 20000 numbers
+  error[E0316]: a value of the type `T14` would contain more than 20000 numbers
     --> data.frob:27:1
      |
   27 | main = proc _ -> 1

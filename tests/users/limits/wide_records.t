@@ -26,9 +26,9 @@ not time.
 Fewer of them are as many values, and so are choices between records, and calls:
 
   $ { record; printf 'main :: SF R Float\nmain = proc r0 -> r190.f0 where\n'; list 190 '    r@ = r# { f# = 1 }' '\n'; echo; } | check fewer | head -1
-  error[E0413]: 161 equations and calls define values of the type `R`, and more were to come
+  error[E0413]: more than 161 equations and calls define values of the type `R`
   $ { record; printf 'main :: SF R Float\nmain = proc r0 -> r1000.f0 where\n'; list 1000 '    r@ = if r0.f0 > # then r# else r0' '\n'; echo; } | check choices
-  error[E0413]: 165 equations and calls define values of the type `R`, and more were to come
+  error[E0413]: more than 165 equations and calls define values of the type `R`
       --> choices.frob:3:1
        |
      3 | main = proc r0 -> r1000.f0 where
@@ -37,13 +37,13 @@ Fewer of them are as many values, and so are choices between records, and calls:
   1003 |     r1000 = if r0.f0 > 999 then r999 else r0
        |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
        |
-       = note: each of these values is 5000 numbers, and each number gets an equation of its own
+       = note: each of these values consists of 5000 numbers, and each number gets its own equation
        = hint: change several fields at once: `r { a = 1, b = 2 }`
        = hint: keep many numbers of one type in an array: `Array 1000 Float` is one value
   
   1 error
   $ { record; printf 's :: SF R R\ns = proc r -> if r.f0 > 1 then r else r { f1 = 2 }\nmain :: SF R Float\nmain = proc r0 -> r1000.f0 where\n'; list 1000 '    r@ = s r#' '\n'; echo; } | check calls | head -1
-  error[E0413]: 162 equations and calls define values of the type `R`, and more were to come
+  error[E0413]: more than 162 equations and calls define values of the type `R`
 
 One update of all fields, and a few dozen updates of a record, are not much:
 

@@ -29,15 +29,15 @@ struct drive_output {
 
 struct drive_pi_state {
     double sum;       /* integral at Control.frob:8 */
-    double sum_input; /* its last input at Control.frob:8 */
+    double sum_input; /* previous input at Control.frob:8 */
 };
 
 struct drive_state {
     struct drive_pi_state pi;   /* pi at test.frob:6 */
     struct drive_pi_state pi_2; /* pi at test.frob:7 */
-    double exp_value;           /* known at the start at test.frob:9 */
+    double exp_value;           /* computed by reset at test.frob:9 */
     int64_t t;                  /* time in ns at test.frob:8 */
-    bool started;               /* past the first instant at test.frob:1 */
+    bool started;               /* true after the first instant at test.frob:1 */
 };
 
 void drive_reset(struct drive_state *self);

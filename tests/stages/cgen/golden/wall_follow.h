@@ -26,9 +26,9 @@ struct wall_follow_output {
 
 struct wall_follow_state {
     double s_derivative;       /* derivative at test.frob:13 */
-    double s_derivative_input; /* its last input at test.frob:13 */
-    double sin_value;          /* known at the start at test.frob:9 */
-    bool started;              /* past the first instant at test.frob:1 */
+    double s_derivative_input; /* previous input at test.frob:13 */
+    double sin_value;          /* computed by reset at test.frob:9 */
+    bool started;              /* true after the first instant at test.frob:1 */
 };
 
 void wall_follow_reset(struct wall_follow_state *self);

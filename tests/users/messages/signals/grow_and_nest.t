@@ -54,7 +54,7 @@ A task of the library runs first; what grows is the program's.
     |     ----------
   6 |         forward 1[m]
   7 |         t)
-    |         ^- `search` starts here on the way
+    |         ^- on the way, `search` starts here
     |         |
     |         it restarts here, with one more `search`
     |

@@ -60,7 +60,7 @@ A task that goes on as itself must take time.
      |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
      |
      = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
-     = hint: add a task that takes time: `sleepT 10[ms] …` after the task, with the output meanwhile, such as the `restingOutput` of a robot
+     = hint: after the task, add one that takes time, `sleepT 10[ms] …`; in place of `…`, write the output during that time, such as the `restingOutput` of a robot
   
   1 error
   [1]

@@ -36,8 +36,8 @@ A task that asks, and goes on: shown where the program asks.
   7 |     go
     |     -- `go` may start itself again at its own first instant
     |
-    = note: no time passes between these steps at an instant at which `go` is left as soon as it starts
-    = hint: add a task that takes time: `sleepT 10[ms] …` after the task, with the output meanwhile, such as the `restingOutput` of a robot
+    = note: no time passes between these steps at an instant at which `go` ends as soon as it starts
+    = hint: after the task, add one that takes time, `sleepT 10[ms] …`; in place of `…`, write the output during that time, such as the `restingOutput` of a robot
   
   1 error, 2 warnings
   [1]

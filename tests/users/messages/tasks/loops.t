@@ -21,7 +21,7 @@ A time that may be 0: it is the task with the time-out, not `timeOut`, that goes
     |     ^^^^^^^^^^^^^^^^^^^^^^^^ this may end as soon as it starts
   6 |     blink q
     |     ------- `blink` may start itself again at its own first instant
-    = note: no time passes between these steps at an instant at which `blink` is left as soon as it starts
+    = note: no time passes between these steps at an instant at which `blink` ends as soon as it starts
     = hint: wait for at least 1 ns: `max 1[ms] q`
   
   1 error
@@ -44,7 +44,7 @@ A task that may have nothing to do, for ever:
    --> look.frob:3:24
     |
   3 | main = reactimateTask (forever look)
-    |                        ^^^^^^^^^^^^ `look` may end without taking time, and `forever` follows it
+    |                        ^^^^^^^^^^^^ `look` may end in its first instant, and `forever` follows it
     |
     = note: a task such as `return` or `snapT` takes no time, and no task in this loop waits for the next instant
     = hint: add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least one instant, `sleepT 10[ms] …` takes 10 ms; write the robot's output in place of `…`
