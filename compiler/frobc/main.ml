@@ -360,13 +360,27 @@ let messages =
    that recurses until the stack is full takes time quadratic in the stack's size. *)
 let largest_stack = 1 lsl 25
 
+(* Names that other tools give to commands, and that cmdliner would correct to other commands. *)
+let command_meant = function "fmt" -> Some "format" | "lint" -> Some "check" | _ -> None
+
+let evaluate () =
+  match if Array.length argv > 1 then command_meant argv.(1) else None with
+  | Some command ->
+      Printf.eprintf
+        "frobc: unknown command '%s', did you mean '%s'?\n\
+         Usage: frobc COMMAND …\n\
+         Try 'frobc --help' for more information.\n"
+        argv.(1) command;
+      Error `Parse
+  | None -> Cmd.eval_value ~err:messages ~catch:false ~argv main
+
 let () =
   Build.Child.end_with_parent ();
   Build.Child.allow_stack largest_stack;
   collect_seldom ();
   Build.Streams.keep_numbers ();
   let status =
-    match Cmd.eval_value ~err:messages ~catch:false ~argv main with
+    match evaluate () with
     | Ok (`Ok status) -> status
     | Ok (`Version | `Help) -> Build.Exit_status.ok
     | Error (`Parse | `Term) -> Build.Exit_status.wrong_use

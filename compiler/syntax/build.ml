@@ -213,6 +213,13 @@ let reject_block term =
         "nothing is repeated in a `proc`, so there is no `%s`" text
   | _ -> ()
 
+let reject_waiting term =
+  match first_word (Term.to_expr term) with
+  | Some { text; span } when Beginnings.waits text ->
+      Reject.at ~code:"E0116" span ~hint:Beginnings.waiting
+        "a `proc` cannot wait: all its statements hold at every instant"
+  | _ -> ()
+
 let do_body location statements : Ir.proc_body =
   (* [rec] has no effect: its statements are merged with the others. *)
   let rec flatten done_ work : Surface.statement list =
@@ -237,6 +244,7 @@ let do_body location statements : Ir.proc_body =
     | Let declarations -> Let_equations declarations
     | Bare_expression ({ span; _ } as term) ->
         reject_block term;
+        reject_waiting term;
         Reject.at ~code:"E0116" span
           ~hint:
             "nothing is done for its effect, such as printing or waiting: bind its value with `x \
@@ -248,6 +256,7 @@ let do_body location statements : Ir.proc_body =
   | Bare_command result :: before -> Do { statements = List.rev_map statement before; result }
   | Bare_expression ({ span; _ } as term) :: _ ->
       reject_block term;
+      reject_waiting term;
       Reject.at ~code:"E0116" span ~hint:"write `returnA -< …` if this is the value"
         "the last statement of a `do` gives the output, and needs `-<`"
   | (Arrow_bind { left = { span; _ }; _ } | Command_bind { left = { span; _ }; _ }) :: _ ->
@@ -263,24 +272,12 @@ let do_body location statements : Ir.proc_body =
 
 (* A [do] block of tasks. Its last statement is a task that gives the result. *)
 let task_body location statements : Ir.expr_desc =
-  (* The span of a keyword at the start of the block. *)
-  let keyword text =
-    let ({ Span.start; _ } as whole) = span location in
-    { whole with stop = Span.forward (String.length text) start }
-  in
   let last_is what span =
     Reject.at ~code:"E0116" span ~hint:"end with a task, as in `return x`"
       "the last statement of a `do` is a task, so it cannot %s" what
   in
   let no_command (c : Ir.command) =
-    Diagnostic.error ~code:"E0116" ~at:c.span
-      "`-<` runs a signal function, which only the `do` of a `proc` can"
-    |> Diagnostic.label ~at:(keyword "do")
-         "tasks stand here, as in each `do` that does not follow `proc … ->` directly"
-    |> Diagnostic.hint
-         "a signal function is `proc x -> do …`, with all its statements in that one `do`; a task \
-          needs no `-<`"
-    |> Reject.diagnostic
+    raise (Reject.Command { command = c.span; block = fst location })
   in
   let no_rec span =
     Reject.at ~code:"E0116" span

@@ -111,11 +111,21 @@ let in_parentheses (first : Span.t) (last : Span.t) =
   Diagnostic.fix ~safe:true "put parentheses around it"
     [ (place first.start, "("); (place last.stop, ")") ]
 
+(* `(-x)`, if the operand is short. *)
+let negated (operand : term) =
+  match operand.desc with
+  | Variable { qualifier = None; name; _ } -> Printf.sprintf "(-%s)" name.text
+  | Number { digits; unit_ = None; _ } -> Printf.sprintf "(-%s)" digits
+  | _ -> "(-x)"
+
 let reject_minus (operator : Ir.qualified) at (operand : term) =
   Reject.diagnostic
     (Diagnostic.error ~code:"E0113" ~at "a minus sign directly after `%s` needs parentheses"
        (shown operator)
-    |> Diagnostic.hint "write `(-x)`" |> in_parentheses at operand.span)
+    |> Diagnostic.hint
+         (Printf.sprintf "put it and its operand in parentheses: `x %s %s`" (shown operator)
+            (negated operand))
+    |> in_parentheses at operand.span)
 
 (* Operator-precedence parsing with an explicit stack. [reduce] applies the operators on the stack
    that bind tighter than an operator of [level]. *)

@@ -60,6 +60,9 @@ let explained reader =
         | checkpoint -> advance before checkpoint
         | exception Reject.Rejected d ->
             Diagnostic.emit reader.sink d;
+            (Failed, skip reader !token)
+        | exception Reject.Command { command; block } ->
+            Syntax_error.command reader.sink ~text:reader.text ~command ~block !token;
             (Failed, skip reader !token))
     | Automaton.HandlingError env ->
         let state = Automaton.current_state_number env in
@@ -125,7 +128,7 @@ let item reader =
   | item ->
       reader.cut <- false;
       (Item item, !last)
-  | exception (Quick_grammar.Error | Bad_token | Reject.Rejected _) ->
+  | exception (Quick_grammar.Error | Bad_token | Reject.Rejected _ | Reject.Command _) ->
       reader.layout <- again;
       explained reader
 

@@ -1,6 +1,7 @@
 open Basis
 
 exception Rejected of Diagnostic.t
+exception Command of { command : Span.t; block : Lexing.position }
 
 let diagnostic d = raise (Rejected d)
 

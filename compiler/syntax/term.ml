@@ -69,7 +69,9 @@ let rec to_pattern (t : term) : Ir.pattern =
   | Number number -> make (Literal { negative = false; number })
   | Negated { desc = Number number; _ } -> make (Literal { negative = true; number })
   | Tuple ts -> make (Tuple_of (Long_list.map to_pattern ts))
-  | Array [] -> Reject.at ~code:"E0114" t.span "an array has at least one element"
+  | Array [] ->
+      Reject.at ~code:"E0114" t.span ~hint:Character_hint.of_elements
+        "no array matches `[]`, because every array has at least one element"
   | Array ts -> make (Array_of (Long_list.map to_pattern ts))
   | Parenthesized t -> { (to_pattern t) with span = t.span }
   | Application { head = { desc = Constructor c; _ }; arguments } ->

@@ -143,6 +143,12 @@ let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
        Diagnostic.hint
          "write the types of the robot's input and output, as in `Program RobotInput RobotOutput`"
          diagnostic
+     else if String.equal noun "unit argument" && expected = 1 && found = 0 then
+       let name = tycon.global.name in
+       Diagnostic.label ~at:tycon.span "declared here" diagnostic
+       |> Diagnostic.hint
+            (Printf.sprintf "write `%s[1]` for plain numbers, or with their unit, as in `%s[m]`"
+               name name)
      else if is_builtin tycon then diagnostic
      else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
     |> Context.emit scope.context

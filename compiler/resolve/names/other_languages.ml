@@ -60,6 +60,14 @@ let data = function
       Some "use `maybe False (const True) m`, which is True if `m` contains a value"
   | "fmap" -> Some "use `map` for arrays, `mapE` for events, `mapT` for the results of tasks"
   | "product" -> Some "use `foldl (*) 1 xs` to multiply the elements of an array"
+  | "sort" | "sorted" | "sortBy" | "sortOn" ->
+      Some
+        "the library cannot sort: write `minimumBy id xs` for the least element, `maximumBy id xs` \
+         for the greatest"
+  | "median" ->
+      Some
+        "the library has no median of an array: write `mean xs`, or, for the median of three \
+         values, `max (min a b) (min (max a b) c)`"
   | "average" | "avg" -> Some "use `mean xs`"
   | "minimum" -> Some "use `minimumBy id xs` for the least element of an array"
   | "maximum" -> Some "use `maximumBy id xs` for the greatest element of an array"

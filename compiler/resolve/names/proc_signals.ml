@@ -93,14 +93,31 @@ let is_c_type = function
       true
   | _ -> false
 
+type c_declaration = { head : name; type_ : string; declared : name; value : string option }
+
+(* The number to which the name is set, if it is written out. *)
+let set_to (right : right) =
+  match right.body with
+  | Plain { desc = Number { digits; unit_ = None; _ }; _ } -> Some digits
+  | _ -> None
+
 let c_declarations program =
   let rec add found (node : Syntax.Node.t) =
     let own =
       match node with
-      | Declaration { desc = Binding { left = Function_name { name; parameters }; _ }; _ }
+      | Declaration { desc = Binding { left = Function_name { name; parameters }; right; _ }; _ }
         when is_c_type name.text -> (
+          let word (p : pattern) = match p.desc with Bound word -> Some word.text | _ -> None in
+          let words = name.text :: List.filter_map word parameters in
+          let is_type word = is_c_type word && not (List.mem word Syntax.Beginnings.needless) in
+          let type_ = Option.value (List.find_opt is_type words) ~default:name.text in
           match List.rev parameters with
-          | { desc = Bound parameter; _ } :: _ -> [ (name, parameter) ]
+          | {
+              desc = Bound declared | Constructed ({ qualifier = None; name = declared; _ }, []);
+              _;
+            }
+            :: _ ->
+              [ { head = name; type_; declared; value = set_to right } ]
           | _ -> [])
       | _ -> []
     in

@@ -21,9 +21,15 @@ val without_definition : Syntax.Ir.program -> string list
 (** Names with a signature but no definition at the top level, or with a type before the name, as in
     [Velocity v = 0]. These are already reported. *)
 
-val c_declarations : Syntax.Ir.program -> (Syntax.Ir.name * Syntax.Ir.name) list
-(** Function definitions whose name is a C type, with their last parameter: [int] and [m] in
-    [int m = n + 1]. *)
+type c_declaration = {
+  head : Syntax.Ir.name;  (** the first word, which parses as the name of a function *)
+  type_ : string;
+  declared : Syntax.Ir.name;  (** the last word before the [=] *)
+  value : string option;  (** the number after the [=] *)
+}
+(** A definition such as [const int m = 1]. *)
+
+val c_declarations : Syntax.Ir.program -> c_declaration list
 
 val of_right : Syntax.Ir.right -> t list
 (** The names bound by all [proc]s within a right-hand side. *)

@@ -24,7 +24,7 @@ type t = {
   records : tycon list String_map.t Lazy.t;
   records_of : Ir.Global.t list String_map.t Lazy.t;
   signals : Proc_signals.t list Lazy.t;
-  c_declarations : (Syntax.Ir.name * Syntax.Ir.name) list Lazy.t;
+  c_declarations : Proc_signals.c_declaration list Lazy.t;
   in_capitals : string list Lazy.t;
   params : Syntax.Ir.name list Lazy.t;
   without_definition : string list Lazy.t;
@@ -89,9 +89,28 @@ let visible_names t space locals =
   in
   List.fold_left add (names_of (space.table t.own) (Lazy.force locals)) t.imports
 
+(* The number that a type such as `type N = 5` stands for. *)
+let size_named t name =
+  List.find_map
+    (fun (d : Syntax.Ir.declaration) ->
+      match d.desc with
+      | Type_alias { name = { text; _ }; body = { desc = Size n; _ }; _ }
+        when String.equal text name ->
+          Some n
+      | _ -> None)
+    t.syntax.declarations
+
 (* Explains a name that exists in another namespace: `Velocity 3` uses a type as a constructor. *)
 let other_meaning t space (name : Syntax.Ir.name) diagnostic =
-  if String.equal space.noun "constructor" && is_known t tycons name.text then
+  if String.equal space.noun "constructor" && size_named t name.text <> None then
+    let n = Option.get (size_named t name.text) in
+    let value = String.uncapitalize_ascii name.text in
+    Diagnostic.note
+      (Printf.sprintf "`%s` is a size, which can only be used in types" name.text)
+      diagnostic
+    |> Diagnostic.hint
+         (Printf.sprintf "define the number as a value too, and use that: `%s = %d`" value n)
+  else if String.equal space.noun "constructor" && is_known t tycons name.text then
     Diagnostic.note (Printf.sprintf "`%s` is a type, not a constructor" name.text) diagnostic
   else if String.equal space.noun "type" && is_known t constructors name.text then
     Diagnostic.note (Printf.sprintf "`%s` is a constructor, not a type" name.text) diagnostic
@@ -152,10 +171,29 @@ let no_input =
 
 (* `int m = n + 1`, which parses as the definition of a function `int`. *)
 let c_type_before t (name : Syntax.Ir.name) =
-  let is_it ((_ : Syntax.Ir.name), (parameter : Syntax.Ir.name)) =
-    String.equal parameter.text name.text
+  let is_it (d : Proc_signals.c_declaration) = String.equal d.declared.text name.text in
+  List.find_opt is_it (Lazy.force t.c_declarations)
+
+(* The type and the value to write instead of such a declaration. *)
+let of_c_declaration (d : Proc_signals.c_declaration) =
+  let text = d.declared.text in
+  let name =
+    if String.equal text (String.uppercase_ascii text) then String.lowercase_ascii text
+    else String.uncapitalize_ascii text
   in
-  Option.map fst (List.find_opt is_it (Lazy.force t.c_declarations))
+  let type_ =
+    match d.type_ with
+    | "bool" | "boolean" -> "Bool"
+    | "float" | "double" | "const" | "auto" | "var" | "let" -> "Float"
+    | _ -> "Int"
+  in
+  match d.value with
+  | Some value ->
+      Printf.sprintf "write `%s :: %s` and, on the next line, `%s = %s`" name type_ name value
+  | None ->
+      Printf.sprintf
+        "remove the words before `%s`, and write its type on the line above: `%s :: %s`" text name
+        type_
 
 let is_no_type =
   "write the class before `=>` and use a type variable, as in `(HasSonar i, DiffDrive o) => SF i o`"
@@ -226,23 +264,11 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
         Diagnostic.hint text diagnostic
         |> Option.fold (only_a_name text) ~none:Fun.id ~some:(Diagnostic.write name.span)
     | [], None when c_type_before t name <> None ->
-        let c_type = Option.get (c_type_before t name) in
-        Diagnostic.label ~at:c_type.span
-          (Printf.sprintf "this defines a function `%s` with the parameter `%s`" c_type.text
-             name.text)
+        let declaration = Option.get (c_type_before t name) in
+        Diagnostic.label ~at:declaration.head.span
+          (Printf.sprintf "this defines a function `%s`" declaration.head.text)
           diagnostic
-        |> Diagnostic.hint
-             (if List.mem c_type.text Syntax.Beginnings.needless then
-                Printf.sprintf "remove `%s` before the definition: `%s = …`" c_type.text name.text
-              else
-                Printf.sprintf
-                  "write `%s = …` without a type; if you want to give the type, write `%s :: %s` \
-                   on the line above"
-                  name.text name.text
-                  (match c_type.text with
-                  | "bool" | "boolean" -> "Bool"
-                  | "float" | "double" | "const" | "auto" | "var" | "let" -> "Float"
-                  | _ -> "Int"))
+        |> Diagnostic.hint (of_c_declaration declaration)
     | [], None when Lazy.force elsewhere_in_module <> None ->
         let signal = Option.get (Lazy.force elsewhere_in_module) in
         Diagnostic.label ~at:signal.name.span

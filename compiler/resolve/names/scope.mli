@@ -35,7 +35,7 @@ type t = {
   records_of : Ir.Global.t list Interface.String_map.t Lazy.t;
       (** the names of these types; uses of a field share one list, because it may be long *)
   signals : Proc_signals.t list Lazy.t;  (** signals of all procs in the module, for messages *)
-  c_declarations : (Syntax.Ir.name * Syntax.Ir.name) list Lazy.t;
+  c_declarations : Proc_signals.c_declaration list Lazy.t;
       (** see {!Proc_signals.c_declarations} *)
   in_capitals : string list Lazy.t;  (** see {!Proc_signals.in_capitals} *)
   params : Syntax.Ir.name list Lazy.t;  (** the parameters that the module declares *)

@@ -28,5 +28,12 @@ let cures =
 
 let of_word word = Option.map snd (List.find_opt (fun (words, _) -> List.mem word words) cures)
 
+let waiting =
+  "to wait in a task, write `sleepT 1[s] restingOutput`; in a `proc`, `after 1[s] ()` is an event \
+   that occurs 1 s after the start"
+
+let waits word =
+  List.mem word [ "delay"; "delayMicroseconds"; "sleep"; "usleep"; "wait"; "pause"; "sleepT" ]
+
 let needless =
   [ "const"; "constexpr"; "var"; "val"; "auto"; "static"; "final"; "local"; "global"; "def"; "let" ]

@@ -6,5 +6,11 @@ val no_procedures : string
 val of_word : string -> string option
 (** The hint for a line that begins with this word. *)
 
+val waiting : string
+(** How to wait. *)
+
+val waits : string -> bool
+(** Does a statement that begins with this word wait, in Frob or in another language? *)
+
 val needless : string list
 (** Superfluous words before a definition: [const], [var] and similar ones. *)

@@ -50,13 +50,34 @@ let line_of_brace text at =
 
 (* `case 1:` and `default:` of a C `switch`. *)
 let starts_a_case text at =
-  let start = line_start text at in
-  let line = String.trim (String.sub text start (at - start)) in
-  String.starts_with ~prefix:"case " line || String.equal line "default"
+  let rec start i =
+    match char_at text (i - 1) with '\n' | '\000' | '{' | ';' -> i | _ -> start (i - 1)
+  in
+  let start = start at in
+  let part = String.trim (String.sub text start (at - start)) in
+  String.starts_with ~prefix:"case " part || String.equal part "default"
 
-let of_switch =
-  "a choice by values is `case n of`, and below it a branch in each line: `1 -> …`, the last one \
-   `_ -> …`"
+let is_switch = "a choice by values is a `case`: write "
+
+(* The value in the parentheses of a C `switch`. *)
+let of_switch text at =
+  let before = String.sub text 0 at in
+  let inside opener =
+    let from = opener + String.length "switch" in
+    match (String.index_from_opt before from '(', String.index_from_opt before from ')') with
+    | Some first, Some last when first < last && last - first < 30 ->
+        Some (String.trim (String.sub before (first + 1) (last - first - 1)))
+    | _ -> None
+  in
+  let rec last_switch i =
+    if i < 0 then None
+    else if i + 6 <= at && String.equal (String.sub before i 6) "switch" then Some i
+    else last_switch (i - 1)
+  in
+  let value = Option.value (Option.bind (last_switch (at - 6)) inside) ~default:"x" in
+  Printf.sprintf
+    "%s`case %s of`, and on each line below it a branch such as `1 -> x`, the last one `_ -> y`"
+    is_switch value
 
 (* The hint for a colon after a field name in braces. *)
 let of_field text at =
@@ -69,7 +90,7 @@ let of_field text at =
              speed :: Velocity }`";
         instead = None;
       }
-  | Some _, _ when starts_a_case text at -> { hint = Some of_switch; instead = None }
+  | Some _, _ when starts_a_case text at -> { hint = Some (of_switch text at); instead = None }
   | Some line, name when name <> "" && not (String.starts_with ~prefix:"data " line) ->
       {
         hint = Some (Printf.sprintf "a field gets its value with `=`: `%s = …`" name);
@@ -94,6 +115,26 @@ let joins text start at =
   char_at text (at - 1) = ' '
   && char_at text (at + 1) = ' '
   && (String.contains line '=' || String.contains line '>')
+  && line_of_brace text at = None
+
+let of_elements =
+  "to combine all elements, write `foldl (+) 0 xs` or `sum xs`; for one of them, `xs ! 0`"
+
+(* `x:rest`, a Haskell pattern. *)
+let splits_a_list text at =
+  let is_word c = Basis.Character.is_name c || c = ' ' in
+  let rec after i = if is_word (char_at text i) then after (i + 1) else i in
+  let next = after (at + 1) in
+  let first = String.trim (String.sub text (at + 1) (next - at - 1)) in
+  let ends =
+    match (char_at text next, char_at text (next + 1)) with
+    | (')' | ':'), _ | '-', '>' -> true
+    | _ -> false
+  in
+  first <> ""
+  && (Basis.Character.is_lower first.[0] || first = "_")
+  && (not (String.contains first ' '))
+  && ends
   && line_of_brace text at = None
 
 let of_for =
@@ -135,6 +176,8 @@ let of_colon text at =
       hint "a part of an array is made by `take xs` and `drop xs`, as long as its type says"
   | _ when char_at text (at - 1) = '"' && line_of_brace text at <> None ->
       hint "what has names has the fields of a record: `data Gains = Gains { p :: Float }`"
+  | _ when splits_a_list text at && not (List.mem "if" words || List.mem "lambda" words) ->
+      hint ("an array cannot be split into its first element and the rest; " ^ of_elements)
   | name :: _ when types_a_parameter text start at ->
       hint
         (Printf.sprintf
@@ -238,4 +281,6 @@ let of_character ~text ~at character =
       only "names are made of `a`–`z`, `A`–`Z`, digits, `_` and primes"
   | _, None -> { hint = None; instead = None }
 
-let is_of_each_line hint = List.mem hint [ Some of_block; Some of_switch; Some of_class ]
+let is_of_each_line hint =
+  List.mem hint [ Some of_block; Some of_class ]
+  || Option.fold hint ~none:false ~some:(String.starts_with ~prefix:is_switch)

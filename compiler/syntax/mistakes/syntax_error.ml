@@ -121,11 +121,8 @@ let plain found =
   let hints =
     match hint found ~state_hints with
     | [] when String.equal expected called_for_its_effect ->
-        [
-          (match compares_instead found with
-          | Some hint -> hint
-          | None -> Option.value (text_alone found) ~default:no_effect);
-        ]
+        let rules = [ compares_instead; text_alone ] in
+        [ Option.value (List.find_map (fun rule -> rule found) rules) ~default:no_effect ]
     | _ :: _ when found.token.token = EQUAL && awaits_arrow expected ->
         [ "`->` leads from the input to what comes out; an equation has `=`" ]
     | _ when found.token.token = WHERE && awaits_arrow expected ->
@@ -259,15 +256,114 @@ let choice_of_commands found =
         (choice found.context)
   | _ -> None
 
+(* {1 Commands in a `do` of tasks} *)
+
+(* The lines of the text at the command, up to it and from it on. *)
+let around_command found (command : Span.t) =
+  let line = List.nth (String.split_on_char '\n' found.text) (Span.line command.start - 1) in
+  let column = Span.column command.start - 1 in
+  (String.sub line 0 column, String.sub line column (String.length line - column))
+
+(* The condition before the `then` that ends at this offset, if it is on the same line. *)
+let condition_before found last =
+  let bol = Option.fold (String.rindex_from_opt found.text last '\n') ~none:0 ~some:succ in
+  match String.split_on_char ' ' (between found bol last) with
+  | "if" :: (_ :: _ as rest) -> (
+      match List.rev rest with
+      | "then" :: (_ :: _ as condition) -> Some (String.concat " " (List.rev condition))
+      | _ -> None)
+  | _ -> None
+
+(* `x <- integral -< v` in a branch of a `proc`. *)
+let command_in_a_branch found ~command ~(block : Lexing.position) =
+  let before, after = around_command found command in
+  let name =
+    match List.rev (String.split_on_char ' ' (String.trim before)) with
+    | "<-" :: name :: _ -> name
+    | _ -> "y"
+  in
+  let d =
+    Diagnostic.error ~code:"E0116" ~at:command "a branch of a `proc` cannot contain commands"
+    |> Diagnostic.label
+         ~at:(Build.span (block, { block with pos_cnum = block.pos_cnum + 2 }))
+         "this `do` is in a branch"
+  in
+  match (condition_before found block.pos_cnum, String.split_on_char '-' after) with
+  | Some condition, [ sf; rest ] when String.starts_with ~prefix:"< " rest ->
+      let sf = String.trim sf
+      and input = String.trim (String.sub rest 2 (String.length rest - 2)) in
+      Diagnostic.hint
+        (Printf.sprintf
+           "choose the input, and run the command at every instant: `%s <- %s -< if %s then %s \
+            else 0`"
+           name sf condition input)
+        d
+      |> Diagnostic.hint
+           (Printf.sprintf
+              "to restart it whenever the condition becomes True: `%s <- resetOn %s -< (%s, edge \
+               %s)`"
+              name (Source.grouped sf) input (Source.grouped condition))
+  | _, sf :: _ :: _ when String.equal (String.trim sf) "returnA" ->
+      Diagnostic.hint "choose the value: `returnA -< if c then a else b`" d
+  | _ ->
+      Diagnostic.hint
+        "choose the input, and run the command at every instant: `y <- sf -< if c then a else b`" d
+      |> Diagnostic.hint "to change to another signal function at an event, use `switch`"
+
+let command sink ~text ~command ~(block : Lexing.position) token =
+  let is_around ((_, { by; _ }) : Layout.opener * Layout.origin) =
+    by.start.pos_cnum < block.pos_cnum
+  in
+  let context = List.filter is_around (Layout.context token) in
+  let found = { text; state = 0; before = None; token; context } in
+  let is_in_a_branch = List.mem (word_before found block.pos_cnum) [ "then"; "else" ] in
+  Diagnostic.emit sink
+    (if is_in_a_branch && Equation_hint.of_a_proc found then
+       command_in_a_branch found ~command ~block
+     else
+       Diagnostic.error ~code:"E0116" ~at:command
+         "`-<` runs a signal function, which only the `do` of a `proc` can"
+       |> Diagnostic.label
+            ~at:(Build.span (block, { block with pos_cnum = block.pos_cnum + 2 }))
+            "tasks stand here, as in each `do` that does not follow `proc … ->` directly"
+       |> Diagnostic.hint
+            "a signal function is `proc x -> do …`, with all its statements in that one `do`; a \
+             task needs no `-<`")
+
+(* {1 Waiting} *)
+
+(* `delay(1000)` on a line of its own. *)
+let waiting found =
+  match found.before with
+  | Some { start; _ }
+    when String.equal (fst (message_of_state found.state)) called_for_its_effect
+         && foreign found = None
+         && Beginnings.waits (part found (first_word_from found start.pos_bol)) ->
+      let first, last = first_word_from found start.pos_bol in
+      let at offset = { start with pos_cnum = offset } in
+      Diagnostic.error ~code:"E0110"
+        ~at:(Build.span (at first, at last))
+        "an equation cannot wait: it holds at every instant"
+      |> Diagnostic.hint Beginnings.waiting
+      |> Option.some
+  | _ -> None
+
 let said_once =
-  [ Operator_hint.own_operator; Beginnings.no_procedures; Beginnings.by_equation; no_effect ]
+  [
+    Operator_hint.own_operator;
+    Beginnings.no_procedures;
+    Beginnings.by_equation;
+    Beginnings.waiting;
+    no_effect;
+  ]
 
 let report sink ~text ~state ~before token =
   let found = { text; state; before; token; context = Layout.context token } in
   let first_of list = List.find_map (fun explain -> explain found) list in
   let d =
     match
-      first_of [ choice_of_commands; Lacking.diagnostic; Other_construct.diagnostic; bracket ]
+      first_of
+        [ choice_of_commands; Lacking.diagnostic; Other_construct.diagnostic; bracket; waiting ]
     with
     | Some d -> d
     | None -> plain found
@@ -277,5 +373,8 @@ let report sink ~text ~state ~before token =
   let once = List.exists (fun hint -> List.mem hint said_once) d.hints in
   (* The lines of a block in braces are not definitions, so they are not reported separately. *)
   let in_braces (other : Diagnostic.t) = List.mem Indentation_hint.by_indentation other.hints in
-  let of_block = List.mem no_effect d.hints && List.exists in_braces (Diagnostic.all sink) in
+  let is_a_call =
+    List.exists (fun hint -> List.mem hint [ no_effect; Beginnings.waiting ]) d.hints
+  in
+  let of_block = is_a_call && List.exists in_braces (Diagnostic.all sink) in
   if not (of_block || (once && List.exists told (Diagnostic.all sink))) then Diagnostic.emit sink d

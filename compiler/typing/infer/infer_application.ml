@@ -294,6 +294,24 @@ let tell_habit expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
       tell (Event_mistake.accumulated ~name)
   | _ -> false
 
+(* `xs.map f`, a function of arrays that is written like a method. *)
+let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
+  let sink = ctx.reader.Annotation.sink in
+  match (head.desc, Diagnostic.last sink) with
+  | Field { record; field; _ }, Some d
+    when Span.compare d.at field.span = 0 && Infer_record.is_of_arrays ctx field ->
+      let words = words ctx in
+      let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
+      let texts = List.map quote (List.map (fun a -> a.value) arguments @ [ record ]) in
+      if not (List.mem None texts) then
+        let text = String.concat " " (field.text :: List.map Option.get texts) in
+        Diagnostic.revise_last sink (fun d ->
+            Diagnostic.hint
+              (Printf.sprintf "`%s` is a function: write `%s`" field.text text)
+              { d with hints = []; fixes = [] }
+            |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ])
+  | _ -> ()
+
 (* The number of arguments that a function of this type takes. *)
 let rec arity t = match Type.expand t with Type.Function (_, result) -> 1 + arity result | _ -> 0
 
@@ -314,6 +332,18 @@ let tell_parentheses expressions ctx ~(head : Resolve.Ir.expr) arguments ~given 
     let ends = (List.nth arguments (all - 1)).value.span.stop in
     Span.line head.span.start = Span.line ends
   in
+  (* `setVelTR speed d 0`, where the next argument fits the function *)
+  let takes_the_next =
+    match (failing.value.desc, Type.expand (type_at failed)) with
+    | (Global _ | Local _), Function (parameter, _) when failed < all ->
+        let is_defined_as_a_function =
+          match failing.value.desc with
+          | Local x -> Option.is_none (Show.definition (words ctx) x)
+          | _ -> true
+        in
+        is_defined_as_a_function && Argument_order.may_be ~wanted:parameter (type_at (failed + 1))
+    | _ -> false
+  in
   let rec applied i =
     if i = 0 then None
     else
@@ -322,7 +352,7 @@ let tell_parentheses expressions ctx ~(head : Resolve.Ir.expr) arguments ~given 
   in
   match Diagnostic.last sink with
   | Some d
-    when all > List.length parameters
+    when (all > List.length parameters || takes_the_next)
          && in_one_line && is_reported d
          && List.for_all (fun a -> a.style = Juxtaposed) arguments -> (
       let words = words ctx in
@@ -382,7 +412,9 @@ let infer expressions ctx e =
         (next, Some (argument.value, ty))
   in
   forgetting_what_errors_need ctx (fun () ->
+      let before = errors ctx in
       let start = expressions.infer ctx head in
+      if errors ctx = before + 1 then tell_method ctx e ~head arguments;
       let parameters = parameters start.ty in
       let given =
         if List.compare_lengths parameters arguments <= 0 then parameters

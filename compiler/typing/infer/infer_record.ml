@@ -35,8 +35,8 @@ let one_of_several environment ty name =
       | Alias _ | Builtin | Foreign -> None)
   | _ -> None
 
-(* A function or signal function of that name, used with field syntax by mistake. *)
-let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagnostic =
+(* Is there a function or signal function of that name? *)
+let of_that_name ctx (name : Syntax.Ir.name) =
   let found (g : Ir.Global.t) (entry : entry) earlier =
     if not (String.equal g.name name.text) then earlier
     else
@@ -45,7 +45,11 @@ let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagno
       | Signal_function _ -> Some "signal function"
       | _ -> earlier
   in
-  match Resolve.Global_table.fold found ctx.globals None with
+  Resolve.Global_table.fold found ctx.globals None
+
+(* A function or signal function of that name, used with field syntax by mistake. *)
+let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagnostic =
+  match of_that_name ctx name with
   | None ->
       Option.map
         (fun text -> Diagnostic.hint text diagnostic)
@@ -66,6 +70,20 @@ let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagno
                  Printf.sprintf "(%s %s)" name.text (argument (words ctx)) );
              ])
 
+let rec takes_an_array (t : Type.t) =
+  match Type.expand t with
+  | Function (parameter, result) -> (
+      match Type.expand parameter with
+      | Data { tycon; _ } when tycon = Environment.array -> true
+      | _ -> takes_an_array result)
+  | _ -> false
+
+let is_of_arrays ctx (name : Syntax.Ir.name) =
+  let found (g : Ir.Global.t) (entry : entry) earlier =
+    earlier || (String.equal g.name name.text && takes_an_array entry.scheme.body)
+  in
+  Resolve.Global_table.fold found ctx.globals false
+
 (* The field of this record that is itself a record with the wanted field. *)
 let field_within ctx ty name =
   let has (_, (field_type : Ir.ty)) =
@@ -82,7 +100,7 @@ let field_within ctx ty name =
   | _ -> None
 
 (* Types without fields that yield values which may have fields, such as signal functions. *)
-let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
+let through ctx words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
   let text = Option.value (Show.quote words record.span) ~default:"x" in
   let grouped = Source.grouped text in
   let whole = Span.merge record.span name.span in
@@ -121,7 +139,7 @@ let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
            (Printf.sprintf "there may be none: `maybe x0 (\\x -> x.%s) %s` is `x0` in its place"
               name.text grouped)
            d)
-  | Data { tycon; _ } when tycon = Environment.array ->
+  | Data { tycon; _ } when tycon = Environment.array && not (is_of_arrays ctx name) ->
       Some
         (Diagnostic.hint
            (Printf.sprintf
@@ -164,7 +182,7 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
                    (Printf.sprintf "write `%s`" cure)
                    [ (name.span, field ^ "." ^ name.text) ]
           | _ -> (
-              match through words name ~record ty d with
+              match through ctx words name ~record ty d with
               | Some d -> d
               | None -> (
                   match as_a_function ctx name ~record d with Some d -> d | None -> usual ()))))

@@ -6,6 +6,9 @@
 
 open Context
 
+val is_of_arrays : t -> Syntax.Ir.name -> bool
+(** Is there a function of that name that takes an array? *)
+
 val construct :
   expressions ->
   t ->

@@ -60,7 +60,9 @@ let complaint kind what =
 (* A hint about what the programmer likely wants instead. *)
 let cure = function
   | Head { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ } ->
-      Diagnostic.hint "the initial value stands first: `delay 0 x` is 0, then `x` one instant ago"
+      Diagnostic.hint
+        "write a constant, as in `delay 0 x`; to start with the first value of `x` instead, write \
+         `previous x`, with `import Control`"
   | Head { desc = If _ | Case _; _ } ->
       Diagnostic.hint "run each in an equation of its own, and choose between their outputs"
   | Head { desc = Apply ({ desc = Apply ({ desc = Primitive ({ name; _ }, _); _ }, _); _ }, _); _ }

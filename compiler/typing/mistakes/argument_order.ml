@@ -48,6 +48,8 @@ let rec agree bound wanted given =
       _ ) ->
       false
 
+let may_be ~wanted given = agree (nothing_bound ()) wanted given
+
 (* Like [agree], but not merely because the given type is unknown. *)
 let surely ~unfit bound wanted given =
   match (Type.expand wanted, Type.expand given) with

@@ -20,6 +20,9 @@ val exchanged :
     1, whose type is wrong. [given]: the types of the arguments. [parameters]: the parameter types
     from the function's scheme. [unfit]: see {!pair_exchanged}. *)
 
+val may_be : wanted:Type.t -> Type.t -> bool
+(** Could an argument of this type be meant where [wanted] is expected? *)
+
 val exchange : int -> int -> of_:int -> int list
 (** The order of [of_] arguments with these two swapped. *)
 

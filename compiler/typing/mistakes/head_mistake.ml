@@ -99,7 +99,14 @@ let without_brackets text =
   let n = String.length text in
   if n > 2 && text.[0] = '[' && text.[n - 1] = ']' then String.sub text 1 (n - 2) else text
 
-(* `xs 0`, `xs(0)` or `xs [0]`. *)
+(* The text without a last parenthesis that it does not open, as in `sonars i)`. *)
+let without_closing text =
+  let count c = String.fold_left (fun n c' -> if c = c' then n + 1 else n) 0 text in
+  let n = String.length text in
+  if count ')' > count '(' && text.[n - 1] = ')' then String.trim (String.sub text 0 (n - 1))
+  else text
+
+(* `xs 0`, `xs(0)`, `xs [0]` or `(f x)[0]`. *)
 let element fact =
   match Type.expand fact.left with
   | Data { tycon; _ } when tycon = Environment.array ->
@@ -110,17 +117,24 @@ let element fact =
         Show.quote fact.words applied |> Option.map String.trim |> Option.map without_paren
       in
       let index = Option.map without_brackets (Show.quote fact.words fact.at) in
-      let written array index = Printf.sprintf "%s ! %s" array index in
+      let index = Option.map Source.grouped index in
+      let written array index = Printf.sprintf "%s ! %s" (without_closing array) index in
       let text = written (Option.value array ~default:"xs") (Option.value index ~default:"0") in
       let rewrite =
         match (array, index) with
-        | Some _, Some _ ->
-            fix
-              (Printf.sprintf "write `%s`" text)
-              [ (Span.merge fact.head.span fact.at, "(" ^ text ^ ")") ]
+        | Some array, Some index ->
+            let edit =
+              if String.equal array (without_closing array) then
+                (Span.merge fact.head.span fact.at, "(" ^ text ^ ")")
+              else (fact.at, " ! " ^ index)
+            in
+            fix (Printf.sprintf "write `%s`" text) [ edit ]
         | _ -> Fun.id
       in
-      Some (fun d -> hint (Printf.sprintf "an element is `%s`, counted from 0" text) d |> rewrite)
+      Some
+        (fun d ->
+          hint (Printf.sprintf "write `%s` for that element; the first one is `! 0`" text) d
+          |> rewrite)
   | _ -> None
 
 (* `integral x0 v`, the arguments of other languages. *)
@@ -219,7 +233,7 @@ let applied_without_parentheses ~name ~inner ~whole (d : Diagnostic.t) =
          "`return x` does nothing and ends with `x`: a task that is to be done stands there \
           without it, `%s`"
          inner
-     else Printf.sprintf "what is applied stands in parentheses as an argument: `%s`" whole)
+     else Printf.sprintf "put parentheses around the argument: `%s`" whole)
     { d with hints = []; fixes = [] }
 
 let not_a_signal_function words ~(head : Resolve.Ir.expr) found =

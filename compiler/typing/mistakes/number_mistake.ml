@@ -135,13 +135,41 @@ let numbers_without_units words (e : Resolve.Ir.expr option) =
 let is_operand (expected : Expected.t) =
   match expected.because with Operand _ -> true | _ -> false
 
+(* The text of an expression with this change. The change of a command is that of its input, if its
+   signal function is `returnA`, and otherwise that of a name for its output. *)
+let changed words (subject : Resolve.Ir.expr option) change =
+  let quote (e : Resolve.Ir.expr) = Show.quote words e.span in
+  match subject with
+  | Some { desc = Apply { head = { desc = Global g; _ }; argument; style = Command }; _ }
+    when String.equal g.name "returnA" ->
+      "returnA -< " ^ change (Option.fold (quote argument) ~none:"e" ~some:Source.grouped)
+  | Some ({ desc = Apply { style = Command; _ }; _ } as e) ->
+      Printf.sprintf "y <- %s`, then `returnA -< %s"
+        (Option.value (quote e) ~default:"sf -< x")
+        (change "y")
+  | subject -> change (Option.fold (Option.bind subject quote) ~none:"e" ~some:Source.grouped)
+
+(* Suggests how to give two operands the same unit if one of them has none. *)
+let operands words ~subject ~(expected : Expected.t) (wanted, given) d =
+  match expected.because with
+  | Operand { other; _ } ->
+      let divided e u = changed words (Some e) (fun e -> Printf.sprintf "%s / 1[%s]" e u) in
+      let multiplied e u = changed words (Some e) (fun e -> Printf.sprintf "%s * 1[%s]" e u) in
+      let right = Option.value subject ~default:other in
+      let quantity, plain, unit_ =
+        if Units.equal wanted Units.one then (right, other, given) else (other, right, wanted)
+      in
+      let unit_ = Show.measure words unit_ in
+      hint
+        (Printf.sprintf "divide by the unit, `%s`, or multiply the plain number by it: `%s`"
+           (divided quantity unit_) (multiplied plain unit_))
+        d
+  | _ -> d
+
 (* Suggests how to convert one quantity to the other. *)
 let conversion words ~subject ~expected (wanted, given) diagnostic =
   let factor = Show.measure words (Units.divide wanted given) in
-  let e =
-    Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span)
-    |> Option.fold ~none:"e" ~some:Source.grouped
-  in
+  let with_e format = changed words subject (Printf.sprintf format) in
   let written =
     match subject with
     | Some { desc = Number n; span } -> Some (n.digits, span)
@@ -155,7 +183,7 @@ let conversion words ~subject ~expected (wanted, given) diagnostic =
       [ ("s", "1/s"); ("s", "Hz"); ("Hz", "s") ]
   then
     hint
-      (Printf.sprintf "a rate and the time between are each other's inverse: `1 / %s`" e)
+      (Printf.sprintf "to convert between a rate and a time, write `%s`" (with_e "1 / %s"))
       diagnostic
   else if Units.equal given Units.one && plain then
     let digits = List.hd (numbers_without_units words subject) in
@@ -163,39 +191,42 @@ let conversion words ~subject ~expected (wanted, given) diagnostic =
     hint (Printf.sprintf "give its numbers the unit, as in `%s[%s]`" digits unit_) diagnostic
   else if Units.equal given Units.one && String.equal factor "1/s" && diagnostic.hints = [] then
     hint
-      (Printf.sprintf "a gain makes `1/s` of a number without a unit, as in `2[1/s] * %s`" e)
+      (Printf.sprintf "multiply the plain number by a gain in `1/s`, as in `%s`"
+         (with_e "2[1/s] * %s"))
       diagnostic
   else if
     Units.equal wanted Units.one && diagnostic.hints = [] && written = None
     && not (is_operand expected)
   then
+    let unit_ = Show.measure words given in
     hint
-      (Printf.sprintf "how many of a unit it is has none itself: `%s / 1[%s]`" e
-         (Show.measure words given))
+      (Printf.sprintf "to get a plain number, divide by the unit: `%s`"
+         (changed words subject (fun e -> Printf.sprintf "%s / 1[%s]" e unit_)))
       diagnostic
-  else if Units.equal given Units.one || Units.equal wanted Units.one then diagnostic
+  else if Units.equal given Units.one || Units.equal wanted Units.one then
+    if diagnostic.hints = [] && written = None then
+      operands words ~subject ~expected (wanted, given) diagnostic
+    else diagnostic
   else if written <> None then
     let digits, at = Option.get written in
     let text = Printf.sprintf "%s[%s]" digits (Show.measure words wanted) in
-    hint (Printf.sprintf "write `%s` if that unit was meant" text) diagnostic |> write at text
+    hint (Printf.sprintf "write `%s` if you meant that unit" text) diagnostic |> write at text
   else if Units.equal (Units.multiply given given) wanted && is_operand expected then
-    let text = Printf.sprintf "%s ^ 2" e in
-    hint (Printf.sprintf "`%s` has that unit" text) diagnostic
+    let text = with_e "%s ^ 2" in
+    hint (Printf.sprintf "write `%s`, which has that unit" text) diagnostic
     |> Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) ->
            fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ])
   else if Units.equal (Units.multiply wanted wanted) given && not (is_per_second words wanted) then
-    hint (Printf.sprintf "`sqrt %s` has half the unit" e) diagnostic
+    hint (Printf.sprintf "write `%s`, which has that unit" (with_e "sqrt %s")) diagnostic
   else if String.equal factor "1/s" || String.equal factor "Hz" then
     hint
-      (Printf.sprintf
-         "a gain makes `%s` of `%s`, as in `0.5[1/s] * %s`; `derivative %s` is how fast it changes"
-         (Show.measure words wanted) (Show.measure words given) e e)
+      (Printf.sprintf "multiply by a gain, as in `%s`, or, for the rate of change, write `%s`"
+         (with_e "0.5[1/s] * %s") (with_e "derivative %s"))
       diagnostic
   else if String.equal factor "s" then
     hint
-      (Printf.sprintf
-         "times a time it is `%s`, as in `1[s] * %s`; `integral %s` adds it up over time"
-         (Show.measure words wanted) e e)
+      (Printf.sprintf "multiply by a time, as in `%s`, or, for the sum over time, write `%s`"
+         (with_e "1[s] * %s") (with_e "integral %s"))
       diagnostic
   else diagnostic
 

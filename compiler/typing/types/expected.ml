@@ -51,12 +51,15 @@ let rec explain_reason words reason (expected : Type.t) diagnostic =
   | Unknown | Condition | Statement None -> diagnostic
   | Last_statement reason -> explain_reason words reason expected diagnostic
   | Signature { name; at } ->
+      let described = Show.described words expected in
       label ~at
-        (Printf.sprintf "the signature of `%s` asks for %s" name (Show.described words expected))
+        (match Resolve.Labels.kind_of_check name with
+        | Some _ -> Printf.sprintf "the value after this name must be %s" described
+        | None -> Printf.sprintf "the signature of `%s` requires %s" name described)
         diagnostic
   | Annotation at ->
       label ~at
-        (Printf.sprintf "the annotation asks for %s" (Show.described words expected))
+        (Printf.sprintf "the annotation requires %s" (Show.described words expected))
         diagnostic
   | Parameter { callee; at; position; decided_by; _ } ->
       let callee = match callee with Some name -> "`" ^ name ^ "`" | None -> "this" in
@@ -88,7 +91,7 @@ let rec explain_reason words reason (expected : Type.t) diagnostic =
         diagnostic
   | Output (Signature { name; at }) ->
       label ~at
-        (Printf.sprintf "the signature of `%s` asks for the output %s" name
+        (Printf.sprintf "the signature of `%s` requires the output %s" name
            (Show.described words expected))
         diagnostic
   | Output (Parameter { callee; at; position; decided_by; _ }) ->

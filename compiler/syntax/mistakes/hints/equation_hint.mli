@@ -26,3 +26,6 @@ val statement : Found.rule
 
 val comparison : Found.rule
 (** A `=` that compares. *)
+
+val of_a_proc : Found.t -> bool
+(** Is the enclosing `do` that of a `proc`, so that its statements are not tasks? *)

@@ -17,6 +17,14 @@ let path found =
       Lacking.path found
   | _ -> None
 
+(* `import math`, as in Python. *)
+let mathematics found =
+  match (found.token.token, found.before) with
+  | LOWER _, Some { token = IMPORT; _ }
+    when List.mem (written found found.token) [ "math"; "cmath"; "numpy" ] ->
+      Some "remove the import: mathematical functions are built in, as in `sin x` and `sqrt x`"
+  | _ -> None
+
 let capital found =
   match (found.token.token, found.before) with
   | LOWER _, Some { token = MODULE | IMPORT | QUALIFIED; _ } ->

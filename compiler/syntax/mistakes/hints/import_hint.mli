@@ -3,6 +3,9 @@
 val path : Found.rule
 (** The name of a module written as a path of a file. *)
 
+val mathematics : Found.rule
+(** [import math], whose functions are built in. *)
+
 val capital : Found.rule
 (** The name of a module that begins with a small letter. *)
 

@@ -12,6 +12,24 @@ let line_column found =
   let rec go i = if is_blank (char_at found i) && char_at found i <> '\n' then go (i + 1) else i in
   go bol - bol + 1
 
+(* The line above with a `where` at its end, if it may define something by equations. *)
+let where_above found =
+  let bol = found.token.start.pos_bol in
+  let rec above bol =
+    if bol = 0 then ""
+    else
+      let start =
+        Option.value (String.rindex_from_opt found.text (max 0 (bol - 2)) '\n') ~default:(-1) + 1
+      in
+      match between found start (bol - 1) with "" -> above start | line -> line
+  in
+  let line = above bol in
+  let words = String.split_on_char ' ' line in
+  let is_definition = List.mem "=" words || List.mem "->" words in
+  let is_open = List.mem (List.hd (List.rev words)) [ "where"; "do"; "of"; "="; "->" ] in
+  if is_definition && (not is_open) && String.length line <= 50 then Some (line ^ " where")
+  else None
+
 let misplaced_line found =
   match innermost found.context with
   | Some (Let, { column; _ })
@@ -38,14 +56,19 @@ let misplaced_line found =
           in
           if own_line then None
           else
+            let continues =
+              Printf.sprintf
+                "this line is indented further than column %d, where the %s of this block start, \
+                 so it continues the line above"
+                column (items block)
+            in
             Some
-              (Printf.sprintf
-                 "the %s of this block start at column %d; this line stands further right, so it \
-                  goes on with the one above%s"
-                 (items block) column
-                 (if found.token.token = EQUAL && opens_with (Layout.Block Top) found.context then
-                    ", unless a `where` ends that"
-                  else ""))
+              (match where_above found with
+              | Some line
+                when found.token.token = EQUAL
+                     && (block = Top || List.mem "proc" (String.split_on_char ' ' line)) ->
+                  Printf.sprintf "%s; if it is an equation, add `where` there: `%s`" continues line
+              | _ -> Printf.sprintf "%s; if it is separate, start it at column %d" continues column)
       | _ -> None)
   | Some _ | None -> None
 

@@ -10,6 +10,12 @@ let assigns found =
          1`"
   | Some _ | None -> None
 
+(* A `//` at the start of a line. *)
+let starts_a_comment found =
+  found.token.token = SLASH
+  && after found = '/'
+  && between found found.token.start.pos_bol found.token.start.pos_cnum = ""
+
 let own_operator =
   "programs define no operators; a function stands between in backticks: ``a `f` b``"
 
@@ -81,8 +87,8 @@ let after_point found =
   | _ -> None
 
 let comment found =
-  match (found.token.token, found.before) with
-  | SLASH, None -> Some "a comment starts with `--`"
+  match found.token.token with
+  | SLASH when starts_a_comment found -> Some "write `--` to start a comment"
   | _ -> None
 
 let own found =

@@ -32,5 +32,8 @@ val pipe : Found.rule
 val assigns : Found.t -> string option
 (** The hint for a `=` directly after an operator, by that operator. *)
 
+val starts_a_comment : Found.t -> bool
+(** Is this a C-style comment at the start of a line? *)
+
 val own_operator : string
 (** The hint for the definition of an operator. *)

@@ -52,7 +52,8 @@ let beginning found =
 let habits = [ (fun found -> Option.map snd (beginning found)); Operator_hint.foreign ]
 
 let imports =
-  Import_hint.[ path; capital; Declaration_hint.choices; of_haskell; with_points; hiding ]
+  Import_hint.
+    [ path; mathematics; capital; Declaration_hint.choices; of_haskell; with_points; hiding ]
 
 let declarations =
   Declaration_hint.
@@ -173,7 +174,8 @@ let hint found ~state_hints =
 let foreign_operator_around found =
   let is_foreign =
     match (found.token.token, found.before) with
-    | BAR, _ | SLASH, None -> is_symbol (after found)
+    | BAR, _ -> is_symbol (after found)
+    | SLASH, _ when Operator_hint.starts_a_comment found -> true
     | EQUAL, Some _ -> Equation_hint.changed found <> None
     | _ -> Operator_hint.foreign found <> None
   in

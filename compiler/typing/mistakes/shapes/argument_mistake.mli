@@ -1,6 +1,9 @@
 (** Rules for missing arguments, for one argument too many, and for values where functions are
     expected. *)
 
+val missing_arguments : Type.t -> int
+(** How many arguments a function of this type takes. *)
+
 val missing : Shape_fact.rule
 (** A function where a value is expected: the arguments that it lacks. *)
 

@@ -10,6 +10,7 @@
 let of_activities =
   [
     Task_mistake.task_or_signal_function;
+    Task_mistake.function_of_the_input;
     Task_mistake.statement_without_task;
     Signal_function_mistake.in_place_of_a_test;
     Unrun_mistake.unrun;
@@ -27,6 +28,7 @@ let of_functions =
     Output_mistake.statement;
     Output_mistake.not_made;
     Array_mistake.extreme;
+    Tuple_mistake.of_all_arguments;
     Argument_mistake.missing;
     Argument_mistake.more_missing_than_expected;
   ]

@@ -4,6 +4,11 @@ open Shape_fact
 
 let in_place_of_a_test fact =
   match (fact.wanted, fact.given) with
+  | Data { tycon = { name = "Test"; _ }; _ }, Bool ->
+      let text = Printf.sprintf "during 1[s] (proc () -> %s)" (raw fact "True") in
+      error ~code:"E0301" ~at:fact.at "expected a `Test`, found a condition (`Bool`)"
+      |> hint (Printf.sprintf "say how long it must hold: `%s`" text)
+      |> write fact.at text |> Option.some
   | Data { tycon = { name = "Test"; _ }; _ }, Signal_function (input, _) ->
       let sf = grouped fact "sf" in
       error ~code:"E0301" ~at:fact.at

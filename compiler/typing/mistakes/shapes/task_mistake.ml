@@ -87,6 +87,22 @@ let task_or_signal_function fact =
       Some (in_place_of_a_signal_function fact)
   | _ -> None
 
+(* `p <- place`, where `place` takes the robot's input. *)
+let function_of_the_input fact =
+  match (fact.given, name fact) with
+  | Function (_, result), Some name
+    when is_statement fact && match Type.expand result with Function _ -> false | _ -> true ->
+      error ~code:"E0370" ~at:fact.at "the statements of a `do` are tasks, but this is a function"
+      |> here (Printf.sprintf "this is %s" (found_text fact))
+      |> hint
+           (match name with
+           | "place" -> "the task that ends with the robot's position is `robotPlace`"
+           | _ -> Printf.sprintf "to apply it to the input once, write `ask (arr %s)`" name)
+      |> write fact.at
+           (if String.equal name "place" then "robotPlace" else Printf.sprintf "ask (arr %s)" name)
+      |> Option.some
+  | _ -> None
+
 let statement_without_task fact =
   match fact.given with
   | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _)

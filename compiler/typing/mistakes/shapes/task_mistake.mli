@@ -5,6 +5,9 @@
 val task_or_signal_function : Shape_fact.rule
 (** One of the two is a task and the other a signal function. *)
 
+val function_of_the_input : Shape_fact.rule
+(** A statement that is a function, which may be applied to the robot's input. *)
+
 val statement_without_task : Shape_fact.rule
 (** A statement of a [do] that is a value. *)
 

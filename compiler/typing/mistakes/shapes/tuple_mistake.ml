@@ -90,6 +90,43 @@ let side_by_side fact components =
   in
   String.concat " " (List.mapi argument components)
 
+(* The call that the expression is, or that its name is defined as. *)
+let call fact =
+  match fact.subject with
+  | Some { desc = Local x; _ } -> Show.definition fact.words x
+  | subject -> subject
+
+(* `max(x, 0)`, where the general type of `max` accepts a tuple as its first argument. *)
+let of_all_arguments fact =
+  match (fact.wanted, fact.given, call fact) with
+  | ( (Number _ | Bool | String | Tuple _ | Data _),
+      Function _,
+      Some
+        {
+          desc =
+            Apply
+              {
+                head = { desc = Global { name; _ }; _ };
+                argument = { desc = Tuple es; _ };
+                style = Juxtaposed;
+              };
+          span;
+        } )
+    when List.length es = 1 + Argument_mistake.missing_arguments fact.found ->
+      let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+      let d =
+        error ~code:"E0301" ~at:span "`%s` takes %d arguments, but is given one tuple" name
+          (List.length es)
+      in
+      Some
+        (match all (List.map quote es) with
+        | Some texts ->
+            let text = String.concat " " (name :: List.map Source.grouped texts) in
+            hint (Printf.sprintf "write the arguments without parentheses and commas: `%s`" text) d
+            |> fix (Printf.sprintf "write `%s`" text) [ (span, "(" ^ text ^ ")") ]
+        | None -> hint "write the arguments without parentheses and commas, as in `f x y`" d)
+  | _ -> None
+
 let is_a_letter = function 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
 
 let separated_by_commas fact =

@@ -12,5 +12,8 @@ val of_another_length : Shape_fact.rule
 val written_as_an_array : Shape_fact.rule
 (** An array literal with as many elements as the expected tuple has components. *)
 
+val of_all_arguments : Shape_fact.rule
+(** [max(x, 0)], where [max] also accepts a tuple as its first argument. *)
+
 val separated_by_commas : Shape_fact.rule
 (** The C-style call [f(x, y)]. *)

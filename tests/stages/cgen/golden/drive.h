@@ -43,7 +43,7 @@ struct drive_state {
 void drive_reset(struct drive_state *self);
 
 void drive_step(struct drive_state *self, double dt, const struct drive_input *in,
-        struct drive_output *out);
+                struct drive_output *out);
 
 #ifdef __cplusplus
 }

@@ -33,8 +33,8 @@ struct wall_follow_state {
 
 void wall_follow_reset(struct wall_follow_state *self);
 
-void wall_follow_step(struct wall_follow_state *self, double dt,
-        const struct wall_follow_input *in, struct wall_follow_output *out);
+void wall_follow_step(struct wall_follow_state *self, double dt, const struct wall_follow_input *in,
+                      struct wall_follow_output *out);
 
 #ifdef __cplusplus
 }

@@ -59,7 +59,7 @@ What C and Python write differently is named in Frob's own words.
   1 | // the speed
     | ^^
     |
-    = hint: a comment starts with `--`
+    = hint: write `--` to start a comment
   
   1 error
   [1]

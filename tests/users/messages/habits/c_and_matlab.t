@@ -17,7 +17,7 @@ A choice by values, of which each line has a colon; told once.
   4 |         case 1: y = 2;
     |               ^
     |
-    = hint: a choice by values is `case n of`, and below it a branch in each line: `1 -> …`, the last one `_ -> …`
+    = hint: a choice by values is a `case`: write `case n of`, and on each line below it a branch such as `1 -> x`, the last one `_ -> y`
   
   1 error
   [1]
@@ -138,12 +138,12 @@ Rows of a matrix:
    --> const.frob:3:18
     |
   1 | const double gain = 2.0;
-    | ----- this defines a function `const` with the parameter `gain`
+    | ----- this defines a function `const`
   2 | main :: SF Float Float
   3 | main = proc x -> gain * x
     |                  ^^^^
     |
-    = hint: remove `const` before the definition: `gain = …`
+    = hint: write `gain :: Float` and, on the next line, `gain = 2.0`
   
   1 error
   [1]

@@ -134,7 +134,7 @@ Records and arrays as other languages have them.
    --> array_len_mismatch.frob:2:9
     |
   1 | gains :: Array 3 Float
-    |          ------------- the signature of `gains` asks for `Array 3 Float`
+    |          ------------- the signature of `gains` requires `Array 3 Float`
   2 | gains = [1, 2, 3, 4]
     |         ^^^^^^^^^^^^
     |
@@ -294,7 +294,7 @@ Records and arrays as other languages have them.
    --> tuple_return_list.frob:2:7
     |
   1 | f :: Float -> (Float, Float)
-    |      ----------------------- the signature of `f` asks for `(Float, Float)`
+    |      ----------------------- the signature of `f` requires `(Float, Float)`
   2 | f x = [x, x]
     |       ^^^^^^
     |

@@ -93,7 +93,7 @@ What an argument makes of a type is said where it is:
    --> decided.frob:5:8
     |
   4 | kept :: SF (Event Bool) Bool
-    |         -------------------- the signature of `kept` asks for `SF (Event Bool) Bool`
+    |         -------------------- the signature of `kept` requires `SF (Event Bool) Bool`
   5 | kept = hold 0
     |        ^^^^^^
   

@@ -66,9 +66,9 @@ C and Arduino:
   2 | main = proc n -> m where
     |                  ^
   3 |     int m = n + 1
-    |     --- this defines a function `int` with the parameter `m`
+    |     --- this defines a function `int`
     |
-    = hint: write `m = …` without a type; if you want to give the type, write `m :: Int` on the line above
+    = hint: remove the words before `m`, and write its type on the line above: `m :: Int`
   
   1 error
   [1]

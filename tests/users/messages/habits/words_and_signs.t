@@ -26,11 +26,11 @@ Words and signs of other languages around a definition.
    --> const_decl.frob:3:52
     |
   2 | const speed = 0.3[m/s]
-    | ----- this defines a function `const` with the parameter `speed`
+    | ----- this defines a function `const`
   3 | main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
     |                                                    ^^^^^
     |
-    = hint: remove `const` before the definition: `speed = …`
+    = hint: remove the words before `speed`, and write its type on the line above: `speed :: Float`
   
   1 error
   [1]

@@ -31,7 +31,7 @@ A line that starts at a wrong column says where its block starts.
   4 |       z = 2
     |         ^
     |
-    = hint: the definitions of this block start at column 5; this line stands further right, so it goes on with the one above
+    = hint: this line is indented further than column 5, where the definitions of this block start, so it continues the line above; if it is separate, start it at column 5
   
   1 error
   [1]
@@ -147,7 +147,7 @@ A line that was meant for a `where`; an expression that goes on too far left; a 
   3 |     y = x + 1
     |       ^
     |
-    = hint: the definitions of this block start at column 1; this line stands further right, so it goes on with the one above, unless a `where` ends that
+    = hint: this line is indented further than column 1, where the definitions of this block start, so it continues the line above; if it is an equation, add `where` there: `main = proc x -> y where`
   
   1 error
   [1]

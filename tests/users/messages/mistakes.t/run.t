@@ -59,7 +59,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 006_hysteresis_one_argument.frob:4:18
     |
   3 | main :: SF Float Bool
-    |         ------------- the signature of `main` asks for the output `Bool`
+    |         ------------- the signature of `main` requires the output `Bool`
   4 | main = proc x -> hysteresis 1 x
     |                  ^^^^^^^^^^^^^^ this is `SF Float Bool`
     |
@@ -127,7 +127,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                              the field `ki` is `Float[1/s^2]`
     |
     = note: of the units in a `Pid`, `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
-    = hint: write `0.1[1/s^2]` if that unit was meant
+    = hint: write `0.1[1/s^2]` if you meant that unit
   
   1 error
   # 012_integral_in_a_branch.frob
@@ -174,7 +174,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |             |
     |             `x` is a signal: it comes from the `proc`'s input here
     |
-    = hint: the initial value stands first: `delay 0 x` is 0, then `x` one instant ago
+    = hint: write a constant, as in `delay 0 x`; to start with the first value of `x` instead, write `previous x`, with `import Control`
   
   1 error
   # 016_speed_as_output.frob
@@ -230,7 +230,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: a gain makes `m/s` of `m`, as in `0.5[1/s] * (frontSonar i - 0.5[m])`; `derivative (frontSonar i - 0.5[m])` is how fast it changes
+    = hint: multiply by a gain, as in `0.5[1/s] * (frontSonar i - 0.5[m])`, or, for the rate of change, write `derivative (frontSonar i - 0.5[m])`
   
   1 error
   # 021_distance_plus_speed.frob
@@ -242,7 +242,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                       |
     |                       this is `Distance` (m)
     |
-    = hint: times a time it is `m`, as in `1[s] * (v * 2)`; `integral (v * 2)` adds it up over time
+    = hint: multiply by a time, as in `1[s] * (v * 2)`, or, for the sum over time, write `integral (v * 2)`
   
   1 error
   # 022_squared_distance.frob
@@ -250,11 +250,11 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 022_squared_distance.frob:4:18
     |
   3 | main :: SF Point2 Distance
-    |         ------------------ the signature of `main` asks for the output `Distance` (m)
+    |         ------------------ the signature of `main` requires the output `Distance` (m)
   4 | main = proc p -> p.x ^ 2 + p.y ^ 2
     |                  ^^^^^^^^^^^^^^^^^ this is `Float[m^2]`
     |
-    = hint: `sqrt (p.x ^ 2 + p.y ^ 2)` has half the unit
+    = hint: write `sqrt (p.x ^ 2 + p.y ^ 2)`, which has that unit
   
   1 error
   # 023_time_as_number.frob
@@ -604,7 +604,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 052_hold_without_start.frob:2:18
     |
   1 | main :: SF (Event Float) Float
-    |         ---------------------- the signature of `main` asks for the output `Float`
+    |         ---------------------- the signature of `main` requires the output `Float`
   2 | main = proc e -> hold e
     |                  ^^^^^^ this is `SF (Event (Event Float)) (Event Float)`
     |
@@ -645,7 +645,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 055_two_modules_T.frob:7:18
     |
   6 | main :: SF RobotInput Pose
-    |         ------------------ the signature of `main` asks for the output `Main.Pose`
+    |         ------------------ the signature of `main` requires the output `Main.Pose`
   7 | main = proc i -> robotPose i
     |                  ^^^^^^^^^^^
     |
@@ -817,7 +817,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 071_double_for_velocity.frob:5:8
     |
   4 | main :: SF Velocity Velocity
-    |         -------------------- the signature of `main` asks for `SF Velocity Velocity`
+    |         -------------------- the signature of `main` requires `SF Velocity Velocity`
   5 | main = arr slow
     |        ^^^^^^^^ this is `SF Double Double`
     |
@@ -1030,9 +1030,9 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc n -> m where
     |                  ^
   3 |     int m = n + 1
-    |     --- this defines a function `int` with the parameter `m`
+    |     --- this defines a function `int`
     |
-    = hint: write `m = …` without a type; if you want to give the type, write `m :: Int` on the line above
+    = hint: remove the words before `m`, and write its type on the line above: `m :: Int`
   
   1 error
   # 091_slash_comment.frob
@@ -1042,7 +1042,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | // follows a wall
     | ^^
     |
-    = hint: a comment starts with `--`
+    = hint: write `--` to start a comment
   
   1 error
   # 092_question_mark.frob
@@ -1122,7 +1122,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc ds -> ds(1) + ds(2)
     |                   ^^ - it is given an argument here
     |
-    = hint: an element is `ds ! 1`, counted from 0
+    = hint: write `ds ! 1` for that element; the first one is `! 0`
   
   error[E0302]: `ds` is `Array 3 Distance`, not a function
    --> 099_index_in_parentheses.frob:2:27
@@ -1130,7 +1130,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc ds -> ds(1) + ds(2)
     |                           ^^ - it is given an argument here
     |
-    = hint: an element is `ds ! 2`, counted from 0
+    = hint: write `ds ! 2` for that element; the first one is `! 0`
   
   2 errors
   # 100_tilde_equals.frob

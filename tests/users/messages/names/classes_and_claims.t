@@ -131,7 +131,7 @@ Classes, assertions and tests that lack a part.
   4 | test "drives" = comesFar 1[m] 10[s]
     |      --------   ^^^^^^^^^^^^^^^^^^^ this is `SF Truth Verdict`
     |      |
-    |      the signature of `test drives` asks for `Test`
+    |      the value after this name must be `Test`
     |
     = hint: what is to hold in the simulator is a trial: `trial "name" = Trial { world = "room.toml", lasts = 10[s], seeds = 1 `to` 20, judge = comesFar 1[m] 10[s] }`
   

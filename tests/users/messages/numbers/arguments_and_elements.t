@@ -13,7 +13,7 @@ Arguments:
    --> hysteresis_one_argument.frob:4:18
     |
   3 | main :: SF Float Bool
-    |         ------------- the signature of `main` asks for the output `Bool`
+    |         ------------- the signature of `main` requires the output `Bool`
   4 | main = proc x -> hysteresis 1 x
     |                  ^^^^^^^^^^^^^^ this is `SF Float Bool`
     |
@@ -147,7 +147,7 @@ Elements and fields:
   2 | main = proc ds -> ds(1) + ds(2)
     |                   ^^ - it is given an argument here
     |
-    = hint: an element is `ds ! 1`, counted from 0
+    = hint: write `ds ! 1` for that element; the first one is `! 0`
   
   error[E0302]: `ds` is `Array 3 Distance`, not a function
    --> index_in_parentheses.frob:2:27
@@ -155,7 +155,7 @@ Elements and fields:
   2 | main = proc ds -> ds(1) + ds(2)
     |                           ^^ - it is given an argument here
     |
-    = hint: an element is `ds ! 2`, counted from 0
+    = hint: write `ds ! 2` for that element; the first one is `! 0`
   
   2 errors
   [1]

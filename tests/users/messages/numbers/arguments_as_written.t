@@ -18,7 +18,7 @@ What is applied, as an argument:
     |           |
     |           argument 1 of `edge` is `Bool`
     |
-    = hint: what is applied stands in parentheses as an argument: `edge (bumped i)`
+    = hint: put parentheses around the argument: `edge (bumped i)`
   
   1 error
   [1]

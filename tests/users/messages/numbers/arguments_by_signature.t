@@ -67,7 +67,7 @@ Arguments that are forgotten, too many, or of another kind: the signature of wha
    --> max_array.frob:2:18
     |
   1 | main :: SF (Array 3 Float) Float
-    |         ------------------------ the signature of `main` asks for the output `Float`
+    |         ------------------------ the signature of `main` requires the output `Float`
   2 | main = proc a -> max a
     |                  ^^^^^
     |
@@ -142,11 +142,11 @@ Arguments that are forgotten, too many, or of another kind: the signature of wha
    --> unit_convert.frob:3:10
     |
   2 | toCm :: Distance -> Float
-    |         ----------------- the signature of `toCm` asks for `Float`
+    |         ----------------- the signature of `toCm` requires `Float`
   3 | toCm d = d * 100
     |          ^^^^^^^ this is `Float[m]`
     |
-    = hint: how many of a unit it is has none itself: `(d * 100) / 1[m]`
+    = hint: to get a plain number, divide by the unit: `(d * 100) / 1[m]`
     = hint: if this is what comes out, the signature says `Float[m]`
   
   1 error

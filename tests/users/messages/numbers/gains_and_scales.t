@@ -51,7 +51,7 @@ Units that want a gain, a power, or a declaration.
     |                  |
     |                  this is `Float[m^2]`
     |
-    = hint: `y ^ 2` has that unit
+    = hint: write `y ^ 2`, which has that unit
   
   1 error
   [1]

@@ -13,7 +13,7 @@ A formula in which a number lacks its unit, and another with an exponent that is
    --> braking.frob:4:15
     |
   3 | stoppable :: Distance -> Velocity
-    |              -------------------- the signature of `stoppable` asks for `Velocity` (m/s)
+    |              -------------------- the signature of `stoppable` requires `Velocity` (m/s)
   4 | stoppable d = sqrt (2 * 0.3 * d)
     |               ^^^^^^^^^^^^^^^^^^ this is `Float[m^(1/2)]`
     |

@@ -81,7 +81,7 @@ A tuple for an array, a number for a mark, an integral with a reset.
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: times a time it is `1/s`, as in `1[s] * w`; `integral w` adds it up over time
+    = hint: multiply by a time, as in `1[s] * w`, or, for the sum over time, write `integral w`
   
   1 error
   [1]

@@ -137,7 +137,7 @@ The output of a signature, which may itself be wrong:
    --> output.frob:3:19
     |
   2 | drive :: HasSonar i => SF i (Velocity, AngularVelocity)
-    |          ---------------------------------------------- the signature of `drive` asks for the output `(Velocity, AngularVelocity)`
+    |          ---------------------------------------------- the signature of `drive` requires the output `(Velocity, AngularVelocity)`
   3 | drive = proc i -> (w, v) where
     |                   ^^^^^^
     |
@@ -159,7 +159,7 @@ Arguments one after the other, and a tuple:
    --> one_tuple.frob:2:7
     |
   1 | mix :: (Float, Float) -> Float
-    |        ----------------------- the signature of `mix` asks for `(Float, Float) -> Float`
+    |        ----------------------- the signature of `mix` requires `(Float, Float) -> Float`
   2 | mix x y = x + y
     |       ^
     |
@@ -179,7 +179,7 @@ Arguments one after the other, and a tuple:
    --> several.frob:2:5
     |
   1 | mix :: Float -> Float -> Float
-    |        ----------------------- the signature of `mix` asks for `Float -> Float -> Float`
+    |        ----------------------- the signature of `mix` requires `Float -> Float -> Float`
   2 | mix (x, y) = x + y
     |     ^^^^^^
     |

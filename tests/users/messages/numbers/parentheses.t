@@ -16,7 +16,7 @@ A function among the arguments that was to be applied to those behind it.
     |     |
     |     with 2 arguments the result is `Task a ((b -> b) -> b) ()`
     |
-    = hint: what is applied stands in parentheses as an argument: `sleepT 2[s] (roMake (setVelTR 0 0))`
+    = hint: put parentheses around the argument: `sleepT 2[s] (roMake (setVelTR 0 0))`
   
   error[E0301]: expected `Task a b c`, found the function `Angle -> Task d e Bool`
    --> tasks.frob:5:13
@@ -26,7 +26,7 @@ A function among the arguments that was to be applied to those behind it.
     |     |
     |     argument 1 of `forever` is `Task a b c`
     |
-    = hint: what is applied stands in parentheses as an argument: `forever (turnBy 90[deg])`
+    = hint: put parentheses around the argument: `forever (turnBy 90[deg])`
   
   2 errors
   [1]
@@ -44,7 +44,7 @@ A function among the arguments that was to be applied to those behind it.
     |                        |
     |                        argument 1 of `forever` is `Task a b c`
     |
-    = hint: what is applied stands in parentheses as an argument: `forever (forward 1[m])`
+    = hint: put parentheses around the argument: `forever (forward 1[m])`
   
   1 error
   [1]

@@ -83,7 +83,7 @@ What makes one quantity of another:
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: a gain makes `m/s` of `m`, as in `0.5[1/s] * (frontSonar i - 0.5[m])`; `derivative (frontSonar i - 0.5[m])` is how fast it changes
+    = hint: multiply by a gain, as in `0.5[1/s] * (frontSonar i - 0.5[m])`, or, for the rate of change, write `derivative (frontSonar i - 0.5[m])`
   
   1 error
   [1]
@@ -100,7 +100,7 @@ What makes one quantity of another:
     |                       |
     |                       this is `Distance` (m)
     |
-    = hint: times a time it is `m`, as in `1[s] * (v * 2)`; `integral (v * 2)` adds it up over time
+    = hint: multiply by a time, as in `1[s] * (v * 2)`, or, for the sum over time, write `integral (v * 2)`
   
   1 error
   [1]
@@ -115,11 +115,11 @@ What makes one quantity of another:
    --> squared_distance.frob:4:18
     |
   3 | main :: SF Point2 Distance
-    |         ------------------ the signature of `main` asks for the output `Distance` (m)
+    |         ------------------ the signature of `main` requires the output `Distance` (m)
   4 | main = proc p -> p.x ^ 2 + p.y ^ 2
     |                  ^^^^^^^^^^^^^^^^^ this is `Float[m^2]`
     |
-    = hint: `sqrt (p.x ^ 2 + p.y ^ 2)` has half the unit
+    = hint: write `sqrt (p.x ^ 2 + p.y ^ 2)`, which has that unit
   
   1 error
   [1]
@@ -135,7 +135,7 @@ What makes one quantity of another:
    --> double_for_velocity.frob:5:8
     |
   4 | main :: SF Velocity Velocity
-    |         -------------------- the signature of `main` asks for `SF Velocity Velocity`
+    |         -------------------- the signature of `main` requires `SF Velocity Velocity`
   5 | main = arr slow
     |        ^^^^^^^^ this is `SF Double Double`
     |
@@ -207,7 +207,7 @@ The gains of a controller depend on each other, so one of a wrong unit is one me
     |                              the field `ki` is `Float[1/s^2]`
     |
     = note: of the units in a `Pid`, `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
-    = hint: write `0.1[1/s^2]` if that unit was meant
+    = hint: write `0.1[1/s^2]` if you meant that unit
   
   1 error
   [1]
@@ -228,7 +228,7 @@ Types of one name, and a local function of one type:
    --> two_modules_T.frob:7:18
     |
   6 | main :: SF RobotInput Pose
-    |         ------------------ the signature of `main` asks for the output `Main.Pose`
+    |         ------------------ the signature of `main` requires the output `Main.Pose`
   7 | main = proc i -> robotPose i
     |                  ^^^^^^^^^^^
     |

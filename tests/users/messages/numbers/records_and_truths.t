@@ -73,7 +73,7 @@ Records where their parts belong, parts where records do, and numbers for truths
    --> halve.frob:3:11
     |
   2 | halve :: Cmd -> Cmd
-    |          ---------- the signature of `halve` asks for `Cmd`
+    |          ---------- the signature of `halve` requires `Cmd`
   3 | halve c = c.v * 0.5
     |           ^^^^^^^^^
     |

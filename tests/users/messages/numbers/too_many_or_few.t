@@ -161,7 +161,7 @@ Arguments that are one too many, or missing in front: what the function takes, o
     |            |
     |            with one argument the result is `Array 16 Sonar`
     |
-    = hint: an element is `sonars i ! 3`, counted from 0
+    = hint: write `sonars i ! 3` for that element; the first one is `! 0`
   
   1 error
   [1]

@@ -38,11 +38,11 @@ The signature may be what is wrong:
    --> signature.frob:4:22
     |
   3 | odometer :: SF RobotInput Velocity
-    |             ---------------------- the signature of `odometer` asks for the output `Velocity` (m/s)
+    |             ---------------------- the signature of `odometer` requires the output `Velocity` (m/s)
   4 | odometer = proc i -> integral (velocity i)
     |                      ^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
     |
-    = hint: a gain makes `m/s` of `m`, as in `0.5[1/s] * (integral (velocity i))`; `derivative (integral (velocity i))` is how fast it changes
+    = hint: multiply by a gain, as in `0.5[1/s] * (integral (velocity i))`, or, for the rate of change, write `derivative (integral (velocity i))`
     = hint: if this is what comes out, the signature says `Float[m]`
   
   1 error
@@ -70,7 +70,7 @@ A speed of turning is an angle by a time:
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: a gain makes `1/s` of a number without a unit, as in `2[1/s] * omega`
+    = hint: multiply the plain number by a gain in `1/s`, as in `2[1/s] * omega`
   
   1 error
   [1]

@@ -59,7 +59,7 @@ The argument that decided a type is shown where another one does not fit it.
     |                       |     because this is `Float[m]`
     |                       argument 2 of `limit` is `Float[m]`
     |
-    = hint: times a time it is `m`, as in `1[s] * b`; `integral b` adds it up over time
+    = hint: multiply by a time, as in `1[s] * b`, or, for the sum over time, write `integral b`
   
   1 error
   [1]

@@ -203,7 +203,7 @@ And where the output is one of a task's, or a signature's.
    --> no_make.frob:5:19
     |
   4 | ahead :: DiffDrive o => SF i o
-    |          --------------------- the signature of `ahead` asks for the output `o`
+    |          --------------------- the signature of `ahead` requires the output `o`
   5 | ahead = proc i -> setVelTR 0.1[m/s] 0
     |                   ^^^^^^^^^^^^^^^^^^^
     |
@@ -213,7 +213,7 @@ And where the output is one of a task's, or a signature's.
    --> no_make.frob:8:18
     |
   7 | spin :: SF PioneerInput PioneerOutput
-    |         ----------------------------- the signature of `spin` asks for the output `PioneerOutput`
+    |         ----------------------------- the signature of `spin` requires the output `PioneerOutput`
   8 | spin = proc i -> turning where
     |                  ^^^^^^^
     |
@@ -223,7 +223,7 @@ And where the output is one of a task's, or a signature's.
     --> no_make.frob:12:8
      |
   11 | main :: Program PioneerInput PioneerOutput
-     |         ---------------------------------- the signature of `main` asks for `Program PioneerInput PioneerOutput`
+     |         ---------------------------------- the signature of `main` requires `Program PioneerInput PioneerOutput`
   12 | main = reactimateRobot (proc i -> turning) where
      |        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
      |

@@ -64,7 +64,7 @@ Semicolons, several commands, and a signature of too few parameters: one message
    --> parameters.frob:2:9
     |
   1 | steer :: Float -> Float
-    |          -------------- the signature of `steer` asks for `Float -> Float`
+    |          -------------- the signature of `steer` requires `Float -> Float`
   2 | steer a b = a - b
     |         ^
   

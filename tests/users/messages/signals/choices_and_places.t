@@ -461,7 +461,7 @@ A function of nothing is applied to nothing:
    --> nothing.frob:3:19
     |
   2 | main :: SF () Int
-    |         --------- the signature of `main` asks for the output `Int`
+    |         --------- the signature of `main` requires the output `Int`
   3 | main = proc () -> seven
     |                   ^^^^^
     |

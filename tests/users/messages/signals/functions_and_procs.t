@@ -102,15 +102,15 @@ The statements of a `proc` stand in one `do`; another one within it is one of ta
   >       else returnA -< x
   > FROB
   $ frobc check chosen.frob
-  error[E0116]: `-<` runs a signal function, which only the `do` of a `proc` can
+  error[E0116]: a branch of a `proc` cannot contain commands
    --> chosen.frob:6:9
     |
   5 |       then do
-    |            -- tasks stand here, as in each `do` that does not follow `proc … ->` directly
+    |            -- this `do` is in a branch
   6 |         returnA -< y
     |         ^^^^^^^^^^^^
     |
-    = hint: a signal function is `proc x -> do …`, with all its statements in that one `do`; a task needs no `-<`
+    = hint: choose the value: `returnA -< if c then a else b`
   
   1 error
   [1]

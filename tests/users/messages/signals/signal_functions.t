@@ -45,7 +45,7 @@ Signal functions taken for functions: not run, composed with a point, given a fu
    --> type.frob:2:8
     |
   1 | main :: Float -> Float
-    |         -------------- the signature of `main` asks for `Float -> Float`
+    |         -------------- the signature of `main` requires `Float -> Float`
   2 | main = proc x -> x + 1
     |        ^^^^^^^^^^^^^^^
     |

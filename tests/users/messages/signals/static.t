@@ -13,7 +13,7 @@ What must be static but is a signal: the two usual wishes behind it.
     |             |
     |             `x` is a signal: it comes from the `proc`'s input here
     |
-    = hint: the initial value stands first: `delay 0 x` is 0, then `x` one instant ago
+    = hint: write a constant, as in `delay 0 x`; to start with the first value of `x` instead, write `previous x`, with `import Control`
   
   1 error
   [1]

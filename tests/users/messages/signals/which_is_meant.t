@@ -47,11 +47,11 @@ What a truth, an event, a function and a signal function are taken for.
    --> function.frob:2:13
     |
   1 | speedUp :: Float -> Float
-    |            -------------- the signature of `speedUp` asks for `Float`
+    |            -------------- the signature of `speedUp` requires `Float`
   2 | speedUp x = integral x
     |             ^^^^^^^^^^ this is `Float[s]`
     |
-    = hint: how many of a unit it is has none itself: `(integral x) / 1[s]`
+    = hint: to get a plain number, divide by the unit: `(integral x) / 1[s]`
     = hint: `integral` is a signal function, and runs in a `proc`: `speedUp = proc x -> …`, of the type `SF … …`
   
   1 error
@@ -72,7 +72,7 @@ A signature that says a function: it is told of the definition, and not again wh
    --> signature.frob:3:6
     |
   2 | go :: RobotInput -> RobotOutput
-    |       ------------------------- the signature of `go` asks for `RobotInput -> RobotOutput`
+    |       ------------------------- the signature of `go` requires `RobotInput -> RobotOutput`
   3 | go = switch (proc i -> (roMake (setVelTR 0.2[m/s] 0), edge (frontSonar i < 0.5[m]))) (\_ -> rest)
     |      ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
