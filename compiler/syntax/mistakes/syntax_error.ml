@@ -107,6 +107,9 @@ let cured found =
   | EQUAL, Some _
     when compares found.context && is_blank (char_at found (found.token.start.pos_cnum - 1)) ->
       Diagnostic.write (span found.token) "=="
+  | SLASH, _ when Operator_hint.starts_a_comment found ->
+      let stop = { found.token.stop with pos_cnum = found.token.stop.pos_cnum + 1 } in
+      Diagnostic.write (Build.span (found.token.start, stop)) "--"
   | _ -> Fun.id
 
 let plain found =

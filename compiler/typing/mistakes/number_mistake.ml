@@ -217,7 +217,10 @@ let conversion words ~subject ~expected (wanted, given) diagnostic =
     |> Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) ->
            fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ])
   else if Units.equal (Units.multiply wanted wanted) given && not (is_per_second words wanted) then
-    hint (Printf.sprintf "write `%s`, which has that unit" (with_e "sqrt %s")) diagnostic
+    let text = with_e "sqrt %s" in
+    hint (Printf.sprintf "write `%s`, which has that unit" text) diagnostic
+    |> Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) ->
+           fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ])
   else if String.equal factor "1/s" || String.equal factor "Hz" then
     hint
       (Printf.sprintf "multiply by a gain, as in `%s`, or, for the rate of change, write `%s`"

@@ -346,7 +346,7 @@ A constant of C with a capital:
   3 | main = proc x -> K * x
     |                  - and here
     |
-    = hint: write `k :: Float` and, on the next line, `k = 3`
+    = hint: declare it as `k :: Float` and, on the next line, `k = 3`
   
   1 error
   [1]
