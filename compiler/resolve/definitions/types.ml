@@ -147,8 +147,8 @@ let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
        let name = tycon.global.name in
        Diagnostic.label ~at:tycon.span "declared here" diagnostic
        |> Diagnostic.hint
-            (Printf.sprintf "use `%s[1]` for plain numbers, or with their unit, as in `%s[m]`"
-               name name)
+            (Printf.sprintf "use `%s[1]` for plain numbers, or with their unit, as in `%s[m]`" name
+               name)
      else if is_builtin tycon then diagnostic
      else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
     |> Context.emit scope.context

@@ -189,7 +189,8 @@ let of_c_declaration (d : Proc_signals.c_declaration) =
   in
   match d.value with
   | Some value ->
-      Printf.sprintf "declare it as `%s :: %s` and, on the next line, `%s = %s`" name type_ name value
+      Printf.sprintf "declare it as `%s :: %s` and, on the next line, `%s = %s`" name type_ name
+        value
   | None ->
       Printf.sprintf
         "remove the words before `%s`, and write its type on the line above: `%s :: %s`" text name

@@ -98,7 +98,7 @@ There are as many patterns as the array has elements:
    --> size.frob:2:3
     |
   1 | f :: Array 3 Int -> Int
-    |      ------------------ the signature of `f` asks for `Array 3 Int`
+    |      ------------------ the signature of `f` requires `Array 3 Int`
   2 | f [a, b] = a + b
     |   ^^^^^^
     |

@@ -112,7 +112,7 @@ no elements or too many are errors:
     --> wrong.frob:18:9
      |
   17 | big :: Ring 5 -> Ring 4
-     |        ---------------- the signature of `big` asks for `Ring 4`
+     |        ---------------- the signature of `big` requires `Ring 4`
   18 | big r = r
      |         ^
   

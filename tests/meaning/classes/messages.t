@@ -294,7 +294,7 @@ What an instance may be, and what it must give.
     --> declared.frob:37:14
      |
    2 |     base :: a -> Float
-     |             ---------- the signature of `base` asks for `Float`
+     |             ---------- the signature of `base` requires `Float`
   ...
   37 |     base x = True
      |              ^^^^
@@ -309,7 +309,7 @@ What an instance may be, and what it must give.
     --> declared.frob:41:12
      |
    2 |     base :: a -> Float
-     |             ---------- the signature of `base` asks for `Int[u] -> Float`
+     |             ---------- the signature of `base` requires `Int[u] -> Float`
   ...
   41 |     base f n = 3
      |            ^
@@ -380,7 +380,7 @@ The types of a method's definitions are the class's.
    --> bodies.frob:9:14
     |
   2 |     area :: a -> Float[m^2]
-    |             --------------- the signature of `area` asks for `Float[m^2]`
+    |             --------------- the signature of `area` requires `Float[m^2]`
   ...
   9 |     area s = 4 * s.side
     |              ^^^^^^^^^^ this is `Float[m]`
@@ -423,7 +423,7 @@ The types of a method's definitions are the class's.
     --> bodies.frob:19:12
      |
    2 |     area :: a -> Float[m^2]
-     |             --------------- the signature of `area` asks for `Bool -> Float[m^2]`
+     |             --------------- the signature of `area` requires `Bool -> Float[m^2]`
   ...
   19 |     area b c = 3
      |            ^

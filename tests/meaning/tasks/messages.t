@@ -39,7 +39,7 @@ What is no task, tasks that do not fit together, and tasks for signal functions.
    --> mistakes.frob:5:5
     |
   1 | wait :: Task Float Float Float
-    |         ---------------------- the signature of `wait` asks for `Task Float Float Float`
+    |         ---------------------- the signature of `wait` requires `Task Float Float Float`
   ...
   5 |     2 * x
     |     ^^^^^
@@ -92,7 +92,7 @@ What is no task, tasks that do not fit together, and tasks for signal functions.
     --> mistakes.frob:17:6
      |
   16 | h2 :: SF Float Float
-     |       -------------- the signature of `h2` asks for `SF Float Float`
+     |       -------------- the signature of `h2` requires `SF Float Float`
   17 | h2 = g
      |      ^ this is `Task Float Float Float`
      |
@@ -112,7 +112,7 @@ What is no task, tasks that do not fit together, and tasks for signal functions.
     --> mistakes.frob:22:17
      |
   21 | i :: Bool -> Task Float Float ()
-     |      --------------------------- the signature of `i` asks for `Task Float Float ()`
+     |      --------------------------- the signature of `i` requires `Task Float Float ()`
   22 | i b = if b then return 1[m] else sleepT 1[s] 2
      |                 ^^^^^^^^^^^
      |

@@ -59,9 +59,9 @@ What is wrong with a plan is told before the first run, with its place.
    ::: follow.frob:4:14
     |
   4 | param gap :: Distance = 0.3[m]
-    |              -------- the signature of `gap` asks for `Distance` (m)
+    |              -------- the signature of `gap` requires `Distance` (m)
     |
-    = hint: write `0.2[m]` if that unit was meant
+    = hint: write `0.2[m]` if you meant that unit
     = hint: if this is what comes out, the signature says `Float[s]`
   
   1 error

@@ -15,7 +15,7 @@ A signal function is not its signal: it has to be run.
    --> unrun.frob:2:20
     |
   1 | clock :: SF () Time
-    |          ---------- the signature of `clock` asks for the output `Time` (s)
+    |          ---------- the signature of `clock` requires the output `Time` (s)
   2 | clock = proc () -> time
     |                    ^^^^ this is `SF a Time`
     |
@@ -65,7 +65,7 @@ A function is not a signal function.
    --> functions.frob:2:8
     |
   1 | wave :: SF Float Float
-    |         -------------- the signature of `wave` asks for `SF Float Float`
+    |         -------------- the signature of `wave` requires `SF Float Float`
   2 | wave = sin
     |        ^^^
     |
@@ -149,7 +149,7 @@ Too many and too few arguments.
    --> arguments.frob:8:7
     |
   7 | two :: Float -> Float
-    |        -------------- the signature of `two` asks for `Float -> Float`
+    |        -------------- the signature of `two` requires `Float -> Float`
   8 | two x y = x
     |       ^
   

@@ -12,7 +12,7 @@ Numbers of another representation: the conversions are named.
    --> numbers.frob:2:9
     |
   1 | count :: Int
-    |          --- the signature of `count` asks for `Int`
+    |          --- the signature of `count` requires `Int`
   2 | count = 3.5
     |         ^^^
     |
@@ -161,7 +161,7 @@ A signature that promises more than the definition keeps.
    --> promises.frob:8:15
     |
   7 | swap :: (a, b) -> (a, b)
-    |         ---------------- the signature of `swap` asks for `(a, b)`
+    |         ---------------- the signature of `swap` requires `(a, b)`
   8 | swap (x, y) = (y, x)
     |               ^^^^^^
     |

@@ -17,7 +17,7 @@ aliases, at both places.
     |           |
     |           this is `Distance` (m)
     |
-    = hint: times a time it is `m`, as in `1[s] * vMax`; `integral vMax` adds it up over time
+    = hint: multiply by a time, as in `1[s] * vMax`, or, for the sum over time, write `integral vMax`
   
   1 error
   [1]
@@ -37,7 +37,7 @@ The second branch has to agree with the first.
     |                                   |
     |                                   this branch is `Distance` (m)
     |
-    = hint: times a time it is `m`, as in `1[s] * v`; `integral v` adds it up over time
+    = hint: multiply by a time, as in `1[s] * v`, or, for the sum over time, write `integral v`
   
   1 error
   [1]
@@ -61,17 +61,17 @@ against its part of the signature.
     |              |
     |              argument 1 of `stop` is `Velocity` (m/s)
     |
-    = hint: a gain makes `m/s` of `m`, as in `0.5[1/s] * d`; `derivative d` is how fast it changes
+    = hint: multiply by a gain, as in `0.5[1/s] * d`, or, for the rate of change, write `derivative d`
   
   error[E0320]: expected the unit `m`, found `m/s`
    --> signatures.frob:5:33
     |
   4 | brake :: Distance -> Velocity -> (Time, Distance)
-    |          ---------------------------------------- the signature of `brake` asks for `Distance` (m)
+    |          ---------------------------------------- the signature of `brake` requires `Distance` (m)
   5 | brake d v = (stop d 2.0[m/s^2], v)
     |                                 ^ this is `Velocity` (m/s)
     |
-    = hint: times a time it is `m`, as in `1[s] * v`; `integral v` adds it up over time
+    = hint: multiply by a time, as in `1[s] * v`, or, for the sum over time, write `integral v`
     = hint: if this is what comes out, the signature says `Float[m/s]`
   
   2 errors
@@ -95,17 +95,17 @@ Units with a name of their own keep it; wrong roots and powers show.
     |             |
     |             this is `Float[N]`
     |
-    = hint: write `2.0[N]` if that unit was meant
+    = hint: write `2.0[N]` if you meant that unit
   
   error[E0320]: expected the unit `m`, found `m^2`
    --> named.frob:5:13
     |
   4 | side :: Float[m^2] -> Distance
-    |         ---------------------- the signature of `side` asks for `Distance` (m)
+    |         ---------------------- the signature of `side` requires `Distance` (m)
   5 | side area = area / 2
     |             ^^^^^^^^ this is `Float[m^2]`
     |
-    = hint: `sqrt (area / 2)` has half the unit
+    = hint: write `sqrt (area / 2)`, which has that unit
   
   2 errors
   [1]
@@ -134,11 +134,11 @@ A signature for every unit that works for one, or for a related one, only.
    --> general.frob:5:12
     |
   4 | square :: Float[u] -> Float[u]
-    |           -------------------- the signature of `square` asks for `Float[u]`
+    |           -------------------- the signature of `square` requires `Float[u]`
   5 | square x = x * x
     |            ^^^^^ this is `Float[u^2]`
     |
-    = hint: `sqrt (x * x)` has half the unit
+    = hint: write `sqrt (x * x)`, which has that unit
   
   2 errors
   [1]
@@ -160,7 +160,7 @@ One mistake is one message, however often what it defines is used.
     |        |
     |        this is a number of `m`
     |
-    = hint: write `1[m]` if that unit was meant
+    = hint: write `1[m]` if you meant that unit
   
   1 error
   [1]

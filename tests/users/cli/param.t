@@ -86,7 +86,7 @@ What is wrong with an option.
    ::: steer.frob:3:16
     |
   3 | param kTurn :: Float[1/m] = 2 * half
-    |                ---------- the signature of `kTurn` asks for `Float[1/m]`
+    |                ---------- the signature of `kTurn` requires `Float[1/m]`
     |
     = hint: write `5[1/m]` if that is its unit
   

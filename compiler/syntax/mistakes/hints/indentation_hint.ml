@@ -27,7 +27,10 @@ let where_above found =
   let words = String.split_on_char ' ' line in
   let is_definition = List.mem "=" words || List.mem "->" words in
   let is_open = List.mem (List.hd (List.rev words)) [ "where"; "do"; "of"; "="; "->" ] in
-  if is_definition && (not is_open) && String.length line <= 50 then Some (line ^ " where")
+  let count c = List.length (String.split_on_char c line) in
+  let is_closed = count '(' = count ')' && count '[' = count ']' in
+  if is_definition && is_closed && (not is_open) && String.length line <= 50 then
+    Some (line ^ " where")
   else None
 
 let misplaced_line found =

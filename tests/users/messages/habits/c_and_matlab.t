@@ -143,7 +143,7 @@ Rows of a matrix:
   3 | main = proc x -> gain * x
     |                  ^^^^
     |
-    = hint: write `gain :: Float` and, on the next line, `gain = 2.0`
+    = hint: declare it as `gain :: Float` and, on the next line, `gain = 2.0`
   
   1 error
   [1]

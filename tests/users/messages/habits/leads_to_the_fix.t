@@ -544,7 +544,7 @@ A type without its unit:
   7 | data Vec2[u] = Vec2 { x :: Float[u], y :: Float[u] }
     |      ---- declared here
     |
-    = hint: write `Vec2[1]` for plain numbers, or with their unit, as in `Vec2[m]`
+    = hint: use `Vec2[1]` for plain numbers, or with their unit, as in `Vec2[m]`
   
   1 error
   [1]
@@ -638,8 +638,8 @@ Two modes that may change endlessly within one instant:
     |                              |
     |                              `when` may occur at the first instant of `high`
     |
-    = note: no time passes between these steps at an instant at which each is left as soon as it starts
-    = hint: apply `notYet` to the event, which ignores it at the first instant; `edge` would wait for ever if the condition holds from the start
+    = note: no time passes between these steps at an instant at which each ends as soon as it starts
+    = hint: apply `notYet` to the event to ignore it at the first instant; `edge` would wait forever if the condition were true from the start
   
   1 error
   [1]
