@@ -71,12 +71,19 @@ let operation known add ~unchanged (operator : Ir.operator) (arguments : Ir.atom
       | Some _ | None -> unchanged)
   | _ -> unchanged
 
+(* The value of an atom where the condition has this value. *)
+let given known condition value atom =
+  match definition known atom with
+  | Some (If c) when same c.condition condition -> if value then c.then_ else c.else_
+  | Some _ | None -> atom
+
 let rec choice known condition then_ else_ : Ir.rhs =
   match ((condition : Ir.atom), definition known condition) with
   | Bool true, _ -> Copy then_
   | Bool false, _ -> Copy else_
   | _, Some (Op (Not, [ positive ])) -> choice known positive else_ then_
   | (Int _ | Float _ | Signal _), _ -> (
+      let then_ = given known condition true then_ and else_ = given known condition false else_ in
       if same then_ else_ then Copy then_
       else
         match ((then_ : Ir.atom), (else_ : Ir.atom)) with

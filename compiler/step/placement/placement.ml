@@ -190,10 +190,13 @@ let place_writes t ~into writes =
   let early = no_early () in
   let place next (w : Write_order.write) =
     match w.write.update with
-    | Branch { condition = Signal c as condition; then_; else_ } when not w.early ->
+    | Branch { condition = Signal c as condition; then_; else_ } when w.timing <> Early ->
         let branch =
           match next with
           | Some (id, branch) when id = c.id -> branch
+          | (Some _ | None) when w.timing = Early_condition ->
+              set_apart t early [ condition ];
+              new_branch ~leaf:(save t early) t into condition w.write.span
           | Some _ | None -> new_branch t into condition w.write.span
         in
         let store block update = store t ~branch:(new_branch t) block { w.write with update } in
@@ -201,8 +204,9 @@ let place_writes t ~into writes =
         store branch.then_ then_;
         Some (c.id, branch)
     | Keep | Set _ | Branch _ ->
-        if w.early then set_apart t early (Usage.update_atoms w.write.update);
-        let leaf = if w.early then Some (save t early) else None in
+        let is_early = w.timing <> In_order in
+        if is_early then set_apart t early (Usage.update_atoms w.write.update);
+        let leaf = if is_early then Some (save t early) else None in
         store ?leaf t ~branch:(new_branch ?leaf t) into w.write;
         None
   in

@@ -1,7 +1,8 @@
 open Basis
 open Fragment
 
-type write = { write : Fragment.write; early : bool }
+type timing = In_order | Early_condition | Early
+type write = { write : Fragment.write; timing : timing }
 
 let reads usage atoms =
   let fields = Int_table.create 8 and seen = Int_table.create 8 in
@@ -50,18 +51,29 @@ let groups writes =
 
 let of_usage usage =
   let written = Int_table.create 16 in
-  let needs_written writes =
-    let atoms (w : Fragment.write) = Usage.update_atoms w.update in
-    overlap (reads usage (List.concat_map atoms writes)) written
+  let need_written atoms writes =
+    overlap
+      (reads usage (List.concat_map (fun (w : Fragment.write) -> atoms w.update) writes))
+      written
+  in
+  let all = Usage.update_atoms in
+  let values : Fragment.update -> Fragment.atom list = function
+    | Branch { condition = _; then_; else_ } -> List.append (all then_) (all else_)
+    | update -> all update
   in
   (* The values that a group of several writes needs are computed in its [If], before all these
      writes. *)
   let order group =
-    let all_early = List.compare_length_with group 1 > 0 && needs_written group in
+    let all_early = List.compare_length_with group 1 > 0 && need_written values group in
+    let early_condition = need_written all group && not (need_written values group) in
     let one (write : Fragment.write) =
-      let early = all_early || needs_written [ write ] in
+      let needs = if early_condition then need_written values else need_written all in
+      let early = all_early || needs [ write ] in
       note written write;
-      { write; early }
+      {
+        write;
+        timing = (if early then Early else if early_condition then Early_condition else In_order);
+      }
     in
     Long_list.map one group
   in

@@ -1,14 +1,16 @@
 (** The order in which a step writes its state: the order of the fields. Since every value must be
-    computed from the old contents of fields, a write is [early] if its value depends on a field
+    computed from the old contents of fields, a write is [Early] if its value depends on a field
     that is written before it.
 
     The dependency includes all intermediate values that only this write, or the writes that share
     its [If], need, because these are computed as late as possible. *)
 
-type write = {
-  write : Fragment.write;
-  early : bool;  (** its values are computed before all writes *)
-}
+type timing =
+  | In_order
+  | Early_condition  (** only its condition is computed before all writes *)
+  | Early  (** its values are computed before all writes *)
+
+type write = { write : Fragment.write; timing : timing }
 
 val of_usage : Usage.t -> write list
 
