@@ -43,14 +43,16 @@ let declared c variables =
 let uninitialized c variables =
   List.rev (declared c (List.map (fun v -> (v, Expression.variable c.names v)) variables))
 
-let in_seconds c ns = Ir.Binary (Over, Cast (V.real c.v, ns), V.float c.v 1e9)
+let in_seconds v ns = Ir.Binary (Over, Cast (V.real v, ns), V.float v 1e9)
 
 (* [own]: the address of the state, if there is one. *)
-let step_call c ~node ~own arguments results =
+let step_call ?(entered = false) c ~node ~own arguments results =
   let callee = c.v.program.nodes.(node) in
   let given is_read name = if is_read then [ Ir.Name name ] else [] in
   let params = given (Step.Param_use.in_step c.v.param_use node) "params" in
-  let dt = given callee.seconds "dt" and dt_ns = given callee.nanoseconds "dt_ns" in
+  let time is_read name zero = if entered && is_read then [ zero ] else given is_read name in
+  let dt = time callee.seconds "dt" (V.float c.v 0.) in
+  let dt_ns = time callee.nanoseconds "dt_ns" (Ir.Integer 0l) in
   Ir.Call (c.v.nodes.(node).step, List.concat [ own; params; dt; dt_ns; arguments; results ])
 
 (* Omits the parameters that the callee reads through the pointer to the input. *)

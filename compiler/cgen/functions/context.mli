@@ -30,12 +30,14 @@ val declared : t -> (M.variable * string) list -> Ir.statement list
 val uninitialized : t -> M.variable list -> Ir.statement list
 (** The same for the variables' own names, with the last declaration first. *)
 
-val in_seconds : t -> Ir.expr -> Ir.expr
+val in_seconds : Vocabulary.t -> Ir.expr -> Ir.expr
 (** Converts 64-bit nanoseconds to seconds. *)
 
-val step_call : t -> node:int -> own:Ir.expr list -> Ir.expr list -> Ir.expr list -> Ir.expr
+val step_call :
+  ?entered:bool -> t -> node:int -> own:Ir.expr list -> Ir.expr list -> Ir.expr list -> Ir.expr
 (** Calls a node's step with the address of the state, if there is one, the arguments and the
-    results. *)
+    results. [entered]: with a dt of 0, for a mode that was entered in this instant; false by
+    default. *)
 
 val own_state : t -> M.field option -> Ir.expr list
 (** The address of a state; empty without state. *)

@@ -55,60 +55,108 @@ let zero c (v : M.variable) =
 (* Results need initial values if C compilers cannot see that they are assigned: if results may be
    dropped, they do not know that the first mode always assigns them; if a mode may end early, they
    do not know that another mode follows. *)
-let results_of_run c (run : M.run) =
+let results_of_run c (run : M.run) ~drops =
   let ends = List.exists (ends_early c) c.node.modes in
-  if (not run.drops) && Option.is_none run.active && not ends then
+  if (not drops) && Option.is_none run.active && not ends then
     List.rev (uninitialized c run.results)
   else List.map (zero c) run.results
 
-(* Calls a mode's step with the places of its results. *)
-let step c (mode : M.mode) (case : M.case) results =
+(* Calls a mode's step, which returns a single result and writes several to the places. *)
+let call ?entered c (mode : M.mode) (case : M.case) places =
   let state = own_state c mode.state in
-  let call = step_call c ~node:mode.node ~own:state (for_step c mode.node case.arguments) in
-  match results with
-  | [ place ] -> plain (Ir.Assign (place, call []))
-  | places -> plain (Ir.Do (call (List.map Expression.address places)))
+  let arguments = for_step c mode.node case.arguments in
+  let places = List.map Expression.address places in
+  step_call ?entered c ~node:mode.node ~own:state arguments places
 
-let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
+let step ?entered c mode case = function
+  | [ place ] -> plain (Ir.Assign (place, call ?entered c mode case []))
+  | places -> plain (Ir.Do (call ?entered c mode case places))
+
+(* The maximum number of operations in a step that may be repeated in each transition to its mode. *)
+let direct_size = 24
+
+(* What remains of a number of operations after this node's step and its callees. *)
+let rec remaining (program : M.program) most k =
+  let node = program.nodes.(k) in
+  let most = ref (most - node.operations - 1) in
+  let call k = if !most >= 0 then most := remaining program !most k in
+  Step.Walk.statements
+    (function
+      | M.Step { node; _ } | Loop { node; _ } -> call node
+      | Run _ -> List.iter (fun (mode : M.mode) -> call mode.node) node.modes
+      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Return _ -> ())
+    node.step.body;
+  !most
+
+(* Whether a mode takes its first step in the branch of the transition that enters it, and not in
+   another round of the loop. This requires that no second transition can follow in the instant. *)
+let is_direct c (run : M.run) k =
+  let mode = List.nth c.node.modes k in
+  run.steps = 2 && (not run.late) && remaining c.v.program direct_size mode.node >= 0
+
+let fresh c (v : M.variable) = (v, Name.fresh (Expression.scope c.names) v.name)
+
+(* The step of the mode that [n] enters. None of its own transitions can occur in this instant. *)
+let step_directly c (run : M.run) (n : M.next) results =
+  let mode = List.nth c.node.modes n.entry.mode and case = List.nth run.cases n.entry.mode in
+  let unread = List.map (fresh c) case.others in
+  let dropped = if n.delayed then List.map (fresh c) run.results else [] in
+  let places = if n.delayed then List.map named dropped else results in
+  match places @ List.map named unread with
+  | [ _ ] when n.delayed -> [ plain (Ir.Do (call ~entered:true c mode case [])) ]
+  | places -> declared c (dropped @ unread) @ [ step ~entered:true c mode case places ]
+
+let one_case c (run : M.run) ~direct ~again ~dropped k (case : M.case) =
   let mode = List.nth c.node.modes k in
   c.place <- "";
   let results = List.map (fun v -> (v, place c v)) run.results in
   (* If results may be discarded, they are first stored in variables of the case. *)
   let own =
-    if not run.drops then []
-    else
-      List.map
-        (fun ((v : M.variable), result) ->
-          (v, Name.fresh (Expression.scope c.names) v.name, result))
-        results
+    if String.equal dropped "" then []
+    else List.map (fun (v, result) -> (fresh c v, result)) results
   in
   let targets =
-    if run.drops then List.map (fun (_, name, _) -> Ir.Name name) own else List.map snd results
+    if String.equal dropped "" then List.map snd results
+    else List.map (fun (own, _) -> named own) own
   in
   let others = List.map (fun v -> (v, Expression.variable c.names v)) case.others in
-  let declarations = declared c (List.map (fun (v, name, _) -> (v, name)) own @ others) in
-  let call = step c mode case (targets @ List.map named others) in
+  let declarations = declared c (List.map fst own @ others) in
+  let running = step c mode case (targets @ List.map named others) in
   let keep =
     match own with
     | [] -> []
     | own ->
-        let then_ = List.map (fun (_, name, result) -> plain (Ir.Assign (result, Name name))) own in
+        let then_ = List.map (fun (v, result) -> plain (Ir.Assign (result, named v))) own in
         [ plain (Ir.If { condition = Unary (Not, Name dropped); then_; else_ = [] }) ]
   in
   let next (n : M.next) =
-    let drop = if n.delayed then [ plain (Ir.Assign (Name dropped, Boolean true)) ] else [] in
+    let drop =
+      if n.delayed && not (String.equal dropped "") then
+        [ plain (Ir.Assign (Name dropped, Boolean true)) ]
+      else []
+    in
     let condition = expression c n.condition in
-    (condition, enter c n.entry n.span @ drop @ again, "")
+    let enter = enter c n.entry n.span in
+    if direct n then (condition, enter @ step_directly c run n (List.map snd results), "")
+    else (condition, enter @ drop @ again, "")
   in
-  declarations @ [ call ] @ keep @ first_of (List.map next case.transitions)
+  declarations @ [ running ] @ keep @ first_of (List.map next case.transitions)
 
 let run c (run : M.run) =
   let scope = Expression.scope c.names in
   (* Each iteration runs one mode. There is another iteration if a mode was entered. *)
-  let loops = run.steps > 1 in
+  let direct = List.mapi (fun k _ -> is_direct c run k) c.node.modes in
+  let direct (n : M.next) = List.nth direct n.entry.mode in
+  let all_direct has =
+    List.for_all
+      (fun (case : M.case) -> List.for_all (fun n -> direct n || not (has n)) case.transitions)
+      run.cases
+  in
+  let loops = run.steps > 1 && (run.late || not (all_direct (fun _ -> true))) in
   let flag name = Name.fresh scope name in
   let steps = if loops then flag "steps" else "" in
-  let dropped = if run.drops then flag "dropped" else "" in
+  let drops = run.late || not (all_direct (fun n -> n.delayed)) in
+  let dropped = if run.drops && drops then flag "dropped" else "" in
   let controlled = if run.late then flag "controlled" else "" in
   let set name value = plain (Ir.Assign (Name name, Boolean value)) in
   let again = if loops then forget_time c @ [ plain Ir.Continue ] else [] in
@@ -129,7 +177,7 @@ let run c (run : M.run) =
   let cases =
     List.mapi
       (fun k case ->
-        (c.v.nodes.(c.index).modes.(k).constant, one_case c run ~again ~dropped k case))
+        (c.v.nodes.(c.index).modes.(k).constant, one_case c run ~direct ~again ~dropped k case))
       run.cases
   in
   let chosen =
@@ -149,7 +197,7 @@ let run c (run : M.run) =
   in
   let wake (clock : M.clock) =
     let since = Expression.field c.names clock.since in
-    let seconds = in_seconds c (Name "dt_ns") in
+    let seconds = in_seconds c.v (Name "dt_ns") in
     [ plain (Ir.Assign (Name "dt_ns", since)) ]
     @ (if c.node.seconds then [ plain (Ir.Assign (Name "dt", seconds)) ] else [])
     @ [
@@ -172,7 +220,8 @@ let run c (run : M.run) =
       [ dropped; controlled ]
   in
   let instant = woken @ flags @ before @ stepping in
-  results_of_run c run @ passing
+  results_of_run c run ~drops:(not (String.equal dropped ""))
+  @ passing
   @
   match run.active with
   | None -> instant

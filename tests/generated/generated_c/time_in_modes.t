@@ -24,11 +24,8 @@ it pass.
                   dt_ns = 0;
                   dt_ns = 0;
                   dt_ns = 0;
+      dt_ns = frob_span(dt_ns);
       int64_t dt_ns = frob_whole_ns(dt);
-                  dt_ns = 0;
-                  dt_ns = 0;
-                  dt_ns = 0;
-                  dt_ns = 0;
 
 Not each dt is whole nanoseconds, and not each is a time.
 

@@ -75,6 +75,7 @@ condition than its own ends the mode.
   > EOF
   $ frobc compile shown.frob
   $ grep "delay\|prev" shown.h | sed "s, */.*,,"
+   *   shown_step with the seconds since the previous instant, or
       bool y_prev;
       bool b_prev;
   $ printf 'time,in.1,in.2\n0,false,false\n1,true,false\n2,false,false\n3,false,true\n4,false,false\n' > in.csv

@@ -61,61 +61,62 @@ chosen.
       bool started; /* true after the first instant at three_modes.frob:12 */
   };
   $ sed -n '/^void three_modes_step/,$p' three_modes.c
+  void three_modes_step_ns(struct three_modes_state *self, int64_t dt_ns, double dt,
+          const struct three_modes_input *in, struct three_modes_output *out)
+  {
+      dt_ns = frob_span(dt_ns);
+      dt = frob_dt(dt);
+      double speed = 0.0;
+      double turn = 0.0;
+      switch (self->mode) {
+      case THREE_MODES_FOLLOW: {
+          bool t1;
+          three_modes_follow_follow_step(&self->modes.follow.state, dt, in->bump, in->side,
+                  &speed, &turn, &t1);
+          if (t1) {
+              self->mode = THREE_MODES_BACK_UP;               /* line 5 */
+              three_modes_follow_backUp_reset(&self->modes.backUp.state);
+              bool t4;
+              three_modes_follow_backUp_step(&self->modes.backUp.state, 0, &speed, &turn, &t4);
+          }
+          break;
+      }
+      case THREE_MODES_BACK_UP: {
+          bool t2;
+          three_modes_follow_backUp_step(&self->modes.backUp.state, dt_ns, &speed, &turn, &t2);
+          if (t2) {
+              self->mode = THREE_MODES_TURN_AWAY;             /* line 6 */
+              three_modes_follow_turnAway_reset(&self->modes.turnAway.state);
+              bool t5;
+              three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed,
+                      &turn, &t5);
+          }
+          break;
+      }
+      default: {                                              /* THREE_MODES_TURN_AWAY */
+          bool t3;
+          three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed, &turn,
+                  &t3);
+          if (t3) {
+              self->mode = THREE_MODES_FOLLOW;                /* line 7 */
+              three_modes_follow_follow_reset(&self->modes.follow.state);
+              bool t6;
+              three_modes_follow_follow_step(&self->modes.follow.state, 0.0, in->bump, in->side,
+                      &speed, &turn, &t6);
+          }
+          break;
+      }
+      }
+      out->speed = speed;                                     /* line 12 */
+      out->turn = turn;
+  }
+  
   void three_modes_step(struct three_modes_state *self, double dt,
           const struct three_modes_input *in, struct three_modes_output *out)
   {
       int64_t dt_ns = self->started ? frob_whole_ns(dt) : 0;
-      dt = (double)dt_ns / 1e9;
       self->started = true;
-      double speed = 0.0;
-      double turn = 0.0;
-      int32_t steps = 0;
-      do {
-          switch (self->mode) {
-          case THREE_MODES_FOLLOW: {
-              bool t1;
-              three_modes_follow_follow_step(&self->modes.follow.state, dt, in->bump, in->side,
-                      &speed, &turn, &t1);
-              if (t1) {
-                  self->mode = THREE_MODES_BACK_UP;           /* line 5 */
-                  three_modes_follow_backUp_reset(&self->modes.backUp.state);
-                  dt = 0.0;
-                  dt_ns = 0;
-                  continue;
-              }
-              break;
-          }
-          case THREE_MODES_BACK_UP: {
-              bool t2;
-              three_modes_follow_backUp_step(&self->modes.backUp.state, dt_ns, &speed, &turn,
-                      &t2);
-              if (t2) {
-                  self->mode = THREE_MODES_TURN_AWAY;         /* line 6 */
-                  three_modes_follow_turnAway_reset(&self->modes.turnAway.state);
-                  dt = 0.0;
-                  dt_ns = 0;
-                  continue;
-              }
-              break;
-          }
-          default: {                                          /* THREE_MODES_TURN_AWAY */
-              bool t3;
-              three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed,
-                      &turn, &t3);
-              if (t3) {
-                  self->mode = THREE_MODES_FOLLOW;            /* line 7 */
-                  three_modes_follow_follow_reset(&self->modes.follow.state);
-                  dt = 0.0;
-                  dt_ns = 0;
-                  continue;
-              }
-              break;
-          }
-          }
-          break;
-      } while (++steps < 2);
-      out->speed = speed;                                     /* line 12 */
-      out->turn = turn;
+      three_modes_step_ns(self, dt_ns, (double)dt_ns / 1e9, in, out);
   }
 
 No compiler has anything to say about it, nor about delayed switches and sums.
