@@ -6,17 +6,22 @@
  * step takes the generated structs of input and output, so that it could replace the generated
  * one.
  *
- * With BENCH_BATCH, the generated step is compared with itself: all instants in one call
- * (`frobc compile --batch`), and one call for each instant. */
+ * The steps are those for hosts, which get the time in nanoseconds and in seconds. With
+ * BENCH_IN_SECONDS, both steps round seconds instead. With BENCH_BATCH, the generated step is
+ * compared with itself: all instants in one call (`frobc compile --batch`), and one call for each
+ * instant. */
 #ifndef FROB_BENCH_H
 #define FROB_BENCH_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 /* Large enough that the processor cannot learn the table's branches. */
 enum { INSTANTS = 16384 };
 
-/* Seconds since the previous instant: whole nanoseconds around 20 ms. */
+/* The time since the previous instant, around 20 ms, in whole nanoseconds and in seconds; 0 in the
+ * first instant. */
+extern int64_t bench_dt_ns[INSTANTS];
 extern double bench_dt[INSTANTS];
 
 /* Uniform random numbers in [0, 1) from xorshift instead of rand(), so that they are the same on
@@ -47,34 +52,45 @@ int bench_main(const struct bench *bench, int argc, char **argv);
 /* Never inlined, so that valgrind can count its instructions. */
 #define BENCH_PASS __attribute__((noinline))
 
+#ifdef BENCH_IN_SECONDS
+#define BENCH_STEP(program, state, i, output) program##_step(state, bench_dt[i], &input[i], output)
+#define BENCH_BY_HAND(state, i, output) \
+    by_hand_step_in_seconds(state, bench_dt[i], &input[i], output)
+#else
+#define BENCH_STEP(program, state, i, output) \
+    program##_step_ns(state, bench_dt_ns[i], bench_dt[i], &input[i], output)
+#define BENCH_BY_HAND(state, i, output) \
+    by_hand_step(state, bench_dt_ns[i], bench_dt[i], &input[i], output)
+#endif
+
 #ifdef BENCH_BATCH
-#define BENCH_PASSES(program)                                                    \
-    static struct program##_state by_hand_state;                                 \
-    static BENCH_PASS void generated_pass(void)                                  \
-    {                                                                            \
-        program##_reset(&generated_state);                                       \
-        program##_steps(&generated_state, INSTANTS, bench_dt, input, generated); \
-    }                                                                            \
-    static BENCH_PASS void by_hand_pass(void)                                    \
-    {                                                                            \
-        program##_reset(&by_hand_state);                                         \
-        for (size_t i = 0; i < INSTANTS; i++)                                    \
-            program##_step(&by_hand_state, bench_dt[i], &input[i], &by_hand[i]); \
+#define BENCH_PASSES(program)                                                                 \
+    static struct program##_state by_hand_state;                                              \
+    static BENCH_PASS void generated_pass(void)                                               \
+    {                                                                                         \
+        program##_reset(&generated_state);                                                    \
+        program##_steps(&generated_state, INSTANTS, bench_dt_ns, bench_dt, input, generated); \
+    }                                                                                         \
+    static BENCH_PASS void by_hand_pass(void)                                                 \
+    {                                                                                         \
+        program##_reset(&by_hand_state);                                                      \
+        for (size_t i = 0; i < INSTANTS; i++)                                                 \
+            BENCH_STEP(program, &by_hand_state, i, &by_hand[i]);                              \
     }
 #else
-#define BENCH_PASSES(program)                                                        \
-    static struct by_hand by_hand_state;                                             \
-    static BENCH_PASS void generated_pass(void)                                      \
-    {                                                                                \
-        program##_reset(&generated_state);                                           \
-        for (size_t i = 0; i < INSTANTS; i++)                                        \
-            program##_step(&generated_state, bench_dt[i], &input[i], &generated[i]); \
-    }                                                                                \
-    static BENCH_PASS void by_hand_pass(void)                                        \
-    {                                                                                \
-        by_hand_reset(&by_hand_state);                                               \
-        for (size_t i = 0; i < INSTANTS; i++)                                        \
-            by_hand_step(&by_hand_state, bench_dt[i], &input[i], &by_hand[i]);       \
+#define BENCH_PASSES(program)                                        \
+    static struct by_hand by_hand_state;                             \
+    static BENCH_PASS void generated_pass(void)                      \
+    {                                                                \
+        program##_reset(&generated_state);                           \
+        for (size_t i = 0; i < INSTANTS; i++)                        \
+            BENCH_STEP(program, &generated_state, i, &generated[i]); \
+    }                                                                \
+    static BENCH_PASS void by_hand_pass(void)                        \
+    {                                                                \
+        by_hand_reset(&by_hand_state);                               \
+        for (size_t i = 0; i < INSTANTS; i++)                        \
+            BENCH_BY_HAND(&by_hand_state, i, &by_hand[i]);           \
     }
 #endif
 

@@ -1,8 +1,9 @@
 #!/bin/sh
 # Compares generated C with hand-written C, under gcc and clang at -O2 and -O3, each also with
-# link-time optimization, which inlines the step into the loop that calls it. Measures the time of a
-# step (see bench.c), its instructions (counted by valgrind, so the same in each run), the size of
-# the state, and the size of the text at -O2. The placement of machine code in memory alone changes
+# link-time optimization, which inlines the step into the loop that calls it. Measures the time of
+# the step for hosts (see bench.c), its instructions (counted by valgrind, so the same in each run),
+# the size of the state, and the size of the text at -O2; and the time of the step that rounds
+# seconds, compared with hand-written C that rounds them too. The placement of machine code in memory alone changes
 # the ratio of two times by up to a tenth, so each program is compiled in several layouts, and the
 # script reports the layout with the median ratio. Some programs are also compared with the C that
 # Copilot generates for them. The arguments are the working folder, and the programs; the default is
@@ -66,19 +67,18 @@ measure() {
         {
             $compiler $flags $warnings $include -c "$out/$program.c" -o "$made-generated.o"
             $compiler $flags $warnings $include -c "$here/$program/by_hand.c" -o "$made-by_hand.o"
-            $compiler $flags $warnings $include -c "$here/$program/by_hand.c" -DDT_AS_IT_COMES \
-                -o "$made-by_hand_dt_as_it_comes.o"
             $compiler $flags $warnings $include "$here/$program/bench.c" "$here/bench.c" \
                 "$made-generated.o" "$made-by_hand.o" $library -lm -o "$made$layout"
-            $compiler $flags $warnings $include "$here/$program/bench.c" "$here/bench.c" \
-                "$made-generated.o" "$made-by_hand_dt_as_it_comes.o" $library -lm -o "$made-dt_as_it_comes$layout"
+            $compiler $flags $warnings $include -DBENCH_IN_SECONDS "$here/$program/bench.c" \
+                "$here/bench.c" "$made-generated.o" "$made-by_hand.o" $library -lm \
+                -o "$made-in_seconds$layout"
         }
     done
     set -- $(middle_of_layouts "$made")
     row "step time" "$label" "$1" "$2" ns
     if [ "$label" = "gcc -O2" ]; then row "state" "$compiler" "$3" "$4" bytes; fi
-    set -- $(middle_of_layouts "$made-dt_as_it_comes")
-    row "step time, dt as it comes" "$label" "$1" "$2" ns
+    set -- $(middle_of_layouts "$made-in_seconds")
+    row "step time, in seconds" "$label" "$1" "$2" ns
     row "step instructions" "$label" "$(instructions "$made$usual" generated_pass)" \
         "$(instructions "$made$usual" by_hand_pass)" instructions
     case $label in
@@ -170,7 +170,9 @@ has_copilot() {
     command -v ghc >/dev/null && ghc-pkg --simple-output list copilot-c99 2>/dev/null | grep -q copilot
 }
 
-if [ $# -eq 0 ]; then set -- wall_follow pid modes obstacles kalman events nested patrol bug; fi
+if [ $# -eq 0 ]; then
+    set -- wall_follow pid modes obstacles kalman events nested patrol bug distance clamped_pid weak_modes
+fi
 for program in "$@"; do
     "$frobc" compile "$here/$program/$program.frob" -o "$out"
     for level in $levels; do

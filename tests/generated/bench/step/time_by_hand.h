@@ -1,24 +1,9 @@
 /* time_by_hand.h -- the language's rules for time, as a careful programmer would implement them:
- * dt is rounded to whole nanoseconds, halves to even; it is never negative or NaN, and at most
- * 10^9 s. With DT_AS_IT_COMES, dt is used unchanged instead. */
+ * dt is rounded to whole nanoseconds, halves to even; it is never negative or NaN, and at most 10^9 s. */
 #ifndef TIME_BY_HAND_H
 #define TIME_BY_HAND_H
 
 #include <stdint.h>
-
-#ifdef DT_AS_IT_COMES
-
-static inline double whole_nanoseconds(double seconds)
-{
-    return seconds;
-}
-
-static inline int64_t nanoseconds(double seconds)
-{
-    return (int64_t)(seconds * 1e9 + 0.5);
-}
-
-#else
 
 /* Adding 2^52 leaves no bits for a fraction; larger numbers have no fraction. */
 static inline double rounded_nanoseconds(double seconds)
@@ -42,7 +27,5 @@ static inline double whole_nanoseconds(double seconds)
 {
     return rounded_nanoseconds(seconds) / 1e9;
 }
-
-#endif
 
 #endif

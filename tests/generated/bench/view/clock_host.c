@@ -58,8 +58,8 @@ int main(int argc, char **argv)
             (seconds(CLOCK_MONOTONIC) - (double)wake.tv_sec - (double)wake.tv_nsec / 1e9) * 1e6;
         input[0] = seconds(CLOCK_REALTIME) * 1e3;
         input[1] = late[k];
-        program->step(state, program->default_params, k == 0 ? 0.0 : (double)period_us / 1e6, input,
-                      output);
+        const int64_t dt_ns = k == 0 ? 0 : (int64_t)period_us * 1000;
+        program->step(state, program->default_params, dt_ns, (double)dt_ns / 1e9, input, output);
         if (argc > 5)
             ring_publish(&publisher.ring, k * period_us * 1000, input, output, NULL);
     }

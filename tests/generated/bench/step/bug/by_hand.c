@@ -121,15 +121,10 @@ void by_hand_reset(struct by_hand *self)
     self->near_before = false;
 }
 
-void by_hand_step(struct by_hand *self, double dt, const struct bug_input *in,
+void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct bug_input *in,
                   struct bug_output *out)
 {
-    int64_t ns = 0;
-    if (self->started)
-        ns = nanoseconds(dt);
-    self->started = true;
-    dt = (double)ns / 1e9;
-    self->since_ns += ns;
+    self->since_ns += dt_ns;
     if (self->state == LEAVE || self->state == RETURN)
         look_for_nearest(self, in);
     /* When a state ends, the next one starts in the same instant. */
@@ -179,4 +174,12 @@ void by_hand_step(struct by_hand *self, double dt, const struct bug_input *in,
         }
         dt = 0.0;
     }
+}
+
+void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct bug_input *in,
+                             struct bug_output *out)
+{
+    const int64_t ns = self->started ? nanoseconds(dt) : 0;
+    self->started = true;
+    by_hand_step(self, ns, (double)ns / 1e9, in, out);
 }

@@ -43,35 +43,32 @@ static uint32_t ticks_passed(void)
     return MOST_TICKS - SYSTICK[VALUE];
 }
 
-/* Whole nanoseconds around 20 ms. */
 #ifdef BENCH_SINGLE
-typedef int64_t bench_time;
-#define BENCH_TIME(ns) (ns)
-#define BENCH_STEP(program) program##_step_ns
+typedef float bench_real;
 #else
-typedef double bench_time;
-#define BENCH_TIME(ns) ((double)(ns) / 1e9)
-#define BENCH_STEP(program) program##_step
+typedef double bench_real;
 #endif
 
-#define BENCH(program)                                                  \
-    static struct program##_input input[INSTANTS];                      \
-    static bench_time dt[INSTANTS];                                     \
-    static void make_input(size_t i);                                   \
-    int main(void)                                                      \
-    {                                                                   \
-        static struct program##_state state;                            \
-        static struct program##_output output;                          \
-        for (size_t i = 0; i < INSTANTS; i++) {                         \
-            dt[i] = BENCH_TIME((int64_t)(19e6 + 2e6 * bench_random())); \
-            make_input(i);                                              \
-        }                                                               \
-        program##_reset(&state);                                        \
-        ticks_start();                                                  \
-        for (size_t i = 0; i < INSTANTS; i++)                           \
-            BENCH_STEP(program)(&state, dt[i], &input[i], &output);     \
-        printf("%.1f\n", (double)ticks_passed() * TICK_NS / INSTANTS);  \
-        return 0;                                                       \
+#define BENCH(program)                                                      \
+    static struct program##_input input[INSTANTS];                          \
+    static int64_t dt_ns[INSTANTS];                                         \
+    static bench_real dt[INSTANTS];                                         \
+    static void make_input(size_t i);                                       \
+    int main(void)                                                          \
+    {                                                                       \
+        static struct program##_state state;                                \
+        static struct program##_output output;                              \
+        for (size_t i = 0; i < INSTANTS; i++) {                             \
+            dt_ns[i] = i == 0 ? 0 : (int64_t)(19e6 + 2e6 * bench_random()); \
+            dt[i] = (bench_real)dt_ns[i] / (bench_real)1e9;                 \
+            make_input(i);                                                  \
+        }                                                                   \
+        program##_reset(&state);                                            \
+        ticks_start();                                                      \
+        for (size_t i = 0; i < INSTANTS; i++)                               \
+            program##_step_ns(&state, dt_ns[i], dt[i], &input[i], &output); \
+        printf("%.1f\n", (double)ticks_passed() * TICK_NS / INSTANTS);      \
+        return 0;                                                           \
     }
 
 #endif

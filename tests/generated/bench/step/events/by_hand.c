@@ -17,14 +17,15 @@ void by_hand_reset(struct by_hand *self)
     self->on = false;
 }
 
-void by_hand_step(struct by_hand *self, double dt, const struct events_input *in,
+void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct events_input *in,
                   struct events_output *out)
 {
+    (void)dt;
     if (!self->started) {
         self->started = true;
         self->button = in->button;
     } else {
-        self->time_ns += nanoseconds(dt);
+        self->time_ns += dt_ns;
         if (in->button == self->button) {
             self->differs = false;
         } else {
@@ -51,4 +52,10 @@ void by_hand_step(struct by_hand *self, double dt, const struct events_input *in
     out->presses = (double)self->presses;
     out->atPress = self->at_press;
     out->sampled = self->sampled;
+}
+
+void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct events_input *in,
+                             struct events_output *out)
+{
+    by_hand_step(self, nanoseconds(dt), 0.0, in, out);
 }

@@ -13,7 +13,7 @@ void by_hand_reset(struct by_hand *self)
     self->var_heading = 0.05;
 }
 
-void by_hand_step(struct by_hand *self, double dt, const struct kalman_input *in,
+void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct kalman_input *in,
                   struct kalman_output *out)
 {
     const double went = in->went, turned = in->turned;
@@ -24,6 +24,7 @@ void by_hand_step(struct by_hand *self, double dt, const struct kalman_input *in
     double covariance = self->covariance + went * self->var_heading;
     double var_heading = self->var_heading + 0.01 * fabs(turned) + 0.001 * fabs(went);
     const double surprise = in->wall - offset;
+    (void)dt_ns;
     (void)dt;
     if (fabs(surprise) < 0.5) {
         const double total = var_offset + sonar_noise;
@@ -45,4 +46,11 @@ void by_hand_step(struct by_hand *self, double dt, const struct kalman_input *in
     out->varOffset = var_offset;
     out->covariance = covariance;
     out->varHeading = var_heading;
+}
+
+void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct kalman_input *in,
+                             struct kalman_output *out)
+{
+    (void)dt;
+    by_hand_step(self, 0, 0.0, in, out);
 }

@@ -45,17 +45,15 @@ void by_hand_reset(struct by_hand *self)
     self->condition_before = true;
 }
 
-void by_hand_step(struct by_hand *self, double dt, const struct modes_input *in,
+void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct modes_input *in,
                   struct modes_output *out)
 {
-    int64_t ns;
     if (!self->started) {
         self->started = true;
         start_following(self, in);
         follow(self, in, out);
         return;
     }
-    ns = nanoseconds(dt);
     switch (self->mode) {
     case FOLLOW:
         if (in->bump && !self->condition_before) {
@@ -65,13 +63,13 @@ void by_hand_step(struct by_hand *self, double dt, const struct modes_input *in,
             break;
         }
         self->condition_before = in->bump;
-        if (ns > 0)
-            self->side_slope = (in->side - self->side_before) / ((double)ns / 1e9);
+        if (dt_ns > 0)
+            self->side_slope = (in->side - self->side_before) / dt;
         self->side_before = in->side;
         follow(self, in, out);
         break;
     case BACK_UP:
-        self->backing_ns += ns;
+        self->backing_ns += dt_ns;
         if (self->backing_ns >= back_up_ns) {
             self->mode = TURN;
             self->condition_before = in->front > free_way;
@@ -90,4 +88,11 @@ void by_hand_step(struct by_hand *self, double dt, const struct modes_input *in,
         turn(out);
         break;
     }
+}
+
+void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct modes_input *in,
+                             struct modes_output *out)
+{
+    const int64_t ns = nanoseconds(dt);
+    by_hand_step(self, ns, (double)ns / 1e9, in, out);
 }

@@ -18,10 +18,11 @@ void by_hand_reset(struct by_hand *self)
     (void)self;
 }
 
-void by_hand_step(struct by_hand *self, double dt_s, const struct modes_input *in,
+void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt_s, const struct modes_input *in,
                   struct modes_output *out)
 {
     (void)self;
+    (void)dt_ns;
     dt = dt_s;
     bump = in->bump;
     side = in->side;

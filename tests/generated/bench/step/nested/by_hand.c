@@ -35,10 +35,10 @@ static void start_drive(struct by_hand *self, const struct nested_input *in)
     start_cruise(self, in);
 }
 
-static void drive(struct by_hand *self, int64_t ns, const struct nested_input *in)
+static void drive(struct by_hand *self, int64_t dt_ns, double dt, const struct nested_input *in)
 {
     const bool close = in->front < 0.3, near = in->front < 0.8, free = in->front > 1.0;
-    self->since_ns += ns;
+    self->since_ns += dt_ns;
     if (self->since_ns >= drive_ns || (close && !self->close_before)) {
         self->turning = true;
         self->since_ns = 0;
@@ -46,7 +46,7 @@ static void drive(struct by_hand *self, int64_t ns, const struct nested_input *i
     }
     self->close_before = close;
     if (!self->slow) {
-        self->speed += (double)ns / 1e9 * acceleration;
+        self->speed += dt * acceleration;
         if (near && !self->near_before) {
             self->slow = true;
             self->free_before = free;
@@ -59,13 +59,9 @@ static void drive(struct by_hand *self, int64_t ns, const struct nested_input *i
     }
 }
 
-void by_hand_step(struct by_hand *self, double dt, const struct nested_input *in,
+void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct nested_input *in,
                   struct nested_output *out)
 {
-    int64_t ns = 0;
-    if (self->started)
-        ns = nanoseconds(dt);
-    self->started = true;
     if (in->duty != self->duty_before) {
         self->duty_before = in->duty;
         if (!self->working && in->duty) {
@@ -76,11 +72,11 @@ void by_hand_step(struct by_hand *self, double dt, const struct nested_input *in
         }
     } else if (self->working) {
         if (self->turning) {
-            self->since_ns += ns;
+            self->since_ns += dt_ns;
             if (self->since_ns >= turn_ns)
                 start_drive(self, in);
         } else {
-            drive(self, ns, in);
+            drive(self, dt_ns, dt, in);
         }
     }
     out->speed = 0.0;
@@ -93,4 +89,12 @@ void by_hand_step(struct by_hand *self, double dt, const struct nested_input *in
         out->speed = slow_speed;
     else
         out->speed = self->speed > top_speed ? top_speed : self->speed;
+}
+
+void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct nested_input *in,
+                             struct nested_output *out)
+{
+    const int64_t ns = self->started ? nanoseconds(dt) : 0;
+    self->started = true;
+    by_hand_step(self, ns, (double)ns / 1e9, in, out);
 }

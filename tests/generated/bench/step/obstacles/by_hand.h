@@ -10,7 +10,11 @@ struct by_hand {
 
 void by_hand_reset(struct by_hand *self);
 
-void by_hand_step(struct by_hand *self, double dt, const struct obstacles_input *in,
+void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct obstacles_input *in,
                   struct obstacles_output *out);
+
+/* Rounds dt, in s, to whole ns. */
+void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct obstacles_input *in,
+                             struct obstacles_output *out);
 
 #endif

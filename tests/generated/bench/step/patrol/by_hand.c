@@ -28,9 +28,10 @@ void by_hand_reset(struct by_hand *self)
     self->condition_before = true;
 }
 
-void by_hand_step(struct by_hand *self, double dt, const struct patrol_input *in,
+void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct patrol_input *in,
                   struct patrol_output *out)
 {
+    (void)dt;
     if (!self->started) {
         self->started = true;
         self->condition_before = in->bump;
@@ -49,7 +50,7 @@ void by_hand_step(struct by_hand *self, double dt, const struct patrol_input *in
         follow(in, out);
         break;
     case BACK_UP:
-        self->since_ns += nanoseconds(dt);
+        self->since_ns += dt_ns;
         if (self->since_ns >= back_up_ns) {
             self->state = WAIT;
             self->since_ns = 0;
@@ -59,7 +60,7 @@ void by_hand_step(struct by_hand *self, double dt, const struct patrol_input *in
         command(out, -0.2, 0.0);
         break;
     case WAIT:
-        self->since_ns += nanoseconds(dt);
+        self->since_ns += dt_ns;
         if (self->since_ns >= wait_ns) {
             self->state = TURN;
             self->condition_before = in->front > free_way;
@@ -79,4 +80,10 @@ void by_hand_step(struct by_hand *self, double dt, const struct patrol_input *in
         command(out, 0.0, 0.8);
         break;
     }
+}
+
+void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct patrol_input *in,
+                             struct patrol_output *out)
+{
+    by_hand_step(self, nanoseconds(dt), 0.0, in, out);
 }

@@ -16,8 +16,12 @@ struct by_hand {
 
 void by_hand_reset(struct by_hand *self);
 
-/* dt in s, ignored in the first step. */
-void by_hand_step(struct by_hand *self, double dt, const struct patrol_input *in,
+/* dt_ns and dt are the same time in ns and in s; 0 in the first step. */
+void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct patrol_input *in,
                   struct patrol_output *out);
+
+/* Rounds dt, in s, to whole ns. */
+void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct patrol_input *in,
+                             struct patrol_output *out);
 
 #endif

@@ -15,12 +15,12 @@ void by_hand_reset(struct by_hand *self)
     self->started = false;
 }
 
-void by_hand_step(struct by_hand *self, double dt, const struct pid_input *in,
+void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct pid_input *in,
                   struct pid_output *out)
 {
     const double error = in->value;
     double wanted;
-    dt = whole_nanoseconds(dt);
+    (void)dt_ns;
     if (!self->started) {
         self->started = true;
     } else if (dt > 0) {
@@ -40,4 +40,10 @@ void by_hand_step(struct by_hand *self, double dt, const struct pid_input *in,
         out->value = -largest;
     else
         out->value = wanted;
+}
+
+void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct pid_input *in,
+                             struct pid_output *out)
+{
+    by_hand_step(self, 0, whole_nanoseconds(dt), in, out);
 }

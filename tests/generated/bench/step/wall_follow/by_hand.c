@@ -27,11 +27,11 @@ void by_hand_reset(struct by_hand *self)
     self->started = false;
 }
 
-void by_hand_step(struct by_hand *self, double dt, const struct wall_follow_input *in,
-                  struct wall_follow_output *out)
+void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt,
+                  const struct wall_follow_input *in, struct wall_follow_output *out)
 {
     const double v_curr = in->f1, f = in->f2, s = in->f3;
-    dt = whole_nanoseconds(dt);
+    (void)dt_ns;
     if (!self->started)
         self->started = true;
     else if (dt > 0)
@@ -39,4 +39,10 @@ void by_hand_step(struct by_hand *self, double dt, const struct wall_follow_inpu
     self->s_before = s;
     out->f1 = limit(v_max, k_front * (f - distance));
     out->f2 = k_turn * (limit(self->sin_theta_max * v_curr, k_side * (s - distance)) - self->s_dot);
+}
+
+void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct wall_follow_input *in,
+                             struct wall_follow_output *out)
+{
+    by_hand_step(self, 0, whole_nanoseconds(dt), in, out);
 }

@@ -17,10 +17,11 @@ void by_hand_reset(struct by_hand *self)
     (void)self;
 }
 
-void by_hand_step(struct by_hand *self, double dt_s, const struct wall_follow_input *in,
-                  struct wall_follow_output *out)
+void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt_s,
+                  const struct wall_follow_input *in, struct wall_follow_output *out)
 {
     (void)self;
+    (void)dt_ns;
     dt = dt_s;
     v_curr = in->f1;
     front = in->f2;
