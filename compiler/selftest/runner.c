@@ -86,8 +86,8 @@ static int is_right(void *state, void *input, void *output, const char *names,
                 return 0;
             }
         }
-        frob_program.step(state, NULL, i == 0 ? 0.0 : (double)(row->time_ns - before) / 1e9, input,
-                          output);
+        const int64_t dt_ns = i == 0 ? 0 : row->time_ns - before;
+        frob_program.step(state, NULL, dt_ns, (double)dt_ns / 1e9, input, output);
         before = row->time_ns;
         frob_text_clear(text);
         frob_trace_row(text, &frob_program, FROB_TRACE_OUT, row->time_ns, NULL, output);

@@ -6,7 +6,7 @@
  *       wait until bytes arrive or frob_robot_due_ns(&robot);
  *       if (frob_robot_poll(&robot) == FROB_ROBOT_READY && it is time) {
  *           frob_robot_sense(&robot, &input);
- *           program->step(state, dt, &input, &output);
+ *           program->step(state, params, dt_ns, dt, &input, &output);
  *           frob_robot_command(&robot, &output);
  *       }
  *   }

@@ -10,7 +10,7 @@
  *       status = driver->poll(device);          // as often as bytes arrive
  *       if (status == FROB_OK && driver->sensed_ns(device) is recent) {
  *           driver->sense(device, &input);
- *           program->step(state, dt, &input, &output);
+ *           program->step(state, params, dt_ns, dt, &input, &output);
  *           driver->command(device, &output);   // limited by the caller
  *       }
  *   }

@@ -70,7 +70,7 @@ double run_program(const frob_program &program, const Scene &scene, double durat
             frob_pioneer_input input;
             simulation.read(&input, k);
             frob_pioneer_output output{};
-            program.step(&states[room * k], program.default_params,
+            program.step(&states[room * k], program.default_params, now_ns - before_ns,
                          static_cast<double>(now_ns - before_ns) / 1e9, &input, &output);
             simulation.command(now_ns, &output, k);
         }

@@ -5,9 +5,7 @@ type t = { prototype : string; definition : string }
 let of_program (v : V.t) =
   let root = v.nodes.(Array.length v.nodes - 1) in
   let name = Name.fresh v.file_scope (v.name ^ "_steps") in
-  let dt_type, dt =
-    match v.program.real with Double -> ("double", "dt") | Single -> ("int64_t", "dt_ns")
-  in
+  let real = match v.program.real with Double -> "double" | Single -> "float" in
   let head = Printf.sprintf "void %s(" name in
   let indent = String.make (String.length head) ' ' in
   let params, passed =
@@ -20,7 +18,8 @@ let of_program (v : V.t) =
     (Printf.sprintf "struct %s *self" root.state :: params)
     @ [
         "int32_t count";
-        Printf.sprintf "const %s *%s" dt_type dt;
+        "const int64_t *dt_ns";
+        Printf.sprintf "const %s *dt" real;
         Printf.sprintf "const struct %s *in" v.input.struct_name;
         Printf.sprintf "struct %s *out" v.output.struct_name;
       ]
@@ -29,17 +28,17 @@ let of_program (v : V.t) =
   {
     prototype =
       Printf.sprintf
-        "/* Runs count steps, one after the other. Each step reads its %s and its input and\n\
-        \ * writes its output; all three are arrays with count elements. */\n\
+        "/* Runs count steps. Each takes its times and its input from these arrays, as %s does,\n\
+        \ * and writes its output to out. */\n\
          %s;\n"
-        dt signature;
+        root.step signature;
     definition =
       Printf.sprintf
         "%s\n\
          {\n\
         \    for (int32_t i = 0; i < count; i++) {\n\
-        \        %s(self, %s%s[i], &in[i], &out[i]);\n\
+        \        %s(self, %sdt_ns[i], dt[i], &in[i], &out[i]);\n\
         \    }\n\
          }\n"
-        signature root.step passed dt;
+        signature root.step passed;
   }

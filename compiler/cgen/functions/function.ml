@@ -250,50 +250,14 @@ let own_step (v : V.t) k : Ir.function_ =
     comment = place_of node;
   }
 
-let at_first c zero value =
-  match c.v.program.started with
-  | None -> value
-  | Some { field; own = _ } -> Ir.Conditional (Expression.field c.names field, value, zero)
-
-(* Rounds dt to whole nanoseconds, and replaces it by 0 in the first instant. *)
-let double_clock c (node : M.node) =
-  let dt = Ir.Name "dt" in
-  let set_dt value = plain (Ir.Assign (dt, value)) in
-  if node.nanoseconds then
-    let rounded = at_first c (Ir.Integer 0l) (Call ("frob_whole_ns", [ dt ])) in
-    plain (Ir.Variable { ty = Int64; name = "dt_ns"; value = rounded })
-    :: (if node.seconds then [ set_dt (in_seconds c (Name "dt_ns")) ] else [])
-  else if node.seconds then
-    (* Replacing dt by 0 must come first: after a selection of dt, C compilers duplicate the
-       step. *)
-    match at_first c (V.float c.v 0.) dt with
-    | Name _ -> [ set_dt (Call ("frob_whole_dt", [ dt ])) ]
-    | first -> [ set_dt first; set_dt (Call ("frob_whole_dt", [ dt ])) ]
-  else []
-
-(* The parameter is already in nanoseconds. *)
-let single_clock c (node : M.node) =
-  if not (node.nanoseconds || node.seconds) then []
-  else
-    let dt_ns = Ir.Name "dt_ns" in
-    let span = Ir.Call ("frob_span", [ dt_ns ]) in
-    plain (Ir.Assign (dt_ns, at_first c (Ir.Integer 0l) span))
-    ::
-    (if node.seconds then
-       [ plain (Variable { ty = V.real c.v; name = "dt"; value = in_seconds c dt_ns }) ]
-     else [])
-
-let clock c node =
-  let times =
-    match c.v.program.real with Double -> double_clock c node | Single -> single_clock c node
+(* Limits the times that the step reads: the caller's timer may have wrapped around, or its dt may be
+   NaN. *)
+let limit_times c (node : M.node) =
+  let limit is_read name function_ =
+    if is_read then [ plain (Ir.Assign (Name name, Call (function_, [ Name name ]))) ] else []
   in
-  let mark =
-    match c.v.program.started with
-    | None | Some { own = false; _ } -> []
-    | Some { field; own = true } ->
-        [ plain (Ir.Assign (Expression.field c.names field, Boolean true)) ]
-  in
-  times @ mark
+  limit node.nanoseconds "dt_ns" "frob_span"
+  @ limit node.seconds "dt" (V.in_precision c.v "frob_dt")
 
 (* Whether an array is read only element by element, never as a whole. *)
 let only_elements_read body (variable : M.variable) ~dimensions =
@@ -339,19 +303,6 @@ let inputs c (node : M.node) =
   in
   List.concat (List.rev (List.rev_map2 take node.step.parameters c.v.input.leaves))
 
-(* Converts seconds to nanoseconds, which are 64-bit integers, because a float has too few bits for
-   them. *)
-let step_in_seconds (v : V.t) (step : Ir.function_) : Ir.function_ =
-  let rounded = V.call v "frob_whole_ns" [ Name "dt" ] in
-  let parameter (ty, name) = if name = "dt_ns" then (V.real v, "dt") else (ty, name) in
-  let argument (_, name) = if name = "dt_ns" then rounded else Ir.Name name in
-  {
-    step with
-    name = v.in_seconds;
-    parameters = List.map parameter step.parameters;
-    body = [ plain (Ir.Do (Call (step.name, List.map argument step.parameters))) ];
-  }
-
 let root_step (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
@@ -365,16 +316,13 @@ let root_step (v : V.t) k : Ir.function_ =
   let c = { v; names; index = k; node; write; read; place = "" } in
   let inputs = inputs c node in
   name_variables names node.step.body;
-  let clock = clock c node in
+  let times = limit_times c node in
   let body = statements c node.step.body in
   let clear steps = Access.clear names steps (Name "out") in
   let unused = List.concat_map clear v.output.unused in
   let reads_input =
     List.exists (fun (v : M.variable) -> Int_table.mem c.read v.id) node.step.parameters
     || Program_input.variables_by_pointer v.by_pointer v.program node node.step.body <> []
-  in
-  let dt : Ir.ty * string =
-    match v.program.real with Double -> (V.real v, "dt") | Single -> (Int64, "dt_ns")
   in
   let params = params v true in
   let reads_params = params = [] || Step.Param_use.in_step v.param_use k in
@@ -388,16 +336,18 @@ let root_step (v : V.t) k : Ir.function_ =
         [
           [ self v k ];
           params;
-          [ dt; (input v, "in"); (Pointer (Struct v.output.struct_name), "out") ];
+          [ (Int64, "dt_ns"); (V.real v, "dt"); (input v, "in") ];
+          [ (Pointer (Struct v.output.struct_name), "out") ];
         ];
     body =
       List.concat
         [
           unread names;
           ignore_unless reads_params "params";
-          ignore_unless (node.seconds || node.nanoseconds) (snd dt);
+          ignore_unless node.nanoseconds "dt_ns";
+          ignore_unless node.seconds "dt";
           ignore_unless reads_input "in";
-          clock;
+          times;
           inputs;
           body;
           unused;
@@ -409,4 +359,4 @@ let steps (v : V.t) k =
   if not (V.is_root v k) then [ own_step v k ]
   else
     let step = root_step v k in
-    match v.program.real with Double -> [ step ] | Single -> [ step; step_in_seconds v step ]
+    [ step; Step_in_seconds.of_step v ~root:k step ]

@@ -167,7 +167,8 @@ let step ~params (program : Step.Ir.program) sums ~name ~input ~output =
   let host_type side = "struct " ^ side.host.struct_name in
   bprintf out
     "\n\
-     static void step(void *state, const void *params, double dt, const void *in, void *out)\n\
+     static void step(void *state, const void *params, int64_t dt_ns, double dt, const void *in,\n\
+    \                 void *out)\n\
      {\n\
      %s"
     unread;
@@ -186,10 +187,9 @@ let step ~params (program : Step.Ir.program) sums ~name ~input ~output =
   declare output ~constant:"" "out";
   if input.robot <> None then
     convert out program sums program.input input ~own:"own_in." ~host:"host_in->" ~inward:true;
-  let suffix, dt =
-    match program.real with Double -> ("", "dt") | Single -> ("_ns", "frob_whole_ns(dt)")
-  in
-  bprintf out "    %s_step%s((struct %s_state *)state%s, %s, %s, %s);\n" name suffix name passed dt
+  let dt = match program.real with Double -> "dt" | Single -> "(float)dt_ns / 1e9f" in
+  if program.real = Single then Buffer.add_string out "    (void)dt;\n";
+  bprintf out "    %s_step_ns((struct %s_state *)state%s, dt_ns, %s, %s, %s);\n" name name passed dt
     (given input ~constant:"const " "in")
     (given output ~constant:"" "out");
   if output.robot <> None then

@@ -92,7 +92,6 @@ let members scope ~prefix nodes (node : M.node) =
   name_members table [] node.state;
   (table, name_modes nodes table scope ~prefix node)
 
-(* If [root_in_seconds] is a separate function, [root_step] takes nanoseconds. *)
 type root = {
   root_state : string;
   root_reset : string;
@@ -100,12 +99,12 @@ type root = {
   root_in_seconds : string;
 }
 
-let name_root scope ~name ~(real : Basis.Real.t) =
+let name_root scope ~name =
   let take suffix = Name.fresh scope (name ^ suffix) in
   let root_state = take "_state" in
   let root_reset = take "_reset" in
   let root_in_seconds = take "_step" in
-  let root_step = match real with Double -> root_in_seconds | Single -> take "_step_ns" in
+  let root_step = take "_step_ns" in
   { root_state; root_reset; root_step; root_in_seconds }
 
 let name_nodes scope ~name ~root ~foreign (nodes : M.node array) =
@@ -149,7 +148,7 @@ let of_program ?own ?(units = Units.none) ?(named = Named_constants.none) (progr
   let output_name = Name.fresh scope (name ^ "_output") in
   (* Names that hosts and users see are chosen first: the names of the root are the program's own,
      and its types precede internal functions. *)
-  let root = name_root scope ~name ~real:program.real in
+  let root = name_root scope ~name in
   let params = Param_struct.of_program scope ~name program in
   let known = Value_types.known program.sums in
   (* Robots' structs contain doubles. In single precision, the program's own structs differ from
@@ -272,7 +271,8 @@ let absent t (ty : F.foreign_type) : Ir.expr =
         Name name
 
 let zero t ty = Sum_type.zero t.program.real t.program.sums ~absent:(absent t) ty
-let call t name arguments = Ir.Call (name ^ Print.real_suffix t.program.real, arguments)
+let in_precision t name = name ^ Print.real_suffix t.program.real
+let call t name arguments = Ir.Call (in_precision t name, arguments)
 let is_negative_zero x = Float.equal x 0. && Float.sign_bit x
 
 let float t x =

@@ -28,7 +28,7 @@ type t = {
   foreign_types : Value_types.t;  (** types for the user's C *)
   sums : Sum_type.t array;  (** the program's own sums *)
   nodes : node array;
-  in_seconds : string;  (** name of the root's step with dt in seconds *)
+  in_seconds : string;  (** name of the root's step that rounds its dt, in seconds *)
   input : Interface.t;
   output : Interface.t;
   params : Param_struct.t option;  (** parameters; functions receive a pointer [params] to them *)
@@ -66,6 +66,9 @@ val literal : t -> at:Basis.Span.t -> float -> Ir.expr
 (** An operand of the operation at this place: the name of a constant, or the literal. *)
 
 val is_negative_zero : float -> bool
+
+val in_precision : t -> string -> string
+(** The name of a function of [frob/step.h] for the program's precision. *)
 
 val call : t -> string -> Ir.expr list -> Ir.expr
 (** Calls a function of [<frob/step.h>] or [<math.h>] on Floats, in the program's precision. *)

@@ -159,10 +159,11 @@ void loop_stop(void)
 /* Runs a step and sends its command, unless the step took too long and the command is outdated. */
 static void instant(int64_t now)
 {
+    const int64_t dt_ns = before_ns == 0 ? 0 : now - before_ns;
     frob_robot_sense(&robot, &input);
     memset(&output, 0, sizeof output);
-    frob_program.step(frob_program_state, frob_program.default_params,
-                      before_ns == 0 ? 0.0 : (double)(now - before_ns) / 1e9, &input, &output);
+    frob_program.step(frob_program_state, frob_program.default_params, dt_ns, (double)dt_ns / 1e9,
+                      &input, &output);
     frob_console_clear(&frob_program, &input);
     before_ns = now;
     counts.steps++;

@@ -25,17 +25,21 @@ static void serve(const struct controller *c, int socket, const struct params *p
         _exit(2);
     }
     program->reset(state, params->values);
+    bool is_first = true;
     for (;;) {
-        double dt;
-        ssize_t got = recv(socket, c->message, sizeof dt + c->input_size, 0);
+        int64_t dt_ns;
+        ssize_t got = recv(socket, c->message, sizeof dt_ns + c->input_size, 0);
         if (got < 0 && errno == EINTR)
             continue;
-        if (got != (ssize_t)(sizeof dt + c->input_size))
+        if (got != (ssize_t)(sizeof dt_ns + c->input_size))
             _exit(0);
-        memcpy(&dt, c->message, sizeof dt);
-        memcpy(input, c->message + sizeof dt, c->input_size);
+        memcpy(&dt_ns, c->message, sizeof dt_ns);
+        memcpy(input, c->message + sizeof dt_ns, c->input_size);
+        if (is_first)
+            dt_ns = 0;
+        is_first = false;
         memset(output, 0, program->output_size);
-        program->step(state, params->values, dt, input, output);
+        program->step(state, params->values, dt_ns, (double)dt_ns / 1e9, input, output);
         while (send(socket, output, c->output_size, MSG_NOSIGNAL) < 0)
             if (errno != EINTR)
                 _exit(0);
@@ -62,7 +66,7 @@ bool controller_start(struct controller *c, const struct params *params,
     int sockets[2];
     pid_t supervisor;
     size_t room =
-        sizeof(double) +
+        sizeof(int64_t) +
         (program->input_size > program->output_size ? program->input_size : program->output_size);
     memset(c, 0, sizeof *c);
     c->socket = -1;
@@ -92,11 +96,12 @@ bool controller_start(struct controller *c, const struct params *params,
     return true;
 }
 
-bool controller_ask(struct controller *c, double dt, const void *input)
+bool controller_ask(struct controller *c, int64_t dt_ns, const void *input)
 {
-    memcpy(c->message, &dt, sizeof dt);
-    memcpy(c->message + sizeof dt, input, c->input_size);
-    return send(c->socket, c->message, sizeof dt + c->input_size, MSG_NOSIGNAL | MSG_DONTWAIT) >= 0;
+    const size_t size = sizeof dt_ns + c->input_size;
+    memcpy(c->message, &dt_ns, sizeof dt_ns);
+    memcpy(c->message + sizeof dt_ns, input, c->input_size);
+    return send(c->socket, c->message, size, MSG_NOSIGNAL | MSG_DONTWAIT) >= 0;
 }
 
 enum controller_answer controller_take(struct controller *c, void *output)

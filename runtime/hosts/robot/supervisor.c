@@ -296,7 +296,7 @@ static void next_instant(struct supervisor *s)
     touches_apply(&s->touches, s->input);
     s->stepping = true;
     s->late = false;
-    if (!controller_ask(&s->controller, (double)(s->instant_ns - before) / 1e9, s->input))
+    if (!controller_ask(&s->controller, s->instant_ns - before, s->input))
         look_after_controller(s);
 }
 

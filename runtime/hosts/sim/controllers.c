@@ -197,7 +197,8 @@ static void command_rest(struct controllers *c, size_t k, int64_t now_ns)
 bool controllers_step(struct controllers *c, int64_t now_ns, const struct touches *touches)
 {
     const struct frob_program *program = c->program;
-    const double dt_s = (double)(now_ns - c->stepped_ns) / 1e9;
+    const int64_t dt_ns = c->has_stepped ? now_ns - c->stepped_ns : 0;
+    const double dt = (double)dt_ns / 1e9;
     bool ok = true;
     c->is_away = frob_sim_is_away(c->sim, now_ns) != 0;
     c->rests = c->rests || c->is_away;
@@ -212,7 +213,7 @@ bool controllers_step(struct controllers *c, int64_t now_ns, const struct touche
         ok = look(c, k, now_ns) && ok;
         touches_apply(touches, one->input);
         memset(one->output, 0, program->output_size);
-        program->step(one->state, c->params, dt_s, one->input, one->output);
+        program->step(one->state, c->params, dt_ns, dt, one->input, one->output);
         if (c->rests)
             command_rest(c, k, now_ns);
         else
@@ -226,6 +227,7 @@ bool controllers_step(struct controllers *c, int64_t now_ns, const struct touche
             c->running--;
         }
     }
+    c->has_stepped = true;
     c->stepped_ns = now_ns;
     c->rests = false;
     return ok;

@@ -37,6 +37,7 @@ struct controllers {
     int *cameras;
     const struct frob_image **frames; /* their new frames at this instant, or NULL */
     struct tag_finder finder;         /* if the program uses tags */
+    bool has_stepped;                 /* false before the first instant */
     int64_t stepped_ns;               /* time of the last instant */
     bool is_away;                     /* during an outage of the world: no instants */
     bool rests;                       /* replace the next command by zero, as after a real outage */

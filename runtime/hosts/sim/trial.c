@@ -139,14 +139,14 @@ static bool run(struct trial *trial, const struct options *options, struct contr
     trial->judge->reset(trial->state, trial->params);
     for (int64_t k = 0; ok; k++) {
         const int64_t now_ns = (int64_t)llround((double)k * 1e9 / options->rate_hz);
-        const double dt_s = (double)(now_ns - before_ns) / 1e9;
         if (now_ns > end_ns)
             break;
         frob_sim_advance(controllers->sim, now_ns);
         ok = controllers_step(controllers, now_ns, &touches);
         see_truth(controllers, truths);
         fill(trial, truths);
-        trial->judge->step(trial->state, trial->params, dt_s, trial->input, trial->output);
+        trial->judge->step(trial->state, trial->params, now_ns - before_ns,
+                           (double)(now_ns - before_ns) / 1e9, trial->input, trial->output);
         claims_see(judged, now_ns, trial->output);
         said = verdict_of(trial->judge->output, trial->output);
         asked = asked || said != VERDICT_NOT_ASKED;

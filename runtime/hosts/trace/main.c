@@ -386,7 +386,7 @@ static int run(struct trace *t, const char *output_name)
     void *state = calloc(1, program->state_size + 1);
     void *input = calloc(1, program->input_size + 1);
     void *output = calloc(1, program->output_size + 1);
-    int64_t before = 0, now = 0;
+    int64_t before = 0, now = 0, dt_ns;
     bool first = true, ok = true;
     if (buffer == NULL || state == NULL || input == NULL || output == NULL) {
         fprintf(stderr, "error: not enough memory for the program's state\n");
@@ -407,8 +407,8 @@ static int run(struct trace *t, const char *output_name)
             }
             if (!ok)
                 break;
-            program->step(state, t->params.values, first ? 0.0 : (double)(now - before) / 1e9,
-                          input, output);
+            dt_ns = first ? 0 : now - before;
+            program->step(state, t->params.values, dt_ns, (double)dt_ns / 1e9, input, output);
             if ((t->parts & FROB_TRACE_MODES) != 0)
                 frob_trace_row_with_modes(&text, program, t->parts, now, NULL, output, state);
             else

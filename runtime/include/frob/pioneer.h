@@ -10,7 +10,10 @@
 #define FROB_HAS_EVENT_FLOAT_NO_EVENT
 
 /* Event Float */
-enum { FROB_EVENT_FLOAT_NO_EVENT, FROB_EVENT_FLOAT_EVENT };
+enum {
+    FROB_EVENT_FLOAT_NO_EVENT,
+    FROB_EVENT_FLOAT_EVENT
+};
 
 #endif
 
@@ -28,7 +31,10 @@ struct frob_event_float {
 #define FROB_HAS_EVENT_INT_NO_EVENT
 
 /* Event Int */
-enum { FROB_EVENT_INT_NO_EVENT, FROB_EVENT_INT_EVENT };
+enum {
+    FROB_EVENT_INT_NO_EVENT,
+    FROB_EVENT_INT_EVENT
+};
 
 #endif
 

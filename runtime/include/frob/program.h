@@ -117,7 +117,10 @@ struct frob_program {
     const struct frob_value *input;
     const struct frob_value *output;
     void (*reset)(void *state, const void *params);
-    void (*step)(void *state, const void *params, double dt, const void *input, void *output);
+    /* Runs one instant. dt_ns is the time since the previous instant, and dt is the same time in
+     * seconds, dt_ns / 1e9. Both must be 0 in the first instant after a reset. */
+    void (*step)(void *state, const void *params, int64_t dt_ns, double dt, const void *input,
+                 void *output);
     /* frob_arithmetic_faults, compiled with the program's options; checks floats too if the program
      * computes with them. */
     unsigned (*arithmetic)(void);
@@ -144,7 +147,7 @@ struct frob_program {
     size_t claim_count;
 };
 
-#define FROB_PROGRAM_ABI 9u
+#define FROB_PROGRAM_ABI 10u
 
 /* Symbol that hosts look up. */
 #define FROB_PROGRAM_SYMBOL "frob_program"

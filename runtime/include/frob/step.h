@@ -190,10 +190,20 @@ static inline int64_t frob_soon(int64_t time, int64_t ns)
 static inline int64_t frob_span(int64_t dt_ns)
 {
     const int64_t most = INT64_C(1000000000000000000);
-    return dt_ns > 0 ? (dt_ns < most ? dt_ns : most) : 0;
+    if (FROB_BRANCH((uint64_t)dt_ns > (uint64_t)most)) {
+        return dt_ns > 0 ? most : 0;
+    }
+    return dt_ns;
 }
 
 /* ---- Doubles */
+
+/* Limits a dt in seconds to 0 … 1e9; returns 0 for NaN. */
+static inline double frob_dt(double dt)
+{
+    const double positive = dt > 0.0 ? dt : 0.0;
+    return positive < 1e9 ? positive : 1e9;
+}
 
 /* Adds a zero. This is a function because gcc 12 folds fabs(x) in such a sum to the wrong zero. */
 static inline double frob_add(double a, double b)
@@ -368,6 +378,13 @@ static inline int64_t frob_rest(int64_t time, double period)
 }
 
 /* ---- Floats */
+
+/* Limits a dt in seconds to 0 … 1e9; returns 0 for NaN. */
+static inline float frob_dtf(float dt)
+{
+    const float positive = dt > 0.0f ? dt : 0.0f;
+    return positive < 1e9f ? positive : 1e9f;
+}
 
 /* Adds a zero. This is a function because gcc 12 folds fabs(x) in such a sum to the wrong zero. */
 static inline float frob_addf(float a, float b)

@@ -158,10 +158,8 @@ def read(memory: Any, size: int, leaves: Leaves, count: int) -> "Dict[str, NDArr
     return result
 
 
-def dt_of_time(time: Any) -> "NDArray[np.float64]":
-    """Computes the steps between times in seconds. Each step is a whole number of nanoseconds; the
-    first is 0.
-    """
+def dt_of_time(time: Any) -> "NDArray[np.int64]":
+    """Returns the nanoseconds between times in seconds; the first element is 0."""
     np = numpy()
     column = as_column("time", time)
     if column.dtype.kind in "Mm":
@@ -171,8 +169,7 @@ def dt_of_time(time: Any) -> "NDArray[np.float64]":
     else:
         values = [_time_ns(value, row) for row, value in enumerate(column.tolist())]
         ns = np.array(values, dtype=np.int64)
-    dt = np.zeros(len(ns))
-    dt[1:] = np.diff(ns) / 1e9
+    dt = np.diff(ns, prepend=ns[:1])
     if bool(np.any(dt < 0)):
         row = int(np.argmax(dt < 0))
         raise InputError(
@@ -211,7 +208,7 @@ def _of_dates(column: "NDArray[Any]") -> "NDArray[Any]":
 
 
 def listed_dt_of_time(given: Sequence[Any]) -> List[float]:
-    """Does the same without numpy."""
+    """Does the same without numpy, but returns seconds."""
     ns: List[int] = []
     for row, value in enumerate(given):
         ns.append(_time_ns(value, row))
@@ -244,20 +241,25 @@ SOME = 8192
 """Number of instants whose steps fit into the processor's cache."""
 
 
-def steps(dt: Any, count: int) -> "NDArray[np.float64]":
-    """Returns one dt for each instant. If all instants have the same dt, returns at most SOME of
-    them, for reuse.
+def steps(dt: Any, count: int) -> "NDArray[np.int64]":
+    """Returns the dt of each instant in nanoseconds; the first is 0. If all instants have the same
+    dt, returns at most SOME + 1 of them, and all but the first are for reuse.
     """
     np = numpy()
     if getattr(dt, "ndim", None) == 0 or isinstance(dt, (int, float)):
-        return np.full(min(count, SOME), step(dt, "dt"))  # type: ignore[no-any-return]
+        same = np.full(min(count, SOME + 1), times.of_dt(step(dt, "dt")))
+        same[:1] = 0
+        return same  # type: ignore[no-any-return]
     column = as_column("dt", dt)
     if column.dtype.kind not in "iuf" or not bool(np.all(column >= 0)):
         for row, value in enumerate(column.tolist()):
             step(value, f"dt, row {row}")
     if len(column) != count:
         raise InputError(f"dt has {len(column)} rows, and the input {count}")
-    return np.ascontiguousarray(column, dtype=np.float64)  # type: ignore[no-any-return]
+    seconds = column.astype(np.float64)
+    ns = np.rint(np.minimum(seconds, times.MOST_DT) * 1e9).astype(np.int64)
+    ns[:1] = 0
+    return ns  # type: ignore[no-any-return]
 
 
 def step(dt: Any, place: str) -> float:

@@ -90,7 +90,7 @@ class Drive:
         for name, leaf in self.code.input_columns:
             if leaf.may_be_left_out():
                 leaf.write(self._input, 0, leaf.default, name)
-        self._instant, self._stepped_ns = 0, 0
+        self._instant, self._stepped_ns = 0, None
         self._arrive()
 
     def _running(self) -> Simulator:
@@ -105,9 +105,10 @@ class Drive:
         sim = self._running()
         now = self._time_ns(self._instant)
         self._put(inputs)
-        dt = (now - self._stepped_ns) / 1e9
+        dt_ns = 0 if self._stepped_ns is None else now - self._stepped_ns
         self._stepped_ns = now
-        self.code.table.step(self._state, self._params, dt, self._input, self._output)
+        step = self.code.table.step
+        step(self._state, self._params, dt_ns, dt_ns / 1e9, self._input, self._output)
         self._put(outputs)
         sim.command(now, self._output)
         self._instant += 1

@@ -95,7 +95,7 @@ class Library:
         has_params = bool(self.table.default_params)
         params = [ctypes.c_void_p] if has_params else []
         memory = ctypes.c_void_p
-        function.argtypes = [memory, *params, ctypes.c_int32, memory, memory, memory]
+        function.argtypes = [memory, *params, ctypes.c_int32, *[memory] * 4]
         function.restype = None
         return function, has_params
 

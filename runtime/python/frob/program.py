@@ -6,7 +6,7 @@ import ctypes
 import threading
 from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, overload
 
-from . import columns, library, shapes, tools
+from . import columns, library, shapes, times, tools
 from .errors import InputError
 
 if TYPE_CHECKING:
@@ -32,6 +32,7 @@ class Program:
         self._values = {name: p.default for name, p in code.params.items()}
         self._note(params)
         code.table.reset(self._state, self._params)
+        self._has_stepped = False
 
     def _note(self, params: Mapping[str, Any]) -> None:
         self._values.update(
@@ -82,12 +83,14 @@ class Program:
             self._params = self._code.params_with(values)
             self._note(changed)
             self._code.table.reset(self._state, self._params)
+            self._has_stepped = False
 
     def copy(self) -> "Program":
         """Returns an independent copy in the same state."""
         with self._lock:
             other = Program(self._code, self._values)
             ctypes.memmove(other._state, self._state, self._code.table.state_size)
+            other._has_stepped = self._has_stepped
             return other
 
     def __copy__(self) -> "Program":
@@ -104,7 +107,10 @@ class Program:
         code = self._code
         with self._lock:
             code.input.write(self._input, 0, inputs, "in")
-            code.table.step(self._state, self._params, seconds, self._input, self._output)
+            dt_ns = times.of_dt(seconds) if self._has_stepped else 0
+            self._has_stepped = True
+            step = code.table.step
+            step(self._state, self._params, dt_ns, dt_ns / 1e9, self._input, self._output)
             return code.output.read(self._output, 0)
 
     @overload
@@ -169,7 +175,7 @@ class Program:
         if table.ndim != 2 or table.shape[1] != len(leaves):
             raise InputError(f"{wanted}, found the shape {inputs.shape}")
         count = len(table)
-        seconds = _array_steps(count, dt, time)
+        dt_ns = _array_steps(count, dt, time)
         size = code.table.input_size
         if shapes.only_floats(code.input_columns, size) and table.dtype.kind in "iuf":
             memory = np.require(table, np.float64, ["C", "A"])
@@ -180,15 +186,15 @@ class Program:
         are_floats = shapes.only_floats(code.output_columns, code.table.output_size)
         if out is not None:
             shape = (count,) if len(outs) == 1 else (count, len(outs))
-            if not (are_floats and _takes(out, shape, apart_from=(memory, seconds))):
+            if not (are_floats and _takes(out, shape, apart_from=(memory,))):
                 raise InputError(
                     f"out: expected a writable array of float64 of shape {shape}, row by row, "
-                    "that shares no memory with the inputs or dt, for a program whose outputs "
+                    "that shares no memory with the inputs, for a program whose outputs "
                     "are all Float"
                 )
-            self._steps(count, seconds, memory, out)
+            self._steps(count, dt_ns, memory, out)
             return out
-        output = self._steps(count, seconds, memory)
+        output = self._steps(count, dt_ns, memory)
         if are_floats:
             result = output.view(np.float64)
             return result if len(outs) == 1 else result.reshape(count, len(outs))  # type: ignore
@@ -215,20 +221,21 @@ class Program:
             if length != some[1]:
                 raise InputError(f"`{name}` has {length} rows, and `{some[0]}` {some[1]}")
         count = some[1]
-        seconds = _array_steps(count, dt, time)
+        dt_ns = _array_steps(count, dt, time)
         size = code.table.input_size
         memory = np.zeros(count * size, dtype=np.uint8)
         columns.write(memory, size, code.input_columns, inputs, count)
-        output = self._steps(count, seconds, memory)
+        output = self._steps(count, dt_ns, memory)
         parts = columns.read(output, code.table.output_size, code.output_columns, count)
         if isinstance(inputs, Mapping):
             return parts
         framed = {"time": inputs["time"]} if "time" in names else {}
         return type(inputs)({**framed, **parts}, index=inputs.index)
 
-    def _steps(self, count: int, seconds: Any, memory: Any, output: Any = None) -> Any:
+    def _steps(self, count: int, dt_ns: Any, memory: Any, output: Any = None) -> Any:
         """Returns the outputs as bytes. All arrays are contiguous and have `count` elements, except
-        that `seconds` may be shorter: then its elements are all the same, and are reused."""
+        that `dt_ns` may be shorter: then all its elements but the first are the same, and are
+        reused."""
         np = columns.numpy()
         code = self._code
         steps, has_params = code.steps()
@@ -238,12 +245,15 @@ class Program:
         if output is None:
             output = np.empty(count * code.table.output_size, dtype=np.uint8)
         code.table.reset(state, params)
-        places = [array.ctypes.data for array in (seconds, memory, output)]
-        is_shared = len(seconds) < count
-        sizes = [0 if is_shared else 8, code.table.input_size, code.table.output_size]
-        chunk = len(seconds) if is_shared else CHUNK
+        seconds = dt_ns / 1e9
+        arrays = (dt_ns, seconds, memory, output)
+        places = [array.ctypes.data for array in arrays]
+        sizes = [8, seconds.itemsize, code.table.input_size, code.table.output_size]
+        is_shared = len(dt_ns) < count
+        chunk = len(dt_ns) - 1 if is_shared else CHUNK
         for first in range(0, count, chunk):
-            at = [place + first * size for place, size in zip(places, sizes)]
+            row = [min(first, 1) if is_shared else first] * 2 + [first] * 2
+            at = [place + k * size for place, k, size in zip(places, row, sizes)]
             some = min(chunk, count - first)
             steps(state, *([params] if has_params else []), some, *at)
         return output
@@ -272,10 +282,10 @@ def _array_steps(count: int, dt: Any, time: Any) -> "NDArray[Any]":
     _one_of(dt, time)
     if time is None:
         return columns.steps(dt, count)
-    seconds = columns.dt_of_time(time)
-    if len(seconds) != count:
-        raise InputError(f"time has {len(seconds)} rows, and the input {count}")
-    return seconds
+    dt_ns = columns.dt_of_time(time)
+    if len(dt_ns) != count:
+        raise InputError(f"time has {len(dt_ns)} rows, and the input {count}")
+    return dt_ns
 
 
 def _listed_steps(count: int, dt: Any, time: Any) -> Sequence[float]:

@@ -157,7 +157,8 @@ class Simulated(Subject):
                 self._touches.append(truth.touches)
                 self._clearance.append(truth.clearance)
                 output = place + len(ran) * table.output_size
-                table.step(state, set_params, (now - stepped) / 1e9, input_, output)
+                dt_ns = now - stepped if ran else 0
+                table.step(state, set_params, dt_ns, dt_ns / 1e9, input_, output)
                 sim.command(now, output)
                 stepped = now
                 ran.append(k)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes as c
 
-ABI = 9
+ABI = 10
 SYMBOL = "frob_program"
 
 BOOL, INT, FLOAT, SINGLE, ROUNDED, PRODUCT, SUM, ARRAY, IMAGE = range(9)
@@ -77,7 +77,7 @@ class Program(c.Structure):
         ("input", c.POINTER(Value)),
         ("output", c.POINTER(Value)),
         ("reset", c.CFUNCTYPE(None, c.c_void_p, c.c_void_p)),
-        ("step", c.CFUNCTYPE(None, c.c_void_p, c.c_void_p, c.c_double, c.c_void_p, c.c_void_p)),
+        ("step", c.CFUNCTYPE(None, *[c.c_void_p] * 2, c.c_int64, c.c_double, *[c.c_void_p] * 2)),
         ("arithmetic", c.CFUNCTYPE(c.c_uint)),
         ("result", c.POINTER(Value)),
         ("machines", c.c_void_p),

@@ -44,6 +44,15 @@ def of_value(value: Any) -> Optional[int]:
     return whole * 10**9 + round((seconds - whole) * 1e9)
 
 
+MOST_DT = 1e9
+"""Maximum dt in seconds; a longer one counts as this, as in generated C."""
+
+
+def of_dt(seconds: float) -> int:
+    """Rounds a dt, which is not negative, to nanoseconds; halves to even, as generated C does."""
+    return round(min(seconds, MOST_DT) * 1e9)
+
+
 def hint(seconds: Any) -> str:
     """What to add to the message about a time that is too large, if it looks like a time since 1970
     in a smaller unit: `frobc` says the same."""

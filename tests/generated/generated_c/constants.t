@@ -43,10 +43,11 @@ speed that is passed to `limit` is a literal: the operation with it is in the li
   static const double follow_b = 7.0; /* line 16 */
   static const double follow_k_turn = 0.4; /* 1/m/s^2, line 20 */
   $ sed -n '/^void follow_step/,$p' follow.c
-  void follow_step(struct follow_state *self, double dt, const struct follow_input *in,
-          struct follow_output *out)
+  void follow_step_ns(struct follow_state *self, int64_t dt_ns, double dt,
+          const struct follow_input *in, struct follow_output *out)
   {
-      dt = frob_whole_dt(dt);
+      (void)dt_ns;
+      dt = frob_dt(dt);
       const double gap = in->f1;
       const double x = in->f2;
       self->error_integral += dt * self->error_integral_input; /* line 19 */
@@ -59,6 +60,12 @@ speed that is passed to `limit` is a literal: the operation with it is in the li
       out->f2 = follow_k_side * error + follow_k_turn * self->error_integral; /* line 19 */
       out->f3 = same;                                         /* line 23 */
       self->error_integral_input = error;                     /* line 19 */
+  }
+  
+  void follow_step(struct follow_state *self, double dt, const struct follow_input *in,
+          struct follow_output *out)
+  {
+      follow_step_ns(self, 0, frob_whole_dt(dt), in, out);
   }
 
 No warning is the result, and the same machine code as with literals.

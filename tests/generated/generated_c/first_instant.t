@@ -1,5 +1,5 @@
-The dt of the first instant is looked at by nobody. What tells it is a delay that the
-program has anyway, if there is one.
+`NAME_step` ignores the dt of the first instant. It recognizes this instant by a delay that the
+program already has, or else by a flag.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > button.frob <<'EOF'
@@ -12,9 +12,9 @@ program has anyway, if there is one.
   $ frobc compile button.frob --lint
   $ grep 'started' button.c
       self->started = false;                                  /* Control.frob:26 */
-      int64_t dt_ns = self->started ? frob_whole_ns(dt) : 0;
       const bool start = !self->started;                      /* Control.frob:26 */
       self->started = true;                                   /* Control.frob:26 */
+      int64_t dt_ns = self->started ? frob_whole_ns(dt) : 0;
   $ cat > button.csv <<'EOF'
   > time,in
   > 0,true

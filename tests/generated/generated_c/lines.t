@@ -13,10 +13,11 @@ that binds more.
   > FROB
   $ frobc compile far.frob
   $ sed -n '/^void far_step/,$p' far.c
-  void far_step(struct far_state *self, double dt, const struct far_input *in,
+  void far_step_ns(struct far_state *self, int64_t dt_ns, double dt, const struct far_input *in,
           struct far_output *out)
   {
       (void)self;
+      (void)dt_ns;
       (void)dt;
       const double behindTheRobot = in->f1;
       const double besideTheRobot = in->f2;
@@ -37,4 +38,11 @@ that binds more.
       out->f1 = moved;                                        /* line 3 */
       out->f2 = chosen;                                       /* line 5 */
       out->f3 = part;                                         /* line 7 */
+  }
+  
+  void far_step(struct far_state *self, double dt, const struct far_input *in,
+          struct far_output *out)
+  {
+      (void)dt;
+      far_step_ns(self, 0, 0.0, in, out);
   }

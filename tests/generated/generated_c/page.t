@@ -5,7 +5,7 @@ run. Blocks of code by language and number:
   $ block() { awk -v start="\`\`\`$1" -v wanted="$2" '$0 == "```" { inside = 0 } inside && n == wanted; $0 == start { inside = 1; n++ }' $page; }
   $ block frob 1 >cruise.frob
   $ frobc compile cruise.frob
-  $ block c 1 >shown && sed -n '/^struct cruise_input/,/^ .*out);/p' cruise.h | diff shown -
+  $ block c 1 >shown && awk '/^struct cruise_input/ { shown = 1 } shown; shown && /out\);/ && ++n == 2 { exit }' cruise.h | diff shown -
   $ block c 2 >shown && sed -n '/^\/\* main/,$p' cruise.c | diff shown -
 
 The question about arithmetic:

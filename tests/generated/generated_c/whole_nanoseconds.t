@@ -1,6 +1,6 @@
-Where something is divided by dt, dt is mostly the double nearest to whole nanoseconds
-already, and is taken as it is after a look at its bits. Every dt gives what rounding it
-and one division give.
+`NAME_step` rounds dt to whole nanoseconds. If the step only needs seconds, dt is almost always the
+double nearest to whole nanoseconds already, which a test of its bits shows. The result always
+equals rounding and one division.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > slope.frob <<'FROB'
@@ -9,12 +9,11 @@ and one division give.
   > FROB
   $ frobc compile slope.frob --lint
   $ sed -n '/^void slope_step/,$p' slope.c
-  void slope_step(struct slope_state *self, double dt, const struct slope_input *in,
-          struct slope_output *out)
+  void slope_step_ns(struct slope_state *self, int64_t dt_ns, double dt,
+          const struct slope_input *in, struct slope_output *out)
   {
-      dt = self->started ? dt : 0.0;
-      dt = frob_whole_dt(dt);
-      self->started = true;
+      (void)dt_ns;
+      dt = frob_dt(dt);
       const double x = in->value;
       self->x_integral += dt * self->x_integral_input;        /* line 2 */
       if (dt > 0.0) {
@@ -24,6 +23,14 @@ and one division give.
       out->f1 = self->x_integral;
       out->f2 = self->x_derivative;
       self->x_integral_input = x;
+  }
+  
+  void slope_step(struct slope_state *self, double dt, const struct slope_input *in,
+          struct slope_output *out)
+  {
+      dt = self->started ? dt : 0.0;
+      self->started = true;
+      slope_step_ns(self, 0, frob_whole_dt(dt), in, out);
   }
   $ cat > every.c <<'C'
   > #include "slope.h"

@@ -26,7 +26,7 @@ no output tells.
   once: recording 2: the output differs
   [1]
   $ cp whole.c runner.c
-  $ sed -i 's/params, dt, input/params, (double)(int64_t)(dt * 1e9 + 0.5) \/ 1e9, input/' runner.c && matrix waited.frob
+  $ sed -i 's/frob_whole_ns(dt)/(int64_t)(dt * 1e9)/' runner.c && matrix waited.frob
   FAIL gcc-O0
   gcc-O0, waited:
   waited: recording 2: the output differs

@@ -3,6 +3,7 @@
  * status is 1 if there are any. The last line is a hash of the state, for comparison with other
  * machines. */
 #include <frob/cell.h>
+#include <frob/step.h>
 #include <frob/trace.h>
 
 #include <stdio.h>
@@ -112,12 +113,13 @@ static uint64_t trace_of(const struct recording *r, uint64_t *state_hash)
     for (int i = 0; i < r->count; i++) {
         const struct row *row = &r->rows[i];
         const double dt = seconds(row->dt);
+        const int64_t dt_ns = i == 0 ? 0 : frob_whole_ns(dt);
         for (int k = 0; k < column_count; k++)
             read_cell(row->cells[k], columns[k], input);
         if (r->step_single != NULL)
             r->step_single(state, params, (float)dt, input, output);
         else
-            program->step(state, params, dt, input, output);
+            program->step(state, params, dt_ns, (double)dt_ns / 1e9, input, output);
         hash_state(state_hash, state);
         if (i == r->count / 2)
             state = moved(state, program->state_size);

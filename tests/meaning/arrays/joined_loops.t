@@ -25,9 +25,10 @@ is ever an array.
   > EOF
   $ frobc compile avoid.frob --lint
   $ sed -n '/^void avoid_step/,/^}/p' avoid.c | sed "s, */\*.*,,"
-  void avoid_step(struct avoid_state *self, double dt, const struct avoid_input *in,
-          struct avoid_output *out)
+  void avoid_step_ns(struct avoid_state *self, int64_t dt_ns, double dt,
+          const struct avoid_input *in, struct avoid_output *out)
   {
+      (void)dt_ns;
       (void)dt;
       static const struct avoid_float_4 t1 = {{1.0, 2.0, 3.0, 4.0}};
       static const struct avoid_float_4 t2 = {{4.0, -3.0, 2.0, -1.0}};
@@ -39,6 +40,12 @@ is ever an array.
       }
       out->f1 = t3;
       out->f2 = t4;
+  }
+  void avoid_step(struct avoid_state *self, double dt, const struct avoid_input *in,
+          struct avoid_output *out)
+  {
+      (void)dt;
+      avoid_step_ns(self, 0, 0.0, in, out);
   }
   $ both avoid 'in[0],in[1],in[2],in[3]' 1,2,3,4 0.5,0.25,0,-1 0,0,nan,9 1,1,1,1
   out.1,out.2

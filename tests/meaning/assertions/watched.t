@@ -72,8 +72,8 @@ would cost to watch them.
   with/speed.h:0
   [1]
   $ for file in with/speed.c without/plain.c; do sed '1,/\*\//d' $file | wc -l; done
-  18
-  18
+  26
+  26
   $ frobc compile speed.frob -o watched --asserts=count
   $ grep 'struct.*assert' watched/speed.h
       struct speed_verdict main_assert_no_faster_than_1_m_s;

@@ -17,8 +17,14 @@ A program that asks for capabilities is compiled for each robot that has them.
   > done
   frob_pioneer_input *
   frob_pioneer_output *
+  frob_pioneer_input *
+  frob_pioneer_output *
   frob_scout_input *
   frob_scout_output *
+  frob_scout_input *
+  frob_scout_output *
+  frob_create_input *
+  frob_create_output *
   frob_create_input *
   frob_create_output *
 
@@ -43,8 +49,8 @@ report.
   error[E0502]: the type of `main` does not say which robot it runs on
   $ frobc report follow.frob --robot create | head -3
   state, in bytes
-    approach                  80                          follow.frob:4
-      frontSonar@CreateInput  72                          follow.frob:4
+    approach                  80                                follow.frob:4
+      frontSonar@CreateInput  72                                follow.frob:4
 
 Both engines run it for any of them. A Create's light bumpers see a wall at half a
 metre and nearer: 2.5 is the signal at a metre.
@@ -165,7 +171,11 @@ for another.
   $ frobc compile unsigned.frob && grep -o 'frob_[a-z]*_[a-z]*put \*' unsigned.h
   frob_pioneer_input *
   frob_pioneer_output *
+  frob_pioneer_input *
+  frob_pioneer_output *
   $ frobc compile unsigned.frob --robot scout && grep -o 'frob_[a-z]*_[a-z]*put \*' unsigned.h
+  frob_scout_input *
+  frob_scout_output *
   frob_scout_input *
   frob_scout_output *
 
@@ -209,6 +219,8 @@ A program for one robot is not one for another, and half of one is none.
   > main = reactimateRobot (proc i -> roMake (setVelTR (velocity i) 0))
   > FROB
   $ frobc compile other_half.frob && grep -o 'frob_[a-z]*_[a-z]*put \*' other_half.h
+  frob_pioneer_input *
+  frob_pioneer_output *
   frob_pioneer_input *
   frob_pioneer_output *
 

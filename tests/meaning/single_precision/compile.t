@@ -31,8 +31,8 @@ seconds.
   
   void cruise_reset(struct cruise_state *self);
   
-  void cruise_step_ns(struct cruise_state *self, int64_t dt_ns, const struct cruise_input *in,
-          struct cruise_output *out);
+  void cruise_step_ns(struct cruise_state *self, int64_t dt_ns, float dt,
+          const struct cruise_input *in, struct cruise_output *out);
   
   void cruise_step(struct cruise_state *self, float dt, const struct cruise_input *in,
           struct cruise_output *out);
@@ -48,11 +48,11 @@ seconds.
       self->error_integral_input = 0.0f;
   }
   
-  void cruise_step_ns(struct cruise_state *self, int64_t dt_ns, const struct cruise_input *in,
-          struct cruise_output *out)
+  void cruise_step_ns(struct cruise_state *self, int64_t dt_ns, float dt,
+          const struct cruise_input *in, struct cruise_output *out)
   {
-      dt_ns = frob_span(dt_ns);
-      float dt = (float)dt_ns / 1e9f;
+      (void)dt_ns;
+      dt = frob_dtf(dt);
       self->error_integral += dt * self->error_integral_input; /* line 6 */
       const float error = in->wanted - in->measured;          /* line 7 */
       out->f1 = frob_at_leastf(frob_at_mostf(4.1f * error + 2.0f * self->error_integral, 12.0f),
@@ -64,7 +64,8 @@ seconds.
   void cruise_step(struct cruise_state *self, float dt, const struct cruise_input *in,
           struct cruise_output *out)
   {
-      cruise_step_ns(self, frob_whole_nsf(dt), in, out);
+      int64_t dt_ns = frob_whole_nsf(dt);
+      cruise_step_ns(self, dt_ns, (float)dt_ns / 1e9f, in, out);
   }
 
 There is no double in it, and no compiler has anything to say.
@@ -80,7 +81,7 @@ There is no double in it, and no compiler has anything to say.
   $ g++ -x c++ -std=c++17 $warnings $headers -fsyntax-only cruise.c
   $ clang++ -x c++ -std=c++17 $warnings $headers -fsyntax-only cruise.c
 
-Nanoseconds are exact; of seconds the nearest are taken.
+Nanoseconds are exact; seconds are rounded to nanoseconds.
 
   $ cat > time.frob <<EOF
   > main :: SF () (Bool, Time)
@@ -96,7 +97,7 @@ Nanoseconds are exact; of seconds the nearest are taken.
   > {
   >     struct time_input in = { 0 };
   >     struct time_output x, y;
-  >     time_step_ns(&a, dt_ns, &in, &x);
+  >     time_step_ns(&a, dt_ns, (float)dt_ns / 1e9f, &in, &x);
   >     time_step(&b, dt, &in, &y);
   >     printf("%d %.9g, %d %.9g\n", x.f1, (double)x.f2, y.f1, (double)y.f2);
   > }
@@ -104,7 +105,8 @@ Nanoseconds are exact; of seconds the nearest are taken.
   > {
   >     time_reset(&a);
   >     time_reset(&b);
-  >     for (int i = 0; i < 11; i++) both(700000000, 0.7f);
+  >     both(0, 0.7f);
+  >     for (int i = 0; i < 10; i++) both(700000000, 0.7f);
   >     both(1000000, 0.001f);
   >     both(INT64_MIN, -1.0f);
   >     both(-1, (float)NAN);

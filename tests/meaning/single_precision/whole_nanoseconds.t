@@ -47,7 +47,7 @@ fraction that is multiplied by 1e9 as a float and rounded to nanoseconds, halves
   >     slope_step(&a, 7.0f, &in, &x);
   >     b = a;
   >     slope_step(&a, dt, &in, &x);
-  >     slope_step_ns(&b, ns, &in, &y);
+  >     slope_step_ns(&b, ns, (float)ns / 1e9f, &in, &y);
   >     if (memcmp(&a, &b, sizeof a) != 0 || memcmp(&x, &y, sizeof x) != 0)
   >         if (wrong++ == 0) printf("%a: %a, not %a\n", dt, x.f1, y.f1);
   > }

@@ -41,10 +41,11 @@ static void reset(void *s, const void *params)
 }
 
 /* Drives at 0.3 m/s; the timer interrupts it while it runs. */
-static void step(void *s, const void *params, double dt, const void *in, void *out)
+static void step(void *s, const void *params, int64_t dt_ns, double dt, const void *in, void *out)
 {
     struct frob_pioneer_output *o = (struct frob_pioneer_output *)out;
     (void)params;
+    (void)dt_ns;
     (void)in;
     *(double *)s += dt;
     last_dt = dt;

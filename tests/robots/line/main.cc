@@ -191,9 +191,9 @@ class Run
             first_ns_ = before_ns_ = time_.now_ns;
         frob_robot_sense(&robot_, input_.data());
         std::memset(output_.data(), 0, program_.output_size);
-        program_.step(state_.data(), program_.default_params,
-                      static_cast<double>(time_.now_ns - before_ns_) / 1e9, input_.data(),
-                      output_.data());
+        const std::int64_t dt_ns = time_.now_ns - before_ns_;
+        program_.step(state_.data(), program_.default_params, dt_ns,
+                      static_cast<double>(dt_ns) / 1e9, input_.data(), output_.data());
         before_ns_ = time_.now_ns;
         stepping_ = true;
         command_ns_ = time_.now_ns + static_cast<std::int64_t>(options_.step_ms * 1e6);

@@ -52,7 +52,7 @@ Running into a wall is told, and with --strict it is a fault.
   > #include <frob/pioneer.h>
   > #include <frob/program.h>
   > static void reset(void *self, const void *params) { (void)self; (void)params; }
-  > static void step(void *self, const void *params, double dt, const void *in, void *out)
+  > static void step(void *self, const void *params, int64_t dt_ns, double dt, const void *in, void *out)
   > {
   >     struct frob_pioneer_output ahead = { 0.5, 0.0 };
   >     (void)self; (void)params; (void)dt; (void)in;

@@ -67,7 +67,7 @@ A robot that runs into another one has collided, and so has the other.
   > #include <frob/pioneer.h>
   > #include <frob/program.h>
   > static void reset(void *self, const void *params) { (void)self; (void)params; }
-  > static void step(void *self, const void *params, double dt, const void *in, void *out)
+  > static void step(void *self, const void *params, int64_t dt_ns, double dt, const void *in, void *out)
   > {
   >     struct frob_pioneer_output ahead = { 0.5, 0.0 };
   >     (void)self; (void)params; (void)dt; (void)in;

@@ -51,13 +51,15 @@ static double to_the_side(double range, double y, double angle)
     return y + range * sin(angle) - 0.136;
 }
 
-static void step(void *self, const void *params, double dt, const void *in, void *out)
+static void step(void *self, const void *params, int64_t dt_ns, double dt, const void *in,
+                 void *out)
 {
     struct state *s = (struct state *)self;
     const struct frob_pioneer_input *input = (const struct frob_pioneer_input *)in;
     struct frob_pioneer_output *output = (struct frob_pioneer_output *)out;
     double front, side, v_now;
     (void)params;
+    (void)dt_ns;
     HOLD(s->front[0], 3);
     HOLD(s->front[1], 4);
     HOLD(s->side[0], 0);

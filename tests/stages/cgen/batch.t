@@ -15,26 +15,27 @@ With `--batch` a program has a function that takes many steps in one call.
   > END
   $ frobc compile modes.frob --batch
   $ grep -B 2 -A 4 'void modes_steps' modes.h
-  /* Runs count steps, one after the other. Each step reads its dt and its input and
-   * writes its output; all three are arrays with count elements. */
+  /* Runs count steps. Each takes its times and its input from these arrays, as modes_step_ns does,
+   * and writes its output to out. */
   void modes_steps(struct modes_state *self,
                    int32_t count,
+                   const int64_t *dt_ns,
                    const double *dt,
                    const struct modes_input *in,
-                   struct modes_output *out);
   $ sed -n '/^void modes_steps/,$p' modes.c
   void modes_steps(struct modes_state *self,
                    int32_t count,
+                   const int64_t *dt_ns,
                    const double *dt,
                    const struct modes_input *in,
                    struct modes_output *out)
   {
       for (int32_t i = 0; i < count; i++) {
-          modes_step(self, dt[i], &in[i], &out[i]);
+          modes_step_ns(self, dt_ns[i], dt[i], &in[i], &out[i]);
       }
   }
 
-Its outputs are those of single steps, bit for bit, and it goes on from where it was.
+Its outputs are those of single steps, bit for bit, and it continues from the current state.
 
   $ cat > main.c <<'END'
   > #include "modes.h"
@@ -42,13 +43,9 @@ Its outputs are those of single steps, bit for bit, and it goes on from where it
   > #include <string.h>
   > 
   > #ifdef SINGLE
-  > typedef int64_t dt_type;
-  > #define STEP modes_step_ns
-  > #define SECOND 1000000000
+  > typedef float real;
   > #else
-  > typedef double dt_type;
-  > #define STEP modes_step
-  > #define SECOND 1.0
+  > typedef double real;
   > #endif
   > 
   > enum { N = 1000 };
@@ -57,11 +54,13 @@ Its outputs are those of single steps, bit for bit, and it goes on from where it
   > {
   >     static struct modes_input in[N];
   >     static struct modes_output one[N], many[N];
-  >     static dt_type dt[N];
+  >     static int64_t dt_ns[N];
+  >     static real dt[N];
   >     struct modes_state a, b;
   >     int32_t changes = 0;
   >     for (int32_t i = 0; i < N; i++) {
-  >         dt[i] = (dt_type)(i % 7) * SECOND / 64;
+  >         dt_ns[i] = i % 7 * 15625000;
+  >         dt[i] = (real)dt_ns[i] / (real)1e9;
   >         in[i].f1 = i % 11 < 4;
   >         in[i].f2[0] = (float)(i % 5) * 0.25f;
   >         in[i].f2[1] = (float)(i % 3) * -0.5f;
@@ -69,10 +68,10 @@ Its outputs are those of single steps, bit for bit, and it goes on from where it
   >     modes_reset(&a);
   >     modes_reset(&b);
   >     for (int32_t i = 0; i < N; i++)
-  >         STEP(&a, dt[i], &in[i], &one[i]);
-  >     modes_steps(&b, 0, dt, in, many);
-  >     modes_steps(&b, 400, dt, in, many);
-  >     modes_steps(&b, N - 400, dt + 400, in + 400, many + 400);
+  >         modes_step_ns(&a, dt_ns[i], dt[i], &in[i], &one[i]);
+  >     modes_steps(&b, 0, dt_ns, dt, in, many);
+  >     modes_steps(&b, 400, dt_ns, dt, in, many);
+  >     modes_steps(&b, N - 400, dt_ns + 400, dt + 400, in + 400, many + 400);
   >     for (int32_t i = 0; i < N; i++) {
   >         if (one[i].speed != many[i].speed || one[i].stopped.tag != many[i].stopped.tag ||
   >             one[i].stopped.f0 != many[i].stopped.f0)
@@ -91,13 +90,13 @@ Its outputs are those of single steps, bit for bit, and it goes on from where it
   $ g++ -std=c++17 -x c++ $flags modes.c main.c -o with_gxx && ./with_gxx
   1000 steps, 90 stops
 
-In single precision it takes whole nanoseconds, which are exact.
+The same in single precision.
 
   $ frobc compile modes.frob --batch --real float
   $ gcc -std=c99 -DSINGLE $flags modes.c main.c -o single && ./single
   1000 steps, 90 stops
 
-Nobody else has it.
+Without `--batch`, there is no such function.
 
   $ frobc compile modes.frob
   $ grep -c modes_steps modes.h modes.c

@@ -24,7 +24,7 @@ A project that has been made runs, checks, is formatted and passes its trials, a
   ./world.toml
   # rover
   
-  A robot program in Frob: the robot drives around a room and touches nothing.
+  A robot program in Frob: the robot drives around a room without touching anything.
   
   | | |
   | --- | --- |

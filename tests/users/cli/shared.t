@@ -7,6 +7,7 @@ A program as a shared object, for hosts that load it: with a table, and a functi
   frob_program
   twice_reset
   twice_step
+  twice_step_ns
   twice_steps
   $ frobc build --shared twice.frob -o other.so && cmp twice.so other.so
 

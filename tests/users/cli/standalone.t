@@ -48,7 +48,7 @@ Whatever a program calls, no more is there than it needs: compilers find nothing
   >   for c in gcc clang; do cc $c -std=c99; done; for c in g++ clang++; do cc $c -std=c++17 -x c++; done
   > done; done
   $ grep -c '^static' one.c
-  2
+  1
 
 A robot's header is in the program's, beside which others may include it.
 

@@ -232,7 +232,7 @@ Completion by what stands around the cursor, also while the text is broken.
   ["Stop", "kTurn"]
   ["Distance"]
   [["limit", "import Control", [{"range": {"start": {"line": 1, "character": 12}, "end": {"line": 1, "character": 12}}, "newText": "\nimport Control"}]]]
-  SF Float[u] Float[u s] 0 at the first instant; then adds the step's length times the previous input.
+  SF Float[u] Float[u s] 0 at the first instant; each later step adds its length times the previous input.
 
 Signature help while arguments are written.
 

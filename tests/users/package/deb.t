@@ -26,7 +26,7 @@ with it, with the library and the simulator that lie beside it there.
   wall_follow.test.frob
   world.toml
   $ frobc compile wall_follow.frob && grep -c wall_follow_step wall_follow.h
-  2
+  4
   $ frobc build wall_follow.frob -o robot && ./robot --help | head -1; cd ..
   usage: wall_follow --device DEV [OPTION]...
   $ frobc new rover > /dev/null && cd rover && frobc test && cd ..

@@ -62,7 +62,7 @@ void answer_instant(struct view *view, size_t k, struct buffer *answer)
     buffer_format(answer, "{\"is\":\"instant\",\"k\":%lu,\"time\":", (unsigned long)k);
     buffer_number(answer, view_seconds_at(view, k));
     buffer_text(answer, ",\"dt\":");
-    buffer_number(answer, recording_dt(&view->recording, k));
+    buffer_number(answer, (double)recording_dt_ns(&view->recording, k) / 1e9);
     buffer_text(answer, ",\"cells\":[");
     for (size_t i = 0; i < view->signals.count; i++) {
         const struct signal *signal = &view->signals.all[i];

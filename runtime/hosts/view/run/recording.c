@@ -508,9 +508,9 @@ void recording_free(struct recording *recording)
     buffer_free(&recording->params);
 }
 
-double recording_dt(const struct recording *recording, size_t k)
+int64_t recording_dt_ns(const struct recording *recording, size_t k)
 {
-    return k == 0 ? 0.0 : (double)(recording->times[k] - recording->times[k - 1]) / 1e9;
+    return k == 0 ? 0 : recording->times[k] - recording->times[k - 1];
 }
 
 const void *recording_input(const struct recording *recording, size_t k)

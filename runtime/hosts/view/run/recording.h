@@ -90,9 +90,9 @@ void catching_end(struct catching *catching);
 
 void recording_free(struct recording *recording);
 
-/* Returns the dt that the program receives at instant `k`: the seconds since instant `k - 1`; 0 at
- * the first. */
-double recording_dt(const struct recording *recording, size_t k);
+/* Returns the dt that the program receives at instant `k`: the nanoseconds since instant `k - 1`; 0
+ * at the first. */
+int64_t recording_dt_ns(const struct recording *recording, size_t k);
 
 const void *recording_input(const struct recording *recording, size_t k);
 const void *recording_output(const struct recording *recording, size_t k);

@@ -13,8 +13,8 @@ static unsigned char *kept_at(struct replay *replay, size_t k)
 static void step(struct replay *replay)
 {
     const struct recording *recording = replay->recording;
-    replay->signals->program->step(replay->state, replay->params.values,
-                                   recording_dt(recording, replay->next),
+    const int64_t dt_ns = recording_dt_ns(recording, replay->next);
+    replay->signals->program->step(replay->state, replay->params.values, dt_ns, (double)dt_ns / 1e9,
                                    recording_input(recording, replay->next), replay->output);
     display_see(&replay->display, replay->next, replay->output);
     replay->next++;

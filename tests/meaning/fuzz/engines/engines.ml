@@ -243,7 +243,7 @@ let in_process tools subject recordings =
       List.fold_right
         (fun recording traces ->
           let* traces = traces in
-          let* trace = failed (In_process.run program recording) in
+          let* trace = failed (In_process.run program ~real:tools.real recording) in
           Ok (trace :: traces))
         recordings (Ok []))
 

@@ -6,6 +6,7 @@
 #define _XOPEN_SOURCE 700
 #include <frob/cell.h>
 #include <frob/elementary.h>
+#include <frob/step.h>
 #include <frob/trace.h>
 
 #include <libtcc.h>
@@ -163,24 +164,54 @@ static void add_column(void *context, const char *name, const struct frob_value 
     columns->values[columns->count++] = value;
 }
 
-/* The step function of a program: the one in the table for hosts, or, for a single-precision
- * program, its own function, which takes dt as a float. */
+/* How to call a program's step: through the table for hosts, or NAME_step with its own rounding. */
 struct stepper {
-    void (*step)(void *state, const void *params, double dt, const void *input, void *output);
-    /* Without parameters, and with parameters. */
-    void (*step_single)(void *state, float dt, const void *input, void *output);
-    void (*step_set)(void *state, const void *params, float dt, const void *input, void *output);
+    const struct frob_program *program;
     const void *params;
+    bool is_single; /* dt is rounded as a float */
+    bool in_table;
+    const void *seconds; /* NAME_step */
 };
 
-static void step(const struct stepper *s, void *state, double dt, const void *input, void *output)
+static void step_in_doubles(const struct stepper *s, void *state, double dt, const void *input,
+                            void *output)
 {
-    if (s->step_set != NULL)
-        s->step_set(state, s->params, (float)dt, input, output);
-    else if (s->step_single != NULL)
-        s->step_single(state, (float)dt, input, output);
+    void (*step)(void *, double, const void *, void *);
+    void (*step_set)(void *, const void *, double, const void *, void *);
+    if (s->program->param_count > 0) {
+        memcpy(&step_set, &s->seconds, sizeof step_set);
+        step_set(state, s->params, dt, input, output);
+    } else {
+        memcpy(&step, &s->seconds, sizeof step);
+        step(state, dt, input, output);
+    }
+}
+
+static void step_in_floats(const struct stepper *s, void *state, float dt, const void *input,
+                           void *output)
+{
+    void (*step)(void *, float, const void *, void *);
+    void (*step_set)(void *, const void *, float, const void *, void *);
+    if (s->program->param_count > 0) {
+        memcpy(&step_set, &s->seconds, sizeof step_set);
+        step_set(state, s->params, dt, input, output);
+    } else {
+        memcpy(&step, &s->seconds, sizeof step);
+        step(state, dt, input, output);
+    }
+}
+
+static void step(const struct stepper *s, void *state, bool is_first, double dt, const void *input,
+                 void *output)
+{
+    const int64_t rounded = s->is_single ? frob_whole_nsf((float)dt) : frob_whole_ns(dt);
+    const int64_t dt_ns = is_first ? 0 : rounded;
+    if (s->in_table)
+        s->program->step(state, s->params, dt_ns, (double)dt_ns / 1e9, input, output);
+    else if (s->is_single)
+        step_in_floats(s, state, (float)dt, input, output);
     else
-        s->step(state, s->params, dt, input, output);
+        step_in_doubles(s, state, dt, input, output);
 }
 
 /* Runs all instants and writes the rows to `text`. Returns the text of an unreadable cell, or
@@ -198,13 +229,14 @@ static const char *instants(const struct frob_program *program, const struct ste
             if (!frob_cell_read(cell, columns->values[k], input, frames_of_fuzz(), &error))
                 return cell;
         }
-        step(stepper, state, Double_flat_field(dts, i), input, output);
+        step(stepper, state, i == 0, Double_flat_field(dts, i), input, output);
         frob_trace_row(text, program, FROB_TRACE_OUT, now, NULL, output);
     }
     return NULL;
 }
 
-/* Runs everything again from the current state, to detect data that `reset` does not clear. */
+/* Runs everything again from the current state, to detect data that `reset` does not clear, and
+ * differences between the table's step and NAME_step. */
 static bool same_again(const struct frob_program *program, const struct stepper *stepper,
                        const struct columns *columns, value dts, value times, value rows,
                        void *state, void *input, void *output, const struct frob_text *first,
@@ -248,17 +280,20 @@ static void *params_of(const struct frob_program *program, value cells)
     return params;
 }
 
-/* in_process_run : t -> bool * string array -> float array -> int array -> string array array ->
- * string -- runs a recording. The arguments are: whether to pass floats to NAME_step, and the
- * values of the parameters; the dt of each step in seconds; the absolute time of each row in
- * nanoseconds; and its cells. Returns the trace of the output. */
+/* in_process_run : t -> bool * bool * string array -> float array -> int array ->
+ * string array array -> string -- runs a recording. The arguments are: whether dt is rounded as a
+ * float, whether the second run uses NAME_step, and the values of the parameters; the dt of each
+ * step in seconds; the absolute time of each row in nanoseconds; and its cells. Returns the trace
+ * of the output. */
 value in_process_run(value v, value how, value dts, value times, value rows)
 {
     CAMLparam5(v, how, dts, times, rows);
     CAMLlocal1(result);
     const struct frob_program *program = of_value(v)->program;
-    void *params = params_of(program, Field(how, 1));
-    struct stepper stepper = { program->step, NULL, NULL, params };
+    void *params = params_of(program, Field(how, 2));
+    const struct stepper stepper = { program, params, Bool_val(Field(how, 0)), true, NULL };
+    const struct stepper second = { program, params, Bool_val(Field(how, 0)),
+                                    !Bool_val(Field(how, 1)), step_function(of_value(v)) };
     const size_t room = frob_trace_room(program, FROB_TRACE_OUT) * (Wosize_val(rows) + 1);
     char *buffer = (char *)litter(room), *buffer_again = (char *)litter(room);
     void *state = litter(program->state_size), *input = litter(program->input_size),
@@ -271,15 +306,8 @@ value in_process_run(value v, value how, value dts, value times, value rows)
     const char *volatile unread = NULL;
     int caught;
 
-    if (Bool_val(Field(how, 0))) {
-        const void *step = step_function(of_value(v));
-        if (step == NULL)
-            abort();
-        if (program->param_count > 0)
-            memcpy(&stepper.step_set, &step, sizeof step);
-        else
-            memcpy(&stepper.step_single, &step, sizeof step);
-    }
+    if (second.seconds == NULL)
+        abort();
     frob_trace_columns(program->input, "in", add_column, &columns);
     frob_trace_header(&text, program, FROB_TRACE_OUT);
     memset(&action, 0, sizeof action);
@@ -293,7 +321,7 @@ value in_process_run(value v, value how, value dts, value times, value rows)
         alarm(PATIENCE);
         unread =
             instants(program, &stepper, &columns, dts, times, rows, state, input, output, &text);
-        restarts = same_again(program, &stepper, &columns, dts, times, rows, state, input, output,
+        restarts = same_again(program, &second, &columns, dts, times, rows, state, input, output,
                               &text, &again);
     }
     alarm(0);
@@ -315,6 +343,7 @@ value in_process_run(value v, value how, value dts, value times, value rows)
     if (unread != NULL)
         caml_failwith("a cell of the input is not read");
     if (!restarts)
-        caml_failwith("after a second reset the compiled program runs otherwise");
+        caml_failwith(
+            "the compiled program computes something else after a second reset, or with NAME_step");
     CAMLreturn(result);
 }

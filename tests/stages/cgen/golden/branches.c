@@ -8,10 +8,11 @@ void branches_reset(struct branches_state *self)
     (void)self;
 }
 
-void branches_step(struct branches_state *self, double dt, const struct branches_input *in,
-        struct branches_output *out)
+void branches_step_ns(struct branches_state *self, int64_t dt_ns, double dt,
+        const struct branches_input *in, struct branches_output *out)
 {
     (void)self;
+    (void)dt_ns;
     (void)dt;
     const double x = in->f1;
     const double y = in->f2;
@@ -30,4 +31,11 @@ void branches_step(struct branches_state *self, double dt, const struct branches
     out->f2 = w;
     out->f3 = q;                                            /* line 7 */
     out->f4 = w + q;                                        /* line 13 */
+}
+
+void branches_step(struct branches_state *self, double dt, const struct branches_input *in,
+        struct branches_output *out)
+{
+    (void)dt;
+    branches_step_ns(self, 0, 0.0, in, out);
 }

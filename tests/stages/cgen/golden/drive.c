@@ -34,12 +34,11 @@ void drive_reset(struct drive_state *self)
     self->started = false;                                  /* line 1 */
 }
 
-void drive_step(struct drive_state *self, double dt, const struct drive_input *in,
-        struct drive_output *out)
+void drive_step_ns(struct drive_state *self, int64_t dt_ns, double dt,
+        const struct drive_input *in, struct drive_output *out)
 {
-    int64_t dt_ns = self->started ? frob_whole_ns(dt) : 0;
-    dt = (double)dt_ns / 1e9;
-    self->started = true;
+    dt_ns = frob_span(dt_ns);
+    dt = frob_dt(dt);
     self->t = frob_later(self->t, dt_ns);                   /* line 8 */
     double r, phi;
     drive_polar(in->goal.x, in->goal.y, &r, &phi);          /* line 5 */
@@ -49,4 +48,12 @@ void drive_step(struct drive_state *self, double dt, const struct drive_input *i
     const double forward_prime = 1.0 <= t ? forward : 0.0;  /* line 9 */
     out->f1 = forward_prime;
     out->f2 = turn;                                         /* line 7 */
+}
+
+void drive_step(struct drive_state *self, double dt, const struct drive_input *in,
+        struct drive_output *out)
+{
+    int64_t dt_ns = self->started ? frob_whole_ns(dt) : 0;
+    self->started = true;
+    drive_step_ns(self, dt_ns, (double)dt_ns / 1e9, in, out);
 }

@@ -12,9 +12,10 @@ void exchange_reset(struct exchange_state *self)
     self->c = 3.0;                                          /* line 5 */
 }
 
-void exchange_step(struct exchange_state *self, double dt, const struct exchange_input *in,
-        struct exchange_output *out)
+void exchange_step_ns(struct exchange_state *self, int64_t dt_ns, double dt,
+        const struct exchange_input *in, struct exchange_output *out)
 {
+    (void)dt_ns;
     (void)dt;
     const bool go = in->value;
     out->f1 = self->p;                                      /* line 2 */
@@ -33,4 +34,11 @@ void exchange_step(struct exchange_state *self, double dt, const struct exchange
     if (go) {                                               /* line 5 */
         self->c = d;
     }
+}
+
+void exchange_step(struct exchange_state *self, double dt, const struct exchange_input *in,
+        struct exchange_output *out)
+{
+    (void)dt;
+    exchange_step_ns(self, 0, 0.0, in, out);
 }

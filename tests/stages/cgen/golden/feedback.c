@@ -9,9 +9,10 @@ void feedback_reset(struct feedback_state *self)
     self->last = 0.0;                                       /* line 5 */
 }
 
-void feedback_step(struct feedback_state *self, double dt, const struct feedback_input *in,
-        struct feedback_output *out)
+void feedback_step_ns(struct feedback_state *self, int64_t dt_ns, double dt,
+        const struct feedback_input *in, struct feedback_output *out)
 {
+    (void)dt_ns;
     (void)dt;
     const double x = in->value;
     const bool full = 1.0 <= self->before;                  /* line 3 */
@@ -23,4 +24,11 @@ void feedback_step(struct feedback_state *self, double dt, const struct feedback
         self->before += x;
     }
     self->last = x < 0.0 ? 0.0 : x;                         /* line 5 */
+}
+
+void feedback_step(struct feedback_state *self, double dt, const struct feedback_input *in,
+        struct feedback_output *out)
+{
+    (void)dt;
+    feedback_step_ns(self, 0, 0.0, in, out);
 }

@@ -21,9 +21,10 @@ static inline struct hold_maybe_float hold_maybe_float_nothing(void)
     return value;
 }
 
-void hold_step(struct hold_state *self, double dt, const struct hold_input *in,
-        struct hold_output *out)
+void hold_step_ns(struct hold_state *self, int64_t dt_ns, double dt,
+        const struct hold_input *in, struct hold_output *out)
 {
+    (void)dt_ns;
     (void)dt;
     const struct hold_maybe_float e = in->value;
     const bool occurs = e.tag == HOLD_MAYBE_FLOAT_JUST;     /* line 3 */
@@ -33,4 +34,11 @@ void hold_step(struct hold_state *self, double dt, const struct hold_input *in,
     }
     out->f1 = self->kept < 1.0 ? hold_maybe_float_nothing() : hold_maybe_float_just(self->kept); /* line 6 */
     out->f2 = self->count;                                  /* line 5 */
+}
+
+void hold_step(struct hold_state *self, double dt, const struct hold_input *in,
+        struct hold_output *out)
+{
+    (void)dt;
+    hold_step_ns(self, 0, 0.0, in, out);
 }

@@ -8,9 +8,10 @@ void names_reset(struct names_state *self)
     self->self = 0.0;                                       /* line 5 */
 }
 
-void names_step(struct names_state *self, double dt, const struct names_input *in,
-        struct names_output *out)
+void names_step_ns(struct names_state *self, int64_t dt_ns, double dt,
+        const struct names_input *in, struct names_output *out)
 {
+    (void)dt_ns;
     (void)dt;
     const double int_2 = in->f1;
     const double y1_2 = in->f2;
@@ -21,4 +22,11 @@ void names_step(struct names_state *self, double dt, const struct names_input *i
     const double t2 = t1 * t1;                              /* line 8 */
     out->value = t2 + t2;                                   /* line 9 */
     self->self = y_prime_2;                                 /* line 5 */
+}
+
+void names_step(struct names_state *self, double dt, const struct names_input *in,
+        struct names_output *out)
+{
+    (void)dt;
+    names_step_ns(self, 0, 0.0, in, out);
 }

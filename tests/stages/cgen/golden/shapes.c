@@ -39,9 +39,10 @@ static inline struct shapes_event_int_float shapes_event_int_float_event(int32_t
     return value;
 }
 
-void shapes_step(struct shapes_state *self, double dt, const struct shapes_input *in,
-        struct shapes_output *out)
+void shapes_step_ns(struct shapes_state *self, int64_t dt_ns, double dt,
+        const struct shapes_input *in, struct shapes_output *out)
 {
+    (void)dt_ns;
     (void)dt;
     const struct shapes_either_maybe_float_bool e = in->f1;
     const struct shapes_event_int_float v = in->f3.f1;
@@ -52,4 +53,11 @@ void shapes_step(struct shapes_state *self, double dt, const struct shapes_input
     out->f3 = v.tag == SHAPES_EVENT_INT_FLOAT_EVENT ? shapes_event_int_float_event(7, v.f0) : v; /* line 11 */
     self->last = shapes_either_maybe_float_bool_left(chosen); /* line 12 */
     out->f2.unused = 0;
+}
+
+void shapes_step(struct shapes_state *self, double dt, const struct shapes_input *in,
+        struct shapes_output *out)
+{
+    (void)dt;
+    shapes_step_ns(self, 0, 0.0, in, out);
 }

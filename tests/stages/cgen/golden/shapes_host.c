@@ -164,10 +164,11 @@ static void reset(void *state, const void *params)
     shapes_reset((struct shapes_state *)state);
 }
 
-static void step(void *state, const void *params, double dt, const void *in, void *out)
+static void step(void *state, const void *params, int64_t dt_ns, double dt, const void *in,
+                 void *out)
 {
     (void)params;
-    shapes_step((struct shapes_state *)state, dt, (const struct shapes_input *)in, (struct shapes_output *)out);
+    shapes_step_ns((struct shapes_state *)state, dt_ns, dt, (const struct shapes_input *)in, (struct shapes_output *)out);
 }
 
 extern const struct frob_program frob_program;

@@ -11,12 +11,11 @@ void wall_follow_reset(struct wall_follow_state *self)
     self->started = false;                                  /* line 1 */
 }
 
-void wall_follow_step(struct wall_follow_state *self, double dt,
+void wall_follow_step_ns(struct wall_follow_state *self, int64_t dt_ns, double dt,
         const struct wall_follow_input *in, struct wall_follow_output *out)
 {
-    dt = self->started ? dt : 0.0;
-    dt = frob_whole_dt(dt);
-    self->started = true;
+    (void)dt_ns;
+    dt = frob_dt(dt);
     const double vCurr = in->f1;
     const double f = in->f2;
     const double s = in->f3;
@@ -29,4 +28,12 @@ void wall_follow_step(struct wall_follow_state *self, double dt,
     const double omega = 1.2 * (frob_limit(t1, 1.5 * (s - 0.2)) - self->s_derivative); /* line 13 */
     out->f1 = v;                                            /* line 12 */
     out->f2 = omega;                                        /* line 13 */
+}
+
+void wall_follow_step(struct wall_follow_state *self, double dt,
+        const struct wall_follow_input *in, struct wall_follow_output *out)
+{
+    dt = self->started ? dt : 0.0;
+    self->started = true;
+    wall_follow_step_ns(self, 0, frob_whole_dt(dt), in, out);
 }

@@ -1,0 +1,6 @@
+(** The step for callers that only have a dt in seconds, such as [wall_follow_step]. *)
+
+val of_step : Vocabulary.t -> root:int -> Ir.function_ -> Ir.function_
+(** A function that rounds dt to whole nanoseconds and calls this step of the root. If the program
+    could tell, the function replaces the first dt by 0. It generates no conversion that the step
+    does not need. *)
