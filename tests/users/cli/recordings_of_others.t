@@ -117,7 +117,7 @@ Every way to write what is no number, with a sign or without:
   error: cannot view log.csv: it is not a recording: the first column must be `time`; semicolons separate its columns: `--separator ';'` reads them
   [2]
   $ (frobc view log.csv speed.frob --print --separator ';' --time-column Time --column in.ok=flag --column in.speed=wheel_speed --decimal-comma 2> told & echo $! > id; wait) > page &
-  $ for i in $(seq 400); do grep -q 'times are shown' told && break; sleep 0.05; done; kill $(cat id); cat told
+  $ for i in $(seq 400); do grep -qs 'times are shown' told && break; sleep 0.05; done; kill $(cat id); cat told
   log.csv:2: times are shown relative to the first instant, which is at 1700000000.10 s
 
 Numbers that would be rounded to infinity are rejected, and those near 0 become 0. In single
@@ -141,7 +141,7 @@ precision the limit is lower:
   error: large.csv:4: column `in`: expected a number up to 1.79e308, or `inf`, found `-1e400`
   [2]
   $ (frobc view large.csv same.frob --print 2> told & echo $! > id; wait) > page &
-  $ for i in $(seq 400); do grep -q 'left out' told && break; sleep 0.05; done; kill $(cat id); cat told
+  $ for i in $(seq 400); do grep -qs 'left out' told && break; sleep 0.05; done; kill $(cat id); cat told
   large.csv:4: column `in`: `-1e400` is not a valid value; expected a number up to 1.79e308, or `inf`; this row and the rows after it are left out
   $ printf 'time,in\n0,3.4e38\n1,1e39\n' > large.csv
   $ both large.csv --real float
