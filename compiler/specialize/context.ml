@@ -146,8 +146,8 @@ let since earlier later =
 
 let nests_deeply t trail = trail.depth > t.options.nesting
 
-(* Labels the innermost calls, each place once, which suffices to recognize an infinite recursion.
-   *)
+(* Labels the innermost calls, each place only once: that is enough to recognize an infinite
+   recursion. *)
 let with_trail trail diagnostic =
   let rec labelled diagnostic shown = function
     | (name, at) :: others when List.length shown < 5 ->
@@ -175,7 +175,7 @@ let enter t trail ~name ~span =
          t.options.depth);
   trail
 
-(* {1 Causes of growing work} *)
+(* {1 Causes of excessive work} *)
 
 (* Minimum cost of one element, in steps. *)
 let steps_of_element = 50
@@ -186,7 +186,7 @@ let expanding t trail ~by ~elements ~span =
   Work.steps (steps_of_element * elements);
   trail
 
-(* Narrower values are not worth a mention. *)
+(* Types with fewer leaves are not worth reporting. *)
 let least_wide = 100
 
 let defining t trail ty =
@@ -227,8 +227,8 @@ let has_letters name =
 let most_called t = most t.called (fun name calls -> if has_letters name then !calls else 0)
 let most_specialized t = most t.counts (fun _ copies -> copies)
 
-(* The limit grows with the length of the program, so that each of its expressions can be evaluated
-   and specialized a few times. *)
+(* The limit grows with the length of the program, so that each expression can be evaluated and
+   specialized a few times. *)
 let steps_of_expression = 100
 
 let allowed_work t =
@@ -301,7 +301,7 @@ let check_lasting t trail ~span tys =
                the struct works like the original")
       |> with_trail trail |> Diagnostic.emit t.sink
 
-(* A mode is determined by the task that runs and by everything that follows it. *)
+(* A mode is determined by the running task and by everything that follows it. *)
 let explain_copies t trail diagnostic =
   match trail.machines with
   | { of_; modes; _ } :: _ when modes > t.options.limit / 2 ->

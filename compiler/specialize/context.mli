@@ -4,7 +4,7 @@ open Basis
 
 type options = {
   limit : int;  (** maximum number of specializations of one definition *)
-  nesting : int;  (** nesting depth of nodes beyond which one is {!Postponed} *)
+  nesting : int;  (** nesting depth beyond which a node is {!Postponed} *)
   depth : int;  (** maximum nesting depth of calls that create no nodes *)
   work : int;  (** base limit of {!Work} steps; it grows with the length of the program *)
   marks : int option;  (** maximum number of marks in a drawing; [None] disables drawing *)
@@ -22,8 +22,7 @@ val from_here : trail -> trail
 (** The same calls, with the nesting depth reset to 0. *)
 
 val since : trail -> trail -> (string * Span.t) list
-(** The calls that the second trail has in addition to the first, with their places; last one first.
-*)
+(** The calls in the second trail that are not in the first, with their places; last one first. *)
 
 (** {1 The context} *)
 
@@ -43,10 +42,10 @@ and callee =
   | Nothing of Flow.Ir.signal list  (** a node without equations; its statics and inputs *)
 
 type wide = { ty : Core.Ir.ty; leaves : int; mutable uses : int }
-(** A type of many leaves, and how many equations and calls define a value of it. *)
+(** A type with many leaves, and the number of equations and calls that define a value of it. *)
 
-(** The controls that the program requests from its operator: being collected, or collected by an
-    earlier specialization. *)
+(** The controls that the program requests from its operator: either this specialization collects
+    them, or an earlier one has done so. *)
 type console =
   | Sought of { mutable found : Core.Ir.control list  (** newest first *) }
   | Declared of Core.Ir.control list
@@ -106,13 +105,13 @@ exception Postponed of (unit -> unit)
     part that was too deep. The caller is then evaluated again and finds the result. *)
 
 val settle : (unit -> unit) -> unit
-(** Calls the function, and everything that it postpones. *)
+(** Calls the function, then every function that this call postpones. *)
 
 val nests_deeply : t -> trail -> bool
 
 (** {1 Causes of excessive work}
 
-    Data for {!Used_up}, which reports the cause when the steps are used up. *)
+    Data for {!Used_up}, which reports the cause when the limit of steps is reached. *)
 
 type expansion = {
   by : string;  (** the function that expands the elements one by one *)
@@ -129,7 +128,7 @@ val defining : t -> trail -> Core.Ir.ty -> unit
 (** Notes that an equation or a call defines a value of this type, for {!widest}. *)
 
 val widest : t -> wide option
-(** The type whose values have most leaves, in all equations together. *)
+(** The type whose values account for most leaves, over all equations and calls. *)
 
 val in_machine : trail -> machine -> trail
 (** Enters a machine whose modes are being discovered. *)
@@ -162,18 +161,18 @@ val with_trail : trail -> Diagnostic.t -> Diagnostic.t
 (** Adds the innermost calls to the diagnostic. *)
 
 val own_call : trail -> span:Span.t -> (string * Span.t * (string * Span.t) list) option
-(** The innermost call in the program's own folder (that of the outermost call), and the calls
-    around it; [None] if [span] itself is in that folder. *)
+(** The innermost call in the program's own folder (the folder of the outermost call), and the calls
+    that lead to it; [None] if [span] itself is in that folder. *)
 
 val report_outside : t -> trail -> span:Span.t -> index:int -> size:int -> unit
-(** Reports an index out of range, for an array whose size depends on the call. *)
+(** Reports that an index is out of range. The array's size depends on the call. *)
 
 val own_place : t -> trail -> span:Span.t -> Span.t
 (** The innermost place outside the library among [span] and the calls that lead to it; [span] if
     there is none. *)
 
 val report_once : t -> code:string -> at:Span.t -> Diagnostic.t -> unit
-(** Emits the diagnostic unless this code was reported at this place before, because a place may be
+(** Emits the diagnostic unless this code was already reported at this place: the same place may be
     evaluated many times. *)
 
 val report_stored : t -> trail -> span:Span.t -> string -> unit
@@ -182,6 +181,6 @@ val report_stored : t -> trail -> span:Span.t -> string -> unit
 
 val check_lasting : t -> trail -> span:Span.t -> Flow.Ir.ty list -> unit
 (** Emits E0430 if a value to be stored in the program's state is valid for one instant only, unless
-    one of the calls that led here was already reported. *)
+    E0430 was already reported for one of the calls that led here. *)
 
 val add_node : t -> Flow.Ir.node -> int

@@ -5,7 +5,7 @@ type scope = {
   locals : Value.environment;
   types : Value.substitution;
   node : Node.t;
-  owner : string; (* names the functions that have no name of their own *)
+  owner : string; (* the name for anonymous functions *)
   trail : Context.trail;
 }
 
@@ -28,7 +28,8 @@ let enter (binder : Ir.binder) entry locals = Variables.add binder.local.id entr
 let bind (binder : Ir.binder) ty value locals =
   enter binder { Value.local = binder.local; local_ty = ty; contents = Known value } locals
 
-(* Expressions so simple that a node for them would do nothing. They are evaluated in place. *)
+(* Expressions so simple that a node for them would contain no equations. They are evaluated in
+   place. *)
 let rec is_trivial (e : Ir.expr) =
   match e.desc with
   | Local _ | Number _ | Boolean _ | String _ | Primitive _ | Lambda _ | Proc _ -> true
@@ -271,7 +272,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       _ ) ->
       bug "an applied value is not a function"
 
-(* Binds as many arguments as the code takes at once, one after the other. *)
+(* Binds the arguments one by one, as many as the code has nested lambdas. *)
 and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (body : Ir.expr)
     (first : Value.argument) others =
   let locals =
@@ -302,7 +303,8 @@ and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (b
       in
       apply c s target ~span ~result value others
 
-(* Is this the closure's first parameter? A later one is not a parameter of the closure itself. *)
+(* Is this the closure's first parameter? A later parameter belongs to a lambda in the closure's
+   body. *)
 and is_first (closure : Value.closure) (binder : Ir.binder) =
   match closure.code with Lambda (first, _) -> first.local.id = binder.local.id | _ -> false
 
@@ -310,7 +312,8 @@ and is_first (closure : Value.closure) (binder : Ir.binder) =
 and trail_of_trivial (c : Context.t) s ~span (closure : Value.closure) (body : Ir.expr) =
   match body.desc with Index _ -> Context.enter c s.trail ~name:closure.name ~span | _ -> s.trail
 
-(* A function of [()] always returns the same value, so it is evaluated once, in place. *)
+(* A function with the parameter [()] always returns the same value, so it is evaluated once, in
+   place. *)
 and join s (closure : Value.closure) evaluate =
   match Node.join s.node closure.identity with
   | Some value -> value
@@ -406,7 +409,8 @@ and run_task (c : Context.t) s target ~span ~result ~output ~ended signal_functi
       Leaves.select c.types s.node target ~span result condition right left
   | _ -> bug "the end condition of a task is not a Bool"
 
-(* The result may be a function, which is then applied to the remaining arguments. *)
+(* Applies an array primitive. If the result is a function, applies it to the remaining
+   arguments. *)
 and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =
   let rec split count (ty : Ir.ty) own (others : Value.argument list) =
     match (ty, others) with
@@ -425,7 +429,8 @@ and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =
       in
       apply c s target ~span ~result value others
 
-(* Evaluates either in new nodes or in the position's node. *)
+(* Adds the equations of a proc to the position's own node; evaluates everything else in new
+   nodes. *)
 and evaluator s : Evaluator.t =
   let scope ({ node; trail; _ } : Evaluator.position) =
     { locals = Variables.empty; types = Variables.empty; node; owner = s.owner; trail }
@@ -446,7 +451,7 @@ and evaluator s : Evaluator.t =
         expr p.context { (scope p) with locals; types; owner } Unnamed e);
   }
 
-(* In the node of a round, functions are evaluated in the node itself. *)
+(* Like {!evaluator}, but in the node of a round, evaluates functions in that node itself. *)
 and evaluator_of_rounds s =
   let plain = evaluator s in
   let rec in_place (p : Evaluator.position) ~result (f : Value.t) arguments =

@@ -9,7 +9,7 @@ type scope = {
   locals : Value.environment;
   types : Value.substitution;
   node : Node.t;
-  owner : string;  (** names the functions that have no name of their own *)
+  owner : string;  (** the name for anonymous functions *)
   trail : Context.trail;
 }
 

@@ -34,7 +34,8 @@ let refuse_ends (c : Context.t) (core : Ir.definition) =
     |> hint "choose between tasks inside one `reactimateTask`"
     |> emit c.sink)
 
-(* Reports functions that capture functions too deeply, which {!Context.enter} does not count. *)
+(* Reports that functions capture functions too deeply, a depth that {!Context.enter} does not
+   count. *)
 let refuse_depth (c : Context.t) (core : Ir.definition) =
   Diagnostic.(
     error ~code:"E0413" ~at:core.span "`%s` needs functions that nest too deeply" core.name.name
@@ -49,8 +50,8 @@ let refuse_cycle (c : Context.t) (local : Ir.Local.t) =
     |> hint "feed back the numbers that the function depends on, not the function"
     |> emit c.sink)
 
-(* A program that ends has a result in addition to its output. If the output is a record, the result
-   is an additional field. *)
+(* A program that can end has a result in addition to its output. If the output is a record, the
+   result is an additional field. *)
 let result_field = "result"
 
 let with_result (output : Flow.Ir.shape) result : Flow.Ir.shape =
@@ -87,8 +88,8 @@ let output_names (c : Context.t) ~output ~ended =
   | Some ended ->
       names output "out" @ names (Core.Signature.event ended) (Types.join "out" result_field)
 
-(* Drawings are not part of the output. Their marks follow all other outputs, each under its own
-   name. *)
+(* Drawings are not part of the output. The marks of each drawing follow all other outputs, under a
+   name of their own. *)
 let apart outputs =
   let is_part suffix (name, _) = String.ends_with ~suffix name in
   let is_drawn output = List.exists (fun suffix -> is_part suffix output) Types.paths_of_drawing in

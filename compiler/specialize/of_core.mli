@@ -17,9 +17,10 @@ val controls :
   entry:Core.Ir.Global.t ->
   Core.Ir.program ->
   Core.Ir.control list option
-(** The controls that the entry requests from its operator, for {!Core.Console.declare}. They are
-    found by evaluating everything static, if the program may request any. A control requested at
-    several places occurs several times, and units are not set. [None] if errors were reported. *)
+(** The controls that the entry requests from its operator, for {!Core.Console.declare}. If the
+    program may request any, finds them by evaluating everything static. A control requested at
+    several places occurs several times, and the controls' units are not set. [None] if errors were
+    reported. *)
 
 val program :
   ?options:Context.options ->

@@ -33,7 +33,8 @@ module Types = Hashtbl.Make (struct
 
   and equal_all a b = List.compare_lengths a b = 0 && List.for_all2 equal a b
 
-  (* A type may share its parts, so it may have far more paths than parts. *)
+  (* Parts of a type may be shared, so a type may have far more paths than parts: hashing counts as
+     work. *)
   let rec hash (ty : t) =
     Work.step ();
     match ty with

@@ -1,7 +1,7 @@
 (** Closed types of Core, and their representation in Flow.
 
     Type variables in scope are replaced by closed types, through a substitution. For each closed
-    type, the table caches whether Flow can represent its values, and by which leaves. *)
+    type, the table caches whether Flow can represent its values, and with which leaves. *)
 
 type table
 
@@ -59,8 +59,8 @@ val join : string -> string -> string
 
 (** {1 Drawings}
 
-    Drawings of the library's module Display: the number of marks, and an array of events, each of
-    which is a mark. *)
+    Drawings of the library's module Display. A drawing consists of the number of marks and an array
+    of events, each with one mark as its value. *)
 
 val is_drawing : Core.Ir.ty -> bool
 val is_text : Core.Ir.ty -> bool
@@ -72,7 +72,7 @@ val marks : table -> int option
 (** The maximum number of marks, as passed to {!table}. *)
 
 val marks_path : string
-(** The suffix of the path of a leaf that holds the marks of a drawing. *)
+(** The suffix of the path of a leaf that contains the marks of a drawing. *)
 
 val paths_of_drawing : string list
 (** The suffixes of the paths of a drawing's leaves. *)
@@ -92,7 +92,7 @@ val shape_of_marks : table -> Flow.Ir.shape
 (** The shape of the marks of a drawing. *)
 
 val of_the_instant : table -> Flow.Ir.ty -> Flow.Ir.foreign_type option
-(** A foreign type inside this type whose values are valid for one instant only, if there is one. *)
+(** A foreign type inside this type whose values are valid for only one instant, if there is one. *)
 
 val sums : table -> Flow.Ir.sum array
 (** All sums encountered so far. *)

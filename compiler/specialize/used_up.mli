@@ -1,9 +1,9 @@
-(** E0413: specialization has used up its steps ({!Basis.Work}). *)
+(** E0413: specialization has reached its limit of steps ({!Basis.Work}). *)
 
 val report : Context.t -> Core.Ir.definition -> unit
 (** Reports the probable cause: the elements of an array, the modes of a state machine, the
-    specializations of a definition, values of very many numbers, or the calls. The definition is
-    the entry point to compile. *)
+    specializations of a definition, values that consist of very many numbers, or the calls. The
+    definition is the entry point to compile. *)
 
 val report_type : Context.t -> Core.Ir.definition -> Core.Ir.ty -> unit
 (** Reports E0316: a value of this type has too many signals. *)

@@ -22,7 +22,7 @@ type t =
       at : Basis.Span.t;
           (** the place of this application; for a task, a place in the program rather than in the
               library *)
-    }  (** applied to fewer arguments than it takes, or a signal function *)
+    }  (** a partial application, or a signal function *)
   | Choice of { condition : Flow.Ir.atom; then_ : t; else_ : t }
       (** an [if] whose condition is known only at run time, on values that Flow cannot select from
       *)

@@ -95,7 +95,7 @@ let loop (p : position) (evaluator : Evaluator.t) primitive target ~count (f : V
 let apply_here (p : position) (evaluator : Evaluator.t) ~result (f : Value.argument) given =
   evaluator.apply p ~result f.value given
 
-(* Notes that an array of functions or signal functions is expanded element by element. *)
+(* Records that an array of functions or signal functions is expanded element by element. *)
 let one_by_one (p : position) ~by count =
   let by = Core.Primitive.name by in
   { p with trail = Context.expanding p.context p.trail ~by ~elements:count ~span:p.span }

@@ -5,8 +5,8 @@ type position = Evaluator.position
 
 let define (p : position) target rhs = Node.define p.node target ~span:p.span Bool rhs
 
-(* Folds operations on constants, so that the code that depends on the result can be selected here.
-   *)
+(* Folds operations on constants, so that this stage can select the code that depends on the
+   result. *)
 let operate (p : position) target operator atoms =
   match Flow.Fold.operation p.context.real operator atoms with
   | Some known -> known
@@ -98,7 +98,7 @@ and equal_parts p target pairs : Ir.atom =
       let first = equal p Node.Unnamed ty a b in
       and_ p target first (equal_parts p Node.Unnamed others)
 
-(* Loops over two arrays. Are all elements so far equal? *)
+(* Loops over two arrays. The accumulator tells whether all elements so far are equal. *)
 and equal_arrays p target ~count element a b : Ir.atom =
   let round p values : Value.t list =
     match values with
@@ -151,8 +151,8 @@ let rec ordered (p : position) order target ty a b : Ir.atom =
   | Scalar, _ -> operate p target order.of_scalars (numbers p ty a b)
   | Product parts, _ -> ordered_parts p order target (part_pairs parts a b)
   | Sum constructors, _ ->
-      (* Case: [a] has constructor [index] and none before it. Then [b] is less if it has an earlier
-         constructor. *)
+      (* [from index b_before] is the result if [a] has constructor [index] or a later one.
+         [b_before]: does [b] have a constructor before [index]? *)
       let last = Array.length constructors - 1 in
       let rec from index b_before =
         let pairs = field_pairs p ty a b index constructors.(index) in
@@ -183,8 +183,8 @@ and ordered_parts p order target pairs : Ir.atom =
       let rest = ordered_parts p order Node.Unnamed others in
       or_ p target less (and_ p Node.Unnamed equal rest)
 
-(* Loops over two arrays. Is the first less, judging by the elements so far, and are these all
-   equal? *)
+(* Loops over two arrays. The accumulators tell whether the first array is less, according to the
+   elements so far, and whether these are all equal. *)
 and ordered_arrays p order target ~count element a b : Ir.atom =
   let round p values : Value.t list =
     match values with

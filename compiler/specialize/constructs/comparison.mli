@@ -1,9 +1,9 @@
 (** Structural equality and ordering of data.
 
-    Products compare their parts in order, and arrays their elements. Sums compare constructors in
-    declaration order, then payloads. Everything reduces to [==] and [<] on numbers. Therefore a
-    product that contains NaN is neither equal to, less than nor greater than another product,
-    unless other parts decide. *)
+    Products are compared part by part, and arrays element by element. Sums are compared by
+    constructor, in declaration order, then by payload. Everything reduces to [==] and [<] on
+    numbers. Therefore a product that contains NaN is neither equal to, less than nor greater than
+    another product, unless other parts decide. *)
 
 type position := Evaluator.position
 

@@ -1,14 +1,16 @@
 open Basis
 
 type t = {
-  head : int list; (* the code that the mode starts with *)
+  head : int list; (* ids of the code that the mode runs first *)
   depth : int;
   added : string; (* the outermost function of the deepest nesting in it *)
   name : string;
   at : Span.t;
   from : t option;
   steps : int; (* number of consecutive growth steps *)
-  waiting : Span.t option; (* for a task: the continuation that waits most often for its end *)
+  waiting : Span.t option;
+      (* for a task: the continuation that occurs most often among those waiting for the task to
+         end *)
   task : string option; (* for a task: the name of the definition that contains it *)
 }
 
@@ -78,18 +80,18 @@ let rec head (value : Value.t) =
   | Unspecified ->
       []
 
-(* Searches back at most as many modes as a cycle may have. *)
+(* The latest earlier mode with this head, among at most [steps] modes. *)
 let rec before head t steps =
   match t with
   | None -> None
   | Some t when t.head = head -> Some t
   | Some t -> if steps = 0 then None else before head t.from (steps - 1)
 
-(* Growth that ends is assumed to end within this many consecutive steps. *)
+(* After this many consecutive growth steps, growth is assumed to be endless. *)
 let most_steps = 20
 
 (* The continuation that occurs most often among those waiting for the running task, if it occurs
-   often. Among several, the innermost. *)
+   often enough. If there are several such continuations, the innermost one. *)
 let waiting (value : Value.t) =
   let rec all found (value : Value.t) =
     match value with

@@ -14,7 +14,7 @@ type request = {
   elements : Core.Ir.ty list;
 }
 
-(* Takes the place of the code number of a definition or function. *)
+(* Used in keys in place of the code number of a definition or function. *)
 let code = max_int
 let array count ty : Core.Ir.ty = Array (Size count, ty)
 
@@ -98,8 +98,9 @@ let key_of (c : Context.t) node ~span request =
   let captured = Specialization_key.take_holes walk in
   (Specialization_key.key walk, captured)
 
-(* The holes that become inputs of the node, in its order: accumulators, captured values that are
-   the same in all rounds, other arguments. In a signal function, captured values are static. *)
+(* The holes that become inputs of the node, in the order of the inputs: accumulators, captured
+   values that are the same in all rounds, other arguments. In a signal function, captured values
+   are static. *)
 type inputs = {
   accumulated : Specialization_key.hole list;
   same : Specialization_key.hole list;
@@ -142,8 +143,9 @@ let split_captured request inputs atoms =
   ( List.filteri (fun i _ -> is_captured i) atoms,
     List.filteri (fun i _ -> not (is_captured i)) atoms )
 
-(* Does the round have no equations of its own, but a value that it must copy: one that is handed on
-   from an argument that differs between rounds, or any value of a loop with accumulators? *)
+(* Does the round have no equations of its own, although it must copy a value? It must copy a value
+   that it forwards from an argument that differs between rounds, or any value of a loop with
+   accumulators. *)
 let only_hands_on (c : Context.t) node ~span request arguments results values =
   let atoms ty value = Leaves.atoms c.types node ~span ty value in
   let changing_atoms a value =
@@ -200,7 +202,7 @@ let call (p : Evaluator.position) targets request inputs node =
     ~inputs:(List.map actual (holes_of_inputs inputs))
     (leaf_types c request.final @ arrays)
 
-(* The results of a round that needs no node, since it has no equations. *)
+(* The results of a loop whose round has no equations and therefore needs no node. *)
 let without_call (p : Evaluator.position) request inputs parameters outputs =
   let { Evaluator.context = c; node = caller; span; _ } = p in
   let given =

@@ -5,9 +5,9 @@ type argument = {
   form : Flow.Ir.argument;
   ty : Core.Ir.ty;  (** closed and first-order; the type in one round *)
   value : Value.t;
-      (** the initial value, the array, or the number to count from; [Same] is only for captured
-          values, see below *)
-  local : Core.Ir.Local.t;  (** names the node's inputs *)
+      (** the initial value, the array, or the number to count from; [Same] is only used for
+          captured values, see below *)
+  local : Core.Ir.Local.t;  (** the name for the node's inputs *)
 }
 
 type request = {
@@ -28,6 +28,6 @@ val run :
   request ->
   (Evaluator.position -> Value.t list -> Value.t list -> Value.t list) ->
   Value.t list
-(** The final accumulators and the arrays, one target each. The function builds one round in a node
-    of its own: from the captured values and the arguments, it computes the next accumulators and
-    the elements. May raise {!Context.Postponed}. *)
+(** The final accumulators and the resulting arrays, given one target each. The function builds one
+    round in a node of its own: it computes the next accumulators and the elements from the captured
+    values and the arguments. May raise {!Context.Postponed}. *)

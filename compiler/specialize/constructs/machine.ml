@@ -8,7 +8,7 @@ type mode = {
   value : Value.t; (* its atoms belong to the node in which the mode was found first *)
   holes : Specialization_key.hole list;
   name : string;
-  at : Span.t; (* the place that leads to it *)
+  at : Span.t; (* the place that switches to it *)
   place : Span.t; (* the place of its code *)
   growth : Growth.t;
 }
@@ -54,7 +54,7 @@ let eta (proc : Core.Ir.proc) =
 (* The alternatives for a signal function in tail position, with their conditions. *)
 type choice = One of Value.t | If of Ir.atom * choice * choice
 
-(* [input]: the input of this instant, if the chosen signal function is known to run on it
+(* [input]: the input of this instant, if it is known that the chosen signal function runs on it
    immediately. *)
 let rec choices m node ?input ~span (value : Value.t) =
   match value with
@@ -157,7 +157,7 @@ let rec proc_of (value : Value.t) =
       Option.bind (Task.first task) proc_of
   | _ -> None
 
-(* The names for the machine's input in a mode. *)
+(* The names that a mode uses for the machine's input. *)
 let input_names m (value : Value.t) =
   match proc_of value with
   | Some (proc, types) -> (Destructuring.of_proc m.context.types types proc, Some proc.input.local)
@@ -393,8 +393,8 @@ let body ({ context = c; trail; node; span; _ } : Evaluator.position) evaluator 
     };
   parts.complete value
 
-(* Reports a machine that would be part of its own state. The outermost call that leads to it is
-   that of one of its modes. *)
+(* Reports a machine that would be part of its own state. The outermost of the calls that lead to it
+   is a call of one of its modes. *)
 let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~inside =
   let calls = match Context.since outside inside with [] -> [] | _ :: calls -> List.rev calls in
   match calls with

@@ -1,13 +1,13 @@
-(** Switches: several signal functions, of which one runs at a time.
+(** Switches run several signal functions, one at a time.
 
     Running a [switch] creates a node with a {!Flow.Ir.machine}. Its first mode runs the switch's
     signal function. It has a transition for each signal function that the continuation can return
-    for the event's value. If that one is itself a switch, it becomes a mode of the same machine
-    with transitions of its own; otherwise a mode without transitions.
+    for the event's value. If the returned signal function is itself a switch, it becomes a mode of
+    the same machine with transitions of its own; otherwise it becomes a mode without transitions.
 
     A mode is identified by its {!Specialization_key}. A definition that returns to itself through
-    continuations therefore forms a cycle of modes. The first-order values, which the key leaves
-    out, are the parameters of the mode. *)
+    continuations therefore forms a cycle of modes. The first-order values, which are not part of
+    the key, are the parameters of the mode. *)
 
 val run :
   Evaluator.position ->

@@ -1,8 +1,8 @@
 (** Combines the outputs of a machine's modes into the output of the machine.
 
     The output of each mode is a tuple of leaves. If the output type contains functions, modes may
-    return values with different skeletons, the {e variants}. Then each mode outputs the number of
-    its variant and the leaves of all variants, with zeros for the variants that it does not use.
+    return values with different skeletons, called {e variants}. Then each mode outputs the number
+    of its variant and the leaves of all variants, with zeros for the variants that it does not use.
     The machine's node selects the variant by its number. *)
 
 open Basis
@@ -30,5 +30,5 @@ val of_mode : Context.t -> variant list -> given -> leaves -> (string * Flow.Ir.
 
 val of_machine :
   Context.t -> Node.t -> span:Span.t -> Core.Ir.ty -> variant list -> Value.t * Flow.Ir.signal list
-(** The machine's output, of this type, in the node that runs the machine. Also the signals of that
-    node that receive the outputs from {!of_mode}, in the same order. *)
+(** The machine's output, of this type, in the node that runs the machine. Also returns the signals
+    of that node that receive the outputs of {!of_mode}, in the same order. *)

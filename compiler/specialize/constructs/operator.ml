@@ -29,7 +29,7 @@ let refuse (p : position) ~code ~at text more =
 
 let longest_label = 40
 
-(* A label is used as a column name, as a C string, and as text beside a button. *)
+(* A label is used as a column name, as a C string, and as text next to a button. *)
 let fault_of_label text =
   let is_odd c = c < ' ' || c = '\127' || c = ',' || c = '"' || c = '\\' in
   if String.equal text "" then Some "a label cannot be empty"

@@ -1,4 +1,4 @@
-(** The operator's console: which controls a program requests, and where they are in its input.
+(** The operator's console: the controls that a program requests, and their positions in its input.
 
     A program that requests controls is specialized twice. The first time, all controls have unknown
     values, and the requests are recorded. The second time, the type [Console] has a field for each
@@ -14,8 +14,8 @@ val apply :
     limits of a knob, E0442 for two different controls with the same label. *)
 
 val is_looked_for : Context.t -> Core.Ir.expr -> bool
-(** Does the function body request a control itself, while requests are being recorded? Then it must
-    be evaluated at each call, because each place counts. *)
+(** Does the function body itself request a control, and are requests being recorded? If so, it must
+    be evaluated at each call, because each place counts as a request. *)
 
 val at_rest : Context.t -> Value.t
 (** The console with all controls in their initial positions. *)

@@ -37,11 +37,11 @@ let rec named (c : Context.t) ~name ~at (value : Value.t) : Value.t =
 let place_of ~otherwise (continuation : Value.t) =
   match continuation with Function { code = Lambda (_, body); _ } -> body.span | _ -> otherwise
 
-(* No sensible program has this many consecutive tasks that end at once. *)
+(* No sensible program has this many consecutive tasks that end immediately. *)
 let most_at_once = 1000
 
-(* A step into a continuation: which task ended, which definition determines what follows, and the
-   place. *)
+(* A step into a continuation: the task that ended, the definition that determines what follows, and
+   the place. *)
 type hop = { ended : string; by : string; place : Span.t }
 
 let report_circle (c : Context.t) ~span hops =
@@ -79,8 +79,8 @@ let report_circle (c : Context.t) ~span hops =
   |> Diagnostic.emit c.sink;
   raise Context.Stopped
 
-(* For messages: a task of the program that ends at once is named after the program's definition,
-   not after the library function that it uses. *)
+(* For messages: in a task that ends immediately, replaces the name of the library function by that
+   of the program's definition that uses it. *)
 let rec ended_by (c : Context.t) owner (task : Value.t) : Value.t =
   let is_library's name =
     Resolve.Global_table.mem c.definitions { Core.Ir.Global.module_ = "Prelude"; name }
@@ -152,7 +152,7 @@ let end_at_once (p : Evaluator.position) (evaluator : Evaluator.t) input = funct
 
 let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
   let { Evaluator.context = c; node; span; _ } = p in
-  (* The key of continuation and result without their numbers, and these numbers. *)
+  (* The key of the continuation and the result without their numbers, and those numbers. *)
   let key ~span (rest : Value.argument) (value : Value.argument) =
     let walk = Specialization_key.walk c.keys node Holes in
     Specialization_key.add walk (unnamed span) rest.ty rest.value;

@@ -1,8 +1,8 @@
-(** Tasks as values: the first step, and what follows it.
+(** Tasks as values: their first step, and the task that follows it.
 
     A task is a [Primitive]: [mkTask] or [untilRight] of a signal function, [return] of a value, or
     [do] of a task and the function that returns the next task. The state of a running task is
-    therefore itself a task: the rest that remains to be done. *)
+    therefore itself a task: the part that has not run yet. *)
 
 open Basis
 
@@ -16,13 +16,13 @@ type head =
     }
   | Ends of Value.argument  (** the whole task has ended *)
   | Passes
-      (** the first part has ended, and the task continues at once. This is a mode of its own,
-          because it is not yet known how often it happens *)
+      (** the first part has ended, and the task continues immediately. This becomes a separate
+          mode, because it is not yet known how often it happens *)
 
 val named : Context.t -> name:string option -> at:Span.t -> Value.t -> Value.t
-(** Names a task created by the prelude after the program's definition whose value it is, if there
-    is one. Its place becomes the place where the program uses the prelude's function. Other values
-    are returned unchanged. *)
+(** If a task created by the prelude is the value of one of the program's definitions, names the
+    task after that definition. Its place becomes the place where the program uses the prelude's
+    function. Other values are returned unchanged. *)
 
 val name : Value.t -> string
 (** The name of the task that runs first in a reduced task. *)
@@ -34,10 +34,11 @@ val next : Value.t -> string * Span.t
 (** The definition that determines what runs next, and the place. *)
 
 val reduced : Evaluator.position -> Evaluator.t -> ?input:Value.argument -> Value.t -> Value.t
-(** An equivalent task, or choice of tasks, that has a head: the parts that end at once are
+(** An equivalent task, or choice of tasks, that has a head: the parts that end immediately are
     evaluated in this node. If the [input] is given, this includes stateless tasks known to end at
-    their first instant, such as [snapT]; they become no modes and take no step. Reports tasks that
-    form a cycle in which each ends at once and nothing changes, and raises {!Context.Stopped}. *)
+    their first instant, such as [snapT]; they do not become modes and do not take a step. Reports
+    tasks that form a cycle in which each ends at once and nothing changes, and raises
+    {!Context.Stopped}. *)
 
 val head : Value.t -> head
 (** The head of a reduced task that is not a choice. *)

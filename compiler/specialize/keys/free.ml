@@ -16,8 +16,8 @@ let bind table (binder : Ir.binder) body =
   Table.replace table.free id free;
   free
 
-(* An update of a record is all of its fields in Core, of which the program's text has a few. So a
-   field of a variable does not count: the limit of work grows with the text. *)
+(* In Core, a record update lists all fields of the record, although the source text names only a
+   few. The work limit grows with the source text, so a field of a variable does not count. *)
 let rec free table (e : Ir.expr) =
   match e.desc with
   | Payload { value = { desc = Local local; _ }; _ } -> Set.singleton local.id

@@ -1,7 +1,7 @@
 (** Counts the numbers inside the functions that a closure has captured.
 
-    Numbers that the closure has captured itself do not count: [wallFollow 0.2] has none inside,
-    [delay 1 >>> delay 2] has two. *)
+    Numbers that the closure has captured directly do not count: the count of [wallFollow 0.2] is
+    zero, that of [delay 1 >>> delay 2] is two. *)
 
 type table
 (** Remembers the counts of closures, so that the total time is linear. *)

@@ -31,8 +31,8 @@ let finish c node ~name ~origin ~span ~kind ~statics ~inputs ~outputs ~transitio
       file = span.Span.file;
     }
 
-(* The name of an output: the programmer's name if it is a variable, otherwise one derived from its
-   path. *)
+(* The name of an output: the programmer's name if the output is a variable, otherwise one derived
+   from its path. *)
 let output_name taken (hole : Specialization_key.hole) =
   Names.unique taken
     (match hole.atom with

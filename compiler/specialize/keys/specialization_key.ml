@@ -11,7 +11,8 @@ type table = {
   closed : int option Table.t;
       (* maps the identity of a closure to the key of its captured variables, if these have no holes
          *)
-  closed_with_numbers : int option Table.t; (* the same for walks in which numbers are not holes *)
+  closed_with_numbers : int option Table.t;
+      (* the same for walks that treat numbers as part of the key *)
   numbers : Numbers.table;
   constants : Core.Constant_numbers.t;
   visiting : unit Table.t; (* closures whose captured variables are being visited *)
@@ -91,7 +92,7 @@ let types holes = List.map (fun hole -> hole.ty) holes
 let numbers_of (table : table) closure =
   if Numbers.are_many table.numbers closure then In_key else Holes
 
-(* For each leaf that is a known number or truth value: its text. *)
+(* The text of each leaf that is a known number or truth value. *)
 let constants table ty value =
   let text (atom : Flow.Ir.atom) =
     match atom with
@@ -222,7 +223,7 @@ and closed_key (w : walk) closure =
       Table.replace table closure.identity key;
       key
 
-(* A quick test: may this captured variable be free of holes? *)
+(* A quick test: can this captured variable be free of holes? *)
 and may_be_closed (w : walk) (entry : Value.entry) =
   match ((Types.layout w.table.types entry.local_ty).leaves, w.numbers) with
   | _ :: _, Holes -> Core.Constant_numbers.has w.table.constants entry.local

@@ -1,12 +1,12 @@
 (** Specialization keys: values without their first-order leaves.
 
     A function or signal function may capture signals and numbers. In the node created for it, each
-    such leaf is a hole, that is, an input of the node, so that one node serves all numbers. The
-    rest of the value, its skeleton, is the key of the node.
+    such leaf is a hole, that is, an input of the node, so that one node can be used for all
+    numbers. The rest of the value, its skeleton, is the key of the node.
 
     A closure that occurs several times in a value is visited once, and a closure without holes
-    keeps its key permanently. A composition such as [f20 = f19 >>> f19], [f19 = f18 >>> f18]…
-    therefore takes linear time. *)
+    keeps its key permanently. Therefore a chain of compositions such as [f20 = f19 >>> f19],
+    [f19 = f18 >>> f18]… takes linear time. *)
 
 type table
 (** All keys so far. A key is a number. *)
@@ -24,7 +24,7 @@ type hole = {
 
 val types : hole list -> Flow.Ir.ty list
 
-(** {1 Taking values apart} *)
+(** {1 Traversing values} *)
 
 type walk
 
@@ -33,12 +33,11 @@ type numbers = Holes | In_key  (** the numbers are part of the key *)
 
 val numbers_of : table -> Value.closure -> numbers
 (** The treatment to use when specializing this closure. It is [In_key] for a closure with many
-    numbers inside, such as a long composition, whose nodes would otherwise do little but pass the
-    numbers on. *)
+    numbers inside, such as a long composition. With [Holes], the nodes of such a closure would do
+    little except pass the numbers on. *)
 
 val walk : table -> Node.t -> numbers -> walk
-(** [Node]: the node to which equations are added for constructors of first-order types that are
-    known. *)
+(** [Node]: the node that receives the equations for known constructors of first-order types. *)
 
 val add : walk -> Core.Ir.Local.t -> Core.Ir.ty -> Value.t -> unit
 (** Adds the value of a variable, given its closed type. *)
@@ -47,7 +46,7 @@ val add_captured : walk -> Value.closure -> unit
 (** Adds the captured variables and type arguments of a closure. *)
 
 val add_number : walk -> int -> unit
-(** Adds something else that the node depends on. *)
+(** Adds a number to the key, for anything else that the node depends on. *)
 
 val add_text : walk -> string -> unit
 

@@ -1,7 +1,7 @@
 (** The programmer's names for the parts of an unnamed parameter.
 
-    A tuple pattern as a parameter has been translated to an unnamed variable and a binding for each
-    variable of the pattern. *)
+    An earlier stage has translated a tuple pattern in parameter position to an unnamed variable and
+    one binding for each variable of the pattern. *)
 
 type t
 
@@ -11,4 +11,4 @@ val of_proc : Types.table -> Value.substitution -> Core.Ir.proc -> t
 
 val name : t -> Core.Ir.Local.t -> string -> string
 (** The name of the leaf at a path of a variable. For example, the leaf [1.x] of the pair [(p, v)]
-    is called [p.x]. Empty if no variable of the pattern contains the leaf. *)
+    is called [p.x]. The empty string if no variable of the pattern contains the leaf. *)

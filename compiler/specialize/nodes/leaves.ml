@@ -3,7 +3,7 @@ module Ir = Flow.Ir
 
 let bug format = Diagnostic.bug ~stage:"Specialize.Leaves" format
 
-(* The type of an atom matters only if the value is not a constant. *)
+(* The leaves of a value of this type. *)
 let rec atoms table node ~span ty value = List.rev (add_atoms table node ~span ty value [])
 
 (* Prepends the leaves, last one first, to [rest]. *)
@@ -47,7 +47,7 @@ and construct_leaf node ~span (layout : Types.layout) constructor payload =
   | [ { leaf; _ } ] -> Node.define node Unnamed ~span leaf (Construct { constructor; payload })
   | [] | _ :: _ :: _ -> bug "a sum is not one leaf"
 
-(* The leaves of an arbitrary value of the type, for a value that is not used. *)
+(* The leaves of an arbitrary value of the type, to fill in for an unused value. *)
 and zeros table node ~span ty : Ir.atom list =
   let layout = Types.layout table ty in
   match (layout.kind, layout.leaves) with
@@ -141,8 +141,8 @@ let rec is_constructor table node target ~span ty (value : Value.t) index : Ir.a
   | Text _ | Array _ | Elements _ | Function _ | Signal_function _ | Primitive _ | Program _ ->
       bug "a request for the constructor of a %s" (Types.to_string ty)
 
-(* Keeps the condition even if two leaves are equal, because causality must see that the result
-   depends on it. {!Flow.Simplify} removes unnecessary choices later. *)
+(* Keeps the condition even if two leaves are equal, because the causality check must see that the
+   result depends on it. {!Flow.Simplify} removes unnecessary choices later. *)
 let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) : Value.t =
   let layout = Types.layout table ty in
   if layout.first_order then

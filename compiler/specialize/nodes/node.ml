@@ -53,11 +53,11 @@ let leaves target (leaves : Types.leaf list) =
       List.map (fun (l : Types.leaf) -> Named (Types.join name (Types.path_name l))) leaves
   | Defines signals -> List.map (fun signal -> Defines [ signal ]) signals
 
-(* The cost of a signal, in steps: all later passes handle it. *)
+(* The cost of a signal, in steps, including its cost in all later passes. *)
 let steps_of_signal = 30
 
-(* A path is used as a name only if it starts with one, unlike the path of a component of an unnamed
-   tuple. *)
+(* A path is used as a name only if it starts with a name. The path of a component of an unnamed
+   tuple starts with a number. *)
 let signal t ~name ~span ty : Ir.signal =
   let is_position = String.length name > 0 && name.[0] >= '0' && name.[0] <= '9' in
   let name = if is_position then "" else name in

@@ -12,7 +12,7 @@ type target =
   | Unnamed
   | Named of string  (** the programmer's name for the value *)
   | Defines of Flow.Ir.signal list
-      (** these signals, one per leaf; evaluation either uses them for the result or leaves them
+      (** these signals, one per leaf; evaluation either defines them as the result or leaves them
           undefined, see {!settle} *)
 
 val parts : target -> Types.table -> Types.part list -> target list
@@ -29,7 +29,7 @@ val settle : t -> span:Span.t -> Flow.Ir.signal list -> Flow.Ir.atom list -> uni
 *)
 
 val define : t -> target -> span:Span.t -> Flow.Ir.ty -> Flow.Ir.rhs -> Flow.Ir.atom
-(** Adds an equation. The target must be that of a single leaf. *)
+(** Adds an equation. The target must be for a single leaf. *)
 
 val call :
   t ->
@@ -42,7 +42,7 @@ val call :
   inputs:Flow.Ir.atom list ->
   Flow.Ir.ty list ->
   Flow.Ir.atom list
-(** Adds an instance. There is one target and one type per output; returns the outputs. *)
+(** Adds an instance, given one target and one type per output, and returns the outputs. *)
 
 val set_machine : t -> Flow.Ir.machine -> unit
 val machine : t -> Flow.Ir.machine option
@@ -56,12 +56,12 @@ val instances : t -> Flow.Ir.instance list
 (** {1 Cached values that depend on signals of this node} *)
 
 val global : t -> int -> Value.t option
-(** The value of a definition, by a key. *)
+(** The cached value of the definition with this key. *)
 
 val add_global : t -> int -> Value.t -> unit
 
 val join : t -> int -> Value.t option
-(** The result of a local function of [()], a join point where branches of a [case] meet, by the
-    identity of the closure. *)
+(** The cached result of a local function with the parameter [()], given the identity of its
+    closure. Such a function is a join point, where branches of a [case] meet. *)
 
 val add_join : t -> int -> Value.t -> unit
