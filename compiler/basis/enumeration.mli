@@ -1,4 +1,4 @@
-(** Formats lists as part of a sentence. *)
+(** Formats lists for use in a sentence. *)
 
 val all : string list -> string
 (** [a], [a and b], or [a, b and c]. *)

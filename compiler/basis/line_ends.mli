@@ -1,9 +1,9 @@
-(** The line ends of a text: [\n], or [\r\n] as on Windows. *)
+(** The line endings of a text: [\n], or [\r\n] as on Windows. *)
 
 type t = Lf | Crlf
 
 val of_text : string -> t
-(** The kind of line end of the text's first line. *)
+(** The kind of line ending that the text's first line has. *)
 
 val write : t -> string -> string
-(** Converts all line ends of the text. *)
+(** Converts all line endings of the text. *)

@@ -1,5 +1,5 @@
-(** Generates unique names: the first request for a name gets it unchanged, later ones get the
-    suffix [_2], [_3]… *)
+(** Generates unique names. The first request for a name returns it unchanged; later requests add
+    the suffix [_2], [_3]… *)
 
 type t
 

@@ -9,5 +9,5 @@ type 'program t = {
 val make : string -> ('program -> 'program) -> string -> 'program t
 
 val run : ('program t -> 'program -> unit) -> 'program -> 'program t -> 'program
-(** Applies the pass and calls the function with the pass and the resulting program, which it also
-    returns. *)
+(** Applies the pass, calls the function with the pass and the resulting program, and returns that
+    program. *)

@@ -1,9 +1,9 @@
-(** Limits the work of a stage. The limit is in steps rather than seconds, so that every machine
-    rejects the same programs.
+(** Limits the work of a stage.
 
-    Each stage decides what it counts as a step: one expression evaluated, one part of a type
-    visited. A step takes some tens of nanoseconds. Only loops that a short program can make long
-    need to count.
+    The limit is in steps rather than seconds, so that every machine rejects the same programs. Each
+    stage decides what it counts as a step, for example an expression evaluated or a part of a type
+    visited. A step takes tens of nanoseconds. Only loops that a short program can make long need to
+    count.
 
     The counter is the compiler's only mutable global. {!within} restores it however its function
     ends, so compilations do not affect each other. *)
@@ -15,7 +15,7 @@ val step : unit -> unit
 (** Counts one step towards the limit of the innermost {!within}. *)
 
 val steps : int -> unit
-(** Counts several steps at once. Call it before performing them. *)
+(** Counts several steps. Call it before performing them. *)
 
 val within : int -> (unit -> 'a) -> 'a option
 (** Calls the function with this limit, or with the remaining steps of the enclosing {!within} if

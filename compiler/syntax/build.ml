@@ -202,7 +202,7 @@ let rec first_word (e : Ir.expr) =
   | Binary { left; _ } -> first_word left
   | _ -> None
 
-(* Reports a loop of another language among the statements of a [proc]. *)
+(* Reports a loop, as in other languages, among the statements of a [proc]. *)
 let reject_block term =
   match first_word (Term.to_expr term) with
   | Some { text = ("while" | "for" | "foreach" | "repeat") as text; span } ->
@@ -270,7 +270,7 @@ let do_body location statements : Ir.proc_body =
       Reject.at ~code:"E0116" (span location) ~hint:last_statement_hint
         "this `do` is empty, so it has no output"
 
-(* A [do] block of tasks. Its last statement is a task that gives the result. *)
+(* A [do] block of tasks. Its last statement is a task, whose result is the block's result. *)
 let task_body location statements : Ir.expr_desc =
   let last_is what span =
     Reject.at ~code:"E0116" span ~hint:"end with a task, as in `return x`"

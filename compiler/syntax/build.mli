@@ -22,10 +22,10 @@ val tuple : Surface.term option list -> Surface.term_desc
 (** The tuple of these elements, or a tuple section if some are missing. *)
 
 val context : Ir.ty -> (Ir.qualified * Ir.ty) list
-(** The context before [=>], which the grammar reads as a type. *)
+(** The context before [=>], which the grammar parses as a type. *)
 
 val class_ : (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
-(** A class, given the context and the head before its [where]. The grammar reads the head as a
+(** A class, given the context and the head before its [where]. The grammar parses the head as a
     type. *)
 
 val instance : (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
@@ -45,15 +45,16 @@ val whole : string -> int option
 (** The value of a literal without a decimal point; [None] if it does not fit in an [Int]. *)
 
 val size : location -> string * bool -> int
-(** The size of an array. The pair is the literal and whether it is decimal. *)
+(** The size of an array. The pair consists of the literal's text and a flag that is set if it is
+    decimal. *)
 
 val product : Surface.factor list -> Ir.unit_
-(** A unit from its factors, at least one, last one first. *)
+(** The unit with these factors, in reverse order. There must be at least one. *)
 
 val exponent : location -> negative:bool -> string -> over:string -> Ir.rational
 
 val scaled_unit : name:Ir.name -> Surface.factor list -> Ir.declaration_desc
-(** The right-hand side of a [unit] declaration, from its factors, last one first. *)
+(** The right-hand side of a [unit] declaration with these factors, in reverse order. *)
 
 val do_body : location -> Surface.statement list -> Ir.proc_body
 (** The body of a [proc]. *)
@@ -62,7 +63,7 @@ val task_body : location -> Surface.statement list -> Ir.expr_desc
 (** A [do] block of tasks. *)
 
 val declarations : Ir.declaration list -> Ir.declaration list
-(** A block of declarations, unchanged. Rejects a function with several clauses. *)
+(** Returns a block of declarations unchanged. Rejects a function with several clauses. *)
 
 val where : location -> Ir.declaration list -> Ir.declaration list
 (** The declarations of a [where], in a definition or a branch. Rejects an empty [where]. *)

@@ -5,7 +5,7 @@ type opener = Block of block | Paren | Bracket | Brace | If | Then | Case
 type origin = { by : Lexer.token; column : int }
 type context = (opener * origin) list
 
-(* Which closing tokens have a partner at or below this entry. A bracket hides everything opened
+(* The closing tokens that have a partner at or below this entry. A bracket hides everything opened
    before it. *)
 type reach = { bracket : opener option; let_ : bool; if_ : bool; then_ : bool; case : bool }
 
@@ -41,7 +41,7 @@ type t = {
       (** the doc comment to put before the constructor after the next [|] or [=] *)
   mutable outer : entry list;  (** the stack before the current token *)
   mutable before : Lexing.position;  (** end of the last token from the text *)
-  ready : token Queue.t;  (** tokens that layout has inserted, and tokens to return after those *)
+  ready : token Queue.t;  (** tokens inserted by layout, and the tokens to return after them *)
 }
 
 exception Too_deep of Lexer.token
@@ -221,8 +221,8 @@ let emit_doc t (token : Lexer.token) =
         t.ready
   | _ -> ()
 
-(* Pushes what the token opens, after the token has been passed on. [if_]: the [if] that this [then]
-   belongs to. *)
+(* Pushes an entry if the token is an opener. Called after the token has been emitted. [if_]: the
+   [if] that a [then] belongs to. *)
 let opens t (token : Lexer.token) ~if_ =
   let column = block_column t in
   match token.token with
@@ -262,8 +262,7 @@ let contextual t (token : Lexer.token) : Grammar.token =
   in
   match word with (CLAIM _ | CHECK _) when Lexer.text_follows t.lexer -> word | _ -> token.token
 
-(* Processes a token from the text, and returns the token to pass on after the ones that were
-   inserted. *)
+(* Processes a token from the text, and returns the token to pass on after the inserted ones. *)
 let ordinary t (token : Lexer.token) =
   let if_ = ref token in
   (match partner t token.token with
@@ -337,8 +336,8 @@ let opened t block by (token : Lexer.token) =
 
 let advance t =
   let token = Lexer.next t.lexer in
-  (* Skips the assignment if nothing changes, because the garbage collector must be told of each
-     pointer that is written. *)
+  (* Skips the assignment if nothing changes, because writing a pointer goes through the garbage
+     collector's write barrier. *)
   if t.outer != t.stack then t.outer <- t.stack;
   if t.before == Lexing.dummy_pos then t.before <- token.start;
   (match (t.stack, t.opening) with

@@ -1,9 +1,9 @@
 (** Layout: turns indentation into explicit tokens (language reference, section 11).
 
-    A function from tokens to tokens with a stack of openers; it does not depend on the parser's
-    state. Blocks get [OPEN] and [CLOSE], and their items [SEMICOLON]; top-level items end with
-    [END]. A closing token ([in then else of , )] and similar ones) closes all blocks opened since
-    its partner, whatever its column. Amortized constant time per token. *)
+    It maps tokens to tokens with a stack of openers, and does not depend on the parser's state. It
+    encloses blocks in [OPEN] and [CLOSE], separates their items with [SEMICOLON], and ends each
+    top-level item with [END]. A closing token ([in then else of , )] and similar ones) closes all
+    blocks opened since its partner, whatever its column. Amortized constant time per token. *)
 
 type block = Top | Let | Where | Do | Of | Rec
 
@@ -32,7 +32,7 @@ type token = {
   token : Grammar.token;
   start : Lexing.position;
   stop : Lexing.position;
-      (** tokens inserted by layout are empty and lie at the end of the token before *)
+      (** an inserted token is empty and lies at the end of the preceding token *)
   made : bool;  (** inserted by layout *)
   column : int;  (** 0 if inserted by layout *)
   first : bool;  (** first token on its line *)
@@ -45,7 +45,7 @@ val context : token -> context
 type t
 
 exception Too_deep of Lexer.token
-(** More than {!deepest} nested openers. *)
+(** Raised if more than {!deepest} openers are nested. *)
 
 val deepest : int
 val create : Lexer.t -> t

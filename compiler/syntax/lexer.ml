@@ -23,7 +23,7 @@ type t = {
   mutable doc_line : int;  (** line number of the last of them *)
   mutable bad_line : int;  (** line number of the last unexpected character *)
   mutable colons : string option list;  (** hints already given for colons *)
-  mutable cut_off : bool;  (** an unterminated comment cut the text off *)
+  mutable cut_off : bool;  (** an unterminated comment hides the rest of the text *)
 }
 
 let copy t = { t with at = t.at }

@@ -1,7 +1,7 @@
 (** Splits text into tokens (language reference, section 11), ignoring layout.
 
-    Never fails: invalid characters are reported and replaced by a [BAD] token. Linear time; holds
-    only one token at a time. *)
+    Never fails: invalid characters are reported and replaced by a [BAD] token. Takes linear time
+    and keeps only one token in memory. *)
 
 open Basis
 

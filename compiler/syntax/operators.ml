@@ -165,7 +165,7 @@ let rec finish stack operand =
   | Binary b :: rest -> finish rest (apply b.left b.operator operand)
   | Unary at :: rest -> finish rest (negate at operand)
 
-(* The operand that follows. *)
+(* The next operand. *)
 let rec next last = function
   | Operand { operand; _ } :: _ -> operand
   | Minus _ :: rest -> next last rest

@@ -4,9 +4,9 @@ val symbols : string list
 (** Every operator symbol. The lexer takes the longest match. *)
 
 val group : Surface.step list -> Surface.term -> Surface.term
-(** [group steps last] groups [steps… last] by precedence and associativity. The steps are given
-    last one first. Linear time, without recursion.
-    @raise Reject.Rejected if the table does not define the grouping *)
+(** [group steps last] groups [steps… last] by precedence and associativity. The steps are given in
+    reverse order. Linear time, without recursion. @raise Reject.Rejected if the table does not
+    define the grouping *)
 
 val left_section :
   span:Basis.Span.t -> Surface.step list -> Surface.term -> Ir.qualified -> Surface.term

@@ -9,9 +9,9 @@ type reader = {
   sink : Diagnostic.sink;
   text : string;
   mutable cut : bool;
-      (** The item before was broken. An item that ends before it defines anything is probably the
-          rest of that one. *)
-  mutable failed : bool;  (** the item before was broken *)
+      (** The previous item was incomplete. If the current item ends before it defines anything, it
+          is probably the rest of that one. *)
+  mutable failed : bool;  (** the previous item had a syntax error *)
   mutable split : bool;
       (** An item ended at a `;` inside an open bracket. The closing bracket may follow in the next
           item. *)
@@ -67,7 +67,7 @@ let explained reader =
     | Automaton.HandlingError env ->
         let state = Automaton.current_state_number env in
         let ended = !token.token = END in
-        (* the bracket was opened by a broken item *)
+        (* an item with a syntax error opened the bracket *)
         let rest_of_last =
           match (before, !token.token) with
           | None, (RPAREN | RBRACKET | RBRACE) -> reader.failed
@@ -105,9 +105,9 @@ let explained reader =
 exception Bad_token
 
 (* Parses an item with the parser that menhir generates as code. It is several times as fast as the
-   automaton, but gives no information about an error. Its actions have no side effects, so a faulty
-   item is parsed again by the automaton from its first character. Errors of the lexer, which then
-   occur twice, are reported once (see {!Diagnostic.all}). *)
+   automaton, but does not provide information about an error. Its actions have no side effects, so
+   the automaton can parse a faulty item again from its first character. Errors of the lexer, which
+   then occur twice, are reported once (see {!Diagnostic.all}). *)
 let item reader =
   let again = Layout.copy reader.layout in
   reader.tokens <- 0;
@@ -239,7 +239,7 @@ let program sink ~file text =
         |> Diagnostic.hint "is this a text file? save it as UTF-8");
       None
   | None -> (
-      (* A sink for this file alone, to know whether this file has errors. *)
+      (* A separate sink for this file, to find out whether the file has errors. *)
       let own = Diagnostic.sink () in
       check_tabs own ~file text;
       let program = read own ~file text in
@@ -251,6 +251,6 @@ let program sink ~file text =
 let readable ~file text =
   let sink = Diagnostic.sink () in
   let program = if Utf8.first_error text <> None then None else read sink ~file text in
-  (* a tree that is nested too deep is not safe to traverse *)
+  (* a tree that is nested too deeply is not safe to traverse *)
   let is_too_deep (d : Diagnostic.t) = String.equal d.code "E0106" in
   if List.exists is_too_deep (Diagnostic.all sink) then None else program

@@ -9,5 +9,5 @@ val readable : file:string -> string -> Ir.program option
 (** For a text with errors: the items without errors. [None] if the items cannot be separated. *)
 
 val program : Diagnostic.sink -> file:string -> string -> Ir.program option
-(** [program sink ~file text] parses any bytes, in linear time. [file]: the name shown in messages.
-    [None] if an error was reported. *)
+(** [program sink ~file text] parses the text, which may contain arbitrary bytes, in linear time.
+    [file]: the name shown in messages. [None] if an error was reported. *)

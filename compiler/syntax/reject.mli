@@ -6,8 +6,8 @@ open Basis
 exception Rejected of Diagnostic.t
 
 exception Command of { command : Span.t; block : Lexing.position }
-(** A command with [-<] in a [do] of tasks, which starts at [block]. What is wrong depends on the
-    code around that [do]. *)
+(** A command with [-<] in the [do] of tasks that starts at [block]. The right message depends on
+    the code around that [do]. *)
 
 val diagnostic : Diagnostic.t -> 'a
 (** @raise Rejected always *)

@@ -35,7 +35,7 @@ type statement =
   | Let of Ir.declaration list
   | Rec of statement list
 
-type factor = { factor : factor_desc; over : bool;  (** comes after [/] *) span : Span.t }
+type factor = { factor : factor_desc; over : bool;  (** follows a [/] *) span : Span.t }
 (** A factor of a unit, or of the right-hand side of a [unit] declaration. *)
 
 and factor_desc = Amount of { digits : string; decimal : bool } | Measure of Ir.unit_

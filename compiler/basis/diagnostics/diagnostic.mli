@@ -1,23 +1,23 @@
 (** Compiler messages as values.
 
     A pass builds diagnostics, emits them into a sink, and continues if it can. {!Render_text} and
-    {!Render_json} print them. A page in [compiler/explain/] explains each code. Texts are lower
-    case, without a full stop, with names from the program in backticks. *)
+    {!Render_json} print them. A page in [compiler/explain/] explains each code. Messages are in
+    lower case, without a full stop, with names from the program in backticks. *)
 
 type severity = Error | Warning
 
 type label = { at : Span.t; text : string }
-(** Another place that is involved. *)
+(** Another place involved in the problem. *)
 
 type edit = { span : Span.t; text : string }
-(** Replaces the text in the span. An empty span is a position between two characters. *)
+(** Replaces the text in the span. If the span is empty, inserts the text at its position. *)
 
 type fix = {
   title : string;  (** the effect of the fix, as an imperative: [write `speed`] *)
   edits : edit list;  (** non-overlapping edits in one file *)
   safe : bool;
-      (** the fix has no alternative and does not change what the program computes, so a tool may
-          apply it without asking; editors offer the others *)
+      (** may a tool apply the fix without asking? Only if the fix has no alternative and does not
+          change what the program computes; editors merely offer the other fixes *)
 }
 (** A correction that a tool can apply. *)
 
@@ -26,7 +26,7 @@ type t = {
   code : string;  (** for example [E0401]; codes of warnings start with [W] *)
   at : Span.t;  (** the main place, to look at first *)
   message : string;
-  here : string;  (** printed beside the main place; may be empty *)
+  here : string;  (** printed next to the main place; may be empty *)
   labels : label list;
   notes : string list;
   hints : string list;  (** suggested corrections, each probably right *)
@@ -51,25 +51,26 @@ val write : Span.t -> string -> t -> t
 (** The fix that replaces the text at this place. *)
 
 type sink
-(** Collects diagnostics, and has no other state. *)
+(** Collects diagnostics; it has no other state. *)
 
 val sink : unit -> sink
 val emit : sink -> t -> unit
 val last : sink -> t option
 
 val revise_last : sink -> (t -> t) -> unit
-(** Changes the diagnostic emitted last, when more is known about the error. *)
+(** Modifies the most recently emitted diagnostic, for callers that know more about the problem. *)
 
 val has_errors : sink -> bool
 
 val errors : sink -> sink
-(** A sink with the errors of this one, and without its warnings. *)
+(** A sink with the errors of this one, but without its warnings. *)
 
 val all : sink -> t list
 (** All diagnostics, sorted by place, without duplicates (same code and place). *)
 
 exception Bug of { stage : string; message : string }
-(** An internal error: the compiler broke one of its invariants. It is never the user's fault. *)
+(** An internal error: the compiler violated one of its invariants. The user's program is never at
+    fault. *)
 
 val bug : stage:string -> ('a, Format.formatter, unit, 'b) format4 -> 'a
 (** @raise Bug always *)

@@ -26,8 +26,8 @@ let double_width =
     (0x20000, 0x3fffd);
   ]
 
-(* Characters that change the writing direction, and other invisible ones, could make a line look
-   like a different one. *)
+(* Bidirectional controls and other invisible characters, which could make one line look like
+   another. *)
 let disguise =
   [ (0x80, 0x9f); (0x200e, 0x200f); (0x202a, 0x202e); (0x2066, 0x2069); (0xfeff, 0xfeff) ]
 

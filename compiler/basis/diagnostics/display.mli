@@ -16,4 +16,4 @@ val characters_before : string -> int -> int
 (** The number of characters before this byte offset of a line, not counting a byte order mark. *)
 
 val part : t -> from:int -> width:int -> string
-(** The part of the line displayed in [width] columns from column [from] on. *)
+(** The part of the line that occupies [width] columns, starting at column [from]. *)

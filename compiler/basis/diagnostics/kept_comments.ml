@@ -49,8 +49,8 @@ let contains text part =
   let rec from k = k + n <= String.length text && (String.sub text k n = part || from (k + 1)) in
   from 0
 
-(* Code after a line comment continues on the next line, indented to its column, because code in
-   the first column would begin a new declaration. *)
+(* Code after a line comment continues on the next line, indented to [column], because code in the
+   first column would begin a new declaration. *)
 let written ~whole_lines ~column text comments =
   let margin = String.make column ' ' in
   let one comment =

@@ -1,12 +1,13 @@
 (** Keeps comments in fixes: writes back each comment in the text that a fix removes. *)
 
 val fix : Source.t -> Diagnostic.fix -> Diagnostic.fix option
-(** The fix, with the comments of each removed text after its replacement, each on its own line if
-    whole lines are removed. Comments that another edit of the fix writes stay as they are. [None]
-    if a comment would become documentation of something else: then the fix is not made. *)
+(** Extends the fix so that it keeps the comments in the text it removes. They follow the
+    replacement, each on a line by itself if whole lines are removed. Comments that another edit of
+    the fix contains are not added again. [None] if a doc comment would be moved, because it could
+    then document the wrong declaration. *)
 
 val code : string -> string
-(** The text before the first comment in a piece of a program, without surrounding blanks. *)
+(** The text before the first comment in a piece of a program, without surrounding whitespace. *)
 
 val in_text : string -> string list
-(** The comments in a piece of a program, in order, without their line ends. *)
+(** The comments in a piece of a program, in order, without their newlines. *)

@@ -1,4 +1,4 @@
-(** Makes names and texts from outside safe to print to a terminal. *)
+(** Makes names and texts from untrusted sources safe to print to a terminal. *)
 
 val name : string -> string
 (** The text on one line, with control characters replaced by decimal codes: an escape character
@@ -15,4 +15,4 @@ val operand : string -> string
 (** A file path as a command-line argument: [./-a] for [-a], which would be read as an option. *)
 
 val path : string -> string
-(** The path of a file, for a command that a user may copy: {!word} of {!operand}. *)
+(** A file path for a command that a user may copy: {!operand}, quoted by {!word}. *)

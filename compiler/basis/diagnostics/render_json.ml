@@ -16,8 +16,8 @@ let place source (at : Span.t) =
     ("column_end", Int (character source at.stop at.file));
   ]
 
-(* Limits on the excerpts: further lines of a long span add nothing for the reader, and a very long
-   line is not readable anyway. *)
+(* Limits on the excerpts: more lines of a long span would not help the reader, and nobody can read
+   a very long line. *)
 let most_lines = 10
 let longest_line = 2000
 
@@ -88,7 +88,7 @@ let diagnostic source (d : Diagnostic.t) =
 
 let most_shown = 1_000
 
-(* One more object, if not all of the diagnostics are shown. *)
+(* An additional object, if some diagnostics are not shown. *)
 let rest list =
   let count severity =
     List.length (List.filter (fun (d : Diagnostic.t) -> d.severity = severity) list)

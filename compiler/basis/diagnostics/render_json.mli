@@ -8,7 +8,7 @@
     has a [span] (the fields [file_name] to [column_end]) and the replacement [text]. *)
 
 val diagnostics : Source.t -> Diagnostic.t list -> string
-(** One object a line: the first 1,000 errors and the first 1,000 warnings. If there are more, the
-    last object says how many: its [level] is [note], its [code] is null, it has no [spans], and
-    only it has a field [left_out], with the numbers of [errors] and [warnings] that are not shown.
+(** One object per line, for the first 1,000 errors and the first 1,000 warnings. If there are more,
+    the last object counts them: its [level] is [note], its [code] is null, it has no [spans], and
+    it alone has a field [left_out], with the numbers of [errors] and [warnings] that are not shown.
 *)

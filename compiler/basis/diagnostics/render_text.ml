@@ -1,5 +1,5 @@
-(* An underline in one line. [from] and [upto] are byte offsets of the line at first, and terminal
-   columns later. *)
+(* An underline within one line. [from] and [upto] are initially byte offsets, and later terminal
+   columns. *)
 type mark = { main : bool; from : int; upto : int; text : string }
 
 let widest_line = 120
@@ -54,8 +54,8 @@ let lines_of source ~main ((at : Span.t), text) =
 
 (* {1 A line with its marks} *)
 
-(* Writes [text] into a row of cells from [column] on. A cell is a displayed character and whether
-   it belongs to the main mark. *)
+(* Writes [text] into a row of cells from [column] on. A cell consists of a displayed character and
+   a flag that is set if it belongs to the main mark. *)
 let put row column main text = String.iteri (fun i c -> row.(column + i) <- (c, main)) text
 
 let row_text paint row =
@@ -89,8 +89,8 @@ let underline paint marks ~width =
   draw true;
   row_text paint row
 
-(* The rightmost text is on the row of the underlines. The others follow on rows of their own, from
-   right to left, with vertical bars for the marks whose texts are still to come. *)
+(* The rightmost text is on the row of the underlines. The others follow on separate rows, from
+   right to left, with vertical bars below the marks whose texts are on later rows. *)
 let rows paint marks ~width =
   let underlined = underline paint marks ~width in
   let texts =

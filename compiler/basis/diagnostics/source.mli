@@ -1,4 +1,4 @@
-(** The texts that spans refer to, by the file name shown in messages.
+(** Maps the file names shown in messages to the texts that spans refer to.
 
     A table belongs to one compilation. Code that reads a file adds its text, and the renderers look
     up lines. *)
@@ -8,7 +8,7 @@ type t
 val create : unit -> t
 
 val add : t -> file:string -> string -> unit
-(** Replaces an earlier text of the file. *)
+(** Adds the text of a file, and replaces an earlier one. *)
 
 val all : t -> (string * string) list
 (** All files with their texts, sorted by name. *)
@@ -16,11 +16,11 @@ val all : t -> (string * string) list
 val text : t -> string -> string option
 
 val line : t -> string -> int -> string option
-(** [line t file n]: line [n] from 1, without its line end; [None] if the file is unknown or has
+(** [line t file n]: line [n] from 1, without its line ending; [None] if the file is unknown or has
     fewer lines. *)
 
 val quote : t -> Span.t -> string option
-(** The text at the span, if it is within one line. *)
+(** The text of the span, if the span is within one line. *)
 
 val grouped : string -> string
 (** Adds parentheses around an expression if it needs them as an argument. *)

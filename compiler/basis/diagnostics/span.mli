@@ -4,7 +4,7 @@
     exclusive. A span lies within one file. *)
 
 type position = private int
-(** Positions in a file compare like their integers. *)
+(** Comparing the integers compares the positions, within one file. *)
 
 val position : line:int -> column:int -> position
 (** Line and column must not be negative. Columns from 2{^ 28} on are indistinguishable. *)
@@ -16,7 +16,7 @@ val forward : int -> position -> position
 (** Moves the position to the right by this number of columns. *)
 
 type t = {
-  file : string;  (** the name under which {!Source} has the text *)
+  file : string;  (** the file's name in the {!Source} table *)
   start : position;
   stop : position;  (** exclusive *)
 }

@@ -1,4 +1,4 @@
-(** "Did you mean": finds the name that a misspelt name was probably meant to be. *)
+(** "Did you mean": guesses which name a misspelt name was meant to be. *)
 
 val closest : string -> string list -> string option
 (** [closest name candidates] is the candidate with the smallest edit distance from [name]

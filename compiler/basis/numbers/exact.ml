@@ -350,9 +350,9 @@ type format = { bits : int; smallest : int; largest : int }
 let binary64 = { bits = 53; smallest = -1074; largest = 1023 }
 let binary32 = { bits = 24; smallest = -149; largest = 127 }
 
-(* Scales by a power of two until the quotient has one bit more than the format, and keeps its top
-   bits and whether there is a remainder (the sticky bit). The rounding, to fewer bits below the normal
-   range, is then done once, on an integer. *)
+(* Scales by a power of two until the quotient has one bit more than the format, and records whether
+   there is a remainder (the sticky bit). Then rounds once, on an integer; below the normal range,
+   it rounds to fewer bits. *)
 let rounded_by_bits format t =
   if Natural.is_zero t.numerator then 0.
   else

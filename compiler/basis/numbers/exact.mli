@@ -1,4 +1,4 @@
-(** Exact rational numbers, and rounding them once to a machine number.
+(** Exact rational numbers, and their rounding to machine numbers.
 
     The value of a literal is its exact decimal value times the exact scale of its unit, rounded
     once (language reference, section 4). Pi is represented with 100 decimal places, far more than

@@ -18,8 +18,8 @@ let of_exact = function Double -> Exact.to_float | Single -> Exact.to_single
 let bytes = function Double -> 8 | Single -> 4
 let all_whole_from = function Double -> 0x1p52 | Single -> 0x1p23
 
-(* Also checks the neighbouring doubles for a single, so that it does not matter whether the reader
-   first rounds the text to a double. *)
+(* For a single, also checks the neighbouring doubles, because the reader may round the text to a
+   double first. *)
 let reads_back t x text =
   let read = float_of_string text in
   match t with

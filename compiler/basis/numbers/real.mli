@@ -1,10 +1,10 @@
 (** The precision of the language's [Float]: IEEE 754 binary64 or binary32.
 
     In OCaml both are [float]; a single is a double that binary32 can represent. An operation on
-    singles is performed on doubles and then rounded. For [+ - * /] and [sqrt] this gives the same
-    result as a single rounding, because a double has at least two more than twice the bits of a
-    single (S. A. Figueroa, "When is double rounding innocuous?", ACM SIGNUM Newsletter 30, 1995).
-*)
+    singles is performed on doubles and then rounded. For [+ - * /] and [sqrt] this yields the same
+    result as a single rounding, because a double has at least 2p + 2 significand bits, where p is
+    the number of a single's (S. A. Figueroa, "When is double rounding innocuous?", ACM SIGNUM
+    Newsletter 30, 1995). *)
 
 type t = Double | Single
 

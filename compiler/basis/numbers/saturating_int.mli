@@ -1,8 +1,8 @@
 (** Integers that saturate instead of wrapping around, for counts of bytes and operations.
 
-    If each of twenty definitions uses the previous one twice, there are a million instances; with a
-    few more definitions the count would overflow machine integers. Results therefore stop at
-    {!most}, which exceeds any real memory size or step count. *)
+    If each of twenty definitions uses the previous one twice, there are a million instances; longer
+    chains would overflow machine integers. Results therefore saturate at {!most}, which exceeds any
+    real memory size or step count. *)
 
 val most : int
 val add : int -> int -> int

@@ -17,5 +17,5 @@ val is_cyclic : t -> int list -> bool
 
 val shortest_cycle : t -> int list -> int list
 (** A shortest cycle within a cyclic component, in the direction of the edges, starting at its
-    smallest vertex. In a component so large that examining all cycles would take seconds, the
-    shortest cycle found within the limit. *)
+    smallest vertex. If the component is so large that examining all its cycles would take seconds,
+    returns the shortest cycle found within a limit. *)

@@ -57,7 +57,7 @@ let take_out t i =
 let remove t key =
   if mem t key then (
     let next i = (i + 1) land (Array.length t.keys - 1) in
-    (* Keys after the removed one may have been displaced by it, so they are inserted again. *)
+    (* The removed key may have displaced keys after it, so they are inserted again. *)
     let rec put_again i =
       match t.values.(i) with
       | None -> ()

@@ -1,8 +1,8 @@
 (** Hash tables keyed by small integers, such as the ids of signals, variables and fields.
 
     Passes look up signals a hundred times for each line of a program. Compared with [Hashtbl] from
-    the standard library, hashing and comparing a key costs almost nothing here, and so does the
-    memory of an empty table. The interface is that of [Hashtbl]. *)
+    the standard library, hashing and comparing keys costs almost nothing here, and an empty table
+    takes almost no memory. The interface is that of [Hashtbl]. *)
 
 type 'a t
 

@@ -1,4 +1,4 @@
-(** Words that begin a line in other languages, and what to write in Frob instead. *)
+(** Words that begin a line in other languages, and their equivalents in Frob. *)
 
 val by_equation : string
 val no_procedures : string
@@ -7,7 +7,7 @@ val of_word : string -> string option
 (** The hint for a line that begins with this word. *)
 
 val waiting : string
-(** How to wait. *)
+(** The hint that explains how to wait. *)
 
 val waits : string -> bool
 (** Does a statement that begins with this word wait, in Frob or in another language? *)

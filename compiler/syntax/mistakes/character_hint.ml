@@ -202,7 +202,7 @@ let of_colon text at =
 
 (* {1 Other characters} *)
 
-(* For characters that are not ASCII: the Frob spelling and the hint. *)
+(* The Frob spelling of a non-ASCII character, and the hint. *)
 let symbol text at = function
   | "\u{00b0}" | "\u{00ba}" ->
       let is_part c = Basis.Character.is_digit c || c = '.' in

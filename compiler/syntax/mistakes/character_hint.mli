@@ -9,7 +9,7 @@ val of_character : text:string -> at:int -> string -> t
 (** The hint for this character, which occurs at this offset of the text. *)
 
 val of_elements : string
-(** What to write instead of a function that takes a list apart. *)
+(** The hint that suggests a replacement for a function that takes a list apart. *)
 
 val is_of_each_line : string option -> bool
 (** Is this the hint for a colon that probably occurs in many lines? It is then reported once. *)

@@ -1,5 +1,5 @@
-(** Functions defined by several clauses, as in Haskell. In Frob a function has one clause with a
-    [case]. *)
+(** Functions defined by several clauses, as in Haskell. A Frob function has one clause, which can
+    contain a [case]. *)
 
 open Basis
 

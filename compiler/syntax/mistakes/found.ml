@@ -46,7 +46,7 @@ let opens_with opener : Layout.context -> bool = function
   | (innermost, _) :: _ -> innermost = opener
   | [] -> false
 
-(* Is this a place for a value, where no definition can be? *)
+(* Does the context require a value, so that a definition cannot occur here? *)
 let compares : Layout.context -> bool = function
   | ((Paren | If | Then | Case), _) :: _ -> true
   | ((Bracket | Brace | Block _), _) :: _ | [] -> false
@@ -67,7 +67,7 @@ let part found (first, last) = String.sub found.text first (last - first)
 let first_word found = part found (word_from found found.token.start.pos_bol)
 let first_word_of_line found = part found (first_word_from found found.token.start.pos_bol)
 
-(* The word before this offset, possibly separated from it by blanks. *)
+(* The word before this offset, possibly separated from it by whitespace. *)
 let word_before found offset =
   let rec blanks i = if i > 0 && is_blank (char_at found (i - 1)) then blanks (i - 1) else i in
   let stop = blanks offset in

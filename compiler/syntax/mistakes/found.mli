@@ -19,10 +19,10 @@ val in_brackets : Layout.context -> bool
 val opens_with : Layout.opener -> Layout.context -> bool
 
 val compares : Layout.context -> bool
-(** Is this a place for a value, where no definition can be? *)
+(** Does the context require a value, so that a definition cannot occur here? *)
 
 val expects_more : Layout.token option -> bool
-(** Can no expression, type or definition end after this token? *)
+(** Is an expression, type or definition that ends with this token always incomplete? *)
 
 (** {1 Characters} *)
 
@@ -40,12 +40,12 @@ val is_symbol : char -> bool
 val written : t -> Layout.token -> string
 
 val is_adjacent : t -> Layout.token -> bool
-(** Are the given token and the found one adjacent, without blanks between them? *)
+(** Are the given token and the found one adjacent, without whitespace between them? *)
 
 val word_from : t -> int -> int * int
 
 val first_word_from : t -> int -> int * int
-(** The first word after the blanks at this offset. *)
+(** The first word after the whitespace at this offset. *)
 
 val part : t -> int * int -> string
 
@@ -56,7 +56,7 @@ val first_word_of_line : t -> string
 (** The first word of the token's line, after the indentation. *)
 
 val word_before : t -> int -> string
-(** The word before the offset, possibly separated from it by blanks. *)
+(** The word before the offset, possibly separated from it by whitespace. *)
 
 val stands_after : t -> string -> Layout.token -> bool
 
@@ -66,7 +66,7 @@ val names_before : t -> string -> bool
 (** {1 Lines} *)
 
 val between : t -> int -> int -> string
-(** The text between two offsets, without leading and trailing blanks. *)
+(** The text between two offsets, without leading and trailing whitespace. *)
 
 val end_of_line : t -> int -> int
 
@@ -76,4 +76,4 @@ val start_of_definition : t -> int
 val first_line_of_definition : t -> string
 
 val lines_between : t -> int -> int -> int
-(** The number of line ends between the two offsets. *)
+(** The number of newlines between the two offsets. *)

@@ -65,7 +65,7 @@ let value_after_type found =
       |> Option.some
   | _ -> None
 
-(* {1 Words of Haskell} *)
+(* {1 Haskell keywords} *)
 
 let absent found format =
   Printf.ksprintf
@@ -130,7 +130,7 @@ let list_comprehension found =
 
 let no_index found = error found "a `[` directly after a name starts no index and no array"
 
-(* The digits in a `[` directly after a name, and the offset of its end. *)
+(* The digits in brackets directly after a name, and the offset at which the brackets end. *)
 let index found =
   let start = found.token.stop.pos_cnum in
   match String.index_from_opt found.text start ']' with
@@ -190,8 +190,8 @@ let type_in_brackets found =
       |> Option.some
   | _ -> None
 
-(* The rules exclude each other, but for two: `index_in_brackets` is a case of
-   `bracket_after_name`, and a `let` at the left edge explains whatever follows it. *)
+(* The rules exclude each other, with two exceptions: `index_in_brackets` is a special case of
+   `bracket_after_name`, and `top_let` explains any error in a `let` at the left margin. *)
 let rules =
   [
     top_let;

@@ -60,7 +60,7 @@ let message_of_state state =
    *)
 let called_for_its_effect = "expected `=` after the left side of a definition"
 
-(* `speed == 0.3[m/s]`, on lines of its own. *)
+(* `speed == 0.3[m/s]` on a separate line. *)
 let compares_instead found =
   let of_line line =
     match String.split_on_char ' ' (String.trim line) with
@@ -228,7 +228,7 @@ let bracket found =
       Option.map (unclosed found) (open_bracket found.context)
   | _ -> None
 
-(* {1 Choices of commands} *)
+(* {1 `if` and `case` with commands in their branches} *)
 
 (* The `if` or `case` between this place and the enclosing [do]. *)
 let rec choice : Layout.context -> Layout.origin option = function
@@ -261,7 +261,7 @@ let choice_of_commands found =
 
 (* {1 Commands in a `do` of tasks} *)
 
-(* The lines of the text at the command, up to it and from it on. *)
+(* The line of the command, split at the start of the command. *)
 let around_command found (command : Span.t) =
   let line = List.nth (String.split_on_char '\n' found.text) (Span.line command.start - 1) in
   let column = Span.column command.start - 1 in
@@ -335,7 +335,7 @@ let command sink ~text ~command ~(block : Lexing.position) token =
 
 (* {1 Waiting} *)
 
-(* `delay(1000)` on a line of its own. *)
+(* `delay(1000)` on a separate line. *)
 let waiting found =
   match found.before with
   | Some { start; _ }

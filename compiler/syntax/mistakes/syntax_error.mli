@@ -7,10 +7,10 @@ open Basis
 
 val command :
   Diagnostic.sink -> text:string -> command:Span.t -> block:Lexing.position -> Layout.token -> unit
-(** Reports a command in the [do] at [block], which is one of tasks. The token is the next one after
-    a part of that [do]. *)
+(** Reports a command in the [do] at [block], which is a [do] of tasks. The token is the first one
+    after the part of the [do] that contains the command. *)
 
 val report :
   Diagnostic.sink -> text:string -> state:int -> before:Layout.token option -> Layout.token -> unit
 (** [report sink ~text ~state ~before token] reports that the parser cannot accept [token].
-    [before]: the token before it, if that belongs to the same item. *)
+    [before]: the preceding token, if it belongs to the same item. *)

@@ -7,25 +7,25 @@ val after_value : Found.rule
 (** [x if c else y], as in Python. *)
 
 val double_arrow : Found.rule
-(** A branch of a `case` with [=>]. *)
+(** A branch of a `case` with [=>] for [->]. *)
 
 val branch : Found.rule
-(** A branch of a `case` with [=]. *)
+(** A branch of a `case` with [=] for [->]. *)
 
 val in_braces : Found.rule
-(** An `if` whose choices are in braces. *)
+(** An `if` with its branches in braces. *)
 
 val otherwise : Found.rule
 (** A guard with `else`. *)
 
 val without_then : Found.rule
-(** An `else` after the condition. *)
+(** An `else` directly after the condition. *)
 
 val chain : Found.rule
 (** A second `then`, as after [elif]. *)
 
 val absolute_value : Found.rule
-(** Bars around an expression. *)
+(** Bars around an expression, as in [|x|]. *)
 
 val equation_before_guards : Found.rule
 (** A `=` before the guards. *)

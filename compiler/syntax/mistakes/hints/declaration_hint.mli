@@ -1,7 +1,7 @@
 (** Hints about declarations, and about reserved words used as names. *)
 
 val choices : Found.rule
-(** A `data` whose constructors begin with small letters. *)
+(** A `data` whose constructors begin with lower-case letters. *)
 
 val defined_word : Found.rule
 (** The definition of a reserved word. *)
@@ -10,16 +10,16 @@ val without_where : Found.rule
 (** A class or an instance without `where`. *)
 
 val type_of_choices : Found.rule
-(** A `type` of several choices. *)
+(** A `type` with several alternatives. *)
 
 val foreign_import : Found.rule
 (** [foreign import], as in Haskell. *)
 
 val without_value : Found.rule
-(** A `param` without its default value, or a `foreign` without its name in C. *)
+(** A `param` without its default value, or a `foreign` without its C name. *)
 
 val capital : Found.rule
-(** The name of a type that begins with a small letter. *)
+(** A type name that begins with a lower-case letter. *)
 
 val local : Found.rule
 (** A declaration inside a definition. *)

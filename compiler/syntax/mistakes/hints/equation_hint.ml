@@ -1,7 +1,7 @@
 open Grammar
 open Found
 
-(* Is the enclosing `do` that of a `proc`, so that its statements are not tasks? *)
+(* Is the enclosing `do` the body of a `proc`, and not a block of tasks? *)
 let of_a_proc found =
   match innermost found.context with
   | Some (Do, { by; _ }) ->

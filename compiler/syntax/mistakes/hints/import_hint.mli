@@ -1,19 +1,19 @@
-(** Hints about the names of modules, and about imports. *)
+(** Hints about module names and imports. *)
 
 val path : Found.rule
-(** The name of a module written as a path of a file. *)
+(** A module name written as a file path. *)
 
 val mathematics : Found.rule
 (** [import math], whose functions are built in. *)
 
 val capital : Found.rule
-(** The name of a module that begins with a small letter. *)
+(** A module name that begins with a lower-case letter. *)
 
 val of_haskell : Found.rule
-(** A module of Haskell. *)
+(** A Haskell module. *)
 
 val with_points : Found.rule
-(** The name of a module with points. *)
+(** A module name that contains dots. *)
 
 val hiding : Found.rule
 (** [import Control hiding (limit)]. *)

@@ -12,7 +12,8 @@ let line_column found =
   let rec go i = if is_blank (char_at found i) && char_at found i <> '\n' then go (i + 1) else i in
   go bol - bol + 1
 
-(* The line above with a `where` at its end, if it may define something by equations. *)
+(* The last non-empty line above with `where` appended, if that line may begin a definition that
+   continues here. *)
 let where_above found =
   let bol = found.token.start.pos_bol in
   let rec above bol =

@@ -1,13 +1,13 @@
-(** Hints about lines that stand too far left or right. *)
+(** Hints about lines that are indented too little or too much. *)
 
 val of_where : Found.rule
-(** A `where` at the left edge. *)
+(** A `where` at the left margin. *)
 
 val not_indented : Found.rule
-(** A definition that goes on at the left edge. *)
+(** A definition that continues at the left margin. *)
 
 val misplaced_line : Found.rule
-(** A line that begins at another column than the items of its block. *)
+(** A line in a different column than the items of its block. *)
 
 val by_indentation : string
 (** The hint for blocks in braces. *)

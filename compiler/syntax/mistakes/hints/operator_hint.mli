@@ -1,22 +1,22 @@
-(** Hints about operators, most of them other languages'. *)
+(** Hints about operators, most of which come from other languages. *)
 
 val foreign : Found.rule
-(** An operator of another language that starts with one of Frob. *)
+(** An operator of another language that starts with a Frob operator. *)
 
 val row : Found.rule
-(** [m ! 0, 1], as in languages with indices of two numbers. *)
+(** [m ! 0, 1], an index consisting of two numbers. *)
 
 val member : Found.rule
 (** [r->speed], as in C. *)
 
 val negation : Found.rule
-(** [!b]. *)
+(** [!b], as in C. *)
 
 val before_point : Found.rule
-(** [.5]. *)
+(** [.5], without a digit before the point. *)
 
 val after_point : Found.rule
-(** [5.]. *)
+(** [5.], without a digit after the point. *)
 
 val comment : Found.rule
 (** A comment that starts with a slash. *)
@@ -25,12 +25,12 @@ val own : Found.rule
 (** An operator that starts with a bar. *)
 
 val pipe : Found.rule
-(** [x |> f]. *)
+(** [x |> f], as in OCaml. *)
 
-(** {1 For other hints} *)
+(** {1 Functions used by other hints} *)
 
 val assigns : Found.t -> string option
-(** The hint for a `=` directly after an operator, by that operator. *)
+(** If a `=` directly follows an operator, the hint for that operator. *)
 
 val starts_a_comment : Found.t -> bool
 (** Is this a C-style comment at the start of a line? *)

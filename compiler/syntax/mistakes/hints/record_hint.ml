@@ -1,7 +1,7 @@
 open Grammar
 open Found
 
-(* Is this the field of a record value, directly after `{` or `,`, and not of a declaration? *)
+(* Is this a field of a record value, directly after `{` or `,`, rather than of a declaration? *)
 let field_of_a_value found (field : Layout.token) =
   let rec back i = if is_blank (char_at found i) && i >= 0 then back (i - 1) else char_at found i in
   match back (field.start.pos_cnum - 1) with '{' | ',' -> true | _ -> false

@@ -1,10 +1,10 @@
 (** Hints about records and their fields. *)
 
 val without_names : Found.rule
-(** The values of a record without the names of their fields. *)
+(** A record's values without the field names. *)
 
 val in_a_unit : Found.rule
-(** [kg.m], where a product of units is meant. *)
+(** [kg.m], meaning a product of units. *)
 
 val without_comma : Found.rule
 (** Two fields without a comma between them. *)
@@ -13,16 +13,16 @@ val typed : Found.rule
 (** A field with `::`, in a value or after another field. *)
 
 val block_in_braces : Found.rule
-(** A block in braces. *)
+(** A block in braces, as in C. *)
 
 val without_equation : Found.rule
-(** A name in braces that no `=` follows. *)
+(** A name in braces without a `=` after it. *)
 
 val changed : Found.rule
-(** [r { speed + 1 }]. *)
+(** [r { speed + 1 }], without a `=`. *)
 
 val strict : Found.rule
 (** A strict field, as in Haskell. *)
 
 val capital : Found.rule
-(** The name of a field that begins with a capital. *)
+(** A field name that begins with a capital letter. *)

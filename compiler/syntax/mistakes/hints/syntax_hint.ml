@@ -2,7 +2,7 @@ open Basis
 open Grammar
 open Found
 
-(* {1 The beginnings of lines in other languages} *)
+(* {1 Lines that begin as in other languages} *)
 
 (* `Robot (setVelTR)` for `from Robot import setVelTR`. *)
 let python_import found =
@@ -42,12 +42,13 @@ let beginning found =
 
 (* {1 Rules}
 
-   The first rule that applies gives the hint, so the order is the priority:
+   The hint comes from the first rule that applies, so the order defines the priority:
 
-   - What is certainly of another language comes first, whatever Frob expects at that token.
+   - Constructs that certainly belong to another language come first, whatever Frob expects at that
+     token.
    - A rule for a token in one context, such as a `=` in the braces of a record, comes before the
-     rule for that token anywhere.
-   - The indentation comes last: it is to blame only if nothing else explains the token. *)
+     rule for that token in any context.
+   - The indentation rules come last: they apply only if nothing else explains the token. *)
 
 let habits = [ (fun found -> Option.map snd (beginning found)); Operator_hint.foreign ]
 
@@ -132,7 +133,7 @@ let general =
 let rules = habits @ imports @ declarations @ equations_and_fields @ expressions @ general
 let of_token found = List.find_map (fun (rule : Found.rule) -> rule found) rules
 
-(* {1 Hints that the state of the automaton may precede} *)
+(* {1 Hints with a lower priority than the hints of the automaton's state} *)
 
 (* Does the text after an opening brace continue with a name and this sign: `=` in a record value,
    `::` in a record type? *)

@@ -5,10 +5,10 @@
 
 val hint : Found.t -> state_hints:string list -> string list
 (** The hints for the token, otherwise those of the automaton's state, otherwise the hint for the
-    usual mistake at such a token. *)
+    most common mistake at such a token. *)
 
 val foreign : Found.t -> (string * Basis.Span.t) option
 (** The word or operator of another language at which the parser stops, and its place. *)
 
 val other_place : Found.t -> Basis.Diagnostic.t -> Basis.Diagnostic.t
-(** Adds a label at the token that this one should match, if that is on another line. *)
+(** Adds a label at the token that this one should match, if that token is on another line. *)

@@ -1,16 +1,16 @@
 (** Hints about signatures and types. *)
 
 val split_arrow : Found.rule
-(** [Float - > Float]. *)
+(** [Float - > Float], with a space inside the arrow. *)
 
 val parameters : Found.rule
-(** [f :: Float, Float -> Float]. *)
+(** [f :: Float, Float -> Float], with a comma instead of an arrow. *)
 
 val capital : Found.rule
-(** The name of a value that begins with a capital. *)
+(** A value name that begins with a capital letter. *)
 
 val pointer : Found.rule
 (** A pointer in the type of a foreign function. *)
 
 val size : Found.rule
-(** A size that is computed. *)
+(** A computed array size. *)
