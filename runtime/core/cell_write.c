@@ -193,7 +193,7 @@ void frob_cell_write(struct frob_text *text, const struct frob_value *value, con
     }
 }
 
-/* Adds up the texts of all constructors, although only one of them is written. */
+/* Adds up the room for the texts of all constructors, although only one of them is written. */
 size_t frob_cell_room(const struct frob_value *value)
 {
     size_t room = value->kind == FROB_IMAGE ? 80 : 32; /* a number, parentheses, separators */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* {1 Writing} */
+/* ---- Writing */
 
 size_t frob_frame_head(const struct frob_image *image, char head[FROB_FRAME_HEAD_ROOM])
 {
@@ -62,7 +62,7 @@ struct frob_frame_name frob_frame_name_of(const struct frob_image *image)
     return name;
 }
 
-/* {1 Reading} */
+/* ---- Reading */
 
 struct head {
     const char *at, *end;

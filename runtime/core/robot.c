@@ -84,8 +84,9 @@ static void become_stale(struct frob_robot *robot)
     robot->stop_due_ns = INT64_MIN;
 }
 
-/* After a gap, readings on the line have an unknown age, and more of them may arrive. A driver's
- * poll would first send a command that it still holds, so the robot is stopped before that. */
+/* Handles a gap between two polls. Readings on the line then have an unknown age, and more of
+ * them may arrive. The driver's poll would begin by sending a pending command, so this function
+ * stops the robot first. */
 static enum frob_status note_gap(struct frob_robot *robot)
 {
     int64_t now = frob_now_ns(&robot->clock);

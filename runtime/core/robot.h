@@ -60,7 +60,7 @@ struct frob_robot {
     int64_t stop_due_ns;     /* when to repeat the stop command while at rest */
     int64_t halted_ns;       /* time of the last frob_robot_halt */
     int64_t polled_ns;       /* time of the last frob_robot_poll; INT64_MIN: none yet */
-    int64_t counts_from_ns;  /* earlier readings count as too old */
+    int64_t counts_from_ns;  /* readings before this time count as too old */
     int64_t given_ns;        /* arrival of the reading for the next command; INT64_MAX: unknown */
     uint32_t connections;
     uint32_t stale; /* how often readings became too old */
@@ -99,8 +99,8 @@ bool frob_robot_stands(const struct frob_robot *robot);
 /* Stops the robot and ends its session. The caller must close the line. */
 void frob_robot_close(struct frob_robot *robot);
 
-/* The only function that limits drives: makes them finite, and clamps them to the maximum of the
- * driver's robot. Returns true if it changed anything. */
+/* Makes the drives in `output` finite and clamps them to the maximum of the driver's robot.
+ * Returns true if it changed any. No other function limits drives. */
 bool frob_robot_limit(const struct frob_driver *driver, const void *device, void *output);
 
 #ifdef __cplusplus

@@ -16,7 +16,7 @@ enum frob_status {
     FROB_LOST,            /* the line is gone: hang-up, cable pulled, closed by the peer */
     FROB_NOT_FOUND,       /* no such device */
     FROB_DENIED,          /* no permission to open it */
-    FROB_IN_USE,          /* another program holds it */
+    FROB_IN_USE,          /* another program has it open */
     FROB_UNSUPPORTED,     /* the port cannot do this: a rate, for example */
     /* The robot answered, but the driver cannot drive it, or it left the mode in which it can be
      * driven. */

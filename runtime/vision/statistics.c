@@ -52,7 +52,7 @@ static void of_greys(const int32_t counts[256], struct frob_statistics *result)
     }
 }
 
-/* {1 Depths}
+/* ---- Depths
  *
  * Positive floats have the same order as their bits. */
 

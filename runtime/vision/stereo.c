@@ -32,7 +32,7 @@ size_t frob_stereo_room(int32_t width, const struct frob_stereo *how)
     return width < 0 ? 0 : sizeof(uint16_t) * FROB_STEREO_ROOM(width, disparities_of(how), window);
 }
 
-/* {1 Rows} */
+/* ---- Rows */
 
 /* Computes Sobel's horizontal gradient from three rows of brightness, clipped to -CUT … CUT and
  * shifted to start at 0. */
@@ -163,7 +163,7 @@ static void sum_windows(const uint16_t *columns, int32_t window, int32_t wide, u
     }
 }
 
-/* {1 The best} */
+/* ---- The best */
 
 FROB_CLONES
 static void take_better(const uint16_t *FROB_APART sums, uint16_t disparity, int32_t count,
@@ -240,7 +240,7 @@ static void find_best(const struct frob_stereo_rows *rows, int16_t *result)
     }
 }
 
-/* {1 All rows} */
+/* ---- All rows */
 
 bool frob_stereo_begin(struct frob_stereo_rows *rows, const struct frob_image *left,
                        const struct frob_image *right, const struct frob_stereo *how,

@@ -51,8 +51,9 @@ static const uint8_t streamed[] = {
 /* Number of consecutive frames that must report another mode before the driver believes it, because
  * a frame's checksum is a single byte. */
 #define OUT_OF_MODE_FRAMES 2
-/* For this long after the stream was requested, frames may still be of an earlier session or from
- * between START and the change of mode: a line with a radio or a busy adapter delays them. */
+/* For this long after the stream was requested, frames may still come from an earlier session, or
+ * from the time between START and the change of mode, because a radio link or a busy adapter may
+ * delay them. */
 #define OLD_FRAMES_NS (ANSWER_NS / 2)
 
 static int64_t ns(double seconds)
@@ -182,7 +183,8 @@ static enum frob_status read_all(struct frob_create *d)
     uint8_t bytes[256];
     size_t count;
     struct frob_create_sensors sensors = d->sensors;
-    /* Reads more than the line delivers between two polls, but stops if the line never runs dry. */
+    /* Reads more than the line can deliver between two polls, but stops even if bytes keep
+       arriving. */
     for (int i = 0; i < 16; i++) {
         enum frob_status status =
             d->serial.operations->read(d->serial.port, bytes, sizeof bytes, &count);
@@ -324,8 +326,8 @@ static enum frob_status command(void *device, const void *from)
     return status;
 }
 
-/* Stops immediately. If the robot is not heard, sends zeros and stops again, because noise on the
- * line may also have affected what the robot receives. */
+/* Stops immediately. If the driver does not hear the robot, it sends zeros and the stop command
+ * again, because noise on the line may also have affected what the robot receives. */
 static enum frob_status stop(void *device)
 {
     struct frob_create *d = (struct frob_create *)device;

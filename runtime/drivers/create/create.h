@@ -2,10 +2,10 @@
  *
  * The driver puts the robot into Safe mode (or Full mode) and requests a stream of frames. Leaving
  * that mode is a fault: the robot leaves Safe mode at a cliff, a wheel drop or a charger. The
- * driver enters it again only when the host restarts it.
+ * driver does not restore the mode until the host restarts the driver.
  *
- * The robot has NO watchdog: it repeats the last command forever. The host that uses the line must
- * stop it; nothing stops it if the cable is pulled.
+ * The robot has NO watchdog: it follows the last command forever. The host must stop it; if the
+ * cable is pulled, nothing can.
  *
  * Commands have neither a frame nor a checksum. After a lost byte the robot takes the first byte of
  * the next command for data, and may stay out of step for a long time. Therefore the driver sends a
@@ -15,9 +15,9 @@
  * robot that it does not hear.
  *
  * The driver requests only packets that some field of the input needs, so that frames stay short.
- * It omits packet 45, a bit for each light bumper, because the signals 46 to 51 contain more
- * information, and 23, the battery's current, because 21 reports whether it charges and 25 and 26
- * its charge and capacity.
+ * It omits packet 45, which has a bit for each light bumper, because the signals 46 to 51 contain
+ * more information. It also omits packet 23, the battery's current, because packet 21 reports
+ * whether the battery charges, and packets 25 and 26 its charge and capacity.
  *
  * The settings cover the values on which sources disagree. */
 #ifndef FROB_DRIVERS_CREATE_CREATE_H

@@ -1,9 +1,9 @@
 /* create/odometry.h -- the pose and speed of a Create, computed from its encoder counts.
  *
  * The counts wrap around, so the odometry adds up differences. A frame's checksum is a single byte,
- * so a damaged frame gets through now and then: counts that the robot cannot have reached since the
- * last frame are rejected. After several consecutive rejections the robot must have been restarted.
- * The pose is kept in that case, and also from one connection to the next. */
+ * so a damaged frame gets through now and then: the odometry rejects counts that the robot cannot
+ * have reached since the last frame. After several consecutive rejections, it assumes that the
+ * robot was restarted. It keeps the pose in that case, and also from one connection to the next. */
 #ifndef FROB_DRIVERS_CREATE_ODOMETRY_H
 #define FROB_DRIVERS_CREATE_ODOMETRY_H
 
@@ -13,8 +13,8 @@
 extern "C" {
 #endif
 
-/* For the robot's own wheels. libcreate and pycreate2 agree: 508.8 counts per turn of a wheel of 72
- * mm diameter. */
+/* Value for the robot's standard wheels. libcreate and pycreate2 agree: 508.8 counts per turn of a
+ * wheel of 72 mm diameter. */
 #define FROB_CREATE_METRES_PER_COUNT (3.14159265358979323846 * 0.072 / 508.8)
 
 /* Initially all zero. */

@@ -45,8 +45,8 @@ enum frob_create_packet_id {
     FROB_CREATE_LIGHT_RIGHT = 51
 };
 
-/* The modes. In OFF and PASSIVE the robot ignores drive commands. It leaves SAFE for PASSIVE by
- * itself at a cliff, a wheel drop or a charger. In a mode with any other value it does not drive
+/* The modes. In OFF and PASSIVE the robot ignores drive commands. At a cliff, a wheel drop or a
+ * charger it switches from SAFE to PASSIVE. In a mode with any other value it does not drive
  * either. */
 enum frob_create_mode {
     FROB_CREATE_MODE_OFF = 0,

@@ -15,7 +15,7 @@ enum {
     SIP_PATIENCE_MS = 1000,
     CONFIG_PATIENCE_MS = 300,
     CONFIG_ATTEMPTS = 3,
-    AFTER_RATE = 6 /* the step of opening behind those that switch the rate */
+    AFTER_RATE = 6 /* the first opening step after those that switch the rate */
 };
 
 /* In the order in which robots are usually found. */
@@ -63,8 +63,8 @@ static enum frob_status send_sync(struct frob_pioneer *d, uint8_t sync)
 
 /* A robot outside a session receives nothing but SYNC, because it echoes other packets or ends the
  * connection. A robot in a session takes SYNC0 for PULSE, and would resume the speed at which its
- * watchdog stopped it; so it receives zero speeds first. Its SIPs show that it is in a session;
- * bytes that are not packets show nothing. */
+ * watchdog stopped it; so it receives zero speeds first. Its SIPs prove that it is in a session;
+ * bytes that are not packets prove nothing. */
 static enum frob_status overheard(struct frob_pioneer *d)
 {
     bool silent = d->heard_ns <= d->until_ns - OVERHEARING_MS * frob_pioneer_ms;
@@ -102,7 +102,7 @@ static uint32_t rate_to_try(const struct frob_pioneer *d)
 static enum frob_status try_rate(struct frob_pioneer *d)
 {
     enum frob_status status = set_rate(d, rate_to_try(d));
-    /* If the line cannot change its rate, believe the rate in the settings. */
+    /* If the line cannot change its rate, trust the rate in the settings. */
     if (d->rate_fixed && d->settings[FROB_PIONEER_BAUD] > 0.0)
         d->rate = (uint32_t)d->settings[FROB_PIONEER_BAUD];
     d->attempt = 1;

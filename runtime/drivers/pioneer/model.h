@@ -1,7 +1,7 @@
 /* model.h -- the conversion factors of each Pioneer model, from the units of its protocol.
  *
  * Source: the parameter files of ARIA (`*.p`) and Player's robot_params.cc, which agree on
- * these. */
+ * these values. */
 #ifndef FROB_DRIVERS_PIONEER_MODEL_H
 #define FROB_DRIVERS_PIONEER_MODEL_H
 

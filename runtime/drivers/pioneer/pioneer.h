@@ -70,7 +70,7 @@ struct frob_pioneer_sonar {
 };
 
 /* The state for one robot. All zero before the first start. After that the caller must not change
- * it: it contains what helps to reconnect, such as the rate and the odometry. */
+ * it: it contains data that helps to reconnect, such as the rate and the odometry. */
 struct frob_pioneer {
     const double *settings;
     struct frob_serial serial;
@@ -109,7 +109,8 @@ struct frob_pioneer {
     struct frob_pioneer_sonar sonar[FROB_PIONEER_SONARS];
 
     double forward_m_s, turn_rad_s;  /* the commanded speeds */
-    struct frob_wire_numbers wanted; /* those as VEL and RVEL, or as VEL2's left and right */
+    struct frob_wire_numbers wanted; /* the same speeds as VEL and RVEL, or as VEL2's left and
+                                        right */
     struct frob_wire_numbers sent;   /* the numbers that the robot currently uses */
     bool has_wanted;                 /* there is a command that has not been sent */
     bool second_pending;             /* RVEL must follow VEL after a pause */

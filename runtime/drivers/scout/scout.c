@@ -135,7 +135,8 @@ static enum frob_status read_all(struct frob_scout *d)
 {
     uint8_t bytes[64];
     size_t count;
-    /* Reads more than the line delivers between two polls, but stops if the line never runs dry. */
+    /* Reads more than the line can deliver between two polls, but stops even if bytes keep
+       arriving. */
     for (int i = 0; i < 16; i++) {
         struct frob_scout_packet packet;
         enum frob_status status =

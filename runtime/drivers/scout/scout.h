@@ -57,7 +57,7 @@ struct frob_scout {
     struct frob_clock clock;
     enum frob_scout_step step;
     bool refused;
-    unsigned refusals;               /* number of consecutive velocities that it refused */
+    unsigned refusals;               /* number of consecutive velocities that the robot refused */
     uint8_t awaited;                 /* type of the pending answer; 0: none */
     int64_t sent_ns;                 /* when the last command was sent */
     int64_t heard_ns;                /* when the last answer arrived, or the connection began */

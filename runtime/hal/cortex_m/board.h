@@ -33,7 +33,7 @@ extern const struct frob_serial board_serial;
 /* Writes text on UART 1. */
 void board_say(const char *text);
 
-/* The bytes of the stack that have been used since the start, and its size. */
+/* The number of stack bytes that have been used since the start, and the size of the stack. */
 size_t board_stack_used(void);
 size_t board_stack_size(void);
 

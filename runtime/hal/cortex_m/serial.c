@@ -5,7 +5,7 @@
 
 enum { TRANSMITTER_FULL = 1, RECEIVER_FULL = 2 };
 enum { TRANSMIT = 1, RECEIVE = 2, RECEIVE_INTERRUPT = 8 };
-enum { RING = 1024 }; /* a power of two; holds any packet of any robot */
+enum { RING = 1024 }; /* a power of two; large enough for any packet of any robot */
 
 /* Only the interrupt changes `end`, only the program changes `start`. */
 static struct {

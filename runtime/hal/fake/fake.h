@@ -40,7 +40,7 @@ struct frob_fake_line {
     bool lost;          /* set by the test: the cable is pulled */
     bool blocked;       /* set by the test: writes find no room */
     bool refuses_rates; /* set by the test: set_rate is unsupported */
-    uint32_t fastest;   /* set by the test: set_rate above it is unsupported; 0: no limit */
+    uint32_t fastest;   /* set by the test: set_rate above this rate is unsupported; 0: no limit */
 };
 
 /* Opens a line that has no bytes in transit and uses this clock. */

@@ -14,7 +14,7 @@ int frob_posix_set_terminal_rate(int fd, uint32_t bits_per_s);
 int frob_posix_set_standard_rate(int fd, uint32_t bits_per_s);
 
 /* holder_linux.c: writes the name of a program that has the device open, as `NAME (process N)`.
- * Returns false if none is found, which may also be for lack of permission. */
+ * Returns false if it finds none, which may also be due to missing permissions. */
 bool frob_posix_holder(const char *device, char *name, size_t room);
 
 /* tcp.c: connects to `tcp:HOST:PORT`, waiting for at most 2 s for each address, and stores the

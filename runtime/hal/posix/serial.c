@@ -104,7 +104,7 @@ static int open_terminal(int *fd, const char *device, uint32_t bits_per_s)
         *fd = -1;
         return error;
     }
-    /* Also keeps out programs that do not lock. */
+    /* Also keep out programs that do not lock the device. */
     ioctl(*fd, TIOCEXCL);
     if (frob_posix_set_terminal_rate(*fd, bits_per_s) != 0) {
         error = errno;

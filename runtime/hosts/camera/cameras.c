@@ -45,7 +45,7 @@ bool cameras_options(struct camera_options options[CAMERAS_MOST], size_t *count,
     return true;
 }
 
-/* {1 Starting and ending} */
+/* ---- Starting and ending */
 
 static bool start(struct cameras *all, struct camera *c)
 {
@@ -141,7 +141,7 @@ void cameras_end(struct cameras *c)
     tag_finder_close(&c->finder);
 }
 
-/* {1 Messages} */
+/* ---- Messages */
 
 static void tell(const struct cameras *all, struct camera *c, const struct capture_report *said)
 {
@@ -248,10 +248,10 @@ void cameras_print(const struct cameras *all)
     }
 }
 
-/* {1 Frames} */
+/* ---- Frames */
 
-/* Fills in the image. Validates what the camera process says about the frame, because that process
- * may be corrupted. */
+/* Fills in the image. Validates what the camera process reports about the frame, because that
+ * process may be corrupted. */
 static bool describe(struct camera *c, const struct captured *frame, int64_t first_ns)
 {
     struct frob_image *image = buffers_image(c->way.given);

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #define RETRY_NS INT64_C(500000000)
-#define SILENT_NS INT64_C(1000000000) /* minimum time without a frame that is reported */
+#define SILENT_NS INT64_C(1000000000) /* shortest gap between frames that is reported */
 #define BEGIN_NS INT64_C(5000000)     /* how soon recorded frames start after the program */
 enum { WAIT_MS = 100, HANGS_MS = 4000 };
 
@@ -28,7 +28,7 @@ struct capture {
     bool is_open;
     int64_t opened_ns, frame_ns; /* time of opening; time of the last good frame, 0: none */
     int64_t period_ns;           /* between frames if none is missing; 0: unknown */
-    int64_t same_ns;             /* since when all frames have been identical */
+    int64_t same_ns;             /* time since which all frames have been identical */
     int32_t width, height;       /* size of all frames; 0: set by the first frame */
     enum frob_image_format format;
     uint32_t number; /* number of the next good frame */
@@ -97,7 +97,7 @@ static bool enter(struct capture *c)
     return c->is_open;
 }
 
-/* {1 Frames} */
+/* ---- Frames */
 
 static bool is_same(const struct captured *a, const struct captured *b)
 {
@@ -241,7 +241,7 @@ static void step(struct capture *c)
     }
 }
 
-/* {1 Processes} */
+/* ---- Processes */
 
 /* Leaves signals from the terminal to the supervisor, and ends with the parent process. */
 static void belong_to(pid_t parent)

@@ -21,8 +21,8 @@ const char *decode_netpbm(const uint8_t *bytes, size_t size, struct captured *fr
 const char *decode_jpeg(const uint8_t *bytes, size_t size, bool is_grey, struct captured *frame,
                         char message[256]);
 
-/* Sets the frame's size if the frame has room for that many pixels. Returns NULL, or why it has
- * not. */
+/* Sets the frame's size if the frame has room for that many pixels. Returns NULL on success, or
+ * an error message. */
 const char *decode_set_size(struct captured *frame, int64_t width, int64_t height,
                             enum frob_image_format format, char message[256]);
 

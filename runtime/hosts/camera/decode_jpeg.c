@@ -35,8 +35,8 @@ static const char *decode(const struct turbo *turbo, void *handle, const uint8_t
     return NULL;
 }
 
-/* After a damaged header the decompressor would continue with the next frame in a wrong state, so
- * it is replaced. */
+/* Decodes a JPEG image. A damaged header would leave the decompressor in a wrong state for the
+ * next frame, so this function then replaces the decompressor. */
 const char *decode_jpeg(const uint8_t *bytes, size_t size, bool is_grey, struct captured *frame,
                         char message[256])
 {

@@ -46,7 +46,7 @@ static enum source_result gone(struct source *s, const char *what)
     return source_fail(s, SOURCE_FAULT, "%s: %s", what, strerror(errno));
 }
 
-/* {1 Opening} */
+/* ---- Opening */
 
 static bool is_camera(struct source *s, const struct device *d)
 {
@@ -245,7 +245,7 @@ static void close_device(struct source *s)
     leave((struct device *)s->state);
 }
 
-/* {1 Frames} */
+/* ---- Frames */
 
 /* Takes the newest of the driver's frames, if there is one, and returns the older ones to the
  * driver. */

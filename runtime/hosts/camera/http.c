@@ -28,7 +28,7 @@ struct http {
     struct splitter splitter;
 };
 
-/* {1 Connecting} */
+/* ---- Connecting */
 
 /* Returns a socket, or -1 with errno set; waits for at most a second. */
 static int connect_to(const struct addrinfo *where)
@@ -132,7 +132,7 @@ static void close_http(struct source *s)
     free(h);
 }
 
-/* {1 Reading} */
+/* ---- Reading */
 
 static enum source_result judge(struct source *s, const struct answer *answer)
 {

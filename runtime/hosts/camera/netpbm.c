@@ -14,7 +14,7 @@ static bool is_blank(uint8_t c)
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/* Skips blanks and comments, and reads the number after them. */
+/* Skips whitespace and comments, and reads the number after them. */
 static enum netpbm_result read_number(const uint8_t *bytes, size_t size, size_t *at, int64_t *x)
 {
     bool digits = false;

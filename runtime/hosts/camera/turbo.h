@@ -1,5 +1,5 @@
-/* turbo.h -- libjpeg-turbo, loaded when the first JPEG is read or written. So hosts are not linked
- * with it, and only users of cameras that send JPEG need the library. */
+/* turbo.h -- libjpeg-turbo, loaded when the first JPEG is read or written. Hosts are not linked
+ * with the library, so only users of cameras that send JPEG need it. */
 #ifndef FROB_HOST_CAMERA_TURBO_H
 #define FROB_HOST_CAMERA_TURBO_H
 

@@ -26,7 +26,7 @@ enum verdict verdict_of(const struct frob_value *value, const void *output)
     return tag == 0 ? VERDICT_NONE : verdict_of(value->constructors[1].fields[0].value, output);
 }
 
-/* {1 NaN} */
+/* ---- NaN */
 
 static bool any_has_nan(const struct frob_constructor *constructor, const void *base)
 {
@@ -105,7 +105,7 @@ static void print_nans(const struct claims *claims, FILE *file, const char *who)
         fprintf(file, "%sNaN: in %lu more columns\n", who, (unsigned long)(seen - MOST));
 }
 
-/* {1 Assertions} */
+/* ---- Assertions */
 
 bool claims_open(struct claims *claims, const struct frob_program *program)
 {

@@ -16,11 +16,11 @@ struct csv_dialect {
     size_t column_count;
 };
 
-/* What to say of CSV_RETURN. */
+/* Error message for CSV_RETURN. */
 #define CSV_RETURN_REASON \
     "the lines end with carriage returns alone: `tr '\\r' '\\n'` turns them into line feeds"
 
-/* Maximum length of a row, so that memory is bounded whatever a file holds. */
+/* Maximum length of a row. It bounds the memory used, whatever a file contains. */
 #define CSV_LONGEST (16u << 20)
 #define CSV_MOST_CELLS 1000000u
 
@@ -48,7 +48,7 @@ enum csv_status {
     CSV_END,
     CSV_UNREADABLE,
     CSV_UNCLOSED_QUOTE,
-    CSV_LATE_QUOTE, /* the last cell has blanks before its quote */
+    CSV_LATE_QUOTE, /* the last cell has spaces before its quote */
     CSV_NUL,
     CSV_RETURN,    /* the header has a carriage return that no line feed follows */
     CSV_NO_COLUMN, /* the dialect names a missing column: see `reason` */

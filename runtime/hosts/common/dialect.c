@@ -31,7 +31,7 @@ bool dialect_names(const struct csv_dialect *dialect)
     return dialect->time_column != NULL || dialect->column_count > 0;
 }
 
-/* {1 Translating} */
+/* ---- Translating */
 
 static size_t find(const struct csv *csv, const char *name)
 {
@@ -139,7 +139,7 @@ enum csv_status dialect_translate(struct csv *csv)
     return CSV_ROW;
 }
 
-/* {1 Suggesting options} */
+/* ---- Suggesting options */
 
 static bool is_plain_word(const char *text)
 {

@@ -9,7 +9,8 @@
  * and returns true. `dialect->columns` must have room for `argc` entries. */
 bool dialect_option(struct csv_dialect *dialect, int argc, char **argv, int *i);
 
-/* Whether the dialect names columns. If so, additional columns of a recording are ignored. */
+/* Returns whether the dialect names columns. If so, additional columns of a recording are
+   ignored. */
 bool dialect_names(const struct csv_dialect *dialect);
 
 /* Translates the row that was read last. Returns CSV_ROW, CSV_RETURN, CSV_NO_COLUMN or

@@ -66,7 +66,7 @@ static char *path_of(const char *folder, uint64_t key, bool grey)
     return path;
 }
 
-/* {1 Writing} */
+/* ---- Writing */
 
 static bool cannot(const char *what, const char *path)
 {
@@ -159,7 +159,7 @@ void frame_writer_close(struct frame_writer *writer)
     writer->folder = NULL;
 }
 
-/* {1 Reading} */
+/* ---- Reading */
 
 struct frame {
     uint64_t key;

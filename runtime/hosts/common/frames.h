@@ -18,7 +18,7 @@ bool frames_has_images(const struct frob_value *value);
 uint64_t frames_key(const struct frob_frame_name *name);
 uint32_t frames_number(uint64_t key);
 
-/* {1 Writing} */
+/* ---- Writing */
 
 struct frame_writer {
     char *folder; /* NULL: do not write frames */
@@ -31,7 +31,7 @@ bool frame_writer_open(struct frame_writer *writer, const char *record);
 bool frame_writer_put(struct frame_writer *writer, const struct frob_image *image);
 void frame_writer_close(struct frame_writer *writer);
 
-/* {1 Reading} */
+/* ---- Reading */
 
 struct frame_reader {
     struct frob_frames finder; /* to pass to frob_cell_read */

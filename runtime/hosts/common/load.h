@@ -7,8 +7,8 @@
 #include <frob/program.h>
 
 /* Loads a program, which stays loaded until the process ends. Returns NULL and prints a line on
- * standard error if it fails, or if floating-point arithmetic in the program or in this host is not
- * what programs need (<frob/arithmetic.h>). */
+ * standard error if it fails, or if the floating-point arithmetic of the program or of this host
+ * does not meet the requirements of programs (<frob/arithmetic.h>). */
 const struct frob_program *frob_load(const char *path);
 
 /* Returns another symbol of the loaded program, such as the body of a user-defined robot:

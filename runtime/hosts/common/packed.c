@@ -147,7 +147,7 @@ static void close_quietly(int file)
     errno = error;
 }
 
-/* {1 Writing} */
+/* ---- Writing */
 
 /* Uses a pair of sockets instead of a pipe: writing to one without a reader is an error without a
  * signal, and its end can be shut down even if a process forked meanwhile has inherited it. */
@@ -257,7 +257,7 @@ FILE *packed_write(const char *name)
     return stream;
 }
 
-/* {1 Reading} */
+/* ---- Reading */
 
 struct unpacker {
     int pipe;

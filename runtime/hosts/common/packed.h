@@ -29,7 +29,7 @@ static inline size_t packed_stem(const char *name)
 /* Use it instead of strerror for files opened by this module. */
 const char *packed_reason(const char *name, int error);
 
-/* {1 Streams}, which are closed with fclose */
+/* ---- Streams, which are closed with fclose */
 
 /* Opens a file for reading. Returns NULL with errno set on failure. If an archive is truncated or
  * damaged, reading fails after all data that can be decompressed. */
@@ -38,7 +38,7 @@ FILE *packed_read(const char *name);
 /* Creates or overwrites a file. Returns NULL with errno set on failure. */
 FILE *packed_write(const char *name);
 
-/* {1 Without a stream}, for callers that control what is written immediately */
+/* ---- Without a stream, for callers that control what is written immediately */
 
 struct packer {
     int file;      /* the file, or the connection to the process; -1: none */

@@ -26,7 +26,7 @@ enum { PARAMS_WHY = 1000 };
 
 enum params_result {
     PARAMS_SET,
-    PARAMS_KEPT,    /* an option has set it, to another value than the recording */
+    PARAMS_KEPT,    /* an option has set it to a value other than the recorded one */
     PARAMS_UNKNOWN, /* the program has no such parameter */
     PARAMS_WRONG    /* the text is not a value of the parameter, or has another unit */
 };

@@ -61,7 +61,7 @@ static uint64_t *slot_of(const struct ring *ring, uint64_t k)
     return slots + (k & (ring->shared->slots - 1)) * (words_of_slot(&ring->sizes) + 1);
 }
 
-/* {1 Making and mapping} */
+/* ---- Making and mapping */
 
 /* Opens shared memory and unlinks its name. */
 static int open_memory(void)
@@ -149,7 +149,7 @@ void ring_close(struct ring *ring)
     ring->shared = NULL;
 }
 
-/* {1 Instants} */
+/* ---- Instants */
 
 /* Words are stored and loaded atomically, so that reading a slot that is being written is not a
  * data race; the reader discards the result. */
@@ -224,7 +224,7 @@ uint64_t ring_count(const struct ring *ring)
     return __atomic_load_n(&ring->shared->published, __ATOMIC_ACQUIRE);
 }
 
-/* {1 Words} */
+/* ---- Words */
 
 static uint32_t load(const uint32_t *word)
 {
@@ -349,7 +349,7 @@ struct ring_pace ring_pace(const struct ring *ring)
     return pace;
 }
 
-/* {1 Events} */
+/* ---- Events */
 
 bool ring_send(struct ring *ring, const struct ring_event *event)
 {

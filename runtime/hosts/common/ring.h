@@ -21,7 +21,7 @@
 /* Sizes of the data of an instant, in bytes. */
 struct ring_sizes {
     uint32_t input, output; /* sizes of the program's structs */
-    uint32_t truth;         /* size of what only a simulator knows; 0: nothing */
+    uint32_t truth;         /* size of the simulator's ground truth; 0: none */
 };
 
 /* Operator input. */
@@ -55,7 +55,7 @@ struct ring {
     uint32_t freezes;   /* number of times that this process, as the host, was frozen */
 };
 
-/* {1 The host's side} */
+/* ---- The host's side */
 
 /* Creates a ring and touches all of its memory. Returns false with errno set on failure. */
 bool ring_make(struct ring *ring, const struct ring_sizes *sizes, unsigned permissions);
@@ -82,8 +82,9 @@ void ring_end(struct ring *ring, enum ring_fate fate);
 
 /* Updates the host's heartbeat, which tells readers that the host would obey a stop now. A host
  * calls this at least ten times a second, whether or not it publishes instants. If it has not done
- * so for RING_PATIENCE_NS, it was frozen, so pending events are stale: this drops them and counts
- * them as late. It also counts the freeze, for those who hold events that they have taken. */
+ * so for RING_PATIENCE_NS, it was frozen, so pending events are stale: this function drops them
+ * and counts them as late. It also counts the freeze, so that callers can discard events that they
+ * took earlier. */
 #define RING_PATIENCE_NS INT64_C(500000000)
 void ring_show_alive(struct ring *ring);
 
@@ -102,7 +103,7 @@ struct ring_pace ring_pace(const struct ring *ring);
 /* Takes the oldest pending event. Returns false if there is none. */
 bool ring_take(struct ring *ring, struct ring_event *event);
 
-/* {1 The reader's side} */
+/* ---- The reader's side */
 
 /* Maps the ring behind a file descriptor. Returns false if it is not a ring. */
 bool ring_attach(struct ring *ring, int file);
@@ -142,7 +143,7 @@ uint32_t ring_late(const struct ring *ring);
 /* Queues an event. Returns false if the queue is full. */
 bool ring_send(struct ring *ring, const struct ring_event *event);
 
-/* {1 Both} */
+/* ---- Both */
 
 void ring_close(struct ring *ring);
 

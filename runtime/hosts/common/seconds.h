@@ -13,7 +13,8 @@
  * text is not a number of seconds, or exceeds MOST_SECONDS. */
 bool seconds_read(const char *text, int64_t *result);
 
-/* A hint for the error message about a rejected text: that it exceeds the limit, or empty. */
+/* Returns a hint for the error message about a rejected text: that the time exceeds the limit,
+   or an empty string. */
 const char *seconds_too_far(const char *text);
 
 #endif

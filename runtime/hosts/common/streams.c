@@ -11,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* {1 Control characters} */
+/* ---- Control characters */
 
 struct plain {
     int file;
@@ -97,7 +97,7 @@ void streams_keep_plain(void)
         streams_plain_output();
 }
 
-/* {1 All three} */
+/* ---- All three */
 
 void streams_open(void)
 {

@@ -1,8 +1,8 @@
 /* tag_finder.h -- finds AprilTags in an image with the AprilTag library.
  *
  * The library is loaded only if a program uses tags, so it need not be installed otherwise. It
- * allocates memory and takes milliseconds, so it is called by hosts, not by programs. The same
- * image and library give the same tags. */
+ * allocates memory and takes milliseconds, so it is called by hosts, not by programs. With the
+ * same library, the same image always yields the same tags. */
 #ifndef FROB_HOST_TAG_FINDER_H
 #define FROB_HOST_TAG_FINDER_H
 

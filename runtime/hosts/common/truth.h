@@ -1,4 +1,4 @@
-/* truth.h -- what a simulator knows about a robot but the robot does not, for viewers. */
+/* truth.h -- the ground truth about a simulated robot, for viewers. */
 #ifndef FROB_HOST_TRUTH_H
 #define FROB_HOST_TRUTH_H
 

@@ -32,7 +32,7 @@ static void pause_ms(long ms)
     nanosleep(&pause, NULL);
 }
 
-/* {1 The process} */
+/* ---- The process */
 
 /* Runs the guard. Its copy of the robot's state dates from the start of the guard, but a driver's
  * stop works in any state. */
@@ -79,7 +79,7 @@ static void become_guard(const struct guards *g, size_t i, const int ends[2])
     watch(ends[0], g->robot, (int)(g->patience_ns / 1000000), (int)i * APART_MS);
 }
 
-/* {1 The supervisor's side} */
+/* ---- The supervisor's side */
 
 static bool start(struct guards *g, size_t i)
 {

@@ -108,7 +108,7 @@ static void end(struct supervisor *s, int status, const char *format, ...)
     va_end(arguments);
 }
 
-/* {1 The robot} */
+/* ---- The robot */
 
 /* Returns a setting of the driver by name; NULL if it has no such setting. */
 static const double *setting(const struct supervisor *s, const char *name)
@@ -144,8 +144,8 @@ static const char *reason(enum frob_status status)
     return status == FROB_TIMEOUT ? "it does not answer" : "its line was disconnected";
 }
 
-/* Reports what was tried and the likely cause: bytes that are not an answer point to the rate or to
- * another device, silence may also mean power or cable. */
+/* Reports what was tried and the likely cause. Bytes that are not an answer suggest a wrong rate or
+ * another device; silence may also mean that the power is off or the cable unplugged. */
 static void nobody_answers(struct supervisor *s)
 {
     const char *device = s->line.device, *robot = s->driver->robot;
@@ -206,7 +206,7 @@ static void halt(struct supervisor *s)
         frob_robot_halt(&s->robot);
 }
 
-/* {1 The controller} */
+/* ---- The controller */
 
 /* The step has taken longer than the patience: discards its output. */
 static void be_late(struct supervisor *s)
@@ -300,7 +300,7 @@ static void next_instant(struct supervisor *s)
         look_after_controller(s);
 }
 
-/* {1 The loop} */
+/* ---- The loop */
 
 static int64_t earlier(int64_t a, int64_t b)
 {
@@ -420,7 +420,7 @@ static bool print_summary(const struct supervisor *s)
     return streams_flush();
 }
 
-/* {1 Setting up} */
+/* ---- Setting up */
 
 static void catch_signals(struct supervisor *s)
 {
@@ -489,8 +489,9 @@ int supervise(const struct params *params, const struct frob_driver *driver,
     /* Start the viewer before signals are changed and the robot's line is opened. */
     publisher_start(&s.publisher, s.program, 0, options->control ? RING_SENDS : 0, options->viewer);
     catch_signals(&s);
-    /* Start these processes before the line is opened, because neither cameras nor the controller
-     * may hold it. The controller shares the memory of the cameras' frames. */
+    /* Start these processes before the line is opened, so that neither the camera processes
+     * nor the controller inherits it. The controller shares the memory of the cameras'
+     * frames. */
     if (!cameras_start(&s.cameras, s.program, options->cameras, options->camera_count, s.tells) ||
         !controller_start(&s.controller, params, options)) {
         cameras_end(&s.cameras);

@@ -93,7 +93,7 @@ static void tell_missing_camera(const struct frob_sim *sim, const char *label)
 }
 
 /* Returns the camera that control `i` uses: the camera of an earlier control with the same label,
- * or another one of the world. */
+ * or another camera of the world. */
 static int look_through(struct controllers *c, size_t i)
 {
     const struct frob_control *console = c->program->console;

@@ -272,7 +272,7 @@ static int simulate(const struct options *options, const struct params *params,
     return violated ? FAULT : DONE;
 }
 
-/* Prints the robot of a world; nothing if the world leaves it open. */
+/* Prints the name of a world's robot; nothing if the world does not specify one. */
 static int tell_robot(const char *world)
 {
     char message[8192];

@@ -181,8 +181,8 @@ static bool readable(const struct trace *t, enum csv_status status)
     return false;
 }
 
-/* Returns the end of a message about a column's name or a time: blanks next to commas belong to the
- * name or time, and are hard to see. Empty if there are none. */
+/* Returns the end of a message about a column's name or a time. Spaces next to commas are part of
+ * the name or time but hard to see, so this points them out. Empty if there are none. */
 static const char *on_blanks(const char *text)
 {
     size_t length = strlen(text);
@@ -469,8 +469,9 @@ static bool read_arguments(int argc, char **argv, struct arguments *a)
     return true;
 }
 
-/* An error may be caused by a damaged archive, which is detected only at its end. Reads up to
- * 64 MiB of the rest, because a small archive may expand to very much data, and reports damage. */
+/* An error may be caused by a damaged archive, which is detected only at its end. Reads up to 64
+ * MiB of the rest, because a small archive may expand to a huge amount of data, and reports
+ * damage. */
 static void tell_damage(const char *name, FILE *input)
 {
     char some[4096];

@@ -80,7 +80,7 @@ void frob_find_blob(const struct frob_image *image, const struct frob_region *ro
 void frob_find_blobs(const struct frob_image *image, const struct frob_region *roi,
                      const struct frob_colour_range *colours, struct frob_blobs *result);
 
-/* {1 Brightness and depth of a region} */
+/* ---- Brightness and depth of a region */
 
 /* Statistics of brightness, or, for a depth image, of the known depths in metres (finite and above
  * 0). Half of the pixels are at most the median, a quarter at most lq, three quarters at most uq;
@@ -100,7 +100,7 @@ void frob_get_statistics(const struct frob_image *image, const struct frob_regio
 void frob_get_histogram(const struct frob_image *image, const struct frob_region *roi,
                         int32_t result[256]);
 
-/* {1 Edges and corners} */
+/* ---- Edges and corners */
 
 /* A position in an image, a direction, or another pair of numbers. */
 #ifndef FROB_VEC2_DEFINED
@@ -155,7 +155,7 @@ struct frob_corner {
 void frob_find_corner(const struct frob_image *image, const struct frob_region *roi,
                       struct frob_corner *result);
 
-/* {1 Patches: templates of 32 by 32 samples} */
+/* ---- Patches: templates of 32 by 32 samples */
 
 enum { FROB_PATCH_SIDE = 32, FROB_PATCH_SIZE = FROB_PATCH_SIDE * FROB_PATCH_SIDE };
 
@@ -210,7 +210,7 @@ void frob_find_template(const struct frob_image *image, const struct frob_region
                         const double patch[FROB_PATCH_SIZE], const struct frob_placement *like,
                         struct frob_match *result);
 
-/* {1 Distortion} */
+/* ---- Distortion */
 
 /* frob_undistort_point returns where a camera without distortion would see what this camera sees at
  * `point`; frob_distort_point is the inverse. Where the distortion cannot be inverted, undistort
@@ -220,7 +220,7 @@ void frob_undistort_point(const struct frob_image *image, const struct frob_vec2
 void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *point,
                         struct frob_vec2 *result);
 
-/* {1 Stereo}
+/* ---- Stereo
  *
  * Both images of a pair have the same size and come from cameras side by side, without distortion
  * and rectified: a point in a row of the left image is in the same row of the right image, shifted
@@ -266,7 +266,7 @@ struct frob_depths {
 void frob_stereo_depths(const struct frob_image *left, const struct frob_image *right,
                         const struct frob_stereo *how, struct frob_depths *result);
 
-/* {1 Tags} */
+/* ---- Tags */
 
 /* An AprilTag found in an image: its number, its centre, and the corners of its black frame,
  * counter-clockwise in the displayed image, starting at the lower left corner of an upright tag.

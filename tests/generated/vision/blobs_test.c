@@ -104,7 +104,7 @@ static void ends_of_ranges(void)
     picture_free(image);
 }
 
-/* {1 Sums} */
+/* ---- Sums */
 
 static bool mask[SIDE][SIDE];
 
@@ -154,7 +154,7 @@ static void compare(const struct frob_blob *found, const bool (*set)[SIDE])
     }
 }
 
-/* {1 Components, by a flood fill} */
+/* ---- Components, by a flood fill */
 
 static int flood(bool (*component)[SIDE], int32_t x, int32_t y)
 {
@@ -248,7 +248,7 @@ static void random_images(void)
     }
 }
 
-/* {1 Drawn images} */
+/* ---- Drawn images */
 
 struct disc {
     double x, y, radius;

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* {1 Invalid images} */
+/* ---- Invalid images */
 
 static void spoil(struct frob_image *image)
 {
@@ -46,7 +46,7 @@ static struct frob_image *any_picture(bool *is_sound)
     return image;
 }
 
-/* {1 Promised properties} */
+/* ---- Promised properties */
 
 static void check_share(double x, const char *what)
 {

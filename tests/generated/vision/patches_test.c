@@ -60,7 +60,7 @@ static struct scene random_scene(void)
     return s;
 }
 
-/* {1 Cutting} */
+/* ---- Cutting */
 
 static double grey(const struct frob_image *image, double x, double y)
 {
@@ -106,7 +106,7 @@ static void cut_as_by_the_formula(void)
     }
 }
 
-/* {1 Matching} */
+/* ---- Matching */
 
 /* The residual sqrt(1 - r^2), with r the correlation, computed from samples. */
 static double residual_at(const struct frob_image *image, const double *patch,
@@ -227,7 +227,7 @@ static void what_is_not_there(void)
     picture_free(another);
 }
 
-/* {1 Finding a lost patch} */
+/* ---- Finding a lost patch */
 
 static void found_again_anywhere(void)
 {

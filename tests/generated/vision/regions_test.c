@@ -24,7 +24,7 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* {1 Statistics, by sorting} */
+/* ---- Statistics, by sorting */
 
 static void statistics_of_random_regions(void)
 {
@@ -77,7 +77,7 @@ static void statistics_of_random_regions(void)
     }
 }
 
-/* {1 Edges} */
+/* ---- Edges */
 
 /* A border: beyond `distance` in direction (c, s), the image is bright. */
 struct border {
@@ -137,7 +137,7 @@ static void no_edges(void)
     picture_free(flat);
 }
 
-/* {1 Corners} */
+/* ---- Corners */
 
 static double score(const struct frob_image *image, int32_t x, int32_t y)
 {
@@ -212,7 +212,7 @@ static void corners_where_they_were_drawn(void)
     check(worst < 0.35, "corners, px", worst, 0.35);
 }
 
-/* {1 Lenses} */
+/* ---- Lenses */
 
 static void lenses_there_and_back(void)
 {

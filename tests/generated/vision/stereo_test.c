@@ -8,7 +8,7 @@
 
 enum { SIDE = 72 };
 
-/* {1 The slow version} */
+/* ---- The slow version */
 
 static int32_t grey(const struct frob_image *image, int32_t x, int32_t y)
 {
@@ -121,7 +121,7 @@ static void as_the_slow_version(void)
     check(known > 1000, "known disparities", known, 1000);
 }
 
-/* {1 Depths} */
+/* ---- Depths */
 
 /* A slanted wall, by its disparity at column x of the left image. */
 struct wall {

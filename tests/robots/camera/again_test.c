@@ -23,7 +23,7 @@ void source_sleep_until_ns(int64_t until_ns)
         now_ns = until_ns;
 }
 
-/* {1 The simulated source} */
+/* ---- The simulated source */
 
 enum matter {
     GOOD,
@@ -131,7 +131,7 @@ enum source_result source_fail(struct source *s, enum source_result result, cons
     return result;
 }
 
-/* {1 Other functions that capture.c calls, not needed here} */
+/* ---- Other functions that capture.c calls, not needed here */
 
 struct frob_camera camera_geometry(const struct camera_options *o, int32_t width, int32_t height)
 {
@@ -146,7 +146,7 @@ void tagger_run(struct tag_finder *finder, struct buffers *seen, struct buffers 
     abort();
 }
 
-/* {1 The test} */
+/* ---- The test */
 
 static void hear(int socket)
 {

@@ -168,7 +168,7 @@ static int answer(unsigned long request, void *argument)
     return fail(ENOTTY);
 }
 
-/* {1 The overridden functions} */
+/* ---- The overridden functions */
 
 int open(const char *path, int flags, ...)
 {

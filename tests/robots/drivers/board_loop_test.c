@@ -22,7 +22,7 @@ static struct frob_fake_line line;
 static struct frob_serial serial;
 static struct frob_clock clock_;
 
-/* {1 The program} */
+/* ---- The program */
 
 static int64_t step_takes_ns;
 static double last_dt;
@@ -72,7 +72,7 @@ const struct frob_program frob_program = { .abi = FROB_PROGRAM_ABI,
                                            .step = step,
                                            .arithmetic = arithmetic };
 
-/* {1 The robot} */
+/* ---- The robot */
 
 static struct {
     struct frob_p2os_receiver receiver;

@@ -70,7 +70,7 @@ static void line_and_clock_stay(void)
           "the line and the clock that a driver is given stay");
 }
 
-/* {1 Outages} */
+/* ---- Outages */
 
 /* A driver for one drive; the test determines when readings arrive. */
 struct rover {

@@ -5,7 +5,7 @@
 
 #include "view.h"
 
-/* {1 In view.c} */
+/* ---- In view.c */
 
 /* Returns the file name at the end of a path. */
 const char *view_without_folder(const char *path);
@@ -22,36 +22,36 @@ bool view_knows(const struct view *view, const struct signal *signal);
 
 void answer_refusal(struct buffer *answer, const char *why);
 
-/* {1 In program.c} */
+/* ---- In program.c */
 
 void answer_program(struct view *view, struct buffer *answer);
 
-/* These append members of an object: answer_progress what changes while the program is run over the
- * recording, answer_extent what grows in a live run. */
+/* answer_progress appends the members of an object that change while the program is run over the
+ * recording; answer_extent appends those that grow in a live run. */
 void answer_progress(const struct view *view, struct buffer *message);
 void answer_extent(const struct view *view, struct buffer *message);
 
-/* {1 In instant.c} */
+/* ---- In instant.c */
 
 void answer_instant(struct view *view, size_t k, struct buffer *answer);
 
-/* {1 In claims.c} */
+/* ---- In claims.c */
 
 void answer_claims(const struct view *view, struct buffer *answer);
 
-/* {1 In picture.c} */
+/* ---- In picture.c */
 
 /* `had`: one more than the instant of the image that the page already has; 0 if it has none. */
 void answer_picture(struct view *view, size_t k, size_t width, size_t had, struct buffer *answer);
 
-/* {1 In points.c} */
+/* ---- In points.c */
 
 void answer_series(struct view *view, size_t number, double from, double to, size_t width,
                    struct buffer *answer);
 void answer_path(struct view *view, size_t x, size_t y, size_t count, struct buffer *answer);
 void answer_way(struct view *view, size_t robot, size_t count, struct buffer *answer);
 
-/* {1 In find.c} */
+/* ---- In find.c */
 
 void answer_find(struct view *view, size_t from, const char *text, struct buffer *answer);
 

@@ -30,7 +30,7 @@ enum operator{
 struct operation {
     enum operator operator;
     double number;
-    const double *numbers; /* of a signal: its value at each instant */
+    const double *numbers; /* for a signal: its value at each instant */
     const struct signal *signal;
 };
 
@@ -112,8 +112,8 @@ static bool ends_in(const char *whole, const char *name)
            strcmp(whole + length - end, name) == 0;
 }
 
-/* Returns the only signal whose name has this end, either among the inner signals or among the
- * others. Returns NULL if there is none; reports an error if there are several. */
+/* Returns the only signal whose name ends in `name`, either among the inner signals or among
+ * the others. Returns NULL if there is none; reports an error if there are several. */
 static const struct signal *find_end(struct reader *r, const char *name, bool inside)
 {
     const struct signals *signals = r->series->replay->signals;
@@ -244,8 +244,8 @@ static void read_sum(struct reader *r)
     }
 }
 
-/* If the name of a mode or constructor of the signal that was read last is next, reads it and
- * returns its number. */
+/* If the next token is the name of a mode or constructor of the signal that was read last,
+ * reads it and returns its number. */
 static bool read_name_of(struct reader *r, const struct signal *signal)
 {
     const char *before = r->at;

@@ -76,7 +76,8 @@ static void print_origin(struct view *view, const struct signal *named, struct w
     printf("\n");
 }
 
-/* The first instant with an assertion's worst verdict; the number of instants if there is none. */
+/* Returns the first instant with an assertion's worst verdict; the number of instants if there
+   is none. */
 static size_t first_failure(struct view *view, const struct frob_claim *claim)
 {
     size_t k = 0;

@@ -40,7 +40,7 @@ static void add_names(const struct view *view, const struct signal *signal, stru
     buffer_text(answer, "]");
 }
 
-/* Appends what the table of columns knows about the signal. */
+/* Appends the signal's description from the table of columns. */
 static void add_column(const struct signal *signal, struct buffer *answer)
 {
     static const struct frob_column unknown = { "", "", 0, "", "", "", 0 };
@@ -59,8 +59,8 @@ static void add_column(const struct signal *signal, struct buffer *answer)
     buffer_free(&own);
 }
 
-/* Appends the transitions of a running mode: the numbers of both modes, and the event that is
- * waited for. */
+/* Appends the transitions of a running mode: the numbers of both modes, and the event that
+ * triggers the transition. */
 static void add_transitions(const struct view *view, const struct signal *signal,
                             struct buffer *answer)
 {

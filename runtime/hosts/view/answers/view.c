@@ -9,7 +9,7 @@
 #include <string.h>
 #include <time.h>
 
-/* {1 Starting} */
+/* ---- Starting */
 
 const char *view_without_folder(const char *path)
 {
@@ -122,7 +122,7 @@ bool view_advance(struct view *view, double seconds)
     return !replay_is_whole(&view->replay);
 }
 
-/* Minimum interval of news: about the refresh rate of a screen. */
+/* Minimum interval between news: about the time between two frames of a screen. */
 #define NEWS_S 0.016
 
 bool view_is_reading(const struct view *view)
@@ -186,7 +186,7 @@ void view_say(struct view *view)
     buffer_free(&summary);
 }
 
-/* {1 Answers} */
+/* ---- Answers */
 
 void answer_refusal(struct buffer *answer, const char *why)
 {
@@ -279,9 +279,9 @@ static void answer_what_if(struct view *view, const struct what_if_edit *edit,
     buffer_free(&why);
 }
 
-/* {1 Requests} */
+/* ---- Requests */
 
-/* Reads a blank and a number below `limit` from a request. */
+/* Reads a space and a number below `limit` from a request. */
 static bool take_number(const char **at, size_t limit, size_t *result)
 {
     char *end;
@@ -328,8 +328,8 @@ static bool take_seconds(const char **at, double *result)
     return true;
 }
 
-/* Reads the whole of `what-if TEXT`, `with NAME=VALUE … drive TEXT` and similar requests. Returns
- * false if the request is none of these. The caller frees the settings in either case. */
+/* Reads a whole request such as `what-if TEXT` or `with NAME=VALUE … drive TEXT`. Returns false
+ * if it is a different request. The caller frees the settings in either case. */
 static bool take_edit(const char *at, struct what_if_edit *edit)
 {
     const bool has_settings = take_word(&at, "with");

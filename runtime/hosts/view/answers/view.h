@@ -116,8 +116,8 @@ bool view_advance(struct view *view, double seconds);
 /* Returns whether the recording is still being read; until then no request can be answered. */
 bool view_is_reading(const struct view *view);
 
-/* Appends lines about what does not fit the program, and whether its outputs equal the recorded
- * ones, as far as is known. */
+/* Appends lines that say which parts of the recording do not match the program and, if known,
+ * whether the program's outputs equal the recorded ones. */
 void view_summary(const struct view *view, struct buffer *text);
 
 /* Prints the new lines of this summary on standard error. */

@@ -9,7 +9,7 @@
 /* Maximum number of signals that the name of an array represents. */
 #define MOST 64
 
-/* {1 Instants} */
+/* ---- Instants */
 
 /* Caches the last instants, because an answer reads a few of them repeatedly. */
 #define KEPT 8
@@ -147,7 +147,7 @@ static size_t since(struct why *why, const struct signal *signal, size_t k, bool
     return result;
 }
 
-/* {1 Sources} */
+/* ---- Sources */
 
 /* Returns whether a source represents this signal. */
 static bool is_of(const struct signal *signal, const char *column)
@@ -191,7 +191,7 @@ static void add_source(struct why *why, const struct signal *signal, size_t k, c
     *comma = ",";
 }
 
-/* {2 Switches} */
+/* ---- Switches */
 
 const struct frob_origin *why_origin(const struct frob_origin *origins, const struct signal *signal)
 {

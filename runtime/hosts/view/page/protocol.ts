@@ -7,7 +7,7 @@ export interface Signal {
   readonly kind: "bool" | "int" | "float" | "event" | "sum" | "data" | "mode";
   /** The names that the numbers 0, 1, … of its plot represent; empty if they are numbers. */
   readonly names: readonly string[];
-  /** In Frob's syntax, such as `m/s`; empty if it has none. */
+  /** In Frob's syntax, such as `m/s`; empty if the signal has none. */
   readonly unit: string;
   /** For a probe: the instance of a signal function that contains it, its name there, and where it
    * is defined. Otherwise empty. */
@@ -19,12 +19,14 @@ export interface Signal {
   readonly transitions?: readonly Transition[];
 }
 
-/** Between modes, by their numbers in `names`. `from` is -1 for any mode, and -2 for the start of
- * the machine. */
+/**
+ * A transition between modes, which are given by their numbers in `names`. `from` is -1 for any
+ * mode, and -2 for the start of the machine.
+ */
 export interface Transition {
   readonly from: number;
   readonly to: number;
-  /** The event that it waits for, if known; otherwise empty. */
+  /** The event that triggers the transition, if known; otherwise empty. */
   readonly label: string;
   readonly delayed: boolean;
 }
@@ -88,8 +90,10 @@ export interface Program {
   readonly world: Source | null;
 }
 
-/** Sent without a request during a live run and at its end: what has grown, and the newest
- * instant. */
+/**
+ * Sent without a request during a live run and at its end: the members that have grown,
+ * and the newest instant.
+ */
 export interface Live {
   readonly is: "live";
   readonly instants: number;
@@ -101,7 +105,8 @@ export interface Live {
   readonly newest?: Instant;
 }
 
-/** Sent without a request: the state of the run, and what this page may do besides stopping it. */
+/** Sent without a request: the state of the run, and which controls this page may use besides
+    Stop. */
 export interface Run {
   readonly is: "run";
   /** If there are several pages, only one operates. */

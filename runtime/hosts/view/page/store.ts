@@ -123,7 +123,7 @@ export class Store {
     for (const listener of this.listeners.get(change) ?? []) listener();
   }
 
-  // Updates the store with the growth of a live run.
+  // Updates the store when a live run has grown.
 
   grew(live: Live): void {
     const { program } = this;

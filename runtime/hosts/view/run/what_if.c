@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* {1 A folder to compile in} */
+/* ---- A folder to compile in */
 
 /* Joins both parts; the caller frees the result. */
 static char *path_in(const char *folder, const char *file)
@@ -86,7 +86,7 @@ static void clear(const char *folder)
     rmdir(folder);
 }
 
-/* {1 Compiling} */
+/* ---- Compiling */
 
 /* Appends the available input; returns true at the end of the stream. */
 static bool read_some(int number, struct buffer *text)
@@ -181,7 +181,7 @@ static void add_without(struct buffer *out, const char *text, const char *folder
     buffer_text(out, text);
 }
 
-/* {2 An edited program} */
+/* ---- An edited program */
 
 /* An attempt to build the program in a temporary folder, which exists until the attempt ends. */
 struct attempt {
@@ -235,7 +235,7 @@ static const struct frob_program *compile(const struct attempt *a, what_if_comma
     return program;
 }
 
-/* {2 Driving again} */
+/* ---- Driving again */
 
 /* Returns the rate in Hz of the simulated controller that made a recording, and the run's duration;
  * 0 if the recording's instants are not those of a simulator. */
@@ -382,7 +382,7 @@ static bool repeats(const struct attempt *a, what_if_command command, const char
     return ok;
 }
 
-/* {1 Running} */
+/* ---- Running */
 
 /* Returns whether both programs have the same inputs and outputs, so that the recording fits the
  * edited program. */

@@ -75,7 +75,7 @@ static bool header_is(struct lws *wsi, enum lws_token_indexes header,
     return length > 0 && is_such(text, (size_t)length);
 }
 
-/* {1 Files} */
+/* ---- Files */
 
 static int refuse(struct lws *wsi, unsigned status, const char *why)
 {
@@ -146,7 +146,7 @@ static int on_http(struct lws *wsi, enum lws_callback_reasons reason, void *user
     }
 }
 
-/* {1 The page's WebSocket} */
+/* ---- The page's WebSocket */
 
 /* libwebsockets does not define this close code; IANA registers it as "Try Again Later"
  * (RFC 6455). */
@@ -409,7 +409,7 @@ static int on_page(struct lws *wsi, enum lws_callback_reasons reason, void *user
     }
 }
 
-/* {1 Connections} */
+/* ---- Connections */
 
 static int on_listener(struct lws *wsi, enum lws_callback_reasons reason, void *user, void *in,
                        size_t length)
@@ -433,7 +433,7 @@ static int on_listener(struct lws *wsi, enum lws_callback_reasons reason, void *
     return 0;
 }
 
-/* {1 Serving} */
+/* ---- Serving */
 
 static const struct lws_protocols protocols[] = {
     { "http", on_http, sizeof(struct connection), 0, 0, NULL, 0 },

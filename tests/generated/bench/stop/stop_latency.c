@@ -36,7 +36,7 @@ static int64_t now_ns(void)
     return (int64_t)t.tv_sec * 1000000000 + t.tv_nsec;
 }
 
-/* {1 A minimal robot} */
+/* ---- A minimal robot */
 
 struct robot {
     int line;
@@ -129,7 +129,7 @@ static bool wait_for(struct robot *r, bool zero, int64_t patience_ms)
     return false;
 }
 
-/* {1 Kills} */
+/* ---- Kills */
 
 /* Returns the first child of a process, which runs the program's steps. */
 static pid_t first_child(pid_t parent)
@@ -219,7 +219,7 @@ static int64_t reference_once(void)
     return started;
 }
 
-/* {1 Figures} */
+/* ---- Figures */
 
 static int by_size(const void *a, const void *b)
 {

@@ -55,7 +55,7 @@ static void rows(const char *measure, double *took, int count, double aim, const
     row(text, took[(int)ceil(count * 0.99) - 1], aim, unit);
 }
 
-/* {1 The capturing process} */
+/* ---- The capturing process */
 
 struct camera_process {
     struct buffers *buffers;
@@ -120,7 +120,7 @@ static struct camera_options options_of(const char *source)
     return options;
 }
 
-/* {1 Transit time} */
+/* ---- Transit time */
 
 struct film {
     size_t sizes[COUNT];
@@ -235,7 +235,7 @@ static void on_the_way(char **arguments)
     from_file("JPEG, from a file, likewise", &options, decoding_ms);
 }
 
-/* {1 Recovery} */
+/* ---- Recovery */
 
 static void write_state(const char *name, const char *state)
 {

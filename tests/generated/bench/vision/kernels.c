@@ -77,7 +77,7 @@ static void draw(void)
     grey.camera.focal_x = 300;
 }
 
-/* {1 Calls} */
+/* ---- Calls */
 
 static const struct frob_region everywhere = { 0, 0, WIDTH, HEIGHT };
 static const struct frob_colour_range orange = { 0.17, 0.7, 0.5, 1, 0.3, 1 };
@@ -194,7 +194,7 @@ static void row(const char *name, void (*call)(void), double aim)
            name, value, beside);
 }
 
-/* {1 Stereo of two files} */
+/* ---- Stereo of two files */
 
 static void *read_file(const char *path, size_t size)
 {

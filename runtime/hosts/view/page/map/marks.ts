@@ -1,5 +1,5 @@
-// What the program draws at an instant: the cells of the probe `draw`, each a mark in Frob's
-// syntax.
+// The program's drawing at an instant: the cells of the probe `draw`, each of which contains
+// a mark in Frob's syntax.
 import type { Signal } from "../protocol";
 import { isDark } from "../theme";
 import { formatNumber } from "../values";

@@ -164,7 +164,7 @@ export function startConsole(store: Store, host: HTMLElement): void {
   };
   host.append(...seen.map((each) => each.host));
 
-  // Follow the program's input, whoever changed it, but not while a change is on its way.
+  // Follow the program's input, whoever changed it, but not while a change is pending.
   const follow = () => {
     store.program.console.forEach((control, number) => {
       const cell = store.newest?.cells[control.signal];

@@ -1,5 +1,5 @@
 // Shows the modes of a machine as a state diagram with the running mode highlighted. A click on a
-// mode goes to when it next begins.
+// mode moves to the next instant at which it begins.
 import type { Program, Signal, Transition } from "../protocol";
 import type { Store } from "../store";
 import { lineColour, onTheme } from "../theme";

@@ -328,8 +328,10 @@ class Strip {
   }
 }
 
-/** Returns the range of a plot. It ignores a few extreme values, such as a derivative's first one,
- * which would make all others a flat line. */
+/**
+ * Returns the range of a plot. It ignores a few extreme values, such as the first value of a
+ * derivative, which would flatten all others to a line.
+ */
 function around(values: readonly (number | null)[]): [number, number] {
   const sorted = values.filter((x): x is number => typeof x === "number").sort((a, b) => a - b);
   if (sorted.length === 0) return [0, 1];

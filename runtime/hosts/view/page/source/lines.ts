@@ -32,7 +32,7 @@ type Instances = Map<string, number[]>;
 
 export class Lines {
   private readonly files = new Map<string, Map<number, Instances>>();
-  /** Index of the chosen instance, by the line's instances. */
+  /** Maps a line's instances to the index of the chosen one. */
   private readonly chosen = new Map<string, number>();
   /** The signals of each instance. */
   private readonly members = new Map<string, number[]>();

@@ -16,8 +16,8 @@ const bandsEvery = 500;
 export function startTimeline(store: Store, host: HTMLElement): void {
   const canvas = host.querySelector("canvas");
   const shown = canvas?.getContext("2d");
-  // An offscreen canvas for what does not change between instants: everything but the cursor and
-  // the mark.
+  // An offscreen canvas for the parts that do not change between instants: everything except
+  // the cursor and the mark.
   const context = document.createElement("canvas").getContext("2d");
   if (!canvas || !shown || !context) return;
   const { program } = store;
