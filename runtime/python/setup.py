@@ -12,8 +12,9 @@ from setuptools.command.bdist_wheel import bdist_wheel
 
 
 def version() -> str:
-    """Returns the version in dune-project: in a checkout that file is two folders up, and
-    wheel.sh copies it beside this one."""
+    """Returns the version in dune-project: in a checkout that file is two folders up,
+    and wheel.sh copies it next to this one.
+    """
     here = Path(__file__).resolve().parent
     for folder in (here, here.parent.parent):
         project = folder / "dune-project"

@@ -1,4 +1,4 @@
-/* depths.c -- computes the depths of what two cameras see. */
+/* depths.c -- computes depths from the images of two cameras. */
 #include "stereo.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* edge.c -- finds edges along a segment, in the way of XVision's edge tracker.
+/* edge.c -- finds edges along a segment, like XVision's edge tracker.
  *
  * The brightness profile along the segment is smoothed and differentiated in one pass, by the
  * derivative of a Gaussian with a standard deviation of one pixel. A sharp edge then looks like

@@ -4,8 +4,8 @@
  * On", 2004): a small step moves the patch instead of the image, so its gradients and the matrix of
  * the equations are computed only once. The placement is then moved by the inverse of the step.
  *
- * The gradients are projected onto the complement of what changes of brightness and contrast can
- * produce, so the light may change. */
+ * The gradients are projected onto the orthogonal complement of the changes that brightness and
+ * contrast can cause, so the match does not depend on the light. */
 #include "patch.h"
 
 #include <frob/elementary.h>

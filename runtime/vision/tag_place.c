@@ -14,8 +14,8 @@
 
 enum { ROUNDS = 20, FREEDOM = 6 };
 
-/* Corner positions in units of half a side, x to the right and y down as one looks at the tag; in
- * the order of struct frob_tag. */
+/* Corner positions in units of half a side, x to the right and y down when facing the tag; in the
+ * order of struct frob_tag. */
 static const double corner_x[4] = { -1, 1, 1, -1 }, corner_y[4] = { 1, 1, -1, -1 };
 
 struct vector {

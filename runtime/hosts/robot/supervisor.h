@@ -1,4 +1,4 @@
-/* supervisor.h -- the process that holds the robot's line.
+/* supervisor.h -- the process that owns the robot's line.
  *
  * Only the supervisor communicates with the robot. The program's step runs in another process
  * (controller.h), and two others guard this one (guard.h):
@@ -7,9 +7,9 @@
  *                                        │                     │
  *                                    guards  ── line ─────────┘
  *
- * The robot is stopped if there is no fresh reading within the patience, if a step exceeds it, if
- * the controller ends, at a signal, and at the end of the run. A lost line is reopened when the
- * device is back. */
+ * The robot is stopped if there is no fresh reading within the patience, if a step exceeds the
+ * patience, if the controller ends, at a signal, and at the end of the run. A lost line is reopened
+ * when the device is back. */
 #ifndef FROB_HOST_ROBOT_SUPERVISOR_H
 #define FROB_HOST_ROBOT_SUPERVISOR_H
 

@@ -1,13 +1,14 @@
-/* frob/arithmetic.h -- checks that floating-point arithmetic here is what compiled programs need.
+/* frob/arithmetic.h -- checks that floating-point arithmetic meets the requirements of compiled
+ * programs.
  *
  * A program's meaning is fixed to the last bit: its numbers are IEEE 754 binary64, each operation
  * rounds once, to nearest, and NaN, infinities, subnormal numbers and the sign of zero are
- * significant. Some compiler options give up parts of that (-ffast-math and its parts,
+ * significant. Some compiler options break these rules (-ffast-math and its parts,
  * -ffp-contract=fast), and so do some settings of a processor's control registers (rounding mode,
  * flush to zero). Any library in the process may have changed these registers.
  *
- * The checks are in a header and have no C file, because their result holds only for the options
- * that they are compiled with and for the thread that calls them:
+ * The checks are in a header and have no C file, because their result is valid only for the
+ * options that they are compiled with and for the thread that calls them:
  *
  *   #include <frob/arithmetic.h>
  *   if (frob_arithmetic_faults() != 0)

@@ -34,7 +34,7 @@ struct frob_source {
 /* A transition of a machine from one mode to another. */
 struct frob_transition {
     int from, target;                  /* mode numbers; `from` may be FROB_ANY or FROB_BEFORE */
-    const char *label;                 /* the event that it waits for, if known; else "" */
+    const char *label;                 /* the event that triggers it, if known; else "" */
     int delayed;                       /* the old mode still runs at the instant of the event */
     int at_once;                       /* it can happen at the first instant of the old mode */
     const char *file;                  /* source file, without folders */

@@ -82,7 +82,7 @@ enum frob_control_kind {
 struct frob_control {
     enum frob_control_kind kind;
     const char *label;              /* unique in the program, in UTF-8 */
-    const char *unit;               /* of a knob: "m/s"; "" if it has none */
+    const char *unit;               /* unit of a knob: "m/s"; "" if it has none */
     double least, most;             /* range of a knob; 0 and 1 if the value is a bool */
     double first;                   /* initial value of a knob or toggle */
     const struct frob_value *value; /* its part of the input */
@@ -128,7 +128,7 @@ struct frob_program {
      * later instant, with the program's result; else NULL. The robot's output struct is at the
      * beginning of the output. */
     const struct frob_value *result;
-    const struct frob_machine *machines; /* a machine within another one follows it */
+    const struct frob_machine *machines; /* a machine that is part of another one comes after it */
     size_t machine_count;
     /* Inner signals, as a record within the output struct; NULL if there are none. */
     const struct frob_value *probes;

@@ -1,8 +1,8 @@
 /* frob/tags.h -- the tags that a camera sees, as part of a program's input.
  *
  * If a program uses tags (its table has a control of the kind FROB_TAGS), the host looks for them
- * in the camera's frames and passes what it found instead of the image. So the tag finder may
- * allocate memory, and a recording that contains tags is replayed without it. */
+ * in the camera's frames and passes the tags instead of the image. So the tag finder may allocate
+ * memory, and a recording that contains tags is replayed without it. */
 #ifndef FROB_TAGS_H
 #define FROB_TAGS_H
 

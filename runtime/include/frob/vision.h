@@ -249,10 +249,10 @@ bool frob_match_stereo(const struct frob_image *left, const struct frob_image *r
                        const struct frob_stereo *how, uint16_t *room, size_t room_size,
                        int16_t *result, int32_t stride);
 
-/* Depths in a region, in metres along the optical axis: for each of 16 columns the nearest depth
- * (that at least 5 % and at least eight of its pixels have), infinite at disparity 0; and the
- * nearest depth, by the same rule, and the median of the whole region. NaN if fewer pixels than
- * that are known, or if the cameras are at the same position. `known` is the share of pixels whose
+/* Depths in a region, in metres along the optical axis. For each of 16 columns: the depth that at
+ * least 5 % and at least eight of its pixels reach or fall below, infinite at disparity 0. For the
+ * whole region: the nearest depth, by the same rule, and the median. NaN if fewer pixels than that
+ * are known, or if the cameras are at the same position. `known` is the fraction of pixels whose
  * disparity is known. */
 #ifndef FROB_DEPTHS_DEFINED
 #define FROB_DEPTHS_DEFINED
@@ -305,7 +305,7 @@ struct frob_lens;
 
 /* Estimates the pose of a tag whose black frame is `size` wide and high: removes the lens's
  * distortion from the corners, and minimizes the squares of their distances. All results are NaN if
- * there is no such tag: its corners are collinear or in the wrong order, or the size is not
+ * there cannot be such a tag: its corners are collinear or in the wrong order, or the size is not
  * positive. */
 void frob_find_tag_place(const struct frob_lens *lens, double size, const struct frob_tag *tag,
                          struct frob_tag_place *result);

@@ -21,7 +21,7 @@ DEEPEST = 200
 
 
 class CellError(ValueError):
-    """The text is not a value."""
+    """Raised for a text that is not a value."""
 
 
 def words(cell: str) -> List[str]:
@@ -120,7 +120,7 @@ def _plain(word: str, args: List[Any]) -> Any:
 
 
 def finite(word: str) -> float:
-    """The number; infinity only if the word says so."""
+    """Converts a word to a number. It may be infinite only if it is written as `inf`."""
     number = float(word)
     if math.isinf(number) and any(c.isdigit() for c in word):
         raise CellError(f"expected a number up to 1.79e308, or `inf`, found `{word}`")

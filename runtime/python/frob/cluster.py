@@ -1,9 +1,10 @@
-"""Makes the runs of a sweep on the workers of a `dask.distributed` cluster.
+"""Performs the runs of a sweep on the workers of a `dask.distributed` cluster.
 
 Each task is a shard of the runs (`frobc sweep --shard`). Workers that can see the client's folder
 for rows write there, each into a file of its own. Other workers return their rows as the task's
 result, and the client writes them. If a worker is killed, the scheduler gives its task to another
-worker, which makes the missing runs. So the rows are the same on any mixture of machines."""
+worker, which performs the missing runs. So the rows are the same on any mixture of machines.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +29,8 @@ sweep` reads the plan first.
 
 MOST_RUNS = 500
 """Approximate maximum number of runs per task. If a worker that cannot see the client's files is
-killed, the runs of its task have to be made again."""
+killed, the runs of its task have to be repeated.
+"""
 
 TASKS_A_THREAD = 4
 """Minimum number of tasks per thread, so that the last workers finish at about the same time."""
@@ -53,7 +55,7 @@ class Answer:
     """A worker's answer before the first run."""
 
     lack: str
-    """Why the worker cannot make the runs; empty if it can."""
+    """Why the worker cannot perform the runs; empty if it can."""
     shares: bool
     """Whether the worker sees the client's folder."""
 
@@ -68,7 +70,7 @@ class Made:
 
 
 def make(client: "Client", plan: str, options: Sequence[str], folder: str) -> None:
-    """Makes the runs of the plan that have no row in the folder yet."""
+    """Performs the runs of the plan that have no row in the folder yet."""
     if client.asynchronous:
         raise InputError("client: expected a synchronous one, found an asynchronous one")
     told = look(plan, options, folder)
@@ -103,8 +105,8 @@ def look(plan: str, options: Sequence[str], rows: str) -> Dict[str, str]:
 
 
 def _ask_all(client: "Client", work: Work) -> bool:
-    """Asks all workers whether they see the folder; returns whether they all do. Raises an error,
-    before any run starts, if one of them cannot make the runs.
+    """Asks all workers whether they see the folder; returns whether they all do. Raises an
+    error, before any run starts, if one of them cannot perform the runs.
     """
     answers = client.run(ask, work, on_error="return")
     for address, answer in answers.items():
@@ -120,7 +122,7 @@ def _text(error: BaseException) -> str:
 
 
 def _make(client: "Client", work: Work, left: int) -> str:
-    """Makes the missing runs. Returns the first failure, or an empty text."""
+    """Performs the missing runs. Returns the first failure, or an empty text."""
     from distributed import as_completed
 
     all_see = _ask_all(client, work)
@@ -163,11 +165,11 @@ def _result(future: Any) -> Made:
 # Functions that run on a worker.
 
 _fit_for: Set[Work] = set()
-"""Sweeps for which this process has checked that it can make the runs."""
+"""Sweeps for which this process has checked that it can perform the runs."""
 
 
 def ask(work: Work) -> Answer:
-    """Checks whether this worker can make the runs, and whether they would give the same rows."""
+    """Checks whether this worker can perform the runs, and whether the rows would be the same."""
     return Answer(_lack(work), _shares(work))
 
 
@@ -195,7 +197,7 @@ def _without(start: str, text: str) -> str:
 
 
 def shard(work: Work, number: int, count: int, known: bytes) -> Made:
-    """Makes one of `count` parts of the runs, except those whose rows are known."""
+    """Performs one of `count` parts of the runs, except those whose rows are known."""
     lack = _lack(work)
     if lack:
         return _fault(lack)

@@ -72,7 +72,7 @@ def _rebuilt(constructor: str, args: "tuple[Any, ...]", fields: "dict[str, Any]"
 
 
 def is_missing(value: Any) -> bool:
-    """Whether the value is None, NaN, or one of pandas' missing values."""
+    """Returns whether the value is None, NaN, or one of pandas' missing values."""
     if value is None or type(value).__name__ in ("NAType", "NaTType"):
         return True
     return isinstance(value, float) and math.isnan(value)

@@ -45,11 +45,11 @@ class Dialect:
 
     @property
     def names(self) -> bool:
-        """Whether the dialect names columns. If so, other columns may contain any text."""
+        """Returns whether the dialect names columns. If so, other columns may contain any text."""
         return self.time_column is not None or bool(self.columns)
 
     def header(self, names: Sequence[str]) -> Tuple[int, List[str]]:
-        """The index of the time column, and the names of the columns with `time` first."""
+        """Returns the index of the time column, and the names of the columns with `time` first."""
         ours: List[str] = list(names)
         left: List[Optional[str]] = list(names)
 
@@ -93,7 +93,7 @@ class Dialect:
         return f"; `time_column={column}` reads the times from another column"
 
     def width_hint(self, width: int, count: int) -> str:
-        """For a row that does not have the `width` cells of the header."""
+        """Returns a hint for the error that a row does not have the `width` cells of the header."""
         if count > width and self.decimal_comma and self.separator == ",":
             return (
                 "; with `decimal_comma`, put such numbers in double quotes, or separate the cells "

@@ -20,11 +20,11 @@ class Error(Exception):
 
 
 class CompileError(Error):
-    """The compiler rejected the program. The text contains all messages of `frobc`."""
+    """Raised when the compiler rejects the program. The text contains all messages of `frobc`."""
 
 
 class InputError(Error, ValueError):
-    """An argument or an input of a program is invalid."""
+    """Raised when an argument or an input of a program is invalid."""
 
 
 class FrobWarning(UserWarning):

@@ -47,7 +47,7 @@ class Subject:
         shown = shapes.columns(shapes.of_value(probes[0], {}), "probe") if probes else ()
         self.leaves = dict(shown)
 
-    # The assertions and parameters of a search.
+    # The assertions and parameters of a search
 
     def assertions(self) -> List[Claim]:
         return [claim for claim in self.claims if not claim.is_assumption]
@@ -72,7 +72,7 @@ class Subject:
         """Selects the program's own parameters from all values that a search varies."""
         return dict(values)
 
-    # Runs of the program.
+    # Running the program
 
     def judged(
         self, claim: Claim, params: Mapping[str, Any], inputs: "Mapping[str, NDArray[Any]]"

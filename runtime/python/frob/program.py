@@ -260,7 +260,7 @@ class Program:
 
 
 def _takes(out: Any, shape: Any, apart_from: Sequence[Any]) -> bool:
-    """Whether C can write outputs of this shape to `out` while it reads the other arrays."""
+    """Returns whether C can write outputs of this shape to `out` while it reads the other arrays."""
     np = columns.numpy()
     is_such = isinstance(out, np.ndarray) and out.dtype == np.float64 and out.shape == shape
     if not is_such or any(np.may_share_memory(out, array) for array in apart_from):

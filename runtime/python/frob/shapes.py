@@ -346,7 +346,7 @@ def columns(shape: Shape, root: str) -> Iterator[Tuple[str, Leaf]]:
 
 
 def only_floats(leaves: List[Tuple[str, Leaf]], size: int) -> bool:
-    """Whether the struct is an array of doubles, one for each column."""
+    """Returns whether the struct is an array of doubles, one for each column."""
     return size == 8 * len(leaves) and all(
         isinstance(leaf, Float) and leaf.numpy_name == "float64" and leaf.offset == 8 * number
         for number, (_, leaf) in enumerate(leaves)

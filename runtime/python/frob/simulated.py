@@ -103,7 +103,8 @@ class Simulated(Subject):
 
     def __init__(self, code: library.Library, world: World, duration: float, rate: float) -> None:
         super().__init__(code, duration, rate)
-        # `time` and `nanoseconds` hold the instants of the last run only, which an outage reduces.
+        # `time` and `nanoseconds` contain the instants of the last run only, which an outage
+        # reduces.
         self._all = self.time, self.nanoseconds
         self.world = world
         self._input = ctypes.create_string_buffer(code.table.input_size + 1)

@@ -1,4 +1,4 @@
-"""Makes many runs of a trial, as `frobc sweep` does, on this machine or on a cluster."""
+"""Performs many runs of a trial, as `frobc sweep` does, on this machine or on a cluster."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ def sweep(
     sources: Sequence[tools.PathLike] = (),
     picture: bool = False,
 ) -> "Table":
-    """Makes the runs of a plan and returns a table with one row for each run, in the plan's order.
+    """Performs the runs of a plan and returns a table with one row per run, in the plan's order.
 
     Without a client, this calls `frobc sweep` with `jobs` processes; the default is the number of
-    processors. With a `dask.distributed` client, its workers make the runs, one shard after
+    processors. With a `dask.distributed` client, its workers perform the runs, one shard after
     another. Each worker's machine must then have the plan, the program and the worlds at the same
     paths.
 
     Rows are kept in the folder `rows`, or where `frobc sweep` keeps them next to the plan. Runs
-    that have a row are not made again, so that you can repeat the same call after any interruption.
+    that have a row are not repeated, so you can make the same call again after any interruption.
     `attrs` has `summary`, the output of `frobc sweep`, and `picture` if it was requested.
     """
     path = tools.existing(plan, "plan")
@@ -80,8 +80,8 @@ def _stem(plan: str) -> str:
 
 
 def _own(robot: tools.PathLike) -> str:
-    """Makes the path of a user-defined robot's module (`….frob`) absolute; other names stay the
-    same.
+    """Makes the path of a user-defined robot's module (`….frob`) absolute; does not change
+    other names.
     """
     name = tools.path_text(robot, "robot")
     return os.path.abspath(name) if name.endswith(".frob") else name

@@ -54,8 +54,9 @@ def of_dt(seconds: float) -> int:
 
 
 def hint(seconds: Any) -> str:
-    """What to add to the message about a time that is too large, if it looks like a time since 1970
-    in a smaller unit: `frobc` says the same."""
+    """Returns a hint for the message about a time that is too large, in the words of `frobc`: that
+    it looks like a time since 1970 in a smaller unit, or an empty text.
+    """
     try:
         size = abs(float(seconds))
     except (TypeError, ValueError, ArithmeticError):

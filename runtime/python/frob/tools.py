@@ -18,7 +18,7 @@ REJECTED = 1
 """The exit status of frobc for an invalid program."""
 
 INSTALLED = Path(__file__).parent / "tools"
-"""Where a wheel contains frobc and its hosts, laid out as by `make install`."""
+"""The folder in which a wheel contains frobc and its hosts, with the layout of `make install`."""
 
 
 def frobc() -> str:

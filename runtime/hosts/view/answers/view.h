@@ -16,11 +16,11 @@
  *                              their number, and the times for which it is true
  *   claims                     the program's assertions: the fate of each, as far as the program
  *                              has been run, and the times at which it was violated
- *   drive TEXT                 runs the program with the text TEXT in the simulator, like the
- *                              recorded one
+ *   drive TEXT                 runs the program with the text TEXT in the simulator, under the
+ *                              conditions of the recorded run
  *   what-if TEXT               runs the program with the text TEXT on the same inputs, and
- *                              answers the first instant at which its outputs differ; without
- *                              TEXT, removes it
+ *                              reports the first instant at which its outputs differ; without
+ *                              TEXT, removes the edited program
  *   with NAME=VALUE … what-if TEXT, with NAME=VALUE … drive TEXT
  *                              the same, with other values of its parameters
  *

@@ -1,5 +1,5 @@
-/* display.h -- the image that the program shows, and what it draws on it: the marks `Picture` and
- * `InImage` of the library's module Display.
+/* display.h -- the image that the program shows, and the marks that it draws on the image:
+ * `Picture` and `InImage` of the library's module Display.
  *
  * An image stays visible until another one is shown. The marks on it are those of the last instant
  * that showed an image or had such marks. So the display at an instant depends on all earlier

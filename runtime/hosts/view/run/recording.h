@@ -21,21 +21,22 @@ struct recording {
     size_t output_size;   /* size of that part, which is followed by inner signals */
     bool *recorded;       /* for each signal: whether the recording has its column */
     struct buffer params; /* recorded parameters: NAME=VALUE, each with a NUL */
-    bool has_all_inputs;  /* so the program can be run on it */
+    bool has_all_inputs;  /* so the program can be run on the recording */
     /* The frames next to the recording. Images that inputs point to stay valid as long as it
      * exists. */
     struct frame_reader frames;
     struct buffer notes; /* lines about problems and parts that were ignored */
     size_t capacity;
-    /* The first instant before which instants were missed in a live run, or the first with a
-     * missing frame; the program cannot be run further. Or NO_GAP. */
+    /* The program cannot be run from this instant on: it is the first one after missed
+     * instants of a live run, or the first one with a missing frame. NO_GAP if there is
+     * no such instant. */
     size_t gap;
     const struct frob_value **eyes; /* events of frames in the program's input */
     size_t eye_count;
     struct lost_frame *lost; /* frames that are missing; their events do not occur */
     size_t lost_count;
     size_t checked; /* frames of the instants before this one were checked */
-    /* `count` structs of what only a simulator knows, of `truth_size` bytes each; or NULL. */
+    /* `count` structs of the simulator's ground truth, of `truth_size` bytes each; or NULL. */
     unsigned char *truths;
     size_t truth_size;
     struct reader *reader; /* of a file that is not completely read; else NULL */
@@ -50,10 +51,10 @@ struct lost_frame {
     bool is_there; /* the file exists, but has changed */
 };
 
-/* Starts to read a file, including its first rows, which are all rows of most files. Ignores what
- * does not fit the program, with a line in `notes`: columns that the program does not have, and
- * everything from the first row that cannot be read. If nothing is left, prints a line on standard
- * error and returns false. */
+/* Starts to read a file, and reads its first rows; most files have no more. Ignores the parts that
+ * do not match the program, and adds a line about each to `notes`: columns that the program does
+ * not have, and all rows from the first one that cannot be read. If nothing is left, prints a line
+ * on standard error and returns false. */
 bool recording_read(struct recording *recording, const struct signals *signals, const char *name,
                     const struct csv_dialect *dialect);
 

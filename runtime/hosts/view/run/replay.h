@@ -19,7 +19,7 @@ struct replay {
     bool runs;            /* the recording has everything that the program needs */
     unsigned char *kept;  /* states before the instants 0, REPLAY_EVERY, … */
     size_t room;          /* number of states that `kept` has room for */
-    /* Before this instant, states are stored, and outputs compared with the recorded ones. */
+    /* Before this instant, states have been stored, and outputs compared with the recorded ones. */
     size_t reached;
     unsigned char *state, *output; /* after instant `next - 1` */
     size_t next;

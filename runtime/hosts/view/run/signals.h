@@ -60,7 +60,8 @@ void signal_write(const struct signals *signals, const struct signal *signal,
 double signal_number(const struct signals *signals, const struct signal *signal,
                      const struct moment *moment);
 
-/* Returns whether two values are equal bit for bit, as far as a trace shows. */
+/* Returns whether a trace writes two values in the same way: they are equal bit for bit, except
+   that all NaNs are equal. */
 bool signal_values_equal(const struct frob_value *value, const void *a, const void *b);
 
 #endif

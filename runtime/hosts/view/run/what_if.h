@@ -6,7 +6,7 @@
 #include "series.h"
 
 struct what_if {
-    bool is_there;          /* there is a compiled edited program; the rest is about it */
+    bool is_there;          /* an edited program was compiled; the rest describes it */
     bool drives;            /* it ran in the simulator, and has inputs of its own */
     struct buffer settings; /* parameters in the form of a recording */
     struct signals signals;
@@ -31,7 +31,7 @@ struct what_if_commands {
 
 /* The changes to the program. */
 struct what_if_edit {
-    const char *text; /* new text of its file, which can use the files next to it */
+    const char *text; /* new text of its file; it can import files from the same directory */
     /* Parameters: NAME=VALUE, each with a NUL. Others have the recorded values, unless the text has
      * a new default for them. */
     struct buffer settings;

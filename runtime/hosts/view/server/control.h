@@ -54,7 +54,7 @@ const char *control_do(struct control *control, const char *request, bool operat
 /* Returns whether the host has dropped events since the last call, because it was frozen. */
 bool control_was_late(struct control *control);
 
-/* Appends the state of the run, and what the page may do. */
+/* Appends the state of the run, and the page's permissions. */
 void control_state(const struct control *control, bool operates, struct buffer *message);
 
 /* Appends a beat: the time, in ms; and for a live run, how many seconds its host has been silent,

@@ -54,7 +54,7 @@ static void end(int number)
     lws_cancel_service(serving);
 }
 
-/* The signal handler while a run is shown: the server first sends the pages how the run ended. */
+/* Signal handler while a run is shown: the server first tells the pages how the run ended. */
 static void end_with_run(int number)
 {
     (void)number;
