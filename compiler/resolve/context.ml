@@ -4,7 +4,7 @@ type t = {
   sink : Diagnostic.sink;
   mutable next_local : int;
   mutable depth : int;
-  mutable too_deep : bool;  (** has that been reported? *)
+  mutable too_deep : bool;  (** has E0106 been reported? *)
   mutable suggestions : int;  (** number of names for which suggestions will still be computed *)
   mutable absent : absent list;  (** newest first *)
   mutable unknown : Diagnostic.t list;  (** diagnostics about unknown names, newest first *)
@@ -66,7 +66,7 @@ let suggest t name candidates diagnostic =
 
 let not_imported t absent = t.absent <- absent :: t.absent
 
-(* Inserts the import as a line of its own, below the existing imports. *)
+(* Inserts the import on a separate line, below the existing imports. *)
 let add_import (program : Syntax.Ir.program) declaration =
   let below (span : Span.t) = Span.make ~file:span.file ~start:span.stop ~stop:span.stop in
   let title = Printf.sprintf "add `%s`" declaration in

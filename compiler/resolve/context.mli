@@ -17,8 +17,8 @@ val fresh : t -> string -> Span.t -> Ir.Local.t
 (** A new local variable. *)
 
 val nested : t -> Span.t -> otherwise:'a -> (unit -> 'a) -> 'a
-(** Runs a function one nesting level deeper. Beyond 10,000 levels the stack could overflow: then
-    emits E0106, once, and returns [otherwise]. *)
+(** Runs a function one nesting level deeper. Beyond 10,000 levels the stack could overflow, so it
+    emits E0106 (once) and returns [otherwise]. *)
 
 type absent = { imports : string list; code : string; noun : string; name : Syntax.Ir.name }
 (** A library name that is not imported. Any one of these import declarations would bring it into
@@ -30,7 +30,7 @@ val add_import : Syntax.Ir.program -> string -> Diagnostic.t -> Diagnostic.t
 (** Adds the fix that inserts this import below the module's imports. *)
 
 val tell : t -> Syntax.Ir.program -> unit
-(** To be called at the end of a module. Emits one diagnostic for each missing import, and one for
+(** Must be called at the end of a module. Emits one diagnostic for each missing import, and one for
     each unknown name with all its places. *)
 
 val suggest : t -> string -> string list Lazy.t -> Diagnostic.t -> Diagnostic.t

@@ -150,17 +150,17 @@ and instance = {
   context : constraint_ list;
   head : ty;
   definitions : (Global.t * binding) list;
-      (** the methods defined, each once; the binders are generated names that cannot occur in
-          source code *)
+      (** the methods that it defines, without duplicates; the binders are generated names that
+          cannot occur in source code *)
   span : Span.t;  (** the class and the head *)
 }
 
 (** {1 Bindings} *)
 
 and binding_group = { bindings : binding list; recursive : bool }
-(** Mutually dependent bindings: a strongly connected component of the dependency graph, where a
-    reference to a binding with a signature does not count as a dependency. The specializer decides
-    which recursion is allowed: equations may be recursive, functions may not. *)
+(** Mutually dependent bindings: a strongly connected component of the dependency graph. A reference
+    to a binding with a signature does not count as a dependency. The specializer decides which
+    recursion is allowed: equations may be recursive, functions may not. *)
 
 and binding = {
   name : binder;
@@ -175,7 +175,7 @@ and binder =
   | Top of Global.t * Span.t
   | Inner of Local.t
   | Destructure of pattern
-      (** [(x, y) = e]; it has no parameters and no signature of its own, but its variables may have
+      (** [(x, y) = e]; it has neither parameters nor a signature, but its variables may have
           entries in the [signatures] of their declarations *)
 
 and right = { guards : guarded list; where : declarations }
@@ -228,7 +228,8 @@ and branch = { pattern : pattern; right : right; span : Span.t }
 
 and statement =
   | Task of { pattern : pattern option; task : expr }
-      (** the task's result is bound in everything that follows, or discarded *)
+      (** the pattern binds the task's result in everything that follows; without a pattern, the
+          result is discarded *)
   | Values of declarations
 
 and proc_body = {

@@ -90,7 +90,7 @@ let unit_declaration known (d : Ir.unit_declaration) =
   (match d.definition with Base -> () | Scaled (_, u) -> unit_ known u);
   declare known.units "unit" d.unit_name ()
 
-(* Patterns and expressions; [scope] holds the ids of the variables *)
+(* Patterns and expressions; [scope] contains the ids of the visible variables *)
 
 let bind known scope (l : Ir.Local.t) =
   if Hashtbl.mem known.bound l.id then broken "variable %s@%d is bound twice" l.name l.id;

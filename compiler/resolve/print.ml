@@ -3,13 +3,13 @@ open Format
 let bare ppf text =
   if Interface.is_operator text then fprintf ppf "(%s)" text else pp_print_string ppf text
 
-(* Names of the prelude are printed without a module. *)
+(* Names of the prelude are printed without their module. *)
 let global ppf (g : Ir.Global.t) =
   if String.equal g.module_ "Prelude" then bare ppf g.name
   else fprintf ppf "%s.%a" g.module_ bare g.name
 
-(* A local variable is identified by the place of its binding. That is unique and does not change
-   when the library does. *)
+(* A local variable is identified by the place of its binding. Unlike an id, the place does not
+   depend on the library. *)
 let local ppf (l : Ir.Local.t) =
   fprintf ppf "%s@%d:%d" l.name (Basis.Span.line l.span.start) (Basis.Span.column l.span.start)
 

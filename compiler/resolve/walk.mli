@@ -8,7 +8,7 @@ type visitor = {
 
 val expr : visitor -> Ir.expr -> unit
 (** Visits the direct parts of an expression in the order in which they are evaluated and bound. The
-    visitor must recurse by itself. *)
+    visitor itself must descend into these parts. *)
 
 val binding : visitor -> Ir.binding -> unit
 (** Visits the parts of a binding: its parameters, its [where] and its right-hand side. *)

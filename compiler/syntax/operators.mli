@@ -5,8 +5,8 @@ val symbols : string list
 
 val group : Surface.step list -> Surface.term -> Surface.term
 (** [group steps last] groups [steps… last] by precedence and associativity. The steps are given in
-    reverse order. Linear time, without recursion. @raise Reject.Rejected if the table does not
-    define the grouping *)
+    reverse order. Linear time, without recursion.
+    @raise Reject.Rejected if the table does not define the grouping *)
 
 val left_section :
   span:Basis.Span.t -> Surface.step list -> Surface.term -> Ir.qualified -> Surface.term

@@ -66,8 +66,8 @@ let signatures declarations =
   in
   List.rev (List.fold_left add [] declarations)
 
-(* The signatures by name. Reports a repeated signature, and one whose name has no binding: it is
-   not among [names], which are in source order. *)
+(* The signatures by name. Reports repeated signatures, and signatures of names that are not bound.
+   [names]: the bound names, in source order. *)
 let signature_table (scope : Scope.t) ~is_bound ~names signatures =
   let report_repeated (first : Syntax.Ir.name) (name : Syntax.Ir.name) =
     Diagnostic.error ~code:"E0211" ~at:name.span "`%s` has two signatures" name.text

@@ -2,7 +2,7 @@
     list are visible in all of its right-hand sides. *)
 
 type 'a resolver = Env.t -> 'a -> Ir.expr
-(** Resolves the expressions inside. It is passed as an argument because bindings and expressions
+(** Resolves an expression. Functions take it as an argument because bindings and expressions
     contain each other. *)
 
 (** The right-hand side of a binding. *)
@@ -31,7 +31,7 @@ val declarations :
   signatures:(Syntax.Ir.name * Syntax.Ir.qualified_type) list ->
   Env.t * Ir.declarations
 (** Returns the environment of the code that follows, such as the body of a [let]. Emits E0212 for a
-    name bound twice, E0214 for a signature without a binding. *)
+    name bound twice and E0214 for a signature without a binding. *)
 
 val top_level :
   Scope.t ->

@@ -32,7 +32,7 @@ let report_no_method (scope : Scope.t) (class_ : class_) (name : Syntax.Ir.name)
   else d)
   |> Context.emit scope.context
 
-(* The methods defined in a block, each once with its name, in order. *)
+(* The methods that a block defines, without duplicates, with their names and in order. *)
 let definitions (scope : Scope.t) (class_ : class_) members =
   let methods = String_set.of_list class_.methods in
   let add (seen, reversed) (item : Bindings.item) =

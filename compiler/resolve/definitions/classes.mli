@@ -7,7 +7,7 @@ val classes :
   Syntax.Ir.program ->
   Ir.class_ list
 (** The classes, superclasses before subclasses. Emits E0229 for a class that is its own superclass,
-    E0230 for a definition that is not one of the class's methods. *)
+    and E0230 for a definition that is not one of the class's methods. *)
 
 val instances :
   Env.t ->
@@ -16,4 +16,4 @@ val instances :
   Syntax.Ir.program ->
   Ir.instance list
 (** The instances, in source order. Emits E0230 for a definition that is not one of the class's
-    methods, E0231 for a signature. *)
+    methods, and E0231 for a signature. *)

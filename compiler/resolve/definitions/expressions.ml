@@ -99,15 +99,15 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
 and head_of (e : Syntax.Ir.expr) =
   match e.desc with Apply (head, _) | Parenthesized head -> head_of head | _ -> e
 
-(* A statement of another language, such as `while (…) …`. The code after it belongs to that
-   language too, so it is not resolved. *)
+(* Is this a statement of another language, such as `while (…) …`? Then the code after it belongs to
+   that language too, and is not resolved. *)
 and is_statement_elsewhere head =
   match (head_of head).desc with
   | Variable { qualifier = None; name; _ } -> Other_languages.is_statement name.text
   | _ -> false
 
-(* `f 3 [m/s]`: a unit separated from its number by a space. `m` and `s` are units, and not
-   variables as well. *)
+(* `f 3 [m/s]`: a unit separated from its number by a space. `m` and `s` must be names of units but
+   not of variables. *)
 and is_unit_of env (head : Syntax.Ir.expr) unit_ =
   match head.desc with
   | Number { unit_ = None; _ } | Apply (_, { desc = Number { unit_ = None; _ }; _ }) ->
@@ -135,7 +135,7 @@ and report_unit_of_a_value env (head : Syntax.Ir.expr) unit_ whole span =
      | _ -> Fun.id)
   |> Context.emit (Env.context env)
 
-(* Is this only the name of a field, and not a variable as well? *)
+(* Is this the name of a field but not of a variable? *)
 and is_a_field env (name : Syntax.Ir.name) =
   (not (Env.is_known env name)) && Scope.records_with (Env.scope env) [ name.text ] <> []
 
@@ -301,7 +301,7 @@ and record env span constructor fields : Ir.expr_desc =
       match Patterns.construction scope found ~at:constructor.span fields with
       | None -> missing
       | Some given ->
-          (* if a field is wrong, it is probably the one that is missing *)
+          (* an invalid field is probably a misspelling of the missing one *)
           if List.length given = List.length fields then
             check_complete scope found span given fields;
           Record { constructor = found.global; fields = given })

@@ -10,7 +10,7 @@ type found = {
   mutable vertices : vertex list; (* newest first *)
   mutable count : int;
   of_local : int Int_table.t;
-  mutable told : int list; (* vertices that hosts report, and that therefore count as used *)
+  mutable told : int list; (* vertices whose values hosts report; they count as used *)
   mutable reads : (int * int) list; (* pairs of a reading vertex and the local variable it reads *)
 }
 
@@ -33,7 +33,7 @@ let rec expr found reader (e : Ir.expr) =
   | Local local -> found.reads <- (reader, local.id) :: found.reads
   | _ -> Walk.expr (visitor found reader) e
 
-(* An equation such as [error = meanOf x], whose value `frobc test` reports. *)
+(* Is this an equation such as [error = meanOf x], whose value `frobc test` reports? *)
 and is_measured (b : Ir.binding) =
   match b.body.guards with
   | [ { condition = None; value = { desc = Apply { head = { desc = Global g; _ }; _ }; _ } } ] ->
@@ -158,8 +158,8 @@ let report_import sink (idle : Ir.idle) =
   |> Diagnostic.fix ~safe:true "remove it" [ (idle.whole, "") ]
   |> Diagnostic.emit sink
 
-(* A module may be imported only for its instances, or, if it is the user's own, for the instances
-   of the modules that it imports. *)
+(* A module may be imported only for its instances, or, if it is not in the library, for the
+   instances of the modules that it imports. *)
 let imports sink (program : Ir.program) =
   let own = Walk.own_modules program in
   let with_instances = String_table.create 16 and by_name = String_table.create 16 in

@@ -12,5 +12,5 @@ val imported :
     of the prelude. Emits E0215 for a name that is not exported. *)
 
 val idle : Scope.t -> Syntax.Ir.import option -> module_:string -> Interface.names -> Ir.idle list
-(** Unused imports, for a module that has been resolved: the unused names of the import list, or, if
-    there is no list, the whole import if nothing of it is used. *)
+(** The unused parts of an import in a resolved module: the unused names of the import list, or, if
+    there is no list, the whole import if no name from it is used. *)

@@ -60,7 +60,7 @@ let modules_in loader directory =
       loader.beside <- String_map.add directory names loader.beside;
       names
 
-(* More messages are not shown, so they need no suggestion. *)
+(* Further messages are not displayed, so they do not need suggestions. *)
 let most_suggestions = 1_000
 
 let report_missing loader ~directory (target : Syntax.Ir.name) =
@@ -289,7 +289,7 @@ let report_in_tests loader ~at what hint =
   Diagnostic.error ~code:"E0237" ~at "a test file cannot have %s" what
   |> Diagnostic.hint hint |> Diagnostic.emit loader.sink
 
-(* Reports the header and the [main] of a test file, which it must not have, and removes them. *)
+(* Reports and removes the header and the [main] of a test file, which are not allowed there. *)
 let without_program loader (syntax : Syntax.Ir.program) : Syntax.Ir.program =
   Option.iter
     (fun (h : Syntax.Ir.header) ->
@@ -308,8 +308,8 @@ let without_program loader (syntax : Syntax.Ir.program) : Syntax.Ir.program =
   in
   { syntax with header = None; declarations = List.filter is_other syntax.declarations }
 
-(* If its program is missing, the names in a test file have no meaning, so only its syntax is
-   checked. *)
+(* If a test file's program is missing, the names in the file cannot be resolved, so only its syntax
+   is checked. *)
 let load_tests loader ~program file text =
   let found = { path = file; shown = file; in_library = false; text } in
   let tested =

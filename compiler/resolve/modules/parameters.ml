@@ -46,8 +46,8 @@ let report_unknown sink setting modules =
   let hint = Option.map (Printf.sprintf "did you mean `%s`?") (Suggest.closest setting.name all) in
   report sink setting ~note ?hint "the program has no parameter `%s`" setting.name
 
-(* The module whose parameter is meant. A parameter of the program's own module takes precedence
-   over imported ones. *)
+(* The module whose parameter the setting refers to. A parameter of the program's own module takes
+   precedence over imported ones. *)
 let owner sink modules setting =
   let has (m : Modules.t) = List.exists (fun n -> List.mem setting.name (names m n)) (declared m) in
   match List.filter has (List.rev modules) with
@@ -63,7 +63,7 @@ let owner sink modules setting =
           ("write the name of its module too: " ^ Enumeration.one_of (List.map qualified several));
       None
 
-(* The span of the value covers the whole setting in the diagnostics. Replacing the name by a
+(* In diagnostics, the span of the value covers the whole setting. Replacing the name by a
    placeholder of the same width turns the setting into a definition. *)
 let expression sink setting =
   let width = String.length setting.name in

@@ -9,7 +9,7 @@ val no_such : string
 (** E0507: the program has no parameter of that name, or more than one. *)
 
 val split : string -> setting option
-(** Parses [k=text]. Blanks around the name are ignored. *)
+(** Parses [k=text]. Spaces around the name are ignored. *)
 
 val shown : string -> string
 (** A name as shown to the user. For the definition of a parameter's given value, this is the
@@ -21,8 +21,8 @@ val give :
   setting list ->
   Modules.t list ->
   Modules.t list
-(** Adds to each parameter that is set a second definition with the same type, whose value is the
-    expression. Its name cannot occur in source code. See {!Ir.param}. *)
+(** For each parameter that is set, adds a second definition of the same type, whose value is the
+    given expression. Its name cannot occur in source code. See {!Ir.param}. *)
 
 val of_modules : Modules.t list -> Ir.param list
 (** All parameters, in the order of the modules and of their source text. *)

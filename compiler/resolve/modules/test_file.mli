@@ -1,10 +1,10 @@
-(** Test files. The tests and trials of a program [NAME.frob] may be in a separate file
-    [NAME.test.frob] in the same folder.
+(** Test files.
 
-    A test file is checked as if it were the end of the program's module: it can use all definitions
-    and imports of the program, and may have further imports. To the compiler it is a second module,
-    which nothing imports. A program therefore cannot depend on its tests, and is compiled without
-    reading them. *)
+    The tests and trials of a program [NAME.frob] may be in a separate file [NAME.test.frob] in the
+    same folder. A test file is checked as if it were the end of the program's module: it can use
+    all definitions and imports of the program, and may have further imports. The compiler treats it
+    as a second module that no module imports. A program therefore cannot depend on its tests, and
+    is compiled without reading them. *)
 
 val path : string -> string
 (** The test file of a program: [bug.test.frob] for [bug.frob]. *)

@@ -51,7 +51,8 @@ let warn_hidden t (outer : Ir.Local.t) (inner : Ir.Local.t) =
   |> Diagnostic.label ~at:outer.span "this variable is hidden"
   |> Context.emit (context t)
 
-(* Setting the hidden parameter would have no effect in this scope. *)
+(* Warns of a variable that hides a parameter of the program: within the variable's scope, setting
+   the parameter has no effect. *)
 let warn_of_param t (inner : Ir.Local.t) =
   let is_it (param : Syntax.Ir.name) = String.equal param.text inner.name in
   match List.find_opt is_it (Lazy.force t.scope.params) with
@@ -73,7 +74,8 @@ let bind t variables =
     | None ->
         (match String_map.find_opt name t.locals with
         | Some outer -> warn_hidden t outer.local variable.local
-        (* a function parameter may well be the value of the program's parameter *)
+        (* no warning for a function's parameter, because callers may pass it the value of the
+           program's parameter *)
         | None -> if Option.is_some variable.owner then warn_of_param t variable.local);
         (String_map.add name variable.local fresh, String_map.add name variable locals)
   in

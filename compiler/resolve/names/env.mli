@@ -26,8 +26,8 @@ type owner = { group : Groups.t; index : int; signed : bool }
 type variable = { local : Ir.Local.t; owner : owner option  (** [None] for parameters *) }
 
 val bind : t -> variable list -> t
-(** Adds variables that come into scope together. Emits E0212 if two share a name, W0201 if one
-    hides a local variable. *)
+(** Adds variables that come into scope together. Emits E0212 if two have the same name, and W0201
+    if one hides a local variable. *)
 
 val is_known : t -> Syntax.Ir.name -> bool
 

@@ -9,7 +9,7 @@ type t
 val create : int -> t
 
 val within : t -> int -> (unit -> 'a) -> 'a
-(** Runs a function. References recorded meanwhile belong to this binding. *)
+(** Runs a function. References recorded during the call belong to this binding. *)
 
 val refer : t -> signed:bool -> int -> unit
 (** Records a reference to a binding. [signed]: the name has a signature, so its type does not

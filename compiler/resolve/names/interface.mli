@@ -1,5 +1,5 @@
-(** The names that a module declares and exports, before anything in it is resolved. They hold just
-    enough information for other code to refer to them. *)
+(** The names that a module declares and exports, before anything in it is resolved. Each entry
+    contains just enough information for other code to refer to the name. *)
 
 open Basis
 module String_map : Map.S with type key = string
@@ -42,7 +42,7 @@ type names = {
   units : unit_name String_table.t;
   classes : class_ String_table.t;
 }
-(** Tables that are no longer modified. *)
+(** The tables are not modified after they have been built. *)
 
 type 'a space = {
   noun : string;  (** for messages, for example ["type"] *)
@@ -80,8 +80,8 @@ val method_names : Syntax.Ir.declaration list -> Syntax.Ir.name list
 (** The method names that a class body declares. *)
 
 val select : names -> String_set.t -> names
-(** The part that a name list of a header or import refers to. A type includes its constructors and
-    fields, a class its methods. *)
+(** The entries that the name list of a header or import refers to. A type includes its constructors
+    and fields, a class its methods. *)
 
 val mem : names -> string -> bool
 (** Is the name in any namespace? *)

@@ -6,8 +6,8 @@
     on this equation, so it is removed unless a host asks for the verdict.
 
     [test "label" = e] and [trial "label" = e] are definitions of the library types [Test] and
-    [Trial], under names that cannot occur in source code. The judge in each test is another
-    definition, which a program can be compiled from. *)
+    [Trial], under names that cannot occur in source code. The judge in each test is a separate
+    definition, from which a program can be compiled. *)
 
 val verdict : Ir.Global.t
 (** The method that computes the verdict on a condition. *)

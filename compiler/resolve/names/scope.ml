@@ -89,7 +89,7 @@ let visible_names t space locals =
   in
   List.fold_left add (names_of (space.table t.own) (Lazy.force locals)) t.imports
 
-(* The number that a type such as `type N = 5` stands for. *)
+(* The number that a type such as `type N = 5` represents. *)
 let size_named t name =
   List.find_map
     (fun (d : Syntax.Ir.declaration) ->
@@ -131,8 +131,8 @@ let other_meaning t space (name : Syntax.Ir.name) diagnostic =
       diagnostic
   else diagnostic
 
-(* The name in another spelling. Values and constructors differ only in the case of the first letter
-   (`true`, `Speed`), and units are written as symbols. *)
+(* An alternative spelling of the name. Values and constructors differ only in the case of the first
+   letter (`true`, `Speed`), and units are written as symbols. *)
 let other_writing t space name =
   if String.equal space.noun "unit" then Unit_word.symbol name
   else
@@ -174,7 +174,7 @@ let c_type_before t (name : Syntax.Ir.name) =
   let is_it (d : Proc_signals.c_declaration) = String.equal d.declared.text name.text in
   List.find_opt is_it (Lazy.force t.c_declarations)
 
-(* The type and the value to write instead of such a declaration. *)
+(* The type and the value to suggest in place of such a declaration. *)
 let of_c_declaration (d : Proc_signals.c_declaration) =
   let text = d.declared.text in
   let name =

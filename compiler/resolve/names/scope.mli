@@ -62,8 +62,8 @@ val find_value :
   signals:Proc_signals.t list Lazy.t ->
   Syntax.Ir.qualified ->
   Interface.value option
-(** Like {!find}, for values. The local names may be suggested. [signals]: the signals of [proc]s in
-    the definition; the ones in scope are also among the locals. *)
+(** Like {!find}, for values. Suggestions include the local names. [signals]: the signals of [proc]s
+    in the definition; the ones in scope are also among the locals. *)
 
 val look : t -> 'a Interface.space -> Syntax.Ir.name -> 'a option
 (** Looks up an unqualified name. Reports it only if it is ambiguous, not if it is unknown. *)
