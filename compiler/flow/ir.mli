@@ -1,15 +1,15 @@
 (** Flow: the program as first-order nodes of equations over signals.
 
-    Eliminated in this language: types other than Bool, Int, Float, sums and arrays of these;
-    functions, tuples, records and signal functions as values. A tuple or record is the list of its
+    The only types are Bool, Int, Float, foreign types, and sums and arrays of these. Functions,
+    signal functions, tuples and records are not values. A tuple or record is the list of its
     leaves, in order. A sum value is one leaf. An array of tuples or records is one array for each
     leaf of its elements.
 
     Invariants (see {!Lint}): a signal has exactly one equation, in the node that owns it; callees
-    precede their callers in [program.nodes]; all operations are total, so an equation may be
-    computed without being needed, or be skipped if its value is not needed; state is only in
-    [Delay], [Instance], [Integrate]-like equations and machines; a mode belongs to one machine. The
-    order of equations has no meaning; they may be mutually recursive ({!Causality} checks them). *)
+    precede their callers in [program.nodes]; all operations are total, so an equation whose value
+    is not needed may be computed or skipped; only instances, machines, and equations such as
+    [Delay] and [Integral] have state; a mode belongs to one machine. The order of equations has no
+    meaning; they may be mutually recursive ({!Causality} checks them). *)
 
 open Basis
 
@@ -25,8 +25,8 @@ and foreign_type = {
   foreign_name : string;  (** name in the program *)
   c_type : string;
   copyable : bool;
-      (** if false, a value exists only as an address that is valid for the instant, so it is never
-          stored in a state *)
+      (** if false, a value exists only as an address that is valid for one instant, so it is never
+          stored in the state *)
 }
 (** A type of the user's C code. *)
 
@@ -35,7 +35,7 @@ type sum = {
   module_ : string;  (** module that declares the data type *)
   constructors : sum_constructor list;
 }
-(** Data types with more than one constructor, at closed types. *)
+(** A data type with more than one constructor, applied to closed types. *)
 
 and sum_constructor = {
   constructor : string;
@@ -63,7 +63,7 @@ type signal = {
   ty : ty;
   group : int;
       (** equal for leaves that the causality check treats as one; usually equal to [id] *)
-  span : Span.t;  (** where the programmer wrote it; never a dummy *)
+  span : Span.t;  (** its place in the source; never a dummy *)
 }
 
 type atom = Signal of signal | Bool of bool | Int of int32 | Float of float
@@ -124,14 +124,14 @@ and rhs =
   | Param of int  (** an element of [program.params], which is constant during a run *)
   | Absent  (** a placeholder for a missing foreign value, which is never read *)
   | Time of { restart : atom }
-      (** local time in seconds, a Float. Starts again at 0 whenever [restart] holds. The state
-          contains nanoseconds, so a program that needs these ([Elementary Nanoseconds]) gets them
-          without a conversion *)
+      (** local time in seconds, a Float. Starts again at 0 whenever [restart] is true. The state
+          contains nanoseconds, so a program that needs nanoseconds ([Elementary Nanoseconds]) gets
+          them without a conversion *)
   | Step_time  (** seconds since the previous instant; 0 in the first instant *)
   | Ticks of atom
       (** true if a multiple of this static number of nanoseconds lies after the local time of the
-          previous instant and not after the current one. A fraction of the number is dropped.
-          Always true below 1, never for NaN *)
+          previous instant and not after the current local time. The number is truncated to an
+          integer. Always true if it is below 1, never if it is NaN *)
   | Integral of atom
       (** 0 in the first instant, then adds dt times the previous value of the argument *)
   | Derivative of atom
@@ -149,8 +149,8 @@ type instance = {
       (** trial steps for outputs that do not depend on all inputs; never for a loop *)
   span : Span.t;
 }
-(** An instance of a node with its own state, or a call if the node has no state. A loop makes as
-    many instances as it has iterations, and runs them one after another. *)
+(** An instance of a node with its own state, or a call if the node has no state. A loop has one
+    instance for each iteration, and runs them one after another. *)
 
 and loop = {
   count : int;  (** at least 1 *)
@@ -170,7 +170,7 @@ and trial = {
   given : atom option list;  (** for each input; [None] if the input does not matter *)
 }
 (** A trial step: computes some outputs of the instance and leaves its state unchanged. It is needed
-    where outputs must be known before all inputs are, and the node cannot be split, for example
+    if some outputs must be known before all inputs are, and the node cannot be split, for example
     because it has a machine. *)
 
 type kind =
@@ -183,7 +183,7 @@ type import = {
   arguments : shape list;  (** a single one for a signal function *)
   result : shape;
 }
-(** An import from the user's C code, whether the program runs it or not. *)
+(** An import from the user's C code, whether or not the program uses it. *)
 
 type foreign = {
   import : import;  (** the node's [inputs] are the leaves of its arguments *)
@@ -196,7 +196,7 @@ type transition = {
   occurs : atom;
   target : int;  (** index into the machine's [modes] *)
   arguments : atom list;  (** arguments for the statics of the target's node *)
-  delayed : bool;  (** if true, the output in this instant is still that of the mode that is left *)
+  delayed : bool;  (** if true, the output in this instant is still that of the previous mode *)
   at_entry : at_entry;
   by : follower;
   span : Span.t;
@@ -213,31 +213,32 @@ and follower =
 and at_entry =
   | Possible
   | Impossible of (string * Span.t) option
-      (** the signal function that causes it to wait, if known, and its place *)
+      (** the signal function that prevents it, if known, and its place *)
 
 type machine = {
   modes : int list;
       (** nodes before this one, with the same [inputs] and [outputs] as the machine, and with
           [transitions]; the statics of a mode are its parameters *)
   start : transition list;
-      (** on static signals of this node; the last transition is unconditional *)
+      (** these read static signals of this node; the last transition is unconditional *)
   active : atom option;
-      (** if present, the machine only runs in the instants in which this holds. dt is then the time
-          since its own previous instant; at other instants its outputs are unspecified *)
-  controls : transition list;  (** on signals of this node *)
+      (** if present, the machine only runs in the instants in which this is true. dt is then the
+          time since its own previous instant; in other instants its outputs are unspecified *)
+  controls : transition list;  (** these read signals of this node *)
   inputs : atom list;
   outputs : signal list;  (** signals defined here *)
   steps : int;  (** maximum number of modes that run in one instant *)
   span : Span.t;
 }
-(** One of several signal functions at a time. The state is that of the running mode; nothing
-    remains of previous modes.
+(** Runs one of several signal functions at a time. The machine's state is the state of the running
+    mode; the state of previous modes is lost.
 
-    In each instant, the first of [controls] that occurs, if it is not delayed, enters its target.
-    Then the running mode takes a step. While one of its own transitions occurs (the first one in
-    the list counts), the target is entered and takes a step. A delayed control comes after that.
-    When a mode is entered, all its parameters are assigned at once, and its local time starts at 0.
-    After a delayed transition, the outputs of the new mode are dropped, but its events count. *)
+    In each instant, the machine first takes the first of [controls] that occurs, unless that one is
+    delayed. Then the running mode takes a step. As long as one of the running mode's own
+    transitions occurs, the machine enters the target of the first one that occurs, and this mode
+    takes a step. A delayed control is taken after that. When the machine enters a mode, it assigns
+    all parameters of the mode simultaneously, and the mode's local time starts at 0. After a
+    delayed transition, the outputs of the new mode are dropped, but its events count. *)
 
 type node = {
   name : string;  (** from the source; unique in the program *)
@@ -250,7 +251,7 @@ type node = {
   instances : instance list;
   foreign : foreign option;
   machine : machine option;
-      (** if present, it is all the state of the node: the equations are operations, the instances
+      (** if present, the node has no other state: its equations are operations and its instances
           functions *)
   transitions : transition list;
       (** for a mode of a machine; the first one that occurs is taken. Otherwise empty *)
@@ -276,9 +277,10 @@ type claim = {
   shown : bool;  (** whether it is a column of traces, like other probes *)
   claimed_at : Span.t;
   margin : string option;
-      (** the margin by which it holds, as a formula over other [probes]; see {!Core.Formula} *)
+      (** the margin by which the assertion is satisfied, as a formula over other [probes]; see
+          {!Core.Formula} *)
 }
-(** An assertion of the program that is checked. *)
+(** A checked assertion of the program. *)
 
 type header = { header : string; folder : string  (** folder to which its path is relative *) }
 
@@ -303,6 +305,7 @@ type program = {
       (** inner signals to show, with their names: the root returns their leaves after those of
           [output] *)
   claims : claim list;  (** the [probes] that are verdicts of assertions *)
-  marks : int;  (** maximum number of marks drawn in an instant, whether they are shown or not *)
+  marks : int;
+      (** maximum number of marks drawn in an instant, including marks that are not shown *)
   params : param list;
 }

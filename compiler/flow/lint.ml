@@ -63,7 +63,7 @@ let check_all scope what expected atoms =
 let stateful scope what =
   if scope.node.kind = Function then bug "the function `%s` has a %s" scope.node.name what
 
-(* Checks that a state may hold values of this type. *)
+(* Checks that values of this type may be stored in the state. *)
 let lasting scope ty =
   match Shape.of_the_instant scope.program.sums ty with
   | Some f -> bug "a `%s` outlives the instant in `%s`" f.foreign_name scope.node.name
@@ -242,7 +242,7 @@ let machine scope modes_of (m : Ir.machine) =
   | { occurs = Bool true; delayed = false; _ } :: _ -> ()
   | _ -> bug "the machine of `%s` may not start" scope.node.name
 
-(* A node with a machine has no other state. *)
+(* Checks that a node with a machine has no other state. *)
 let only_machine scope =
   let stateful_instance (i : Ir.instance) = scope.program.nodes.(i.node).kind = Signal_function in
   if

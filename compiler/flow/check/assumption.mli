@@ -1,10 +1,10 @@
-(** Derives the consequences of conditions that hold at an instant.
+(** Derives the consequences of conditions that are true in an instant.
 
     The first transition of a mode that occurs is taken, so a later one matters only if the earlier
     ones do not occur. This module searches for contradictions in such assumptions: it narrows the
     operands of the conditions, and then recomputes the signals that depend on them. For example, if
-    [if w then (Just x) else Nothing] is tested for [Just], then [w] holds and the payload is [x].
-*)
+    [if w then (Just x) else Nothing] is tested for [Just] and the test succeeds, then [w] is true
+    and the payload is [x]. *)
 
 type values = (int, Range.t) Hashtbl.t
 (** The possible values of a node's signals. *)
@@ -16,7 +16,7 @@ val narrowed :
   Ir.equation list ->
   (Ir.atom * bool) list ->
   values option
-(** The possible values of the node's signals if they are in [values] and all these atoms have the
-    given truth values; [None] if that is impossible. The equations must be sorted so that each one
-    follows those it reads. Does not change [values]. The result may include impossible values, but
-    never excludes possible ones. *)
+(** Narrows the possible values of the node's signals, given [values] and the truth values of these
+    atoms. Returns [None] if these atoms cannot have these truth values. The equations must be
+    sorted so that each one follows those it reads. Does not change [values]. The result may include
+    impossible values, but never excludes possible ones. *)

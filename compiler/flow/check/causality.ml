@@ -120,7 +120,7 @@ let hint_elsewhere passage =
   Printf.sprintf "let `%s` read the previous value of `%s`, with `delay`" passage.through.Ir.origin
     passage.input
 
-(* For a loop that is closed in the library, whose signals have no names. *)
+(* The hint for a loop that is closed in the library, whose signals have no names. *)
 let hint_within = "put a `delay` or an `integral` into the signal function inside the loop"
 
 let hint_here first last =

@@ -2,8 +2,9 @@
 
     Reads a linted flow program and leaves it unchanged. [Delay] and [Integral] break a dependency;
     an [Instance] passes on only the inputs that its node reads in the same instant (see
-    {!Dependency}). Method: strongly connected components of the same-instant dependency graph of
-    each node; one diagnostic each, showing the shortest loop. *)
+    {!Dependency}). Method: computes the strongly connected components of each node's same-instant
+    dependency graph. Each cyclic component results in one diagnostic, which shows the shortest
+    loop. *)
 
 val check : Basis.Diagnostic.sink -> entry:Basis.Span.t -> Ir.program -> unit
 (** Reports [E0401] for each loop. [entry] is the place of the program's definition: for a loop

@@ -1,8 +1,8 @@
 open Basis
 open Ir
 
-(* Maximum number of instances, because tools traverse all of them, and of state values, because
-   computers that drive robots do not have more memory. *)
+(* The number of instances is limited because tools traverse all of them, and the number of state
+   values because computers that drive robots do not have more memory. *)
 let most_instances = 4e6
 let most_values = 134_217_728.
 

@@ -15,8 +15,10 @@ type t = {
       (** ranges of outputs, cached by node, static parameters and inputs *)
   steps : int list Lazy.t;  (** values at which widening of Int ranges stops before infinity *)
   mutable budget : int;
-      (** remaining evaluations of nodes; once it is used up, everything is assumed possible *)
-  mutable parameters_known : bool;  (** the budget sufficed to compute all parameters *)
+      (** number of node evaluations that are left; once it is 0, everything is assumed to be
+          possible *)
+  mutable parameters_known : bool;
+      (** whether the budget was sufficient to compute all parameters *)
 }
 
 let budget = 200_000
@@ -121,7 +123,7 @@ let equation a instant same values (e : Ir.equation) =
 (* The result of evaluating a node in an instant. *)
 type evaluated = { values : values; same : same }
 
-(* The transitions that may be the first to occur, each with the values that follow from this. *)
+(* The transitions that may be the first to occur, each with the possible values in that case. *)
 let possible a instant node { values; same } (transitions : Ir.transition list) =
   let equations =
     lazy
@@ -153,8 +155,8 @@ let parameters a index =
       Option.value a.parameters.(index).(j) ~default:(Range.anything a.program s.ty))
     a.program.nodes.(index).statics
 
-(* Whether any call or transition leads to this node. Without static parameters, this is always
-   assumed. *)
+(* Whether any call or transition leads to this node. This is always assumed for a node without
+   static parameters. *)
 let is_entered a index = Array.for_all Option.is_some a.parameters.(index)
 
 let arguments a index =
@@ -344,7 +346,7 @@ let with_trials a (i : Ir.instance) ranges =
 
 let pass_inputs a index ranges = a.arguments.(index) <- Some (joined a.arguments.(index) ranges)
 
-(* The nodes that contain machines; only for these, inputs are computed. *)
+(* Whether each node contains machines; inputs are computed only for nodes that do. *)
 let with_machines (program : Ir.program) =
   let found = Array.make (Array.length program.nodes) false in
   Array.iteri
@@ -354,8 +356,8 @@ let with_machines (program : Ir.program) =
     program.nodes;
   found
 
-(* Visits callers before callees. Nodes that are never called pass nothing, and neither do modes
-   that are never entered. *)
+(* Visits callers before callees. Skips nodes that are never called and modes that are never
+   entered, because they pass no parameters. *)
 let pass_parameters a =
   let last = Array.length a.program.nodes - 1 in
   let with_machines = with_machines a.program in
@@ -456,7 +458,7 @@ let of_program ?(patient = false) (program : Ir.program) =
   in
   pass_parameters a;
   a.parameters_known <- a.budget > 0;
-  (* If the budget did not suffice, all parameters are unknown. *)
+  (* If the budget was not sufficient, all parameters are unknown. *)
   if not a.parameters_known then (
     Array.iter (fun p -> Array.fill p 0 (Array.length p) None) a.parameters;
     Array.fill a.arguments 0 count None);

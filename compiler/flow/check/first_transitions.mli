@@ -3,9 +3,9 @@
     Evaluates the first instant of each mode with unknown inputs: delays have their initial values;
     times, integrals and derivatives are 0; numbers are represented by ranges.
 
-    The range of a mode's parameter is the join of all arguments for it, in any instant. After three
-    rounds, bounds that still change are widened to infinity. If the analysis would take too long,
-    all transitions are considered possible. *)
+    The range of a mode's parameter is the join of the ranges of all arguments passed to it, over
+    all instants. After three rounds, bounds that still change are widened to infinity. If the
+    analysis would take too long, all transitions are considered possible. *)
 
 type t
 
@@ -19,27 +19,28 @@ val of_machine : t -> Ir.machine -> Ir.transition list array
 
 (** {1 Chains of transitions}
 
-    All modes have the same input within an instant. The reason why one mode was left therefore says
-    something about the input of the next one, part of which may also be passed as a parameter. *)
+    All modes have the same input within an instant. Therefore the condition under which one mode
+    was left restricts the possible input of the next mode, and also its parameters if part of the
+    input is passed as a parameter. *)
 
 type state = {
   mode : int;  (** number of the mode within the machine *)
   known : Range.t list;  (** ranges of its parameters, then of its inputs *)
   pattern : int list;
-      (** for each of these, the index of the first one that is certainly equal; empty if all may be
-          different *)
+      (** for each of these values, the index of the first value that is certainly equal to it;
+          empty if all may be different *)
 }
 (** A mode that has just been entered, with what is known about it. *)
 
 val from_running : t -> int -> (Ir.transition * state) list
-(** The possible transitions of this node, a mode that may have run for any time. *)
+(** The possible transitions of this node. It is a mode that may have run for any time. *)
 
 val from_owner : t -> int -> Ir.machine -> Ir.transition list -> (Ir.transition * state) list
-(** The possible ones of these transitions, which are the start or the controls of a machine of this
-    node. *)
+(** The transitions among these that are possible. They are the start or the controls of the machine
+    of this node. *)
 
 val from_state : t -> int -> state -> (Ir.transition * state) list
-(** The possible transitions of this node, a mode that has just been entered in this state. *)
+(** The possible transitions of this node. It is a mode that has just been entered in this state. *)
 
 val cannot_be_true : t -> int -> Ir.signal -> bool
 (** [cannot_be_true a mode] evaluates the first instant of this node once. The resulting function

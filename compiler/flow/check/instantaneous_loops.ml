@@ -96,8 +96,8 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
     && Own_code.is_own ~entry node.span
   in
   let tasks = Array.to_list program.nodes in
-  (* The name of a mode in messages. If a definition of the program runs inside a combinator, that
-     definition is what may end, so its name is used. *)
+  (* The name of a mode in messages. If a definition of the program runs inside a combinator, it is
+     the definition that may end, so its name is used. *)
   let mode (v, _, (t : Ir.transition), source) =
     let here = program.nodes.(modes.(v)) in
     let is_elsewhere origin (node : Ir.node) =
@@ -121,7 +121,8 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
   in
   let names = map mode hops in
   let name v = List.assoc v names in
-  (* When the mode has ended, so have the tasks written inside it. *)
+  (* Tasks written inside a mode end when the mode ends, so the message names the mode rather than
+     such a task. *)
   let within_mode (v, w, (t : Ir.transition), source) =
     let of_task (origin, at) = ((if List.exists (task origin) tasks then name v else origin), at) in
     match t.by with
@@ -148,7 +149,7 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
       Diagnostic.here "this may end as soon as it starts" d
     else d
   in
-  (* Adds a label only once, for modes of the same name that do the same. *)
+  (* If several modes with the same name do the same, adds their label only once. *)
   let label ~at text (d : Diagnostic.t) =
     let there (l : Diagnostic.label) = l.at = at && String.equal l.text text in
     if List.exists there d.labels then d else Diagnostic.label ~at text d
@@ -190,7 +191,7 @@ let bound (program : Ir.program) (m : Ir.machine) chain =
   let late, strict = List.partition (fun (t : Ir.transition) -> t.delayed) m.controls in
   max (running + longest late) (longest strict)
 
-(* Marks the modes' transitions that cannot occur in a first instant. *)
+(* Marks the transitions that cannot occur in the first instant of their mode. *)
 let mark (program : Ir.program) (nodes : Ir.node array) (m : Ir.machine) steps =
   List.iteri
     (fun k index ->
@@ -209,8 +210,8 @@ let hops_of steps cycle =
   in
   List.map2 hop cycle (List.tl cycle @ [ List.hd cycle ])
 
-(* Analyzes a version of the program in which small nodes are expanded, which is more precise. Its
-   transitions correspond to those of the program. *)
+(* Analyzes a version of the program in which small nodes are inlined, because this is more precise.
+   Its transitions correspond to those of the program. *)
 let chains (program : Ir.program) (expanded, first) index m : Chains.outcome =
   let expanded : Ir.program = Lazy.force expanded in
   let by_number (t : Ir.transition) mode =
@@ -262,7 +263,7 @@ let program sink ~entry (program : Ir.program) =
   else
     let first = First_transitions.of_program program in
     let uses = Own_code.uses program in
-    (* A number that two functions captured becomes a single parameter. *)
+    (* If two functions have captured the same number, it becomes a single parameter. *)
     let to_look_at = lazy (Duplicate_parameters.program (Inline.to_look_at ~most:200 program)) in
     let expanded =
       (to_look_at, lazy (First_transitions.of_program ~patient:true (Lazy.force to_look_at)))

@@ -25,7 +25,7 @@ let is_drawing (program : Ir.program) : Ir.ty -> bool = function
   | Array (_, Sum k) -> slot program program.sums.(k)
   | Bool | Int | Float | Sum _ | Array _ | Foreign _ -> false
 
-(* Which sums can contain marks, directly or inside other sums. *)
+(* Whether each sum can contain marks, directly or inside other sums. *)
 let carrying (program : Ir.program) =
   let carries = Array.map (slot program) program.sums in
   let rec ty : Ir.ty -> bool = function

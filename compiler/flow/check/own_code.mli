@@ -13,5 +13,5 @@ val uses : Ir.program -> uses
 (** The first instance of each node. *)
 
 val use : uses -> entry:Basis.Span.t -> int -> (string * Basis.Span.t) option
-(** For a node of another module than the entry's, by its index: the name of the node that the
-    entry's module runs to reach it, and where. The result may be the entry itself. *)
+(** For a node (given by its index) that is not in the entry's module: the name and place of the
+    instance in the entry's module through which it runs. The result may be the entry itself. *)

@@ -90,8 +90,8 @@ let is_empty = function
 
 let non_empty t = if is_empty t then None else Some t
 
-(* The intersection. For data, keeps the second argument's payloads for the constructors that both
-   have. *)
+(* The intersection. For data, keeps the constructors that both arguments have, with the second
+   argument's payloads. *)
 let meet a b =
   match (a, b) with
   | Bools a, Bools b ->
@@ -165,7 +165,7 @@ let payload t k leaf =
   | Constructors _ -> None
   | Bools _ | Ints _ | Floats _ -> bug "the payload of a value that is not a sum"
 
-(* The value of a range that contains only one. Zeros are excluded, because a range does not
+(* The value of a range that contains only one value. Zeros are excluded, because a range does not
    distinguish their signs. *)
 let constant : t -> Ir.atom option = function
   | Bools { true_ = true; false_ = false } -> Some (Bool true)
@@ -193,8 +193,9 @@ let no_numbers least most = (least : float) > most
 let has_zero least most = least <= 0. && most >= 0.
 let has_infinity least most = least = neg_infinity || most = infinity
 
-(* Rounding is monotonic, so the bounds of the results are the results of bounds. Numbers produce
-   NaN by inf - inf, 0 * inf and inf / inf, if these are in the ranges. (0 / 0 is excluded here.) *)
+(* Rounding is monotonic, so the bounds of the result are results of the operation on bounds. The
+   result can be NaN if the ranges allow inf - inf, 0 * inf or inf / inf. (0 / 0 is excluded
+   here.) *)
 let on_floats real (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t option =
   let nan = a_nan || b_nan in
   let sum (bl, bh) =

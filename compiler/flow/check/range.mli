@@ -6,8 +6,8 @@ type t =
   | Bools of { true_ : bool; false_ : bool }  (** the values it may have *)
   | Ints of { least : int; most : int }
   | Floats of { least : float; most : float; nan : bool }
-      (** no numbers if [least > most]; [nan] says whether NaN is included; the bounds are never NaN
-      *)
+      (** contains no numbers if [least > most]; [nan] tells whether NaN is included; the bounds are
+          never NaN *)
   | Constructors of (int * t list option) list
       (** in ascending order, with the leaves of the payload if anything is known about them *)
 
@@ -25,8 +25,8 @@ val not_negative : t
 val join : t -> t -> t
 
 val widen : steps:int list -> t -> t -> t
-(** A join in which bounds that change become infinite. Bounds of Ints move to the next one of the
-    steps instead. *)
+(** A join in which bounds that change become infinite. Bounds of Ints move to the next value in
+    [steps] instead. *)
 
 val meet : t -> t -> t option
 (** The intersection; [None] if it is empty. *)
@@ -40,8 +40,8 @@ val may_be_false : t -> bool
 val has_constructor : t -> int -> t
 
 val payload : t -> int -> int -> t option
-(** A leaf of the payload, if the value certainly has this constructor; [None] if it may be
-    anything. *)
+(** A leaf of the payload, if the value certainly has this constructor; [None] if the leaf may have
+    any value. *)
 
 val operation : Basis.Real.t -> Ir.operator -> t list -> Ir.ty -> t
-(** The type is that of the result. *)
+(** The result of an operation. The type is the type of the result. *)

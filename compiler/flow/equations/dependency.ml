@@ -18,7 +18,7 @@ type node = {
   passage : passage;
 }
 
-(* The inputs that an output of an instance needs. A loop is treated as one box. *)
+(* The inputs that an output of an instance needs. A loop is treated as a black box. *)
 let passed_by (passage : passage) (instance : Ir.instance) output =
   match instance.loop with
   | None -> passage.passed.(output)

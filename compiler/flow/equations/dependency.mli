@@ -1,10 +1,11 @@
 (** Dependencies between signals within one instant.
 
-    The unit is a group of leaves that the causality check treats as one ([signal.group]). An
-    instance is transparent: each of its outputs needs those inputs from which its node computes
-    that output in the same instant, and the static parameters. A loop is one box. A machine is one
-    box, too: each of its outputs needs everything that any of its modes needs for any output or for
-    a transition that is not delayed, and the controls that are not delayed. *)
+    Leaves that the causality check treats as one ([signal.group]) share one vertex. An instance is
+    transparent: each of its outputs needs those inputs from which its node computes that output in
+    the same instant, and the static parameters. A loop is a black box: each of its outputs needs
+    all its inputs. A machine is also a black box: each of its outputs needs everything that any of
+    its modes needs for any output or for a transition that is not delayed, and the controls that
+    are not delayed. *)
 
 type definition =
   | Parameter  (** a static parameter or an input of the node *)
@@ -33,7 +34,7 @@ type node = {
 
 val program : ?each:(passage array -> int -> node -> unit) -> Ir.program -> passage array
 (** The passages of all nodes. Calls [each] with one node at a time, callees first, and the passages
-    of the preceding nodes; keeping the graphs of all nodes would need much memory. *)
+    of the preceding nodes; keeping the graphs of all nodes would need too much memory. *)
 
 val passed_by : passage -> Ir.instance -> int -> Inputs.t
 (** For an instance of the node: the indices of the inputs that this output needs. *)

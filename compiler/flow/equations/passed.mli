@@ -7,13 +7,14 @@ val parameters : Ir.node -> Ir.signal array
 (** The static parameters, then the inputs. *)
 
 val places : Ir.program -> Ir.atom -> (int * int) option
-(** If the atom is a parameter: its node, and its index there. *)
+(** If the atom is a parameter, returns its node and its index in that node. *)
 
 val settle : Ir.program -> (call -> bool) -> unit
-(** Visits all calls, in an order in which callers come before callees. A visit returns whether it
-    changed what is known about the callee's parameters; if so, the calls that pass these on are
-    visited again. A transition to a mode counts as a call that also passes the inputs. *)
+(** Visits all calls, in an order in which callers come before callees. The visitor returns whether
+    it has learned anything new about the callee's parameters; if so, the calls that pass these
+    parameters on are visited again. A transition to a mode counts as a call that also passes the
+    inputs. *)
 
 val replaced : Ir.program -> (int -> int -> Ir.atom option) -> Ir.program
-(** Replaces parameters, given by node and index, by atoms. Returns the same program, physically, if
-    there are none. *)
+(** Replaces parameters, identified by node and index, by atoms. Returns the same program,
+    physically, if nothing is replaced. *)

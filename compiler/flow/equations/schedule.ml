@@ -57,7 +57,7 @@ let needs = function
       Operands.signals (List.rev_append (List.rev i.statics) (List.filter_map Fun.id trial.given))
   | Machine m -> Operands.signals (Transitions.read_in_step m)
 
-(* Includes what the start needs. That is static, so it adds no cycles. *)
+(* Also includes the signals needed at the start. They are static, so they add no cycles. *)
 let needs_from_start item =
   match item with
   | Equation { rhs = Delay { init; _ }; _ } -> Operands.signals [ init ]

@@ -5,8 +5,9 @@
     needs all its static parameters and inputs. Apart from this, the order is the node's own, with
     instances placed by their spans.
 
-    [Delay] and [Integral] need nothing here: such an item represents the value for this instant,
-    which is in the state. The value for the next instant must be stored after all items. *)
+    [Delay] and [Integral] do not need any other item: such an item represents the value for this
+    instant, which is in the state. The value for the next instant must be stored after all items.
+*)
 
 type item =
   | Equation of Ir.equation
@@ -15,7 +16,8 @@ type item =
   | Machine of Ir.machine
 
 val defines : item -> Ir.signal list
-(** Outputs that a trial step has already defined are not repeated for the instance. *)
+(** The signals that the item defines. For an instance, this excludes outputs that a trial step has
+    already defined. *)
 
 val needs : item -> Ir.signal list
 (** The signals whose values of the same instant the item needs. *)
@@ -29,7 +31,8 @@ val of_node : Ir.node -> item list
 
 val as_far_as_possible : Ir.node -> item list
 (** Like {!of_node}, but also works for nodes that are not inlined yet: items of a cycle are in the
-    node's own order. Also places the initial values of delays and machines before them. *)
+    node's own order. Also places the items that compute the initial values of delays and machines
+    before those delays and machines. *)
 
 val loops : Ir.node -> Ir.instance list list
 (** For each cycle of items, its instances, which cannot run as one call. Empty if {!of_node}

@@ -16,11 +16,11 @@ val of_the_instant : Ir.sum array -> Ir.ty -> Ir.foreign_type option
     a type that is not copyable, because C owns the memory. *)
 
 val is_image : Ir.foreign_type -> bool
-(** Whether this is the type of camera images, the only foreign type that hosts know
+(** Whether this is the type of camera images, the only foreign type that hosts support
     ([frob/image.h]). *)
 
 val for_hosts : Ir.sum array -> Ir.shape -> bool
-(** Whether hosts know all foreign types in the shape. *)
+(** Whether hosts support all foreign types in the shape. *)
 
 val mentions_foreign : Ir.sum array -> Ir.shape -> bool
 (** Whether there is any foreign type, copyable or not. *)

@@ -8,7 +8,7 @@ type t
 val create : unit -> t
 
 val replace : t -> Ir.signal -> Ir.atom -> unit
-(** Replaces a signal by an atom from now on. If the signal has a name from the programmer and the
+(** Records that an atom replaces a signal. If the signal has a name from the programmer and the
     atom is a signal without one, the atom inherits the name. *)
 
 val atom : t -> Ir.atom -> Ir.atom
@@ -17,5 +17,5 @@ val is_empty : t -> bool
 (** Whether no signal is replaced. *)
 
 val node : t -> Ir.node -> Ir.node
-(** Removes the equations of replaced signals and replaces the operands of the others. Keeps outputs
-    of instances, read or not. *)
+(** Removes the equations of replaced signals and replaces the operands of the others. Keeps all
+    outputs of instances, even unused ones. *)

@@ -15,4 +15,4 @@ val into : Ir.program -> Ir.machine -> (Ir.transition -> unit) -> unit
 (** Visits all transitions of a machine: start, controls, and those of its modes. *)
 
 val owners : Ir.program -> int option array
-(** For each node that is a mode, the node that has the machine. *)
+(** For each node that is a mode, the node that contains its machine. *)

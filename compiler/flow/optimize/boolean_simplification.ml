@@ -1,7 +1,7 @@
 open Basis
 
-(* Maximum number of signals that are considered as parts of a condition. Its nearest operands come
-   first. *)
+(* Maximum number of signals that are considered as parts of a condition. The signals nearest to the
+   condition are considered first. *)
 let most = 10
 
 let operands (rhs : Ir.rhs) =
@@ -21,7 +21,7 @@ let parts definitions (rhs : Ir.rhs) =
   in
   nearest [] (operands rhs)
 
-(* Whether the condition contains more than a negation below its top. *)
+(* Whether an operand of the condition is itself a choice, a conjunction or a disjunction. *)
 let is_deep definitions (rhs : Ir.rhs) =
   match rhs with
   | If _ | Op ((And | Or), _) ->
@@ -40,8 +40,8 @@ let rec pairs = function
 let simpler at_an_instant definitions (e : Ir.equation) : Ir.rhs option =
   let value known = Truth.value (at_an_instant known) (Signal e.defines) in
   let parts = parts definitions e.rhs in
-  (* The value that follows from [known], or else follows in both cases for the value of some other
-     part. *)
+  (* The value that follows from [known] directly or, failing that, by case distinction on some
+     other part. *)
   let value_anyhow known =
     let either (other : Ir.signal) =
       match (value ((other, true) :: known), value ((other, false) :: known)) with
@@ -68,8 +68,8 @@ let simpler at_an_instant definitions (e : Ir.equation) : Ir.rhs option =
         Some (Op (Or, both))
     | _, _ -> None
   in
-  (* The most distant signals come first, because the signals in between are then no longer
-     needed. *)
+  (* Tries the most distant signals first: if one of them is used, the signals in between are no
+     longer needed. *)
   match List.find_map one (List.rev parts) with
   | Some rhs -> Some rhs
   | None -> List.find_map two (List.rev (pairs parts))

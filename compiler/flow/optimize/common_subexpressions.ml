@@ -1,5 +1,5 @@
-(* Operators whose result is the same, bit for bit, with exchanged arguments. [Minimum] and
-   [Maximum] are not among them, because they distinguish 0 and -0. *)
+(* Whether swapping the operands leaves the result the same, bit for bit. [Minimum] and [Maximum]
+   are excluded, because they distinguish 0 and -0. *)
 let is_commutative : Ir.operator -> bool = function
   | Add | Multiply | Equal | And | Or | Elementary Hypot | Bitwise (Bit_and | Bit_or | Bit_xor) ->
       true
@@ -26,8 +26,8 @@ let key_of_equation (e : Ir.equation) rhs =
   in
   (operands, Equation (e.defines.ty, Operands.map without_operand rhs))
 
-(* Visits items after those they read in the same instant. One round therefore finds everything
-   except items that are equal only because delays are equal. *)
+(* Visits each item after the items that it reads in the same instant. Therefore one round finds all
+   equal items except those that are equal only because delays are equal. *)
 let round (node : Ir.node) =
   let first = Table.create 64 and substitution = Substitution.create () in
   let duplicates = Hashtbl.create 4 in

@@ -1,4 +1,5 @@
-(* Limits the work, to keep the pass linear. No mode has that many. *)
+(* Maximum number of candidates in a mode, to keep the pass linear. In practice, no mode has that
+   many. *)
 let most_candidates = 16
 
 let node (node : Ir.node) =

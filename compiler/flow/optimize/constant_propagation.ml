@@ -13,8 +13,8 @@ let join passed other =
   | Always a, Always b -> if Operands.same a b then passed else Different
   | Always _, Different -> Different
 
-(* Nodes pass parameters to each other, and modes even in cycles. A parameter is constant if only
-   one literal ever reaches it. *)
+(* Nodes pass parameters on to each other; modes even do so in cycles. A parameter is constant if
+   only one literal ever reaches it. *)
 let parameters (program : Ir.program) =
   let nothing node = Array.map (fun _ -> Nothing) (Passed.parameters node) in
   let passed = Array.map nothing program.nodes and place = Passed.places program in

@@ -21,8 +21,8 @@ type found = {
 let is_needed found (s : Ir.signal) = Bytes.get found.needed s.id <> '\000'
 let undefined () = Diagnostic.bug ~stage:"Flow.Dead_code" "a signal that is not defined"
 
-(* For each signal, by id, a function that returns the signals needed because of it. It is called at
-   most once. *)
+(* For each signal, by id, a function that returns the signals that are needed if this one is. It is
+   called at most once. *)
 let consequences found (program : Ir.program) =
   let nodes = program.nodes in
   let of_nodes f = Array.map f nodes in
@@ -30,7 +30,7 @@ let consequences found (program : Ir.program) =
   let parameters = of_nodes (fun (n : Ir.node) -> Array.of_list (n.statics @ n.inputs)) in
   let results = of_nodes (fun (n : Ir.node) -> Array.of_list (Long_list.map snd n.outputs)) in
   let accumulators = accumulators program and owners = Transitions.owners program in
-  (* Arguments that the needed instances of each node pass. *)
+  (* The arguments that the needed instances of each node pass to it. *)
   let passed = Array.make (Array.length nodes) [] in
   let consequences = Array.make program.next_id undefined in
   let define (s : Ir.signal) why = consequences.(s.id) <- why in
@@ -123,8 +123,8 @@ let find (program : Ir.program) =
   go (List.fold_left need [] (Long_list.map snd program.nodes.(root).outputs));
   found
 
-(* The items whose flags are set. Returns the same list, physically, if all are, which is the usual
-   case. *)
+(* The items whose flags are set. Returns the same list, physically, if all flags are set, which is
+   the usual case. *)
 let select flags items =
   let add all flag item = if flag then item :: all else all in
   if List.for_all Fun.id flags then items else List.rev (List.fold_left2 add [] flags items)

@@ -10,8 +10,8 @@ let firsts keys =
   in
   Array.mapi first keys
 
-(* Nodes whose parameters all stay: foreign C functions, the program itself, and nodes with trial
-   instances, which get some arguments later. *)
+(* Nodes that keep all their parameters: foreign C functions, the program itself, and nodes with
+   trial steps, which get some arguments later. *)
 let apart (program : Ir.program) =
   let apart = Array.map (fun (node : Ir.node) -> Option.is_some node.foreign) program.nodes in
   apart.(Array.length apart - 1) <- true;
@@ -19,14 +19,16 @@ let apart (program : Ir.program) =
   Array.iter (fun (node : Ir.node) -> List.iter instance node.instances) program.nodes;
   apart
 
-(* Maps each parameter of each node to the representative of its equivalence class. At first all
-   parameters of one type are equivalent; each call splits some classes, until none does. *)
+(* Maps each parameter of each node to the representative of its equivalence class. At first, all
+   parameters of one type are equivalent. Calls split the classes until no call splits any class
+   further. *)
 let representatives (program : Ir.program) parameters =
   let apart = apart program and place = Passed.places program in
   let of_type k (all : Ir.signal array) =
     if apart.(k) then Array.mapi (fun j _ -> j) all
     else
-      (* A static parameter has the value from when the mode started, so it never equals an input. *)
+      (* A static parameter keeps its value from the start of the mode, so it is never equivalent to
+         an input. *)
       let statics = List.length program.nodes.(k).statics in
       firsts (Array.mapi (fun j (s : Ir.signal) -> (j < statics, s.ty)) all)
   in

@@ -1,4 +1,4 @@
-(** Removes parameters that always get the same argument as another one.
+(** Removes parameters that always get the same argument as another parameter.
 
     If every caller of a node passes the same atom for two of its static parameters or inputs, one
     parameter replaces both; for example, two functions may have captured the same number. A caller
@@ -7,4 +7,4 @@
     longer read. *)
 
 val program : Ir.program -> Ir.program
-(** The same program, physically, if all parameters differ. *)
+(** Returns the same program, physically, if there are no duplicates. *)

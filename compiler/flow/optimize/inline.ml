@@ -1,6 +1,6 @@
 open Basis
 
-(* Maximum size of a node that is always inlined, about what fits on a few lines. *)
+(* Maximum size of a node that is always inlined: about as much code as fits on a few lines. *)
 let small = 8
 
 (* A call counts as several operations, because it hides more than one. *)
@@ -28,8 +28,8 @@ type context = {
   nodes : Ir.node array;  (** callees, already processed *)
   is_small : bool array;  (** whether each processed node is inlined *)
   passages : Dependency.passage array Lazy.t;
-      (** computed for the original program, because inlining does not change what a node passes
-          through. Only needed for dependency cycles *)
+      (** computed for the original program, because inlining does not change which inputs affect
+          which outputs. Only needed for dependency cycles *)
   mutable fresh : int;
 }
 
@@ -140,7 +140,7 @@ let expand_chosen context chosen (node : Ir.node) =
   in
   without_copies { node with equations = List.rev equations; instances = List.rev kept }
 
-(* Whether each output needs every input. Then inlining the instance cannot break a cycle. *)
+(* Whether each output needs every input. If so, inlining the instance cannot break a cycle. *)
 let is_one_operation context (i : Ir.instance) =
   let inputs = List.length i.inputs in
   Option.is_some i.loop

@@ -6,7 +6,8 @@
     succeeds on every node.
 
     (b) The node is so small that reading it in place is easier than reading a call. All other nodes
-    remain functions of their own, so a definition becomes one C function, however often it is used.
+    remain separate functions, so a definition becomes one C function, no matter how often it is
+    used.
 
     Names are kept; names from inside the node are prefixed by the instance's name if they would
     clash. Spans refer to the original source. *)

@@ -1,7 +1,6 @@
-(** Moves a machine that is the whole state of its only user into that user.
-
-    A program that is one switch then has one struct that contains the mode's tag, and no step
-    function that only calls another. Requires that there are no dead nodes. *)
+(** Moves a machine into the only node that uses it, if that node has no other state. For a program
+    that is a single switch, the generated C then has one struct that contains the mode's tag, and
+    no step function that only calls another one. Requires that there are no dead nodes. *)
 
 val program : Ir.program -> Ir.program
 (** Returns the same program, physically, if there is no such machine. *)

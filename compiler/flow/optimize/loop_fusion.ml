@@ -4,8 +4,8 @@ open Basis
 type group = {
   count : int;
   varies : bool;
-      (* whether it depends on inputs. A group that does not must stay separate, because
-                    delays may start from its results *)
+      (* whether the group depends on inputs. If not, it must stay separate, because delays may
+         start from its results *)
   members : (Ir.instance * Ir.loop) list; (* last one first *)
   arrays : Ir.signal list; (* arrays that members define *)
   after : unit Int_table.t; (* signals that depend on outputs of the group *)
@@ -94,7 +94,7 @@ type given = { argument : Ir.argument; atom : Ir.atom; parameter : Ir.signal }
 let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
   let members = List.rev group.members in
   let statics = ref [] and given = ref [] and results = ref [] and bodies = ref [] in
-  (* Within an iteration: the current element of each array that a member defines. *)
+  (* The current element, within an iteration, of each array that a member defines. *)
   let elements = Hashtbl.create 16 in
   let pass argument (atom : Ir.atom) (like : Ir.signal) : Ir.atom =
     let same g =

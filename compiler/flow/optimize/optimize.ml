@@ -64,7 +64,7 @@ let steps =
    function. *)
 let most_rounds = 8
 
-(* The number of modes, and of outputs that are not literals. *)
+(* The number of modes plus the number of outputs that are not literals. *)
 let unknown (program : Ir.program) =
   let is_signal (_, (a : Ir.atom)) = match a with Signal _ -> true | _ -> false in
   let modes (m : Ir.machine) = List.length m.modes in
@@ -78,8 +78,8 @@ let unknown (program : Ir.program) =
 let program ?(after = fun _ _ -> ()) program =
   let run = Pass.run after in
   (* Another round may help if an output has become a literal, because this simplifies the nodes
-     that read it, or if a machine has lost modes, because the others may have the same literal as
-     an output or parameter. *)
+     that read it, or if a machine has lost modes, because the remaining modes may agree on a
+     literal for an output or parameter. *)
   let rec tidied ?(round = 1) program =
     let once = List.fold_left run program tidy in
     if unknown once < unknown program && round < most_rounds then tidied ~round:(round + 1) once

@@ -14,7 +14,7 @@ let is_int : Ir.atom -> bool = function
   | Signal s -> s.ty = Int
   | Bool _ | Float _ -> false
 
-(* Whether the value certainly equals itself, which a NaN does not. *)
+(* Whether the value is certain to equal itself. A NaN does not. *)
 let is_no_float : Ir.atom -> bool = function
   | Int _ | Bool _ -> true
   | Signal s -> s.ty <> Float
@@ -71,7 +71,7 @@ let operation known add ~unchanged (operator : Ir.operator) (arguments : Ir.atom
       | Some _ | None -> unchanged)
   | _ -> unchanged
 
-(* The value of an atom where the condition has this value. *)
+(* The value of an atom if the condition has this value. *)
 let given known condition value atom =
   match definition known atom with
   | Some (If c) when same c.condition condition -> if value then c.then_ else c.else_
@@ -165,7 +165,7 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
   | Payload { value; constructor; leaf } ->
       Option.value (payload known (add defines) defines.ty value constructor leaf) ~default:rhs
   | Delay { init = Bool true; next = Bool false } ->
-      (* Shares one delay as the marker of the first instant. *)
+      (* Lets all such equations share one delay, which marks the first instant. *)
       Op (Not, [ add defines Bool (Delay { init = Bool false; next = Bool true }) ])
   | Delay { init; next } when same next init || same next (Signal defines) ->
       (* [init] is static, so the delay is constant. *)
@@ -190,7 +190,7 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
       Copy array
   | _ -> rhs
 
-(* If all elements of the input array are equal, passes the element instead. *)
+(* If all elements of an input array are equal, passes the element instead of the array. *)
 let of_loop known atom (i : Ir.instance) =
   let all_equal array =
     match definition known (atom array) with

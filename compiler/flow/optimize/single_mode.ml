@@ -26,7 +26,7 @@ let sole (nodes : Ir.node array) (m : Ir.machine) =
       if List.for_all is_over ends then Some { mode; arguments; ends } else None
   | _, _, _ -> None
 
-(* For each output, the Bool that it has in all these nodes, if they agree. *)
+(* For each output, its Bool value in all these nodes, if they agree on one. *)
 let told (nodes : Ir.node array) ends =
   let bools (_, node) =
     let bool (_, (a : Ir.atom)) = match a with Bool b -> Some b | _ -> None in
@@ -37,7 +37,7 @@ let told (nodes : Ir.node array) ends =
   | first :: others ->
       List.fold_left (List.map2 (fun a b -> if a = b then a else None)) first others
 
-(* Whether the instance's user is left when the instance has these outputs. *)
+(* Whether the mode that runs the instance is left when the instance has these outputs. *)
 let is_left_too told (user : Ir.node) (i : Ir.instance) =
   let known = List.map2 (fun s -> Option.map (fun b -> (s, b))) i.outputs told in
   let truth = Truth.at_an_instant user (List.filter_map Fun.id known) in

@@ -1,10 +1,10 @@
-(* In nanoseconds; an upper bound for the root's dt. *)
+(* Maximum time limit in nanoseconds; also an upper bound for the root's dt. *)
 let most = 1e18
 
 (* Nodes inside a machine that does not run in every instant. *)
 let with_own_instants (program : Ir.program) =
   let found = Array.make (Array.length program.nodes) false in
-  (* Callers come after callees in the program, so this goes backwards. *)
+  (* Callers come after callees in the program, so the loop runs backwards. *)
   for k = Array.length program.nodes - 1 downto 0 do
     let node = program.nodes.(k) in
     List.iter (fun (i : Ir.instance) -> if found.(k) then found.(i.node) <- true) node.instances;
@@ -16,7 +16,7 @@ let with_own_instants (program : Ir.program) =
   done;
   found
 
-(* The conditions which say that the local time has reached a limit. *)
+(* The conditions that tell whether the local time has reached a limit. *)
 let reached (node : Ir.node) =
   let definition : Ir.atom -> Ir.rhs option = function
     | Signal s ->

@@ -3,15 +3,15 @@
 type t
 
 val definitions : Ir.node -> Ir.rhs Basis.Int_table.t
-(** The definitions of its Bools. *)
+(** The definitions of the node's Bools. *)
 
 val at_an_instant : Ir.node -> (Ir.signal * bool) list -> t
 (** Derives the consequences of these values. Partially apply it to the node, and then apply the
     result to values any number of times. *)
 
 val while_running : Ir.node -> (Ir.signal * bool) list -> t
-(** The same for an instant in which a mode continues to run: also uses that none of its transitions
-    occurs. *)
+(** The same for an instant in which a mode continues to run: also uses the fact that none of the
+    mode's transitions occurs. *)
 
 val value : t -> Ir.atom -> bool option
 (** The value of an atom, if it is known. *)
