@@ -1,4 +1,4 @@
-(** Options that all commands which compile programs have in common. *)
+(** Options shared by all commands that compile programs. *)
 
 type format = Text | Json
 
@@ -23,7 +23,7 @@ type t = {
 }
 
 val default : t
-(** Text messages, double precision, no assertions, and nothing else. *)
+(** The default options: text messages, double precision and no assertions. *)
 
 val to_repeat : t -> sources:string list -> string list
 (** The options, quoted for a shell, with which a command compiles the same program for the same

@@ -11,8 +11,8 @@ val accepted :
   string ->
   (Request.t -> 'result -> int) ->
   int
-(** Continues with the answer of a query. Without one, prints why and returns the exit status.
-    [quiet] hides warnings, which another call has reported. *)
+(** Continues with the answer of a query. If there is none, prints the reason and returns the exit
+    status. [quiet] hides warnings, which another call has reported. *)
 
 val to_c :
   ?quiet:bool ->

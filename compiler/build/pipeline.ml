@@ -14,8 +14,8 @@ type front = {
 
 type tree = Resolved of Resolve.Ir.program | Typed of Typing.Ir.program
 
-(* Resolving reads and parses the modules as imports name them. This only shows the main module as
-   parsed, if the request asks for that. *)
+(* Name resolution reads and parses the modules that imports name. This function only prints the
+   syntax tree of the main module, if the request includes that. *)
 let parse (r : Request.t) sink sources =
   let { Common_options.dump; stop_after; _ } = r.options in
   let is_asked = dump = Some Parse || stop_after = Some Parse in
@@ -68,8 +68,8 @@ let lint flow =
   Flow.Lint.program flow;
   Flow.Initialization.check flow
 
-(* Specializes, and checks what every program must keep before a pass moves an equation, so that
-   messages speak of equations as they were written. *)
+(* Specializes the program, and checks the rules for all programs before any pass moves an
+   equation, so that messages refer to equations as they were written. *)
 let specialize ~options ~default ~name ~entry sink ~(written : Typing.Ir.definition) core marks =
   let options = { options with Specialize.Context.marks } and span = written.span in
   let* flow = Specialize.Of_core.program ~options ~default sink ~name ~entry core in

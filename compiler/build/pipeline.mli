@@ -1,8 +1,8 @@
 (** The compiler's stages in their order, from text to C. {!Queries} combines them into answers for
     commands.
 
-    A stage emits what is wrong with the program to the sink. Its result is [None] if the program
-    was rejected, or if the request asks to stop after this stage. *)
+    A stage emits diagnostics to the sink. Its result is [None] if the program was rejected, or if
+    the request asks to stop after this stage. *)
 
 open Basis
 
@@ -17,7 +17,7 @@ type front = {
           for margins *)
 }
 
-(** The results that later mistakes do not affect. *)
+(** The results that remain valid if a later stage fails. *)
 type tree = Resolved of Resolve.Ir.program | Typed of Typing.Ir.program
 
 val front : ?seen:(tree -> unit) -> Request.t -> Diagnostic.sink -> Source.t -> front option
@@ -36,9 +36,9 @@ val to_flow :
   written:Typing.Ir.definition ->
   Core.Ir.program * Core.Ir.Global.t ->
   ((Core.Ir.program * Core.Ir.Global.t) * Flow.Ir.program) option
-(** Finds the console, specializes the entry and checks causality. [written] is the entry as the
-    programmer knows it, and the last argument the program closed for a robot, with its entry. The
-    result has the same program with the fields of its console. *)
+(** Finds the console, specializes the entry and checks causality. [written] is the entry as written
+    in the source, and the last argument is the program closed for a robot, with its entry. The
+    result contains the same program with the fields of its console. *)
 
 val lint : Flow.Ir.program -> unit
 (** Checks the invariants of Flow between two stages. *)

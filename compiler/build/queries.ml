@@ -3,7 +3,8 @@ open Basis.Let_syntax.Option
 
 type 'result t = Diagnostic.sink -> Source.t -> Request.t -> 'result
 
-(* A result, or [None] with a message if the program needs more stack than there is. *)
+(* Runs stages. If the program needs more stack than is available, reports that and returns
+   [None]. *)
 let within_stack stages sink sources r =
   Stack_use.guarded sink sources r ~otherwise:None (fun () -> stages sink sources r)
 
@@ -85,7 +86,7 @@ let program sink sources (r : Request.t) =
   let { Pipeline.resolved; typed; margin; core = _ } = front in
   Some { resolved; typed; written; closed; flow; margin }
 
-(* Adds the probes, and what hosts need to know about the assertions. *)
+(* Adds the probes, and the data that hosts need about the assertions. *)
 let observed (r : Request.t) sink p ~asserts names =
   let* probes = Probes.named sink p.written (fst p.closed) p.flow names ~asserts in
   let causal, hidden = Probes.causal p.written p.flow (List.map fst probes) in
@@ -170,7 +171,7 @@ let for_both_engines sink =
   of_checked
     (fun r sink sources ({ closed = core, entry; flow; _ } as program) ->
       let* step = lowered r sink flow in
-      (* Without a robot of one's own, its structs are part of the program's header. *)
+      (* Without a user-defined robot, the robot's structs become part of the program's header. *)
       let* files = emitted { r with robot = None } sink sources program step in
       Some (core, entry, files))
     sink

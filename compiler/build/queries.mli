@@ -1,8 +1,8 @@
 (** The questions that commands ask the compiler.
 
-    Each query compiles as far as its answer needs. It emits what is wrong with the program to the
-    sink, and adds the texts of the modules to the sources. An answer is [None] if the program was
-    rejected, or if the request asks to stop after an earlier stage. *)
+    Each query compiles as far as its answer needs. It emits diagnostics to the sink, and adds the
+    texts of the modules to the sources. An answer is [None] if the program was rejected, or if the
+    request asks to stop after an earlier stage. *)
 
 open Basis
 
@@ -11,8 +11,8 @@ type 'result t = Diagnostic.sink -> Source.t -> Request.t -> 'result
 (** {1 Checks} *)
 
 val check : ?seen:(Pipeline.tree -> unit) -> unit t
-(** Checks a module for everything that can reject a program: its [main] or, in a module without
-    one, each signal function that could be an entry. For [seen], see {!Pipeline.front}. *)
+(** Runs all checks that can reject a program: on the module's [main] or, in a module without one,
+    on each signal function that could be an entry. For [seen], see {!Pipeline.front}. *)
 
 val partial : Source.t -> Request.t -> (Resolve.Ir.program * Typing.Ir.program Lazy.t) option
 (** The resolved and typed parts of a program that contains mistakes, for editors. *)

@@ -39,8 +39,8 @@ let report_exception = function
       wrong_use (Printf.sprintf "%s: %s" what (Unix.error_message reason))
   | exn -> report_bug "frobc" (Printexc.to_string exn)
 
-(* A missing entry, or an engine that cannot run it, means that the call is wrong and not the
-   program. *)
+(* A missing entry, or an engine that cannot run it, means that the command line is wrong, not
+   the program. *)
 let status sink =
   let is_wrong_use (d : Diagnostic.t) =
     List.mem d.code [ Typing.Entry.no_entry; Interpreted.no_interpreter; Probes.unknown ]

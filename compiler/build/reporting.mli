@@ -10,7 +10,7 @@ val status : Basis.Diagnostic.sink -> int
 (** The exit status of a command that compiled a program as far as possible. *)
 
 val wrong_use : string -> int
-(** Prints what is wrong with the command line, and returns {!Exit_status.wrong_use}. *)
+(** Prints an error about the command line, and returns {!Exit_status.wrong_use}. *)
 
 val ( let* ) : ('a, string) result -> ('a -> int) -> int
 (** Continues with a value, or reports a wrong use. *)

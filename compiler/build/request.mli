@@ -32,7 +32,7 @@ val judges : t -> bool
 (** Whether the verdicts on assertions are part of the output, for hosts. *)
 
 val measures_margins : t -> bool
-(** Whether the output also says how far each assertion was from being violated. *)
+(** Whether the output also contains how far each assertion was from being violated. *)
 
 val probes : t -> string list
 (** The probes of the options, with those that margins need. *)
@@ -45,9 +45,9 @@ val stage :
   print:(Format.formatter -> 'a -> unit) ->
   'a ->
   'a option
-(** Finishes a stage: checks the invariants of its result, which hold for programs without errors,
-    and prints it, as far as the options ask for that. [None] if there were errors, or if the
-    options stop after this stage. *)
+(** Finishes a stage. If the options request it, checks the invariants of the result, which hold for
+    programs without errors, and prints the result. [None] if there were errors, or if the options
+    stop after this stage. *)
 
 val each_pass : t -> (Format.formatter -> 'program -> unit) -> 'program Pass.t -> 'program -> unit
-(** Prints the program after each pass that changes it, if the options ask for that. *)
+(** Prints the program after each pass that changes it, if the options request it. *)

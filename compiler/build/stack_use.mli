@@ -1,4 +1,4 @@
-(** Reports programs that need more stack than available. *)
+(** Reports programs that need more stack than is available. *)
 
 open Basis
 

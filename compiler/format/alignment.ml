@@ -9,9 +9,9 @@ type line = {
   sign : Syntax.Grammar.token;
   at : int;  (** index of the sign *)
   wanted : int;
-      (** column of the sign without additional blanks, counted from the line's first word *)
+      (** column of the sign without additional spaces, counted from the line's first word *)
   written : int;  (** column of the sign in the source *)
-  padded : bool;  (** whether several blanks precede the sign *)
+  padded : bool;  (** whether several spaces precede the sign *)
   line : int;
 }
 
@@ -60,7 +60,7 @@ let line_from (words : Word.t array) first =
     in
     match (role, w.item) with Item, false -> None | _ -> go first 0
 
-(* Whether several signs are in a line's column, at least one of them moved there by blanks. *)
+(* Whether several signs share a column, and at least one of them was moved there by spaces. *)
 let shared group =
   let columns = Hashtbl.create 16 in
   let count line =

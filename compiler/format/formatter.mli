@@ -1,9 +1,9 @@
 (** `frobc format`: formats a program in the style of this project.
 
-    Keeps the author's line breaks in lines that are not too long. The program is split into words
-    ({!Reading}). Then follow the blanks between them ({!Spacing}, {!Alignment}), breaks of long
-    lines ({!Breaking}), the column of each line ({!Indentation}), and the text with its comments
-    ({!Writing}). Each result is checked against the {!Laws}. *)
+    Keeps the author's line breaks in lines that are not too long. The formatter splits the program
+    into words ({!Reading}), sets the spaces between them ({!Spacing}, {!Alignment}), breaks long
+    lines ({!Breaking}), computes the column of each line ({!Indentation}), and writes the text with
+    its comments ({!Writing}). It checks each result against the {!Laws}. *)
 
 open Basis
 
@@ -14,4 +14,4 @@ type result =
 
 val text : Diagnostic.sink -> file:string -> string -> result
 (** [text sink ~file text]: [file] is the name for messages. Accepts any bytes. All lines get the
-    same line end as the first line. *)
+    same line ending as the first line. *)

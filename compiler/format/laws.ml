@@ -1,6 +1,6 @@
 type t = Tree | Comments | Rest
 
-(* A comment without trailing blanks on its lines. Comments may be the documentation of definitions,
+(* A comment without trailing spaces on its lines. Comments may be the documentation of definitions,
    so the text must stay the same otherwise. *)
 let documentation text =
   String.split_on_char '\n' text |> List.map Reading.without_trailing_blanks |> String.concat "\n"

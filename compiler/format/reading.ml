@@ -70,7 +70,7 @@ let column place text at =
   place.counted <- at;
   place.characters
 
-(* The comments between two offsets, where the text contains only comments and blanks. *)
+(* The comments between two offsets, where the text contains only comments and spaces. *)
 let comments place text start stop =
   let found = ref [] and at = ref start in
   while !at < stop do

@@ -7,7 +7,7 @@ let within (w : Word.t) =
 
 let is_sign = function SLASH | STAR | CARET | MINUS -> true | _ -> false
 
-(* Units are written without blanks around operators: [m/s^2], [1/(m s)]. *)
+(* Units are written without spaces around operators: [m/s^2], [1/(m s)]. *)
 let in_unit (a : Word.t) (b : Word.t) =
   match (a.token.token, b.token.token) with
   | (EQUAL | COMMA), _ | _, EQUAL -> 1
@@ -21,7 +21,7 @@ let between (a : Word.t) (b : Word.t) =
   | (AT | BACKSLASH), _ -> 0
   | BACKTICK, _ when not a.in_quotes -> 0
   | _, BACKTICK when b.in_quotes -> 0
-  (* without a blank they would start a comment *)
+  (* without a space they would start a comment *)
   | MINUS, MINUS -> 1
   | MINUS, _ when a.prefix -> 0
   | _ when a.in_unit && b.in_unit -> in_unit a b

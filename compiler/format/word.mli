@@ -5,11 +5,11 @@
     of a bracket is the matching bracket. Lines count from 1, columns from 0 and in characters. *)
 
 type comment = {
-  text : string;  (** without trailing blanks; may have several lines if it is [{- … -}] *)
+  text : string;  (** without trailing spaces; may have several lines if it is [{- … -}] *)
   line : int;
   last_line : int;
   column : int;
-  own_line : bool;  (** only blanks precede it on its line *)
+  own_line : bool;  (** only spaces precede it on its line *)
   blank_before : bool;  (** at least one empty line directly above *)
 }
 
@@ -35,5 +35,5 @@ type t = {
   in_type : bool;
   mutable commas_first : bool;  (** a bracket of a list whose lines start with commas *)
   mutable starts : bool;  (** starts a line of the result *)
-  mutable gap : int;  (** number of blanks before it if it does not start a line *)
+  mutable gap : int;  (** number of spaces before it if it does not start a line *)
 }

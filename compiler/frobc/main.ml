@@ -315,13 +315,14 @@ let main =
   in
   Cmd.group (Cmd.info "frobc" ~version:Build.Version.number ~doc ~man ~exits) commands
 
-(* Disables most of the major garbage collection. A compilation is short, and what survives the
-   minor heap mostly lives until the end, so marking finds little to free. Without marking, large
-   programs take a tenth less time, at the cost of 0.6 GB for 100,000 lines. (Freeing the front
-   end's trees after Flow would reduce that to 0.5 GB, but take more time than it saves.)
+(* Disables most of the major garbage collection. A compilation is short, and most data
+   that survives the minor heap lives until the end, so marking finds little to free. Without
+   marking, compiling a large program takes 10 % less time, at the cost of 0.6 GB for 100,000
+   lines. (Freeing the front end's trees after Flow would reduce that to 0.5 GB, but take more time
+   than it saves.)
 
-   - [space_overhead]: marking is in proportion to the share of the heap that is new, so it would
-     still happen in a small heap.
+   - [space_overhead]: the amount of marking is proportional to the fraction of the heap that is
+     new, so it would still happen in a small heap.
    - Heap increment: therefore the heap grows by 32 MB at a time, of which only the used part
      occupies real memory.
    - Allocation policy: best fit (2, the default) is not worth it if hardly anything is freed; next

@@ -6,8 +6,8 @@ let ratio = 4.
 let decide { share; confidence } runs =
   let allowed = 1. -. share in
   let boundary = log (1. /. (1. -. confidence)) in
-  (* The change that a run makes to the log-likelihood ratio of another failure rate to the allowed
-     one. *)
+  (* The amount by which a run changes the log-likelihood ratio of another failure rate to the
+     allowed one. *)
   let gain other held =
     if held then log ((1. -. other) /. (1. -. allowed)) else log (other /. allowed)
   in

@@ -1,16 +1,16 @@
-(** Statements about chance: that something holds in at least a given share of all runs.
+(** Statements about chance: that something holds in at least a given proportion of all runs.
 
     The decision is made run by run, with Wald's sequential test (A. Wald, Sequential Tests of
-    Statistical Hypotheses, 1945). One test for each side compares the allowed failure rate with a
-    quarter of it and with four times of it. If the true share is smaller than required, the
-    probability of the verdict "holds" is at most 1 - confidence, no matter how many runs are made
-    (Ville's inequality), and vice versa. If the failure rate is between half and twice the allowed
-    one, the decision may take many runs. *)
+    Statistical Hypotheses, 1945). Two tests, one for each side, compare the allowed failure rate
+    with a quarter of that rate and with four times that rate. If the true proportion is smaller
+    than required, the probability of the verdict "holds" is at most 1 - confidence, no matter how
+    many runs are made (Ville's inequality), and vice versa. If the failure rate is between half and
+    twice the allowed one, the decision may take many runs. *)
 
 type t = { share : float; confidence : float  (** both between 0 and 1 *) }
 
 type decision =
-  | Holds  (** it holds in at least the required share of runs *)
+  | Holds  (** it holds in at least the required proportion of runs *)
   | Fails  (** it holds in fewer runs *)
   | Open  (** not decided yet *)
 
@@ -19,5 +19,5 @@ val decide : t -> bool list -> decision * int
     which it was decided. *)
 
 val bounds : confidence:float -> held:int -> int -> float * float
-(** A confidence interval for the share of all runs that hold, if [held] of this many runs did: the
-    Clopper–Pearson interval (Biometrika 26, 1934), which is never too narrow. *)
+(** A confidence interval for the proportion of all runs that hold, if [held] of this many runs did:
+    the Clopper–Pearson interval (Biometrika 26, 1934), which is never too narrow. *)

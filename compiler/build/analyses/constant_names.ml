@@ -4,7 +4,8 @@ module Constants = Cgen.Named_constants
 
 type value = { constant : Constants.constant; value : float }
 
-(** What the operands of an operation with one value are. *)
+(** The constant that is an operand with a given value, or [Ambiguous] if several operands have it.
+*)
 type use = One of Constants.constant | Ambiguous
 
 type t = {

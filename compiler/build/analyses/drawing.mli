@@ -7,7 +7,7 @@ val probe : string
 (** The name of the drawing among the probes. *)
 
 val is_shown : Request.t -> bool
-(** Whether the request asks for the drawing, by name or with all probes. *)
+(** Whether the request includes the drawing, by name or with all probes. *)
 
 val row : Flow.Ir.program -> string
 (** The drawing's line in the list of probes; [""] if the program draws nothing. *)

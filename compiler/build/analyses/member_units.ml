@@ -10,7 +10,7 @@ type known = {
 
 (* {1 Declarations} *)
 
-(* In generated C an angle is a number of radians, which the types cannot say. *)
+(* In generated C an angle is a number of radians, which the types do not express. *)
 let rec angle (ty : Resolve.Ir.ty) =
   match ty.desc with
   | Named { tycon = { module_ = "Prelude"; name = "Angle" }; _ } -> Some "rad"
@@ -45,7 +45,7 @@ let numbers (program : Ir.program) =
 
 let number ty = Option.value (Types.unit_ ty) ~default:""
 
-(* A record of numbers in the unit that is its parameter, such as a vector, is in that unit. *)
+(* A record of numbers whose unit is the record's parameter, such as a vector, has that unit. *)
 let record_unit known (ty : Ir.ty) tycon =
   let is_it (d : Ir.data) = d.tycon = tycon in
   match List.find_opt is_it known.typed.data with

@@ -59,7 +59,7 @@ let atom : Interp.Value.t -> Flow.Ir.atom = function
 
 let evaluated core = (places core, Interp.Constant.program core)
 
-(* Evaluates only if no definition is recursive, because evaluation might not end. *)
+(* Evaluates only if no definition is recursive, because evaluation might not terminate. *)
 let when_finite values sink (core : Core.Ir.program) =
   if core.params = [] then values sink core
   else

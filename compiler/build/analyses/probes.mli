@@ -8,7 +8,7 @@ val name_of : Typing.Ir.definition -> Basis.Span.t
 (** The place of an entry's name in its definition. *)
 
 val unknown : string
-(** The code of that diagnostic. *)
+(** The code of the diagnostic for an unknown name. *)
 
 val claims : string
 (** The name of the probe that represents all verdicts of assertions. *)

@@ -77,7 +77,7 @@ let sweep folder =
   Array.iter one (Sys.readdir folder)
 
 (* Renaming is atomic, so concurrent commands never see an incomplete file. The seal is written
-   before the entry; an entry with an outdated seal is made again. *)
+   before the entry; an entry with an outdated seal is rebuilt. *)
 let make_entry cache ~key path make =
   sweep cache;
   let work = cache / work_folder key (Unix.getpid ()) in

@@ -208,7 +208,7 @@ let put ?(finish = ignore) ~permissions files =
       each rename named)
 
 (* Rewrites a file with several hard links in place, because a new file would only replace one of
-   them. First writes the text to a temporary file beside it, so that a crash cannot lose it. *)
+   them. First writes the text to a temporary file next to it, so that a crash cannot lose it. *)
 let write_into path text =
   let path, next = beside 0 path in
   let* () = Result.map_error (as_error path) (write_one 0o600 next text) in

@@ -1,5 +1,5 @@
 (** Decides in one place which files may be written: never a file that is also read, never the same
-    file twice, and never a file that frobc did not make, except for programs to be rewritten.
+    file twice, and never a file that frobc did not create, except for programs to be rewritten.
     Devices, pipes and empty files may be written. *)
 
 type content =

@@ -2,7 +2,7 @@
 *)
 
 val read : string -> (string, string) result
-(** Reads a file; the error says why that is impossible. *)
+(** Reads a file; the error contains the reason for a failure. *)
 
 val is_header : string -> bool
 (** Decides by the file name extension. *)

@@ -58,7 +58,7 @@ let named_rightly path channel =
 let cannot_read path reason =
   Error [ Printf.sprintf "cannot read %s: %s" (Basis.Printable.name path) reason ]
 
-(* Reads at most 64 MiB, because a small archive may expand to very much data. *)
+(* Reads at most 64 MiB, because a small archive may expand to a huge amount of data. *)
 let reach_end channel =
   let some = Bytes.create 65536 in
   let rec from read =

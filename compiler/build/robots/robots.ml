@@ -44,7 +44,7 @@ let all p = Option.to_list p.own @ Robot.all
 let input (robot : t) : Core.Ir.Global.t = { module_ = robot.module_; name = Robot.input robot }
 let output (robot : t) : Core.Ir.Global.t = { module_ = robot.module_; name = Robot.output robot }
 
-(* Checks that a robot of the user's own defines everything that programs, hosts and this module
+(* Checks that a user-defined robot defines everything that programs, hosts and this module
    need. *)
 let check_own sink (typed : Typing.Ir.program) (robot : t) =
   let record (tycon : Core.Ir.Global.t) =
@@ -110,7 +110,7 @@ let not_said p robots =
           (match robots with [ _ ] -> "has" | _ -> "have")
           (Enumeration.one_of (List.map option robots)))
 
-(* The robots among those that the program's type allows that have this capability. *)
+(* Of the robots that the program's type allows, those that have this capability. *)
 let having p class_ diagnostic =
   let has robot =
     match lacks p robot with
@@ -141,7 +141,7 @@ let lacking p (robot : t) (lack : Fit.lack) =
        (Printf.sprintf "`%s` is compiled for %s: there is no instance `%s %s`" p.entry.name
           (quoted robot) lack.class_.name lack.of_.name)
 
-(* The missing capabilities of each robot, each listed once. *)
+(* The missing capabilities of each robot, without duplicates. *)
 let on_no_robot p candidates =
   let error =
     Diagnostic.error ~code:unfit ~at:(entry_span p) "no robot has everything that `%s` needs"
@@ -208,7 +208,7 @@ let open_program sink asked p =
     | asked -> asked
   in
   match (allowed, asked) with
-  (* No robot is possible; the error is reported where the program would run. *)
+  (* No robot is possible. The error is reported where the program would run. *)
   | [], _ -> as_it_stands p
   | _, Some robot -> (
       match lacks p robot with

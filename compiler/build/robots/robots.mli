@@ -25,7 +25,7 @@ type program = {
   core : Core.Ir.program;
   entry : Core.Ir.Global.t;
   signed : bool;  (** whether the entry has a type signature *)
-  own : t option;  (** the robot of the user's own, if the program is for one *)
+  own : t option;  (** the user-defined robot, if the program is for one *)
 }
 (** A program for a robot that has not been chosen yet. *)
 
@@ -33,8 +33,8 @@ val input : t -> Core.Ir.Global.t
 (** The type of the robot's sensor values. *)
 
 val check_own : Diagnostic.sink -> Typing.Ir.program -> t -> unit
-(** Reports an error if the module of a user's own robot lacks the records of its input and output,
-    or the instance of [RobotOutput]. *)
+(** Reports an error if the module of a user-defined robot lacks the records of its input and
+    output, or the instance of [RobotOutput]. *)
 
 val is_open : program -> bool
 (** Whether the program's type leaves the robot open. *)

@@ -1,4 +1,4 @@
-(** How a process ended, as an exit status in the convention of shells. *)
+(** Describes how a process ended, as an exit status following the shell convention. *)
 
 val status : Unix.process_status -> int
 (** The exit status, or 128 + n if signal n ended the process. This n is the system's number of the

@@ -82,7 +82,7 @@ let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
       in
       continue resources program)
 
-(* All C files of a user's own robot may be given, including its driver, which needs the runtime's
+(* All C files of a user-defined robot may be given, including its driver, which needs the runtime's
    headers. *)
 let with_runtime general (resources : Resources.t) ~name:_ =
   let machine =

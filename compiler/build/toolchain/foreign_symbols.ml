@@ -17,7 +17,7 @@ let mentions text name =
 
 let is_free_to_call name = C_names.is_pure name || Kernels.is_known name
 
-(* The texts mention the function, or the functions of a component with this name. *)
+(* Whether the texts mention the function, or the functions of a component with this name. *)
 let gives texts name =
   let has name = List.exists (fun text -> mentions text name) texts in
   has name || (has (name ^ "_reset") && has (name ^ "_step"))

@@ -3,4 +3,4 @@
 
 val files : Resources.t -> real:Basis.Real.t -> Cgen.Emit.t -> (Cgen.Emit.t, string) result
 (** The source contains its helpers and elementary functions ({!Cgen.Helpers.standalone}), and the
-    header contains the types of its robot. No separate header for a user's own robot remains. *)
+    header contains the types of its robot. There is no separate header for a user-defined robot. *)

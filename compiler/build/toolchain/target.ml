@@ -117,7 +117,7 @@ let linked ?own t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
   match t.kind with
   | Prebuilt ->
       {
-        (* a driver of the user's own includes the runtime's headers *)
+        (* a user-defined driver includes the runtime's headers *)
         Built.machine = (if own = None then None else Some (machine t include_));
         inputs = [ resources.robot_host; resources.runtime ];
         includes = [];

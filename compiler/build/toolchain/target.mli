@@ -9,12 +9,12 @@ val meaning : t -> string
 (** A short description for the user. *)
 
 val own_driver : name:string -> Cgen.Robot.t option -> string * string
-(** The name and content of the file that tells the host which driver is the user's own. For the
-    robot [rover], the driver is [const struct frob_driver frob_rover_driver]. *)
+(** The name and content of the file that passes the user-defined driver to the host. For the robot
+    [rover], the driver is [const struct frob_driver frob_rover_driver]. *)
 
 val linked :
   ?own:Cgen.Robot.t -> t -> real:Basis.Real.t -> Resources.t -> name:string -> Built.linked
-(** [own]: the robot of the user's own, whose driver is among the user's C files. *)
+(** [own]: the user-defined robot, whose driver is among the user's C files. *)
 
 val size_tool : t -> string option
 (** The program that prints the memory use of an executable, for targets where this matters. *)

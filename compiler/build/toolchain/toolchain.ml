@@ -102,7 +102,7 @@ let key machine ~headers ~inputs ~includes ~foreign ~name kind files =
 
 let words text = List.filter (( <> ) "") (String.split_on_char ' ' text)
 
-(* Explains why the compiler cannot be started. The variable CC may hold anything. *)
+(* Explains why the compiler cannot be started. The variable CC may contain any text. *)
 let not_found machine program =
   let shown = Basis.Printable.name program in
   let is_path = String.contains program '/' in
@@ -131,7 +131,7 @@ let lists_nothing machine =
      the command line allows them: use gcc or clang, which list them with the option %s"
     machine.compiler Included.option
 
-(* Compiles, and refuses the result if the compiler included a file that the user does not allow.
+(* Compiles, and rejects the result if the compiler included a file that the user does not allow.
    [lists]: whether C or C++ is compiled, so that the compiler must list some files. *)
 let compile_allowed machine ~lists foreign arguments =
   let open Basis.Let_syntax.Result in
@@ -147,8 +147,8 @@ let own_flags kind file =
   if is_cpp file then [ "-std=c++17"; "-O2"; "-ffp-contract=off"; "-fPIC" ]
   else flags @ compile_flags kind
 
-(* Compiles each of the user's files by itself, so that it finds the headers in its own folder first:
-   another folder may have headers of the same names. *)
+(* Compiles each of the user's files separately, so that it finds the headers in its own folder
+   first: another folder may have headers of the same names. *)
 let compile_own machine ~headers ~folder kind foreign =
   let one foreign number file =
     compile_allowed machine ~lists:true (Some foreign)

@@ -20,7 +20,7 @@ let rec start_of_line text i =
 
 let between text start stop = String.trim (String.sub text start (stop - start))
 
-(* Moves the lines of a text to the left by up to [column] blanks. *)
+(* Moves the lines of a text to the left by up to [column] spaces. *)
 let at_the_edge ~column piece =
   let rec blanks line i =
     if i < column && i < String.length line && line.[i] = ' ' then blanks line (i + 1) else i
@@ -98,7 +98,7 @@ let piece text ~alone (start, stop) =
     let cut = if has_lines then (first, next) else (first - 1, stop) in
     Some { from = first + column; last; cut }
 
-(* Whether an application at this place needs no parentheses. It would as an argument. *)
+(* Whether an application at this place needs no parentheses; as an argument it would need them. *)
 let is_free_standing text (start, stop) =
   let rec back i = if i > 0 && text.[i - 1] = ' ' then back (i - 1) else i in
   let at = back start in

@@ -1,4 +1,4 @@
-(** The names that a text can use, and those that it could import. *)
+(** The names in scope in a source text, and those that it could import. *)
 
 type entry = { name : string; space : Mentions.space; module_ : string  (** declaring module *) }
 

@@ -189,7 +189,7 @@ let records (typed : Typing.Ir.program) ~main =
 
 (* {1 The index} *)
 
-(* What the declarations and uses of names are looked up in. *)
+(* The tables in which the declarations and uses of names are looked up. *)
 type lookup = {
   program : Resolve.Ir.program;
   main : string;

@@ -1,4 +1,4 @@
-(** Maps each name in a text to its declaration, in whatever module that is. *)
+(** Maps each name in a text to its declaration, which may be in another module. *)
 
 open Basis
 

@@ -1,5 +1,5 @@
-(** A version of a text that the compiler understood, with places translated to and from the current
-    text. *)
+(** A version of a text that the compiler could analyze, with places translated to and from the
+    current text. *)
 
 open Basis
 

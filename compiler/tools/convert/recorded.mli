@@ -1,4 +1,5 @@
-(** A recording, or any other trace, as a table of texts. The program that made it is not needed. *)
+(** A recording, or any other trace, as a table of texts. Can be read without the program that
+    recorded it. *)
 
 type kind = Number | Truth | Words  (** any other value of the language *)
 type column = { name : string; kind : kind  (** the kind of all its non-empty cells *) }
@@ -20,4 +21,4 @@ val iter : t -> (time:int -> string array -> unit) -> (unit, string) result
     negative and never decrease. *)
 
 val lines : t -> (string -> unit) -> (unit, string) result
-(** Each complete line without its line end, translated from the dialect to our format. *)
+(** Each complete line without its line ending, translated from the dialect to our format. *)

@@ -5,7 +5,7 @@ open Basis
 val applied : Source.t -> file:string -> Diagnostic.fix list -> string * Diagnostic.fix list
 (** The file's text after applying the fixes, in order, and the fixes that were applied. Skips a fix
     that changes other files or overlaps another fix. Keeps comments ({!Kept_comments}) and the line
-    ends of the text. *)
+    endings of the text. *)
 
 type choice = Safe | All
 

@@ -26,7 +26,7 @@ val ticks : float -> float -> about:int -> float list
 val number : float -> string
 
 val line : Buffer.t -> ?colour:string -> float -> float -> float -> float -> unit
-(** Draws a line from x and y to x and y. *)
+(** Draws a line between two points, each given as x and y. *)
 
 val text : Buffer.t -> ?anchor:string -> ?colour:string -> float -> float -> string -> unit
 

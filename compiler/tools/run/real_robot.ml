@@ -15,7 +15,7 @@ let become host arguments =
   match Process.become host arguments with
   | Not_found _ | Failed _ -> Reporting.wrong_use (missing host)
 
-(* The name of the robot for the host; for a robot of the user's own, also the shared object
+(* The name of the robot for the host; for a user-defined robot, also the shared object
    compiled from its C files. *)
 let served (resources : Resources.t) ~robot ~sources =
   let open Basis.Let_syntax.Result in

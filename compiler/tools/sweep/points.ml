@@ -4,7 +4,7 @@ and along =
   | Between of { low : float; high : float; steps : int; whole : bool }
   | Each of string list
 
-(* SplitMix64 (Steele, Lea and Flood, 2014), which gives the same numbers on every machine. *)
+(* SplitMix64 (Steele, Lea and Flood, 2014), which yields the same numbers on every machine. *)
 let next state =
   state := Int64.add !state 0x9E3779B97F4A7C15L;
   let mix z shift factor = Int64.mul (Int64.logxor z (Int64.shift_right_logical z shift)) factor in

@@ -1,4 +1,4 @@
-(** The numbered runs of a sweep, which several processes make. *)
+(** The numbered runs of a sweep, which several processes perform. *)
 
 type run = {
   place : Setup.place;
@@ -20,6 +20,6 @@ val missing : Setup.t -> shard -> Rows.t -> int list
 
 val make :
   Setup.t -> Resources.t -> jobs:int -> folder:string -> Rows.t -> int list -> (unit, string) result
-(** Makes these runs with up to [jobs] processes, which write rows to files in the folder. If a
-    process is killed, another one makes its runs. The error says why it stopped; existing rows are
-    kept. *)
+(** Performs these runs with up to [jobs] processes, which write rows to files in the folder. If a
+    process is killed, another one performs its runs. The error says why it stopped; existing rows
+    are kept. *)

@@ -128,7 +128,7 @@ let axis context units file (p : (string * Plan.variation) Plan.placed) =
 
 (* {1 Places} *)
 
-(* A robot of the user's own is in a file next to the plan. *)
+(* A user-defined robot is in a file next to the plan. *)
 let robots (plan : Plan.t) path (general : Common_options.t) =
   let known (r : string Plan.placed) =
     let robot = if Filename.check_suffix r.value ".frob" then beside path r.value else r.value in
@@ -208,7 +208,7 @@ let place (context : Checking.t) subject (world, path) robot =
 
 (* {1 Trying each place} *)
 
-(* Makes the first run of each place, for one instant. *)
+(* Performs the first run of each place, for one instant. *)
 let tried (context : Checking.t) (t : t) =
   let settings =
     List.mapi (fun k (axis : Points.axis) -> axis.name ^ "=" ^ t.points.(0).(k)) t.axes

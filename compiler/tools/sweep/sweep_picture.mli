@@ -1,4 +1,4 @@
-(** Draws a sweep as SVG: a panel for the share of runs that held, and one for the mean of each
+(** Draws a sweep as SVG: a panel for the proportion of runs that held, and one for the mean of each
     measure.
 
     If two parameters vary, each panel is a heat map. If one varies, it shows the mean and the range

@@ -46,8 +46,8 @@ val quoted : string -> string
 (** Quotes a word for a shell. *)
 
 val program_words : t -> string
-(** The options that a printed command needs to compile the same program, each quoted and after a
-    blank. *)
+(** The options that a printed command needs to compile the same program, each quoted and preceded
+    by a space. *)
 
 val test_again : t -> string -> Checks.t -> string
 (** [test_again context file check] is the command that repeats a test. *)

@@ -88,8 +88,8 @@ let runs p progress first last =
   | Some ((first, _), result) -> Error (ended_by p ~first result)
   | None -> Ok (List.concat_map (fun (r : Workers.result) -> Found.of_trial r.output) results)
 
-(* Makes runs until the result is decided. They run in batches, and those after the deciding one are
-   discarded, so the outcome does not depend on the batch size. *)
+(* Performs runs until the result is decided. They run in batches, and those after the deciding
+   one are discarded, so the outcome does not depend on the batch size. *)
 let rec until_decided p progress ~decided ~first ~last known =
   match decided known with
   | Some count -> Ok (List.filteri (fun k _ -> k < count) known)
@@ -115,9 +115,9 @@ let may_write p ~world outputs =
   let* () = Output.folder p.context.options.keep in
   Output.check ~reads:[ p.file; world ] outputs
 
-(* Repeats the run, and saves a recording and a picture of it at this path. What cannot be saved is
-   left out, and the second result says why: the run is recorded in a temporary file then, and the
-   command repeats it. *)
+(* Repeats the run, and saves a recording and a picture of it at this path. Omits files that
+   cannot be saved; the second result is then the reason. In that case the run is recorded in a
+   temporary file, and the command repeats it. *)
 let looked_at p (run : Outcome.run) ~world ~path seed =
   let record = path ^ ".csv" and picture = path ^ ".png" in
   let recorded = may_write p ~world [ output Table record ] in
