@@ -174,7 +174,7 @@ and expr_desc =
           return them, may be used before their definition *)
   | Lambda of pattern list * expr
   | Guards of (expr * expr) list * expr option
-      (** the first guard that holds is taken; without a last expression ([None], only inside a
+      (** selects the first guard that is true; without a last expression ([None], only inside a
           [Case]), falls through to the next branch *)
   | Proc of { input : pattern; equations : binding list; output : expr }
   | Record of constructor * (int * expr) list  (** all fields, in the order written *)

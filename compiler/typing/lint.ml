@@ -316,7 +316,7 @@ and branch s e (scrutinee : expr) (b : branch) =
   is e "a branch" b.value.ty;
   leave s entered
 
-(* Recursive bindings are in scope in all of them, the others only after their own value. *)
+(* Recursive bindings are in scope in all bindings, the others only after their own value. *)
 and let_ s e bindings (body : expr) =
   let enter recursive entered b = if b.recursive = recursive then binder s entered b else entered in
   let entered = List.fold_left (enter true) [] bindings in

@@ -9,4 +9,4 @@ val program :
 
 val partial : real:Real.t -> Resolve.Ir.program -> Ir.program
 (** For editors: the definitions of an erroneous program that could be typed. May raise
-    {!Basis.Diagnostic.Bug}, because the invariants of {!Ir} do not hold for such a program. *)
+    {!Basis.Diagnostic.Bug}, because such a program does not satisfy the invariants of {!Ir}. *)

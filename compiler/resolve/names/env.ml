@@ -51,7 +51,7 @@ let warn_hidden t (outer : Ir.Local.t) (inner : Ir.Local.t) =
   |> Diagnostic.label ~at:outer.span "this variable is hidden"
   |> Context.emit (context t)
 
-(* Warns of a variable that hides a parameter of the program: within the variable's scope, setting
+(* Warns about a variable that hides a parameter of the program: within the variable's scope, setting
    the parameter has no effect. *)
 let warn_of_param t (inner : Ir.Local.t) =
   let is_it (param : Syntax.Ir.name) = String.equal param.text inner.name in

@@ -348,8 +348,8 @@ let check_sizes t =
                  "annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature")
     | _ -> ()
   in
-  (* The list is newest first, and the newest use is usually the nearest to where the array is made.
-     *)
+  (* The list is in reverse order. The latest use is usually closest to the place where the array is
+     built. *)
   List.iter check t.group.sizes
 
 let requirements t = List.rev t.group.required

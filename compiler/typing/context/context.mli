@@ -1,8 +1,8 @@
 (** The state of type inference, and the questions it postpones.
 
     Inference computes types first and builds the typed program later. Inferring an expression
-    returns its type at once, together with a function that builds the typed expression. That
-    function is called when everything about the top-level group is known. *)
+    immediately returns its type, together with a function that builds the typed expression. That
+    function is called when all types in the top-level group are known. *)
 
 open Basis
 
@@ -33,12 +33,12 @@ type required = {
 }
 (** A class that a use of a name requires. [by]: the name, in backticks, for messages. [because]:
     the place that imposes the constraint, and the explanation to print there. [from]: the
-    constraint in the name's own scheme. *)
+    constraint in the scheme of the name. *)
 
 type question = {
   attempt : unit -> bool;  (** answers the question if the types known so far allow it *)
   guess : unit -> bool;
-      (** answers it by the defaulting rule for types that stay unknown, if there is one *)
+      (** answers it by the defaulting rule for types that remain unknown, if there is one *)
   give_up : unit -> unit;
 }
 (** A question that cannot be answered until a type is known. *)
@@ -80,7 +80,7 @@ val defined_locally : t -> Ir.Local.t -> Resolve.Ir.binding -> unit
 
 val first_use : t -> Ir.Local.t -> at:Span.t -> Span.t option
 (** Records that a local function without a signature is applied at this place. Returns the place of
-    its first application, if that was another one. *)
+    its first application, unless this is the first one. *)
 
 (** {1 New types} *)
 
@@ -116,8 +116,8 @@ val has_no_instance : t -> Ir.class_ -> Type.t -> bool
 (** Is the type known to have no instance of the class? *)
 
 val asked_in_vain : t -> wanted:Type.t -> Type.t -> string option
-(** If the second type is an unsolved variable and something requires a class for it that the first
-    type does not have, the name of what requires it, in backticks. *)
+(** If the second type is an unsolved variable, and a name requires a class of it that the first
+    type does not have: that name, in backticks. *)
 
 val lacks_class : t -> wanted:Type.t -> Type.t -> bool
 (** Whether {!asked_in_vain} finds such a class. *)
@@ -134,7 +134,7 @@ val with_signature : t -> name:string -> Resolve.Ir.scheme -> Type.scheme * t
 (** {1 Postponed questions} *)
 
 val ask : t -> question -> unit
-(** Tries to answer at once; otherwise postpones the question until {!settle}. *)
+(** Tries to answer the question; if that is not possible yet, postpones it until {!settle}. *)
 
 val settle : t -> unit
 (** Answers all postponed questions: attempts them repeatedly, guesses when attempts make no
@@ -162,8 +162,8 @@ type expressions = {
     of expression. *)
 
 exception Too_large of Span.t
-(** {!Final.Too_large}, for the type of this expression and not of a part of it. *)
+(** {!Final.Too_large}, for the type of this expression rather than the type of a subexpression. *)
 
 val node : Span.t -> Type.t -> Ir.expr_desc -> Ir.expr
-(** A typed expression with its final type. Call it only when all types are inferred.
+(** A typed expression with its final type. Must be called only after all types have been inferred.
     @raise Too_large *)

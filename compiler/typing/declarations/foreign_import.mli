@@ -1,9 +1,9 @@
-(** Checks the types of foreign imports. C has numbers, truth values, structs of them, and the
-    foreign types themselves.
+(** Checks the types of foreign imports.
 
-    A function takes at least one argument ([()] if it needs none). A signal function has the type
-    [SF a b] itself. The types have no variables other than unit variables, which do not exist in C.
-*)
+    C can represent numbers, truth values, structs of them, and foreign types. A foreign function
+    takes at least one argument ([()] if it does not need any). A foreign signal function has a type
+    of the form [SF a b]. The types may contain unit variables, which do not exist in C, but no
+    other variables. *)
 
 val program :
   Basis.Diagnostic.sink ->

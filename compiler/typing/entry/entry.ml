@@ -39,8 +39,8 @@ let is_robot_output (program : Ir.program) (d : Ir.definition) (ty : Ir.ty) =
       List.exists gives program.instances
   | _ -> false
 
-(* Such functions, for example the library's capability functions, are meant to be passed to
-   `roMake`. *)
+(* Does the function set a robot's output? Such functions, for example the library's capability
+   functions, are meant to be passed to `roMake`. *)
 let sets_output program d ty =
   match changed ty with Some changed -> is_robot_output program d changed | None -> false
 
@@ -61,7 +61,7 @@ let rec output_of (e : Ir.expr) =
 
 let is_closed (d : Ir.definition) = d.scheme.types = [] && d.scheme.representations = []
 
-(* A variable of its type that has the same name as a definition of the program. *)
+(* A variable in the definition's type that has the same name as a definition of the program. *)
 let size_of_a_name (program : Ir.program) (d : Ir.definition) =
   let is_a_value (v : Ir.variable) =
     List.exists

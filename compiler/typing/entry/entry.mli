@@ -19,9 +19,9 @@ val all : Ir.program -> Ir.definition list
     reported. *)
 
 val refusal : Ir.program -> closed:bool -> Ir.definition -> Diagnostic.t option
-(** The reason why a definition cannot be an entry; [None] if it can. The message shows the type of
-    its signature, given or inferred, from before units and classes are erased. [closed]: choosing a
-    robot leaves no variables in the type. *)
+(** The reason why a definition cannot be an entry; [None] if it can. The message shows the
+    definition's type, declared or inferred, before units and classes are erased. [closed]: choosing
+    a robot leaves no variables in the type. *)
 
 val is_signed : Resolve.Ir.program -> Ir.Global.t -> bool
 (** Does this definition have a type signature? *)

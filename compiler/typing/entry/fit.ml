@@ -27,7 +27,7 @@ let is_anybodys (t : Ir.ty) others =
   match t with Data { tycon; _ } -> List.mem tycon others | _ -> false
 
 (* The substitution that makes the type equal to the robot's; empty if they are equal. A plain
-   signal function may also have a closed type that belongs to no robot. *)
+   signal function may also have a closed type that is not the type of any robot. *)
 let matches ~program ~others (t : Ir.ty) tycon =
   match t with
   | Variable v -> Some [ (v.id, tycon) ]

@@ -1,5 +1,7 @@
-(** Whether a robot-independent program runs on a given robot. Such a program has the type
-    [Program i o] or [SF i o], with class constraints that the robot's types must satisfy. *)
+(** Determines whether a robot-independent program can run on a given robot.
+
+    Such a program has the type [Program i o] or [SF i o], with class constraints that the robot's
+    types must satisfy. *)
 
 type robot = { input : Ir.Global.t; output : Ir.Global.t }
 (** The types of its sensor input and its output. They have no parameters. *)
@@ -19,5 +21,5 @@ val openness : Ir.definition -> openness
 
 val lacks : Ir.program -> Ir.definition -> others:Ir.Global.t list -> robot -> lack list option
 (** The constraints of an open program or signal function that the robot does not satisfy. [None] if
-    the types rule out this robot, whatever its capabilities. One end of a signal function may have
-    a type that belongs to no robot, that is, to none of [others]. *)
+    the types rule out this robot, whatever its capabilities. Either the input or the output of a
+    signal function may have a type that does not belong to a robot, that is, to one of [others]. *)

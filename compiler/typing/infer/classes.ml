@@ -119,7 +119,7 @@ let given_of ctx (variable : Ir.variable) =
   Option.value (Hashtbl.find_opt ctx.given variable.id) ~default:[]
 
 (* Records the first use that requires a constraint. A later use replaces it if it requires the
-   promised class itself and not one that the class implies. *)
+   class of the constraint directly and the first one does not. *)
 let note ctx (variable : Ir.variable) class_ (required : required) =
   let constraint_ = (variable.id, class_) in
   match Hashtbl.find_opt ctx.needs constraint_ with
@@ -184,7 +184,8 @@ let solve ctx (generalized : Generalize.t) =
       match atoms search ~through:[] required.class_ [] required.argument with
       | found -> List.iter (answer required) (List.rev found)
       | exception Lacking lack -> (
-          (* A type that should be a robot's is reported once, however many classes it lacks. *)
+          (* A type used in place of a robot's type is reported once, however many classes it lacks.
+             *)
           match Type.expand lack.culprit with
           | culprit
             when Instance_mistake.is_no_robot culprit && List.exists (is_same culprit) !functions ->

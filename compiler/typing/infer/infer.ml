@@ -86,8 +86,8 @@ let generalize ctx declared bindings expectations =
       Global_table.replace ctx.globals (fst (top b)) { scheme; kind = Defined; at = None })
     unsigned types
 
-(* Types beyond the size limit would slow down later stages, so the definition is left out. There is
-   an error anyway. *)
+(* Types beyond the size limit would slow down later stages, so the definition is left out. An error
+   has been reported anyway. *)
 let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option =
   let name, _ = top b in
   let refuse at what =
@@ -126,14 +126,14 @@ let distrust ctx declared (b : Resolve.Ir.binding) =
 
 (* {1 Limits} *)
 
-(* The type of a few lines may need more memory than there is, and inference may visit parts of a
-   very long definition many times. *)
+(* The types in a few lines may need more memory than is available, and inference may visit parts of
+   a very long definition many times. *)
 let most_steps_of_one = 5_000_000
 let most_steps = 20_000_000
 
 (* Runs a check of one definition within its limit of steps; returns [otherwise] if its types are
-   too large. When the program's steps are used up, skips the remaining checks, because there is an
-   error already. *)
+   too large. When the program's steps are used up, skips the remaining checks, because an error has
+   already been reported. *)
 let limited ctx left ~at what ~otherwise check =
   let before = Work.left () in
   let checked =
@@ -256,7 +256,7 @@ let need ctx ~is_library ~(otherwise : Ir.need) constraint_ : Ir.need =
   in
   follow [] otherwise constraint_
 
-(* Adds the needs, when all definitions are known. *)
+(* Adds the needs. Called when all definitions are known. *)
 let with_needs ctx (program : Resolve.Ir.program) (d : Ir.definition) : Ir.definition =
   let is_library file =
     List.exists

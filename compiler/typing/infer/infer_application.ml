@@ -76,7 +76,7 @@ let rec without_first n = function
   | _ :: rest when n > 0 -> without_first (n - 1) rest
   | list -> list
 
-(* The given types of the parameters after this argument's. *)
+(* The types given for the parameters after this argument. *)
 let later given argument = without_first argument.position given
 
 (* The reason why the argument must have the parameter's type. *)
@@ -172,7 +172,7 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
     let value =
       match argument.style with
       | Operator _ ->
-          (* a mismatch with the other operand has a message of its own *)
+          (* a mismatch with the other operand has a separate message *)
           let left_operand =
             match (argument.style, previous) with
             | Operator operator, None -> Some (argument.value, operator)
@@ -383,7 +383,7 @@ let infer expressions ctx e =
   let apply ~takes given (function_, previous) argument decided_by =
     match previous with
     | Some (_, left) when negative && is_function left ->
-        (* `f -1`: the right operand was not meant as an operand *)
+        (* `f -1`: the right operand was meant as an argument *)
         (function_, previous)
     | _ ->
         let later = later given argument in

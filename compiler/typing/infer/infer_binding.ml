@@ -296,7 +296,7 @@ let annotated expressions ctx (e : Resolve.Ir.expr) inner_expr written =
   in
   if not (polymorphic scheme) then { ty = scheme.body; build = value }
   else
-    (* locals from resolution have ids from 0 up, so negative ids cannot clash with them *)
+    (* resolution numbers local variables from 0 upwards, so negative ids cannot clash *)
     let local : Ir.Local.t =
       { id = -Type.next ctx.reader.supply; name = "annotated"; span = e.span }
     in

@@ -21,7 +21,7 @@ val right : expressions -> t -> Resolve.Ir.right -> Expected.t -> Ir.expr later
 (** A right-hand side: guards with their [where]. *)
 
 val declarations : expressions -> t -> Resolve.Ir.declarations -> Ir.binding list later
-(** Local declarations. Afterwards their names have types. *)
+(** Local declarations. After the call, their names have types. *)
 
 val annotated : expressions -> t -> Resolve.Ir.expr -> Resolve.Ir.expr -> Resolve.Ir.scheme -> typed
 (** [(e :: T)]: treated as a local binding with that signature. *)

@@ -24,7 +24,7 @@ let reference ctx ~at ~name ?said scheme desc =
   let ty, instantiation = use ctx ~at ~name ?said scheme in
   { ty; build = (fun () -> node at ty (desc (instantiation ()))) }
 
-(* Within its own group, a definition is used at its own type variables. *)
+(* Within its own group, a definition is instantiated with its own type variables. *)
 let own_instantiation ctx name : Ir.instantiation =
   let { scheme; _ } = Resolve.Global_table.find ctx.globals name in
   let scheme = Final.scheme scheme in
@@ -182,7 +182,7 @@ and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expec
   let are_exchanged first second =
     Argument_order.pair_exchanged ~unfit ~wanted:(wanted_a, wanted_b) (first, second)
   in
-  (* the type of a component that is not known yet *)
+  (* placeholder for the type of a component that is not known yet *)
   let anything = Type.Erroneous in
   let exchanged =
     match (first, second) with

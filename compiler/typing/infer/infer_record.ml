@@ -99,7 +99,8 @@ let field_within ctx ty name =
           Option.map fst (List.find_opt has constructor.ir.fields))
   | _ -> None
 
-(* Types without fields that yield values which may have fields, such as signal functions. *)
+(* For types that do not have fields but produce values that may have some, such as signal
+   functions. *)
 let through ctx words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
   let text = Option.value (Show.quote words record.span) ~default:"x" in
   let grouped = Source.grouped text in
@@ -276,7 +277,7 @@ let indexed (constructor : Environment.constructor) (name : Syntax.Ir.name) =
       Diagnostic.bug ~stage:"Typing.Infer_record" "%s has no field %s"
         constructor.ir.constructor.name name.text
 
-(* How the units of the fields relate. *)
+(* Describes how the units of the fields are related. *)
 let in_units (constructor : Environment.constructor) =
   let field (name, ty) =
     match (ty : Ir.ty) with

@@ -17,8 +17,8 @@ val construct :
   Ir.Global.t ->
   (Syntax.Ir.name * Resolve.Ir.expr) list ->
   typed
-(** [wanted]: the expected type, built by the constructor's type constructor; its instance
-    determines the expected field types. The caller compares the result with it. *)
+(** [wanted]: the expected type, an application of the constructor's type constructor. It determines
+    the expected field types. The caller compares the resulting type with it. *)
 
 val field :
   expressions ->

@@ -5,7 +5,7 @@ open Context
 type sequence = {
   input : Type.t;
   output : Type.t;
-  whole : Type.t; (* the type of the remaining statements, whatever came before *)
+  whole : Type.t; (* the type of the remaining statements; it does not depend on the ones before *)
 }
 
 let task s result = Environment.task_of s.input s.output result
@@ -51,7 +51,7 @@ let join ctx s ~result ~at (first : Ir.expr) pattern (rest : Ir.expr) : Ir.expr 
 let whatever ty (span : Span.t) : Ir.pattern later =
  fun () -> { desc = Any; ty = Final.ty ty; span = { span with stop = span.start } }
 
-(* The start of what follows a statement. *)
+(* The start of the code after a statement. *)
 let next (others : Resolve.Ir.statement list) (last : Resolve.Ir.expr) =
   match others with
   | [] -> Some last.span

@@ -1,7 +1,6 @@
-(** Checks [do] notation: tasks that run one after the other.
-
-    It becomes applications of {!Environment.sequence}. The rest of the statements is a function of
-    the result of the task before. *)
+(** Checks [do] notation: tasks that run one after the other. The result consists of applications of
+    {!Environment.sequence}, in which the remaining statements form a function of the previous
+    task's result. *)
 
 open Context
 
@@ -13,4 +12,5 @@ val check :
   Resolve.Ir.expr ->
   Expected.t ->
   Ir.expr later
-(** Arguments: the whole [do], its statements, and its last expression, which gives the result. *)
+(** Arguments: the whole [do], its statements, and its last expression, which determines the result.
+*)

@@ -94,10 +94,11 @@ type fact = {
   culprit : string;  (** the culprit as text *)
 }
 
-(* Does the class itself lack the instance, and not one that an instance of it asks for? *)
+(* Is the instance missing for the required class itself, rather than for a class that one of its
+   instances requires? *)
 let is_asked_itself fact = fact.lack.through = []
 
-(* Does the required type itself lack it, and not a part of that type? *)
+(* Is the instance missing for the required type itself, rather than for a part of that type? *)
 let is_direct fact =
   is_asked_itself fact
   && (Type.expand fact.required.argument == Type.expand fact.lack.culprit
@@ -125,9 +126,9 @@ let where_needed { required; lack; words; _ } d =
 
 (* {2 Rules}
 
-   Each returns how it completes the message, if it applies. *)
+   Each rule that applies returns a function that completes the message. *)
 
-(* `roMake` of several functions. *)
+(* `roMake` applied to several functions. *)
 let several_outputs fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput"; _ }
@@ -140,7 +141,7 @@ let several_outputs fact =
                 On)`")
   | _ -> None
 
-(* A mode that lacks its event. *)
+(* The body of a mode with its event missing. *)
 let output_with_an_event fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput"; _ } when is_with_an_event fact.lack.culprit ->
@@ -170,14 +171,14 @@ let task fact =
             follows another")
   | _ -> None
 
-(* Arithmetic of signal functions, where one operand is a number. *)
+(* Arithmetic on signal functions, where one operand is a number. *)
 let signal_function fact =
   match fact.lack.lacking with
   | Declared _ when is_signal_function fact.lack.culprit ->
       Some (Diagnostic.hint "`constant e` is the signal function that always gives `e`")
   | _ -> None
 
-(* `==` and `<` of types without them. *)
+(* `==` or `<` on types that do not support it. *)
 let not_comparable fact =
   match fact.lack.lacking with
   | Declared _ -> None
@@ -193,7 +194,7 @@ let not_comparable fact =
             Mode = Go | Stop`")
   | Eq | Ord -> Some (about_foreign fact.ctx fact.lack.culprit)
 
-(* A function that sets an output, without `roMake`. *)
+(* A function that sets an output, used without `roMake`. *)
 let output_not_made fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput"; _ } when fact.required.by <> "`roMake`" ->

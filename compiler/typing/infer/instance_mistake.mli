@@ -5,14 +5,14 @@
 open Context
 
 type lack = { lacking : Ir.class_; culprit : Type.t; through : Environment.instance list }
-(** A constraint that cannot be satisfied, and the instances that led to it, last one first. *)
+(** A constraint that cannot be satisfied, and the instances that led to it, in reverse order. *)
 
 val is_no_robot : Type.t -> bool
 (** Is this a type without capabilities, used by mistake in place of a robot's input or output type?
 *)
 
 val lacking : t -> required -> lack -> unit
-(** Reports the constraint, which the required one asks for. *)
+(** Reports that an instance is missing which the required constraint needs. *)
 
 val undecided : t -> required -> Ir.class_ -> unit
-(** Reports that nothing determines the type of which the class is required. *)
+(** Reports that nothing determines the type for which the class is required. *)

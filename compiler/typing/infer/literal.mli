@@ -1,12 +1,13 @@
 (** Number literals: their types and exact values (language reference, section 4).
 
-    Codes: [E0313] the value is not an [Int] · [E0315] the value is out of every range. *)
+    Codes: [E0313] the value is not an [Int] · [E0315] the value exceeds the range of every number
+    type. *)
 
 open Basis
 
 val number : Context.t -> negative:bool -> at:Span.t -> Resolve.Ir.number -> Type.t * Exact.t
-(** The type, and the value in base units. A literal without a point or exponent has type [n[1]],
-    one with them [Float[1]]; a unit suffix replaces the unit [1]. Zero has every unit. A scaled
+(** The type, and the value in base units. A literal without a point or exponent has type [n[1]];
+    with one of them, [Float[1]]. A unit suffix replaces the unit [1]. Zero has every unit. A scaled
     unit makes the literal a [Float]. *)
 
 val is_only_negative : Resolve.Ir.number -> bool

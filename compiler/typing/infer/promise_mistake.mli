@@ -1,5 +1,5 @@
-(** [E0309]: classes that a definition needs of its signature's variables, but that the signature's
-    context does not promise. One message per signature, because the fix changes one line. *)
+(** [E0309]: a definition requires classes of its signature's variables that the signature's context
+    does not promise. There is one message per signature, because the fix changes one line. *)
 
 type t = {
   required : Context.required;  (** the use that needs the class *)

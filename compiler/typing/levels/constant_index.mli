@@ -1,4 +1,4 @@
-(** Evaluates the index of [!] at compile time: a number literal, a name of one, or
+(** Evaluates the index of [!] at compile time: a number literal, a name defined as one, or
     [+ - * div mod min max] of such expressions. *)
 
 open Basis

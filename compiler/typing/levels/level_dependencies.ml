@@ -13,7 +13,7 @@ type walk = {
   sink : Diagnostic.sink;
   graph : Level_graph.t;
   unfinished : unit Int_table.t;
-      (** variables of [let]s whose definitions have not been walked to the end *)
+      (** variables of [let]s whose definitions have not been completely traversed *)
 }
 
 let origin (b : binding) : Level_graph.origin =

@@ -14,8 +14,8 @@ type node
 type origin =
   | Derived  (** no minimum *)
   | Bound_signal_function
-      (** no minimum: a single variable that must be static; if it is a signal, that is reported at
-          its definition only, and not at its uses *)
+      (** no minimum: a single variable that must be static; if it is a signal, the error is
+          reported only at its definition, not at its uses *)
   | Parameter  (** a function parameter: static for the procs inside the function *)
   | Input  (** a proc's input: a signal *)
 

@@ -19,7 +19,7 @@ type place = {
   conditional : pattern list;
       (** patterns bound inside the code that does not run at every instant, innermost first *)
   lifted : bool;
-      (** inside a local function that is lifted out as a definition of its own and so cannot
+      (** inside a local function that is lifted to a separate definition and therefore cannot
           contain instances *)
 }
 
@@ -57,7 +57,7 @@ let complaint kind what =
       Printf.sprintf "`%s` is a signal function and must be static, but %s" x.name what
   | Binding_of_task x -> Printf.sprintf "`%s` is a task and must be static, but %s" x.name what
 
-(* A hint about what the programmer likely wants instead. *)
+(* A hint that guesses what the programmer meant. *)
 let cure = function
   | Head { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ } ->
       Diagnostic.hint
@@ -134,8 +134,8 @@ let obstacle w place (e : expr) head : Misplaced.obstacle option =
   | _ when Misplaced.runs head w.definition -> Some Own_definition
   | _ -> if Memory.remembers w.memory head then Some Depends_on_start else None
 
-(* The places of the head and of the input. An instance is reported at most once. A stateless signal
-   function runs at every instant, wherever it occurs in its proc. *)
+(* Checks the places of the head and of the input. An instance is reported at most once. A stateless
+   signal function runs at every instant, wherever it occurs in its proc. *)
 let instance w place (e : expr) head input =
   let region around = outermost (fun (r : region) -> r.depth >= around) place.regions in
   let nothing_runs region =
@@ -234,7 +234,8 @@ let level w place (p : pattern) =
   | Some node -> Level_graph.level node
   | None -> ( match place.position with Outside | In_task -> Static | _ -> Signal)
 
-(* Shares unchanged subexpressions: most stay the same, and large programs have very many. *)
+(* Shares unchanged subexpressions, because large programs contain very many and most of them do not
+   change. *)
 let rec expr w place (e : expr) : expr =
   let with_ desc : expr = { e with desc } in
   match e.desc with

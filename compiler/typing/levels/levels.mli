@@ -1,8 +1,8 @@
 (** Levels: when values are known, and where instances may occur (language reference, section 2).
 
-    An instance runs at every instant of its proc. In a branch, a guard or a function it is allowed
-    only if that makes no difference: the signal function is stateless ({!Memory}), and mentions no
-    variable that has a value only there.
+    An instance runs at every instant of its proc. A branch, a guard or a function may contain one
+    only if its place does not affect its value: the signal function must be stateless ({!Memory}),
+    and must not mention a variable that has a value only there.
 
     Takes an inferred program and fills in the level of each binding. Reports signal functions that
     are run without being static ([E0340]), other misplaced instances ({!Misplaced}), bound signal

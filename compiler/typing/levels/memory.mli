@@ -1,8 +1,8 @@
 (** Finds the stateful signal functions, whose output depends on when they started.
 
-    A stateless one gives the same output whether it runs at every instant or only when its value is
-    needed, so its place in the program does not matter. Sensor methods count as stateless: a method
-    of type [SF i …] in a class of [i] reports the robot's current readings. *)
+    A stateless one produces the same output whether it runs at every instant or only when its value
+    is needed, so its place in the program does not matter. Sensor methods count as stateless: a
+    method of type [SF i …] in a class of [i] reports the robot's current readings. *)
 
 type t
 

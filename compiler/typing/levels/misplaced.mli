@@ -1,6 +1,5 @@
-(** Reports instances in places that are not evaluated at every instant, and suggests what to write
-    instead: outside all procs ([E0341]), in branches and guards ([E0342]), in functions ([E0343]).
-*)
+(** Reports instances in places that are not evaluated at every instant, and suggests alternatives:
+    outside all procs ([E0341]), in branches and guards ([E0342]), in functions ([E0343]). *)
 
 open Basis
 
@@ -17,7 +16,7 @@ and condition = { test : Ir.expr; chosen_if : bool }
 
 (** The reason why the instance cannot simply run at every instant anyway. *)
 type obstacle =
-  | Depends_on_start  (** it could, but restarting may be what was meant *)
+  | Depends_on_start  (** it could, but the user may have meant it to restart *)
   | Bound_here of Ir.Local.t
       (** the instance mentions this variable, which has no value elsewhere *)
   | Own_definition  (** the instance is part of its own definition *)
@@ -29,7 +28,7 @@ val runs : Ir.expr -> Ir.Global.t -> bool
 (** Does this expression run the global, possibly applied to arguments? *)
 
 val name : Ir.expr -> string
-(** The signal function that is run, as messages name it. *)
+(** The signal function that is run, as it is named in messages. *)
 
 val report :
   Diagnostic.sink ->

@@ -5,4 +5,4 @@ val of_application : Ir.expr -> Ir.expr -> Ir.expr_desc option
     [zipWith (\f x -> f x) fs xs] becomes [parZ fs xs]. *)
 
 val needs : Ir.Global.t list
-(** The library definitions that this needs, even if the program does not mention them. *)
+(** The library definitions that the rewriting needs, even if the program does not mention them. *)

@@ -5,7 +5,7 @@ let representations_agree a b =
   | Int, Float | Float, Int -> false
   | (Int | Float | Flexible_representation _ | Rigid_representation _), _ -> true
 
-(* The types and units that the variables of the wanted types are bound to. *)
+(* The types and units to which the variables of the wanted types are bound. *)
 type bound = {
   mutable types : (Type.flexible * Type.t) list;
   mutable units : (Units.t * Units.t) list;

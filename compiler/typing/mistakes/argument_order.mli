@@ -24,7 +24,7 @@ val may_be : wanted:Type.t -> Type.t -> bool
 (** Could an argument of this type be meant where [wanted] is expected? *)
 
 val exchange : int -> int -> of_:int -> int list
-(** The order of [of_] arguments with these two swapped. *)
+(** The order of the arguments, [of_] in number, with these two swapped. *)
 
 val rotated :
   unfit:(wanted:Type.t -> Type.t -> bool) ->

@@ -49,7 +49,7 @@ let not_taken fact =
 
 (* {2 Rules}
 
-   Each returns how it completes the message, if it applies. *)
+   Each rule that applies returns a function that completes the message. *)
 
 (* `[1 2]`. *)
 let after_a_number fact =
@@ -99,7 +99,7 @@ let without_brackets text =
   let n = String.length text in
   if n > 2 && text.[0] = '[' && text.[n - 1] = ']' then String.sub text 1 (n - 2) else text
 
-(* The text without a last parenthesis that it does not open, as in `sonars i)`. *)
+(* The text without an unmatched closing parenthesis at its end, as in `sonars i)`. *)
 let without_closing text =
   let count c = String.fold_left (fun n c' -> if c = c' then n + 1 else n) 0 text in
   let n = String.length text in
@@ -137,7 +137,7 @@ let element fact =
           |> rewrite)
   | _ -> None
 
-(* `integral x0 v`, the arguments of other languages. *)
+(* `integral x0 v`, with an initial value as in other languages. *)
 let initial_value fact =
   match fact.head.desc with
   | Global { name = "integral"; _ } when fact.position = 2 ->
@@ -147,7 +147,7 @@ let initial_value fact =
             each occurrence of an event, `resetOn integral (v, e)`")
   | _ -> None
 
-(* An event as one more argument of a signal function of the prelude. *)
+(* An event as an additional argument of a signal function of the prelude. *)
 let started_afresh fact =
   match fact.head.desc with
   | Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ }
@@ -164,7 +164,7 @@ let without_do fact =
     Some (hint "several tasks, one below the other, stand in a `do`, which opens their block")
   else None
 
-(* The signature, for a definition that is given an argument too many. *)
+(* Shows the signature of a definition that is applied to too many arguments. *)
 let signature fact =
   match fact.head.desc with
   | Global g when fact.position > 1 ->
@@ -175,7 +175,7 @@ let signature fact =
 
 let signature_of_task fact = if Environment.is_task fact.left then signature fact else None
 
-(* A task that is given its input. *)
+(* A task applied to an input. *)
 let task fact =
   if Environment.is_task fact.left then
     Some (hint "a task is run by `runTask`: `runTask t` is a signal function")

@@ -10,8 +10,8 @@ val not_a_function :
 
 val applied_without_parentheses :
   name:string -> inner:string -> whole:string -> Diagnostic.t -> Diagnostic.t
-(** Rewrites the message about an application with too many arguments: parentheses are missing
-    around [inner], and the whole should read [whole]. *)
+(** Rewrites the message about an application with too many arguments: the parentheses around
+    [inner] are missing, and the corrected application is [whole]. *)
 
 val negative_argument :
   Show.words ->

@@ -32,4 +32,4 @@ val exchanged_pair :
 val exponent_too_large : at:Span.t -> Diagnostic.t
 
 val too_large : at:Span.t -> string -> Diagnostic.t
-(** {!Final.Too_large}, for the type of the construct named by the string. *)
+(** The message for {!Final.Too_large}; the string names the construct whose type is too large. *)

@@ -13,7 +13,7 @@ let is_per_second words u = String.equal (Show.measure words u) "1/s"
 let is_angular_velocity (t : Type.t) =
   match Type.repr t with Alias { alias = { name = "AngularVelocity"; _ }; _ } -> true | _ -> false
 
-(* A time below this value, written without a unit, may well be in seconds. *)
+(* A time below this value, written without a unit, is probably meant in seconds. *)
 let many_seconds = 20.
 
 let with_unit words ~ty ~at digits unit_ =
@@ -44,7 +44,7 @@ let rec chosen (e : Resolve.Ir.expr) =
   | If { then_; else_; _ } -> chosen then_ @ chosen else_
   | _ -> []
 
-(* The literals behind a name that is defined as a choice among several numbers of one unit. *)
+(* The literals of a name that is defined as a choice among several numbers of one unit. *)
 let chosen_by_name words (e : Resolve.Ir.expr option) =
   match e with
   | Some { desc = Local x; _ } -> (
@@ -135,8 +135,8 @@ let numbers_without_units words (e : Resolve.Ir.expr option) =
 let is_operand (expected : Expected.t) =
   match expected.because with Operand _ -> true | _ -> false
 
-(* The text of an expression with this change. The change of a command is that of its input, if its
-   signal function is `returnA`, and otherwise that of a name for its output. *)
+(* The source text of the expression with this change. In a command, the change applies to the input
+   if the signal function is `returnA`, and otherwise to a name for the output. *)
 let changed words (subject : Resolve.Ir.expr option) change =
   let quote (e : Resolve.Ir.expr) = Show.quote words e.span in
   match subject with
@@ -245,7 +245,7 @@ let without_brackets words (wanted, given) diagnostic =
   else if Units.equal wanted Units.one && not (Units.is_open given) then write given
   else diagnostic
 
-(* The delay by a time, as in Yampa's [delay q]. *)
+(* A delay by a time, as in Yampa's [delay q]. *)
 let by_time ~(expected : Expected.t) diagnostic =
   match expected.because with
   | Parameter { callee = Some "delay"; position = 2; _ } ->

@@ -1,7 +1,7 @@
 (** Messages about mismatched numbers: the units differ ([E0320]), or one is an Int and the other a
     Float ([E0312]).
 
-    For both, the last argument is the pair that clashes: wanted, then given. [subject]: the
+    For both, the last argument is the clashing pair: the wanted and the given type. [subject]: the
     expression that has the wrong type, if there is one. *)
 
 open Basis
@@ -30,5 +30,5 @@ val without_open_units : Expected.t -> Expected.t
 (** Replaces undetermined units by 1. In a mismatch between Int and Float they are irrelevant. *)
 
 val makes : string -> string -> string option
-(** A sentence about how to make a value of the type with this name from the number written as the
-    second string, for a few types. *)
+(** For a few types: a sentence that explains how to build a value of the type with this name from a
+    number. The second string is the number's source text. *)

@@ -3,7 +3,7 @@ open Ir
 
 type t = {
   constructors : constructor array Resolve.Global_table.t;
-  most : int; (* maximum number of values that are named *)
+  most : int; (* maximum number of values to list *)
 }
 
 let create data =
@@ -268,7 +268,7 @@ let rec gaps t used width lines =
         let beside value gap = { gap with values = value :: gap.values } in
         append t (pairs t beside heads (gaps t used (width - 1) rest)) below
 
-(* No columns are left: the first row whose guards hold is taken. *)
+(* No columns are left: selects the first row whose guards are true. *)
 and reached t used = function
   | [] -> some_of t [ { values = []; passed = None } ]
   | line :: rest ->

@@ -28,4 +28,4 @@ type result = {
 }
 
 val check : ?most:int -> t -> row list -> result
-(** [most]: the maximum number of values that are named; 3 by default. *)
+(** [most]: the maximum number of values to list; 3 by default. *)

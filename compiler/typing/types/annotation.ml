@@ -173,7 +173,7 @@ and named t scope tycon units arguments =
     let found = of_kind ~reported t scope kind written in
     (reported || found = Erroneous, found)
   in
-  (* Report two swapped arguments as one mistake. *)
+  (* Reports two swapped arguments as one mistake. *)
   let _, arguments =
     List.fold_left_map
       (fun reported (kind, written) -> argument reported kind written)

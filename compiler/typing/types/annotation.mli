@@ -35,4 +35,4 @@ val class_ : Ir.Global.t -> Ir.class_
 
 val signature : t -> scope -> depth:int -> Resolve.Ir.scheme -> Type.scheme * scope
 (** Quantifies the variables that are not in scope, in order of occurrence, at [depth]. Returns the
-    scope extended by these. *)
+    scope extended with them. *)

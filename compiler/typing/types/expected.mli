@@ -9,7 +9,7 @@ type decider = {
 }
 (** An earlier argument whose type shares a variable with the parameter's type. *)
 
-(** Why an expression must have a certain type. *)
+(** The reason why an expression must have a certain type. *)
 type reason =
   | Unknown
   | Signature of { name : string; at : Span.t }

@@ -9,4 +9,4 @@ type t = { types : Type.rigid list; representations : Units.rigid list; units : 
 val none : t
 
 val types : Type.supply -> depth:int -> Type.t list -> t
-(** Afterwards the types contain no unsolved variables. *)
+(** After the call, the types do not contain unsolved variables. *)

@@ -4,8 +4,8 @@ type t = Syntax.Ir.rational
 (** In lowest terms, with a positive denominator. *)
 
 exception Out_of_range
-(** Raised if a numerator or denominator would exceed a million. No practical unit comes near that.
-*)
+(** Raised if a numerator or denominator would exceed a million. No practical unit comes close to
+    that. *)
 
 val zero : t
 val one : t

@@ -30,7 +30,7 @@ type place = {
   fields : Type.t -> (string * string list) option;
       (** the constructor and the fields of a record type *)
   choices : Type.t -> string list;
-      (** the constructors of an enumeration with few cases; otherwise none *)
+      (** the constructors of an enumeration with few cases; otherwise the empty list *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)
   makers : Type.t -> of_:Type.t -> string list;
       (** constructors of the first type that have a field of type [of_], shown with their fields *)
@@ -71,7 +71,7 @@ val quoted : words -> Type.t -> string
 (** In backticks; the alias of a number is followed by its unit, as in [`Velocity` (m/s)]. *)
 
 val is_any_number : Type.t -> bool
-(** Is nothing known of the type but that it is a number? Its text needs no names. *)
+(** Is the type known only to be a number? Its text then does not contain variable names. *)
 
 val described : words -> Type.t -> string
 (** A type as part of a sentence: quoted, or [a number]. *)

@@ -68,7 +68,7 @@ val next : supply -> int
 (** {1 New variables} *)
 
 val fresh : supply -> ?kind:kind -> depth:int -> unit -> t
-(** A type variable unless [kind] says otherwise. *)
+(** A type variable, unless [kind] specifies a size variable. *)
 
 val fresh_representation : supply -> depth:int -> representation
 val fresh_unit : supply -> depth:int -> Units.t

@@ -1,6 +1,6 @@
 (** Unification: makes two types equal in the most general way. *)
 
-(** Why unification failed: the innermost mismatch, in argument order. *)
+(** The reason why unification failed: the innermost mismatch, in argument order. *)
 type clash =
   | Different of Type.t * Type.t
   | Different_units of Units.t * Units.t

@@ -10,7 +10,7 @@ type t
 
 type rigid = { variable : Ir.variable; depth : int }
 (** A universally quantified variable. [depth]: the number of generalizing definitions around the
-    one that quantifies it; nothing further out may depend on it. *)
+    one that quantifies it. Variables of outer definitions must not depend on it. *)
 
 type flexible
 (** An unsolved variable. *)
@@ -27,11 +27,11 @@ val divide : t -> t -> t
 val power : t -> Rational.t -> t
 
 val unify : t -> t -> bool
-(** Makes the units equal by the most general solution. Returns [false] and changes nothing if there
-    is none. *)
+(** Unifies the units by the most general solution. Returns [false], without changing anything, if
+    there is none. *)
 
 val equal : t -> t -> bool
-(** Are the units equal, whatever is solved later? *)
+(** Are the units equal, regardless of how variables are solved later? *)
 
 val resolve : t -> t
 (** Substitutes all solutions found so far. *)

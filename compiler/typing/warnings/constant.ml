@@ -80,7 +80,7 @@ let rec at depth t (e : expr) =
       | found -> found)
   | _ -> None
 
-(* A call of a function of the program with known numbers. *)
+(* A call of a function of the program with constant arguments. *)
 and call depth t (e : expr) =
   match spine e with
   | { desc = Global (g, _); _ }, arguments -> (
@@ -129,7 +129,8 @@ let of_program (p : program) =
   in
   let params = table () in
   List.iter (fun (p : param) -> Resolve.Global_table.replace params p.param ()) p.params;
-  (* In dependency order, so that the values of the definitions used are known. *)
+  (* Adds definitions in dependency order, so that the values of the definitions they use are known.
+     *)
   let add (d : definition) =
     if not (Resolve.Global_table.mem params d.name) then (
       Resolve.Global_table.replace t.definitions d.name d.value;

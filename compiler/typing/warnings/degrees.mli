@@ -1,4 +1,4 @@
-(** Warns of numbers that look like degrees where an angle in radians is expected: [cos 90].
+(** Warns about numbers that look like degrees where an angle in radians is expected: [cos 90].
 
     Codes: [W0303]. *)
 
@@ -9,8 +9,8 @@ val operation : Resolve.Ir.expr -> (Resolve.Ir.expr * string * Resolve.Ir.expr) 
 (** The operands and the operator, if the expression applies a binary operator of the prelude. *)
 
 val warn : Context.t -> Resolve.Ir.expr -> Expected.t -> unit
-(** Warns of a number without a unit, larger than a full turn, where the type [Angle] is expected by
-    that name, or where it is added to or subtracted from an angle. The number is a literal or a
+(** Warns about a number without a unit, larger than a full turn, where the type [Angle] is expected
+    by that name, or where it is added to or subtracted from an angle. The number is a literal or a
     product or quotient of literals. A factor of a signal is not suspicious: [sin (100 * t)] is
     fine. Angles are dimensionless, so the unit checker cannot find this mistake. *)
 
@@ -18,11 +18,11 @@ val compares : string -> bool
 (** Is this a comparison operator? *)
 
 val warn_of_operands : Context.t -> Resolve.Ir.expr * Type.t -> Resolve.Ir.expr * Type.t -> unit
-(** Warns of such a number compared with an angle: [heading > 90]. Call it when all types are known.
-*)
+(** Warns about such a number compared with an angle: [heading > 90]. Call it when all types are
+    known. *)
 
 val keeps : Resolve.Ir.expr -> bool
 (** Does this function return an angle when given one, as [abs] and a sum do? *)
 
 val kept : Type.t -> operand:Type.t -> Type.t
-(** The type of its result: [Angle] if the operand is one. *)
+(** The type of its result: [Angle] if the operand is an angle. *)

@@ -4,4 +4,4 @@
 open Basis
 
 val warn : Context.t -> Resolve.Ir.expr -> next:Span.t option -> unit
-(** Checks a statement that binds nothing. [next]: the place of the statement after it. *)
+(** Checks a statement that does not bind anything. [next]: the place of the statement after it. *)

@@ -1,11 +1,11 @@
-(** Warns of angles converted to degrees where radians are expected: [h * 180 / pi < 90[deg]] and
+(** Warns about angles converted to degrees where radians are expected: [h * 180 / pi < 90[deg]] and
     [sin (h * 180 / pi)]. Angles are dimensionless, so the unit checker cannot find this mistake.
 
     Codes: [W0313]. *)
 
 val warn : Context.t -> Resolve.Ir.expr -> Expected.t -> unit
-(** Warns of a product with the factor 180/π, or the name of an equation with such a product, where
-    the type [Angle] or [AngularVelocity] is expected by that name. *)
+(** Warns about a product with the factor 180/π, or the name of an equation with such a product,
+    where the type [Angle] or [AngularVelocity] is expected by that name. *)
 
 val meets : string -> bool
 (** Does this operator compare, add or subtract its operands? *)

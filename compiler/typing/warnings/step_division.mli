@@ -1,4 +1,4 @@
-(** Warns of divisions by the length of the step, which is 0 at the first instant.
+(** Warns about divisions by the length of the step, which is 0 at the first instant.
 
     Codes: [W0314]. *)
 

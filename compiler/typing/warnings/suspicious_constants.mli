@@ -1,4 +1,4 @@
-(** Warns of constants that are almost certainly mistakes.
+(** Warns about constants that are almost certainly mistakes.
 
     Codes: [W0307] a number that is NaN although its operands are not · [W0308] a constant [Int]
     that wraps around · [W0309] a negative time where a duration is expected. *)

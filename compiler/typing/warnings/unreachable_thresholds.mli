@@ -1,4 +1,4 @@
-(** Warns of thresholds that the distance readings of a robot never cross.
+(** Warns about thresholds that the distance readings of a robot never cross.
 
     Code: [W0310] a distance from [frontSonar], [sideSonar] or [rightSonar] is compared with a
     constant beyond the robot's [sonarReach], so the result is always the same. *)

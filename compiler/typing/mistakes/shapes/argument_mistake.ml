@@ -33,7 +33,7 @@ let missing_in_definition fact ~missing d =
       | _ -> None)
   | _ -> None
 
-(* The application to write in place of the name. *)
+(* Suggests replacing the name by the application. *)
 let applied fact text d =
   hint (Printf.sprintf "write `%s`" text) (Unrun_mistake.instead fact.subject text d)
 
@@ -119,7 +119,8 @@ let missing_by_signature fact ~missing d =
 let missing_somewhere _ ~missing d =
   Some (hint (if missing = 1 then "an argument is missing" else "some arguments are missing") d)
 
-(* The first that applies is used: an argument that is known comes before a number of arguments. *)
+(* The first one that applies is used. Hints that name the missing argument come before those that
+   only count arguments. *)
 let hints_for_missing =
   [
     missing_in_definition;
@@ -156,7 +157,8 @@ let more_missing_than_expected fact =
 
 (* {1 A value where a function is expected} *)
 
-(* Is this the body of a lambda that is an argument? The expectation concerns the whole lambda. *)
+(* Is this the body of a lambda that is an argument? Then the expected type belongs to the whole
+   lambda. *)
 let is_a_body fact =
   match fact.expected.because with
   | Parameter { given; position; _ } -> (

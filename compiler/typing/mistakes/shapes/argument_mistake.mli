@@ -2,16 +2,16 @@
     expected. *)
 
 val missing_arguments : Type.t -> int
-(** How many arguments a function of this type takes. *)
+(** The number of arguments that a function of this type takes. *)
 
 val missing : Shape_fact.rule
-(** A function where a value is expected: the arguments that it lacks. *)
+(** A function where a value is expected; the hint lists the missing arguments. *)
 
 val more_missing_than_expected : Shape_fact.rule
 (** A function that lacks more arguments than the expected function takes. *)
 
 val lambda_with_too_few_parameters : Shape_fact.rule
-(** The body of a lambda whose caller gives it one argument more. *)
+(** The body of a lambda that is called with one argument more than it has parameters. *)
 
 val missing_in_an_operand : Shape_fact.rule
 (** An operand whose other operand is a function that lacks its last argument. *)
@@ -20,4 +20,4 @@ val composed : Shape_fact.rule
 (** A tuple of functions where a function is expected. *)
 
 val one_too_many : Shape_fact.rule
-(** The result of a function where the function itself is expected, or any other value there. *)
+(** A value where a function is expected, for example the result of that function. *)

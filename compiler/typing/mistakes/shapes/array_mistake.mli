@@ -1,10 +1,10 @@
-(** Rules for arrays: idioms of other languages, and what to write in Frob. *)
+(** Rules for arrays: idioms of other languages and their equivalents in Frob. *)
 
 val extreme : Shape_fact.rule
 (** [max xs], where [max] takes two values. *)
 
 val computed : Shape_fact.rule
-(** An operator on numbers that is applied to an array. *)
+(** A numeric operator applied to an array. *)
 
 val written_as_a_tuple : Shape_fact.rule
 (** A tuple where an array is expected. *)
@@ -13,15 +13,16 @@ val of_another_size : Shape_fact.rule
 (** Two arrays with different numbers of elements. *)
 
 val mapped : Shape_fact.rule
-(** [map] for an event or a task, which have counterparts of it, or [mapE] for an array. *)
+(** [map] applied to an event or a task, which have counterparts of it, or [mapE] applied to an
+    array. *)
 
 val of_records : Shape_fact.rule
-(** An array of records where one of numbers or truth values is expected. *)
+(** An array of records where an array of numbers or truth values is expected. *)
 
 val of_several_types : Shape_fact.rule
-(** An array literal with elements of another type than its first. *)
+(** An array literal with an element whose type differs from that of the first. *)
 
-(** {1 For other families} *)
+(** {1 Functions used by other rules} *)
 
 val is_array : Type.t -> bool
 

@@ -1,13 +1,13 @@
-(** Rules for values of one type where another is expected that can be made of them. *)
+(** Rules for values that can be converted to the expected type. *)
 
 val of_a_number : Shape_fact.rule
-(** A number where a type of the library is expected that functions make of numbers. *)
+(** A number where a library type is expected that functions create from numbers. *)
 
 val of_a_text : Shape_fact.rule
-(** A text where a number is expected: texts are labels only. *)
+(** A string where a number is expected: strings are only labels. *)
 
 val by_a_constructor : Shape_fact.rule
-(** A value where a type is expected that has a constructor for such values. *)
+(** A value where the expected type has a constructor for such values. *)
 
 val to_a_choice : Shape_fact.rule
 (** A value where an enumeration with few cases is expected. *)

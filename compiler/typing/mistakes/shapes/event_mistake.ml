@@ -141,12 +141,12 @@ let accumulated words ~name ~at (arguments : (Resolve.Ir.expr * Type.t) list) d 
 
 (* {1 Hints by the use of the event}
 
-   Each function gives the hint if it applies. *)
+   Each function returns its hint if it applies. *)
 
 let is_an_event fact = Environment.is_event fact.found
 let event_wanted fact = Environment.is_event fact.wanted
 
-(* `mergeE a b` applied to truth values, which were meant for `||`. *)
+(* `mergeE a b` applied to truth values, where `||` was meant. *)
 let merged_truths fact =
   match fact.expected.because with
   | Parameter { callee = Some ("mergeE" | "mergeR" | "pairEvents"); _ }
@@ -168,7 +168,7 @@ let other_constructor fact =
       Some "a `Maybe` is matched by `Just x` or `Nothing`"
   | _ -> None
 
-(* An event or a `Maybe` compared with the value that may be in it. *)
+(* An event or a `Maybe` compared with the value that it may contain. *)
 let compared_with_content fact =
   match fact.expected.because with
   | Operand { operator = ("==" | "/=") as operator; other; _ }
@@ -183,7 +183,7 @@ let compared_with_content fact =
       | _ -> Some (Printf.sprintf "what is in it is compared as `%s x`" constructor))
   | _ -> None
 
-(* `accum` and its relatives: each event brings a function. *)
+(* `accum` or a related function, with an event that does not carry a function. *)
 let without_function fact =
   match fact.expected.because with
   | Parameter { callee = Some ("accum" | "accumHold" | "dAccumHold"); _ }
@@ -236,7 +236,7 @@ let value_in_place_of_event fact =
            (value fact.words x))
   | _ -> None
 
-(* An event of `()` in place of one with a value. *)
+(* An event without a value, that is, with `()`, where an event with a value is expected. *)
 let without_value fact =
   match fact.expected.because with
   | (Parameter _ | Signature _ | Output _ | Branch _)
@@ -248,7 +248,7 @@ let without_value fact =
            (grouped fact "e"))
   | _ -> None
 
-(* `if after 5[s] () then …`, which is meant to stay True. *)
+(* `if after 5[s] () then …`, where the condition was meant to stay True. *)
 let time_as_condition fact =
   match (fact.expected.because, after fact.words fact.subject) with
   | Condition, Some time when is_an_event fact ->
@@ -292,7 +292,7 @@ let without_output fact =
       Some (Printf.sprintf "the output stands beside it: `(output, %s)`" (raw fact "…"))
   | _ -> None
 
-(* A function applied to an event of its argument's type. *)
+(* A function applied to an event whose value has the argument's type. *)
 let applied_to_an_event fact =
   match (fact.expected.because, content fact.found) with
   | Parameter { callee = Some f; takes; _ }, Some content
@@ -308,7 +308,7 @@ let applied_to_an_event fact =
            (grouped fact "e") f)
   | _ -> None
 
-(* A variable whose value is `()`, because it is that of an event. *)
+(* A variable whose value is `()`, because it comes from an event. *)
 let value_is_nothing fact =
   match (fact.expected.because, fact.subject) with
   | (Parameter _ | Operand _ | Branch _), Some { desc = Local _; _ }
@@ -318,8 +318,8 @@ let value_is_nothing fact =
          value of `x`"
   | _ -> None
 
-(* The first hint that applies is given. One about a function of the prelude comes before the one
-   about any parameter: `held_value` before `value_in_place_of_event`, and `made_twice` before
+(* The first hint that applies is used. A hint about a prelude function comes before the general one
+   about parameters: `held_value` before `value_in_place_of_event`, and `made_twice` before
    `in_place_of_a_truth`. *)
 let hints =
   [

@@ -1,8 +1,8 @@
 (** Rules for an event where another value is expected, or the reverse. *)
 
 val by_its_use : Shape_fact.rule
-(** The functions that take events, and what they take: [hold], [accum], [mergeE], patterns,
-    conditions and the like. *)
+(** Selects the hint by the use of the event: [hold], [accum], [mergeE], patterns, conditions and so
+    on. *)
 
 val in_a_maybe : Shape_fact.rule
 (** A [Maybe] where its content is expected. *)
@@ -22,5 +22,5 @@ val accumulated :
   (Resolve.Ir.expr * Type.t) list ->
   Basis.Diagnostic.t ->
   Basis.Diagnostic.t
-(** Rewrites the message about [accumHold x0 f e], the argument order of other languages. The list
-    has the arguments with their types. *)
+(** Rewrites the message about [accumHold x0 f e], which uses the argument order of other languages.
+    The list contains the arguments with their types. *)

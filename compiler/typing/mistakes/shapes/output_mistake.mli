@@ -2,10 +2,10 @@
     that [roMake] creates from it. *)
 
 val not_made : Shape_fact.rule
-(** An output or a whole program is expected. *)
+(** Applies if an output or a whole program is expected. *)
 
 val statement : Shape_fact.rule
-(** The function is a statement of a [do]. *)
+(** Applies if the function is a statement of a [do]. *)
 
 val hint_without_instance : Type.t -> string option
 (** The hint for a type without an instance of [RobotOutput], where an output is required. *)

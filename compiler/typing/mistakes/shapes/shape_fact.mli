@@ -1,4 +1,5 @@
-(** A mismatch of two types of different shapes: all that the rules for its message look at. *)
+(** A mismatch between types of different shapes, with all the information that the message rules
+    use. *)
 
 open Basis
 
@@ -26,19 +27,19 @@ val make :
 val first : (t -> 'a option) list -> t -> 'a option
 (** The result of the first rule that applies. *)
 
-(** {1 Questions} *)
+(** {1 Properties of the mismatch} *)
 
 val other_operand : t -> Resolve.Ir.expr option
 (** The other operand of an operator, if its type is the only reason for the expected type. *)
 
 val is_statement : t -> bool
-(** Is it a statement of a [do]? *)
+(** Is the subject a statement of a [do]? *)
 
 val is_a_parameter : t -> bool
-(** Is it an argument of a function, not an operand of arithmetic? *)
+(** Is the subject an argument of a function, rather than an operand of an arithmetic operator? *)
 
 val callee : t -> string
-(** The name of the function that it is an argument of, otherwise [f]. *)
+(** The name of the function that takes the subject as an argument; [f] if there is none. *)
 
 val name : t -> string option
 (** The subject, if it is a variable or a constructor. *)
@@ -55,19 +56,20 @@ val source : t -> string option
 (** The source text of the subject, if it is short. *)
 
 val raw : t -> string -> string
-(** The source text of the subject, otherwise this one. *)
+(** The source text of the subject, or this text if it is too long. *)
 
 val grouped : t -> string -> string
 (** Like {!raw}, with parentheses around the subject if it needs them as an argument. *)
 
 val elements : t -> string option list
-(** The source texts of the components, if the subject is a tuple; otherwise no text at all. *)
+(** The source texts of the components, if the subject is a tuple; otherwise a list that contains
+    only [None]. *)
 
 val all : string option list -> string list option
-(** All the texts, if none is missing. *)
+(** All texts, if none of them is missing. *)
 
 val names : int -> string list
-(** The first names for parts that the programmer did not name: [a], [b], … *)
+(** Names for parts that the programmer did not name: [a], [b], … *)
 
 (** {1 Messages} *)
 

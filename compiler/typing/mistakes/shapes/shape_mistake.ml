@@ -1,12 +1,12 @@
-(* The first rule that applies gives the message, so the order is the priority:
+(* The message comes from the first rule that applies, so the order defines the priority:
 
    - A rule for one construct or one function comes before the rule for all values of that type.
-   - A rule with a hint that is surely right comes before one that guesses what was meant.
-   - The rules for each pair of shapes come before those that look at the reason for the expected
-     type, such as a condition, where any type may have been found. *)
+   - A rule whose hint is certainly right comes before one that guesses what was meant.
+   - The rules for each pair of shapes come before those for a reason of the expected type, such as
+     a condition, because the latter accept any type. *)
 
-(* Tasks and signal functions come first: with them a program usually has a mistake of its whole
-   structure, whatever else its types say. *)
+(* Rules for tasks and signal functions come first: such a mismatch usually means that the structure
+   of the program is wrong, whatever else its types show. *)
 let of_activities =
   [
     Task_mistake.task_or_signal_function;
@@ -21,8 +21,8 @@ let of_activities =
     Signal_function_mistake.in_place_of_a_function;
   ]
 
-(* A function where something else is expected: the outputs of robots, and functions of whole
-   arrays, are no cases of missing arguments. *)
+(* Rules for functions where something else is expected. The first ones handle functions that do not
+   lack arguments: those that set a robot's output, and those that take a whole array. *)
 let of_functions =
   [
     Output_mistake.statement;
@@ -33,8 +33,8 @@ let of_functions =
     Argument_mistake.more_missing_than_expected;
   ]
 
-(* Values where values of another shape are expected. An operator or parameter that asks for
-   numbers has better hints than the general ones for records, tuples and arrays. *)
+(* Rules for values where values of another shape are expected. An operator or parameter that
+   requires numbers has better hints than the general rules for records, tuples and arrays. *)
 let of_values =
   [
     Vector_mistake.of_an_operator;
@@ -68,8 +68,8 @@ let of_values =
 let pattern_of_another_type (fact : Shape_fact.t) =
   match fact.expected.because with Value _ -> Some (Shape_fact.not_matched fact) | _ -> None
 
-(* Here the reason for the expected type decides. A rule for events or enumerations comes before the
-   general one for a condition or a truth value. *)
+(* Rules that depend on the reason for the expected type. A rule for events or enumerations comes
+   before the general one for a condition or a truth value. *)
 let of_reasons =
   [
     Task_mistake.unlike;

@@ -1,13 +1,14 @@
 (** Rules for mismatches between signal functions, functions and constant values. *)
 
 val in_place_of_a_test : Shape_fact.rule
-(** A signal function of truth values where a test is expected, which says how long it must hold. *)
+(** A signal function that outputs truth values where a test is expected; a test also states how
+    long the condition must be true. *)
 
 val condition_of_an_event : Shape_fact.rule
-(** A function to truth values where a signal function of events is expected. *)
+(** A function that returns truth values where a signal function that outputs events is expected. *)
 
 val function_not_lifted : Shape_fact.rule
-(** A function where a signal function is expected: [arr] makes one of it. *)
+(** A function where a signal function is expected; [arr] converts it. *)
 
 val in_place_of_a_function : Shape_fact.rule
 (** A signal function where a function is expected. *)

@@ -44,7 +44,7 @@ let input words t =
   | Type.Signal_function (input, _) -> Option.value (Show.signal words input) ~default:"x"
   | _ -> "x"
 
-(* A signal function whose output is no pair, or a pair without an event. *)
+(* A signal function whose output is not a pair, or is a pair without an event. *)
 let hint_for_an_output wanted given =
   if is_pair wanted && not (is_pair given) then
     Some "it gives its output together with the event that ends it, as `sf &&& e` does"
@@ -57,7 +57,7 @@ let hint_for_an_output wanted given =
     | Some other when Type.expand other = Bool -> Some by_an_event
     | _ -> None
 
-(* A function of the program that was applied to the signal. *)
+(* A function of the program that is applied to the signal. *)
 let hint_for_a_function fact (name, argument) =
   let argument = Option.value (Show.quote fact.words argument) ~default:"x" in
   Printf.sprintf
@@ -65,7 +65,7 @@ let hint_for_a_function fact (name, argument) =
      %s -> …`, and the whole runs as `switch %s … %s`"
     name argument name argument
 
-(* The output and the event themselves. *)
+(* A pair of an output and an event in place of the mode that returns them. *)
 let hint_for_a_pair fact =
   let callee = callee fact.expected and x = input fact.words fact.expected.ty in
   Printf.sprintf

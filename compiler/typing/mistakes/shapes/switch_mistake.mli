@@ -5,7 +5,7 @@
 open Basis
 
 val mode : Shape_fact.rule
-(** Something other than a mode in the place of a mode. *)
+(** A value of another type where a mode is expected. *)
 
 val goes_on : Expected.t -> bool
 (** Is the expected type the function to the next mode, which takes the event's value? *)
@@ -17,5 +17,5 @@ val three_arguments :
   (Resolve.Ir.expr * Type.t) list ->
   Diagnostic.t ->
   Diagnostic.t
-(** Rewrites the message about [switch mode event next], the argument order of other languages. The
-    list has the arguments with their types. *)
+(** Rewrites the message about [switch mode event next], which uses the argument order of other
+    languages. The list contains the arguments with their types. *)

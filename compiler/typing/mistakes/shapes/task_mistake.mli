@@ -21,4 +21,4 @@ val condition : Shape_fact.rule
 (** A task as the condition of an [if]. *)
 
 val unlike : Shape_fact.rule
-(** Two tasks of which only the inputs, only the outputs or only the results differ. *)
+(** Two tasks that differ only in their inputs, only in their outputs or only in their results. *)

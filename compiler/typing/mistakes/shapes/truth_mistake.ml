@@ -5,7 +5,7 @@ open Shape_fact
 let no_truth fact text =
   error ~code:"E0301" ~at:fact.at "expected `Bool`, found %s" (found_text fact) |> hint text
 
-(* A comparison to write in place of a number. *)
+(* A comparison to suggest in place of a number. *)
 let comparison fact =
   match (fact.given, fact.subject) with
   | Number _, Some { desc = Number { digits; _ }; _ } ->

@@ -16,4 +16,4 @@ val grouped_with_an_operand : Shape_fact.rule
 (** Like {!grouped_with_an_argument}, where the operator has the application on its left. *)
 
 val compared : Shape_fact.rule
-(** A number that is to be compared with another one first. *)
+(** A number where its comparison with another number was probably meant. *)

@@ -15,8 +15,8 @@ let selected fact =
               p p p))
   | _ -> None
 
-(* The call with the arguments from the mismatch on gathered in one tuple of this length. If as many
-   are given, they are taken; otherwise names stand for the others. *)
+(* The call in which the arguments from the mismatch onwards form one tuple of this length. If the
+   call has that many arguments, uses their source texts, and otherwise generated names. *)
 let gathered fact length =
   let before, after =
     match fact.expected.because with
@@ -48,7 +48,7 @@ let parameter fact =
               (gathered fact length)))
   | _ -> None
 
-(* How to take the tuple apart, for which other components are expected. *)
+(* How to take a tuple apart when a tuple of another length is expected. *)
 let taken_apart fact given =
   let names = String.concat ", " (names (List.length given)) in
   match fact.expected.because with
@@ -80,7 +80,7 @@ let written_as_an_array fact =
       |> all |> Option.map message
   | _ -> None
 
-(* The components as arguments; names stand for those that are long. *)
+(* The components as separate arguments; generated names replace long components. *)
 let side_by_side fact components =
   let written = elements fact in
   let argument i _ =
