@@ -2,7 +2,7 @@
 # install any missing packages and list them.
 
 # The Debian packages that every build needs.
-PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
+PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev \
   libalcotest-ocaml-dev libqcheck-ocaml-dev libbox2d-dev libtomlplusplus-dev \
   libcairo2-dev libmpfr-dev pkg-config gcc g++ clang libclang-rt-dev \
   libtcc-dev tcc libwebsockets-dev

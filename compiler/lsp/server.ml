@@ -1,5 +1,5 @@
 open Basis
-open Json_reader
+open Json
 
 type answer = (Json.t, int * string) result
 

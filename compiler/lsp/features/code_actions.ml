@@ -81,10 +81,8 @@ let lift ws (doc : Document.t) view range =
   Option.to_list (Option.map of_lift (Lift.at ws doc view range))
 
 let answer ws (doc : Document.t) params : Json.t =
-  let range = Workspace.offsets ws doc.text (Json_reader.member "range" params) in
-  let wanted =
-    List.filter_map Json_reader.string Json_reader.(list (at [ "context"; "only" ] params))
-  in
+  let range = Workspace.offsets ws doc.text (Json.member "range" params) in
+  let wanted = List.filter_map Json.string Json.(list (at [ "context"; "only" ] params)) in
   let is_wanted kind =
     let is_it w = String.equal w kind || String.starts_with ~prefix:(w ^ ".") kind in
     wanted = [] || List.exists is_it wanted

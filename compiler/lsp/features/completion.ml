@@ -247,7 +247,7 @@ let keywords =
 
 let answer ws (doc : Document.t) params : Json.t =
   let text = Text.contents doc.text in
-  let offset = Workspace.offset ws doc.text (Json_reader.member "position" params) in
+  let offset = Workspace.offset ws doc.text (Json.member "position" params) in
   let tokens = Tokens.of_text text in
   let imports = Catalogue.imports tokens in
   let directory = Filename.dirname doc.path in
@@ -312,10 +312,10 @@ let answer ws (doc : Document.t) params : Json.t =
 (* {1 Details of an item} *)
 
 let resolve ws (json : Json.t) : Json.t =
-  let text path = Json_reader.(string (at [ "data"; path ] json)) in
+  let text path = Json.(string (at [ "data"; path ] json)) in
   match (text "uri", text "module", text "name", json) with
   | Some uri, Some module_, Some name, Object members
-    when Json_reader.(at [ "data"; "value" ] json) = Bool true -> (
+    when Json.(at [ "data"; "value" ] json) = Bool true -> (
       let seen = Option.bind (Workspace.document ws uri) Document.names in
       let g : Resolve.Ir.Global.t = { module_; name } in
       match seen with

@@ -2,7 +2,7 @@ open Basis
 
 let symbol_at ws (doc : Document.t) params =
   let open Basis.Let_syntax.Option in
-  let offset = Workspace.offset ws doc.text (Json_reader.member "position" params) in
+  let offset = Workspace.offset ws doc.text (Json.member "position" params) in
   let of_version seen =
     let* seen = seen in
     let* position = View.position seen offset in

@@ -124,4 +124,4 @@ let selections ws (doc : Document.t) params : Json.t =
     in
     Option.get (List.fold_left (fun parent range -> Some (json parent range)) None (List.rev chain))
   in
-  List (List.map of_position (Json_reader.list (Json_reader.member "positions" params)))
+  List (List.map of_position (Json.list (Json.member "positions" params)))

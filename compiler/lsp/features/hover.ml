@@ -30,7 +30,7 @@ let of_expression ws (doc : Document.t) offset (seen : View.seen) =
   Some (hover ws doc range (Printf.sprintf "```frob\n:: %s\n```" (Typing.Show.ty ty)))
 
 let answer ws (doc : Document.t) params =
-  let offset = Workspace.offset ws doc.text (Json_reader.member "position" params) in
+  let offset = Workspace.offset ws doc.text (Json.member "position" params) in
   let names = Document.names doc and types = Document.types doc in
   let attempts = [ (of_symbol, types); (of_symbol, names); (of_expression, types) ] in
   (* The typed version has the types of symbols, but may lack a new symbol. *)

@@ -63,7 +63,7 @@ let of_version ws (doc : Document.t) (seen : View.seen) facts (start, stop) =
   List.filter_map of_occurrence index
 
 let answer ws (doc : Document.t) params : Json.t =
-  let range = Workspace.offsets ws doc.text (Json_reader.member "range" params) in
+  let range = Workspace.offsets ws doc.text (Json.member "range" params) in
   match Document.types doc with
   | Some seen when ws.inlay_hints ->
       List

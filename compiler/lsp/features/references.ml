@@ -51,9 +51,7 @@ let of_symbol ws (doc : Document.t) params =
 let declares (o : Index.occurrence) = o.declares
 
 let answer ws (doc : Document.t) params : Json.t =
-  let with_declaration =
-    Json_reader.(at [ "context"; "includeDeclaration" ] params) <> Json.Bool false
-  in
+  let with_declaration = Json.(at [ "context"; "includeDeclaration" ] params) <> Json.Bool false in
   match of_symbol ws doc params with
   | None -> List []
   | Some (_, found) ->

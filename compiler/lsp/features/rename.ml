@@ -99,7 +99,7 @@ let check ws files name =
 
 let answer ws (doc : Document.t) params =
   let open Basis.Let_syntax.Result in
-  let name = Option.value Json_reader.(string (member "newName" params)) ~default:"" in
+  let name = Option.value Json.(string (member "newName" params)) ~default:"" in
   (* The places must be those of the current text. *)
   Workspace.look ws doc;
   match (References.of_symbol ws doc params, doc.latest) with

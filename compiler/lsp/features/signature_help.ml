@@ -60,7 +60,7 @@ let call (tokens : Tokens.token array) ~from ~offset =
 
 let answer ws (doc : Document.t) params : Json.t =
   let text = Text.contents doc.text in
-  let offset = Workspace.offset ws doc.text (Json_reader.member "position" params) in
+  let offset = Workspace.offset ws doc.text (Json.member "position" params) in
   let tokens = Tokens.of_text text in
   let from, _ = Tokens.item text offset in
   match (call tokens ~from ~offset, Document.names doc) with

@@ -89,12 +89,12 @@ let range t text (start, stop) : Json.t =
   Object [ ("start", position t text start); ("end", position t text stop) ]
 
 let offset t text json =
-  let number name = Option.value Json_reader.(int (member name json)) ~default:0 in
+  let number name = Option.value Json.(int (member name json)) ~default:0 in
   Text.offset t.encoding text { line = number "line"; character = number "character" }
 
 let offsets t text json =
-  let start = offset t text (Json_reader.member "start" json) in
-  (start, max start (offset t text (Json_reader.member "end" json)))
+  let start = offset t text (Json.member "start" json) in
+  (start, max start (offset t text (Json.member "end" json)))
 
 let span_range t sources (span : Span.t) =
   let text = Text.of_string (Option.value (Source.text sources span.file) ~default:"") in
