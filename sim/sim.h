@@ -32,8 +32,8 @@ struct frob_body;  /* <frob/body.h> */
 struct frob_sim_settings {
     const char *robot; /* the robot that the host supports ("pioneer", …); NULL: any */
     uint64_t seed;     /* seed of all noise */
-    /* If positive: measure the distance from a wall, and use this in place of `distance` in the
-     * world file's [measure]. 0: measure what the world file says. */
+    /* If positive: measure the distance from a wall, and use this in place of `distance` in
+     * the world file's [measure]. 0: measure as the world file specifies. */
     double wall_distance_m;
     int picture; /* nonzero: record the data that frob_sim_picture draws */
     /* The body of a user-defined robot, which `robot` names; else NULL. */
@@ -43,8 +43,8 @@ struct frob_sim_settings {
     int served;
 };
 
-/* Reads a world file. Returns NULL on failure; `message` then holds one line for each mistake,
- * `FILE:LINE:COLUMN: …`, cut off at `room` bytes. */
+/* Reads a world file. Returns NULL on failure; `message` then contains one line for each
+ * mistake, `FILE:LINE:COLUMN: …`, truncated to `room` bytes. */
 struct frob_sim *frob_sim_open(const char *world_file, const struct frob_sim_settings *settings,
                                char *message, size_t room);
 void frob_sim_close(struct frob_sim *sim);
@@ -96,8 +96,8 @@ void frob_sim_command(struct frob_sim *sim, int64_t time_ns, const void *output)
 void frob_sim_command_robot(struct frob_sim *sim, size_t robot, int64_t time_ns,
                             const void *output);
 
-/* Whether the host has lost its robots at this time, as the world's [outage] says. The host then
- * skips the program's step and commands a stop. */
+/* Whether the host has lost its robots at this time, according to the world's [outage]. The host
+ * then skips the program's step and commands a stop. */
 int frob_sim_is_away(const struct frob_sim *sim, int64_t time_ns);
 
 /* The true pose of a robot in the world, and whether it has touched an object since the advance

@@ -94,8 +94,8 @@ double nearest_by_simulator(const Body &body, const Pose &from, int rays) {
         .value_or(p3dx::sonar_farthest);
 }
 
-// Replays `motions`, which hold each robot's velocities, step after step. It adds up all ranges so
-// that the compiler cannot remove a ray.
+// Replays `motions`, which contain each robot's velocities, step after step. It adds up all ranges
+// so that the compiler cannot remove a ray.
 template <typename Nearest>
 double run_physics(const Scene &scene, const std::vector<Motion> &motions, Nearest nearest,
                    double &sum) {

@@ -15,10 +15,10 @@ constexpr double longest = 3e3;
 constexpr double strongest = 1e6; // largest noise used; with more, pixels would still be black or
                                   // white with equal probability
 
-// Nearly normal random numbers from 0 to 252, in an array so long that reusing it does not show.
-// Each is the sum of four 6-bit numbers. The noise of a picture's row is the sum of two stretches
-// of this array that begin at random places: mean 252, standard deviation 52.249, out to nearly
-// five deviations.
+// Nearly normal random numbers from 0 to 252, in an array so long that its reuse is not
+// noticeable. Each is the sum of four 6-bit numbers. The noise of a picture's row is the sum of
+// two stretches of this array that begin at random places: mean 252, standard deviation 52.249,
+// out to nearly five deviations.
 class Grains {
   public:
     static constexpr float mean = 252.0f, deviation = 52.249f;
@@ -73,7 +73,7 @@ FROB_WIDE void make_pixels(const float *light, const float *gains, float share,
     }
 }
 
-// Each pixel's share in the mean over the pixels up to `radius` away from pixel `i` of `count`.
+// Each pixel's weight in the mean over the pixels up to `radius` away from pixel `i` of `count`.
 double share_of(int i, int count, int radius) {
     const int first = std::max(0, i - radius), last = std::min(count - 1, i + radius);
     return 1.0 / (last - first + 1);

@@ -16,7 +16,7 @@ namespace frob::sim {
 namespace {
 
 constexpr double width = 900.0;
-constexpr double left = 58.0, right = 24.0; // margins beside the drawing
+constexpr double left = 58.0, right = 24.0; // margins on both sides of the drawing
 constexpr double head = 58.0;               // space for the title
 constexpr double most_scene_height = 640.0;
 constexpr double frame_height = 180.0, frame_room = 52.0; // size of a camera's picture

@@ -1,6 +1,6 @@
-// Plan files: the list of runs that a sweep makes of a trial. The simulator reads them because it
-// has the reader of world files, which reports mistakes with file, line and column, and suggests
-// the key that was meant.
+// Plan files, which specify the runs of a sweep. The simulator reads them because it contains the
+// reader for world files, which reports mistakes with file, line and column, and suggests the
+// intended key.
 #pragma once
 
 #include <string>

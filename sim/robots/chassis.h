@@ -1,6 +1,6 @@
-// A robot's body, its wheels, and the places of its sensors: what the physics, the measurements and
-// the picture need to know about a robot. The origin of the robot's frame is midway between the
-// driving wheels, with x forward and y left.
+// A robot's body, its wheels, and the places of its sensors: the data about a robot that the
+// physics, the measurements and the picture need. The origin of the robot's frame is midway between
+// the driving wheels, with x forward and y left.
 #pragma once
 
 #include <cstddef>

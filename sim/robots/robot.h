@@ -1,5 +1,5 @@
-// A simulated robot: the parts that all robots share. Each kind of robot is a subclass, which knows
-// the C structs of its controller's input and output.
+// A simulated robot: the parts that all robots share. Each kind of robot is a subclass, which
+// handles the C structs of its controller's input and output.
 #pragma once
 
 #include <cstdint>

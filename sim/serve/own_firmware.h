@@ -1,5 +1,5 @@
-// The firmware of a user-defined robot. It connects the board that the user's C code describes
-// (<frob/board.h>) to the simulated body that other C code of theirs describes (<frob/body.h>).
+// The firmware of a user-defined robot. It connects the board (<frob/board.h>) to the simulated
+// body (<frob/body.h>), both of which the user's C code describes.
 #pragma once
 
 #include <cstdint>

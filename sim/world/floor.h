@@ -17,7 +17,8 @@ class Floor {
 
     // The fraction of light that a spot of width `spot` around a place reflects; 0 from a hole. If
     // the spot lies on an edge, the result lies between the reflectances of the two sides: the spot
-    // counts as a square aligned with the edge, and each side counts by its share of the square.
+    // is treated as a square aligned with the edge, and each side is weighted by its part of the
+    // square.
     double reflectance(Vec place, double spot) const;
 
   private:

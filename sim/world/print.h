@@ -17,11 +17,11 @@ class Print {
     // Rows start at the top, with three bytes a pixel.
     Print(int width, int height, const std::vector<std::uint8_t> &pixels);
 
-    // Throws std::runtime_error, whose message says what is wrong with the file.
+    // Throws std::runtime_error, whose message describes the error in the file.
     static Print of_file(const std::string &path);
 
-    // Tag `id` of the family 36h11 with its white margin: ten cells wide, of which the black frame
-    // takes eight. The simulator knows the first `tags` of the family.
+    // Tag `id` of the family 36h11 with its white margin: ten cells wide, of which the black
+    // frame takes eight. The simulator contains the first `tags` of the family.
     static Print tag(int id);
     static constexpr int tags = 30;
 

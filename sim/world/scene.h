@@ -97,8 +97,8 @@ struct CameraSettings {
     std::optional<double> ahead, left, up;     // m
     double yaw = 0.0, pitch = 0.0, roll = 0.0; // rad: to the left, down, clockwise
     // For cameras of a stereo pair: the offset along the camera's rows, in m to the left; a
-    // misalignment that programs do not know; and the index of the camera that takes its frames at
-    // the same times.
+    // misalignment that is hidden from programs; and the index of the camera that takes its frames
+    // at the same times.
     double aside = 0.0;
     double askew_yaw = 0.0, askew_pitch = 0.0, askew_roll = 0.0; // rad
     std::optional<std::size_t> partner;
