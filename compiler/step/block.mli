@@ -14,7 +14,7 @@ val scalars : Flow.Ir.sum array -> Ir.ty -> int
 (** The number of scalars in a value: numbers, Bools and tags. *)
 
 val numbers : Flow.Ir.sum array -> Ir.ty -> int
-(** How many of these are Floats. *)
+(** The number of scalars that are Floats. *)
 
 val run : int -> t -> t
 (** The given number of equal members, one after another. *)
@@ -23,4 +23,4 @@ val of_members : t list -> int list * t
 (** The offsets of a struct's members, and the struct as a whole. *)
 
 val of_alternatives : t list -> t
-(** A union of these members. *)
+(** The union of these members. *)

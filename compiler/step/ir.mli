@@ -1,15 +1,15 @@
-(** Step: each node as a state struct with a reset and a step function, which consist of statements
-    and expression trees.
+(** Step: each node is a state struct with a reset and a step function. The functions consist of
+    statements and expression trees.
 
-    Eliminated in this language: the freedom of order. Equations have become statements, in an order
-    in which everything is written before it is read. An unnamed value that is used once is part of
-    the expression that uses it. Values that only one branch needs are computed in that branch. A
-    delay is a field that is written at the end of the step.
+    In this language, the order of evaluation is fixed. Equations have become statements, ordered so
+    that everything is written before it is read. An unnamed value that is used once is part of the
+    expression that uses it. Values that only one branch needs are computed in that branch. A delay
+    is a field that is written at the end of the step.
 
     Invariants (see {!Lint}): a variable is declared once in its function, before its uses and in a
     block that contains them; variables that an [If] declares uninitialized are assigned in both
-    branches; nodes call only preceding nodes; nesting of statements and expressions is bounded
-    ({!Placement.nesting}, {!Usage.expression_size}) for any program. *)
+    branches; nodes call only preceding nodes; the nesting depth of statements and expressions is
+    bounded ({!Placement.nesting}, {!Usage.expression_size}) for all programs. *)
 
 open Basis
 
@@ -33,16 +33,19 @@ type field = {
   name : string;  (** from the source; not always unique *)
   content : content;
   purpose : string;  (** for readers of the generated C: [delay], [integral], a callee's name *)
-  origin : origin option;  (** the signal whose values it keeps, if it keeps a signal's values *)
+  origin : origin option;  (** the signal whose values it stores, if it stores a signal's values *)
   span : Span.t;
 }
 (** A member of a node's state. *)
 
 and origin = { signal : string; written : Span.t; role : role }
-(** A signal of Flow: its name, or [""], and where the programmer wrote it. *)
+(** A signal of Flow: its name, or [""], and its place in the source. *)
 
-(** What the member is to this signal. *)
-and role = Its_value | Its_integrand  (** it is an integral *) | Its_integral  (** a derivative *)
+(** The relation of the field's value to this signal. *)
+and role =
+  | Its_value
+  | Its_integrand  (** the signal is an integral *)
+  | Its_integral  (** the signal is a derivative *)
 
 and content =
   | Value of ty
@@ -79,7 +82,7 @@ type expr =
   | Is_constructor of { sum : int; value : expr; constructor : int }
   | Payload of { sum : int; value : expr; constructor : int; leaf : int }
   | Elements of { element : ty; elements : expr list }
-      (** an array; only as the whole value of a [Declare] *)
+      (** an array; only allowed as the whole value of a [Declare] *)
   | Fill of { count : int; element : ty; value : expr }
   | Index of { array : expr; index : int }  (** the index is inside the array *)
   | At of { count : int; element : ty; array : expr; index : expr; default : expr }
@@ -90,7 +93,7 @@ type expr =
   | Later of expr * expr  (** the sum of two [Nanoseconds], saturating *)
   | Soon of expr * expr  (** the sum of two [Nanoseconds] that certainly does not overflow *)
   | Reached of { time : expr; period : expr }
-      (** whether the [Nanoseconds] are at least this Float, whose fraction is dropped *)
+      (** whether the [Nanoseconds] are at least this Float, truncated to an integer *)
   | Rest of { time : expr; period : expr }
       (** the remainder of [Nanoseconds] that have [Reached] the period, divided by the period; 0 if
           the period is less than 1 *)
@@ -113,7 +116,7 @@ type statement =
       state : field option;  (** [None] if the node has no state *)
       arguments : expr list;
       results : variable list;  (** declared here *)
-      on_trial : bool;  (** runs on a copy of the state, which is then discarded *)
+      on_trial : bool;  (** runs on a copy of the state, which is discarded afterwards *)
       span : Span.t;
     }
   | Loop of loop
@@ -121,7 +124,8 @@ type statement =
       (** resets all states in the field *)
   | Enter of { entry : entry; span : Span.t }
   | Run of run
-  | Return of { value : expr; span : Span.t }  (** the last statement; only with a single output *)
+  | Return of { value : expr; span : Span.t }
+      (** the last statement; only if there is a single output *)
 
 and loop = {
   node : int;
@@ -150,18 +154,18 @@ and entry = {
 
 and run = {
   active : expr option;  (** if False, nothing runs, and the results are unspecified *)
-  clock : clock option;  (** present with [active], if a mode reads dt *)
+  clock : clock option;  (** present if [active] is present and a mode reads dt *)
   steps : int;  (** maximum number of modes that run in an instant *)
-  controls : (expr * entry) list;  (** the first one that holds is taken *)
-  late : bool;  (** controls are checked after the running mode, not before *)
+  controls : (expr * entry) list;  (** the first one whose condition is true is taken *)
+  late : bool;  (** controls are checked after the step of the running mode instead of before it *)
   drops : bool;
       (** after a late control or a delayed transition, the results of modes are discarded *)
   cases : case list;  (** one for each mode *)
   results : variable list;  (** declared here *)
   span : Span.t;
 }
-(** One instant of the node's machine (see {!Flow.Ir.machine}). After a mode was entered, dt is 0.
-*)
+(** One instant of the node's machine (see {!Flow.Ir.machine}). For a mode that has just been
+    entered, dt is 0. *)
 
 and clock = {
   since : field;
@@ -172,8 +176,8 @@ and clock = {
 
 and case = {
   arguments : expr list;  (** arguments for the step of the mode's node *)
-  others : variable list;  (** results of the step after those of the machine, declared here *)
-  transitions : next list;  (** the first one that holds is taken *)
+  others : variable list;  (** results of the step other than the machine's, declared here *)
+  transitions : next list;  (** the first one whose condition is true is taken *)
 }
 
 and next = {
@@ -186,7 +190,8 @@ and next = {
 
 type code = {
   parameters : variable list;
-      (** only the parameters that it reads; for the root's step, all leaves of the input *)
+      (** only the parameters that the function reads; for the root's step, all leaves of the input
+      *)
   body : statement list;
 }
 
@@ -198,14 +203,14 @@ type node = {
   state : field list;  (** after all passes, in the order of the struct: {!Field_order} *)
   modes : mode list;  (** the modes of its machine, if there is one *)
   foreign : Flow.Ir.foreign option;
-      (** the step and reset are the user's C; [reset] and [step] have no body, and the state, if
-          any, is one [Component] *)
+      (** if present, step and reset are in the user's C: [reset] and [step] have no body, and the
+          state, if there is any, is one [Component] *)
   reset : code;  (** empty if there is no state, or the reset is never called *)
   step : code;
   outputs : (string * ty) list;  (** the outputs, then those that only transitions read *)
   ends_early : int option;
       (** present for a mode whose step can end early: if one of its transitions occurs, the step
-          only returns the outputs from this number on (see {!Early_end}) *)
+          only returns the outputs with this or a higher number (see {!Early_end}) *)
   seconds : bool;  (** the step, or a callee, reads [Dt] *)
   nanoseconds : bool;  (** the step, or a callee, reads [Dt_nanoseconds] *)
   operations : int;  (** rough number of operations in the step, without callees *)
@@ -213,7 +218,7 @@ type node = {
 
 type mark = {
   field : field;
-  own : bool;  (** true: the step sets it at its start; false: at its end, like any delay *)
+  own : bool;  (** if true, the step sets it at its start; if false, at its end, like any delay *)
 }
 (** A Bool of the root that is False until the first step. *)
 
@@ -233,5 +238,6 @@ type program = {
   marks : int;  (** as in {!Flow.Ir.program} *)
   params : Flow.Ir.param list;
   started : mark option;
-      (** present if the dt of the first instant can be observed, and so must be replaced by 0 *)
+      (** present if the dt of the first instant can be observed and therefore must be replaced by 0
+      *)
 }

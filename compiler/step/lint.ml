@@ -40,7 +40,7 @@ let field_type c (f : Ir.field) =
       bug "field `%s` of `%s` is read as a value" f.name c.node.name
   | None -> bug "field `%s` is not in the state of `%s`" f.name c.node.name
 
-(* All arguments of an operation must have the same type. *)
+(* The result type of an operation, whose arguments must all have the same type. *)
 let operation c (operator : Flow.Ir.operator) (ty : Ir.ty) arguments : Ir.ty =
   let of_type ty = Flow.Operator_type.result operator (List.map (fun _ -> ty) arguments) in
   let result =
@@ -357,7 +357,8 @@ let code c (code : Ir.code) =
     bug "a variable of `%s` never gets its value" c.node.name;
   known
 
-(* Rejects fields for values whose memory C owns, because they are valid only within the instant. *)
+(* Rejects fields for values whose memory C owns, because these values are valid only within an
+   instant. *)
 let rec lasting c (f : Ir.field) =
   match f.content with
   | Value (Foreign { copyable = false; foreign_name; _ }) ->

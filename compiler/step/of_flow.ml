@@ -11,7 +11,7 @@ type context = {
 let variable = Modes.variable
 let parameters reads signals = Reads.parameters reads (Long_list.map variable signals)
 
-(* The nodes that this one steps, from its own code or as modes. *)
+(* The nodes that this node steps, by calls in its own code or as modes. *)
 let stepped body modes =
   let nodes = Int_table.create 8 in
   Walk.statements
@@ -22,7 +22,7 @@ let stepped body modes =
   List.iter (fun (mode : Ir.mode) -> Int_table.replace nodes mode.node ()) modes;
   nodes
 
-(* {!Cgen} generates the call of the user's C and the conversion of the leaves. *)
+(* {!Cgen} generates the call to the user's C and the conversion of the leaves. *)
 let foreign_node (node : F.node) (foreign : F.foreign) : Ir.node =
   let stateful = node.kind = Signal_function in
   let state : Ir.field =

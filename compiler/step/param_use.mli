@@ -1,4 +1,5 @@
-(** Which functions of a program read its parameters, directly or through a callee. *)
+(** Determines which functions of a program read the program's parameters, directly or through a
+    callee. *)
 
 type t
 

@@ -1,7 +1,7 @@
 open Format
 
-(* For one function: how often each name is declared, and the numbers of variables that have no name
-   or share their name. *)
+(* For one function: the number of declarations of each name, and the numbers printed for variables
+   that have no name or share a name. *)
 type names = { shown : (int, string) Hashtbl.t; count : (string, int) Hashtbl.t }
 
 let names () = { shown = Hashtbl.create 16; count = Hashtbl.create 16 }

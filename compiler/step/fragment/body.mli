@@ -1,7 +1,6 @@
-(** Translates a node's step and reset: the effects of its items, as a {!Fragment}.
-
-    Times and integrals advance first, then values are computed, and finally results and state are
-    written. *)
+(** Translates a node's step and reset: converts the effects of the node's items to a {!Fragment}.
+    The step first advances times and integrals, then computes values, and finally writes results
+    and state. *)
 
 val step :
   Calls.context ->
@@ -11,8 +10,8 @@ val step :
   is_root:bool ->
   Statics.t ->
   Fragment.t * (Flow.Ir.atom -> Flow.Ir.atom)
-(** Also returns a function that resolves copies. [limited] as in {!Memory.advance}. A node with one
-    output returns it; the root always writes its outputs to a struct. *)
+(** Also returns a function that resolves copies. For [limited], see {!Memory.advance}. A node with
+    one output returns it; the root always writes its outputs to a struct. *)
 
 val reset : Calls.context -> State.t -> Flow.Ir.node -> Statics.t -> Fragment.t
 (** Computes the static values, then everything that is initialized with them. *)

@@ -1,8 +1,8 @@
 (** Translates an instance: to a call, a step of its node's state, a loop of such steps, or a trial
     step.
 
-    A stateless instance with one result is a value, which is placed like any other value; all
-    others are actions. [resolve] resolves copies. *)
+    A stateless instance with one result becomes a value, which is placed like any other value;
+    every other instance becomes an action. [resolve] resolves copies. *)
 
 type context = {
   program : Flow.Ir.program;
@@ -12,7 +12,7 @@ type context = {
 
 val call :
   context -> (Flow.Ir.atom -> Flow.Ir.atom) -> Flow.Ir.instance -> Ir.field option -> Fragment.item
-(** A step. The field is that of the instance's state, if it has one. *)
+(** A step of an instance. The field contains the instance's state, if it has any. *)
 
 val try_out :
   context ->
@@ -21,7 +21,7 @@ val try_out :
   Flow.Ir.trial ->
   Ir.field option ->
   Fragment.item
-(** A trial step, for some of the results. Inputs that are not known yet are zero. *)
+(** A trial step, for some of the results. Inputs that are not known yet are replaced by zero. *)
 
 val reset :
   context -> (Flow.Ir.atom -> Flow.Ir.atom) -> Flow.Ir.instance -> Ir.field -> Fragment.item

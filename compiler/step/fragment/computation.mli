@@ -4,7 +4,7 @@ open Fragment
 
 val computed : Flow.Ir.equation -> Flow.Ir.rhs -> computed
 (** Translates the equation with this right-hand side instead of its own. The right-hand side must
-    not be stateful, like a {!Flow.Ir.Delay}. *)
+    be stateless (not a {!Flow.Ir.Delay}, for example). *)
 
 val without_self_comparison : Flow.Ir.rhs -> Flow.Ir.rhs
 (** Replaces comparisons of a signal with itself, since C compilers warn about these. [x == x] is

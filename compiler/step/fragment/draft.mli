@@ -15,13 +15,13 @@ val add_computed : t -> Flow.Ir.equation -> unit
 (** Adds an equation without memory. *)
 
 val leaf : t -> Flow.Ir.signal -> Ir.expr -> unit
-(** Makes reads of this signal use the given expression directly. *)
+(** Records that each read of this signal uses this expression directly. *)
 
 val count_nanoseconds : t -> Flow.Ir.signal -> unit
-(** Records that the signal is a whole number of nanoseconds, whatever its type in Flow. *)
+(** Records that the signal is a whole number of nanoseconds, regardless of its type in Flow. *)
 
 val keep_at_end : t -> Ir.field -> Flow.Ir.atom -> leaf:Flow.Ir.signal option -> Span.t -> unit
-(** Assigns this value to the field at the end of the step; [leaf] as in {!Fragment.t}. *)
+(** Assigns this value to the field at the end of the step; for [leaf], see {!Fragment.t}. *)
 
 val work :
   ?defines:Flow.Ir.signal list ->
@@ -32,8 +32,7 @@ val work :
   Span.t ->
   (Ir.expr list -> Ir.statement list) ->
   Fragment.item
-(** An action. It writes state, defines no variables, and has almost no cost, unless the arguments
-    say otherwise. *)
+(** An action. By default, it writes state, defines no variables, and has almost no cost. *)
 
 val fragment : t -> Fragment.t
-(** The resulting fragment; its states are those of {!keep_at_end}. *)
+(** The resulting fragment, with the states recorded by {!keep_at_end}. *)

@@ -1,8 +1,8 @@
-(** The computations of a function, before their places are decided.
+(** The computations of a function, before the compiler decides where to place them.
 
     {!Body} translates a reset or step function to a fragment. {!Usage} decides which values are
-    inlined into the expressions that use them, {!Write_order} in which order the state is written,
-    and {!Placement} in which block each value is computed.
+    inlined into the expressions that use them, {!Write_order} decides in which order the state is
+    written, and {!Placement} decides in which block each value is computed.
 
     Invariants: an item's operands are leaves or are defined by preceding items; operands are never
     copies of other signals. *)
@@ -14,7 +14,7 @@ type atom = Flow.Ir.atom
 type computed = {
   signal : Flow.Ir.signal;
   operands : atom list;
-  build : Ir.expr list -> Ir.expr;  (** builds the expression from those of the operands *)
+  build : Ir.expr list -> Ir.expr;  (** builds the expression from the operands' expressions *)
   choice : (atom * atom * atom) option;  (** condition, then, else *)
   weight : int;  (** approximate cost, in additions *)
   span : Span.t;
@@ -34,7 +34,7 @@ type action = {
 
 type item = Computed of computed | Action of action
 
-(** How a place changes at the end of the step. *)
+(** The change of a place at the end of the step. *)
 type update = Keep | Set of atom | Branch of { condition : atom; then_ : update; else_ : update }
 
 type write = { place : Ir.place; update : update; span : Span.t }
@@ -49,8 +49,8 @@ type t = {
   results : (Ir.place * atom * Span.t) list;
       (** written before any state, except for those that {!Late} moves after it *)
   states : (Ir.field * atom * Flow.Ir.signal option * Span.t) list;
-      (** a field, its next value, and the signal whose leaf is the field. If the next value is this
-          signal, the field is unchanged *)
+      (** a field, its next value, and the signal that is read from the field. If the next value is
+          this signal, the field is unchanged *)
   returned : (atom * Span.t) option;
   advances : Ir.statement list;
       (** statements that advance times and integrals, before everything else *)
@@ -58,4 +58,4 @@ type t = {
 }
 
 and ending = { ends : atom; told : int; span : Span.t }
-(** If [ends] holds, the mode ends, and only its [results] from number [told] on are needed. *)
+(** If [ends] is true, the mode ends, and only its [results] from number [told] on are needed. *)

@@ -49,7 +49,7 @@ let advance ~limited state (eq : F.equation) =
       Some (Assign { place = Own time; value = later ~limited time; span = eq.span })
   | Some (Elapsed _ | Delayed _ | Differentiated _ | Kept _) | None -> None
 
-(* Resets the time to 0 if the condition holds; otherwise advances it. *)
+(* Resets the time to 0 if the condition is true; otherwise advances it. *)
 let start_again draft time restart span =
   let statements restart =
     let else_ = later ~limited:false time in

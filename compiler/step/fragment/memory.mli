@@ -19,10 +19,11 @@ val next :
   State.t ->
   Flow.Ir.equation ->
   (Ir.field * Flow.Ir.atom * Flow.Ir.signal option * Span.t) option
-(** The state to write at the end of the step, as in {!Fragment.t}. *)
+(** The field to write at the end of the step and its value, in the form of [states] in
+    {!Fragment.t}. *)
 
 val reset : Draft.t -> State.t -> Flow.Ir.equation -> Fragment.item list
 (** Initializes the memory. *)
 
 val keep : Draft.t -> State.t -> Span.t -> Flow.Ir.signal -> Fragment.item list
-(** In the reset, stores a static value for the step if it has a field. *)
+(** In the reset, stores a static value in its field, if it has one, for use in the step. *)

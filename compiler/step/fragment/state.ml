@@ -47,7 +47,7 @@ let derived (s : signal) atom ~suffix ~otherwise =
 
 let origin (s : signal) : Ir.origin = { signal = s.name; written = s.span; role = Its_value }
 
-(* The values of a delay are those of its operand, which may have a name when the delay has none. *)
+(* A delay stores the values of its operand, which may have a name even if the delay has none. *)
 let origin_of_delay (s : signal) next =
   match next with Signal next when s.name = "" && next.name <> "" -> origin next | _ -> origin s
 
@@ -179,7 +179,8 @@ let of_node ~callee ~statics:(statics_of : int -> (Ir.variable * Ir.origin) list
   List.iter (fun (s : signal) -> Int_table.replace is_kept s.id ()) statics.kept;
   let keep ~name span (s : signal) =
     if Int_table.mem is_kept s.id then
-      (* Without a name it may be an intermediate result, whose span is that of the operation. *)
+      (* An unnamed signal may be an intermediate result, whose span is the span of the
+         operation. *)
       let origin = if String.equal s.name "" then None else Some (origin s) in
       let name = if String.equal s.name "" then name else s.name in
       let purpose = "computed by reset" in

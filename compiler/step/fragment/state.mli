@@ -4,7 +4,7 @@ type t
 
 val of_node :
   callee:(int -> Ir.node) -> statics:(int -> (Ir.variable * Ir.origin) list) -> Statics.t -> t
-(** [callee] and [statics] return the preceding nodes and their static parameters. *)
+(** [callee] returns a preceding node, [statics] its static parameters. *)
 
 val origin : Flow.Ir.signal -> Ir.origin
 

@@ -1,10 +1,10 @@
-(** Decides what a node computes when it starts, and what in each instant.
+(** Decides which items a node computes when it starts, and which in each instant.
 
     A signal is static if it depends only on the node's static parameters and on constants, through
-    operations and functions. Since it never changes, the reset computes it and stores it in the
-    state, if it is expensive (its computation involves a call of a function or of the C library)
-    and the step reads it. A cheap static signal is computed where it is read, which costs less than
-    memory. The levels of the source language guarantee that the [init] of a [Delay] and the
+    operations and functions. Since a static signal never changes, the reset computes it and stores
+    it in the state, if it is expensive (its computation calls a function or the C library) and the
+    step reads it. A cheap static signal is computed where it is read, because that costs less than
+    storing it. The levels of the source language guarantee that the [init] of a [Delay] and the
     [statics] of an instance are static. A [Function] node has no state and no reset: the step
     computes everything. *)
 
@@ -23,8 +23,8 @@ type t = {
 }
 
 val program : Flow.Ir.program -> t array
-(** One for each node. Raises {!Basis.Diagnostic.Bug} if an initial value or a static argument of an
-    instance is not static. *)
+(** Returns one result for each node. Raises {!Basis.Diagnostic.Bug} if an initial value or a static
+    argument of an instance is not static. *)
 
 val equations_in_step : t -> Flow.Ir.equation list
 (** The equations among the items [in_step]. *)

@@ -24,10 +24,10 @@ let has_constructor c known (v : variable) ~sum ~constructor =
       if List.length ks = all - 1 then Some true else None
   | Some (Truth _) | None -> None
 
-(* How far [learn] follows the definitions of variables. *)
+(* Maximum number of definitions of variables that [learn] follows. *)
 let depth = 4
 
-(* The facts that hold if the condition has this truth value. *)
+(* Adds the facts that follow if the condition has this truth value. *)
 let rec learn ?(depth = depth) c known holds = function
   | Variable v when Option.is_none (truth known v) -> (
       let known = Known.add v.id (Truth holds) known in
@@ -90,8 +90,9 @@ let argument c known : argument -> argument = function
   | Same e -> Same (expr c known e)
   | Counted e -> Counted (expr c known e)
 
-(* A branch in place of its [If]: the variables that the branches assigned are declared where this
-   branch assigns them, or stay uninitialized before a branch that cannot be taken apart. *)
+(* The statements of a branch that replaces its [If]. The variables that the [If] declares are
+   declared where this branch assigns them instead. [None] if the branch assigns some of them only
+   inside other statements. *)
 let in_place (uninitialized : variable list) branch =
   let is_uninitialized (v : variable) =
     List.exists (fun (u : variable) -> u.id = v.id) uninitialized
@@ -151,7 +152,8 @@ let negated ~span = function
   | Operation { operator = Not; arguments = [ e ]; _ } -> e
   | e -> Operation { operator = Not; ty = Bool; arguments = [ e ]; span }
 
-(* From the last statement to the first, because a variable that only unread ones read is unread. *)
+(* Goes from the last statement to the first, because a variable that is read only for unread
+   variables is also unread. *)
 let rec without_unread read body =
   let is_read (v : variable) = Int_table.mem read v.id in
   List.fold_left

@@ -20,7 +20,7 @@ let possible (program : F.program) =
 let operands = function Computed c -> c.operands | Action a -> a.operands
 let defined = function Computed c -> [ c.signal ] | Action a -> a.defines
 
-(* Goes from the last item to the first, because items follow those they depend on. *)
+(* Goes from the last item to the first, because each item follows the items that it depends on. *)
 let needed_for ({ leaves; items; _ } : Fragment.t) (atoms : atom list) =
   let wanted = Int_table.create 16 and fields = Int_table.create 16 in
   let want (atom : atom) =

@@ -1,8 +1,8 @@
-(** Ends the step of a mode early: its transitions come first.
+(** Ends the step of a mode early by checking the mode's transitions first.
 
     If a transition occurs, the outputs of the mode in that instant are discarded, and so is its
     state, because the next mode runs in the same instant. As soon as it is known that a transition
-    occurs, the rest of the step can be skipped, as a person would write it:
+    occurs, the rest of the step can be skipped, as in handwritten code:
 
     {v
     const bool arrived = frob_hypot(in->x - x, in->y - y) < 0.15;
@@ -13,8 +13,8 @@
     v} *)
 
 val possible : Flow.Ir.program -> bool array
-(** The modes of machines for which this is correct for all transitions (none is delayed). None in a
-    program with components in the user's C, which must run in every instant. *)
+(** The modes of machines for which this is correct for all transitions (none is delayed). There are
+    none in a program with components in the user's C, because these must run in every instant. *)
 
 val needed : Fragment.t -> Fragment.ending -> bool array
 (** The items that are needed if the mode ends. *)
@@ -25,5 +25,5 @@ val find :
   Flow.Ir.node ->
   Fragment.t ->
   Fragment.t
-(** Adds an [ending] to the step of a node, which must be a mode for which it is possible. [resolve]
-    resolves copies. *)
+(** Adds an [ending] to the step of a node. The node must be a mode that {!possible} allows.
+    [resolve] resolves copies. *)

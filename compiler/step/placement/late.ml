@@ -10,11 +10,10 @@ type user =
 type t = {
   fragment : Fragment.t;
   definer : int Int_table.t; (* index of the item that defines a signal *)
-  users : user list Int_table.t; (* users of a signal that are needed *)
+  users : user list Int_table.t; (* needed users of a signal *)
   written : unit Int_table.t; (* fields that are written *)
   kept : (int, Ir.field) Hashtbl.t;
-      (* signals [y] (see the interface), and the fields that hold
-                                       them at the end *)
+      (* signals [y] (see the interface), and the fields that contain them at the end *)
   late_items : bool array;
   late_outputs : bool array;
 }
@@ -82,8 +81,8 @@ let may_be_read_late t (atom : atom) =
       | None, Some k -> t.late_items.(k)
       | None, None -> false)
 
-(* Computes the largest consistent set: everything that might be late is assumed to be, and what
-   cannot be late is removed until nothing changes. *)
+(* Computes the largest consistent set: starts with everything that might be late, and removes
+   everything that cannot be late, until nothing changes. *)
 let rec settle t =
   let changed = ref false in
   let not_late late k =

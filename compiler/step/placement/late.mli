@@ -2,7 +2,7 @@
 
     A signal that keeps its value until something happens, such as a [hold], is the next value of a
     delay: [y = if c then x else before] with [before = delay x0 y]. After the state has been
-    written, the delay's field contains [y]. If all other uses of [y] are results, they are read
+    written, the delay's field contains [y]. If all other uses of [y] are results, these are read
     from the field, and the choice needs no variable:
 
     {v

@@ -2,8 +2,8 @@ module Flow = Flow.Ir
 open Basis
 open Fragment
 
-(* Code is built from back to front: the head of a block's list is the item that was placed last and
-   runs first. Positions decrease from 0, so a smaller one runs earlier. *)
+(* Code is built from back to front: the head of a block's list was placed last and runs first.
+   Positions decrease from 0, so an item with a smaller position runs earlier. *)
 type block = { id : int; depth : int; mutable within : branch option; mutable code : code list }
 
 and branch = {
@@ -148,8 +148,8 @@ let rec store ?leaf t ~branch block (w : write) =
       store ?leaf t ~branch b.else_ { w with update = else_ };
       store ?leaf t ~branch b.then_ { w with update = then_ }
 
-(* Values that a block computes before it writes state: fields that would otherwise be overwritten
-   too early, and values that depend on such fields. *)
+(* Values that a block computes before it writes state. [saved]: fields that would otherwise be
+   overwritten too early. [apart]: values that depend on such fields. *)
 type early = { saved : (Ir.variable * Ir.field) Int_table.t; mutable apart : Flow.signal list }
 
 let no_early () = { saved = Int_table.create 4; apart = [] }

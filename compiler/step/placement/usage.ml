@@ -10,7 +10,7 @@ type t = {
   item_of : int Int_table.t;
   uses : int Int_table.t;
   apart : unit Int_table.t;
-  taken : unit Int_table.t;  (** choices that have become part of writes *)
+  taken : unit Int_table.t;  (** choices that have become branches of writes *)
   branching : unit Int_table.t;  (** conditions that get an [If] *)
   predicted : unit Int_table.t;  (** conditions of the choices in {!Feedback} *)
   mutable writes : write list;
@@ -56,7 +56,7 @@ let branches t (c : computed) =
   | Some (Signal condition, _, _) when Int_table.mem t.branching condition.id -> c.choice
   | Some _ | None -> None
 
-(* Arrays always get a variable of their own. *)
+(* Arrays always get a separate variable. *)
 let is_array (s : Flow.signal) =
   match s.ty with Array _ -> true | Bool | Int | Float | Sum _ | Foreign _ -> false
 
@@ -71,8 +71,8 @@ let inlined t (s : Flow.signal) =
       Some c
   | Some _ | None -> None
 
-(* Counts uses. Goes from the last item to the first, so that it is known whether an item's users
-   are needed before the item itself is visited. *)
+(* Counts uses. Goes from the last item to the first: before an item is visited, it must be known
+   whether its users are needed. *)
 
 let count t atom =
   match atom with

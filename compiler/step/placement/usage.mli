@@ -1,12 +1,12 @@
 (** Counts the uses of values, and decides which values are inlined into the expression that uses
     them, and which choices become branches.
 
-    An unnamed value with one use is inlined, unless it is an array, or the expression would have
-    more than {!expression_size} operations; then its largest operand gets a variable of its own. A
-    choice becomes an [If] if the values that only its branches need cost more than a select, or if
-    one condition chooses many values. State that a branch leaves unchanged is always written in an
-    [If]: a chain of selects through memory is slow, while a rarely taken branch is fast. The
-    choices of {!Feedback} also become [If]s. *)
+    An unnamed value with one use is inlined, unless it is an array. If the expression would have
+    more than {!expression_size} operations, its largest operand gets a separate variable. A choice
+    becomes an [If] if the values that only its branches need cost more than a select, or if one
+    condition chooses many values. State that a branch leaves unchanged is always written in an
+    [If], because a chain of selects through memory is slow, while a rarely taken branch is fast.
+    The choices of {!Feedback} also become [If]s. *)
 
 type t
 
@@ -26,14 +26,14 @@ val ty : t -> Flow.Ir.signal -> Ir.ty
 val leaf : t -> Flow.Ir.signal -> Ir.expr option
 
 val inlined : t -> Flow.Ir.signal -> Fragment.computed option
-(** The value to inline into its user, if it is inlined. *)
+(** The value to inline into the user of this signal, if it is inlined. *)
 
 val keep_apart : t -> Flow.Ir.signal -> unit
-(** Gives the value a variable of its own from now on. *)
+(** Records that the value needs a separate variable. *)
 
 val choice : t -> Fragment.computed -> (Fragment.atom * Fragment.update * Fragment.update) option
-(** The condition and branches of a choice that becomes an [If]. Choices that only the branches use
-    become part of them, and are not placed separately. *)
+(** The condition and branches of a choice that becomes an [If]. Choices that only these branches
+    use become part of the branches, and are not placed separately. *)
 
 val predicted : t -> Fragment.atom -> bool
 (** Whether this is the condition of a choice in {!Feedback}. *)

@@ -61,8 +61,8 @@ let of_usage usage =
     | Branch { condition = _; then_; else_ } -> List.append (all then_) (all else_)
     | update -> all update
   in
-  (* The values that a group of several writes needs are computed in its [If], before all these
-     writes. *)
+  (* If a group has several writes, the values that they need are computed in the group's [If],
+     before all these writes. *)
   let order group =
     let all_early = List.compare_length_with group 1 > 0 && need_written values group in
     let early_condition = need_written all group && not (need_written values group) in

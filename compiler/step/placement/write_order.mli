@@ -2,8 +2,8 @@
     computed from the old contents of fields, a write is [Early] if its value depends on a field
     that is written before it.
 
-    The dependency includes all intermediate values that only this write, or the writes that share
-    its [If], need, because these are computed as late as possible. *)
+    The value depends on a field even if the field is read for an intermediate value that only this
+    write, or the writes that share its [If], need. Such values are computed as late as possible. *)
 
 type timing =
   | In_order
