@@ -1,9 +1,9 @@
 (** Core: a small, explicitly typed, higher-order language. The reference interpreter runs it, and
     the specializer evaluates it.
 
-    Core has no units, no patterns (but tests and payloads), no guards, no records (but data with
-    one constructor), no do-notation, no arrow commands and no anonymous instances: each run of a
-    signal function is an equation of a proc. Polymorphic local functions, and recursive local
+    Core does not have units, guards, do-notation, arrow commands or anonymous instances: each run
+    of a signal function is an equation of a proc. Tests and payloads replace patterns, and data
+    types with one constructor replace records. Polymorphic local functions, and recursive local
     signal functions and tasks, have become top-level definitions.
 
     Invariants (see {!Lint}): Every variable is bound once and used in scope. Types mention only the

@@ -1,8 +1,8 @@
 (** The table of built-in primitives.
 
     Each primitive is declared with its type in the standard library
-    ([primitive sin :: Float -> Float]) and has a row here. {!Specialize} defines its meaning, and
-    so does the interpreter. *)
+    ([primitive sin :: Float -> Float]) and has a row here. {!Specialize} and the interpreter
+    implement its meaning. *)
 
 type t =
   (* on numbers of any representation *)
@@ -132,7 +132,7 @@ val of_name : string -> t option
 val name : t -> string
 
 val key : t -> string
-(** A key that is unique for each primitive. The name is not, because a foreign primitive may have
-    the same name as another one. *)
+(** A key that is unique for each primitive. The name is not unique, because a foreign primitive may
+    have the same name as another one. *)
 
 val arity : t -> int

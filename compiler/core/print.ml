@@ -119,7 +119,7 @@ let constructor c (ty : ty) index =
 let is_conjunction (e : expr) =
   match e.desc with If (_, _, { desc = Boolean false; _ }) -> true | _ -> false
 
-(* Is the expression clearer on lines of its own? *)
+(* Is the expression clearer on separate lines? *)
 let is_block (e : expr) =
   match e.desc with Let _ -> true | If _ -> not (is_conjunction e) | _ -> false
 

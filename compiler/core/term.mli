@@ -13,7 +13,7 @@ val apply : Ir.expr -> Ir.expr -> Ir.ty -> Span.t -> Ir.expr
 val not_ : Ir.expr -> Ir.expr
 
 val conjunction : Ir.expr -> Ir.expr -> Ir.expr
-(** The second operand is evaluated only if the first holds, so it may rely on what the first has
+(** The second operand is evaluated only if the first is true, so it may rely on what the first has
     tested. *)
 
 val if_ : Ir.expr -> Ir.expr -> Ir.expr -> Span.t -> Ir.expr

@@ -200,7 +200,7 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
             Foreign.apply env.program.core f arguments
         | None, _ -> Primitive.apply env.program.real p arguments)
 
-(* Size of the array that a primitive makes: the primitive's last type argument. *)
+(* The size of the array that a primitive returns: the primitive's last type argument. *)
 and size env types = match List.rev_map (closed env.types) types with Size n :: _ -> n | _ -> 0
 
 and global program name types =

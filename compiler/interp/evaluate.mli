@@ -1,9 +1,9 @@
-(** Evaluates Core lazily, as its definition says.
+(** Evaluates Core lazily, as its definition specifies.
 
     Within an instant, the equations of a proc are thunks that may force each other in any order.
     Its instances receive their inputs as thunks, too, and change their state only at the end of the
-    instant. Therefore the order of equations has no meaning here either. Every instance runs in
-    every instant, even if its output is not needed. *)
+    instant. Therefore the order of the equations does not matter. Every instance runs in every
+    instant, even if its output is not needed. *)
 
 type program
 

@@ -7,8 +7,8 @@ val interface : Core.Ir.program -> Core.Ir.Global.t -> Core.Ir.ty * Core.Ir.ty
 
 val start :
   ?params:(Core.Ir.Global.t * Value.t) list -> Core.Ir.program -> entry:Core.Ir.Global.t -> t
-(** [params] gives the values of parameters that differ from their defaults. The entry must be a
-    signal function or a program, of a closed type. For programs that the compiler would reject, the
+(** [params]: the values of parameters that differ from their defaults. The entry must be a signal
+    function or a program with a closed type. For programs that the compiler would reject, the
     behavior is undefined. *)
 
 val ended : t -> Core.Ir.ty option

@@ -41,8 +41,8 @@ let enter nesting value input =
   let instance = started nesting value in
   { instance; output = instance.output Clock.first input }
 
-(* Runs [active] until [next], which is decided in each instant, replaces it. [visible] says if the
-   output of the new instance is already seen in this instant. *)
+(* Runs [active] until [next], which is decided in each instant, replaces it. [visible]: does the
+   output in this instant already come from the new instance? *)
 type running = {
   mutable active : Value.instance;
   mutable switched : bool;

@@ -44,8 +44,8 @@ type step = { state : state; shown : Value.thunk }
 
 let nothing = Thunk.known (Value.Tuple [||])
 
-(* Starts a task in its first instant. While the current task ends at once, starts the next one in
-   the same instant. *)
+(* Starts a task in its first instant. As long as the current task ends immediately, starts the next
+   one in the same instant. *)
 let rec enter nesting (task : Value.t) rest input =
   match task with
   | Task (First (first, continuation)) ->

@@ -1,4 +1,5 @@
-(** Tasks: activities that end, one after another (language reference, section 7). *)
+(** Tasks: activities that run one after another, each until it ends (language reference, section
+    7). *)
 
 val make : Value.thunk -> Value.t
 (** [mkTask]: a task that ends when the event of its signal function occurs. *)

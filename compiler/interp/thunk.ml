@@ -4,7 +4,7 @@ type 'a t = { mutable state : 'a state; name : string; nesting : nesting option 
 
 exception Postponed of (unit -> unit)
 
-(* Maximum nesting of evaluations. An equation takes some hundred bytes of stack, a long one
+(* Maximum nesting of evaluations. An equation takes a few hundred bytes of stack, a long one
    somewhat more. *)
 let deepest = 400
 let nesting () = { depth = 0 }

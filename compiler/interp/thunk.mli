@@ -1,7 +1,7 @@
-(** Lazy values: evaluated when first needed, then remembered.
+(** Lazy values, which are evaluated when first needed and then cached.
 
     The parts of tuples and data are thunks, so that a component depends only on the values it is
-    computed from. The causality check treats each component separately in the same way. *)
+    computed from. The causality check also treats each component separately. *)
 
 type 'a t
 
@@ -19,11 +19,11 @@ val equation : nesting -> name:string -> (unit -> 'a) -> 'a t
     deeply, {!force} abandons it, and {!demand} first evaluates the thunk that was reached. *)
 
 val force : 'a t -> 'a
-(** The value. Call this only within {!demand}, from one thunk to another. A thunk that needs its
-    own value is a loop within one instant. That is a bug, because causality has been checked. *)
+(** The value. Only a thunk that {!demand} evaluates may call this. A thunk that needs its own value
+    is a loop within one instant. That is a compiler bug, because causality has been checked. *)
 
 val demand : 'a t -> 'a
-(** The value. Call this outside of any evaluation. *)
+(** The value. Must be called outside of any evaluation. *)
 
 val afresh : nesting -> (unit -> 'a) -> 'a
 (** Runs a function that calls {!demand} although an evaluation is in progress. *)

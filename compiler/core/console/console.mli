@@ -1,9 +1,10 @@
 (** The controls that a program requests from its operator: buttons, knobs and so on, identified by
     labels.
 
-    In the library, the type [Console] has one constructor without fields. Which controls a program
-    requests is known after all static code has been run ({!Specialize.Operator}). {!declare} then
-    turns them into the fields of that type, and from there on a console is an ordinary record. *)
+    In the library, the type [Console] has one constructor without fields. The controls that a
+    program requests are known after all static code has been run ({!Specialize.Operator}).
+    {!declare} then turns them into the fields of that type, and from there on a console is an
+    ordinary record. *)
 
 val asks : Ir.program -> bool
 (** Might any definition request a control? *)
@@ -23,16 +24,16 @@ val declare : Ir.control list -> Ir.program -> Ir.program
 val field : Ir.control list -> string -> int
 (** The index of the field with this label. *)
 
-(** The value of a field if nobody uses the console. *)
+(** The value of a field while the operator does not use the console. *)
 type rest = No_event | Off of bool | At of float
 
 val at_rest : Ir.control_kind -> rest
 
 val map_label : string
-(** The label of the map, which has none in the program. *)
+(** The label to display for the map, since the program does not give it one. *)
 
 val tags_label : string -> string
-(** The label of the tags seen by the camera with this label. Hosts find the camera by it. *)
+(** The label of the tags seen by the camera with this label. Hosts use it to find the camera. *)
 
 val camera : Ir.control -> string option
 (** The label of the camera that supplies this control, if it is a camera or tags. *)

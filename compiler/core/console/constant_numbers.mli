@@ -1,8 +1,8 @@
 (** Finds the variables that a knob's limits depend on.
 
-    Numbers are parameters of a specialization. However, the limits and the initial value of a knob
-    and the initial position of a toggle must be known at compile time, and so must the variables
-    that they are computed from. *)
+    A specialization takes numbers as parameters. However, the limits and the initial value of a
+    knob and the initial position of a toggle must be known at compile time, and so must the
+    variables that they are computed from. *)
 
 type t
 

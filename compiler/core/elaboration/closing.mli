@@ -7,5 +7,5 @@ val program :
   input:Ir.ty ->
   output:Ir.ty ->
   Ir.program * Ir.Global.t
-(** Adds a definition that applies the open one (of type [Program i o] or [SF i o]) at these types,
-    where it is open. Its name is that of the open one with the suffix. *)
+(** Adds a definition that instantiates the open one (of type [Program i o] or [SF i o]) with these
+    types. Its name is the name of the open one followed by the suffix. *)

@@ -15,7 +15,7 @@ val boolean : Ir.Global.t
 (** The data type [Bool]. Its constructors are constants in Core. *)
 
 val array : Ir.Global.t
-(** The data type [Array]. It has its own case in Core's types. *)
+(** The data type [Array]. Core's types have a separate case for it. *)
 
 val substitute : (Ir.variable * Ir.ty) list -> Ir.ty -> Ir.ty
 (** Replaces variables, compared by [id]. *)

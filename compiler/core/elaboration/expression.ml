@@ -270,7 +270,7 @@ and proc env (e : T.expr) input equations output =
   Term.make (Erasure.ty e.ty) e.span
     (Ir.Proc { name = env.name; input = binder; equations = Equations.all mine; output })
 
-(* If an instance is the whole right-hand side, it needs no variable of its own. *)
+(* An instance that is the whole right-hand side does not need a separate variable. *)
 and equation env equations (b : T.binding) =
   let binder = Matching.binder env.ctx b.pattern in
   let inner = named b.pattern env in

@@ -34,7 +34,7 @@ val choose :
   at_every_instant:bool ->
   Typing.Ir.binding list ->
   lifted list * Typing.Ir.binding list
-(** Splits a list of bindings into those that are lifted and those that stay, both in order. Of a
+(** Splits a list of bindings into those that are lifted and those that remain, both in order. Of a
     proc's equations, only those that are not signals can be lifted. *)
 
 val definition : lifted -> Ir.expr -> Ir.definition

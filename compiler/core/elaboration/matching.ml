@@ -21,7 +21,7 @@ let rec collect (p : T.pattern) root found =
   | Any | Literal _ -> found
   | Bound local -> ({ Ir.local; ty = root.Ir.ty }, root) :: found
   | As (local, p) ->
-      (* below the name, the name refers to the value *)
+      (* the patterns inside an as-pattern refer to the value by its name *)
       let binder = { Ir.local; ty = root.Ir.ty } in
       collect p (Term.variable binder p.span) ((binder, root) :: found)
   | Tuple_of ps -> collect_parts (component root) ps found
@@ -101,7 +101,7 @@ type branch = { pattern : T.pattern; falls : bool; value : fall:Ir.expr option -
 let bind found body = List.fold_left (fun body (b, value) -> Term.let_ b value body) body found
 let with_variables (p : T.pattern) root body = bind (collect p root []) body
 
-(* Calls [use] with [rest] as an expression that may be used at two places. *)
+(* Calls [use] with [rest] as an expression that may be used in two places. *)
 let shared ctx span (rest : Ir.expr) use =
   if Term.is_trivial rest then use rest
   else

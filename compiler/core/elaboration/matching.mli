@@ -1,16 +1,14 @@
-(** Compiles patterns: the tests that decide whether a value matches, and the variables as
-    components and payloads of the value.
-
-    The matched value is always a variable ([root]), so that it can be mentioned several times at no
-    cost. *)
+(** Compiles patterns into tests that decide whether a value matches, and into components and
+    payloads of the value, to which the variables are bound. The matched value is always a variable
+    ([root]), so that it can be mentioned several times at no cost. *)
 
 val binder : Context.t -> Typing.Ir.pattern -> Ir.binder
 (** The variable that holds the matched value: the pattern's own variable if the pattern is one,
     otherwise a new one. *)
 
 val variables : Typing.Ir.pattern -> root:Ir.expr -> (Ir.binder * Ir.expr) list
-(** The values of the pattern's variables, in source order. Empty if the pattern is its own
-    {!binder}. *)
+(** The values of the pattern's variables, in source order. Empty if the pattern is a variable,
+    because that is the {!binder}. *)
 
 val part : Typing.Ir.pattern -> root:Ir.expr -> Ir.Local.t -> Ir.expr
 (** The value of one of the pattern's variables. *)
@@ -19,10 +17,11 @@ type branch = {
   pattern : Typing.Ir.pattern;
   falls : bool;  (** all its guards may fail *)
   value : fall:Ir.expr option -> Ir.expr;
-      (** given the expression to use if all guards fail, if [falls] holds; uses it exactly once *)
+      (** takes the expression to use if all guards fail, provided that [falls] is true, and uses it
+          exactly once *)
 }
 
 val case : Context.t -> root:Ir.expr -> Basis.Span.t -> branch list -> Ir.expr
 (** The first branch that matches and whose guards do not all fail. The last branch is not tested,
-    because cases are exhaustive. If the rest after a branch is needed at two places, it becomes a
+    because cases are exhaustive. If the rest after a branch is needed in two places, it becomes a
     local function of [()], a join point. *)

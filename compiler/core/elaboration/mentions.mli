@@ -1,7 +1,7 @@
 (** Finds the free variables of a Typed expression. *)
 
 type t = {
-  variables : Ir.binder list;  (** each once, in order of first occurrence *)
+  variables : Ir.binder list;  (** without duplicates, in order of first occurrence *)
   runs : bool;  (** contains an instance that belongs to the enclosing proc *)
 }
 

@@ -17,7 +17,8 @@ type t =
   | Not of t
   | And of t * t
   | Or of t * t
-  | Choice of t * t * t  (** the second formula where the first holds, otherwise the third *)
+  | Choice of t * t * t
+      (** the second formula at the instants at which the first is true, otherwise the third *)
   | Timed of { operator : string; time : int option; conditions : t list }
       (** a function of the library's module Past, and the column of its time argument *)
 

@@ -4,7 +4,7 @@
 type t
 
 exception Too_large
-(** The expression is too large to be worth analysing. *)
+(** Raised if the expression is too large to be worth analysing. *)
 
 val create : Ir.program -> t
 

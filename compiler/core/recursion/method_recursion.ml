@@ -158,7 +158,7 @@ let start g (program : Ir.program) =
 
 (* {1 Cycles} *)
 
-(* The default definitions, which have the names of their methods, with their classes. *)
+(* Maps each default definition, which has the name of its method, to its class. *)
 let defaults (program : Ir.program) =
   let table = Hashtbl.create 16 in
   let method_ (i : Ir.instance) (_, (implementation : Ir.implementation)) =

@@ -32,7 +32,7 @@ let check_uses sink { Uses.definitions; index; uses } =
 let check sink (program : Ir.program) =
   let own = Diagnostic.sink () and uses = Uses.of_program program in
   check_uses own uses;
-  (* A definition that is recursive by itself would be reported again at every type. *)
+  (* A definition that is recursive at all types would be reported again for each type. *)
   if not (Diagnostic.has_errors own) then Method_recursion.check own program uses;
   if not (Diagnostic.has_errors own) then Polymorphic_recursion.check own uses;
   List.iter (Diagnostic.emit sink) (Diagnostic.all own)

@@ -8,7 +8,7 @@ val apply :
   Value.t option
 (** Applies a primitive to all its arguments; the first parameter applies a function to arguments.
     [size] is the size of the resulting array if its type determines it. [None] for primitives that
-    are not about arrays. *)
+    do not operate on arrays. *)
 
 val map_sf : size:int -> Value.thunk -> Value.instance
 val parallel : Value.thunk -> Value.instance

@@ -37,8 +37,7 @@ let rec ordered ~numbers ~equals (a : Value.t) (b : Value.t) =
       _ ) ->
       refuse ()
 
-(* The last parts decide alone, without a test for equality: of two NaN, neither is [<=] the
-   other. *)
+(* The last parts decide without a test for equality, because a NaN is not [<=] another NaN. *)
 and ordered_parts ~numbers ~equals = function
   | [] -> equals
   | [ (a, b) ] -> ordered ~numbers ~equals (Thunk.force a) (Thunk.force b)

@@ -6,10 +6,10 @@ module Int : sig
   val signum : int32 -> int32
 
   val div : int32 -> int32 -> int32
-  (** Rounds toward minus infinity. Division by 0 gives 0. *)
+  (** Rounds toward minus infinity. Returns 0 for a division by 0. *)
 
   val modulo : int32 -> int32 -> int32
-  (** The remainder of {!div}; modulo 0 gives 0. *)
+  (** The remainder of {!div}; 0 for a division by 0. *)
 
   val bitwise : Core.Primitive.bitwise -> int32 -> int32 -> int32
 
@@ -19,8 +19,8 @@ end
 
 module Float : sig
   val nan : float
-  (** The only NaN: quiet. Before version 5.1, OCaml's own NaN is a signaling one, for which the C
-      library's [pow nan 0] is not 1. *)
+  (** The only NaN, which is quiet. Before version 5.1, OCaml's [nan] is a signaling NaN, for which
+      the C library's [pow nan 0] is not 1. *)
 
   val signum : float -> float
   (** Returns zeros and NaN unchanged. *)

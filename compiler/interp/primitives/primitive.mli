@@ -4,5 +4,6 @@ exception Foreign_code of string
 (** Raised when evaluation would have to call this C function of the user. *)
 
 val apply : Basis.Real.t -> Core.Primitive.t -> Value.thunk list -> Value.t
-(** Applies a primitive to all its arguments, as many as its arity says, in the given precision.
-    [&&] and [||] evaluate their second argument only if the first does not decide. *)
+(** Applies a primitive to all its arguments, in the given precision. Their number must be the
+    primitive's arity. [&&] and [||] evaluate their second argument only if the first does not
+    determine the result. *)

@@ -1,4 +1,4 @@
-(** The primitive signal functions, which hold all the state of a program (language reference,
+(** The primitive signal functions, which contain all the state of a program (language reference,
     section 3). The first step has length 0, so the integral is 0 there, and the derivative keeps
     its last value, which is initially 0. *)
 

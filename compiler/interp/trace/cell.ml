@@ -116,7 +116,7 @@ let accept r c =
 
 let expect r c what = if not (accept r c) then fail what
 
-(* Reads the whole word, or reads nothing. *)
+(* Reads the whole word, or nothing. *)
 let accept_word r word =
   skip_blanks r;
   let start = r.at in
@@ -178,7 +178,7 @@ let read_float real r : Value.t =
   let start = r.at in
   let negative = peek r = '-' in
   sign r;
-  (* [accept_word] would also skip blanks after the sign. *)
+  (* [accept_word] would also skip whitespace after the sign. *)
   let is_name = match peek r with 'n' | 'N' | 'i' | 'I' -> true | _ -> false in
   if is_name then (
     let start = r.at in
@@ -305,7 +305,7 @@ and read_arguments r (c : Shape.constructor) =
   if Shape.is_record c then read_record r c.fields
   else Array.of_list (List.map (fun (_, shape) -> Thunk.known (read_value r shape)) c.fields)
 
-(* Reads the fields of a record, which may be in any order, each once. *)
+(* Reads the fields of a record, which may be in any order; each must occur exactly once. *)
 and read_record r fields =
   expect r '{' "`{` and the record's fields";
   let rec read found = function

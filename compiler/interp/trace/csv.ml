@@ -55,7 +55,7 @@ type building = {
   mutable finished : cell list;  (** finished cells, the last one first *)
   mutable start : int option;  (** column where the current cell starts *)
   mutable column : int;  (** column of the next character *)
-  mutable blank : bool;  (** whether the current cell contains only blanks so far *)
+  mutable blank : bool;  (** whether the current cell contains only whitespace so far *)
   text : Buffer.t;  (** text of the current cell *)
 }
 

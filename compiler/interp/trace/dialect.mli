@@ -13,7 +13,7 @@ type t = {
 val ours : t
 
 val names : t -> bool
-(** Whether the dialect names columns. If so, additional columns of a recording are ignored. *)
+(** Does the dialect name columns? If so, additional columns of a recording are ignored. *)
 
 val arguments : t -> string list
 (** The dialect as command-line options for a host. *)
@@ -37,7 +37,7 @@ val time_hint : t -> string list -> string
 
 val separator_hint : t -> string list -> string option
 (** The part of {!time_hint} about another separator. If the result is [Some], the names are not the
-    columns of the file, so messages about the other columns would mislead. *)
+    columns of the file, so messages about the other columns would be misleading. *)
 
 val column_hint : missing:string -> unknown:string list -> string
 (** For the error that a column is missing, if the recording has unknown columns. *)

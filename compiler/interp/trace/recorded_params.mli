@@ -4,11 +4,11 @@
 type settings = (Core.Ir.Global.t * Value.t) list
 
 val is_line : string -> bool
-(** Whether this line before the header is a comment, not a row. *)
+(** Is this line before the header a comment rather than a row? *)
 
 val line : Core.Ir.program -> Core.Ir.param -> Value.t -> string
 
 val read : Core.Ir.program -> set:settings -> string -> (settings, string) result * string option
-(** Reads a line and returns the parameters it sets, which exclude those in [set] (set by an
-    option). The second result is a warning for the user, if the line gives a parameter in [set]
+(** Reads a line and returns the parameters that it sets, except those in [set], which an option has
+    set. The second result is a warning for the user, if the line sets a parameter in [set] to
     another value, or names a parameter that the program does not have. *)

@@ -56,7 +56,7 @@ let of_type (program : Core.Ir.program) ty =
   in
   shape ty
 
-(* The parts that have columns of their own, each with the text that its path gets. *)
+(* The parts that have separate columns, each with the suffix that is appended to its path. *)
 let parts = function
   | Tuple parts -> Some (List.mapi (fun i part -> ("." ^ string_of_int (i + 1), part)) parts)
   | Array (n, element) -> Some (List.init n (fun i -> (Printf.sprintf "[%d]" i, element)))

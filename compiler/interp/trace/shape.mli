@@ -19,7 +19,7 @@ and constructor = {
 }
 
 val is_record : constructor -> bool
-(** Whether the constructor has fields, and they have names. *)
+(** Does the constructor have named fields? *)
 
 val of_type : Core.Ir.program -> Core.Ir.ty -> t
 (** Shape of a closed type that contains no functions and no labels. *)
@@ -31,7 +31,7 @@ val of_type : Core.Ir.program -> Core.Ir.ty -> t
 type column = {
   name : string;  (** its path, such as [in.position.x] *)
   shape : t;
-  at_rest : Value.t option;  (** default for a column of the console that is missing *)
+  at_rest : Value.t option;  (** default value of a console column, which may be missing *)
 }
 
 val columns : string -> t -> column list

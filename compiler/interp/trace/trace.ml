@@ -14,8 +14,8 @@ let complaint name (row : Csv.row) cell format =
   in
   Printf.ksprintf complaint format
 
-(* A hint for a message about a column's name or a time. Blanks beside commas are part of the text,
-   but hard to see. *)
+(* A hint for a message about a column's name or a time. Whitespace next to a comma is part of the
+   text, but hard to see. *)
 let on_blanks text =
   let blank i = text.[i] = ' ' || text.[i] = '\t' in
   if text <> "" && (blank 0 || blank (String.length text - 1)) then
@@ -259,8 +259,8 @@ let quoted cell =
 
 let line cells = String.concat "," cells ^ "\n"
 
-(* The columns of the output, and a function that returns the cells of one instant. The event of the
-   program's end becomes one more field of a record. *)
+(* The columns of the output, and a function that returns the cells of one instant. The event that
+   signals the program's end becomes an additional field of a record. *)
 let outputs core execution output =
   match Execution.ended execution with
   | None -> (Shape.columns "out" output, Shape.cells output)

@@ -1,8 +1,8 @@
 (** Runs an entry on recorded input: CSV in, CSV out.
 
-    The first column is [time], in seconds with nine decimals. The other columns hold one scalar,
-    sum or event each, and are named by its path ({!Shape.columns}). The first row is the first
-    instant. *)
+    The first column is [time], in seconds with nine decimals. Each of the other columns contains
+    one scalar, sum or event, and is named by its path ({!Shape.columns}). The first row is the
+    first instant. *)
 
 val run :
   ?marks:int ->
@@ -19,12 +19,12 @@ val run :
     - [params]: the values of parameters that override the recorded ones, which override the
       defaults.
     - [warn]: receives warnings about recorded parameters that are not used.
-    - [dialect]: the dialect of the input (default: ours).
+    - [dialect]: the dialect of the input (default: Frob's own).
     - [name]: name of the input, for messages.
     - [read]: returns the characters of the input; may raise [Sys_error].
     - [write]: called with each line of the output.
 
-    The errors are texts for the user, each with file, line and column. *)
+    The errors are messages for the user, each with file, line and column. *)
 
 val nanoseconds : string -> int option
 (** Converts seconds, as they are written for the time of an instant, to whole nanoseconds. Exact;
@@ -32,8 +32,8 @@ val nanoseconds : string -> int option
     · 10^9 s. *)
 
 val too_far : string -> string
-(** A hint for the error message about such a text: says if it exceeds the limit, and if it looks
-    like a time in a smaller unit. *)
+(** A hint for the error message about such a text: says whether it exceeds the limit, and whether
+    it looks like a time in a smaller unit. *)
 
 val returns : string
 (** The error message about a header with a carriage return that no line feed follows. *)

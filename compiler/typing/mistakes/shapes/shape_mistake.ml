@@ -21,8 +21,8 @@ let of_activities =
     Signal_function_mistake.in_place_of_a_function;
   ]
 
-(* Rules for functions where something else is expected. The first ones handle functions that do not
-   lack arguments: those that set a robot's output, and those that take a whole array. *)
+(* Rules for functions where something else is expected. The rules for robot outputs and for
+   functions of whole arrays come first, because an additional argument would not help there. *)
 let of_functions =
   [
     Output_mistake.statement;
