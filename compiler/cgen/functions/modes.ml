@@ -142,83 +142,78 @@ let one_case c (run : M.run) ~direct ~again ~dropped k (case : M.case) =
   in
   declarations @ [ running ] @ keep @ first_of (List.map next case.transitions)
 
+let variable ty name value = plain (Ir.Variable { ty; name; value })
+let set name value = plain (Ir.Assign (Name name, Boolean value))
+
+(* The time since the machine last ran becomes its dt. *)
+let wake c (clock : M.clock) =
+  let since = Expression.field c.names clock.since in
+  let seconds = in_seconds c.v (Name "dt_ns") in
+  [ plain (Ir.Assign (Name "dt_ns", since)) ]
+  @ (if c.node.seconds then [ plain (Ir.Assign (Name "dt", seconds)) ] else [])
+  @ [
+      plain (Ir.Assign (since, Integer 0l));
+      plain (Ir.Assign (Expression.field c.names clock.running, Boolean true));
+    ]
+
+(* Adds the length of this instant to the time since the machine last ran. *)
+let pass c (clock : M.clock) =
+  let since = Expression.field c.names clock.since in
+  let condition = Expression.field c.names clock.running in
+  let then_ = [ plain (Ir.Assign (since, expression c clock.elapsed)) ] in
+  plain (Ir.If { condition; then_; else_ = [] })
+
+let choose c cases =
+  match (running_mode c, cases) with
+  | None, [ (_, body) ] -> body
+  | Some value, cases -> [ plain (Ir.Switch { value; cases }) ]
+  | None, _ -> Diagnostic.bug ~stage:"Cgen.Modes" "modes without a number"
+
 let run c (run : M.run) =
-  let scope = Expression.scope c.names in
+  let flag is_needed name = if is_needed then Name.fresh (Expression.scope c.names) name else "" in
   (* Each iteration runs one mode. There is another iteration if a mode was entered. *)
   let direct = List.mapi (fun k _ -> is_direct c run k) c.node.modes in
   let direct (n : M.next) = List.nth direct n.entry.mode in
-  let all_direct has =
-    List.for_all
-      (fun (case : M.case) -> List.for_all (fun n -> direct n || not (has n)) case.transitions)
-      run.cases
+  let some_loop has =
+    let loop n = has n && not (direct n) in
+    run.late || List.exists (fun (case : M.case) -> List.exists loop case.transitions) run.cases
   in
-  let loops = run.steps > 1 && (run.late || not (all_direct (fun _ -> true))) in
-  let flag name = Name.fresh scope name in
-  let steps = if loops then flag "steps" else "" in
-  let drops = run.late || not (all_direct (fun n -> n.delayed)) in
-  let dropped = if run.drops && drops then flag "dropped" else "" in
-  let controlled = if run.late then flag "controlled" else "" in
-  let set name value = plain (Ir.Assign (Name name, Boolean value)) in
+  let loops = run.steps > 1 && some_loop (fun _ -> true) in
+  let steps = flag loops "steps" in
+  let dropped = flag (run.drops && some_loop (fun n -> n.delayed)) "dropped" in
+  let controlled = flag run.late "controlled" in
   let again = if loops then forget_time c @ [ plain Ir.Continue ] else [] in
-  let control after (condition, (entry : M.entry)) =
-    (expression c condition, enter c entry run.span @ after, "")
+  let controls after =
+    let control (condition, (entry : M.entry)) =
+      (expression c condition, enter c entry run.span @ after, "")
+    in
+    first_of (List.map control run.controls)
   in
-  let before =
-    if run.late then [] else first_of (List.map (control (forget_time c)) run.controls)
-  in
+  let before = if run.late then [] else controls (forget_time c) in
   let after =
     if not run.late then []
     else
       let entering = set controlled true :: set dropped true :: again in
-      let alternatives = first_of (List.map (control entering) run.controls) in
       let condition = Ir.Unary (Not, Name controlled) in
-      [ plain (Ir.If { condition; then_ = alternatives; else_ = [] }) ]
+      [ plain (Ir.If { condition; then_ = controls entering; else_ = [] }) ]
   in
-  let cases =
-    List.mapi
-      (fun k case ->
-        (c.v.nodes.(c.index).modes.(k).constant, one_case c run ~direct ~again ~dropped k case))
-      run.cases
+  let case k case =
+    (c.v.nodes.(c.index).modes.(k).constant, one_case c run ~direct ~again ~dropped k case)
   in
-  let chosen =
-    match (running_mode c, cases) with
-    | None, [ (_, body) ] -> body
-    | Some value, cases -> [ plain (Ir.Switch { value; cases }) ]
-    | None, _ -> Diagnostic.bug ~stage:"Cgen.Modes" "modes without a number"
-  in
+  let chosen = choose c (List.mapi case run.cases) in
   let stepping =
     if not loops then chosen
     else
       let body = chosen @ after @ [ plain Ir.Break ] in
       [
-        plain (Ir.Variable { ty = Int32; name = steps; value = Integer 0l });
+        variable Int32 steps (Integer 0l);
         plain (Ir.Repeat { rounds = steps; most = run.steps; body });
       ]
   in
-  let wake (clock : M.clock) =
-    let since = Expression.field c.names clock.since in
-    let seconds = in_seconds c.v (Name "dt_ns") in
-    [ plain (Ir.Assign (Name "dt_ns", since)) ]
-    @ (if c.node.seconds then [ plain (Ir.Assign (Name "dt", seconds)) ] else [])
-    @ [
-        plain (Ir.Assign (since, Integer 0l));
-        plain (Ir.Assign (Expression.field c.names clock.running, Boolean true));
-      ]
-  in
-  let pass (clock : M.clock) =
-    let since = Expression.field c.names clock.since in
-    let running = Expression.field c.names clock.running in
-    let then_ = [ plain (Ir.Assign (since, expression c clock.elapsed)) ] in
-    plain (Ir.If { condition = running; then_; else_ = [] })
-  in
-  let passing = List.map pass (Option.to_list run.clock) in
-  let woken = List.concat_map wake (Option.to_list run.clock) in
-  let variable ty name value = plain (Ir.Variable { ty; name; value }) in
-  let flags =
-    List.filter_map
-      (fun name -> if String.equal name "" then None else Some (variable Bool name (Boolean false)))
-      [ dropped; controlled ]
-  in
+  let flags = List.filter (fun name -> not (String.equal name "")) [ dropped; controlled ] in
+  let flags = List.map (fun name -> variable Bool name (Boolean false)) flags in
+  let passing = List.map (pass c) (Option.to_list run.clock) in
+  let woken = List.concat_map (wake c) (Option.to_list run.clock) in
   let instant = woken @ flags @ before @ stepping in
   results_of_run c run ~drops:(not (String.equal dropped ""))
   @ passing
