@@ -4,11 +4,11 @@ type t = {
   header : string;  (** NAME.h *)
   source : string;  (** NAME.c *)
   host_table : string option;
-      (** NAME_host.c, which only hosts need; [None] for a program with a foreign type in its input
-          or output, which hosts do not know *)
+      (** NAME_host.c, which only hosts need; [None] if the program's input or output contains a
+          foreign type, which hosts do not support *)
   robot : string option;  (** the name of the program's robot, if it has one *)
   robot_header : (string * string) option;
-      (** name and text of the header of a robot of the user's own, which [header] includes. It is
+      (** name and text of the header of the user's own robot, which [header] includes. It is
           generated from the robot's module ({!Interface_header}), not here *)
   cameras : string list;  (** labels of the cameras that the program uses *)
   foreign : foreign;
@@ -28,10 +28,10 @@ val program :
   ?banner:string list ->
   Step.Ir.program ->
   t
-(** [own]: the robot of the user's own, if the program is for one. [units]: for the comments of
-    members; {!Units.none} by default. [named]: the constants that keep their names;
-    {!Named_constants.none} by default. [batch]: adds the function that takes many steps ({!Batch}).
-    [banner]: lines for the comment at the top of the header and the source. *)
+(** [own]: the user's own robot, if the program is for one. [units]: for the comments of members;
+    {!Units.none} by default. [named]: the constants that keep their names; {!Named_constants.none}
+    by default. [batch]: adds the function that runs many steps ({!Batch}). [banner]: lines for the
+    comment at the top of the header and the source. *)
 
 val print : Format.formatter -> t -> unit
 (** Prints the header, then the source. *)

@@ -44,9 +44,9 @@ type piece = {
   is_function : bool;
 }
 
-(* A piece with the name that it defines: a macro, or the first name that starts with FROB_ in a
-   condition; for other definitions, the last name before the value, the parameters or the
-   members. *)
+(* A piece with the name that it defines. For a directive, this is the name of the macro, or the
+   first name that starts with FROB_ in the condition. For other definitions, it is the last name
+   before the value, the parameters or the members. *)
 let piece text =
   let code = code text in
   let before c = Option.value (String.index_opt code c) ~default:(String.length code) in
@@ -86,7 +86,7 @@ let names () = List.filter_map (fun piece -> piece.defines) (snd (Lazy.force ste
 let included_file line =
   match String.split_on_char '"' line with [ "#include "; file; "" ] -> Some file | _ -> None
 
-(* The pieces of the files for one precision. Each file comes after those it includes. *)
+(* The pieces of the files for one precision. Each file comes after the files that it includes. *)
 let elementary_pieces ~(real : Basis.Real.t) files =
   let is_single (file, _) = String.starts_with ~prefix:"single" file in
   let files = List.filter (fun f -> is_single f = (real = Single)) (List.sort compare files) in

@@ -8,7 +8,7 @@ val names : unit -> string list
 (** The names that [step.h] defines. *)
 
 val standalone : real:Basis.Real.t -> elementary:(string * string) list -> string -> string
-(** Makes a source independent of all files except C's own headers: replaces the line {!included} by
-    the definitions that the source needs, directly or indirectly, and appends elementary functions
-    at the end. [elementary]: names and texts of the files in [runtime/elementary]. All added
-    functions are static, and their names start with [frob_]. *)
+(** Makes a source independent of all files except the standard headers of C: replaces the line
+    {!included} by the definitions that the source needs, directly or indirectly, and appends
+    elementary functions at the end. [elementary]: names and texts of the files in
+    [runtime/elementary]. All added functions are static, and their names start with [frob_]. *)

@@ -11,7 +11,7 @@ type ty =
   | Int64
   | Real of Basis.Real.t
   | Struct of string
-  | Named of string  (** a type named in the user's C: [struct frame], or a [typedef] *)
+  | Named of string  (** a type that the user's C defines: [struct frame], or a [typedef] *)
   | Members of member list  (** an anonymous struct inside another one *)
   | Union of member list  (** an anonymous union *)
   | Array of ty * int  (** only for members *)
@@ -72,7 +72,7 @@ and statement_desc =
       (** the index is an Int32 that starts at 0 *)
   | Repeat of { rounds : string; most : int; body : statement list }
       (** a [do] loop: runs the body once, and again after its end or a [Continue], at most [most]
-          times in total. [rounds] is an Int32 variable, declared before as 0 *)
+          times in total. [rounds] is an Int32 variable that has been declared with the value 0 *)
   | Continue
       (** continues the enclosing [For] or [Repeat] with the next iteration, if there is one *)
   | Break  (** leaves the enclosing [For] or [Repeat]; not allowed in a [Switch] *)
@@ -93,8 +93,8 @@ type declaration =
   | Struct_definition of {
       name : string;
       overlaid : bool;
-          (** its memory may overlap with another struct, so compilers must not assume that accesses
-              to the two are independent *)
+          (** its memory may overlap with that of another struct, so compilers must not assume that
+              accesses to the two are independent *)
       members : member list;
       comment : string;
     }

@@ -85,7 +85,7 @@ let states (v : V.t) =
   in
   List.concat (List.mapi struct_of (Array.to_list v.program.nodes))
 
-(* Types of a robot are in the robot's header. *)
+(* Leaves out the types of a robot, which the robot's header defines. *)
 let definitions (v : V.t) =
   let ours : Value_types.owner -> bool = function
     | Program | Foreign_code -> true
@@ -161,7 +161,7 @@ let absent (v : V.t) =
     (fun (name, c_type) -> Ir.Text (Printf.sprintf "static %s %s;\n" c_type name))
     (List.sort compare variables)
 
-(* In the order of the source. *)
+(* The named constants, in source order. *)
 let constants (v : V.t) =
   let order ((a : Named_constants.constant), _) ((b : Named_constants.constant), _) =
     Basis.Span.compare a.place b.place
@@ -199,7 +199,7 @@ let types_of (v : V.t) (functions : Ir.function_ list) =
   let types = Value_types.declarations in_header in
   { types; records; prototypes; states; of_source = Value_types.declarations in_source }
 
-(* The names of files may contain what begins or ends a comment. *)
+(* Separates the characters of comment delimiters, which file names may contain. *)
 let without_marks text =
   let after c = function
     | '/' when c = '*' -> " /"
@@ -209,7 +209,7 @@ let without_marks text =
   let text' = " " ^ text in
   String.concat "" (List.init (String.length text) (fun i -> after text'.[i] text.[i]))
 
-(* The following lines of a comment that is open. *)
+(* The further lines of a comment that has already been opened. *)
 let comment_lines = function
   | [] -> ""
   | lines ->

@@ -1,15 +1,15 @@
 (** Passes values to the user's C and back.
 
-    The user's C uses doubles, whatever precision the program has. In double precision, values are
-    passed unchanged. In single precision, each number in a value is cast: every float is a double,
-    and a double is rounded. *)
+    The user's C uses doubles, regardless of the program's precision. In double precision, values
+    are passed unchanged. In single precision, each number in a value is cast: a float is widened to
+    a double, and a double is rounded to a float. *)
 
 type direction = To_c | From_c
 
 val is_converted : Expression.names -> Step.Ir.ty -> bool
 
 val number : Expression.names -> direction -> Step.Ir.ty -> Ir.expr -> Ir.expr
-(** Converts a single number, or returns a value that needs no conversion. *)
+(** Converts a single number. Returns any value that needs no conversion unchanged. *)
 
 val assign :
   Expression.names -> direction -> Step.Ir.ty -> to_:Ir.expr -> from:Ir.expr -> Ir.statement list
@@ -23,5 +23,5 @@ val elements :
   c:(Ir.expr list -> Ir.expr) ->
   own:Ir.expr ->
   Ir.statement list
-(** Assigns a value that may be an array. On the side of the user's C, [c] returns the place, given
-    the indices of the arrays among the steps; [own] is the program's value. *)
+(** Assigns a value that may be an array. [c] returns the place in the user's C, given the indices
+    of the arrays among the steps; [own] is the program's value. *)

@@ -101,7 +101,7 @@ let give output value =
     (if String.equal output.pointer "" then Ir.Return value
      else Assign (Unary (Dereference, Name output.pointer), value))
 
-(* Uses a variable for each output. It receives the C function's result before the output is
+(* Uses a variable for each output, which receives the C function's result before the output is
    assigned. *)
 let through_variables v names ~initial outputs results call =
   let own output =

@@ -1,7 +1,7 @@
 (** Accesses places in the structs of an {!Interface}. *)
 
 val path : Ir.expr -> Interface.step list -> Ir.expr list -> Ir.expr
-(** The place that the steps lead to from a pointer to the struct, given the indices of the arrays
+(** The place that the steps reach from a pointer to the struct, given the indices of the arrays
     that contain it. *)
 
 val for_each :
@@ -9,7 +9,8 @@ val for_each :
   Interface.step list ->
   (Ir.expr list -> Ir.statement list) ->
   Ir.statement list
-(** Calls the function with the indices of all enclosing arrays. *)
+(** Generates loops over all enclosing arrays. The function generates their body from the indices.
+*)
 
 val dimensions : Interface.step list -> int
 

@@ -14,7 +14,7 @@ type t = {
 
 let plain desc : Ir.statement = { desc; comment = "" }
 
-(* A comment with the source line of a statement, unless the previous comment has the same. *)
+(* A comment with the source line of a statement, unless the previous comment has the same line. *)
 let comment c (span : Span.t) =
   let line = Span.line span.start in
   let place =

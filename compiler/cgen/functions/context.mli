@@ -16,7 +16,7 @@ type t = {
 val plain : Ir.statement_desc -> Ir.statement
 
 val comment : t -> Span.t -> string
-(** A comment with the source line of a statement, unless the previous comment has the same. *)
+(** A comment with the source line of a statement, unless the previous comment has the same line. *)
 
 val expression : t -> M.expr -> Ir.expr
 
@@ -36,7 +36,7 @@ val in_seconds : Vocabulary.t -> Ir.expr -> Ir.expr
 val step_call :
   ?entered:bool -> t -> node:int -> own:Ir.expr list -> Ir.expr list -> Ir.expr list -> Ir.expr
 (** Calls a node's step with the address of the state, if there is one, the arguments and the
-    results. [entered]: with a dt of 0, for a mode that was entered in this instant; false by
+    results. [entered]: passes a dt of 0, for a mode that was entered in this instant; false by
     default. *)
 
 val own_state : t -> M.field option -> Ir.expr list

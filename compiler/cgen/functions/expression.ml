@@ -75,8 +75,8 @@ let limited n general simple (a : M.expr) (b : M.expr) x y =
 
 let bad () = Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values of unexpected types"
 
-(* For a comparison of a whole number with a literal: the number, the literal, and the comparison as
-   a function of the number's value. *)
+(* Splits a comparison of an integer with a literal into the integer, the literal, and the
+   comparison as a function of the integer's value. *)
 let comparison : Ir.expr -> (Ir.expr * int32 * (int32 -> bool)) option = function
   | Binary (((Less | Less_equal | Greater | Equal | Not_equal) as operator), a, b) -> (
       let holds x y =
@@ -94,8 +94,8 @@ let comparison : Ir.expr -> (Ir.expr * int32 * (int32 -> bool)) option = functio
       | _, _ -> None)
   | _ -> None
 
-(* Whether two comparisons of the same number never hold together, as in [n <= 1 && n > 3], or one
-   of them always holds. Clang warns about these. *)
+(* Whether the result of combining two comparisons of the same number is constant, as in [n <= 1 &&
+   n > 3]. Clang warns about such conditions. *)
 let is_decided ~by x y =
   match (comparison x, comparison y) with
   | Some (a, k, first), Some (b, l, second) when a = b ->
@@ -203,7 +203,7 @@ and of_step n (e : M.expr) : Ir.expr =
   | Dt_nanoseconds -> Name "dt_ns"
   | Operation { operator = Elementary f; arguments; span; _ } ->
       V.call n.v (V.elementary f) (List.map (operand n ~at:span) arguments)
-  (* A single test for NaN suffices: if x is NaN, so is -x. *)
+  (* A single test for NaN is enough: if x is NaN, so is -x. *)
   | Operation
       {
         operator = Maximum;

@@ -1,7 +1,7 @@
 (** Generates expressions of a C function. *)
 
 type names
-(** The names of a function: its variables, and the state of its node. *)
+(** The names that a function uses for its variables and the state of its node. *)
 
 val names : Vocabulary.t -> node:int -> names
 val scope : names -> Name.scope
@@ -11,10 +11,10 @@ val index : names -> int -> string
 (** The index variable of a loop at this nesting depth. *)
 
 val read_as : names -> Step.Ir.variable -> Ir.expr -> unit
-(** Replaces reads of the variable by this expression from now on. *)
+(** Records that this expression replaces all further reads of the variable. *)
 
 val read_elements_as : names -> Step.Ir.variable -> (Ir.expr list -> Ir.expr) -> unit
-(** Replaces reads of the array's elements: the function receives an index for each dimension. The
+(** Records how to read the array's elements: the function receives an index for each dimension. The
     array must not be read in any other way. *)
 
 val element : names -> Step.Ir.expr -> Ir.expr -> Ir.expr
@@ -39,6 +39,6 @@ val arguments : names -> Step.Ir.variable list -> Step.Ir.expr list -> Ir.expr l
 
 val operand : names -> at:Basis.Span.t -> Step.Ir.expr -> Ir.expr
 (** Like {!of_step}, for an operand of the operation at this place, or the value of its statement. A
-    number has the name that it has there in the source, if any. *)
+    number that has a name at this place in the source keeps the name. *)
 
 val of_step : names -> Step.Ir.expr -> Ir.expr

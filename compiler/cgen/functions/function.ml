@@ -45,7 +45,7 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let declarations = uninitialized c variables in
       let condition = expression c condition in
       let condition =
-        (* an update without an alternative is compiled to a branch in any case *)
+        (* an [if] without [else] is compiled to a branch anyway *)
         if predicted && else_ <> [] then Ir.Call ("FROB_BRANCH", [ condition ]) else condition
       in
       let comment = comment c span in
@@ -185,8 +185,8 @@ let reset (v : V.t) k : Ir.function_ =
     comment = place_of node;
   }
 
-(* A member of the input with a name of its own is read where it is used. A member that is only
-   called [f1] is first copied to a variable with the programmer's name. *)
+(* A member of the input that has a name in the source is read where it is used. A member that is
+   only called [f1] is first copied to a variable with the programmer's name. *)
 let read_member (v : V.t) names read (variable : M.variable) steps =
   let place = Access.path (Name "in") steps [] in
   if Interface.direct v.program.input || String.equal variable.name "" then (

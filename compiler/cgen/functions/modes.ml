@@ -35,7 +35,7 @@ let forget_time c =
   (if c.node.seconds then set "dt" (V.float c.v 0.) else [])
   @ if c.node.nanoseconds then set "dt_ns" (Ir.Integer 0l) else []
 
-(* A chain of [if] statements for the first alternative that holds. *)
+(* A chain of [if] statements that runs the first alternative whose condition is true. *)
 let first_of alternatives =
   List.fold_right
     (fun (condition, then_, comment) else_ ->
@@ -52,16 +52,16 @@ let zero c (v : M.variable) =
   let name = Expression.variable c.names v in
   plain (Ir.Variable { ty = V.ty c.v v.ty; name; value = V.zero c.v v.ty })
 
-(* Results need initial values if C compilers cannot see that they are assigned: if results may be
-   dropped, they do not know that the first mode always assigns them; if a mode may end early, they
-   do not know that another mode follows. *)
+(* Results need initial values if C compilers cannot see that they are assigned. If results may be
+   dropped, compilers do not know that the first mode always assigns them. If a mode may end early,
+   they do not know that another mode follows. *)
 let results_of_run c (run : M.run) ~drops =
   let ends = List.exists (ends_early c) c.node.modes in
   if (not drops) && Option.is_none run.active && not ends then
     List.rev (uninitialized c run.results)
   else List.map (zero c) run.results
 
-(* Calls a mode's step, which returns a single result and writes several to the places. *)
+(* Calls a mode's step, which returns a single result, or writes several results to the places. *)
 let call ?entered c (mode : M.mode) (case : M.case) places =
   let state = own_state c mode.state in
   let arguments = for_step c mode.node case.arguments in
@@ -72,10 +72,10 @@ let step ?entered c mode case = function
   | [ place ] -> plain (Ir.Assign (place, call ?entered c mode case []))
   | places -> plain (Ir.Do (call ?entered c mode case places))
 
-(* The maximum number of operations in a step that may be repeated in each transition to its mode. *)
+(* Maximum number of operations in a step that may be duplicated in each transition to its mode. *)
 let direct_size = 24
 
-(* What remains of a number of operations after this node's step and its callees. *)
+(* Subtracts the operations of this node's step and its callees from [most]. *)
 let rec remaining (program : M.program) most k =
   let node = program.nodes.(k) in
   let most = ref (most - node.operations - 1) in

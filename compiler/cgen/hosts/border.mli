@@ -1,10 +1,11 @@
 (** Converts between a program in single precision and its hosts.
 
     The structs of robots contain doubles, whatever precision the program has, because drivers and
-    the simulator use doubles. A program in single precision has structs of its own. The table for
+    the simulator use doubles. A program in single precision has its own structs. The table for
     hosts describes the robot's structs, and its step function converts between the two: it rounds
     the input's doubles to floats, and widens the output's floats to doubles. It also converts time
-    to whole nanoseconds. In double precision both sides are equal, and nothing is converted. *)
+    to whole nanoseconds. In double precision, both sides use the same structs, and nothing is
+    converted. *)
 
 type side = {
   own : Interface.t;  (** the program's struct *)
@@ -15,7 +16,7 @@ type side = {
 (** The structs of the input, or of the output. *)
 
 val input : ?own_robot:Robot.t -> Step.Ir.program -> Interface.t -> side
-(** [own_robot]: the robot of the user's own, if the program is for one. *)
+(** [own_robot]: the user's own robot, if the program is for one. *)
 
 val output : ?own_robot:Robot.t -> Step.Ir.program -> Interface.t -> side
 
@@ -41,5 +42,5 @@ val step :
   input:side ->
   output:side ->
   string
-(** The table's step function and the C functions it needs, as text. In single precision it includes
-    [arithmetic], for the table. *)
+(** The table's step function and the C functions it needs, as text. In single precision, this text
+    includes the function [arithmetic], which the table refers to. *)

@@ -198,8 +198,8 @@ let controls out (program : Step.Ir.program) values =
   let rows = if values = [] then [] else List.map2 row program.console values in
   (table out "control" "controls" rows, List.length rows)
 
-(* Exports the margin formulas of assertions, for tools that look up this symbol; only if margins
-   are enabled. *)
+(* If margins are enabled, exports the margin formulas of assertions, for tools that look up this
+   symbol. *)
 let margins out (program : Step.Ir.program) =
   let text (claim : F.claim) = Option.fold ~none:"NULL" ~some:c_string claim.margin in
   if List.exists (fun (claim : F.claim) -> Option.is_some claim.margin) program.claims then

@@ -1,5 +1,5 @@
 (** Arrays in C: a struct that contains an array, so that it can be assigned and returned like any
-    other value; and functions on it. *)
+    other value; and functions on this struct. *)
 
 val name : Flow.Ir.sum array -> Step.Ir.ty -> string
 (** An identifier for the type: [float_16], [maybe_float_3_4]. *)
@@ -10,7 +10,10 @@ val element : Ir.expr -> Ir.expr -> Ir.expr
 val definition : string -> count:int -> element:Ir.ty -> Ir.declaration
 (** The struct with this name. *)
 
-type operation = At  (** the element of an index, or a default outside *) | Replace | Fill
+type operation =
+  | At  (** the element at an index, or a default value if the index is outside the array *)
+  | Replace
+  | Fill
 
 val operations : operation list
 val suffix : operation -> string

@@ -22,7 +22,7 @@ and form =
   | Component of { input : Interface.t; output : Interface.t }
 
 val of_import : Interface.types -> fresh:(string -> string) -> Flow.Ir.import -> t
-(** [fresh] returns names for structs that have no name of their own. *)
+(** [fresh] returns names for unnamed structs. *)
 
 val state : string -> string
 

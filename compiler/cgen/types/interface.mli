@@ -30,13 +30,13 @@ val is_in_array : step list -> bool
 val leaf_type : types -> Flow.Ir.ty -> Ir.ty
 
 val of_shape : types -> units:Units.value -> name:string -> Flow.Ir.shape -> t
-(** [name] is the name of the struct in the header's scope; [units] are those of the shape. *)
+(** [name] is the name of the struct in the header's scope; [units] are the units of the shape. *)
 
 val of_record : types -> name:string -> Flow.Ir.product -> t
-(** Like {!of_shape}. From now on, all uses of the record get this struct. *)
+(** Like {!of_shape}, but all further uses of the record get this struct, too. *)
 
 val of_type : types -> name:(unit -> string) -> Flow.Ir.shape -> t
-(** A record has one struct for all its uses; anything else is like {!of_shape}. *)
+(** Like {!of_shape}, but all uses of a record share one struct. *)
 
 val apart : Flow.Ir.shape -> Flow.Ir.shape * Flow.Ir.shape option
 (** Splits the output of a program: the robot's command, and the result if the program can end. *)

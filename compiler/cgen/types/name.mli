@@ -14,15 +14,15 @@ val scope : ?within:scope -> ?taken:string list -> kind -> scope
 (** A scope in which the names of the enclosing scopes are taken, too. *)
 
 val fresh : scope -> string -> string
-(** A new name for something that has this name in the source; [""] gives names like [t1]. *)
+(** A new name for something that has this name in the source. For [""], returns names like [t1]. *)
 
 val identifier : string -> string
-(** The identifier from which {!fresh} starts. *)
+(** The identifier that {!fresh} makes unique. *)
 
 val snake : string -> string
 (** Converts the name of a type: [Maybe Float] becomes [maybe_float], [PioneerInput] becomes
     [pioneer_input]. *)
 
 val short : string -> string
-(** The words of a type's name that fit into 48 characters, since nested types have long names.
-    Different names may become equal; {!fresh} numbers them. *)
+(** Shortens a type's name to the words that fit into 48 characters, because nested types have long
+    names. Different names may become equal; {!fresh} numbers them. *)

@@ -1,6 +1,6 @@
 (** The constants to which the programmer has given names.
 
-    Step has only their values. Whoever has the source supplies the names in this form. *)
+    Step contains only their values. Callers that have the source supply the names in this form. *)
 
 type constant = {
   name : string;  (** in the source *)

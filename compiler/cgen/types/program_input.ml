@@ -6,7 +6,7 @@ type passed = Leaf of int  (** always this leaf of the input *) | Different
 type node = {
   passed : (int, passed) Hashtbl.t;  (** arguments, by the parameter's id *)
   mutable refused : bool;
-      (** a caller has no pointer to the input, or a call is not a statement of its own *)
+      (** a caller has no pointer to the input, or a call is not a separate statement *)
   mutable given : bool;
 }
 

@@ -2,8 +2,8 @@
     receives.
 
     A node's step often receives members of the program's input unchanged from all its callers. If
-    there are at least three of these, it receives the pointer to the input instead, and reads
-    [in->side] as a person would write it. This takes less code than passing each member through all
+    it receives at least three of them, it gets the pointer to the input instead, and reads
+    [in->side], as handwritten code would. This takes less code than passing each member through all
     functions in between. *)
 
 type t

@@ -10,8 +10,8 @@ type t = {
 
 let robot module_ name steps = { module_; name; header = "frob/" ^ name ^ ".h"; file = None; steps }
 
-(* For protocols that send the speeds of the wheels. A single step of one wheel also turns the
-   robot. *)
+(* The resolution of protocols that send the speeds of the wheels. A single step of one wheel's
+   speed also changes the turn rate. *)
 let wheels mm_s ~separation_mm =
   let turning = mm_s /. separation_mm *. 180. /. Float.pi in
   [

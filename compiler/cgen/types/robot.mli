@@ -1,6 +1,6 @@
-(** The robots. Each has a module that declares its input and output types, which are C structs in a
-    header of their own. The standard library contains some robots; users can define others in
-    modules of their own. *)
+(** The robots. Each has a module that declares its input and output types, and a header that
+    contains these types as C structs. The standard library contains some robots; users can define
+    others in their own modules. *)
 
 type step = { quantity : string; size : float; unit_ : string }
 (** The smallest change of a quantity that the robot's protocol can express. *)

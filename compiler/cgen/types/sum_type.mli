@@ -37,7 +37,7 @@ val zero :
   Ir.expr
 (** An arbitrary initial value of the type. *)
 
-(** The kind of value that a member holds. *)
+(** The kind of value that a member contains. *)
 type kind =
   | Number
   | Whole

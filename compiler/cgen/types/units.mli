@@ -1,14 +1,14 @@
 (** Units of the members of generated structs, for their comments.
 
-    Step has no units. Whoever has the types of the program supplies them in this form; they change
-    nothing but comments. A unit is a text like [m/s]. It is [""] if the value is not a number, if
-    it is a plain number, or if its unit is not known. *)
+    Step has no units. Callers that have the types of the program supply the units in this form;
+    units only change comments. A unit is a text like [m/s]. It is [""] if the value is not a
+    number, if it is a plain number, or if its unit is not known. *)
 
 type value = {
   unit_ : string;
   part : string -> value;  (** by the name of a field, or the number of a component, from 1 *)
 }
-(** The units of a value and of its parts. Those of an array are the units of its elements. *)
+(** The units of a value and of its parts. An array has the units of its elements. *)
 
 type t = {
   input : value;  (** the program's input *)

@@ -1,7 +1,8 @@
 (** The structs for a program's sums and arrays, in one precision.
 
-    A program in single precision has two of these tables: its own, with floats, and that of the
-    user's C, with doubles. Types without numbers are only in the first one, and are shared. *)
+    A program in single precision has two of these tables: one for the program itself, with floats,
+    and one for the user's C, with doubles. Types without Floats are only in the first table, and
+    both sides share them. *)
 
 (** The owner of a type, whose header defines it. *)
 type owner =
@@ -12,7 +13,7 @@ type owner =
 type t
 
 type known
-(** Which types are also used outside of the program. *)
+(** The types that are also used outside the program. *)
 
 val known : Flow.Ir.sum array -> known
 

@@ -63,7 +63,7 @@ let name_members table path fields =
       Basis.Int_table.replace table field.id (List.rev (name :: path)))
     fields
 
-(* Modes have the names of their definitions. *)
+(* Names modes after their definitions. *)
 let name_modes (nodes : M.node array) table scope ~prefix (node : M.node) =
   let modes = Name.scope Members in
   let is_room (field : M.field) =

@@ -48,7 +48,7 @@ type t = {
 }
 
 val of_program : ?own:Robot.t -> ?units:Units.t -> ?named:Named_constants.t -> Step.Ir.program -> t
-(** [own]: the robot of the user's own, if the program is for one. *)
+(** [own]: the user's own robot, if the program is for one. *)
 
 val ty : t -> Step.Ir.ty -> Ir.ty
 val absent : t -> Flow.Ir.foreign_type -> Ir.expr
@@ -60,7 +60,7 @@ val real : t -> Ir.ty
 (** The type of a Float. *)
 
 val float : t -> float -> Ir.expr
-(** The literal. Negative zero is a function call, for the reason that [<frob/step.h>] explains. *)
+(** The literal. Negative zero is a function call; [<frob/step.h>] explains why. *)
 
 val literal : t -> at:Basis.Span.t -> float -> Ir.expr
 (** An operand of the operation at this place: the name of a constant, or the literal. *)
@@ -74,7 +74,8 @@ val call : t -> string -> Ir.expr list -> Ir.expr
 (** Calls a function of [<frob/step.h>] or [<math.h>] on Floats, in the program's precision. *)
 
 val elementary : Core.Primitive.elementary -> string
-(** The C function for doubles. The square root is that of [<math.h>], which is exact everywhere. *)
+(** The C function for doubles. The square root is the one from [<math.h>], which is exact on every
+    machine. *)
 
 val maker : t -> sum:int -> constructor:int -> string
 val projection : t -> sum:int -> constructor:int -> leaf:int -> string
