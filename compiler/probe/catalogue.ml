@@ -20,7 +20,7 @@ let longest = 1_000
 
 (* {1 Names} *)
 
-(* Name of a definition for the user. For the method of an instance, that is the method's own
+(* Name of a definition for the user. For the method of an instance, this is the method's own
    name. *)
 let plain name =
   match String.index_opt name '@' with
@@ -90,7 +90,7 @@ let rec scalar (ty : Ir.ty) = match ty with Array (_, element) -> scalar element
 
 let can_be_seen (program : Ir.program) (s : Ir.signal) =
   s.name <> ""
-  (* The whole drawing is a signal of its own. *)
+  (* The whole drawing is a separate signal. *)
   && (not (String.contains s.name '#'))
   && size s.ty <= longest
   && not (Flow.Shape.mentions_foreign program.sums (Leaf (scalar s.ty)))
@@ -100,7 +100,7 @@ let defined (node : Ir.node) =
   @ List.concat_map (fun (i : Ir.instance) -> i.outputs) node.instances
 
 (* Maps a signal to its origin if it is only a copy, made by an equation or by an instance that
-   passes an input through. [passed] says for each earlier node which of its outputs are copies of
+   passes an input through. [passed] tells for each earlier node which of its outputs are copies of
    which inputs, by number. *)
 let source passed (node : Ir.node) =
   let from = Hashtbl.create 16 in
@@ -147,7 +147,7 @@ let signals equations program (node : Ir.node) ~is_given ~source =
     |> List.stable_sort (fun (a : Ir.signal) (b : Ir.signal) -> Span.compare a.span b.span)
   in
   let met = String_table.create 16 in
-  (* Binding an input to a tuple pattern makes two signals with the same name. *)
+  (* Binding an input to a tuple pattern creates two signals with the same name. *)
   let is_new (s : Ir.signal) =
     let before = Option.value (String_table.find_opt met s.name) ~default:[] in
     let source = source s.id in
@@ -162,7 +162,8 @@ let signals equations program (node : Ir.node) ~is_given ~source =
     all
     (numbered (List.map (fun (s : Ir.signal) -> s.name) all))
 
-(* The modes of a machine's node receive the same inputs, so those of the node are skipped. *)
+(* The modes of a machine's node receive the same inputs, so the inputs of the node itself are
+   skipped. *)
 let own equations program (node : Ir.node) ~is_given ~source =
   match node.machine with
   | Some { modes = []; _ } | None -> signals equations program node ~is_given ~source

@@ -28,7 +28,7 @@ type probe = {
   signal : string;  (** name of the signal within its node *)
   ty : Flow.Ir.ty option;  (** type of the signal; [None] for [Running_mode] *)
   handed_down : bool;  (** the signal is a copy of the program's own input, which is shown anyway *)
-  span : Span.t;  (** where the programmer wrote it *)
+  span : Span.t;  (** its place in the source *)
 }
 
 val of_program : Equations.t -> Flow.Ir.program -> probe list option
@@ -46,4 +46,4 @@ val modes_of : Flow.Ir.program -> probe -> string list
 (** The modes that a [Running_mode] can take. *)
 
 val mode_names : Flow.Ir.program -> Flow.Ir.machine -> string list
-(** Names for the modes of a machine, all different. *)
+(** Unique names for the modes of a machine. *)

@@ -1,4 +1,4 @@
-(** Which signals of Flow the programmer defined by an equation of a [proc].
+(** Determines which signals of Flow the programmer defined by an equation of a [proc].
 
     Flow has more named signals: the variables that a branch of a [case] binds have names as well,
     but have values only when that branch is taken. *)

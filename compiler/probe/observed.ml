@@ -289,7 +289,7 @@ let claims ~shown ~margin probes =
     let way = String.sub p.name 0 (String.length p.name - String.length p.signal) in
     let column number = way ^ Core.Margin.column p.signal number in
     let json = Option.map (Core.Formula.to_json column) (margin p.span) in
-    (* C guarantees string literals of 4095 characters only. *)
+    (* C compilers only need to accept string literals of up to 4095 characters. *)
     Option.bind json (fun json -> if String.length json < 4000 then Some json else None)
   in
   let claim (p : Catalogue.probe) : Ir.claim =

@@ -1,9 +1,9 @@
 (** Makes a program show inner signals together with its output.
 
     Each requested signal becomes an additional output of its node, which is passed up from instance
-    to instance to the root. For an instance in a loop it becomes an array. In a node that does not
-    run in every instant, because it is a mode or inside [onEvent], the output is an [Event] that
-    occurs only when the node runs; if the signal is an event already, it stays that event.
+    to instance to the root. For an instance in a loop, the output is an array. In a node that does
+    not run in every instant, because it is a mode or inside [onEvent], the output is an [Event]
+    that occurs only when the node runs; a signal that is already an event is not wrapped again.
 
     This happens before any optimization, so all signals still exist. The program's own behavior
     does not change. *)

@@ -29,7 +29,7 @@ let before = -2
 (* How a signal of a node is defined. *)
 type definition =
   | Equation of Ir.equation
-  | Given of int * int  (** an output of an instance: their numbers *)
+  | Given of int * int  (** an output of an instance: the numbers of the instance and the output *)
   | Chosen of int  (** the machine's output of this number *)
   | Input of int
   | Static of int

@@ -12,14 +12,14 @@ type back =
       (** the number of instants ago, as the enclosing signal function counts them; 0 is the same
           instant *)
   | First  (** only in the first instant of the signal function that contains the signal *)
-  | Entry  (** when the mode was entered of which the signal is a parameter *)
+  | Entry  (** when the mode that has the signal as a parameter was entered *)
 
 type source = {
   column : string;
   back : back;
   where_ : (string * int) option;
       (** the innermost restriction to a mode, as a machine and the number of its mode. For [Entry],
-          the mode before: {!any}, or {!before} if the machine itself was starting *)
+          the previous mode: {!any}, or {!before} if the machine itself was starting *)
 }
 
 val any : int
@@ -30,9 +30,9 @@ type transition = {
       (** number of a mode; {!any} if the machine's input causes the transition; {!before} for the
           start of the machine *)
   target : int;
-  label : string;  (** the event that causes it, as far as it is known; otherwise empty *)
-  delayed : bool;  (** the mode that is left still runs in the instant of the transition *)
-  at_once : bool;  (** the transition may occur in the first instant of the mode it leaves *)
+  label : string;  (** the event that causes it; empty if unknown *)
+  delayed : bool;  (** the previous mode still runs in the instant of the transition *)
+  at_once : bool;  (** the transition may occur in the first instant of the previous mode *)
   sources : source list;  (** sources of the event *)
   place : Span.t;
 }
@@ -47,4 +47,4 @@ type t = {
 
 val of_program : Equations.t -> Flow.Ir.program -> Catalogue.probe list -> t list
 (** The sources of the output's leaves and of these probes. Columns are named as in a trace. If the
-    element of an array is not known, the column is the one of the whole array. *)
+    element of an array is not known, the source is the column of the whole array. *)

@@ -131,7 +131,7 @@ let times_seconds k (ty : Ir.ty) : Ir.ty =
       Number (representation, product [ unit_; seconds ])
   | ty -> ty
 
-(* Derived units that the library defines. Hz is missing on purpose: 1/s may also be an angular
+(* Derived units that the library defines. Hz is omitted on purpose: 1/s may also be an angular
    velocity. *)
 let derived =
   [

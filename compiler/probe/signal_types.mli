@@ -9,15 +9,15 @@ val type_of : t -> Catalogue.probe -> Typing.Ir.ty option
     type contains the function's type variables. [None] for signals that the compiler introduced. *)
 
 val type_of_signal : t -> name:string -> Basis.Span.t -> Typing.Ir.ty option
-(** The same for a signal of Flow: [name] has the path for leaves, and the place is where the
-    programmer wrote it. *)
+(** The same for a signal of Flow. [name] includes the path of a leaf; the span is the signal's
+    place in the source. *)
 
 val part : t -> Typing.Ir.ty -> string list -> Typing.Ir.ty option
 (** The type reached by these fields, components (from 1) and elements ([[0]]), as they appear in a
     column's name. *)
 
 val times_seconds : int -> Typing.Ir.ty -> Typing.Ir.ty
-(** The type of a number after multiplying it with this power of a second. *)
+(** The type of a number after multiplication by this power of a second. *)
 
 val unit_ : Typing.Ir.ty -> string option
 (** Unit of a number, or of an event that carries one: [m/s], and [N] instead of [kg m/s^2]. [None]

@@ -20,4 +20,4 @@ and transition = {
 }
 
 val of_program : Step.Ir.program -> machine list
-(** One for each machine in the code, callers before callees. *)
+(** All machines in the code; those of callers precede those of callees. *)

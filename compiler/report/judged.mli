@@ -1,5 +1,5 @@
-(** The cost of checking a program's assertions: compares the program that checks them with the one
-    that does not, which is the one that runs on the robot. *)
+(** The cost of checking a program's assertions: compares the program that checks them with the
+    version without checks, which runs on the robot. *)
 
 type t = {
   count : int;  (** number of assertions *)

@@ -53,7 +53,7 @@ let in_nanoseconds =
         one Conversions; one Divisions; one Multiplications; several 2 Choices; several 2 Additions;
       ])
 
-(* The pixels that a kernel reads, in addition to the call itself. *)
+(* The cost of the pixels that a kernel reads, without the call itself. *)
 let looks c node arguments =
   match c.program.nodes.(node).foreign with
   | None -> Cost.none
@@ -128,7 +128,7 @@ let clock c (clock : M.clock) =
 
 let largest = List.fold_left Cost.larger Cost.none
 
-(* The most expensive of the entries, each with the cost of what follows it. *)
+(* The cost of the most expensive entry, including everything that follows it. *)
 let entries c followed entries =
   largest (List.map (fun (e : M.entry) -> Cost.add (entry c e) (followed e)) entries)
 
@@ -148,13 +148,13 @@ let run c (r : M.run) =
   in
   let late = if r.late then Cost.several 2 Choices else Cost.none in
   let own_step k = c.done_.(modes.(k).node).step in
-  (* The step of a mode, with all its transitions tested. *)
+  (* The cost of a mode's step and of testing all its transitions. *)
   let round k (case : M.case) =
     let tests = List.map (fun (n : M.next) -> test n.condition) case.transitions in
     Cost.sum ([ chosen; expressions c case.arguments; own_step k ] @ tests @ [ kept; again; late ])
   in
   let rounds = Array.mapi round cases in
-  (* The step of a mode and all that its transitions lead to. *)
+  (* The cost of a mode's step and of everything that its transitions lead to. *)
   let from followed takes k =
     let taken = List.filter takes cases.(k).transitions in
     Cost.add rounds.(k) (entries c followed (List.map (fun (n : M.next) -> n.entry) taken))

@@ -1,10 +1,10 @@
 (** The worst-case cost of a step: the number of operations of each kind, including callees.
 
-    An operation of the language counts as one, even if C needs several instructions for it, as for
-    integers that wrap around and for saturating conversions. For branches, the maximum of each kind
-    counts; for [&&] and [||], both operands; for a machine, the maximum of each kind over all
-    chains of modes that one instant can pass through, with all transitions of each mode tested. No
-    step performs more operations of any kind than this bound. *)
+    An operation of the language counts as one, even if C needs several instructions for it, for
+    example for integers that wrap around and for saturating conversions. For branches, the maximum
+    of each kind counts. For [&&] and [||], both operands count. For a machine, the maximum of each
+    kind over all chains of modes that one instant can pass through counts, including the tests of
+    all transitions of each mode. No step performs more operations of any kind than this bound. *)
 
 type t = { reset : Cost.t; step : Cost.t }
 

@@ -78,7 +78,7 @@ let is_sum (ty : M.ty) =
 (* A function of a node. *)
 type callee = Step of int | Reset of int
 
-(* Visits an expression. [calling] says whether the expression around it makes calls. *)
+(* Visits an expression. [calling] tells whether the surrounding expression contains calls. *)
 let rec within c frame ~calling (e : M.expr) =
   let all = List.iter (within c frame ~calling) in
   let intermediate () = if calling then need frame word in
@@ -239,7 +239,7 @@ let statement c frame (s : M.statement) =
       need frame (Saturating_int.times word (List.length results));
       call c frame (Step node) arguments
   | Loop l ->
-      (* The index, and the next values of those accumulators that are arrays. *)
+      (* The index, and the next values of array accumulators. *)
       need frame word;
       List.iter (variable c frame) l.results;
       List.iter (variable c frame) l.results;
@@ -284,7 +284,7 @@ let function_ c k ~results (code : M.code) =
   { bytes = Saturating_int.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
 
 (* The user's C functions take and return structs made of the leaves, with doubles for all numbers.
-   Only for the library's kernels is their own stack use known. *)
+   The stack use of the functions themselves is only known for the library's kernels. *)
 let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
   let own = Option.fold (Kernels.find import.symbol) ~none:0 ~some:(fun k -> k.Kernels.stack) in
   let leaves =

@@ -42,7 +42,7 @@ val in_use : t -> int list
     each once. *)
 
 val padding : bytes:int -> member list -> int
-(** Number of bytes of a struct that belong to no member. *)
+(** Number of bytes of a struct that do not belong to any member. *)
 
 val foreign : Step.Ir.program -> string list
 (** The user's C structs that are part of the state. Their size is not included in any number here.

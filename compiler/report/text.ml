@@ -22,7 +22,7 @@ let table rows =
     let text =
       Printf.sprintf "%-*s  %*s  %-*s  %s" labels label amounts row.amount notes row.note row.place
     in
-    (* Removes trailing blanks: the last columns of some rows are empty. *)
+    (* Removes trailing spaces: the last columns of some rows are empty. *)
     let rec length n = if n > 0 && text.[n - 1] = ' ' then length (n - 1) else n in
     String.sub text 0 (length (String.length text)) ^ "\n"
   in
@@ -135,7 +135,7 @@ let machine_line (m : Hops.machine) =
     (if count = 1 then "mode" else "modes")
     (String.concat ", " m.modes) m.steps
 
-(* Says why a transition takes time, or that it may take none. *)
+(* Explains why a transition takes time, or says that it may take none. *)
 let first_instant (t : Hops.transition) =
   match t.at_entry with
   | Possible -> "may occur"
