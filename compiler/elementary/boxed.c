@@ -1,5 +1,5 @@
-/* What OCaml calls: the same functions on OCaml's numbers, which are doubles; for
- * bytecode, on boxed ones. A single is a double that a float can hold. */
+/* The functions that OCaml calls: the same functions on OCaml's numbers, which are doubles, and for
+ * bytecode, on boxed doubles. A single is a double that a float can represent exactly. */
 #include <caml/alloc.h>
 #include <caml/mlvalues.h>
 #include <frob/elementary.h>

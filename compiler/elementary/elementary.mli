@@ -1,6 +1,6 @@
-(** The runtime's elementary functions ([frob/elementary.h]), so that a number has the same bits
-    whether a machine's C computes it or the interpreter. Errors, special cases and sources are
-    stated there; angles are in radians. *)
+(** The runtime's elementary functions ([frob/elementary.h]), so that the interpreter and compiled
+    programs compute the same bits on every machine. That header documents errors, special cases and
+    sources. Angles are in radians. *)
 
 module type S = sig
   val exp : float -> float
@@ -23,4 +23,4 @@ module type S = sig
 end
 
 val of_precision : Basis.Real.t -> (module S)
-(** Those of single precision take and give singles. *)
+(** The functions of single precision take and return singles. *)

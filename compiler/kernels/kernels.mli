@@ -1,8 +1,8 @@
 (** Calls the runtime's vision kernels ([runtime/vision]) by name.
 
-    Both engines use the same C functions for them. When the interpreter checks a compiled program
-    that uses images, it therefore checks everything the compiler generated, but not the kernels
-    themselves. Programs may call kernels without a C file of their own. *)
+    The interpreter and compiled programs use the same C functions. When the interpreter checks a
+    compiled program that uses images, it therefore checks everything that the compiler generated,
+    but not the kernels themselves. Programs can call kernels without a C file of their own. *)
 
 val is_known : string -> bool
 (** Whether there is a kernel with this name. *)

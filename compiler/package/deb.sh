@@ -1,7 +1,8 @@
 #!/bin/sh
-# deb.sh IMAGE FOLDER: a Debian package of what `dune build @install` has put into IMAGE,
-# frobc_VERSION_ARCHITECTURE.deb in FOLDER; prints its path. Equal images give equal packages,
-# byte for byte. The maintainer is who DEBFULLNAME and DEBEMAIL say. Needs dpkg-dev and binutils.
+# deb.sh IMAGE FOLDER: builds the Debian package frobc_VERSION_ARCHITECTURE.deb in FOLDER from the
+# files that `dune build @install` has put into IMAGE, and prints the package's path. Equal images
+# result in equal packages, byte for byte. DEBFULLNAME and DEBEMAIL name the maintainer. Requires
+# dpkg-dev and binutils.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 image=$(cd "$1" && pwd)
@@ -16,7 +17,7 @@ architecture=$(dpkg --print-architecture)
 maintainer="${DEBFULLNAME:-The Frob developers} <${DEBEMAIL:-frob@packages.invalid}>"
 named() { sed "s|@MAINTAINER@|$maintainer|; s|@VERSION@|$version|" "$here/$1"; }
 
-# Files, with the metadata of OCaml's package managers left out.
+# Copy all files except the metadata of OCaml's package managers.
 mkdir -p "$root/usr/bin" "$root/usr/lib" "$root/usr/share/man" "$root/DEBIAN"
 cp -RL "$image/bin/frobc" "$root/usr/bin/"
 cp -RL "$image/lib/frobc" "$root/usr/lib/"
@@ -31,7 +32,7 @@ gzip -9n "$root/usr/share/man/man1/"*
 mkdir -p "$root/usr/share/lintian/overrides"
 cp "$here/overrides" "$root/usr/share/lintian/overrides/frobc"
 
-# Permissions as policy wants them, and no debugging symbols.
+# Set the permissions that Debian's policy requires, and remove debugging symbols.
 chmod -R u=rwX,go=rX "$root"
 find "$root/usr" -type f -exec chmod 644 {} +
 programs="$root/usr/bin/frobc $(find "$root/usr/lib/frobc" -name 'frob-*')"
@@ -39,7 +40,7 @@ chmod 755 $programs
 strip --strip-unneeded --remove-section=.comment --remove-section=.note $programs
 strip --strip-debug --remove-section=.comment --enable-deterministic-archives "$root/usr/lib/frobc/"*.a
 
-# What it needs, by the libraries that its programs are linked with.
+# Determine the dependencies from the libraries that the programs are linked with.
 mkdir "$work/debian"
 named control > "$work/debian/control"
 libraries=$(cd "$work" && dpkg-shlibdeps -O $programs 2> shlibdeps.log) || {

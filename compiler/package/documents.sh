@@ -1,8 +1,9 @@
 #!/bin/sh
-# documents.sh FOLDER: what there is to read, and the examples, into FOLDER, laid out as here, so
-# that the links from page to page lead where they should. The library and the runtime are
-# linked to where an installation has them: FOLDER is share/doc/frobc. A link to what an
-# installation does not have, as a source of the compiler, becomes plain text with its path.
+# documents.sh FOLDER: copies the documentation and the examples to FOLDER, with the same layout as
+# in this repository, so that links between pages work. FOLDER must be share/doc/frobc of an
+# installation: the library and the runtime become symbolic links to their installed folders. A
+# link to a file that is not installed, such as a source of the compiler, becomes plain text with
+# its path.
 set -eu
 mkdir -p "$1"
 to=$(cd "$1" && pwd)

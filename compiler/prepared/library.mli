@@ -1,6 +1,6 @@
 (** The modules of the library, parsed when the compiler was built. Nearly every program is shorter
-    than what it imports, so parsing the library would take much of the time of compiling a short
-    one.
+    than the modules that it imports, so parsing these modules would take much of the time needed to
+    compile a short program.
 
     Only the trees are stored. The results of later stages depend on which modules a program
     consists of (the numbers of names and type variables, and the visible instances), so these
@@ -9,4 +9,4 @@
 val tree : file:string -> string -> Syntax.Ir.program option
 (** The tree of a module, equal to the result of {!Syntax.Parse.program} for this file and text,
     which has no diagnostics. [None] unless the file and text are identical to a module of the
-    library that the compiler was built with. Each call makes a new tree. *)
+    library that the compiler was built with. Each call creates a new tree. *)

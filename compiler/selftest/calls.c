@@ -1,5 +1,5 @@
 /* The functions that foreign.frob calls. Each result comes from a single operation, so rounding it
- * to single precision gives what a float operation would have given. */
+ * to single precision yields the result that a float operation would have had. */
 #include "calls.h"
 #include "foreign.h"
 

@@ -1,4 +1,4 @@
-(* Writes an OCaml module with the pages in the folders of the folder that is the argument. *)
+(* Writes an OCaml module with the pages in the subfolders of the folder given as the argument. *)
 
 let read path =
   let channel = open_in_bin path in
