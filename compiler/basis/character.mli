@@ -9,4 +9,4 @@ val is_upper : char -> bool
 (** An uppercase letter: a name that starts with it is a type, constructor or module. *)
 
 val is_name : char -> bool
-(** A letter, digit, [_] or [']: a character that may follow the first one in a name. *)
+(** A letter, digit, [_] or [']: any character of a name after the first. *)

@@ -3,7 +3,7 @@
 type t = Lf | Crlf
 
 val of_text : string -> t
-(** The kind of line ending that the text's first line has. *)
+(** The kind of the text's first line ending. *)
 
 val write : t -> string -> string
 (** Converts all line endings of the text. *)

@@ -43,7 +43,8 @@ type program = {
 
 and param = {
   param : Global.t;  (** the definition of its default value *)
-  given : Global.t option;  (** the definition of the value given from outside *)
+  given : Global.t option;
+      (** the definition of the value that overrides the default, if there is one *)
   label : string;  (** its name for users: [k], or [M.k] *)
   ty : ty;  (** [Bool], [Int] or [Float] *)
   unit_ : string;  (** the unit as written in brackets: [1/m]; [1]; [""] for a [Bool] *)

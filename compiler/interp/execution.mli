@@ -13,7 +13,7 @@ val start :
 
 val ended : t -> Core.Ir.ty option
 (** For a program that can end: the type of its result. Each output is then a pair of the program's
-    output and the event of its end. *)
+    output and the event that signals its end. *)
 
 val instant : ?precision:Basis.Real.t -> t -> seconds:float -> Value.t -> Value.t
 (** Runs one instant and returns the output, completely evaluated. [seconds] is the time since the

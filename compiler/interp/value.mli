@@ -15,8 +15,8 @@ type t =
       (** a function that starts an instance; also represents a program *)
   | Task of task
   | Ending of { signal_function : thunk; result : Core.Ir.ty }
-      (** a program that can end: the signal function returns its output together with the event of
-          its end, whose value has type [result] *)
+      (** a program that can end: the signal function returns its output together with the event
+          that signals its end, whose value has type [result] *)
 
 and thunk = t Thunk.t
 

@@ -34,7 +34,8 @@ type program = {
 and param = {
   param : Global.t;  (** the definition of its default value *)
   given : Global.t option;
-      (** the definition of the value given from outside; its name cannot occur in source code *)
+      (** the definition of the value that overrides the default, if there is one; its name cannot
+          occur in source code *)
   span : Span.t;  (** span of the name *)
 }
 (** A parameter [param x :: t = e], whose value is fixed when a run starts. *)

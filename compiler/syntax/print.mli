@@ -1,7 +1,7 @@
 (** Prints Syntax as Frob source.
 
-    The output parses to the same tree, apart from spans. Blocks are on lines of their own, indented
-    two columns more than the line that opens them. Comments other than doc comments are lost. *)
+    The output parses to the same tree, apart from spans. Blocks are on separate lines, indented two
+    columns more than the line that opens them. Comments other than doc comments are lost. *)
 
 val program : Format.formatter -> Ir.program -> unit
 

@@ -65,7 +65,8 @@ type program = {
 
 and param = {
   param : Global.t;  (** the definition of its default value *)
-  given : Global.t option;  (** the definition of the value given from outside *)
+  given : Global.t option;
+      (** the definition of the value that overrides the default, if there is one *)
   ty : ty;  (** a [Number] without variables, or [Bool] *)
   doc : string option;
   span : Span.t;  (** span of the name *)
@@ -99,8 +100,8 @@ and foreign_value = {
 and class_declaration = {
   class_ : Global.t;
   methods : (Global.t * scheme) list;
-      (** the class's type variable comes first in the scheme, and the class itself first in the
-          context *)
+      (** the class's type variable is the first one in the scheme, and the class itself is the
+          first constraint in the context *)
 }
 
 and instance = {
@@ -113,7 +114,7 @@ and instance = {
 
 and implementation =
   | Given of Global.t
-      (** a definition with the type parameters of the instance, then the method's own *)
+      (** a definition with the type parameters of the instance, followed by those of the method *)
   | Default of Global.t
       (** the class's default definition, with the method's name and type parameters *)
 

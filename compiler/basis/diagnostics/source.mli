@@ -8,7 +8,7 @@ type t
 val create : unit -> t
 
 val add : t -> file:string -> string -> unit
-(** Adds the text of a file, and replaces an earlier one. *)
+(** Adds the text of a file, replacing any earlier text. *)
 
 val all : t -> (string * string) list
 (** All files with their texts, sorted by name. *)

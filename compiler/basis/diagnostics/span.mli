@@ -4,7 +4,7 @@
     exclusive. A span lies within one file. *)
 
 type position = private int
-(** Comparing the integers compares the positions, within one file. *)
+(** Within one file, positions are ordered like these integers. *)
 
 val position : line:int -> column:int -> position
 (** Line and column must not be negative. Columns from 2{^ 28} on are indistinguishable. *)

@@ -3,7 +3,7 @@
     In OCaml both are [float]; a single is a double that binary32 can represent. An operation on
     singles is performed on doubles and then rounded. For [+ - * /] and [sqrt] this yields the same
     result as a single rounding, because a double has at least 2p + 2 significand bits, where p is
-    the number of a single's (S. A. Figueroa, "When is double rounding innocuous?", ACM SIGNUM
+    the precision of a single (S. A. Figueroa, "When is double rounding innocuous?", ACM SIGNUM
     Newsletter 30, 1995). *)
 
 type t = Double | Single

@@ -12,6 +12,6 @@ type vertex = {
 val vertex : Ir.definition -> vertex
 
 val diagnostic : vertex:(int -> vertex) -> use:(int -> int -> Span.t) -> int list -> Diagnostic.t
-(** E0410 for a non-empty cycle in which each vertex uses the next one, and the last one uses the
-    first. [use]: the place of a use. Shows only the beginning and the last step of a very long
-    cycle. *)
+(** The error E0410 for a non-empty cycle in which each vertex uses the next one, and the last one
+    uses the first. [use]: the place of a use. Shows only the beginning and the last step of a very
+    long cycle. *)

@@ -25,8 +25,8 @@ val longest : int
 val most_cells : int
 
 val next : t -> (row option, row * problem) result
-(** The next row that is not an empty line; [None] at the end. An error comes with the part of the
-    row that was read before it. *)
+(** The next row that is not an empty line; [None] at the end. An error includes the part of the row
+    that was read before it. *)
 
 val line : t -> int
 (** Line number of the next character. *)

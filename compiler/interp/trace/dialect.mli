@@ -30,7 +30,7 @@ val cell : t -> string -> string
 
 (** {1 Hints for error messages}
 
-    Each is empty if no option would help. *)
+    A hint is empty if no option would help. *)
 
 val time_hint : t -> string list -> string
 (** For the error that the first column of the header must be [time]. *)

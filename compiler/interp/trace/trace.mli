@@ -32,8 +32,8 @@ val nanoseconds : string -> int option
     · 10^9 s. *)
 
 val too_far : string -> string
-(** A hint for the error message about such a text: says whether it exceeds the limit, and whether
-    it looks like a time in a smaller unit. *)
+(** A hint for the error message about a text that {!nanoseconds} rejects: says whether it exceeds
+    the limit, and whether it looks like a time in a smaller unit. *)
 
 val returns : string
-(** The error message about a header with a carriage return that no line feed follows. *)
+(** The error message about a header with a carriage return that is not followed by a line feed. *)

@@ -116,7 +116,7 @@ and positional scope constructor span all : Ir.pattern_desc =
     Option.value (String_map.find_opt field by_name) ~default:({ desc = Any; span } : Ir.pattern)
   in
   let arguments = Long_list.map argument (Option.value constructor.fields ~default:[]) in
-  (* An erroneous field stays in the pattern, so that its variables are bound. *)
+  (* An erroneous field remains in the pattern, so that its variables are bound. *)
   let faulty = List.filter (fun (field, _) -> not (List.mem_assq field given)) all in
   Constructed (constructor.global, arguments @ Long_list.map snd faulty)
 

@@ -111,7 +111,7 @@ let of_definition sink ~is_labelled (b : Ir.binding) =
   List.iter (fun k -> used.(k) <- true) found.told;
   let is_silent v = v.kind <> Equation && String.starts_with ~prefix:"_" v.name in
   (* Visits users before the definitions they use. An unused pattern variable does not mark its
-     pattern as used, so that a wholly unused pattern is reported once. *)
+     pattern as used, so that a completely unused pattern is reported once. *)
   let component members =
     let first = vertices.(List.hd members) in
     let is_used = is_silent first || List.exists (fun v -> used.(v)) members in

@@ -1,4 +1,4 @@
-(** Warns about unused names inside definitions, and of unused imports.
+(** Warns about unused names inside definitions, and about unused imports.
 
     Codes: [W0304] an equation or definition that nothing depends on · [W0305] a pattern variable
     that nothing reads · [W0306] an import that the module does not use. *)

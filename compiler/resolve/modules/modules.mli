@@ -32,4 +32,4 @@ val load :
     E0203). A test file comes after its program, which it requires (E0236), and must not have a
     header or a [main] (E0237). A program is loaded without its test file. The module in the file
     [also] is included whether or not it is imported, and an import of its name refers to it. A file
-    that is byte for byte equal to a library module counts as that module. *)
+    with the same content as a library module is treated as that module. *)

@@ -6,7 +6,7 @@ type setting = {
 }
 
 val no_such : string
-(** E0507: the program has no parameter of that name, or more than one. *)
+(** The code E0507: the program has no parameter of that name, or more than one. *)
 
 val split : string -> setting option
 (** Parses [k=text]. Spaces around the name are ignored. *)

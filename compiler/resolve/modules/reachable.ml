@@ -67,7 +67,7 @@ let program ~keep (program : Ir.program) =
     | Top (g, _) -> Global_table.mem search.found g
     | Inner _ | Destructure _ -> true
   in
-  (* If one binding of a group stays, all do, because it reaches the others. *)
+  (* If one binding of a group is kept, all are, because it reaches the others. *)
   let stays (g : Ir.binding_group) = List.exists stays g.bindings in
   let groups = List.filter stays program.groups in
   { program with groups; params = List.filter is_here program.params }

@@ -2,7 +2,7 @@
 
     An imported module brings all of its definitions into the program, but a program uses few of
     them. The others do not need type checking or translation. All definitions of the program's own
-    modules stay. A library definition stays if one of those, an instance or a default method
+    modules are kept. A library definition is kept if one of those, an instance or a default method
     mentions it, directly or through other definitions. *)
 
 val program : keep:Ir.Global.t list -> Ir.program -> Ir.program

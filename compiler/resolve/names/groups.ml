@@ -22,8 +22,8 @@ let refer t ~signed target =
       t.all.(i) <- target :: t.all.(i);
       if not signed then t.unsigned.(i) <- target :: t.unsigned.(i)
 
-(* Splits a cycle into the components that remain without the references to names with a signature.
-   *)
+(* Splits a cycle into the components that remain after removing the references to names with
+   signatures. *)
 let split t ~position vertices =
   let vertex = Array.of_list vertices in
   Array.iteri (fun k v -> position.(v) <- k) vertex;

@@ -1,14 +1,15 @@
 (** Names that users know from Haskell, Yampa, C, Python, MATLAB and board libraries, and that have
     a different name or no counterpart in Frob.
 
-    Words that a robot program may well use as its own names, such as [range] and [error], are left
-    out: an unknown [range] is more likely a misspelt name of the program. *)
+    Words that a robot program is likely to use for its own definitions, such as [range] and
+    [error], are left out: an unknown [range] is more likely a misspelt name of the program. *)
 
 val value : string -> string option
 (** A hint for an unknown value name, used if no similar Frob name is in scope. *)
 
 val robot : string -> string option
-(** The same for robot sensors and actions, used if the program has no similar name. *)
+(** A hint for the name of a robot sensor or action, used if the program does not contain a similar
+    name. *)
 
 val is_statement : string -> bool
 (** Is this the keyword of a statement? If so, the code after it is in that language too. *)

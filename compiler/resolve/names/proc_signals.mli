@@ -15,11 +15,11 @@ val of_module : Syntax.Ir.program -> t list
 
 val in_capitals : Syntax.Ir.program -> string list
 (** Top-level definitions whose name is capitalized, as in [Speed = 0.3]. These are parsed as
-    patterns, and already reported. *)
+    patterns, and have already been reported. *)
 
 val without_definition : Syntax.Ir.program -> string list
 (** Names with a signature but no definition at the top level, or with a type before the name, as in
-    [Velocity v = 0]. These are already reported. *)
+    [Velocity v = 0]. These have already been reported. *)
 
 type c_declaration = {
   head : Syntax.Ir.name;  (** the first word, which parses as the name of a function *)

@@ -371,7 +371,7 @@ let report sink ~text ~state ~before token =
     | Some d -> d
     | None -> plain found
   in
-  (* A hint about the whole program is given once. *)
+  (* A hint about the whole program is reported only once. *)
   let told (other : Diagnostic.t) = other.code = d.code && other.hints = d.hints in
   let once = List.exists (fun hint -> List.mem hint said_once) d.hints in
   (* The lines of a block in braces are not definitions, so they are not reported separately. *)

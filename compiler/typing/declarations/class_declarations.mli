@@ -10,7 +10,8 @@ open Basis
 type method_ = {
   name : Ir.Global.t;
   scheme : Type.scheme;
-      (** the class's variable comes first, and the class itself first in the context *)
+      (** the class's variable is the first one, and the class itself is the first constraint in the
+          context *)
   inner : Context.t;  (** the context in which a default definition is checked *)
   signature : Span.t;
   default : Resolve.Ir.binding option;

@@ -327,7 +327,7 @@ let tell_parentheses expressions ctx ~(head : Resolve.Ir.expr) arguments ~given 
     else List.nth given (i - 1)
   in
   let is_reported (d : Diagnostic.t) = Span.compare d.at failing.value.span = 0 in
-  (* arguments on separate lines are more likely the statements of a missing `do` *)
+  (* arguments on separate lines are more likely statements that lack a `do` *)
   let in_one_line =
     let ends = (List.nth arguments (all - 1)).value.span.stop in
     Span.line head.span.start = Span.line ends

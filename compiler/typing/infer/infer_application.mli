@@ -7,4 +7,4 @@
 open Context
 
 val infer : expressions -> t -> Resolve.Ir.expr -> typed
-(** For an [Apply]; treats all nested applications at once. *)
+(** For an [Apply]; handles all nested applications together. *)

@@ -279,8 +279,8 @@ let no_instance ctx required (lack : lack) =
       let complete = List.find_map (fun rule -> rule fact) rules in
       Option.value complete ~default:Fun.id d)
 
-(* Reports a bad condition of an assertion in terms that do not mention classes, because its author
-   need not know them. *)
+(* Reports an invalid condition of an assertion without mentioning classes, because the user may not
+   know about them. *)
 let report_no_condition ctx ~at culprit =
   report ctx (fun words ->
       Diagnostic.error ~code:"E0360" ~at "%s is nothing that holds or does not"

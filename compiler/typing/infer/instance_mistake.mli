@@ -1,6 +1,6 @@
-(** Messages about class constraints that do not hold: [E0307] the type has no equality or order ·
-    [E0308] a class is required of a type that nothing determines · [E0360] there is no instance ·
-    [E0371] a task is required. *)
+(** Messages about class constraints that are not satisfied: [E0307] the type has no equality or
+    order · [E0308] a class is required of a type that nothing determines · [E0360] there is no
+    instance · [E0371] a task is required. *)
 
 open Context
 

@@ -14,7 +14,7 @@ type position =
 
 and condition = { test : Ir.expr; chosen_if : bool }
 
-(** The reason why the instance cannot simply run at every instant anyway. *)
+(** The reason why the instance cannot simply run at every instant. *)
 type obstacle =
   | Depends_on_start  (** it could, but the user may have meant it to restart *)
   | Bound_here of Ir.Local.t

@@ -5,8 +5,8 @@ open Basis
 
 val not_a_function :
   Show.words -> head:Resolve.Ir.expr -> position:int -> at:Span.t -> Type.t -> Diagnostic.t
-(** The head of an application cannot take the argument at this position. The last argument is the
-    type that the head has after the arguments before it. *)
+(** The message about a head that cannot take the argument at this position. The last argument is
+    the type of the head after the preceding arguments. *)
 
 val applied_without_parentheses :
   name:string -> inner:string -> whole:string -> Diagnostic.t -> Diagnostic.t
@@ -20,7 +20,8 @@ val negative_argument :
   Resolve.Ir.expr ->
   Type.t ->
   Diagnostic.t
-(** [f -1], where [f] is a function of the given type. [operand]: the expression after the minus. *)
+(** The message about [f -1], where [f] is a function of the given type. [operand]: the expression
+    after the minus. *)
 
 val not_a_signal_function : Show.words -> head:Resolve.Ir.expr -> Type.t -> Diagnostic.t
-(** For the head of [sf -< e]. *)
+(** The message about the head of [sf -< e]. *)

@@ -83,7 +83,7 @@ let without_idle_deciders (expected : Expected.t) found (clash : Unify.clash) : 
 
 let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : Unify.clash) =
   let expected = without_idle_deciders expected found clash in
-  (* reserve the names in signatures, so that no invented name clashes with one *)
+  (* reserve the names in signatures, so that generated names do not clash with them *)
   if not (Show.is_any_number expected.ty) then ignore (Show.type_ words expected.ty);
   Show.tell_apart words [ expected.ty; found ];
   let finish diagnostic =

@@ -27,7 +27,7 @@ val exchanged_pair :
   Resolve.Ir.expr * Type.t ->
   Resolve.Ir.expr * Type.t ->
   Diagnostic.t
-(** E0301: the components of a pair are swapped. *)
+(** The message E0301 about a pair with swapped components. *)
 
 val exponent_too_large : at:Span.t -> Diagnostic.t
 

@@ -44,7 +44,7 @@ let rec chosen (e : Resolve.Ir.expr) =
   | If { then_; else_; _ } -> chosen then_ @ chosen else_
   | _ -> []
 
-(* The literals of a name that is defined as a choice among several numbers of one unit. *)
+(* The literals in the definition of a name that chooses among several numbers of one unit. *)
 let chosen_by_name words (e : Resolve.Ir.expr option) =
   match e with
   | Some { desc = Local x; _ } -> (

@@ -9,7 +9,8 @@ type owner = Ir.variable -> owned option
 (** The signature that introduced a type variable. *)
 
 val general_type : Show.words -> owner -> at:Span.t -> Type.rigid -> Type.t -> Diagnostic.t
-(** The signature has a variable where the definition requires this type or array size. *)
+(** The message about a signature that has a variable where the definition requires this type or
+    array size. *)
 
 val general_unit : Show.words -> owner -> at:Span.t -> Units.rigid -> Units.t -> Diagnostic.t
 

@@ -138,7 +138,7 @@ let pairs t f a b =
   let { first; _ } = some_of t (List.concat_map (fun x -> List.map (f x) b.first) a.first) in
   { first; besides = limited (count a * count b) - List.length first }
 
-(* Values of the type with other heads than these. Together they cover all other values. *)
+(* Values of the type whose heads differ from these. Together they cover all other values. *)
 let others t (ty : ty) heads =
   Work.steps (List.length heads);
   let given = Hashtbl.create 16 in

@@ -106,7 +106,7 @@ let rec explain_reason words reason (expected : Type.t) diagnostic =
       Option.fold units ~none:Fun.id ~some:note diagnostic
       |> label ~at (Printf.sprintf "the field `%s` is %s" name (Show.described words expected))
 
-(* If there is no better place to point at, label where the variable is bound. *)
+(* If there is no better place to point at, labels the place where the variable is bound. *)
 
 let explain_subject subject reason diagnostic =
   match (subject, reason) with

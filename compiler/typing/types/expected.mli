@@ -43,7 +43,7 @@ type reason =
   | Field of {
       name : string;
       at : Span.t;
-      units : string option;  (** how the units of the record's fields relate *)
+      units : string option;  (** how the units of the record's fields are related *)
     }
   | Output of reason
       (** for the output of a signal function: the reason that applies to the signal function *)

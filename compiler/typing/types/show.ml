@@ -260,7 +260,7 @@ let rec tree_of words depth t =
           (List.map continue_ arguments)
     | Erroneous -> Word "_"
 
-(* Reserves the names that signatures use, before any name is invented. *)
+(* Reserves the names that signatures use, before any name is generated. *)
 let rec reserve words depth t =
   if depth <= deepest then
     let continue_ = reserve words (depth + 1) in

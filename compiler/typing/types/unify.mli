@@ -10,5 +10,5 @@ type clash =
   | Out_of_range  (** the exponent of a unit; see {!Rational.Out_of_range} *)
 
 val types : Type.t -> Type.t -> (unit, clash) result
-(** Variables solved before a clash stay solved. That is harmless because a clash always leads to a
-    diagnostic. {!Type.Erroneous} unifies with everything. *)
+(** Variables solved before a clash remain solved. That is harmless because a clash always leads to
+    a diagnostic. {!Type.Erroneous} unifies with everything. *)

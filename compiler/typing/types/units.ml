@@ -87,8 +87,8 @@ let equal a b =
 let is_open unit_ = (resolve unit_).flexible <> []
 let deepest rigid = List.fold_left (fun depth ((r : rigid), _) -> max depth r.depth) 0 rigid
 
-(* The variable to eliminate is the innermost one, so that no outer variable comes to depend on it;
-   among equally deep variables, the newest. *)
+(* The variable to eliminate is the innermost one, so that outer variables do not become dependent
+   on it; among equally deep variables, the newest. *)
 let is_before (x : flexible) (y : flexible) = y.depth > x.depth || (y.depth = x.depth && y.id > x.id)
 
 let pivot = function

@@ -9,9 +9,9 @@ val operation : Resolve.Ir.expr -> (Resolve.Ir.expr * string * Resolve.Ir.expr) 
 (** The operands and the operator, if the expression applies a binary operator of the prelude. *)
 
 val warn : Context.t -> Resolve.Ir.expr -> Expected.t -> unit
-(** Warns about a number without a unit, larger than a full turn, where the type [Angle] is expected
-    by that name, or where it is added to or subtracted from an angle. The number is a literal or a
-    product or quotient of literals. A factor of a signal is not suspicious: [sin (100 * t)] is
+(** Warns about a number without a unit, larger than a full turn, where a type written as [Angle] is
+    expected, or where the number is added to or subtracted from an angle. The number is a literal
+    or a product or quotient of literals. A factor of a signal is not suspicious: [sin (100 * t)] is
     fine. Angles are dimensionless, so the unit checker cannot find this mistake. *)
 
 val compares : string -> bool
@@ -22,7 +22,7 @@ val warn_of_operands : Context.t -> Resolve.Ir.expr * Type.t -> Resolve.Ir.expr 
     known. *)
 
 val keeps : Resolve.Ir.expr -> bool
-(** Does this function return an angle when given one, as [abs] and a sum do? *)
+(** Does this function return an angle if its argument is one, as [abs] and addition do? *)
 
 val kept : Type.t -> operand:Type.t -> Type.t
 (** The type of its result: [Angle] if the operand is an angle. *)

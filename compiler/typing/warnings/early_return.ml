@@ -20,7 +20,7 @@ let rec only_returns (e : Resolve.Ir.expr) =
       prelude "whenT" head && only_returns argument
   | _ -> false
 
-(* Removes the line. The next statement is on the line below, so nothing else is in between. *)
+(* Removes the line. The next statement is on the next line, so there is nothing in between. *)
 let without (e : Resolve.Ir.expr) next d =
   match (next : Span.t option) with
   | Some next when Span.line next.start = Span.line e.span.stop + 1 ->

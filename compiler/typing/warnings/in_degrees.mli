@@ -5,12 +5,12 @@
 
 val warn : Context.t -> Resolve.Ir.expr -> Expected.t -> unit
 (** Warns about a product with the factor 180/π, or the name of an equation with such a product,
-    where the type [Angle] or [AngularVelocity] is expected by that name. *)
+    where a type written as [Angle] or [AngularVelocity] is expected. *)
 
 val meets : string -> bool
 (** Does this operator compare, add or subtract its operands? *)
 
 val warn_of_operands : Context.t -> Resolve.Ir.expr * Type.t -> Resolve.Ir.expr * Type.t -> unit
-(** Warns if one operand of an operator for which {!meets} holds is such a product, and the other is
-    an angle, an angular velocity or a number with the unit [deg]. Call it when all types are known.
-*)
+(** Warns if one operand of an operator for which {!meets} is true is such a product, and the other
+    is an angle, an angular velocity or a number with the unit [deg]. Call it when all types are
+    known. *)

@@ -4,5 +4,5 @@
     that wraps around · [W0309] a negative time where a duration is expected. *)
 
 val warn : Basis.Diagnostic.sink -> Resolve.Ir.program -> Ir.program -> unit
-(** Checks the definitions of the program's own modules. Does not warn of an intended NaN, [0 / 0].
-*)
+(** Checks the definitions of the program's own modules. Does not warn about an intended NaN,
+    [0 / 0]. *)

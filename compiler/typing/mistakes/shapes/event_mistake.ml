@@ -270,7 +270,7 @@ let content_as_condition fact =
            (grouped fact "m"))
   | _ -> None
 
-(* `edge e`, where [e] is an event already. *)
+(* `edge e`, where [e] is already an event. *)
 let made_twice fact =
   match fact.expected.because with
   | Parameter { callee = Some (("edge" | "when" | "falling") as f); _ } when is_an_event fact ->

@@ -56,7 +56,7 @@ val source : t -> string option
 (** The source text of the subject, if it is short. *)
 
 val raw : t -> string -> string
-(** The source text of the subject, or this text if it is too long. *)
+(** The source text of the subject, or this text if there is none or it is too long. *)
 
 val grouped : t -> string -> string
 (** Like {!raw}, with parentheses around the subject if it needs them as an argument. *)
