@@ -155,7 +155,7 @@ let equation scope (eq : Ir.equation) =
 let signal_types = List.map (fun (s : Ir.signal) -> s.ty)
 let output_type (_, atom) = Operands.ty atom
 
-(* The input and output types of a loop, from those of its node. *)
+(* The input and output types of a loop, given the input and output types of its node. *)
 let loop scope (i : Ir.instance) (l : Ir.loop) inputs outputs =
   let taken (argument : Ir.argument) (ty : Ir.ty) : Ir.ty =
     match argument with
@@ -280,7 +280,7 @@ let node program owners names modes_of index (node : Ir.node) =
   Option.iter (machine scope modes_of) node.machine;
   scope
 
-(* Transitions may lead to modes that come later in the program. *)
+(* Checks transitions separately, because they may lead to modes that come later in the program. *)
 let transitions modes_of (index, scope) =
   match (Hashtbl.find_opt modes_of index, scope.node.transitions) with
   | None, [] -> ()

@@ -44,7 +44,7 @@ let mode_names (program : Ir.program) (machine : Ir.machine) =
 
 type inner = {
   step : step;
-  word : string option;  (** the component it adds to the path, if any *)
+  word : string option;  (** the component that the step adds to the path, if any *)
   index : int;
   inputs : Ir.atom list;
 }

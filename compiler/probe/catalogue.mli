@@ -32,9 +32,9 @@ type probe = {
 }
 
 val of_program : Equations.t -> Flow.Ir.program -> probe list option
-(** In source order; inner instances follow the instance that contains them. [None] if there are
-    more than {!most} instances. Skips arrays of more than {!longest} leaves and values of foreign
-    types. *)
+(** Lists the probes in source order; inner instances follow the instance that contains them. [None]
+    if there are more than {!most} instances. Skips arrays of more than {!longest} leaves and values
+    of foreign types. *)
 
 val most : int
 val longest : int

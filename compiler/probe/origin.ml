@@ -120,8 +120,8 @@ let earlier at =
 
 let at_first at = match at.back with Instants _ -> { at with back = First } | First | Entry -> at
 
-(* Only elements are visible in the name of a column; this prints the path up to the first other
-   part. *)
+(* Prints a path up to the first part that is not an element, because a column's name only shows
+   elements. *)
 let rec element = function
   | Element k :: part -> Printf.sprintf "[%d]" k ^ element part
   | (Leaf _ | Tag) :: _ | [] -> ""

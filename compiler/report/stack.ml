@@ -94,7 +94,8 @@ let rec within c frame ~calling (e : M.expr) =
       intermediate ();
       all arguments
   | Select { condition; then_; else_ } ->
-      (* In C, such a selection may become a call of the helper for the minimum of two numbers. *)
+      (* In C, such a selection may become a call to the helper that computes the minimum of two
+         numbers. *)
       (match condition with
       | Operation { operator = And; _ } -> needs_helper frame helper
       | _ -> ());

@@ -128,7 +128,7 @@ val defining : t -> trail -> Core.Ir.ty -> unit
 (** Notes that an equation or a call defines a value of this type, for {!widest}. *)
 
 val widest : t -> wide option
-(** The type whose values account for most leaves, over all equations and calls. *)
+(** The type whose values account for the most leaves, over all equations and calls. *)
 
 val in_machine : trail -> machine -> trail
 (** Enters a machine whose modes are being discovered. *)

@@ -1,7 +1,7 @@
 (** Converts between a program in single precision and its hosts.
 
-    The structs of robots contain doubles, whatever precision the program has, because drivers and
-    the simulator use doubles. A program in single precision has its own structs. The table for
+    The structs of robots contain doubles, regardless of the program's precision, because drivers
+    and the simulator use doubles. A program in single precision has its own structs. The table for
     hosts describes the robot's structs, and its step function converts between the two: it rounds
     the input's doubles to floats, and widens the output's floats to doubles. It also converts time
     to whole nanoseconds. In double precision, both sides use the same structs, and nothing is

@@ -9,7 +9,7 @@
 type t
 
 val of_program : Step.Ir.program -> Interface.t -> t
-(** The interface must be that of the program's input. *)
+(** The interface must belong to the program's input. *)
 
 val is_given : t -> int -> bool
 (** Whether the step of this node receives the pointer. *)

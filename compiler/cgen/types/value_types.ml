@@ -67,7 +67,7 @@ let owner t ty = if differ t ty then Program else marked t ty
 
 (* {1 Names} *)
 
-(* Types that other code also uses have a common prefix. *)
+(* The prefix of a type's name. All types that other code also uses have the same prefix. *)
 let prefix t ty = match owner t ty with Program -> t.name | Robot | Foreign_code -> "frob"
 
 let rec array_name t (ty : M.ty) =

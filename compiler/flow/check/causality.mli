@@ -1,7 +1,7 @@
 (** Causality: no signal may need its own value within one instant.
 
     Reads a linted flow program and leaves it unchanged. [Delay] and [Integral] break a dependency;
-    an [Instance] passes on only the inputs that its node reads in the same instant (see
+    an [Instance] only passes on the inputs that its node reads in the same instant (see
     {!Dependency}). Method: computes the strongly connected components of each node's same-instant
     dependency graph. Each cyclic component results in one diagnostic, which shows the shortest
     loop. *)

@@ -33,7 +33,7 @@ let schedule a index =
 
 let map = Long_list.map
 
-(* Signals that are missing may have any value. *)
+(* A signal without an entry may have any value. *)
 type values = Assumption.values
 
 (* Maps a signal to an equal signal of the same node. *)
@@ -208,7 +208,7 @@ let rec outputs a instant index ~statics ~inputs =
       Hashtbl.replace a.known key found;
       found
 
-(* [pattern] says which static parameters and inputs are equal (see [pattern_of]). *)
+(* [pattern] tells which static parameters and inputs are equal (see [pattern_of]). *)
 and evaluate ?(pattern = []) a instant index ~statics ~inputs =
   a.budget <- a.budget - 1;
   let node = a.program.nodes.(index) in

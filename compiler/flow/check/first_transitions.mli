@@ -44,4 +44,4 @@ val from_state : t -> int -> state -> (Ir.transition * state) list
 
 val cannot_be_true : t -> int -> Ir.signal -> bool
 (** [cannot_be_true a mode] evaluates the first instant of this node once. The resulting function
-    says whether a signal is certainly not True in that instant. *)
+    tells whether a signal is certainly not True in that instant. *)

@@ -6,8 +6,8 @@ let map = Long_list.map
 
 let targets = map (fun (t : Ir.transition) -> t.target)
 
-(* The signal function whose event causes a transition, searched within the mode. Skips signals for
-   which [cannot_be_true] holds. *)
+(* The signal function whose event causes a transition, searched within the mode. Skips signals that
+   satisfy [cannot_be_true]. *)
 let source ?(cannot_be_true = fun _ -> false) (program : Ir.program) (node : Ir.node)
     (t : Ir.transition) =
   let definer = Hashtbl.create 32 in

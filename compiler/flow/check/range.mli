@@ -9,7 +9,8 @@ type t =
       (** contains no numbers if [least > most]; [nan] tells whether NaN is included; the bounds are
           never NaN *)
   | Constructors of (int * t list option) list
-      (** in ascending order, with the leaves of the payload if anything is known about them *)
+      (** the possible constructors in ascending order, with the leaves of the payload if anything
+          is known about them *)
 
 val anything : Ir.program -> Ir.ty -> t
 val of_constant : Ir.atom -> t option

@@ -7,8 +7,8 @@ val all : Ir.rhs -> Ir.atom list
 (** All operands, in the order of {!Ir}; for a [Delay], [init] comes first. *)
 
 val same_instant : Ir.rhs -> Ir.atom list
-(** The operands whose values of the same instant are needed. Excludes those of [Delay] (whose
-    [init] is static and only read at the start) and of [Integral]. *)
+(** The operands whose values are needed in the same instant. Excludes the operands of [Delay]
+    (whose [init] is static and only read at the start) and of [Integral]. *)
 
 val map : (Ir.atom -> Ir.atom) -> Ir.rhs -> Ir.rhs
 (** Maps the operands in the order of {!all}. Returns the same right-hand side, physically, if no

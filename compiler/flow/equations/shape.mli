@@ -23,4 +23,4 @@ val for_hosts : Ir.sum array -> Ir.shape -> bool
 (** Whether hosts support all foreign types in the shape. *)
 
 val mentions_foreign : Ir.sum array -> Ir.shape -> bool
-(** Whether there is any foreign type, copyable or not. *)
+(** Whether the shape contains any foreign type, copyable or not. *)

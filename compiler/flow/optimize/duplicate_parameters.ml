@@ -40,7 +40,7 @@ let representatives (program : Ir.program) parameters =
   in
   let split { Passed.callee; arguments } =
     let before = representatives.(callee) in
-    (* Each accumulator of a loop gets a value of its own in each iteration. *)
+    (* Each accumulator of a loop gets a separate value in each iteration. *)
     let passed j (how, atom) = (before.(j), how, key atom, if how = Ir.Accumulator then j else 0) in
     representatives.(callee) <- firsts (Array.mapi passed arguments);
     representatives.(callee) <> before

@@ -1,4 +1,4 @@
-(** Knowledge about the Bools of a node in an instant. *)
+(** Facts about the Bools of a node in one instant. *)
 
 type t
 

@@ -2,7 +2,7 @@
 
     A drawing consists of a count of marks and an array of events. The first [count] events occur.
     If the array has room for all marks that can be drawn ({!Flow.Marks}), no mark is lost. An array
-    of one element suffices to find out how many marks are possible. If drawing is disabled
+    of one element is enough to find out how many marks are possible. If drawing is disabled
     ({!Context.options}), drawings have no leaves. *)
 
 val apply :

@@ -46,7 +46,7 @@ and inside known (closure : Value.closure) =
     (fun _ (entry : Value.entry) deeper -> deepest [ deeper; nest known (Closure.forced entry) ])
     closure.captured (0, "")
 
-(* Like {!nest}, for the signal function of a mode, not counting the mode's own code. *)
+(* Like {!nest}, for the signal function of a mode, without counting the mode's own code. *)
 let rec nest_of_mode known (value : Value.t) =
   match value with
   | Primitive { primitive = Sequence; arguments; owner; _ } ->

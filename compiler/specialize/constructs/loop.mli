@@ -29,5 +29,5 @@ val run :
   (Evaluator.position -> Value.t list -> Value.t list -> Value.t list) ->
   Value.t list
 (** The final accumulators and the resulting arrays, given one target each. The function builds one
-    round in a node of its own: it computes the next accumulators and the elements from the captured
+    round in a separate node: it computes the next accumulators and the elements from the captured
     values and the arguments. May raise {!Context.Postponed}. *)

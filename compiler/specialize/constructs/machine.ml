@@ -141,7 +141,7 @@ let occurrence m node ~span ty event =
 
 (* {1 Modes} *)
 
-(* The proc that supplies the names for a mode's input; for a task, that of its first signal
+(* The proc that supplies the names for a mode's input; for a task, the proc of its first signal
    function. *)
 let rec proc_of (value : Value.t) =
   match value with
@@ -303,7 +303,7 @@ type parts = {
   own_input : Value.t; (* the input of the modes *)
   active : Ir.atom option;
   controls : unit -> Ir.transition list;
-  complete : Value.t -> Value.t; (* computes the machine's output from that of the modes *)
+  complete : Value.t -> Value.t; (* computes the machine's output from the output of the modes *)
 }
 
 let parts m node ~span (value : Value.t) (input : Value.t) =

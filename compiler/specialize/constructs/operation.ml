@@ -82,8 +82,8 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   | Minimum -> extreme Minimum ~wins:less
   | Maximum -> extreme Maximum ~wins:(fun b a -> less a b)
   | And | Or -> (
-      (* The operator requires both operands, even where one would suffice, because causality is
-         checked on the program as written. *)
+      (* The operator requires both operands, even if one would be enough, because the causality
+         check must see the program as it was written. *)
       let operator : Flow.Ir.operator = if primitive = And then And else Or in
       match List.map atom arguments with
       | [ Bool a; Bool b ] -> Atom (Bool (if primitive = And then a && b else a || b))

@@ -37,7 +37,7 @@ val reduced : Evaluator.position -> Evaluator.t -> ?input:Value.argument -> Valu
 (** An equivalent task, or choice of tasks, that has a head: the parts that end immediately are
     evaluated in this node. If the [input] is given, this includes stateless tasks known to end at
     their first instant, such as [snapT]; they do not become modes and do not take a step. Reports
-    tasks that form a cycle in which each ends at once and nothing changes, and raises
+    tasks that form a cycle in which each ends immediately and nothing changes, and raises
     {!Context.Stopped}. *)
 
 val head : Value.t -> head

@@ -7,8 +7,8 @@ type table = { free : Set.t Table.t; used : unit Table.t; mutable size : int }
 
 let table () = { free = Table.create 256; used = Table.create 256; size = 0 }
 
-(* The free variables of a function, given its parameter and those of its body. Records whether the
-   parameter is used. *)
+(* The free variables of a function, given its parameter and the free variables of its body. Records
+   whether the parameter is used. *)
 let bind table (binder : Ir.binder) body =
   let id = binder.local.id in
   if Set.mem id body then Table.replace table.used id ();

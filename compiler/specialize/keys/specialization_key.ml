@@ -193,7 +193,7 @@ and add_captured w (closure : Value.closure) =
   Variables.iter
     (fun _ (entry : Value.entry) ->
       w.constant <- Core.Constant_numbers.has w.table.constants entry.local;
-      (* a closure has no name of its own, so report the variable that holds it *)
+      (* a closure does not have a name, so report the variable that contains it *)
       try add_at w entry.local "" entry.local_ty (Closure.forced entry)
       with Closure.Needs_itself { id = 0; _ } -> raise (Closure.Needs_itself entry.local))
     closure.captured;

@@ -61,8 +61,8 @@ val key : walk -> int
 type copy
 
 val copy : table -> numbers -> Flow.Ir.atom list -> copy
-(** Starts a copy that fills the holes of a walk with these atoms, in order. [numbers] must be that
-    of the walk. *)
+(** Starts a copy that fills the holes of a walk with these atoms, in order. [numbers] must be the
+    same as for the walk. *)
 
 val value : copy -> Core.Ir.ty -> Value.t -> Value.t
 (** A copy of the value with the next atoms in its holes. *)

@@ -49,7 +49,7 @@ val select :
   Value.t ->
   Value.t ->
   Value.t
-(** The first value if the condition holds, otherwise the second. *)
+(** The first value if the condition is true, otherwise the second. *)
 
 val element :
   Types.table -> Node.t -> Node.target -> span:Span.t -> Core.Ir.ty -> Value.t -> int -> Value.t

@@ -25,7 +25,7 @@ type action = {
   defines : Flow.Ir.signal list;
   operands : atom list;
   statements : Ir.expr list -> Ir.statement list;
-  always : bool;  (** it writes state, so it is part of every step *)
+  always : bool;  (** if true, the action writes state, so it is part of every step *)
   advances : Ir.field option;  (** a field that it writes and that later items read *)
   weight : int;
   span : Span.t;
@@ -44,10 +44,10 @@ type t = {
       (** expressions for signals that are read directly: parameters of the function and the
           program, and state *)
   nanoseconds : unit Int_table.t;
-      (** signals that are whole nanoseconds; Flow has no type for these *)
+      (** signals that contain whole numbers of nanoseconds; Flow does not have a type for them *)
   items : item array;
   results : (Ir.place * atom * Span.t) list;
-      (** written before any state, except for those that {!Late} moves after it *)
+      (** written before any state, except for results that {!Late} moves after it *)
   states : (Ir.field * atom * Flow.Ir.signal option * Span.t) list;
       (** a field, its next value, and the signal that is read from the field. If the next value is
           this signal, the field is unchanged *)

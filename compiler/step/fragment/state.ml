@@ -103,7 +103,7 @@ let kept_name rhs =
   | Op (Pow, operand :: _) -> after "pow" operand
   | _ -> "start_value"
 
-(* A mode stores those of its parameters that its step reads. *)
+(* A mode stores only the parameters that its step reads. *)
 let mode t ~callee ~statics index : Ir.mode =
   let node : Ir.node = callee index in
   let is_read (v : Ir.variable) =

@@ -35,4 +35,4 @@ val fields_of_mode : Ir.mode -> Ir.field list
 (** The fields of its parameters and its state. *)
 
 val fields : t -> Ir.field list
-(** All fields: first those of the step's items, in order, then those of [Kept] values. *)
+(** All fields: first the fields of the step's items, in order, then the fields of [Kept] values. *)

@@ -29,8 +29,8 @@ let cost_of_operands work atoms =
   in
   if List.exists is_costly atoms then Costly else Cheap
 
-(* Whether the signal's value stays valid after the instant. Values whose memory C owns do not, so
-   they must be computed in each instant. *)
+(* Whether the signal's value stays valid after the instant. Values whose memory C owns become
+   invalid, so they must be computed in each instant. *)
 let lasts work (s : Flow.Ir.signal) =
   Option.is_none (Flow.Shape.of_the_instant work.program.sums s.ty)
 

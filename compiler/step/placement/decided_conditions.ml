@@ -24,7 +24,7 @@ let has_constructor c known (v : variable) ~sum ~constructor =
       if List.length ks = all - 1 then Some true else None
   | Some (Truth _) | None -> None
 
-(* Maximum number of definitions of variables that [learn] follows. *)
+(* Maximum length of a chain of variable definitions that [learn] follows. *)
 let depth = 4
 
 (* Adds the facts that follow if the condition has this truth value. *)

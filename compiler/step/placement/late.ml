@@ -117,7 +117,7 @@ let rec settle t =
     (Hashtbl.copy t.kept);
   if !changed then settle t
 
-(* The late part of the fragment, or the other part. *)
+(* The late part of the fragment if [late], otherwise the other part. *)
 let part t late : Fragment.t =
   let { items; results; returned; _ } = t.fragment in
   let is_part flags k _ = Bool.equal flags.(k) late in

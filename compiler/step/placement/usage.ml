@@ -56,7 +56,7 @@ let branches t (c : computed) =
   | Some (Signal condition, _, _) when Int_table.mem t.branching condition.id -> c.choice
   | Some _ | None -> None
 
-(* Arrays always get a separate variable. *)
+(* Whether the signal is an array. Arrays always get a separate variable. *)
 let is_array (s : Flow.signal) =
   match s.ty with Array _ -> true | Bool | Int | Float | Sum _ | Foreign _ -> false
 
