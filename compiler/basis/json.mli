@@ -12,7 +12,7 @@ type t =
   | Object of (string * t) list
 
 val to_string : t -> string
-(** On one line, with the members of objects in the given order. *)
+(** Writes JSON on one line, with the members of objects in the given order. *)
 
 val of_string : string -> t option
 (** [None] if the text is not JSON, or is nested more than 500 levels deep. *)

@@ -59,7 +59,8 @@ let local c (x : Local.t) =
 
 (* {1 Types} *)
 
-(* Context: 0 anywhere, 1 left of an arrow, 2 argument of a type constructor. *)
+(* Syntactic context: 0 for any, 1 for the left of an arrow, 2 for an argument of a type
+   constructor. *)
 let rec type_ c level = function
   | Variable v -> put c v.name
   | Bool -> put c "Bool"
@@ -123,7 +124,7 @@ let is_conjunction (e : expr) =
 let is_block (e : expr) =
   match e.desc with Let _ -> true | If _ -> not (is_conjunction e) | _ -> false
 
-(* Context: 0 anywhere, 1 operand or function, 2 argument. *)
+(* Syntactic context: 0 for any, 1 for an operand or function, 2 for an argument. *)
 let rec expr c level (e : expr) =
   match e.desc with
   | Local x -> put c (local c x)

@@ -12,8 +12,8 @@ val start :
     behavior is undefined. *)
 
 val ended : t -> Core.Ir.ty option
-(** For a program that can end: the type of its result. Each output is then a pair of the program's
-    output and the event that signals its end. *)
+(** The type of the result, if the program can end. In that case, each output is a pair of the
+    program's output and the event that signals its end. *)
 
 val instant : ?precision:Basis.Real.t -> t -> seconds:float -> Value.t -> Value.t
 (** Runs one instant and returns the output, completely evaluated. [seconds] is the time since the

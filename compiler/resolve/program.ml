@@ -12,7 +12,7 @@ type resolved = {
   instances : Ir.instance list;
 }
 
-(* For hints about missing imports: the names that each library module declares or re-exports. Reads
+(* The names that each library module declares or re-exports, for hints about missing imports. Reads
    the library on first use. *)
 let library_names ~(files : Files.t) ~library =
   let read module_ =

@@ -1,5 +1,5 @@
-(** A uniform view of the syntax tree: the nodes that have a span, and their children. For checks
-    that treat all kinds of nodes alike. *)
+(** A uniform view of the syntax tree: the nodes that have a span, and their children. Intended for
+    checks that treat all kinds of nodes alike. *)
 
 open Basis
 

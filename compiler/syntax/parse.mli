@@ -6,7 +6,7 @@
 open Basis
 
 val readable : file:string -> string -> Ir.program option
-(** For a text with errors: the items without errors. [None] if the items cannot be separated. *)
+(** The items of the text that do not contain errors. [None] if the items cannot be separated. *)
 
 val program : Diagnostic.sink -> file:string -> string -> Ir.program option
 (** [program sink ~file text] parses the text, which may contain arbitrary bytes, in linear time.

@@ -105,7 +105,7 @@ let rec pattern c nested (p : pattern) =
 
 (* {1 Expressions} *)
 
-(* Context: 0 anywhere, 1 operand or function, 2 argument. *)
+(* Syntactic context: 0 for any, 1 for an operand or function, 2 for an argument. *)
 let rec expr c depth (e : expr) =
   match e.desc with
   | Local (x, i) -> name c (depth > 1) (local c x) i

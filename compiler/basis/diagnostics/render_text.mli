@@ -27,5 +27,5 @@ val first_of_each : most:int -> Diagnostic.t list -> Diagnostic.t list
 (** The first [most] errors and the first [most] warnings, in the order of the list. *)
 
 val summary : Diagnostic.t list -> string
-(** For example [2 errors, 1 warning], with a newline; [""] if there are no diagnostics. Says so if
-    {!diagnostics} prints only some of them. *)
+(** The number of errors and of warnings, for example [2 errors, 1 warning], with a newline; [""] if
+    there are no diagnostics. Says so if {!diagnostics} prints only some of them. *)

@@ -12,7 +12,7 @@ let grows : Ir.ty -> bool = function Variable _ -> false | ty -> is_open ty
 
 type use = { index : int; by : Ir.Global.t; types : Ir.ty list; at : Span.t }
 
-(* How the definition [from] reaches [target]: the uses on a shortest path. *)
+(* The uses on a shortest path from the definition [from] to [target]. *)
 let way uses from target =
   let reached = Hashtbl.create 16 in
   let rec back v found =

@@ -1,9 +1,10 @@
 let refuse () = Basis.Diagnostic.bug ~stage:"Interp" "values without an order are compared"
 
-(* Pairs the parts of two values of one type, from first to last. Drawings and texts compare as
-   equal: drawings do not influence what a program does, and texts occur only in drawings. *)
+(* Pairs the parts of two values of the same type, from first to last. *)
 let pairs a b = List.combine (Array.to_list a) (Array.to_list b)
 
+(* Drawings and texts compare as equal: drawings do not influence what a program does, and texts
+   occur only in drawings. *)
 let rec equal (a : Value.t) (b : Value.t) =
   match (a, b) with
   | Bool a, Bool b -> Bool.equal a b

@@ -33,17 +33,17 @@ val cell : t -> string -> string
     A hint is empty if no option would help. *)
 
 val time_hint : t -> string list -> string
-(** For the error that the first column of the header must be [time]. *)
+(** The hint for the error that the first column of the header must be [time]. *)
 
 val separator_hint : t -> string list -> string option
 (** The part of {!time_hint} about another separator. If the result is [Some], the names are not the
     columns of the file, so messages about the other columns would be misleading. *)
 
 val column_hint : missing:string -> unknown:string list -> string
-(** For the error that a column is missing, if the recording has unknown columns. *)
+(** The hint for the error that a column is missing, if the recording has unknown columns. *)
 
 val width_hint : t -> width:int -> cells:int -> string
-(** For the error that a row does not have the [width] cells of the header. *)
+(** The hint for the error that a row does not have the [width] cells of the header. *)
 
 val number_hint : t -> string -> string
-(** For the error that a cell is not a number. *)
+(** The hint for the error that a cell is not a number. *)

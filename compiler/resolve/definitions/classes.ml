@@ -146,7 +146,7 @@ let constructor_name (head : Ir.ty) =
   | Type_variable name | Representation { variable = name; _ } -> name
   | Size n -> string_of_int n
 
-(* For example [area@Circle], which cannot clash because source names contain no [@]. *)
+(* A name such as [area@Circle], which cannot clash because source names do not contain [@]. *)
 let rec definition_name taken text =
   if Hashtbl.mem taken text then definition_name taken (text ^ "'")
   else (

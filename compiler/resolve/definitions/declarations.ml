@@ -53,8 +53,8 @@ let report_circle (scope : Scope.t) (circle : Ir.type_declaration list) =
   let is_data (d : Ir.type_declaration) =
     match d.definition with Data _ -> true | Alias _ | Builtin | Foreign _ -> false
   in
-  (* The type to report the cycle at: preferably a data type, because its size is the problem,
-     otherwise the first alias. *)
+  (* The type at which to report the cycle: a data type if there is one, because its size is the
+     problem; otherwise the first alias. *)
   let main = match List.find_opt is_data circle with Some d -> d | None -> List.hd circle in
   let diagnostic =
     if is_data main then

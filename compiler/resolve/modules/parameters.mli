@@ -12,8 +12,8 @@ val split : string -> setting option
 (** Parses [k=text]. Spaces around the name are ignored. *)
 
 val shown : string -> string
-(** A name as shown to the user. For the definition of a parameter's given value, this is the
-    parameter's name. *)
+(** The name to show to the user. The definition of a value that overrides a parameter's default is
+    shown under the parameter's name. *)
 
 val give :
   Basis.Diagnostic.sink ->

@@ -116,17 +116,17 @@ val has_no_instance : t -> Ir.class_ -> Type.t -> bool
 (** Is the type known to have no instance of the class? *)
 
 val asked_in_vain : t -> wanted:Type.t -> Type.t -> string option
-(** If the second type is an unsolved variable, and a name requires a class of it that the first
-    type does not have: that name, in backticks. *)
+(** The name that requires a class of the second type which the first type does not have, in
+    backticks; [None] unless the second type is an unsolved variable and there is such a name. *)
 
 val lacks_class : t -> wanted:Type.t -> Type.t -> bool
 (** Whether {!asked_in_vain} finds such a class. *)
 
 val with_variables : t -> by:string -> Resolve.Ir.scheme -> Type.scheme * t
-(** The scheme as a type, and the state for the code below it: the scheme's variables are in scope,
-    one level deeper. [by]: the construct that introduces the variables, for messages. Reports a
-    constraint on something other than a variable ([E0365]) and on a variable that the type does not
-    mention ([E0364]). *)
+(** The scheme as a type, and the state for inferring the code below it, in which the scheme's
+    variables are in scope, one level deeper. [by]: the construct that introduces the variables, for
+    messages. Reports a constraint on something other than a variable ([E0365]) and on a variable
+    that the type does not mention ([E0364]). *)
 
 val with_signature : t -> name:string -> Resolve.Ir.scheme -> Type.scheme * t
 (** Like {!with_variables}, for the signature of a definition. *)
@@ -148,7 +148,7 @@ val check_sizes : t -> unit
 (** After generalization: reports an array size that nothing determines. *)
 
 val requirements : t -> required list
-(** In source order. *)
+(** The constraints, in source order. *)
 
 (** {1 Expressions} *)
 

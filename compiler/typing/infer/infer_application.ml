@@ -44,8 +44,9 @@ and all_flexible ts =
   let types, units = List.split (List.map flexible ts) in
   (List.concat types, List.concat units)
 
-(* For each parameter, the earlier parameters that share a variable with it; parameters that consist
-   of the variable alone come first. Call this while the function's type is still fully general. *)
+(* Maps each parameter to the earlier parameters that share a variable with it; parameters that
+   consist of the variable alone come first. Call this while the function's type is still fully
+   general. *)
 let deciding parameters arguments =
   let rec of_parameters earlier parameters arguments =
     match (parameters, arguments) with

@@ -22,8 +22,8 @@ let rec parameters_allowed t =
   | Flexible _ | Erroneous -> None
   | _ -> Some 0
 
-(* `mix x y = …` with a signature that takes a tuple: the corrected left-hand side, `mix (x, y) =
-   …`. *)
+(* The corrected left-hand side `mix (x, y) = …` for `mix x y = …` with a signature that takes a
+   tuple. *)
 let as_one_tuple words ~name parameters (expected : Expected.t) =
   match (name, Type.expand expected.ty) with
   | Some name, Function (first, _) -> (

@@ -229,7 +229,7 @@ and is_inferred (e : Resolve.Ir.expr) =
   | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ | Tuple _ | Array _ | Record _ -> false
   | _ -> true
 
-(* [[1 2]]: a missing comma; reported at the number instead. *)
+(* `[1 2]` without a comma, which is reported at the number instead. *)
 and lacks_a_comma (e : Resolve.Ir.expr) =
   match e.desc with
   | Apply { head = { desc = Number _; _ }; style = Juxtaposed; _ } -> true

@@ -99,7 +99,7 @@ let field_within ctx ty name =
           Option.map fst (List.find_opt has constructor.ir.fields))
   | _ -> None
 
-(* For types that do not have fields but produce values that may have some, such as signal
+(* Handles types that do not have fields but produce values that may have some, such as signal
    functions. *)
 let through ctx words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
   let text = Option.value (Show.quote words record.span) ~default:"x" in
@@ -189,7 +189,7 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
                   match as_a_function ctx name ~record d with Some d -> d | None -> usual ()))))
       |> Diagnostic.label ~at:record.span ("this is " ^ described))
 
-(* For a record whose type is unknown, perhaps because of another error. *)
+(* Handles a record whose type is unknown, perhaps because of another error. *)
 let no_such_field ctx (name : Syntax.Ir.name) ~record =
   if errors ctx = 0 then
     report ctx (fun _ ->

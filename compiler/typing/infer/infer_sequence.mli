@@ -12,5 +12,5 @@ val check :
   Resolve.Ir.expr ->
   Expected.t ->
   Ir.expr later
-(** Arguments: the whole [do], its statements, and its last expression, which determines the result.
-*)
+(** The arguments are the whole [do], its statements, and its last expression, which determines the
+    result. *)

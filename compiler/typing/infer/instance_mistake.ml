@@ -75,7 +75,8 @@ let about_foreign ctx t diagnostic =
            tycon.name)
         diagnostic
 
-(* For classes and types that the program itself declares, a missing instance is a likely cause. *)
+(* Does the program itself declare the class or the type? Then a missing instance is a likely cause.
+   *)
 let is_of_the_program (class_ : Ir.Global.t) culprit =
   (not (List.mem class_.module_ [ "Prelude"; "Capability"; "Trial"; "Display" ]))
   &&

@@ -31,8 +31,8 @@ val rotated :
   parameters:Type.t list ->
   given:Type.t list ->
   int list option
-(** For at least three arguments: the order in which they fit, if the first argument was given last
-    or the last one first. *)
+(** The order in which at least three arguments fit, if the first argument was given last or the
+    last one first. *)
 
 val cure :
   Show.words ->

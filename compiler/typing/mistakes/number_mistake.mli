@@ -14,7 +14,7 @@ val units :
   found:Type.t ->
   Units.t * Units.t ->
   Diagnostic.t
-(** For numbers, and for types that contain numbers. *)
+(** The message about mismatched units, in numbers or in types that contain numbers. *)
 
 val representations :
   Show.words ->
@@ -24,11 +24,11 @@ val representations :
   found:Type.t ->
   Type.representation * Type.representation ->
   Diagnostic.t
-(** Like {!units}; pass {!without_open_units} as [expected]. *)
+(** The message about an Int and a Float; pass {!without_open_units} as [expected]. *)
 
 val without_open_units : Expected.t -> Expected.t
 (** Replaces undetermined units by 1. In a mismatch between Int and Float they are irrelevant. *)
 
 val makes : string -> string -> string option
-(** For a few types: a sentence that explains how to build a value of the type with this name from a
-    number. The second string is the number's source text. *)
+(** A sentence that explains how to build a value of the type with this name from a number, for a
+    few types. The second string is the number's source text. *)

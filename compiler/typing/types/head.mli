@@ -16,5 +16,5 @@ val of_type : Type.t -> (t * Type.t list) option
 *)
 
 val parameters : Type.t -> Type.rigid list option
-(** If the type is a constructor applied to distinct variables: its type variables, in order. Unit
+(** The type variables, in order, if the type is a constructor applied to distinct variables. Unit
     arguments must be distinct variables too. *)

@@ -18,7 +18,7 @@ let write tree =
     body ();
     if condition then add ")"
   in
-  (* Tightness: 0 in no context, 1 left of an arrow, 2 as a type argument. *)
+  (* Syntactic context: 0 for any, 1 for the left of an arrow, 2 for a type argument. *)
   let rec go tightness = function
     | Word text -> add text
     | Applied (head, arguments) ->

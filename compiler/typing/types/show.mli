@@ -68,7 +68,8 @@ val type_ : words -> Type.t -> string
 (** Uses the type's alias if it has one. *)
 
 val quoted : words -> Type.t -> string
-(** In backticks; the alias of a number is followed by its unit, as in [`Velocity` (m/s)]. *)
+(** The type in backticks; the alias of a number is followed by its unit, as in [`Velocity` (m/s)].
+*)
 
 val is_any_number : Type.t -> bool
 (** Is the type known only to be a number? Its text then does not contain variable names. *)

@@ -30,7 +30,7 @@ val pipe : Found.rule
 (** {1 Functions used by other hints} *)
 
 val assigns : Found.t -> string option
-(** If a `=` directly follows an operator, the hint for that operator. *)
+(** The hint for an operator directly followed by `=`. *)
 
 val starts_a_comment : Found.t -> bool
 (** Is this a C-style comment at the start of a line? *)

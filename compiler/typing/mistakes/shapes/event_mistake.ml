@@ -112,8 +112,8 @@ let is_thing t =
   | Data _ | Tuple (_ :: _) -> not (Environment.is_event t || Environment.is_task t || is_maybe t)
   | _ -> false
 
-(* How to get the wanted type from `x`, which has this type: from the field named like the wanted
-   type, if there is one. *)
+(* How to get a value of the wanted type from `x`, which has this type. Uses the field named after
+   the wanted type, if there is one. *)
 let within words t wanted =
   match (Show.fields words t, Type.expand wanted) with
   | Some (_, fields), Data { tycon; _ } when List.mem (String.uncapitalize_ascii tycon.name) fields

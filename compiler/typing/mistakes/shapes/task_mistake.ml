@@ -10,7 +10,7 @@ let parts words (e : Resolve.Ir.expr) =
       Some (quote input.span "x", quote output.span "output")
   | _ -> None
 
-(* `delay(1000)`, meant as waiting: its argument. *)
+(* The argument of a `delay(1000)` that was meant to wait. *)
 let waits (expected : Expected.t) (e : Resolve.Ir.expr) =
   match (expected.because, e.desc) with
   | ( (Statement _ | Last_statement _),

@@ -54,8 +54,8 @@ let instead (e : Resolve.Ir.expr option) text d =
   | Some e -> fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ] d
   | None -> d
 
-(* For a local name that is defined as the application of a signal function, such as `far` in `far =
-   hysteresis 1 x`: that application. *)
+(* The application of a signal function that defines a local name, such as `hysteresis 1 x` for
+   `far` in `far = hysteresis 1 x`. *)
 let meant words (subject : Resolve.Ir.expr option) =
   match subject with
   | Some { desc = Local x; _ } -> (

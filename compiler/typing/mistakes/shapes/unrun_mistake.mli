@@ -7,7 +7,7 @@ val unrun : Shape_fact.rule
     its input type if there is one, and how to convert its event if a truth value is expected. *)
 
 val unrun_operand : Shape_fact.rule
-(** The same, if the signal function is the other operand. *)
+(** Like {!unrun}, if the signal function is the other operand. *)
 
 (** {1 Text about arguments} *)
 
