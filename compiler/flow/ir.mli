@@ -42,7 +42,7 @@ and sum_constructor = {
   fields : (string * shape) list;  (** the name is [""] if positional *)
 }
 
-(** The structure of a source-language value as leaves. *)
+(** The structure of a source-language value in terms of its leaves. *)
 and shape =
   | Leaf of ty  (** not an array *)
   | Product of product

@@ -14,4 +14,5 @@ val uses : Ir.program -> uses
 
 val use : uses -> entry:Basis.Span.t -> int -> (string * Basis.Span.t) option
 (** For a node (given by its index) that is not in the entry's module: the name and place of the
-    instance in the entry's module through which it runs. The result may be the entry itself. *)
+    instance in the entry's module that runs it, directly or indirectly. If there is no such
+    instance, the result is the entry itself. *)

@@ -20,7 +20,7 @@ val defines : item -> Ir.signal list
     already defined. *)
 
 val needs : item -> Ir.signal list
-(** The signals whose values of the same instant the item needs. *)
+(** The signals that the item needs in the same instant. *)
 
 val in_source_order : Ir.node -> item list
 (** The node's own order: the order of its equations, with each instance before the first equation
