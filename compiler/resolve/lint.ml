@@ -6,7 +6,7 @@ let broken format = Diagnostic.bug ~stage:"Resolve.Lint" format
 (* The names declared so far. [bound]: all local variables bound so far. *)
 type known = {
   tycons : (Ir.Global.t, int * int * bool) Hashtbl.t;
-      (** number of unit parameters and of type parameters, and whether the units are optional *)
+      (** numbers of unit parameters and type parameters, and whether the units are optional *)
   constructors : (Ir.Global.t, int) Hashtbl.t;
   units : (Ir.Global.t, unit) Hashtbl.t;
   classes : (Ir.Global.t, unit) Hashtbl.t;

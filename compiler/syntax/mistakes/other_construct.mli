@@ -2,4 +2,4 @@
     left margin and similar ones. These messages replace those of the automaton's states. *)
 
 val diagnostic : Found.t -> Basis.Diagnostic.t option
-(** E0110, or E0112 for a reserved word. *)
+(** The error E0110, or E0112 for a reserved word. *)

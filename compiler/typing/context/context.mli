@@ -120,7 +120,7 @@ val asked_in_vain : t -> wanted:Type.t -> Type.t -> string option
     backticks; [None] unless the second type is an unsolved variable and there is such a name. *)
 
 val lacks_class : t -> wanted:Type.t -> Type.t -> bool
-(** Whether {!asked_in_vain} finds such a class. *)
+(** Does {!asked_in_vain} find such a class? *)
 
 val with_variables : t -> by:string -> Resolve.Ir.scheme -> Type.scheme * t
 (** The scheme as a type, and the state for inferring the code below it, in which the scheme's

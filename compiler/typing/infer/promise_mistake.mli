@@ -1,5 +1,6 @@
-(** [E0309]: a definition requires classes of its signature's variables that the signature's context
-    does not promise. There is one message per signature, because the fix changes one line. *)
+(** Reports definitions that require classes of their signature's variables which the signature's
+    context does not promise ([E0309]). There is one message per signature, because the fix changes
+    one line. *)
 
 type t = {
   required : Context.required;  (** the use that needs the class *)

@@ -3,7 +3,7 @@
 
 open Basis
 
-(** Whether the code at a place is evaluated at every instant. *)
+(** Is the code at a place evaluated at every instant? *)
 type position =
   | Outside  (** outside all procs *)
   | In_task  (** outside all procs, in a [do] *)

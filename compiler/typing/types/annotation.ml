@@ -132,7 +132,7 @@ let is_array (tycon : Ir.Global.t) =
   let array : Ir.Global.t = Environment.array in
   String.equal tycon.name array.name && String.equal tycon.module_ array.module_
 
-(* Whether each parameter is a type or a size. *)
+(* The kind of each parameter: a type or a size. *)
 let kinds t tycon =
   if is_array tycon then array_parameters
   else

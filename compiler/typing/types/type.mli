@@ -34,7 +34,7 @@ and final = {
 
 and rigid = { variable : Ir.variable; kind : kind; depth : int  (** see {!Units.rigid} *) }
 
-(** Whether a variable or a type parameter ranges over types or sizes. *)
+(** The kind of a variable or type parameter: it ranges over types or sizes. *)
 and kind = Of_types | Of_sizes
 
 and representation =

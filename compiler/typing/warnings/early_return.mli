@@ -1,5 +1,5 @@
-(** [W0312]: a `return` in a [do] that other statements follow. It has no effect, because only a
-    `return` at the end ends the task. *)
+(** Warns about a `return` in a [do] that is followed by other statements ([W0312]). It has no
+    effect, because only a `return` at the end ends the task. *)
 
 open Basis
 

@@ -74,13 +74,13 @@ val names : int -> string list
 (** {1 Messages} *)
 
 val different : t -> Diagnostic.t
-(** [E0301]: the type found is not the expected one. *)
+(** The error [E0301]: the type found is not the expected one. *)
 
 val hinted : t -> string -> Diagnostic.t
 (** {!different} with this hint. *)
 
 val not_a_condition : t -> Diagnostic.t
-(** [E0301], for the condition of an [if]. *)
+(** The error [E0301] about the condition of an [if]. *)
 
 val not_matched : t -> Diagnostic.t
-(** [E0301], for a pattern whose type is not that of the value. *)
+(** The error [E0301] about a pattern whose type differs from that of the value. *)
