@@ -1,13 +1,13 @@
-# The blocks of Frob code in Markdown files, each to a file of its own; prints
-# "KIND FILE" for each.
+# Writes each block of Frob code in Markdown files to a file of its own; prints "KIND
+# FILE" for each.
 #
-#   ```frob            a module, complete but for what a comment right above it
-#                      gives, hidden from readers:  <!-- frob ... -->
-#   ```frob later      of a version to come, so this one says that it is not for it
-#   ```frob title="…"  a file that the page's sessions use: tests/documents/pages tries it
+#   ```frob            a module; a comment directly above it may add code that is hidden from
+#                      readers:  <!-- frob ... -->
+#   ```frob later      code for a later version, which this version must reject
+#   ```frob title="…"  a file for the page's sessions: tests/documents/pages tests it
 #
-# Imports come first in a module, so those of the comment and of the block go
-# in front.
+# Imports come first in a module, so the imports of the comment and of the block are moved
+# to the front.
 function finish() {
     printf "%s%s", imports, text >file
     close(file)

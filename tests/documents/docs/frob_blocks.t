@@ -1,5 +1,5 @@
-Every block of Frob code in the documentation is accepted as it stands. How a
-block says what it is: blocks.awk.
+The compiler accepts every block of Frob code in the documentation. blocks.awk
+describes how a block states its kind.
 
   $ top=../../..
   $ for page in $top/README.md $top/docs/*.md $top/docs/*/*.md $top/examples/*/README.md; do
@@ -13,7 +13,7 @@ block says what it is: blocks.awk.
   >   done < blocks
   > done
 
-There are some, and none with other words on its fence passes unseen:
+There are such blocks, and none with an unknown word on its fence:
 
   $ test $(grep -c module kinds) -ge 5
   $ grep -n '^ *```frob' $top/README.md $top/docs/*.md $top/docs/*/*.md $top/examples/*/README.md |

@@ -1,21 +1,22 @@
-# Does what a page of docs/ tells its reader to do, and prints the page with what really
-# came out. So the page is right if it comes out as it was, and `dune promote` mends it.
+# Follows the instructions of a page of docs/, and prints the page with the actual output.
+# The page is correct if nothing changes; otherwise `dune promote` updates it.
 #
 #   awk -v pages=FOLDER -f page.awk PAGE.md
 #
-# In a folder of the page's own, FOLDER/PAGE, it does from top to bottom:
+# In the page's own folder, FOLDER/PAGE, the script handles these blocks from top to
+# bottom:
 #
-#   ```frob title="drive.frob"     writes the file (so with toml, c, csv …)
-#   ```console                     runs what stands behind `$ `, and shows what it printed;
-#                                  a line that begins with `> ` goes on with a command
-#   <!-- sh … -->                  the same, hidden from readers, and prints nothing
+#   ```frob title="drive.frob"     writes the file (also with toml, c, csv …)
+#   ```console                     runs the command after each `$ `, and shows its output;
+#                                  a line that begins with `> ` continues a command
+#   <!-- sh … -->                  runs commands that are hidden from readers; no output
 #
-# What a run says of its own speed is left as it is in the page.
+# Lines in which a run reports its own speed stay as they are in the page.
 function quoted(text) { gsub(/'/, "'\\''", text); return "'" text "'" }
 
-# Runs a command in the page's folder, by a shell, and gives what it printed, by lines.
+# Runs a command in the page's folder with a shell, and returns its output, split into lines.
 function run(command, shown,    line, whole, python) {
-    # Python as a reader has it, with the package; Debian's, for what is installed there.
+    # The Python that readers have, with the package; Debian's Python, because it has the packages.
     python = "PYTHONPATH=$PWD/../../../runtime/python; export PYTHONPATH; " \
         "python3() { if test -x /usr/bin/python3; then /usr/bin/python3 -B \"$@\"; " \
         "else command python3 -B \"$@\"; fi; }; "
@@ -36,7 +37,7 @@ function fail(why) {
     failed = 1
 }
 
-# The commands of a session have been read, with what the page says that they print.
+# Runs the commands of a session, which have been read with their expected output.
 function perform(    k, i, from) {
     for (k = 1; k <= commands; k++) {
         split("", before)
@@ -100,13 +101,14 @@ state == "other" && /^```$/ { state = ""; print; next }
 
 END {
     if (state != "") fail("the page ends within a block")
-    # What is shown is tried: a command or a script mentions it, or a program imports it.
+    # Each file on the page must be used: a command or a script mentions it, or a program imports
+    # it.
     for (file in titles) {
         stem = file
         sub(/\.[a-z]+$/, "", stem)
         if (index(said, stem) == 0) fail("no command or program of the page uses " file)
     }
-    # Readers copy the layout of what they read.
+    # Readers copy the layout of the code that they read.
     if (programs != "") run("frobc format --check" programs, 0)
     exit failed
 }

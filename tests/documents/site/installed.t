@@ -1,5 +1,5 @@
-The pages of an installation link to what an installation has: pages, pictures, examples, the
-library and the runtime. All else is named by its path in the sources.
+Links in the pages of an installation lead only to installed files: pages, pictures, examples, the
+library and the runtime. Other files are named by their paths in the sources.
 
   $ top=../../..
   $ mkdir -p share/frobc share/doc

@@ -1,5 +1,5 @@
-The pages of the site are put together, and each of their links leads to a page, a file or a
-folder of the repository:
+The site's pages are generated, and each of their links leads to a page, a file or a folder of the
+repository:
 
   $ top=../../..
   $ python3 -B $top/docs/site/build.py $top $(command -v frobc) pages
@@ -12,13 +12,13 @@ folder of the repository:
   library.md
   messages.md
 
-Each page of docs/ is in the site's menu, except the decisions, whose index lists them:
+The site's menu lists each page of docs/ except the decisions, which have an index of their own:
 
   $ (cd $top && find docs -name '*.md') | grep -v '^docs/decisions/[0-9]' | sort > pages.there
   $ grep -o 'docs/[A-Za-z/-]*\.md' $top/docs/site/mkdocs.yml | grep -v '^docs/reference/' | sort > pages.listed
   $ diff pages.there pages.listed
 
-The index of the decisions has each page once, with its number and title, in order:
+The index of the decisions lists each page once, with its number and title, in order:
 
   $ cd $top/docs/decisions
   $ for page in [0-9]*.md; do
@@ -30,7 +30,7 @@ The index of the decisions has each page once, with its number and title, in ord
   $ grep '^- ' README.md | diff - listed
   $ cd $OLDPWD
 
-The map of the sources, the decisions and CONTRIBUTING.md only name source files that exist:
+The map of the sources, the decisions and CONTRIBUTING.md only name existing source files:
 
   $ (cd $top && find -L compiler docs runtime sim stdlib -type f | sed 's|^|/|') > files
   $ grep -oh '`[A-Za-z0-9_./-]*[a-z0-9]\.\(cc\|c\|frob\|h\|messages\|mli\|ml\|py\|txt\|S\)`' $top/docs/architecture.md $top/docs/decisions/*.md $top/CONTRIBUTING.md | tr -d '`' | grep -v '^NAME\.' | sort -u > named
@@ -38,7 +38,7 @@ The map of the sources, the decisions and CONTRIBUTING.md only name source files
   1
   $ while read -r name; do grep -q "/$name\$" files || echo "there is no $name"; done < named
 
-A link that leads nowhere is told:
+A broken link is reported:
 
   $ mkdir -p broken/docs && echo '[x](nowhere.md)' > broken/README.md
   $ python3 -B $top/docs/site/build.py broken $(command -v frobc) pages

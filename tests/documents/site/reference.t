@@ -1,10 +1,10 @@
-The reference that `make site` makes of the library, the messages and frobc's help.
+The reference that `make site` generates from the library, the messages and frobc's help.
 
   $ top=../../..
   $ python3 -B $top/docs/site/reference.py $top $(command -v frobc) .
 
-Each name that the language reference describes has an entry, with its type and what the
-library says of it:
+Each name that the language reference describes has an entry, with its type and the library's
+comment:
 
   $ sed -n '/^## Appendix A/,$p' $top/docs/language.md | grep '^| `' | cut -d'|' -f2 |
   >   sed 's/\\$/.|./' | grep -o '`[^`]*`' | tr -d '`' | sort -u > described
@@ -20,7 +20,7 @@ library says of it:
   
   The sine, cosine and tangent of an angle in radians.
 
-Each message is there, and each command:
+There is an entry for each message and each command:
 
   $ ls $top/compiler/explain/*/*.md | wc -l > pages
   $ grep -c '^## [EW]0[0-9]*: .* { #[EW]' messages.md | diff - pages

@@ -2,7 +2,8 @@ Inside each library of the compiler, dependencies between folders run one way.
 
   $ python3 layers.py ../../../compiler
 
-A cycle of any length is found, and with --files the files that make it.
+The script finds a cycle of any length and, with --files, lists the files that
+cause it.
 
   $ mkdir -p lib/typing/types lib/typing/infer lib/typing/levels
   $ echo 'let x = Infer.x' > lib/typing/types/unify.ml
@@ -15,8 +16,8 @@ A cycle of any length is found, and with --files the files that make it.
       levels -> types: levels.ml
       types -> infer: unify.ml
 
-The stages of the compiler know nothing of the layers above them: `build` makes a result of a
-request, `tools` are the commands, `language_server` and `frobc` are the programs.
+The compiler's stages do not depend on the layers above them: `build` computes the result of a
+request, `tools` implements the commands, and `language_server` and `frobc` are the programs.
 
   $ uses() { sed -n 's/^ *(libraries \(.*\))$/\1/p' ../../../compiler/$1/dune | tr -d ')' | tr ' ' '\n'; }
   $ for stage in basis syntax resolve typing core specialize flow step cgen interp; do

@@ -1,5 +1,5 @@
-What `make` installs first: packages that are missing, and none that another one provides, as
-Debian 13's Emacs provides elpa-eglot. The tools of Debian are played here.
+`make` first installs missing packages, except those that another package provides, as Debian 13's
+Emacs provides elpa-eglot. This test replaces Debian's tools by stubs.
 
   $ mkdir bin
   $ cat > bin/dpkg-query <<'SH'

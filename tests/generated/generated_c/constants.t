@@ -1,5 +1,5 @@
-A number that the program names has its name in C, where an operation is written with it. The
-speed that is passed to `limit` is a literal: the operation with it is in the library.
+A named constant of the program keeps its name in C where an operation uses it. The speed that is
+passed to `limit` is a literal, because the operation on it is in the library.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > Limits.frob <<'EOF'
@@ -68,7 +68,7 @@ speed that is passed to `limit` is a literal: the operation with it is in the li
       follow_step_ns(self, 0, frob_whole_dt(dt), in, out);
   }
 
-No warning is the result, and the same machine code as with literals.
+The result has no warnings, and the same machine code as with literals.
 
   $ flags="-O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
   $ gcc -std=c99 $flags -c follow.c && objdump -d follow.o > named

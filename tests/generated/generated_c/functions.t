@@ -1,6 +1,6 @@
-A definition becomes at most one C function for each specialization, however often
-it is used: numbers and units are no reason for another, other signal functions and
-functions are.
+A definition becomes at most one C function for each specialization, no matter how often it is used.
+Different numbers and units do not require another specialization; different signal functions and
+functions do.
 
   $ steps() { awk '/^\/\* .*, .*\.frob:[0-9]+ \*\/$/ { def = $2 " " $3; next }
   >   /^[a-z].*\(/ && def != "" && !/_reset\(/ { print def; def = "" }' "$1" | sed 's/:.*//' | sort | uniq -c; }
@@ -26,8 +26,8 @@ functions are.
         1 rateLimit, Control.frob
         2 smoothed, uses.frob
 
-A definition that uses another twice, twenty times over, has a million of the first
-one's states, and no more code for it: one function for each level.
+If a definition uses another one twice, and this is repeated over twenty levels, the program has a
+million states of the first one, but one function for each level.
 
   $ { echo 'f0 :: SF Float Float'; echo 'f0 = proc x -> x + delay 0 x'
   >   for n in $(seq 1 20); do echo "f$n = f$((n - 1)) >>> f$((n - 1))"; done
@@ -42,8 +42,8 @@ one's states, and no more code for it: one function for each level.
   $ echo $(($(wc -l < levels.c) - $(wc -l < ten.c))) more lines for ten more levels
   90 more lines for ten more levels
 
-A function that gets three or more members of the program's input, just as they came,
-and so at each call, reads them by the pointer to the input.
+A function that receives three or more members of the program's input unchanged, at each of its
+calls, reads them through the pointer to the input.
 
   $ cat > pointer.frob <<'FROB'
   > main :: SF (Float, Float, Float, Bool) Float

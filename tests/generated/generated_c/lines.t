@@ -1,6 +1,5 @@
-A long line is broken at the operators that bind least. If an operand needs more than
-one line, every operator beside it begins a line, so that none hides behind an operator
-that binds more.
+A long line is broken at the loosest-binding operators. If an operand needs more than one line,
+every operator next to it begins a line, so that a reader does not overlook it.
 
   $ cat > far.frob <<'FROB'
   > main :: SF (Distance, Distance, Distance, Distance) (Bool, Distance, Distance)

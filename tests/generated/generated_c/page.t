@@ -1,5 +1,5 @@
-What docs/generated-c.md shows is what frobc writes, and its examples build and
-run. Blocks of code by language and number:
+The code in docs/generated-c.md is what frobc generates, and its examples build
+and run. Blocks of code by language and number:
 
   $ page=../../../docs/generated-c.md
   $ block() { awk -v start="\`\`\`$1" -v wanted="$2" '$0 == "```" { inside = 0 } inside && n == wanted; $0 == start { inside = 1; n++ }' $page; }
@@ -8,7 +8,7 @@ run. Blocks of code by language and number:
   $ block c 1 >shown && awk '/^struct cruise_input/ { shown = 1 } shown; shown && /out\);/ && ++n == 2 { exit }' cruise.h | diff shown -
   $ block c 2 >shown && sed -n '/^\/\* main/,$p' cruise.c | diff shown -
 
-The question about arithmetic:
+The arithmetic check:
 
   $ block c 3 >ask.c && echo 'int main(void) { return !may_drive(); }' >>ask.c
   $ include=$(dirname "$(command -v frobc)")/../share/frobc/include
@@ -34,7 +34,7 @@ In single precision:
   $ mkdir single && frobc compile cruise.frob --real float -o single
   $ block c 5 >shown && sed -n '/^void cruise_step_ns/,/^}/p' single/cruise.c | diff shown -
 
-From C++, linked with C and compiled as C++ too:
+From C++, linked with C, and compiled as C++:
 
   $ block cpp 1 >drive.cc
   $ gcc -std=c99 -O2 -ffp-contract=off $flags -c cruise.c
@@ -43,7 +43,7 @@ From C++, linked with C and compiled as C++ too:
   $ clang++ -std=c++17 $flags drive.cc -x c++ cruise.c -o drive_all && ./drive_all
   4.000 V, 2.000 V
 
-The diagram of states:
+The state diagram:
 
   $ block frob 2 >patrol.frob
   $ block dot 1 >shown && frobc report patrol.frob --states | diff shown -

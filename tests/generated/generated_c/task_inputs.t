@@ -1,5 +1,5 @@
-What a task senses has its names in C as well: those of its own input, or, where it has none,
-as `sleepT` has not, those of the machine it is in.
+The C code of a task names the task's inputs like the program: by the names of the task's own input
+or, if it does not name its input, as in `sleepT`, by those of the enclosing machine.
 
   $ cat > patrol.frob <<END
   > data Sensed = Sensed { bump :: Bool, side :: Distance, front :: Distance }

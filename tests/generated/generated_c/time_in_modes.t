@@ -1,5 +1,5 @@
-The step rounds dt once, for whatever modes look at the time; what is entered sees none of
-it pass.
+The step rounds dt once, for all modes that use the time. For a mode that has just started, no time
+has passed.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > rounds.frob <<'FROB'
@@ -27,7 +27,7 @@ it pass.
       dt_ns = frob_span(dt_ns);
       int64_t dt_ns = frob_whole_ns(dt);
 
-Not each dt is whole nanoseconds, and not each is a time.
+A dt need not be a whole number of nanoseconds, or a valid time.
 
   $ awk 'BEGIN {
   >     split("0.02 0.001 0.0300000004 0.25 0.6 0.0000000015", dt)
@@ -53,7 +53,7 @@ Not each dt is whole nanoseconds, and not each is a time.
   5 often
   6 often
 
-Whichever compiles it, the step takes all that may come as a dt.
+The step accepts any dt, whichever C compiler is used.
 
   $ cat > drive.c <<'C'
   > #include "rounds.h"

@@ -1,5 +1,5 @@
-The header declares the types that the interface reaches: here the output's Seen. The
-source declares those that only functions use (Rule), and nobody those of dead code (Way).
+The header declares the types that the interface uses: here the output's Seen. The source declares
+the types that only functions use (Rule). Types that only dead code uses (Way) are not declared.
 
   $ cat > pick.frob <<'FROB'
   > data Seen = Lost | At Distance
@@ -39,8 +39,8 @@ source declares those that only functions use (Rule), and nobody those of dead c
   pick.c:    PICK_RULE_BELOW,
   pick.c:    PICK_RULE_ABOVE
 
-So does a type whose value the state keeps. The tags of a type inside such a value are
-there too, as they are the values of its member `t0`.
+The header also declares a type whose value the state contains. It also defines the tags of a type
+inside such a value, because they are the values of its member `t0`.
 
   $ cat > kept.frob <<'FROB'
   > main :: SF Float (Maybe (Either Float Bool))
@@ -59,8 +59,8 @@ there too, as they are the values of its member `t0`.
       KEPT_MAYBE_EITHER_FLOAT_BOOL_NOTHING,
       KEPT_MAYBE_EITHER_FLOAT_BOOL_JUST
 
-In single precision, and with C code of the user's, that C code and the header know the
-types of what is imported.
+In single precision, and with the user's C code, that code and the header have the types of imported
+definitions.
 
   $ cat > own.frob <<'FROB'
   > data Seen = Lost | At Distance
@@ -82,7 +82,7 @@ types of what is imported.
   float/own.h:struct own_state {
   float/own.c:struct own_seen {
 
-What a program declares is enough for C and C++.
+The declarations suffice for C and C++.
 
   $ folder=$(dirname "$(dirname "$(command -v frobc)")")/share/frobc/include
   $ for file in pick kept double/own float/own; do

@@ -1,4 +1,5 @@
-Each member of the input, the output and the state says its unit.
+The comment on each member of the input, the output and the state shows its
+unit.
 
   $ cat > follow.frob <<'EOF'
   > import Control
@@ -73,7 +74,7 @@ Each member of the input, the output and the state says its unit.
       bool started;                  /* true after the first instant at follow.frob:11 */
   };
 
-The components of a tuple, and a value that is not a record.
+Components of a tuple, and a value that is not a record:
 
   $ cat > tuple.frob <<'EOF'
   > main :: SF (Distance, Bool, Float) Float[m/s]

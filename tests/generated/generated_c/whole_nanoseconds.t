@@ -1,6 +1,6 @@
-`NAME_step` rounds dt to whole nanoseconds. If the step only needs seconds, dt is almost always the
-double nearest to whole nanoseconds already, which a test of its bits shows. The result always
-equals rounding and one division.
+`NAME_step` rounds dt to whole nanoseconds. If the step only needs seconds, dt is almost always
+already the double nearest to a whole number of nanoseconds, which a test of its bits detects. The
+result always equals rounding followed by one division.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > slope.frob <<'FROB'

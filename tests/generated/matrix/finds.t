@@ -1,6 +1,5 @@
-What differs is found: a run that is stopped before its last row, a dt that is not what
-the step was to be given, a compiler's warning, a state that becomes another one though
-no output tells.
+The matrix detects differences: a run that stops before its last row, a step with a wrong dt, a
+compiler warning, and a state that differs although the outputs are equal.
 
   $ cat > once.frob << 'END'
   > main :: SF Float Float

@@ -1,4 +1,4 @@
-One object for tools.
+One JSON object for tools:
 
   $ cat > twice.frob <<EOF
   > main :: SF Float Float
@@ -7,7 +7,7 @@ One object for tools.
   $ frobc report twice.frob --format=json
   {"program":"twice","entry":{"name":"main","file":"twice.frob","line":2},"state_bytes":8,"foreign_structs":[],"structs":[{"name":"main","file":"twice.frob","line":2,"bytes":8,"members":[{"name":"delay","line":2,"offset":0,"bytes":8,"holds":"value","purpose":"delay"}]}],"step_operations":{"additions":0,"multiplications":1,"divisions":0,"comparisons_and_choices":0,"conversions":0,"loads_of_state":1,"stores_of_state":1,"calls":{"hypot":1}},"reset_stack_bytes":56,"step_stack_bytes":104,"library":["hypot"],"machines":[],"console":[],"params":[],"params_bytes":0,"marks":0,"wire":null,"assertions":0,"assertion_operations":0,"assertion_bytes":0}
 
-Another entry than main:
+An entry other than main:
 
   $ cat >> twice.frob <<EOF
   > 
@@ -19,7 +19,7 @@ Another entry than main:
     other    8         twice.frob:5
       delay  8  delay  twice.frob:5
 
-A program that is rejected has no report.
+A rejected program has no report:
 
   $ cat > wrong.frob <<EOF
   > main :: SF Float Float
@@ -52,7 +52,7 @@ A program that is rejected has no report.
   error: there is no file missing.frob
   [2]
 
-A dump takes its place.
+With --dump, the command prints the dump instead:
 
   $ frobc report twice.frob --dump=step | head -2
   node main

@@ -1,5 +1,6 @@
-The events that switch: which of them cannot occur at the first instant of the
-mode that they leave, and by which signal function. The library's,
+The report lists the events that switch: which of them cannot occur at the first
+instant of the mode that they end, and because of which signal function. Events
+of the library:
 
   $ events() { frobc report "$1" | sed -n '/^events/,$p'; }
   $ cat > library.frob <<'FROB'
@@ -21,7 +22,7 @@ mode that they leave, and by which signal function. The library's,
     from e to f    cannot occur: `change`  library.frob:6
     from f to a    may occur               library.frob:7
 
-those that a program builds of them, or of nothing but `delay` and `time`,
+Events that a program builds from them, or only from `delay` and `time`:
 
   $ cat > own.frob <<'FROB'
   > later :: SF (Event a) (Event a)
@@ -42,7 +43,7 @@ those that a program builds of them, or of nothing but `delay` and `time`,
     from b to c    cannot occur: `rest`   own.frob:9
     from c to a    cannot occur           own.frob:10
 
-and those whose parameters decide: a time that is passed on is known by its range.
+Events that depend on parameters: the range of a time that is passed on is known.
 
   $ cat > parameters.frob <<'FROB'
   > wait, hurry :: Time -> SF Float Float

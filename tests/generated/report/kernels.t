@@ -1,5 +1,5 @@
-Kernels of vision: how often a step calls them at most, how many pixels they look at, as far as that
-is known before the program runs, and what stack they need.
+Vision kernels: the maximum number of calls per step, the number of pixels that they examine, if it
+is known before the program runs, and the stack that they need.
 
   $ cat > sees.frob <<'EOF'
   > import Robot
@@ -35,7 +35,7 @@ is known before the program runs, and what stack they need.
   $ frobc report sees.frob --robot pioneer --format=json | tr -d ' \n' | grep -o '"kernels":{[^}]*}[^}]*}[^}]*}'
   "kernels":{"frob_find_blob":{"pixels":12800,"whole_images":1},"frob_find_blobs":{"pixels":13120,"whole_images":0},"frob_find_edges":{"pixels":200,"whole_images":0}
 
-A function of the user's in C is called, and nothing more is known of it.
+For a call of a user's C function, the report states only that it is called.
 
   $ cat > own.frob <<'EOF'
   > foreign mean :: Float -> Float -> Float = "my_mean"

@@ -1,7 +1,6 @@
-What the report states is true of the C: the state has exactly that size, those
-and no other functions of the C library or the runtime are called, and no function uses more
-stack, with and without optimization. For the examples, without those that keep
-state of their own in C,
+The report's statements are true for the C code: the state has exactly this size, the program calls
+exactly these functions of the C library and the runtime, and no function uses more stack, with and
+without optimization. For the examples, except those with state in the user's C,
 
   $ sh measure.sh $(grep -L '^foreign sf' $(grep -l '^main' ../../../examples/*/*.frob))
   all measured
@@ -11,7 +10,8 @@ for the programs of other tests,
   $ sh measure.sh $(grep -l '^main' ../../meaning/interp/*.frob ../../meaning/paper/*.frob ../../meaning/signal_functions/*.frob)
   all measured
 
-for modes with parameters, with instants of their own, and within modes,
+for modes with parameters, for signal functions with instants of their own, and
+for nested modes,
 
   $ cat > modes.frob <<EOF
   > data Side = LeftSide Float | RightSide Float
@@ -47,7 +47,7 @@ for modes with parameters, with instants of their own, and within modes,
   $ sh measure.sh modes.frob
   all measured
 
-for what goes to C and comes back, be it looked at or not,
+for values that are passed to C and back, whether or not the program uses them,
 
   $ cat > crossing.frob <<EOF
   > data Side = LeftSide | RightSide
@@ -70,7 +70,7 @@ in single precision,
   $ REAL=float sh measure.sh crossing.frob $(grep -l '^main' ../../meaning/interp/*.frob) modes.frob ../../../examples/wall_follow/wall_follow.frob
   all measured
 
-and for random ones.
+and for random programs.
 
   $ for seed in 1 2 3 4; do ./random_programs.exe $seed 10 > random_$seed.frob; done
   $ sh measure.sh random_*.frob

@@ -1,5 +1,5 @@
-Operations are counted by kind. Here: two additions, a multiplication, a
-division, a comparison, a call of sin, and what `delay` reads and writes.
+The report counts operations by kind. Here: two additions, a multiplication, a
+division, a comparison, a call of sin, and the reads and writes of `delay`.
 
   $ operations() { frobc report "$1" | sed -n '/^operations/,/^$/p' | grep -v ' 0$'; }
   $ cat > sum.frob <<EOF
@@ -17,7 +17,7 @@ division, a comparison, a call of sin, and what `delay` reads and writes.
     calls of sin             1
   
 
-Of two branches the larger number of each kind counts.
+For two branches, the larger number of each kind counts.
 
   $ cat > branches.frob <<EOF
   > main :: SF Float Float
@@ -32,7 +32,7 @@ Of two branches the larger number of each kind counts.
     calls of sin             2
   
 
-Callees count each time they are called.
+Callees count each time that they are called.
 
   $ cat > calls.frob <<EOF
   > norm :: Float -> Float -> Float
@@ -48,7 +48,7 @@ Callees count each time they are called.
     calls of sqrt            2
   
 
-A million additions are a million.
+Large numbers are exact: a million additions.
 
   $ cat > million.frob <<EOF
   > f0 :: SF Float Float
@@ -63,7 +63,7 @@ A million additions are a million.
     stores of state          1048576
   
 
-A program whose state no machine can hold is refused.
+A program whose state exceeds the memory of any machine is rejected.
 
   $ sed -i '/^main/d' million.frob
   $ for n in $(seq 21 60); do echo "f$n = f$((n - 1)) >>> f$((n - 1))" >> million.frob; done
@@ -86,7 +86,7 @@ A program whose state no machine can hold is refused.
   1 error
   [1]
 
-Time costs something: the caller's dt is made a whole number of nanoseconds.
+Time has a cost: the caller's dt is rounded to a whole number of nanoseconds.
 
   $ cat > clock.frob <<EOF
   > main :: SF () Time
@@ -103,9 +103,9 @@ Time costs something: the caller's dt is made a whole number of nanoseconds.
     stores of state          2
   
 
-A machine may step several modes within one instant: from far to near, and at once
-to far again, where `edge` ends the chain. Of all such chains the largest number of
-each kind counts: two cosines in each step of far, one sine in that of near.
+A machine may step several modes within one instant: from far to near, and immediately back to far,
+where `edge` ends the chain. For each kind, the largest number of all such chains counts: two
+cosines in each step of far, one sine in a step of near.
 
   $ cat > modes.frob <<EOF
   > main :: SF Float Float

@@ -1,5 +1,6 @@
-The state is shown struct by struct, with the source of each member, and the
-padding that a C compiler for a 64-bit machine puts between and behind them.
+The report shows the state struct by struct, with the source of each member, and
+the padding that a C compiler for a 64-bit machine inserts between and after
+them.
 
   $ cat > smooth.frob <<EOF
   > main :: SF Float (Float, Bool)
@@ -19,7 +20,7 @@ padding that a C compiler for a 64-bit machine puts between and behind them.
       delay             1  delay  smooth.frob:2
       (padding)         7
 
-Modes share room: it is that of the largest.
+Modes share memory: it has the size of the largest one.
 
   $ cat > modes.frob <<EOF
   > main :: SF Float Float
@@ -54,7 +55,7 @@ Modes share room: it is that of the largest.
     from near to far    may occur             modes.frob:5
     from far to near    cannot occur: `edge`  modes.frob:8
 
-A struct is shown once, so the report of a million instances is short.
+Each struct is shown once, so the report about a million instances is short.
 
   $ cat > million.frob <<EOF
   > f0 :: SF Float Float
@@ -71,7 +72,7 @@ A struct is shown once, so the report of a million instances is short.
   $ frobc report million.frob | wc -l
   63
 
-Without state one byte is left, as C has no empty structs:
+A program without state has a state of one byte, because C has no empty structs:
 
   $ cat > twice.frob <<EOF
   > main :: SF Float Float

@@ -1,5 +1,5 @@
-`frobc selftest` tells whether a C compiler, called as the user calls it, is fit for
-what frobc writes.
+`frobc selftest` checks whether a C compiler, called as the user calls it, compiles generated code
+correctly.
 
   $ frobc selftest --cc gcc
   compiler: gcc -std=c99 -O2 -ffp-contract=off
@@ -28,13 +28,13 @@ what frobc writes.
   compiler: g++ -std=c++17 -Wall -Wextra -Werror
   verdict: fit
 
-Likewise in single precision.
+The same in single precision:
 
   $ verdict --cc clang --real float
   compiler: clang -std=c99 -O2 -ffp-contract=off
   verdict: fit
 
-Numbers that are not IEEE 754's:
+Arithmetic that does not follow IEEE 754:
 
   $ frobc selftest --cc gcc --cflags "-O2 -ffast-math"
   compiler: gcc -O2 -ffast-math
@@ -47,8 +47,8 @@ Numbers that are not IEEE 754's:
   error: arithmetic compiled by `gcc -O2 -ffp-contract=fast -mfma` rounds a product and a sum only once: compile with -ffp-contract=off
   verdict: unfit
 
-A compiler with a fault of its own, here in the square root: everything is tried,
-and the first step that differs is shown.
+A compiler with a bug, here in the square root: the test runs completely, and shows the first step
+that differs.
 
   $ frobc selftest --cc gcc --cflags "-Dsqrt(x)=fabs(x)" 2>&1 | grep -v right
   compiler: gcc -Dsqrt(x)=fabs(x)
@@ -57,7 +57,7 @@ and the first step that differs is shown.
   step 1: out.1.1 is 1.127 and must be nan
   verdict: unfit
 
-One that refuses some of it, and one that warns:
+A compiler that rejects some of the code, and one that warns:
 
   $ cat > strict-cc <<'END'
   > #!/bin/sh
@@ -81,8 +81,8 @@ One that refuses some of it, and one that warns:
   time.c:2: mind the time
   verdict: fit, with warnings
 
-What cannot be tried is neither fit nor unfit: a compiler that is not there, one
-that compiles nothing, one for another machine.
+A compiler that cannot be tested has no verdict: it does not exist, it compiles
+nothing, or it is for another machine.
 
   $ frobc selftest --cc nocc
   compiler: nocc -std=c99 -O2 -ffp-contract=off
@@ -108,7 +108,8 @@ that compiles nothing, one for another machine.
   error: a program compiled by `gcc -std=c99 -O2 -ffp-contract=off` does not run here with `no-emulator`: `no-emulator` was not found
   [2]
 
-One for a board may know no way to print: it compiles, and does not link.
+A compiler for a board may have no way to print: the code is compiled, but not
+linked.
 
   $ cat > board-cc <<'END'
   > #!/bin/sh
@@ -121,7 +122,7 @@ One for a board may know no way to print: it compiles, and does not link.
   error: `./board-cc -std=c99 -O2 -ffp-contract=off` compiles a program of one line but does not link it. If it is for a board, add a library that prints through an emulator, and name the emulator: for newlib --cflags "-std=c99 -O2 -ffp-contract=off --specs=rdimon.specs" --runner qemu-arm
   `./board-cc -std=c99 -O2 -ffp-contract=off` fails with status 1:
 
-An emulator, or anything that runs a program:
+An emulator, or any other command that runs a program:
 
   $ verdict --cc gcc --runner "env FROB=1"
   compiler: gcc -std=c99 -O2 -ffp-contract=off

@@ -1,5 +1,6 @@
-Kernels need nothing of a system: they are C99 and C++17 without a warning, and call only what
-copies and compares bytes, roots, and each other. Their stack is as frob/vision.h says.
+Kernels do not depend on an operating system: they compile as C99 and C++17 without warnings, and
+call only functions that copy and compare bytes, square roots, and each other. Their stack use is as
+documented in frob/vision.h.
 
   $ runtime=../../../runtime
   $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wvla -Werror -ffp-contract=off -I$runtime/include"

@@ -1,4 +1,5 @@
-An array of equal elements that a loop goes through is no array in C: each round is given the one.
+If a loop runs over an array of equal elements, there is no array in C: each iteration uses the same
+value.
 
   $ cat > gains.frob <<'END'
   > data In = In { gain :: Float, xs :: Array 4 Float }

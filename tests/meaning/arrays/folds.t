@@ -1,5 +1,5 @@
-What runs over all elements: the functions of arrays on one array. The first element
-wins a tie, and NaN never wins over a number.
+Functions over all elements of an array. In a tie the first element wins, and NaN never wins over a
+number.
 
   $ cat > folds.frob <<'FROB'
   > main :: SF (Array 4 Float) ((Float, Array 4 Float, Bool, Bool), (Float, Float, Float), Array 4 (Float, Int), Array 4 Float, Array 4 Float, Int)

@@ -1,4 +1,4 @@
-Each program is run by both engines, on rows of input:
+Both engines run each program on rows of input:
 
   $ both() {
   >   echo "time,$2" > in.csv; program=$1; shift 2; k=0
@@ -7,8 +7,8 @@ Each program is run by both engines, on rows of input:
   >   frobc trace $program.frob --input in.csv --engine interp | cmp - c.csv
   > }
 
-Loops over the same elements become one: neither the products nor what is pushed
-is ever an array.
+Loops over the same elements are fused: neither the products nor the pushes are
+ever stored in an array.
 
   $ cat > avoid.frob <<'EOF'
   > main :: SF (Array 4 Float) (Float, Float)
@@ -54,8 +54,8 @@ is ever an array.
   1,0.5625
   0.5,0.28125
 
-What needs the whole array, or the end of a loop, waits for it: `shares` needs the
-total, and `fromFirst` an element before the loop has made it.
+A loop that needs the whole array, or the end of another loop, is not fused: `shares` needs the
+total, and `fromFirst` needs an element before the loop has computed it.
 
   $ cat > waits.frob <<'EOF'
   > main :: SF (Array 3 Float) (Float, Array 3 Float, Array 3 Float, Float)
@@ -73,8 +73,7 @@ total, and `fromFirst` an element before the loop has made it.
   nan,nan,nan,nan,0,2,nan,nan
   12,0.66666666666666663,0.16666666666666666,0.16666666666666666,0,-6,-6,11.000000000000002
 
-A loop that comes from another by way of a third is not joined with it; the third is
-of another size.
+A loop that depends on another one through a third, which has another size, is not fused with it.
 
   $ cat > around.frob <<'EOF'
   > main :: SF (Array 3 Float, Array 2 Float) (Float, Float)
@@ -89,7 +88,8 @@ of another size.
   -1,-1
   nan,nan
 
-States, parameters and results stay each loop's own; a loop may run a machine.
+States, parameters and results of the loops stay separate; a loop may run a
+machine.
 
   $ cat > states.frob <<'EOF'
   > main :: SF (Array 3 Float, Float) (Array 3 Float, Array 3 Float, Int)
@@ -113,8 +113,8 @@ States, parameters and results stay each loop's own; a loop may run a machine.
   3,3,3,-6,4,2,2
   -2,0,-2,0,0,-4,0
 
-The least and the largest element: their keys are themselves. NaN never wins over a
-number, the first of equal ones wins.
+The least and the greatest element are their own keys. NaN never wins over a number, and the first
+of equal elements wins.
 
   $ cat > extremes.frob <<'EOF'
   > main :: SF (Array 3 Float) (Float, Float, Float)
@@ -135,7 +135,7 @@ number, the first of equal ones wins.
   -0,-0,-inf
   -inf,inf,-0
 
-A fold that starts at an element of the array that another loop makes waits for it.
+A fold that starts with an element of an array that another loop computes comes after that loop.
 
   $ cat > starts.frob <<'EOF'
   > main :: SF (Array 3 Float) (Float, Float, Float)
@@ -151,7 +151,8 @@ A fold that starts at an element of the array that another loop makes waits for 
   nan,nan,1
   nan,nan,0
 
-Only compared, or written with another test, NaN is told apart all the same.
+NaN is handled correctly even if the result is only compared, or if the test is
+written differently.
 
   $ cat > told.frob <<'EOF'
   > main :: SF (Array 3 Float, Float) (Bool, Bool, Float)
@@ -167,7 +168,8 @@ Only compared, or written with another test, NaN is told apart all the same.
   false,false,0
   true,true,inf
 
-What each element adds or not is a choice, and so is what goes on from one to the next.
+The contribution of an element may depend on a condition, and so may the value that is passed from
+one iteration to the next.
 
   $ cat > where.frob <<'EOF'
   > main :: SF (Array 3 Float, Float) (Float, Float, Float)

@@ -1,5 +1,5 @@
-Arrays of arrays: a column for each number; functions and signal functions run
-over each.
+Arrays of arrays: each number has a column; functions and signal functions run
+over each array.
 
   $ cat > grid.frob <<'FROB'
   > type Grid = Array 2 (Array 3 Float)

@@ -1,5 +1,5 @@
-Arrays have a size that the type says; each element is a column of a trace. Both
-engines agree.
+The size of an array is part of its type; each element is a column of a trace.
+Both engines agree.
 
   $ cat > ring.frob <<'EOF'
   > type N = 4
@@ -14,7 +14,7 @@ engines agree.
   $ frobc trace ring.frob --input ring.csv > c.csv
   $ frobc trace ring.frob --input ring.csv --engine interp | cmp - c.csv
 
-A constant index outside of the array is an error:
+A constant index outside the array is an error:
 
   $ cat > outside.frob <<'EOF'
   > main :: SF (Array 3 Float) Float

@@ -1,6 +1,5 @@
-A pattern takes an array apart, by all of its elements: in the parameters of a
-function, of a `proc` and of a lambda, in equations, `let` and `case`. Both engines
-agree.
+A pattern matches all elements of an array: in the parameters of a function, of a `proc` and of a
+lambda, in equations, `let` and `case`. Both engines agree.
 
   $ cat > apart.frob <<'FROB'
   > pair :: Array 2 a -> (a, a)
@@ -54,7 +53,8 @@ agree.
   3.000000000,9,72,5,9,4,4,4,8,10
   $ frobc trace apart.frob --input apart.csv --engine interp | cmp - c.csv
 
-A `case` on arrays covers all values, and a pattern elsewhere matches every one:
+A `case` on arrays must cover all values, and any other pattern must match every
+value:
 
   $ cat > uncovered.frob <<'FROB'
   > g :: Array 2 Bool -> Int
@@ -84,7 +84,7 @@ A `case` on arrays covers all values, and a pattern elsewhere matches every one:
   2 errors
   [1]
 
-There are as many patterns as the array has elements:
+A pattern must have as many elements as the array:
 
   $ cat > size.frob <<'FROB'
   > f :: Array 3 Int -> Int

@@ -1,5 +1,5 @@
-Signal functions in an array run side by side: on one input with `parB`, each on its own
-element with `parZ`, and as a lambda says it. Both engines agree.
+Signal functions in an array run side by side: on the same input with `parB`, each on its own
+element with `parZ`, and on other inputs with a lambda. Both engines agree.
 
   $ cat > all.frob <<'FROB'
   > sfs :: Array 3 (SF Float Float)
@@ -20,7 +20,7 @@ element with `parZ`, and as a lambda says it. Both engines agree.
   2.000000000,2,4,5,2,4,5,2,8,3,2,8,3,18,3
   $ frobc trace all.frob --input one.csv --engine interp | cmp - c.csv
 
-Among other things a lambda does not run its variable:
+A lambda does not run its variable inside a larger expression:
 
   $ cat > twice.frob <<'FROB'
   > main :: SF Float (Array 2 Float)

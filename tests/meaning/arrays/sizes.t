@@ -1,5 +1,5 @@
-Sizes are variables of functions and of data types. One definition serves all
-sizes, and `generate`, `length` and constants take theirs from the type.
+Functions and data types can have size variables. One definition serves all
+sizes, and `generate`, `length` and constants take their size from the type.
 
   $ cat > ring.frob <<'FROB'
   > data Ring n a = Ring { items :: Array n a, next :: Int }
@@ -32,7 +32,7 @@ sizes, and `generate`, `length` and constants take theirs from the type.
   4.000000000,5,3,4,5,3,2
   $ frobc trace ring.frob --input in.csv --engine interp | cmp - c.csv
 
-Its state is the items and a number, nothing else:
+The state consists of the items and a number, nothing else:
 
   $ frobc report ring.frob | head -9
   state, in bytes
@@ -45,8 +45,8 @@ Its state is the items and a number, nothing else:
   operations of a step, at most
     additions                 2
 
-A size that two arguments disagree about, one that nothing decides, and arrays of
-no elements or too many are errors:
+It is an error if two arguments have different sizes, if nothing determines a size, and if an array
+has no elements or too many:
 
   $ cat > wrong.frob <<'FROB'
   > add :: SF (Array 2 Float) (Array 2 Float)

@@ -1,5 +1,5 @@
-A loop whose result a delay starts from is known at the start, and stays so beside one
-over the same elements that is not.
+If the initial value of a delay depends on a loop, that loop's result is known at the start, even
+next to a loop over the same elements whose result is not.
 
   $ cat > start.frob <<'FROB'
   > main :: SF Float (Event Int, Event Int)

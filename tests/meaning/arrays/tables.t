@@ -1,5 +1,5 @@
-A table is an array that the compiler knows; any index reads it, and what is
-outside of it is the default.
+A table is an array that is known to the compiler. Any index can be read; an
+index outside the table yields the default.
 
   $ cat > speeds.frob <<'FROB'
   > data Gear = Gear { top :: Velocity, ratio :: Float, name :: Name }
@@ -44,7 +44,7 @@ outside of it is the default.
   6.000000000,0.10000000000000001,4,Low,-1,Low
   $ frobc trace speeds.frob --input in.csv --engine interp | cmp - c.csv
 
-A table of numbers is constant data in the C; no step makes it again:
+A table of numbers is constant data in C; no step computes it again:
 
   $ cat > curve.frob <<'FROB'
   > main :: SF Int Float

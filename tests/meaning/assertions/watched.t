@@ -1,4 +1,4 @@
-What is asserted is judged at each instant, and told at the end. The outputs stay as they are.
+The host judges assertions at each instant and reports them at the end. The outputs do not change.
 
   $ cat > speed.frob << FROB
   > import Past
@@ -32,7 +32,7 @@ What is asserted is judged at each instant, and told at the end. The outputs sta
   $ sed '/assert/d; /assume/d; /Past/d' speed.frob > plain.frob
   $ frobc trace plain.frob --input in.csv | cmp - out.csv
 
-As columns, with or without the summary.
+As columns, with or without the summary:
 
   $ frobc trace speed.frob --input in.csv --asserts=off --probe assert
   time,out,probe.main.assert no faster than 1 m/s,probe.main.assert input is small,probe.main.assert slows down,probe.main.assert stops at 100,probe.main.assume never six
@@ -44,7 +44,7 @@ As columns, with or without the summary.
   5.000000000,1,Holds,Fails,Fails,NotAsked,Holds
   5.500000000,1,Holds,Fails,Fails,NotAsked,Fails
 
-The first that is violated may end the run.
+The first violation may end the run:
 
   $ frobc trace speed.frob --input in.csv --asserts=stop
   time,out
@@ -63,8 +63,8 @@ The first that is violated may end the run.
   error: only the compiled program stops at assertions: use `--asserts=stop` with `--engine c`
   [2]
 
-Nothing of assertions is in the C of a program unless they are asked for; the report says what it
-would cost to watch them.
+The C code contains nothing of the assertions unless an option enables them; the report states their
+cost.
 
   $ frobc compile speed.frob -o with && frobc compile plain.frob -o without
   $ grep -c 'assert\|Past\|Verdict' with/speed.c with/speed.h

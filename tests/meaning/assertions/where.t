@@ -1,5 +1,6 @@
-An assertion may stand in any proc. It is judged where its signal function runs: in a mode while
-that lasts, in each element of `mapSF`. Those of one label are told apart by their way.
+Any proc may contain an assertion. It is judged while its signal function runs: in a mode while the
+mode runs, and in each element of `mapSF`. Assertions with the same label are distinguished by their
+paths.
 
   $ cat > three.frob << FROB
   > main :: SF (Array 2 Distance) (Array 2 Distance)
@@ -30,7 +31,8 @@ that lasts, in each element of `mapSF`. Those of one label are told apart by the
   assert "it stays */ so" (high.assert it stays */ so): violated, first at 2.000 s; in total at 1 instant
   assert "static": held
 
-In tasks, and in the equations of a `do`; the words are names elsewhere.
+Assertions in tasks, and in the equations of a `do`; elsewhere the keywords are
+ordinary names.
 
   $ cat > steps.frob << FROB
   > assert :: String -> Float -> Float
@@ -51,7 +53,8 @@ In tasks, and in the equations of a `do`; the words are names elsewhere.
   2.000000000,2
   assert "above": violated, first at 2.000 s; in total at 1 instant
 
-Nowhere else, and of truth only.
+Assertions in other places, and assertions that are not of type Bool, are
+rejected.
 
   $ cat > wrong.frob << FROB
   > half :: Float -> Float
@@ -134,7 +137,7 @@ Nowhere else, and of truth only.
   1 error
   [1]
 
-A switch that is fed with its own output.
+An assertion in a switch that depends on its own output:
 
   $ cat > fed.frob << FROB
   > main :: SF Float Float

@@ -1,6 +1,5 @@
-What each capability is on each robot. `--robot` says of what signal functions are, too,
-that ask for capabilities. A robot's input is read from a row that says
-only what is not 0, false, or no event.
+The behaviour of each capability on each robot. `--robot` also applies to signal functions that
+require capabilities. The rows of input list only the columns that differ from 0, false or no event.
 
   $ trace () {
   >   robot=$1 program=$2; shift 2
@@ -19,8 +18,8 @@ only what is not 0, false, or no event.
   >   cat compiled.csv
   > }
 
-Odometry and the battery, on all three. The robots differ in how far apart their
-wheels are.
+Odometry and the battery, on all three robots, whose wheels have different
+distances.
 
   $ cat > common.frob <<'FROB'
   > import Geometry
@@ -35,8 +34,8 @@ wheels are.
   0.000000000,1,2,0.20000000000000001,0.57937427578215517,12
   0.000000000,1,2,0.20000000000000001,0.85106382978723405,12
 
-Bumpers: a Pioneer has one in front, that counts for both sides; a Scout's are six, of
-which the first is in front; a Create's are in front.
+Bumpers: a Pioneer has one in front, which counts for both sides; a Scout has six, of which the
+first is in front; those of a Create are in front.
 
   $ cat > bumpers.frob <<'FROB'
   > import Robot
@@ -59,7 +58,7 @@ which the first is in front; a Create's are in front.
   0.000000000,true,false,false,true
   0.000000000,false,true,false,true
 
-A ring of sonars tells of each where it sits and what it heard.
+A ring of sonars returns the position and the reading of each sonar.
 
   $ cat > ring.frob <<'FROB'
   > import Geometry
@@ -74,8 +73,8 @@ A ring of sonars tells of each where it sits and what it heard.
   0.000000000,1.2246467991473533e-17,0.20000000000000001,1.5707963267948966,0.17453292519943295,1.5
   1.000000000,1.2246467991473533e-17,0.20000000000000001,1.5707963267948966,0.17453292519943295,
 
-What a Create's front cliff sensors see of the floor, from nothing to white; what is
-brighter is white, too.
+The reflectance that a Create's front cliff sensors measure, from no reflection to white; brighter
+floors count as white.
 
   $ cat > floor.frob <<'FROB'
   > import Robot
@@ -86,8 +85,8 @@ brighter is white, too.
   0.000000000,0.10000000000000001,1
   0.000000000,0,1
 
-Distances: what is heard straight ahead, on the left and on the right of a robot
-that stands still is as far as the echo says; at first, as far as it sees.
+Distances: for a robot at rest, the distances ahead, to the left and to the
+right are those of the echoes; before the first echo, the maximum range.
 
   $ cat > distances.frob <<'FROB'
   > import Robot
@@ -104,7 +103,7 @@ that stands still is as far as the echo says; at first, as far as it sees.
   0.000000000,0.5,0.5,0.5,0.5
   1.000000000,0.10994802246432496,0.14219524194891453,0.20076599666389083,0.5
 
-What only a Create has.
+Capabilities that only a Create has:
 
   $ cat > create.frob <<'FROB'
   > import Robot
@@ -127,7 +126,7 @@ What only a Create has.
   0.000000000,-0.10000000000000001,0,
   0.000000000,-0.10000000000000001,0,
 
-Under `watching` a robot keeps all that it can do: what it senses is seen through it.
+Under `watching` a robot keeps all its capabilities: its sensors remain accessible.
 
   $ cat > watched.frob <<'FROB'
   > import Robot

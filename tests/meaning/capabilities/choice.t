@@ -1,4 +1,5 @@
-A program that asks for capabilities is compiled for each robot that has them.
+A program that requires capabilities can be compiled for each robot that has
+them.
 
   $ cat > follow.frob <<'FROB'
   > import Robot
@@ -28,8 +29,8 @@ A program that asks for capabilities is compiled for each robot that has them.
   frob_create_input *
   frob_create_output *
 
-It is checked as it stands; to compile it needs a robot, and so do a trace and a
-report.
+`frobc check` accepts it without a robot; compiling, tracing and reporting
+require one.
 
   $ frobc check --lint follow.frob
   $ frobc compile follow.frob
@@ -52,8 +53,8 @@ report.
     approach                  80                                follow.frob:4
       frontSonar@CreateInput  72                                follow.frob:4
 
-Both engines run it for any of them. A Create's light bumpers see a wall at half a
-metre and nearer: 2.5 is the signal at a metre.
+Both engines run it for any of these robots. A Create's light bumpers detect a wall at half a metre
+and nearer: the signal at one metre would be 2.5.
 
   $ {
   >   printf 'time,in.odometry.position.x,in.odometry.position.y,in.odometry.heading,in.leftWheel,in.rightWheel,in.bumpLeft,in.bumpRight,in.leftDrop,in.rightDrop,'
@@ -72,8 +73,8 @@ metre and nearer: 2.5 is the signal at a metre.
   3.000000000,-0.021809807497359585,0
   $ frobc trace --lint follow.frob --robot create --input wall.csv --engine interp | cmp - compiled.csv
 
-A robot that lacks something is told at the line that needs it, in the program and
-not in the library.
+If a robot lacks a capability, the message points to the line of the program that needs it, not to
+the library.
 
   $ cat > careful.frob <<'FROB'
   > import Robot
@@ -113,7 +114,7 @@ not in the library.
   1 error
   [1]
 
-Nothing has both a ring of sonars and lights:
+No robot has both a ring of sonars and light sensors:
 
   $ cat > shining.frob <<'FROB'
   > import Robot
@@ -140,7 +141,7 @@ Nothing has both a ring of sonars and lights:
   1 error
   [1]
 
-What a signature promises and nothing needs is asked for too:
+A capability in a signature is required even if nothing uses it:
 
   $ cat > promise.frob <<'FROB'
   > import Robot
@@ -161,8 +162,7 @@ What a signature promises and nothing needs is asked for too:
   1 error
   [1]
 
-Without a signature a program is for the robot of `RobotInput`, unless it is compiled
-for another.
+Without a signature, a program is for the robot of `RobotInput`, unless an option names another one.
 
   $ cat > unsigned.frob <<'FROB'
   > import Robot
@@ -179,7 +179,8 @@ for another.
   frob_scout_input *
   frob_scout_output *
 
-A program for one robot is not one for another, and half of one is none.
+A program for one robot does not fit another, and a program with the input of
+one robot and the output of another fits none.
 
   $ cat > one.frob <<'FROB'
   > import Robot
@@ -224,7 +225,7 @@ A program for one robot is not one for another, and half of one is none.
   frob_pioneer_input *
   frob_pioneer_output *
 
-A world that is missing, or wrong, is told before the robot that it would have named:
+A missing or invalid world is reported before the robot that it would have named:
 
   $ cat > open.frob <<'FROB'
   > import Robot

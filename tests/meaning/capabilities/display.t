@@ -1,5 +1,6 @@
-What a program draws is part of its output: it goes through branches, switches, tasks, loops and
-delays as the output does. Both engines draw the same, the plain program nothing at all.
+The drawing of a program is part of its output: it passes through branches, switches, tasks, loops
+and delays like the output. Both engines draw the same, and the program without the probe draws
+nothing.
 
   $ cat > both.sh <<'EOF'
   > set -e
@@ -33,8 +34,8 @@ delays as the output does. Both engines draw the same, the plain program nothing
   > 3,nan
   > EOF
 
-Each kind of mark, and a branch that draws in some instants only. A text is written as in the
-language, and a number has the unit that it has there.
+Each kind of mark, and a branch that draws at some instants only. A text is written as in the
+language, and a number in the unit that it has there.
 
   $ cat > kinds.frob <<'EOF'
   > import Capability
@@ -62,7 +63,7 @@ language, and a number has the unit that it has there.
   draw :: drawings, at most 7 marks at a time
   main.p.x :: Float[m]  kinds.frob:8
 
-Of the plain program nothing is drawn, and it is what it is without a mark.
+Without the probe nothing is drawn, and the C is the same as without marks.
 
   $ cat > without.frob <<'EOF'
   > import Capability
@@ -81,8 +82,8 @@ Of the plain program nothing is drawn, and it is what it is without a mark.
   $ sed -n '/_step/,$p' kinds/kinds.c | sed 's/kinds/without/g; s/line [0-9]*//' > a
   $ sed -n '/_step/,$p' without/without.c | sed 's/line [0-9]*//' | diff a -
 
-Tasks, and an output that is delayed: the marks of the output that is given count. At the end the
-output rests, without marks.
+Tasks, and a delayed output: the marks of the current output count. At the end the output is at
+rest, without marks.
 
   $ cat > steps.frob <<'EOF'
   > import Capability
@@ -119,7 +120,7 @@ output rests, without marks.
   3.000000000,0,,
   4.000000000,0,,
 
-A drawing in a loop counts as often as the loop goes round. Comparing outputs does not look at it.
+A drawing in a loop counts once per iteration. Comparisons of outputs ignore it.
 
   $ cat > loop.frob <<'EOF'
   > import Capability
@@ -143,7 +144,8 @@ A drawing in a loop counts as often as the loop goes round. Comparing outputs do
   $ frobc report loop.frob | tail -1
   marks drawn in an instant, at most: 6; none of them in the C
 
-A program that does not draw has no such probe; one that adds to what it drew before, no bound.
+A program that does not draw has no such probe; one that keeps adding to its previous drawing has no
+bound.
 
   $ frobc trace without.frob --input in.csv --probe draw
   error[E0506]: this program has no inner signal `draw`

@@ -1,5 +1,5 @@
-A task that ends: from then on the robot rests, and the output says with what the
-task has ended. Both engines agree.
+A task that ends: from then on the robot is at rest, and the output contains the task's result. Both
+engines agree.
 
   $ cat > there_and_back.frob <<'FROB'
   > import Robot
@@ -31,7 +31,7 @@ task has ended. Both engines agree.
   3.000000000,0,0,true
   $ frobc trace there_and_back.frob --input run.csv --engine interp | cmp - compiled.csv
 
-In C the robot's struct is the first member of the output.
+In C, the robot's struct is the first member of the output.
 
   $ frobc compile there_and_back.frob
   $ sed -n '/^struct there_and_back_output/,/^}/p' there_and_back.h
@@ -42,7 +42,8 @@ In C the robot's struct is the first member of the output.
   $ gcc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fsyntax-only \
   >   -I "$(dirname "$(command -v frobc)")/../share/frobc/include" there_and_back.c
 
-A run can end with its program. A result may be of any type that can be shown.
+A run can end when its program ends. A result may have any type that can be
+shown.
 
   $ cat > results.frob <<'FROB'
   > import Robot
@@ -84,7 +85,7 @@ A run can end with its program. A result may be of any type that can be shown.
   1 error
   [1]
 
-Where the output is no record, the result stands beside it.
+If the output is not a record, the result is stored next to it.
 
   $ cat > lamp.frob <<'FROB'
   > import Capability
@@ -104,8 +105,8 @@ Where the output is no record, the result stands beside it.
   2.000000000,Dark,7
   $ frobc trace lamp.frob --input in.csv --engine interp | cmp - compiled.csv
 
-A program may choose between tasks when it starts, even between programs of them, if
-they end with results of one type; else only where the compiler can tell which.
+A program may choose between tasks when it starts, even between tasks that contain programs, if they
+have results of the same type; otherwise only if the compiler can determine the choice.
 
   $ cat > choice.frob <<'FROB'
   > import Robot

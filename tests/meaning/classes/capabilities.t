@@ -1,6 +1,6 @@
-One behaviour for several robots: what they sense is a class. Its methods are
-values, functions and signal functions, with state of their own and with
-defaults; both engines agree.
+One behaviour for several robots: their sensors are a class. Its methods are
+values, functions and signal functions, with state and with defaults; both
+engines agree.
 
   $ cat > Sensors.frob <<EOF
   > class HasSonar i where
@@ -68,8 +68,8 @@ defaults; both engines agree.
   $ frobc trace --engine interp robots.frob --input in.csv > interp.csv
   $ frobc trace robots.frob --input in.csv | diff - interp.csv
 
-Where the constructor is known an instance's definition stands itself; a method
-at a type variable waits for its type.
+If the constructor is known, the instance's definition is used directly; a
+method at a type variable is resolved when its type is known.
 
   $ frobc check --lint --dump=core robots.frob | sed -n '/^drive/,$p'
   drive @i :: SF i (Float, Bool)

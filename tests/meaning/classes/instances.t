@@ -1,6 +1,6 @@
-An instance may be for any type constructor: numbers of all units, tuples,
-functions, signal functions; a context asks for classes of what it is applied
-to, also the built-in ones.
+Instances can be for any type constructor: numbers of all units, tuples,
+functions, signal functions. A context can require classes of the constructor's
+arguments, including the built-in ones.
 
   $ cat > constructors.frob <<EOF
   > class Size a where
@@ -46,8 +46,8 @@ to, also the built-in ones.
   $ frobc trace --engine interp constructors.frob --input in.csv | tail -1
   2.000000000,11,7,22,10,11,1001
 
-Methods with type, unit and representation variables of their own, and with a
-context of their own:
+Methods with their own type, unit and representation variables, and with their
+own context:
 
   $ cat > own.frob <<EOF
   > class Container f where
@@ -80,8 +80,8 @@ context of their own:
   $ frobc trace --engine interp own.frob --input in.csv | tail -1
   1.000000000,4,14,3,0,7,true,2,true
 
-A class's methods are imported with it or by themselves; instances count wherever
-their module is part of the program.
+Methods can be imported with their class or individually; instances apply whenever their module is
+part of the program.
 
   $ cat > Shapes.frob <<EOF
   > module Shapes (Shape, Square, Sized, weight) where

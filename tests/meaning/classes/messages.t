@@ -1,4 +1,5 @@
-What is missing is named where it is needed, with the place that asks for it.
+A message about a missing instance points to the place that needs it, and to the
+definition that requires it.
 
   $ cat > needed.frob <<EOF
   > class Shape a where
@@ -134,7 +135,7 @@ What is missing is named where it is needed, with the place that asks for it.
   8 errors
   [1]
 
-What an instance may be, and what it must give.
+Invalid instances, and instances that lack definitions:
 
   $ cat > declared.frob <<EOF
   > class Base a where
@@ -352,7 +353,7 @@ What an instance may be, and what it must give.
   19 errors
   [1]
 
-The types of a method's definitions are the class's.
+The definitions of a method have the types that the class declares.
 
   $ cat > bodies.frob <<EOF
   > class Shape a where
@@ -431,7 +432,8 @@ The types of a method's definitions are the class's.
   5 errors
   [1]
 
-Methods that are signal functions run where any may.
+Methods that are signal functions may run in the same places as other signal
+functions.
 
   $ cat > levels.frob <<EOF
   > class HasSonar i where

@@ -1,4 +1,5 @@
-Two defaults, each by the other, are a circle in an instance that gives none.
+Two defaults that refer to each other form a cycle in an instance that defines
+neither.
 
   $ cat > defaults.frob <<EOF
   > class Ordered a where
@@ -31,7 +32,7 @@ Two defaults, each by the other, are a circle in an instance that gives none.
   1 error
   [1]
 
-A circle through an instance shows its way, as one of functions does.
+The message about a cycle through an instance lists its steps, as for functions.
 
   $ cat > through.frob <<EOF
   > class Level a where
@@ -62,8 +63,8 @@ A circle through an instance shows its way, as one of functions does.
   1 error
   [1]
 
-A method of a part is no circle, however deep the parts; larger and larger types
-have no end.
+A method of a component is not a cycle, however deeply the components are
+nested; types that grow without limit are rejected.
 
   $ cat > parts.frob <<EOF
   > class Depth a where
@@ -110,7 +111,7 @@ have no end.
   1 error
   [1]
 
-A program of an open type is not one to run.
+A program with a polymorphic type cannot be run.
 
   $ cat > open.frob <<EOF
   > class HasSonar i where

@@ -1,4 +1,4 @@
-Signals made from events, and events that remember.
+Signals computed from events, and events with memory.
 
   $ cat > input.csv <<EOF
   > time,in
@@ -10,7 +10,7 @@ Signals made from events, and events that remember.
   > EOF
   $ run() { echo 'main :: SF (Event Int) ('"$1"')' > t.frob; echo "main = proc e -> $2" >> t.frob; frobc trace t.frob --input input.csv; }
 
-`hold` shows an occurrence at once, `dHold` one instant later:
+`hold` shows an occurrence immediately, `dHold` one instant later:
 
   $ run 'Int, Int' '(hold 9 e, dHold 9 e)'
   time,out.1,out.2
@@ -20,7 +20,8 @@ Signals made from events, and events that remember.
   3.000000000,3,5
   4.000000000,3,3
 
-`accum` and its kin start from the first occurrence, even at the first instant:
+`accum` and similar functions include the first occurrence, even at the first
+instant:
 
   $ run 'Event Int, Int, Int' '(accum 1 (mapE (*) e), accumHold 1 (mapE (*) e), dAccumHold 1 (mapE (*) e))'
   time,out.1,out.2,out.3
@@ -37,7 +38,7 @@ Signals made from events, and events that remember.
   3.000000000,-10,-10,-7
   4.000000000,,-10,-10
 
-Counting and choosing occurrences:
+Counting and filtering occurrences:
 
   $ run 'Event Int, Event Int, Event Int, Event Int, Event Int' '(count e, once e, notYet e, takeEvents 2 e, dropEvents 2 e)'
   time,out.1,out.2,out.3,out.4,out.5
@@ -64,7 +65,7 @@ Pointwise functions:
   3.000000000,3,7,10,"(3, 3)"
   4.000000000,,,,
 
-Another signal's value at an occurrence:
+The value of another signal at an occurrence:
 
   $ run 'Event (Int, Time), Event Time' '(snapshot (e, time ()), sample (e, time ()))'
   time,out.1,out.2
@@ -74,8 +75,8 @@ Another signal's value at an occurrence:
   3.000000000,"(3, 3)",3
   4.000000000,,
 
-`atMin` and `atMax` remember the instant of the best key; the earliest wins a tie
-and NaN never replaces:
+`atMin` and `atMax` store the instant of the best key; the earliest wins a tie, and NaN never
+replaces another key:
 
   $ cat > best.frob <<EOF
   > main :: SF Float (Time, Time)

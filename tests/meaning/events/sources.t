@@ -1,4 +1,4 @@
-Sources of events: what occurs at the first instant, and when after that.
+Sources of events: whether they occur at the first instant, and when afterwards.
 
   $ cat > clocks.frob <<EOF
   > main :: SF () (Event Bool, Event (), Event (), Event (), Event (), Event (), Event ())
@@ -28,7 +28,7 @@ Sources of events: what occurs at the first instant, and when after that.
   1.000000000,,,(),()
   1.100000000,,,,
 
-`ticks` counts nanoseconds, and `timeSince` starts again where its input is True:
+`ticks` counts nanoseconds, and `timeSince` restarts when its input is True:
 
   $ cat > counted.frob <<EOF
   > main :: SF Bool (Bool, Bool, Bool, Bool, Time)
@@ -44,8 +44,8 @@ Sources of events: what occurs at the first instant, and when after that.
   1.000000000,true,true,true,false,0.69999999999999996
   1.100000000,false,false,true,false,0
 
-Edges of truth values: `edge` and `falling` never occur at the first instant,
-`edgeFrom False` may; `when` is no edge.
+Edges of Bools: `edge` and `falling` never occur at the first instant, `edgeFrom
+False` may; `when` is not an edge.
 
   $ cat > edges.frob <<EOF
   > main :: SF Bool (Event (), Event (), Event (), Event Int, Event ())

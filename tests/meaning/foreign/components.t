@@ -1,5 +1,5 @@
-A component in C is a signal function: it has a state in the program's, is reset where
-it starts, and is given the time since it last ran.
+A component in C is a signal function: its state is part of the program's state, it is reset when it
+starts, and it receives the time since it last ran.
 
   $ cat > filter.h <<'EOF'
   > #ifndef FILTER_H
@@ -25,8 +25,8 @@ it starts, and is given the time since it last ran.
   > }
   > EOF
 
-Two of them run side by side, one more starts afresh in each mode, one runs at its own
-rate, and one for each element of an array:
+Two components run side by side, one starts afresh in each mode, one runs at its own rate, and one
+runs for each element of an array:
 
   $ cat > filters.frob <<'EOF'
   > foreign include "filter.h"
@@ -56,14 +56,15 @@ rate, and one for each element of an array:
   1.500000000,4,,,102,,8
   2.000000000,5,7,14,103,3,10
 
-The state is part of the program's, which says what it cannot count:
+The state is part of the program's state. The report states what it cannot
+count:
 
   $ frobc report filters.frob | grep -e '^state' -e 'calls of'
   state, in bytes, without struct filter_state of the user's C
     calls of filter_reset     1
     calls of filter_step      7
 
-The same names in the program's own C would clash:
+A clash with names in the program's own C:
 
   $ cp filters.frob filter.frob
   $ frobc compile filter.frob
@@ -79,7 +80,7 @@ The same names in the program's own C would clash:
   1 error
   [1]
 
-Nor can its header have the name of the program's:
+A component's header with the name of the program's header:
 
   $ sed 's/filter.h/same.h/' filters.frob > same.frob
   $ frobc compile same.frob
@@ -94,7 +95,7 @@ Nor can its header have the name of the program's:
   1 error
   [1]
 
-In a loop the whole component is one box: every output needs every input.
+In a loop a component is treated as a unit: every output depends on every input.
 
   $ cat > loop.frob <<'EOF'
   > foreign include "filter.h"
@@ -115,7 +116,8 @@ In a loop the whole component is one box: every output needs every input.
   1 error
   [1]
 
-What comes from C is unknown when a program starts, so it may switch at once:
+The output of a component is unknown when a program starts, so it may switch
+immediately:
 
   $ cat > endless.frob <<'EOF'
   > foreign include "filter.h"
@@ -139,8 +141,8 @@ What comes from C is unknown when a program starts, so it may switch at once:
   1 error
   [1]
 
-A program is a component of another, by its own header: its input and output may be
-of numbers, truths, records, tuples and arrays of these.
+A program can be a component of another one, through its own header, if its input and output consist
+of numbers, Bools, records, tuples and arrays of these.
 
   $ cat > inner.frob <<'FROB'
   > import Geometry

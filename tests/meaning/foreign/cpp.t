@@ -1,4 +1,4 @@
-A component in C++ is C for those who call it.
+A component in C++ is used like one in C.
 
   $ cat > median.h <<'EOF'
   > #ifndef MEDIAN_H
@@ -41,7 +41,7 @@ A component in C++ is C for those who call it.
   3.000000000,3
   4.000000000,4
 
-What is neither C nor C++ is linked as it is: an object, or a library.
+A file that is neither C nor C++ is linked unchanged: an object, or a library.
 
   $ cat > doubled.frob <<'EOF'
   > foreign twice :: Int -> Int = "twice"

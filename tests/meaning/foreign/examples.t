@@ -1,4 +1,5 @@
-The blob tracker: the whole in C, and the same of its parts, give the same.
+The blob tracker written completely in C, and the one composed of parts, have
+the same results.
 
   $ flags="-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
   $ cp ../../../examples/blob_tracker/blob* .
@@ -20,7 +21,8 @@ The blob tracker: the whole in C, and the same of its parts, give the same.
   1.100000000,
   $ trace ofParts | diff whole -
 
-With the window going along with the blob it is not lost when it becomes faster:
+If the window moves along with the blob, the tracker does not lose it when it
+becomes faster:
 
   $ trace leading | tail -3
   0.900000000,"Blob {column = 3.5, row = 5.5, size = 4}"
@@ -38,7 +40,7 @@ With the window going along with the blob it is not lost when it becomes faster:
 
   $ unset CPATH
 
-Generated C called from C and from C++, several instances at once:
+C and C++ call generated C, with several instances at once:
 
   $ cp ../../../examples/from_c/* .
   $ frobc compile --standalone wheel.frob
@@ -68,8 +70,8 @@ The example of docs/foreign.md:
   2.000000000,3.25
   3.000000000,2.5
 
-A header of an older program beside the C does no harm, and what the C compiler says
-names the user's file:
+A header of an older program next to the C file does no harm, and messages of the C compiler name
+the user's file:
 
   $ sed 's/int/long/; s/double/float/' blob_tracker.h > older.h; cmp -s older.h blob_tracker.h && echo same
   [1]

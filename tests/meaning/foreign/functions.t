@@ -1,5 +1,4 @@
-Functions in C: numbers, truth values, sums, records, tuples and arrays go in and
-come out.
+Functions in C take and return numbers, Bools, sums, records, tuples and arrays.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > shapes.frob <<'EOF'
@@ -27,8 +26,8 @@ come out.
   $ frobc check --lint shapes.frob
   $ frobc compile --lint shapes.frob
 
-The generated header has the types by names that no program owns, and says what it
-expects. A C file that includes it is checked against it.
+The generated header declares the types, under names that do not depend on the program, and the
+functions that it expects. Including it in a C file checks the file against it.
 
   $ sed -n '/Imported functions/,/^struct/p' shapes.h
   /* Imported functions. */
@@ -82,13 +81,13 @@ expects. A C file that includes it is checked against it.
   1.000000000,9.2195444572928871,8,2,Nothing,-24,8,-7.5,false,7
   2.000000000,26.076809620810597,-27,2,Just 5.196152422706632,81,27,27.5,true,7
 
-Generated C stays without a warning, as C and as C++:
+Generated C has no warnings, as C and as C++:
 
   $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -c -o out.o"
   $ for cc in gcc clang; do $cc -std=c99 $flags shapes.c; $cc -std=c99 $flags shapes_c.c; done
   $ for cc in g++ clang++; do $cc -x c++ -std=c++17 $flags shapes.c; done
 
-A function of the C library needs no file, only its header:
+A function of the C library needs only its header, and no file:
 
   $ cat > cube.frob <<'EOF'
   > foreign include "math.h"
@@ -101,7 +100,7 @@ A function of the C library needs no file, only its header:
   time,out
   0.000000000,1
 
-A file that is not named is asked for, and one that is not there is missed:
+If a file is not given, the message asks for it; a missing file is reported:
 
   $ frobc trace shapes.frob --input in.csv 2>&1 | tail -1
   error: the program calls `point_apart`, `point_mirror`, `maybe_root`, `steps`, `total`, `both`, `far_points`, `seven` in C, but there is no C file: add the C files with `--with FILE.c` (only the functions of <math.h> that docs/foreign.md lists need no file)
@@ -109,8 +108,8 @@ A file that is not named is asked for, and one that is not there is missed:
   error: there is no file shapes.cc
   [2]
 
-Whatever C does, an unused result costs nothing, and a call on constants is made once,
-at the start:
+Whatever the C function does, an unused result costs nothing, and a call with constant arguments is
+made once, at the start:
 
   $ cat > start.frob <<'EOF'
   > foreign look :: Float -> Float = "look_up"
@@ -123,7 +122,7 @@ at the start:
   static inline double start_look(double a)
       const double gain = start_look(3.0);                    /* line 4 */
 
-Which slot of a sum is which.
+The slots of a sum:
 
   $ cat > entries.frob <<'FROB'
   > data Mode = Idle | Driving | Blocked

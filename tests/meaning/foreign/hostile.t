@@ -1,6 +1,6 @@
-What somebody else wrote must not reach the C compiler without the user's word, whatever it is in:
-headers, imported modules, labels, comments, names of files, recordings, Python modules. Each
-header here would write a file as soon as a host loads the program.
+Code by somebody else must not reach the C compiler without the user's permission, whatever contains
+it: headers, imported modules, labels, comments, file names, recordings, Python modules. Each header
+here would write a file as soon as a host loads the program.
 
   $ evil() { mkdir -p "$(dirname "$1")"; cat > "$1" <<C
   > #include <stdio.h>
@@ -19,13 +19,13 @@ header here would write a file as soon as a host loads the program.
   > main = proc x -> x
   > F
 
-The header does it, where the user allows it.
+The header has this effect if the user allows it.
 
   $ frobc trace header.frob --input in.csv --with evil.h && rm pwned
   time,out
   0.000000000,1
 
-No command compiles it otherwise, and each tells the same.
+Otherwise no command compiles it, and each reports the same error.
 
   $ frobc trace header.frob --input in.csv
   error: the program includes the C header `evil.h`, which the command line does not allow: C code can do anything on your computer; if you trust it, add `--with evil.h` (or name a C file that includes it)
@@ -112,15 +112,15 @@ No command compiles it otherwise, and each tells the same.
   0 1
   $ check
 
-Python takes no modules from the folder that the user is in.
+Python imports no modules from the user's working directory.
 
   $ for module in frob numpy scipy argparse; do echo 'open("pwned", "w")' > $module.py; done
   $ timeout 60 frobc falsify robot.frob --robot pioneer > out.txt 2>&1
   [2]
   $ check; rm *.py
 
-A header of a module that is imported, though nothing of it is used; of a robot's own module; in a
-folder below; by way of a link; one that is a pipe, or a folder.
+The header of an unused imported module, of a user-defined robot's module, in a subfolder, behind a
+symbolic link, a pipe, and a folder:
 
   $ printf 'module Helper (one) where\nforeign include "evil.h"\none :: Int\none = 1\n' > Helper.frob
   $ printf 'import Helper\nmain :: SF Float Float\nmain = proc x -> x\n' > imports.frob
@@ -141,8 +141,8 @@ folder below; by way of a link; one that is a pipe, or a folder.
   $ names .//evil.h
   [2] error: the program includes the C header `.//evil.h` ...  add `--with .//evil.h` (or name a C file that includes it)
 
-It is the file that counts, not its name: a header given does not allow another one. Nor does a C
-file that does not include it.
+The file itself counts, not its name: allowing one header does not allow another one with the same
+name. Nor does a C file that does not include it.
 
   $ echo '/* harmless */' > good.h && echo '#include "good.h"' > good.c && echo 'int x;' > other.c
   $ trace header.frob --with good.h
@@ -167,7 +167,8 @@ file that does not include it.
   0.000000000,1
   0.000000000,1
 
-A header that lies where one of C's own headers is looked for, of which C's own include others.
+A header in a folder where the compiler searches for standard headers, which standard headers
+include:
 
   $ for name in math stdio stdint stdbool stddef string features; do evil $name.h; done
   $ names math.h
@@ -182,8 +183,8 @@ A header that lies where one of C's own headers is looked for, of which C's own 
   $ names linux/../stdio.h
   [1] error[E0232]: `linux/../stdio.h` is outside of this module's folder
 
-A header by the name of one that frobc writes, from an earlier run or not: the C that the user
-gives includes it, and gets the one that frobc writes.
+A header with the name of one that frobc generates, whether or not by an earlier run: the user's C
+includes it, and gets the generated one.
 
   $ mkdir mine && echo '#include "header.h"' > mine/mine.c && cp header.frob evil.h mine
   $ printf '#include "evil.h"\n' > mine/header.h
@@ -194,7 +195,7 @@ gives includes it, and gets the one that frobc writes.
   $ trace mine/header.frob --with mine/mine.c
   [2] error: the program calls `system` in C, but none of its C files mentions it: add the C files with `--with FILE.c` (only the functions of <math.h> that docs/foreign.md lists need no file)
 
-What is no name of a header.
+Invalid header names:
 
   $ says() { names "$1" > /dev/null; grep -h '^error' out.txt; check; }
   $ says 'evil.h\"\n#include \"evil.h'
@@ -208,7 +209,7 @@ What is no name of a header.
   $ evil 'evil~.h' && says 'evil??-.h'
   error: the program includes the C header `evil??-.h`, but there is no such file
 
-Labels, comments, units and texts are no C. `??/` is a backslash in C.
+Labels, comments, units and texts cannot contain C. In C, `??/` is a backslash.
 
   $ code='__attribute__((constructor)) static void evil(void) { __builtin_puts(__FILE__); }'
   $ cat > texts.frob <<F
@@ -234,7 +235,7 @@ Labels, comments, units and texts are no C. `??/` is a backslash in C.
   $ frobc view in.csv texts.frob --only-build > out.txt
   $ frobc compile texts.frob -o generated && gcc -std=c99 -Wall -Wextra -Wpedantic -Werror -I $(dirname "$(command -v frobc)")/../share/frobc/include -c generated/texts.c -o texts.o
 
-Names of files.
+File names:
 
   $ for name in '*' '*??' 'a";int b;' "\$(touch pwned)" '`touch pwned`' "a'; touch pwned;'" '-o pwned' '@evil' 'a
   > #include "evil.h"'; do
@@ -251,7 +252,7 @@ Names of files.
   0.000000000,1
   0.000000000,1
 
-Symbols and types.
+Symbols and types:
 
   $ symbol() { printf 'foreign f :: Float -> Float = "%s"\nmain :: SF Float Float\nmain = proc x -> f x\n' "$1" > symbol.frob; frobc trace symbol.frob --input in.csv 2>&1 | grep '^error'; check; }
   $ symbol 'sin); system(\"touch pwned\"'
@@ -266,14 +267,14 @@ Symbols and types.
   $ frobc trace type.frob --input in.csv 2>&1 | grep '^error'
   error[E0232]: `struct t; int evil` is not the name of a type in C
 
-A recording's text is never compiled.
+The text of a recording is never compiled.
 
   $ printf '# param v=1; foreign include "evil.h"\ntime,in,out\n0,1,1\n' > run.csv
   $ frobc trace texts.frob --input run.csv 2>&1 | tail -1; check
   error: run.csv: the parameter `v` is a number of 1, not `1; foreign include "evil.h"`; to override the recorded value, use `--param`
 
-A header that the user allows does not allow others in its folder. Here the user's own C asks for
-the standard header in quotes, and the C compiler finds one of the stranger's.
+Allowing a header does not allow others in its folder. Here the user's own C includes the standard
+header in quotes, and the C compiler finds a header of the stranger.
 
   $ mkdir stranger own
   $ echo 'static inline double fine(double x) { return x; }' > stranger/fine.h
@@ -291,7 +292,7 @@ the standard header in quotes, and the C compiler finds one of the stranger's.
   error: the C compiler found an included file in `stranger/string.h`, which the command line does not allow: C code can do anything on your computer; if you trust it, add `--with stranger/string.h`; otherwise rename your header, or include the standard one as <string.h>
   [2]
 
-However the include is written.
+The same with other spellings of the include:
 
   $ for include in '%:include "string.h"' '??=include "string.h"' '#inc\
   > lude "string.h"' '#define NAME "string.h"
@@ -310,7 +311,7 @@ However the include is written.
   error: the C compiler found an included file in `stranger/string
   [2]
 
-C++ and clang are no way around it.
+C++ and clang do not circumvent the check.
 
   $ printf '#include "string.h"\nextern "C" double mine(double x) { return x; }\n' > own/mine.cc
   $ with --with stranger/fine.h --with own/mine.cc 2>&1 | cut -c 1-64
@@ -320,14 +321,15 @@ C++ and clang are no way around it.
   error: the C compiler found an included file in `stranger/string
   [2]
 
-A C compiler that accepts the option but lists no files is refused, since nothing can be checked.
+If a C compiler accepts the option but lists no files, its result is rejected, because it cannot be
+checked.
 
   $ printf '#!/bin/sh\nexec cc "$@" 2>/dev/null\n' > silent && chmod +x silent
   $ CC=./silent with --with stranger/fine.h --with own/mine.c
   error: the C compiler `./silent` does not list the files that it includes, so frobc cannot check whether the command line allows them: use gcc or clang, which list them with the option -H
   [2]
 
-What a comment says, or code that no compiler reads, does not allow a header.
+A comment, or code that no compiler reads, does not allow a header.
 
   $ echo 'double mine(double x) { return x; }' > own/mine.c
   $ evil stranger/evil.h
@@ -348,7 +350,8 @@ What a comment says, or code that no compiler reads, does not allow a header.
   error: the program includes the C header `stranger/evil.h`, w
   [2]
 
-A header beside a file that includes it is allowed with that file, in folders below as well.
+A header next to a file that includes it is allowed together with that file; so are headers in
+subfolders.
 
   $ sed -i '/evil.h/d' stranger/program.frob
   $ mkdir own/parts

@@ -1,4 +1,4 @@
-What the type of foreign code cannot be.
+Invalid types for foreign code:
 
   $ check() { cat > wrong.frob; frobc check wrong.frob; }
   $ check <<'EOF'
@@ -127,7 +127,7 @@ What the type of foreign code cannot be.
   3 errors
   [1]
 
-Units may be open: C does not see them.
+Units may be polymorphic: C does not see them.
 
   $ check <<'EOF'
   > foreign larger :: Float[u] -> Float[u] -> Float[u] = "larger"
@@ -135,7 +135,7 @@ Units may be open: C does not see them.
   > both = (larger 1[m] 2[m], larger 1[s] 2[s])
   > EOF
 
-Names that C cannot have, one C function with two types, a missing header:
+Names that are invalid in C, one C function with two types, a missing header:
 
   $ check <<'EOF'
   > foreign include ""
@@ -219,7 +219,7 @@ Names that C cannot have, one C function with two types, a missing header:
   2 errors
   [1]
 
-Names as elsewhere:
+Other errors about names:
 
   $ check <<'EOF'
   > foreign Mean :: Float -> Float = "mean"

@@ -1,4 +1,5 @@
-Foreign code in modules: what a program imports comes with its header, used or not.
+Foreign code in modules: the header of an imported module is included whether or not the program
+uses it.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ mkdir vision
@@ -52,8 +53,8 @@ Foreign code in modules: what a program imports comes with its header, used or n
   $ for cc in gcc clang; do $cc -std=c99 $flags vision/radar.c; done
   $ for cc in g++ clang++; do $cc -x c++ -std=c++17 $flags vision/radar.c; done
 
-An entry that calls no C needs no C file, wherever it is compiled. The header of the module must
-be allowed even so:
+An entry that calls no C needs no C file, whichever command compiles it. The header of the module
+must still be allowed:
 
   $ printf 'time,in\n0,1\n1,2\n' > in.csv
   $ frobc trace vision/radar.frob --with vision/vision.h --entry plain --input in.csv
@@ -61,7 +62,7 @@ be allowed even so:
   0.000000000,2
   1.000000000,4
 
-What a module does not export is not seen:
+Foreign names that a module does not export are not visible:
 
   $ cat > vision/peek.frob <<'EOF'
   > import Vision

@@ -1,5 +1,5 @@
 # Pictures of a bright square that wanders, for the tracker: the header, then one row for
-# each instant. At some instants it hides; then it jumps, and goes on faster.
+# each instant. At some instants it hides; then it jumps, and moves on faster.
 BEGIN {
     printf "time"
     for (i = 0; i < 96; i++) printf ",in[%d]", i

@@ -1,5 +1,5 @@
-A robot's program calls C as any other does, in the simulator and in the executable for
-the robot; what it shares with the robot's header has that header's types.
+A robot's program calls C like any other program, in the simulator and in the executable for the
+robot. Types that it shares with the robot's header are those of that header.
 
   $ cat > slow.h <<'EOF'
   > struct slow_state { int steps; };
@@ -38,7 +38,7 @@ the robot; what it shares with the robot's header has that header's types.
   0
   [1]
 
-C may be given all that the robot senses, and give all that it is told, in both precisions.
+C may receive the robot's complete input, and return its complete output, in both precisions.
 
   $ cat > think.frob <<'FROB'
   > import Robot

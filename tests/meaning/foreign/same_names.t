@@ -1,4 +1,5 @@
-Headers of the same name beside different C files: each file includes its own.
+Headers with the same name next to different C files: each file includes its
+own.
 
   $ mkdir a b c
   $ for k in a b c; do
@@ -21,7 +22,7 @@ Headers of the same name beside different C files: each file includes its own.
   time,out.1,out.2,out.3
   0.000000000,97,98,99
 
-Where they are all put into one folder, one of them must be renamed.
+If all files are copied into one folder, one header must be renamed.
 
   $ cat > drives.frob <<'F'
   > import Robot
@@ -38,7 +39,8 @@ Where they are all put into one folder, one of them must be renamed.
   $ frobc export drives.frob --robot pioneer --platformio out --with a/of_a.c --with b/of_b.c && ls out/src/gain.h
   out/src/gain.h
 
-A header that the program names is the same for all C that includes the program's generated header.
+A header that the program names is the same for all C files that include the program's generated
+header.
 
   $ cat > named.frob <<'F'
   > foreign include "gain.h"

@@ -1,5 +1,5 @@
-A program from somebody else cannot reach what the C library can do: what it calls is in a
-file that is given, or in a header that such a file includes.
+A program from somebody else cannot call arbitrary functions of the C library: the functions that it
+calls must be in a given file, or in a header that such a file includes.
 
   $ cat > shell.frob <<'F'
   > foreign run :: Array 8 Int -> Int = "system"
@@ -16,7 +16,8 @@ file that is given, or in a header that such a file includes.
   error: the program calls `system` in C, but none of its C files mentions it: add the C files with `--with FILE.c` (only the functions of <math.h> that docs/foreign.md lists need no file)
   [2]
 
-The functions of <math.h> that the docs list need no file. A function of a header needs no other file than the header.
+The functions of <math.h> that the docs list need no file. A function defined in a header needs only
+the header.
 
   $ cat > roots.frob <<'F'
   > foreign include "half.h"
@@ -30,7 +31,7 @@ The functions of <math.h> that the docs list need no file. A function of a heade
   time,out
   0.000000000,13.5
 
-A header is in the folder of its module, or below.
+A header must be in the folder of its module, or below it.
 
   $ mkdir below && mv half.h below
   $ include() { sed "s,half.h,$1," roots.frob > outside.frob; frobc check outside.frob 2>&1 | head -3; }
@@ -44,7 +45,7 @@ A header is in the folder of its module, or below.
    --> outside.frob:1:17
     |
 
-Names that C has a meaning for already are told when a program is checked.
+`frobc check` reports names that already have a meaning in C.
 
   $ named() { printf 'foreign f :: Float -> Float = "%s"\nmain :: SF Float Float\nmain = proc x -> f x\n' $1 > taken.frob; frobc check taken.frob 2>&1 | head -1; }
   $ for name in INFINITY __builtin_trap _Exit int32_t INT32_MAX frob_int_add main bool taken_step taken_reset; do named $name; done

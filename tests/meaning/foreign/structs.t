@@ -1,5 +1,5 @@
-Every shape of value goes over: sums with arrays and sums in them, records with foreign
-values, arrays of arrays and of addresses, what holds nothing.
+Values of every shape can be passed: sums that contain arrays and sums, records with foreign values,
+arrays of arrays and of addresses, and values without data.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > camera.h <<'EOF'
@@ -87,8 +87,8 @@ values, arrays of arrays and of addresses, what holds nothing.
   void grid(const struct grid_a *a, struct grid_result *result);
   void unitf(double a);
 
-A machine that gives its output before all its inputs are known is first stepped on a
-copy of its state, with the component in it; then on the state:
+If a machine's output is needed before all its inputs are known, the machine first takes a step on a
+copy of its state, with the component in it, and then on the state:
 
   $ grep -B1 'loopy_2_step(&' shapes.c | sed 's, */\*.*,,'
       struct shapes_loopy_2_state trial = self->loopy;
@@ -111,7 +111,7 @@ copy of its state, with the component in it; then on the state:
       return value;
   }
 
-What stands for a value that is not there is declared only where one may not be there.
+Placeholders for missing values are declared only where a value may be missing.
 
   $ cat > always.frob <<'EOF'
   > foreign include "camera.h"

@@ -1,5 +1,5 @@
-A component is given the seconds since its own last step, 0 at its first: in modes, at
-its own rate, at occurrences only, after a delayed switch.
+A component receives the seconds since its own last step, 0 at its first one: in modes, at its own
+rate, only at occurrences, and after a delayed switch.
 
   $ cat > clock.h <<'EOF'
   > struct dt_state { int steps; };

@@ -1,4 +1,4 @@
-Types in C: Frob code passes on what it does not look into.
+Types in C: Frob code passes values on without examining them.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > camera.h <<'EOF'
@@ -54,7 +54,7 @@ Types in C: Frob code passes on what it does not look into.
   > }
   > EOF
 
-A value of a foreign type is its address; a copyable one is a struct, and may be kept:
+A value of a foreign type is an address; a value of a copyable type is a struct, and may be stored:
 
   $ sed -n '/^struct eyes_input/,/^};/p; /^struct eyes_state/,/^};/p' eyes.h | sed 's/Prelude.frob:.*/Prelude.frob/'
   struct eyes_input {
@@ -96,13 +96,13 @@ A value of a foreign type is its address; a copyable one is a struct, and may be
   3 0.5 6 9 1
   $ for cc in g++ clang++; do $cc -x c++ -std=c++17 $flags -c -o out.o eyes.c; done
 
-C is never given the address of what is not there: `mean` was not called for a flash
-that did not come.
+C never receives the address of a missing value: `mean` was not called for a flash that did not
+occur.
 
   $ grep '!= 0' eyes.c | grep -vc '^#'
   3
 
-A trace cannot have such values:
+A trace cannot contain such values:
 
   $ printf 'time\n0\n' > in.csv
   $ frobc trace eyes.frob --with camera.c --input in.csv
@@ -120,7 +120,8 @@ A trace cannot have such values:
   1 error
   [2]
 
-Foreign values are not compared, and not kept unless copyable, in whatever way:
+Foreign values cannot be compared, or stored in any way unless they are
+copyable:
 
   $ cat > compared.frob <<'EOF'
   > foreign include "camera.h"
@@ -198,7 +199,7 @@ Foreign values are not compared, and not kept unless copyable, in whatever way:
   1 error
   [1]
 
-It may go through functions, instances and switches of the instant:
+They may pass through functions, instances and switches within the instant:
 
   $ cat > passed.frob <<'EOF'
   > foreign type Frame = "struct frame"

@@ -1,5 +1,5 @@
-The interpreter reads and writes traces as the host of compiled programs does,
-and says the same where one is wrong.
+The interpreter reads and writes traces like the host of compiled programs, with
+the same error messages.
 
   $ export XDG_CACHE_HOME=$PWD/cache
   $ cat > turn.frob <<EOF
@@ -16,7 +16,7 @@ and says the same where one is wrong.
   >   return $i
   > }
 
-Cells are written as Frob would write them, and quoted where they hold a comma.
+Cells are written in Frob's syntax, and quoted if they contain a comma.
 
   $ cat > in.csv <<EOF
   > time,in.1.urgent,in.2,in.1.side,out.1
@@ -30,7 +30,7 @@ Cells are written as Frob would write them, and quoted where they hold a comma.
   0.000000002,Just 3,At (-0.5),true
   1.000000000,Nothing,At 1000,false
 
-A header that does not fit: everything that is wrong with it.
+An invalid header: all errors are reported.
 
   $ printf 'tim,in.2,in.2,speed\n' > header.csv
   $ both header.csv
@@ -40,7 +40,7 @@ A header that does not fit: everything that is wrong with it.
   error: header.csv:1:1: missing: `in.1.side`, `in.1.urgent`; the header for this program is `time,in.1.side,in.1.urgent,in.2`; `--column in.1.side=speed` reads it from the column speed
   [2]
 
-Rows that do not fit; what came before is written.
+Invalid rows; the rows before them are written.
 
   $ row() { printf 'time,in.1.side,in.1.urgent,in.2\n0,LeftSide,true,\n%b' "$1" > row.csv; both row.csv | tail -n 1; }
   $ row '1,At,true,\n'
@@ -64,7 +64,7 @@ Rows that do not fit; what came before is written.
   $ row '1,"  " ",true,\n'
   error: row.csv:3:4: column `in.1.side`: expected `LeftSide`, `RightSide` or `At`, found `   "`
 
-Files that are not there.
+Missing files.
 
   $ both missing.csv
   error: cannot read missing.csv: No such file or directory
@@ -73,7 +73,7 @@ Files that are not there.
   error: cannot write no/such/folder.csv: No such file or directory
   [2]
 
-A program is rejected for the same reasons, whatever is to run it.
+A program is rejected for the same reasons, whichever engine would run it.
 
   $ printf 'main :: SF Float Float\nmain = proc x -> y where\n    y = y + x\n' > loop.frob
   $ frobc trace loop.frob --input in.csv --engine interp 2>&1 | head -n 1

@@ -1,5 +1,5 @@
-The compiler knows the trees of the library that it was built with; of a library that
-was changed it reads what is there now, and places in messages are those of that file.
+The library's syntax trees are built into the compiler. If a module of the library was changed, the
+compiler reads the file, and places in messages refer to that file.
 
   $ cp -rL "$(dirname "$(command -v frobc)")/../share" share
   $ chmod -R u+w share

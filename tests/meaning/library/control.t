@@ -1,5 +1,5 @@
-The building blocks of controllers. What depends on time is computed once more by
-awk, on uneven steps and one of no length.
+The building blocks of controllers. awk computes the time-dependent ones a second time, on uneven
+steps and one of length 0.
 
   $ . ./trace.sh
   $ cat > uneven.csv << ROWS
@@ -35,7 +35,8 @@ Limits, on Float and on Int:
   nan,nan,nan,2,3,1
   2,3,inf,2,3,2147483645
 
-The first instant, the length of a step, what controllers count of it, the input before:
+The first instant, the length of a step, the part of it that controllers count, and the previous
+input:
 
   $ cat > steps.frob << FROB
   > import Control
@@ -48,8 +49,8 @@ The first instant, the length of a step, what controllers count of it, the input
   >     printf "%s,%.9g,%.9g,%.9g\n", start ? "true" : "false", dt, step, start ? x : before
   >   }'
 
-Filters: a low-pass of first order, also with a time constant of 0 or less, which
-is none; a limit of the slope, which counts no step longer than twice the one before; a mean.
+Filters: a first-order low-pass, also with a time constant of 0 or less, which disables it; a slope
+limit, which counts no step as longer than twice the one before; a mean.
 
   $ cat > filters.frob << FROB
   > import Control
@@ -70,7 +71,7 @@ is none; a limit of the slope, which counts no step longer than twice the one be
   >     x3 = x2; x2 = x1; x1 = x
   >   }'
 
-A window shows the last inputs, the newest first; weights go with them.
+A window contains the last inputs, newest first; optionally with weights.
 
   $ cat > windows.frob << FROB
   > import Control
@@ -83,7 +84,7 @@ A window shows the last inputs, the newest first; weights go with them.
   4,2,1,5.5,4,1,2
   8,4,2,11,8,1,2
 
-The part of the way that a low-pass goes in a step:
+The fraction of the difference by which a low-pass moves in a step:
 
   $ cat > approaches.frob << FROB
   > import Control
@@ -105,7 +106,7 @@ The part of the way that a low-pass goes in a step:
   false true true true false false false true false true false
 
 `debounce 0.3[s]` changes once its input has been different for 0.3 s; a shorter
-change starts the clock again. The first input is taken as it is.
+change restarts the clock. The first input is used as it is.
 
   $ cat > bounces.frob << FROB
   > import Control
@@ -128,9 +129,9 @@ change starts the clock again. The first input is taken as it is.
   > ROWS
   true true true true true true true false false false false true
 
-A PID controller with all three parts, whose integral stands still while the
-output is at its limit and the error would push it further. No step counts as longer than twice the
-one before, or 0.2 s:
+A PID controller with all three parts, whose integral does not change while the output is at its
+limit and the error would push it further. A step does not count as longer than twice the one
+before, or 0.2 s:
 
   $ cat > controller.frob << FROB
   > import Control

@@ -1,4 +1,4 @@
-Vectors, angles and poses, against values worked out by hand.
+Vectors, angles and poses, compared with values computed by hand.
 
   $ . ./trace.sh
 
@@ -14,7 +14,7 @@ Vectors in the plane:
   2,6,4,2,6,8,0,0,5,10,5,4.4721359549995796
   1,1,1,-1,2,0,0,0,0,1,1,1.4142135623730951
 
-Directions; the vector of a length and an angle; turning, in degrees:
+Directions; the vector with a given length and angle; rotations, in degrees:
 
   $ cat > directions.frob << FROB
   > import Geometry
@@ -30,7 +30,8 @@ Directions; the vector of a length and an angle; turning, in degrees:
   45.000000 1.414214 1.414214 0.000000 1.414214
   0.000000 1.732051 1.000000 0.000000 0.000000
 
-Vectors in space: the product of x and y is z, and stands square on both.
+Vectors in space: the cross product of x and y is z, and is perpendicular to
+both.
 
   $ cat > space.frob << FROB
   > import Geometry
@@ -42,7 +43,8 @@ Vectors in space: the product of x and y is z, and stands square on both.
   0,0,1,0,1,0
   12,2,-5,11,7,0
 
-Angles wrap into (-180, 180] degrees; the shortest turn may lead across the end:
+Angles wrap into (-180, 180] degrees; the shortest turn may cross the end of the
+range:
 
   $ cat > angles.frob << FROB
   > import Geometry
@@ -61,7 +63,7 @@ Angles wrap into (-180, 180] degrees; the shortest turn may lead across the end:
   true,true,-0.5
   true,true,nan
 
-also after more turns than an Int counts:
+also after more turns than an Int can count:
 
   $ cat > turns.frob << FROB
   > import Geometry
@@ -75,8 +77,8 @@ also after more turns than an Int counts:
   0.5000
   0.5000
 
-Poses as frames: at (1, 2) looking left, what is 3 ahead and 1 to the left is at
-(0, 5), and back. A pose and its inverse make the origin.
+Poses as frames: from (1, 2), looking left, the point 3 ahead and 1 to the left
+is (0, 5), and back. The composition of a pose and its inverse is the origin.
 
   $ cat > poses.frob << FROB
   > import Geometry

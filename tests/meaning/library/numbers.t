@@ -1,9 +1,10 @@
-Numbers are total: no division, conversion or power is without a value.
+Numbers are total: every division, conversion and power has a value.
 
   $ . ./trace.sh
 
-On Int `+ - *` wrap around; `div` and `mod` round to minus infinity; by 0 they
-give 0, and the least Int by -1 is itself. So the expected values, from doubles:
+On Int, `+ - *` wrap around; `div` and `mod` round to minus infinity; division
+by 0 yields 0, and the least Int divided by -1 is itself. The expected values,
+computed with doubles:
 
   $ cat > whole.frob << FROB
   > main :: SF (Int, Int) (Int, Int, Int, Int)
@@ -56,8 +57,8 @@ Products, absolute values, signs:
   -2147483648,-2147483648,-2147483648,-1
   2147418111,2147483647,-2147483647,1
 
-Bits are those of 32-bit numbers, and shifts are defined for every amount: the shell
-counts in 64 bits, so what it makes is wrapped.
+Bit operations are on 32-bit numbers, and shifts are defined for every amount. The shell computes
+with 64 bits, so its results are wrapped.
 
   $ cat > bits.frob << FROB
   > main :: SF (Int, Int) ((Int, Int, Int, Int), Int, Int)
@@ -96,7 +97,7 @@ counts in 64 bits, so what it makes is wrapped.
   1,-5,-6,4,-10,-3
   -79,-1,78,76,-10,-616
 
-Of numbers that are known when compiling, and in Haskell's order:
+Operations on constants, in Haskell's argument order:
 
   $ cat > known.frob << FROB
   > main :: SF () (Int, Int, Int, Bool, Int, Array 0x2 Int)
@@ -105,8 +106,8 @@ Of numbers that are known when compiling, and in Haskell's order:
   $ printf 'time\n0\n' | trace known | cells
   3,0,-616,true,3,191,225
 
-`round` takes halves away from zero; all conversions saturate, and give 0 for
-NaN:
+`round` rounds halves away from zero; all conversions saturate, and convert NaN
+to 0:
 
   $ cat > conversions.frob << FROB
   > main :: SF Float (Int, Int, Int, Int)
@@ -145,7 +146,7 @@ NaN:
   -2147483648,-2147483648,-2147483648,-2147483648
   0,0,0,0
 
-`floorFloat` and `ceilingFloat` are Floats, of the same unit and any size; 1/x tells
+`floorFloat` and `ceilingFloat` return Floats, with the same unit and of any size; 1/x distinguishes
 0 from -0:
 
   $ cat > whole.frob << FROB
@@ -173,8 +174,8 @@ NaN:
   -inf,-inf,-0
   nan,nan,nan
 
-`min` and `max` of Floats are NaN if either is, else the first of two equal ones;
-1/x tells 0 from -0. `signum` keeps NaN.
+`min` and `max` of Floats are NaN if either is, else the first of two equal ones; 1/x distinguishes
+0 from -0. `signum` preserves NaN.
 
   $ cat > extremes.frob << FROB
   > main :: SF (Float, Float) (Float, Float, Float, Float)
@@ -199,7 +200,7 @@ NaN:
   0,0,inf,0
   -0,-0,-inf,-0
 
-They work on every type with an order:
+They work on every ordered type:
 
   $ cat > orders.frob << FROB
   > data Side = LeftSide | At Int | RightSide
@@ -229,8 +230,8 @@ Comparisons with NaN are false, except `/=`:
   true,false,false,true,false,true
   false,true,true,true,false,false
 
-Powers with a literal exponent are products, exact where those are; on Int they
-wrap. `**` is as `pow` in C99, Annex F.
+Powers with a literal exponent are products, and exact if these are; on Int they
+wrap. `**` is `pow` as in C99, Annex F.
 
   $ cat > powers.frob << FROB
   > main :: SF (Int, Float) (Int, Int, Float, Float, Float, Float)

@@ -1,4 +1,5 @@
-What has been. Each function beside what it says, of a signal that is True where there is a 1.
+Operators on the past. Each function is shown next to its definition, for a signal that is True
+where there is a 1.
 
   $ . ./trace.sh
 
@@ -23,8 +24,7 @@ What has been. Each function beside what it says, of a signal that is True where
   8.000000000,true,false,false,false,false
   9.000000000,true,false,false,true,false
 
-A time that is negative is none, and NaN is never over. At the first instant nothing has been
-before.
+A negative time counts as 0, and a NaN time never passes. At the first instant there is no past.
 
   $ cat > edges.frob << FROB
   > import Past
@@ -40,7 +40,7 @@ before.
   1.000000000,true,true,true,false,false
   2.000000000,false,false,false,false,false
 
-Claims say whether they were asked, too.
+Verdicts also show whether the condition applied.
 
   $ cat > claims.frob << FROB
   > import Past

@@ -1,5 +1,5 @@
-The functions and signal functions of the prelude, but for events, which have
-tests of their own.
+The functions and signal functions of the prelude, except those for events,
+which have their own tests.
 
   $ . ./trace.sh
 
@@ -14,7 +14,7 @@ Elementary functions agree with awk's:
   $ awk -F, 'function abs(x) { return x < 0 ? -x : x } { printf "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
   >   sin($1), cos($1), exp($1), log(abs($1)), sqrt(abs($1)), atan2($2, $1) }' pairs | diff - found
 
-The others by what they mean:
+The other functions, compared with their definitions:
 
   $ cat > inverses.frob << FROB
   > main :: SF Float (Float, Float, Float, Float, Float, Float)
@@ -24,7 +24,7 @@ The others by what they mean:
   0.5,0.5,0.5,2.5,3.14159265,0.25
   1.5,1.5,1.5,7.5,3.14159265,2.25
 
-Their first instants are the ends of their domains:
+Inverse functions at the ends of their domains:
 
   $ cat > domains.frob << FROB
   > main :: SF Float (Float, Float, Float)
@@ -38,7 +38,7 @@ Their first instants are the ends of their domains:
   nan,nan,982794
   nan,nan,1570796
 
-Truth values: all combinations.
+Bools: all combinations.
 
   $ cat > truth.frob << FROB
   > main :: SF (Bool, Bool) (Bool, Bool, Bool, Bool)
@@ -50,7 +50,7 @@ Truth values: all combinations.
   false,true,false,false
   true,true,false,true
 
-Functions of functions, pairs, Maybe and Either:
+Functions on functions, pairs, Maybe and Either:
 
   $ cat > functions.frob << FROB
   > minus :: Int -> Int -> Int
@@ -66,9 +66,9 @@ Functions of functions, pairs, Maybe and Either:
   5,5,-4,16,5,7,4,5,4,3,40
   6,6,-5,18,6,7,5,6,0,9,1
 
-What has state or knows time, at uneven steps and one of no length. The integral
-takes the value at the beginning of each step; the derivative keeps its last
-value in a step of no length.
+Signal functions that have state or depend on time, at uneven steps and one of
+length 0. The integral uses the value at the beginning of each step; the
+derivative keeps its last value in a step of length 0.
 
   $ cat > signals.frob << FROB
   > main :: SF Float (Float, Time, Float[s], Float[1/s])
@@ -109,7 +109,7 @@ Combinators; the last two are `delay 1 >>> (+ 1)` and a counter.
   4,20,2,40,4,20,4,2,2,2,7,3
   6,30,3,60,6,30,6,3,3,3,7,6
 
-Sums and means, on Int too; the first and the last elements, also more than there are:
+Sums and means, also of Ints; the first and the last elements, also more than there are:
 
   $ cat > arrays.frob << FROB
   > main :: SF (Float, Int) (Float, Float, Int, Array 2 Int, Array 4 Int, Array 2 Int, Array 4 Int, Array 3 Int)

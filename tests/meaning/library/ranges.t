@@ -1,7 +1,7 @@
-Every function of the library whose documentation states a range keeps to it at the edges of
-its input: zeros, the least and the largest numbers, infinities, whole and half turns and
-their neighbours up to three bits away. Both engines, in double and in single precision. A
-result may be NaN only where an argument is NaN or infinite.
+Every library function whose documentation states a range stays within it at the extremes of its
+input: zeros, the least and the largest numbers, infinities, and whole and half turns and their
+neighbours up to three bits away. Both engines, in double and in single precision. A result may be
+NaN only if an argument is NaN or infinite.
 
   $ . ./trace.sh
   $ cat > edges.py << 'PY'
@@ -29,8 +29,8 @@ result may be NaN only where an argument is NaN or infinite.
   >     print(k, *map(repr, row), sep=",")
   > PY
 
-`judge NAME`: how many rows there are, and the first of those in which a Bool is false. In single
-precision, a number that only double precision can hold is refused, so infinity replaces it.
+`judge NAME` prints the number of rows, and the first of those in which a Bool is false. Single
+precision rejects a number that only double precision can represent, so infinity replaces it.
 
   $ cat > single.py << 'PY'
   > import math
@@ -52,8 +52,8 @@ precision, a number that only double precision can hold is refused, so infinity 
   >   done
   > }
 
-Of one number. An angle that is in the range already stays the same; a wrapped one is as many
-whole turns away as the arithmetic of so large a number can tell.
+Functions of one number. An angle that is already in the range does not change; a wrapped one
+differs by whole turns, as precisely as arithmetic with so large a number allows.
 
   $ cat > one.frob << 'FROB'
   > import Geometry
@@ -95,7 +95,7 @@ whole turns away as the arithmetic of so large a number can tell.
   double: 975 rows, 0 broken
   float: 975 rows, 0 broken
 
-Of two numbers:
+Functions of two numbers:
 
   $ cat > two.frob << 'FROB'
   > import Control
@@ -132,7 +132,7 @@ Of two numbers:
   double: 889 rows, 0 broken
   float: 889 rows, 0 broken
 
-Random numbers, from any seed, never reach 1:
+Random numbers never reach 1, whatever the seed:
 
   $ cat > chance.frob << 'FROB'
   > import Sources

@@ -1,5 +1,5 @@
-Waves and noise. What they are is computed once more: waves by awk, random bits by the
-shell, which has 64 bits.
+Waves and noise, compared with independent computations: waves with awk, random bits with the shell,
+which has 64 bits.
 
   $ . ./trace.sh
   $ printf '0\n0.25\n0.25\n1.25\n2\n3.125\n5\n7.5\n10\n1000000.25\n' | awk 'BEGIN { print "time,in" } { print $1 ",0" }' > times.csv
@@ -16,7 +16,7 @@ shell, which has 64 bits.
   >     printf "%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", turned, sin(p * t), -sin(p * t), turned < 0.5 ? 1 : -1,
   >       sin(2 * p * (swept - int(swept))), sin(2 * p * (t / 8 - int(t / 8))) }' times.csv | sed 's/-0.000000/0.000000/g' | diff - found
 
-Random bits, and what is made of them; a seed may be any number.
+Random bits, and values computed from them; a seed may be any number.
 
   $ cat > noise.frob << FROB
   > import Sources
@@ -40,8 +40,8 @@ Random bits, and what is made of them; a seed may be any number.
   >   echo "$(( (((s + 2654435769) & m) ^ 2147483648) - 2147483648 )),$(( (z ^ 2147483648) - 2147483648 )),$(( z >> 8 ))"
   > done | awk -F, -v OFS=, '{ $3 = sprintf("%.17g", $3 / 16777216); print }' | diff - found
 
-Noise goes on from number to number, two of them for a normal one; the same numbers in
-single precision, as far as it has bits.
+Noise continues from number to number, and uses two for a normally distributed one; single precision
+uses the same numbers, as far as it has bits.
 
   $ cat > signals.frob << FROB
   > import Sources
@@ -71,8 +71,8 @@ single precision, as far as it has bits.
   $ echo 1640531527 | rows in | trace by_hand | cells | rounded
   0.213861048,0.374851878
 
-White noise is normal, and has nothing to do with what came before; coloured noise is
-normal too, and forgets in its time constant.
+White noise is normally distributed, and independent of earlier values; coloured noise is normally
+distributed too, and its correlation decays with its time constant.
 
   $ cat > many.frob << FROB
   > import Sources

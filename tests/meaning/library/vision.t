@@ -1,4 +1,4 @@
-From pixels to metres, against values worked out by hand: a camera 0.2 m ahead, 0.3 m up, with a
+From pixels to metres, compared with values computed by hand: a camera 0.2 m ahead, 0.3 m up, with a
 focal length of 300 px and its axis at (160, 120).
 
   $ . ./trace.sh
@@ -21,8 +21,8 @@ focal length of 300 px and its axis at (160, 120).
   $ show() { trace pixels | cells | awk -F, -v OFS=, '{ for (i = 1; i <= NF; i++) if ($i ~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/) { $i = sprintf("%.4f", $i); sub(/^-0.0000$/, "0.0000", $i) } print }' | sed 's/"//g; s/-*[0-9.]*e-1[0-9]/0/g; s/\(\.[0-9][0-9][0-9][0-9]\)[0-9]*/\1/g'; }
   $ columns=in.1.x,in.1.y,in.2.x,in.2.y,in.2.z
 
-Straight ahead; 100 px below the axis the floor is 0.3 * 300 / 100 = 0.9 m before the camera; at the
-horizon, and above, there is none; 45 degrees to the left.
+Straight ahead; 100 px below the axis, the floor is 0.3 * 300 / 100 = 0.9 m in front of the camera;
+at and above the horizon there is no floor; 45 degrees to the left.
 
   $ printf '%s\n' 160,220,0,0,0 160,120,0,0,0 160,20,0,0,0 -140,220,0,0,0 | rows $columns | show
   0.0000,0.5625,0.4091,1.0000,0.0000,-0.3333,Just Vec2 {x = 1.1000, y = 0}
@@ -30,8 +30,8 @@ horizon, and above, there is none; 45 degrees to the left.
   0.0000,0.5625,4.5000,1.0000,0.0000,0.3333,Nothing
   45.0000,-0.6429,0.4091,1.0000,1.0000,-0.3333,Just Vec2 {x = 1.1000, y = 0.9000}
 
-Turned to the left, down, and clockwise as seen from behind: with the head down by 90 degrees what
-was ahead is the floor below; with a roll of 90 degrees right in the image is down.
+A camera turned to the left, down, and clockwise as seen from behind: pitched down by 90 degrees,
+the image's centre shows the floor below; with a roll of 90 degrees, right in the image is down.
 
   $ printf '%s\n' 160,120,90,0,0 160,120,0,90,0 260,120,0,0,90 160,120,0,45,0 | rows $columns | show
   90.0000,0.5625,0.7500,0.0000,1.0000,0.0000,Nothing

@@ -1,12 +1,11 @@
-# One fault of the list, by its number, in a copy of the tree:
+# Applies a fault of the list, by its number, to a copy of the tree:
 #
 #   awk -v number=N -v tree=DIR -f apply.awk list
 #
-# changes the file below DIR and prints its name, a tab and the fault's. With
-# number=0 it changes nothing and says whether each fault could be made, with
-# count=1 only how many there are. The text to change must stand in the file
-# exactly once; where it has spaces, the file may have other spaces or line breaks. A text may go on
-# in lines that are indented or begin with {.
+# changes the file below DIR and prints its name, a tab and the fault's name. With number=0 it
+# changes nothing and reports whether each fault can be applied; with count=1 it only prints their
+# number. The text to change must occur in the file exactly once; where it has spaces, the file may
+# have other spaces or line breaks. A text may continue on lines that are indented or begin with {.
 
 # Returns a regular expression for the text with any spacing.
 function pattern(text) {

@@ -1,6 +1,6 @@
-The listings of section 2 of the paper, accepted with the changes that the
-reference allows (section 1). The values below were worked out by hand;
-every trace is run compiled and interpreted.
+The listings of section 2 of the paper, with the changes that the reference
+(section 1) allows. The values below were computed by hand; every trace is run
+compiled and interpreted.
 
   $ trace() {
   >   cat > in.csv
@@ -23,8 +23,8 @@ The form of a definition: delayed sums, doubled, and swapped by a delay.
   1.000000000,0,4
   2.000000000,2,6
 
-The wiring diagram: c is a times the vector of length 2 along the x axis, to the
-left if a is odd; d says whether b grows.
+The wiring diagram: c is a times the vector of length 2 along the x axis,
+reversed if a is odd; d is True if b grows.
 
   $ printf 'time,in.1,in.2\n0,2,0\n1,0,1\n2,4,1\n' | trace wiring_diagram
   time,out.1.x,out.1.y,out.2
@@ -32,8 +32,9 @@ left if a is odd; d says whether b grows.
   1.000000000,0,0,true
   2.000000000,8,-3.9188697572715303e-15,false
 
-The paper's integral is late by a step, since its loop has a delay: it adds
-(t - t') v one instant later. The library's adds dt times the last input.
+The paper's integral is late by a step, because its loop has a delay: it adds (t
+- t') v one instant later. The library's integral adds dt times the previous
+input.
 
   $ printf 'time,in\n0,1\n1,2\n3,3\n3.5,0\n' | trace integral
   time,out.1,out.2
@@ -48,8 +49,7 @@ The paper's integral is late by a step, since its loop has a delay: it adds
   3.000000000,2
   3.500000000,8
 
-The functions of events. An event of the program's own type is a value like any
-other.
+The event functions. An event of the program's own type is an ordinary value.
 
   $ trace events << ROWS
   > time,in.1,in.2
@@ -64,6 +64,6 @@ other.
   2.000000000,NoEvent,NoEvent,Event 7,NoEvent,NoEvent
   3.000000000,Event 4,Event true,Event 2,"Event (2, 8)",Event 2
 
-A signature alone, with a definition made for it:
+A signature alone, with a definition written for it:
 
   $ frobc check --lint wall_distance.frob

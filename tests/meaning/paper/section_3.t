@@ -1,5 +1,5 @@
 The listings of section 3 of the paper, with units, gains and the definitions
-that it leaves out. Every trace is run compiled and interpreted.
+that it omits. Every trace is run compiled and interpreted.
 
   $ trace() {
   >   cat > in.csv
@@ -18,7 +18,7 @@ Differentiation is an operation on a signal:
   1.000000000,0
   3.000000000,-2
 
-The wall follower in arrow notation and as equations is the same program. The
+The wall follower in arrow notation is the same program as its equations. The
 speed is limited to 0.4, then 0.5 (0.3 - 0.2). The turn is 4 times the lesser of
 sin 35 degrees times 0.2 and 2 (s - 0.2), less the slope of s: -0.6, then -0.2.
 
@@ -55,8 +55,9 @@ sin 35 degrees times 0.2 and 2 (s - 0.2), less the slope of s: -0.6, then -0.2.
     _10 : Float = 0.5 * _9
     -> (out.1 = v, out.2 = omega)
 
-Control sources, signals of functions, are composed and applied within the
-instant; what is left are numbers. No function, and no closure, is in the C.
+Control sources, which are signals of functions, are composed and applied within
+the instant, so only numbers remain. The C code contains neither functions for
+them nor closures.
 
   $ printf 'time,in.1,in.2,in.3\n0,1,3,true\n1,1,0.5,true\n2,0.3,0.2,false\n' | trace control_sources
   time,out.forward,out.turn
@@ -72,9 +73,9 @@ instant; what is left are numbers. No function, and no closure, is in the C.
     forward : Float = min(v, f)
     -> (out.forward = forward, out.turn = turn)
 
-The program of the paper: without an echo the robot sees nothing within five
-metres, so it drives, and turns towards the wall that it does not see. The speed
-is what the equations say.
+The paper's program: without an echo, the robot sees nothing within five metres,
+so it drives, and turns towards the wall that it does not see. The speed follows
+from the equations.
 
   $ columns='odometry.position.x odometry.position.y odometry.heading leftWheel rightWheel'
   $ columns="$columns $(seq -f 'sonar[%g]' 0 15) frontBumper rearBumper leftStall rightStall battery motorsOn key"

@@ -1,7 +1,7 @@
-Equations may need each other in the same instant if no part of a signal needs
-itself: parts are the components of tuples and the fields of records, also
-through signal functions. Every trace is run compiled and interpreted, and was
-worked out by hand.
+Equations may depend on each other in the same instant if no part of a signal
+depends on itself. Parts are the components of tuples and the fields of records,
+also through signal functions. Every trace is run compiled and interpreted, and
+was computed by hand.
 
   $ trace() {
   >   cat > in.csv
@@ -47,7 +47,7 @@ worked out by hand.
   0.500000000,1,-0.5
   1.000000000,0.75,-1
 
-A part that does need itself is refused, with the way round:
+A part that depends on itself is rejected, and the message shows the loop:
 
   $ frobc check loop_through_inner_proc.frob
   error[E0401]: the signal `x` needs its own value in the same instant
@@ -89,7 +89,7 @@ A part that does need itself is refused, with the way round:
   1 error
   [1]
 
-A loop is a loop even where an operand or a branch would not matter:
+A loop is an error even if the value of an operand or branch would break it:
 
   $ cat > needless.frob <<EOF
   > data P = P { f :: Float, g :: Float }
@@ -118,7 +118,7 @@ A loop is a loop even where an operand or a branch would not matter:
   2 errors
   [1]
 
-Where all that the program does is to run what the library closes, that is shown:
+If the program only runs a loop that the library closes, the message shows the library's code:
 
   $ cat > closed.frob <<EOF
   > main :: SF Float Float

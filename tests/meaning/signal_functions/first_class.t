@@ -1,5 +1,5 @@
-Signal functions are values: passed, returned, kept in data, chosen, partly
-applied. Every trace is run compiled and interpreted, and was worked out by hand.
+Signal functions are values: passed, returned, stored in data, chosen, partially applied. Every
+trace is run compiled and interpreted, and was computed by hand.
 
   $ trace() {
   >   cat > in.csv
@@ -51,8 +51,9 @@ applied. Every trace is run compiled and interpreted, and was worked out by hand
   0.500000000,0.5
   1.000000000,0.75
 
-What is doubled twenty times compiles at once, to C that does not grow with it.
-An impulse comes out as the binomial coefficients over 2^20, modulo 2^32.
+A signal function that is doubled twenty times compiles quickly, to C that does
+not grow with it. The response to an impulse is the binomial coefficients over
+2^20, modulo 2^32.
 
   $ timeout 20 frobc compile --lint doubling.frob && test $(wc -l < doubling.c) -lt 300
   $ printf 'time,in\n0,1\n1,0\n2,0\n' > in.csv

@@ -1,5 +1,5 @@
-With `--real float` each number is C's float: members, parameters, literals,
-functions. Time is counted in whole nanoseconds; a step may be given them, or
+With `--real float` each number is a C float: members, parameters, literals,
+functions. Time is counted in whole nanoseconds; a step receives nanoseconds or
 seconds.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
@@ -68,7 +68,7 @@ seconds.
       cruise_step_ns(self, dt_ns, (float)dt_ns / 1e9f, in, out);
   }
 
-There is no double in it, and no compiler has anything to say.
+The C contains no doubles, and has no warnings.
 
   $ grep -c double cruise.h cruise.c
   cruise.h:0
@@ -132,8 +132,8 @@ Nanoseconds are exact; seconds are rounded to nanoseconds.
   1 7.00099993, 1 7.00099993
   1 1e+09, 1 1e+09
 
-Literals have as few digits as are read back as the same float, and are rounded once:
-the third is above the middle of two floats by less than a double can see.
+Literals have the fewest digits that read back as the same float, and are rounded once: the third
+exceeds the midpoint between two floats by less than a double can represent.
 
   $ cat > literals.frob <<EOF
   > main :: SF () (Float, Float, Float, Float, Float, Float, Float)
@@ -148,7 +148,7 @@ the third is above the middle of two floats by less than a double can see.
       out->f6 = 0.33333334f;
       out->f7 = 16777216.0f;
 
-What is out of range is said to be.
+Numbers that are out of range are reported.
 
   $ cat > huge.frob <<EOF
   > main :: SF Float Float

@@ -1,5 +1,5 @@
-The user's C has doubles whatever a program computes with: the same files serve both, and
-nothing but the program knows. Numbers are converted on the way there and back.
+The user's C uses doubles in either precision of the program, so the same files serve both.
+Generated code converts the numbers of arguments and results.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cp ../../../examples/blob_tracker/blob* .
@@ -16,8 +16,8 @@ nothing but the program knows. Numbers are converted on the way there and back.
   0.100000000,0.8
   0.200000000,0.6
 
-Of each value that holds a number there are two structs, the program's and C's, which is
-the same in the headers of programs of both precisions; what holds none is one.
+A value that contains numbers has two structs, the program's and C's, and C's is the same in the
+headers of programs of both precisions; a value without numbers has one.
 
   $ cat > seen.frob <<'FROB'
   > data Side = LeftSide | RightSide
@@ -141,7 +141,7 @@ the same in the headers of programs of both precisions; what holds none is one.
       return value;
   }
 
-No compiler has anything to say, of either language.
+The code has no warnings in either language.
 
   $ warnings="-Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Werror"
   $ for file in seen.c in_c.c; do
@@ -152,8 +152,8 @@ No compiler has anything to say, of either language.
   $ for cc in gcc clang; do $cc -std=c99 $warnings -c blob_tracker.c && $cc -std=c99 $warnings -c blob.c; done
   $ for cc in g++ clang++; do $cc -x c++ -std=c++17 $warnings -fsyntax-only blob_tracker.c; done
 
-A component is given the seconds since its last step as the program has them, in a double.
-Foreign values, what the C library declares, and what nothing is known of:
+A component receives the seconds since its last step, at the program's precision, as a double.
+Foreign values, declarations of the C library, and foreign types of unknown contents:
 
   $ cat > parts.h <<'C'
   > struct lag_state { double last; };
@@ -194,7 +194,7 @@ Foreign values, what the C library declares, and what nothing is known of:
   $ for cc in gcc clang; do $cc -std=c99 $warnings -c parts_program.c -o out.o; done
   $ for cc in g++ clang++; do $cc -x c++ -std=c++17 $warnings -fsyntax-only parts_program.c; done
 
-The report counts what is converted, and its stack has room for C's structs.
+The report counts the conversions, and its stack includes C's structs.
 
   $ frobc report seen.frob --real float | grep -E 'conversions|calls of'
     conversions              32
@@ -209,7 +209,7 @@ The report counts what is converted, and its stack has room for C's structs.
     calls of moved           1
     calls of scaled          1
 
-A robot's program: what its C shares with the robot's header has that header's types.
+A robot's program: types that its C shares with the robot's header are those of that header.
 
   $ cat > drive.frob <<'FROB'
   > import Robot
@@ -239,8 +239,8 @@ A robot's program: what its C shares with the robot's header has that header's t
   distance driven: 0.400 m
   $ frobc build drive.frob --robot pioneer --real float --with steer.c -o drive && test -x drive
 
-A program as a component of another has the interface of doubles if it is compiled in
-double precision; one of floats is told from it by the C compiler.
+A program as a component of another has an interface of doubles if it is compiled in double
+precision; the C compiler rejects one with floats.
 
   $ cat > inner.frob <<'FROB'
   > main :: SF Float Float
@@ -263,7 +263,7 @@ double precision; one of floats is told from it by the C compiler.
   >   grep -o 'conflicting types for .inner_step.' | sort -u
   conflicting types for 'inner_step'
 
-Called from C, a program of single precision takes and gives floats.
+When called from C, a program in single precision takes and returns floats.
 
   $ cp ../../../examples/from_c/* .
   $ frobc compile wheel.frob --real float

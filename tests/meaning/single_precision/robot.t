@@ -1,5 +1,5 @@
-A robot's struct is of doubles, its program of floats: the table for hosts converts. A
-recording has what the program saw, so it replays bit for bit, with both engines.
+A robot's struct has doubles, its program floats: the table for hosts converts. A recording contains
+the values that the program received, so it replays bit for bit, with both engines.
 
   $ cp -rL ../../../examples/wall_follow ../../../examples/bug .
   $ chmod -R u+w wall_follow bug
@@ -25,7 +25,7 @@ recording has what the program saw, so it replays bit for bit, with both engines
   time,out.forward,out.turn,out.result
   252
 
-Its C has structs of its own.
+The program's C has its own structs.
 
   $ frobc compile wall_follow/wall_follow.frob --robot pioneer --real float
   $ grep include wall_follow.h
@@ -37,7 +37,7 @@ Its C has structs of its own.
       float turn;
   };
 
-A program that ends has its result behind the robot's struct.
+A program that ends stores its result after the robot's struct.
 
   $ cat > errand.frob <<EOF
   > import Geometry

@@ -1,5 +1,5 @@
-A trace is the same from the compiled C and from the interpreter, and its numbers have
-as few digits as are read back as the same float.
+The trace is the same from the compiled C and from the interpreter, and its numbers have the fewest
+digits that read back as the same float.
 
   $ cat > numbers.frob <<EOF
   > data Side = LeftSide | At Float
@@ -29,8 +29,8 @@ as few digits as are read back as the same float.
   $ frobc trace numbers.frob --real float --input in.csv > c.csv
   $ frobc trace numbers.frob --real float --input in.csv --engine interp | cmp - c.csv
 
-After half a day steps are still as long as they are, and what is counted in time does
-not miss one: a local time is kept in nanoseconds, only its seconds are a float.
+After half a day steps still have their exact length, and no tick of a counter is lost: a local time
+is stored in nanoseconds, and only its seconds are a float.
 
   $ cat > late.frob <<EOF
   > import Control

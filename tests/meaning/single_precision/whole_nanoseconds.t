@@ -1,5 +1,5 @@
-`NAME_step` of a program in single precision is given seconds: whole ones, and a
-fraction that is multiplied by 1e9 as a float and rounded to nanoseconds, halves to even.
+`NAME_step` of a program in single precision receives seconds. The whole seconds are exact; the
+fraction is multiplied by 1e9 as a float and rounded to nanoseconds, halves to even.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > slope.frob <<'FROB'

@@ -1,4 +1,4 @@
-An occurrence at the first instant counts: the output of what ends is never seen.
+An occurrence at the first instant counts: the output of the mode that ends is never seen.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > first.frob <<'EOF'

@@ -1,6 +1,5 @@
-At the instant of the event the output of the first signal function is dropped;
-what comes after runs on the same input, at its local time 0, and gets the event's
-value.
+At the instant of the event, the output of the first signal function is dropped; its successor runs
+on the same input, at its local time 0, and receives the event's value.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > ends.frob <<'EOF'
@@ -17,7 +16,7 @@ value.
   4.000000000,33
   5.000000000,38
 
-An event later than the first one is nobody's.
+An event after the first one has no effect.
 
   $ cat > once.frob <<'EOF'
   > main :: SF Float (Float, Int)

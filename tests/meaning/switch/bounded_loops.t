@@ -1,11 +1,11 @@
-A circle of modes that ends within the instant is no loop: what is known of the numbers
-that modes hand on, and of the input, which is the same for all of them, tells how far
-it goes. The report says so.
+A cycle of modes that ends within the instant is not an error. The compiler derives how far it goes
+from the known ranges of the numbers that modes hand on, and of the input, which is the same for all
+of them. The report states the number of steps.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cut -d, -f2- c.csv | xargs && frobc report "$1" | sed -n 's/.*, \(at most.*instant\)$/\1/p'; }
   $ printf 'time,in\n0,0\n1,2\n2,-1\n3,4\n4,0\n5,1\n6,-2\n7,3\n' > in.csv
 
-Counters, up to a number and to just that number.
+Counters, up to a number and to exactly that number.
 
   $ cat > counter.frob <<'EOF'
   > step :: Task Float Float ()
@@ -59,7 +59,7 @@ Counters, up to a number and to just that number.
   out 0 7 4 9 5 6 3 8
   at most 6 stepped within one instant
 
-A number that goes through a signal function is as well known as before.
+A number that passes through a signal function keeps its known range.
 
   $ cat > through.frob <<'EOF'
   > step :: Task Float Float ()
@@ -80,7 +80,7 @@ A number that goes through a signal function is as well known as before.
   out Left 1 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3
   at most 5 stepped within one instant
 
-Repetitions of the library, of a known number and of one that is limited.
+Repetitions of the library, with a constant number and with a bounded one.
 
   $ cat > repeat.frob <<'EOF'
   > step :: Task Float Float ()
@@ -115,7 +115,7 @@ Repetitions of the library, of a known number and of one that is limited.
   out Left 0 Left 2 Left (-1) Left 0 Left 0 Left 1 Left (-2) Left 3
   at most 5 stepped within one instant
 
-A thousand steps are the most.
+The maximum is a thousand steps.
 
   $ sed 's/repeatT 4/repeatT 1000/' repeat.frob > many.frob
   $ frobc report many.frob | grep -o 'at most.*instant'
@@ -125,7 +125,7 @@ A thousand steps are the most.
   error[E0402]: `step → repeatT → step` may repeat endlessly within one instant
       = note: frobc found no end within 1000 steps, the maximum for one instant
 
-What made one mode go keeps the next one.
+The condition that ended one mode keeps the next one running.
 
   $ cat > hysteresis.frob <<'EOF'
   > high, low :: SF Float Float
@@ -138,7 +138,8 @@ What made one mode go keeps the next one.
   out 0 1 0 1 1 1 0 1
   at most 2 stepped within one instant
 
-A task that begins where the robot is has not gone far yet.
+A task that measures from the robot's own position has not gone far at its
+start.
 
   $ cat > square.frob <<'EOF'
   > import Geometry
@@ -168,8 +169,8 @@ A task that begins where the robot is has not gone far yet.
   out Left 1 Left 0 Left 1 Left 0 Left 1 Left 0 Left 1 Left 0
   at most 2 stepped within one instant
 
-What a repetition begins with is known also where an event brings it, and where its circle
-is in a mode that nothing ever starts.
+The initial values of a repetition are also known if an event carries it, and if its cycle is in a
+mode that never starts.
 
   $ cat > brought.frob <<'EOF'
   > main :: SF (Int, Bool) Int
@@ -193,7 +194,7 @@ is in a mode that nothing ever starts.
   > EOF
   $ frobc check never_started.frob
 
-The same where what it is asked about decides that the mode never starts.
+The same if the tested value implies that the mode never starts.
 
   $ cat > never_asked.frob <<'EOF'
   > main :: SF Float (Int, Int)

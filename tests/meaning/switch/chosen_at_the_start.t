@@ -1,5 +1,5 @@
-A signal function chosen by a condition on a parameter is chosen when it starts,
-also where a switch leads to it; the one not chosen does not run.
+If a condition on a parameter chooses a signal function, the choice is made when
+it starts, also when a switch starts it; the other one does not run.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > chosen.frob <<'EOF'

@@ -1,5 +1,6 @@
-With `dSwitch` the output at the occurrence is still the old one's; the new one
-has its first instant there, unseen: a second later its local time is 1.
+With `dSwitch` the output at the occurrence is still that of the old signal
+function. The new one takes its first step there, unseen: a second later its
+local time is 1.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > late.frob <<'EOF'
@@ -16,7 +17,7 @@ has its first instant there, unseen: a second later its local time is 1.
   4.000000000,102
   5.000000000,103
 
-So too at the first instant.
+The same at the first instant.
 
   $ cat > first.frob <<'EOF'
   > main :: SF Float Float
@@ -32,7 +33,8 @@ So too at the first instant.
   4.000000000,104
   5.000000000,101
 
-The events of that unseen instant count: the second one ends at once.
+Events of that unseen instant count: the second signal function ends
+immediately.
 
   $ cat > chain.frob <<'EOF'
   > main :: SF Float Float
@@ -49,7 +51,8 @@ The events of that unseen instant count: the second one ends at once.
   4.000000000,204
   5.000000000,205
 
-What a delayed transition has made unseen stays so to the end of the instant.
+A mode that a delayed transition has started unseen stays unseen until the end
+of the instant.
 
   $ cat > mixed.frob <<'EOF'
   > main :: SF Float Float

@@ -1,4 +1,4 @@
-What a switch outputs may come back to it where it is only read with a delay.
+The output of a switch may depend on itself if it is only read with a delay.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > position.frob <<'EOF'
@@ -44,7 +44,7 @@ With `dSwitch` the event may depend on the output of the same instant.
   9.000000000,28
   10.000000000,31
 
-With `switch` it may not: it is one box.
+With `switch` it may not: the switch is treated as a unit.
 
   $ cat > loop.frob <<'EOF'
   > main :: SF Float Float
@@ -64,7 +64,7 @@ With `switch` it may not: it is one box.
   1 error
   [1]
 
-Each output of a machine is known as soon as the inputs that it needs are.
+Each output of a machine is known as soon as its own inputs are.
 
   $ cat > parts.frob <<'EOF'
   > step :: SF (Float, Float) (Float, Float)

@@ -1,5 +1,5 @@
-A machine whose first mode looks at no time needs no mark of the first instant, whose dt
-may be anything: what the mode leads to there is entered at a dt of 0.
+If the first mode of a machine does not use the time, the state needs no flag for the first instant,
+whose dt may be anything: the mode that follows in that instant starts with a dt of 0.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > alarm.frob <<'EOF'
@@ -38,7 +38,7 @@ may be anything: what the mode leads to there is entered at a dt of 0.
   0
   0
 
-One that does look at time has the mark.
+A first mode that uses the time needs the flag.
 
   $ sed 's/main = watch/main = ring/' alarm.frob > rings.frob
   $ frobc compile rings.frob

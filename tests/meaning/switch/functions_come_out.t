@@ -1,4 +1,5 @@
-A switch may output functions, made of signals: control sources are composed so.
+A switch may output functions that are computed from signals: control sources
+are composed in this way.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > sources.frob <<'EOF'

@@ -1,4 +1,4 @@
-`initially` chooses by the input of the first instant.
+`initially` chooses by the input at the first instant.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > first.frob <<'EOF'
@@ -20,7 +20,7 @@
   9.000000000,2,1
   10.000000000,5,3
 
-`resetOn` starts afresh at each occurrence.
+`resetOn` restarts at each occurrence.
 
   $ cat > reset.frob <<'EOF'
   > main :: SF Float (Float, Float)

@@ -1,5 +1,5 @@
-The note of `after` that it has occurred is not kept in a mode that ends there, and
-a time is compared as it is kept, in nanoseconds.
+A mode that ends at an occurrence of `after` does not store that the event has occurred, and times
+are compared as they are stored, in nanoseconds.
 
   $ cat > pause.frob <<'EOF'
   > main :: SF Float Float
@@ -24,12 +24,12 @@ a time is compared as it is kept, in nanoseconds.
       const bool t1 = INT64_C(1500000000) <= self->time;
       const bool t1 = INT64_C(2000000000) <= self->time;
 
-An edge needs its note: it is true at first.
+An edge needs its previous value, which is initially True.
 
   $ grep "delay" pause.h | sed "s, */.*,,"
       bool delay;
 
-Both engines agree, on a time that is reached exactly as well.
+Both engines agree, also if a time is reached exactly.
 
   $ cat > in.csv <<'EOF'
   > time,in
@@ -62,8 +62,8 @@ Both engines agree, on a time that is reached exactly as well.
   3
   $ frobc trace pause.frob --input in.csv --engine interp | cmp - c.csv
 
-A latch that the mode's own output shows is kept, and so is one that another
-condition than its own ends the mode.
+A latch is kept if the mode's own output depends on it, and if another condition
+ends the mode.
 
   $ cat > shown.frob <<'EOF'
   > main :: SF (Bool, Bool) Bool

@@ -1,10 +1,10 @@
-Modes may loop in a `where`, in a `let` and among the equations of a proc, with
-what they mention of the definition around.
+Modes may form loops in a `where`, in a `let` and among the equations of a proc,
+and use names of the enclosing definition.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ printf 'time,in\n0,0\n1,2\n2,-1\n3,4\n4,0\n5,1\n6,-2\n7,3\n' > in.csv
 
-A predicate and two signal functions are captured; the modes start each other.
+The modes capture a predicate and two signal functions, and start each other.
 
   $ cat > provided.frob <<'EOF'
   > provided :: (a -> Bool) -> SF a b -> SF a b -> SF a b
@@ -26,9 +26,8 @@ A predicate and two signal functions are captured; the modes start each other.
   6.000000000,-4
   7.000000000,7
 
-In a `let`, with a number that is computed; nested, with the outer mode's parameter;
-in a proc, with its constants; by a pattern; polymorphic, without and with a signature
-of its own.
+In a `let`, with a computed number; nested, with the outer mode's parameter; in a proc, with its
+constants; bound by a pattern; polymorphic, without and with a signature.
 
   $ cat > others.frob <<'EOF'
   > inLet :: SF Float Float
@@ -80,8 +79,8 @@ of its own.
   6.000000000,0,-12,-4,-2,-2,-2,false
   7.000000000,11,18,-3,-3,3,3,true
 
-What mentions a signal is a closure: it goes by an event, and captures the signal as of
-that instant.
+A mode that mentions a signal is a closure: an event carries it, and it captures the signal at that
+instant.
 
   $ cat > closure.frob <<'EOF'
   > main :: SF Float Float
@@ -136,7 +135,7 @@ that instant.
   1 error
   [1]
 
-The rules of tail position are those of the top level.
+The rules for tail position are the same as at the top level.
 
   $ cat > nested.frob <<'EOF'
   > main :: SF Float Float

@@ -1,5 +1,5 @@
-A circle of switches that may all happen at first instants is refused, with what
-makes each step possible.
+A cycle of switches that may all happen at first instants is rejected; the
+message shows what makes each step possible.
 
   $ cat > ever.frob <<'EOF'
   > go :: Float -> SF Float Float
@@ -30,7 +30,8 @@ makes each step possible.
   1 error
   [1]
 
-Time that is known to pass on the way, here at least 1 ms, makes it a program.
+If time is known to pass in the cycle, here at least 1 ms, the program is
+accepted.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > waits.frob <<'EOF'
@@ -52,8 +53,8 @@ Time that is known to pass on the way, here at least 1 ms, makes it a program.
   4.000000000,4
   5.000000000,10
 
-It is not the names of the library that count: these events too have no occurrence
-at the first instant.
+The compiler does not recognize events by their names: these events cannot occur at the first
+instant either.
 
   $ cat > own.frob <<'EOF'
   > later :: SF (Event a) (Event a)
@@ -72,7 +73,7 @@ at the first instant.
   4.000000000,1
   5.000000000,5
 
-One that starts itself again, and several.
+A mode that restarts itself, and several of them.
 
   $ cat > itself.frob <<'EOF'
   > main :: SF Float Float
@@ -90,8 +91,8 @@ One that starts itself again, and several.
   $ frobc check three.frob 2>&1 | head -1
   error[E0402]: `one → two → three → one` may repeat endlessly within one instant
 
-A number that may be infinite may be NaN less itself, so this may go on for ever too: the
-mode that is handed 1/0.
+A number that may be infinite can become NaN when it is subtracted from itself, so this cycle may be
+endless too: with a mode that receives 1/0.
 
   $ cat > infinite.frob <<'EOF'
   > go :: Float -> SF Float Float

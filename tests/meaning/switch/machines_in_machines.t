@@ -1,5 +1,5 @@
-Machines in a machine: the state of each holds those within it, and modes, of which one
-runs, share their room.
+Nested machines: the state of each machine contains those within it, and modes, of which only one
+runs, share their memory.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
@@ -106,7 +106,7 @@ runs, share their room.
   8.000000000,261
   9.500000000,0
 
-The table for hosts finds each number.
+The table for hosts contains the offset of each mode number.
 
   $ frobc trace --modes tour.frob --input tour.csv | cut -d, -f1,3-
   time,mode.main,mode.sway,mode.hop
@@ -122,7 +122,7 @@ The table for hosts finds each number.
   8.000000000,main,still,hop
   9.500000000,main,sway,land
 
-Loops have one for each round.
+A loop has a machine for each iteration.
 
   $ cat > arrays.frob <<'EOF'
   > main, off :: SF Float Float
@@ -149,7 +149,7 @@ Loops have one for each round.
   8.000000000,25
   9.500000000,18
 
-A step on trial has a copy of its state.
+A step on trial works on a copy of its state.
 
   $ cat > parts.frob <<'EOF'
   > main, off :: SF Float Float

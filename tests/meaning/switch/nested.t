@@ -1,4 +1,4 @@
-A switch inside what a switch runs has its own state, and starts with it.
+A switch inside a mode has its own state, and starts with the mode.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > inside.frob <<'EOF'
@@ -25,7 +25,7 @@ A switch inside what a switch runs has its own state, and starts with it.
   9.000000000,42,2
   10.000000000,6,5
 
-A switch may give what another one switches on.
+A switch may output the event of another switch.
 
   $ cat > events.frob <<'EOF'
   > main :: SF Float Float

@@ -1,5 +1,5 @@
-Modes share memory. One that is entered again starts afresh, and leaves nothing
-to the next.
+Modes share memory. A mode that is entered again starts afresh, and leaves
+nothing to the next one.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > afresh.frob <<'EOF'
@@ -28,7 +28,7 @@ to the next.
   13.000000000,1005
   14.000000000,1007
 
-A machine is as large as its largest mode, and the number of the mode.
+A machine has the size of its largest mode, plus the number of the mode.
 
   $ cat > memory.frob <<'EOF'
   > a, b :: SF Float Float
@@ -46,8 +46,8 @@ A machine is as large as its largest mode, and the number of the mode.
   $ gcc size.c -o size && ./size
   5 doubles
 
-The first mode ends at once; gcc must not read its parameter where the second
-keeps its own (it took the two for independent, at -O2):
+The first mode ends immediately. gcc must not read its parameter where the
+second mode stores its own (at -O2 it assumed that the two were independent):
 
   $ cat > overlaid.frob <<'EOF'
   > main :: SF Int (Either Int Float)

@@ -1,5 +1,5 @@
-`onEvent` runs its body at the occurrences only; its dt is the time since its own
-last instant, its first has none.
+`onEvent` runs its body only at the occurrences. The body's dt is the time since its own last
+instant, and 0 at its first.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > body.frob <<'EOF'

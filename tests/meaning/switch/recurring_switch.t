@@ -1,5 +1,5 @@
-With `rSwitch` an event brings what runs from this instant on, again and again;
-with `drSwitch` from the next one.
+With `rSwitch`, each event carries the signal function that runs from this
+instant on; with `drSwitch`, from the next instant on.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > bring.frob <<'EOF'
@@ -24,8 +24,8 @@ with `drSwitch` from the next one.
   9.000000000,1003,1005
   10.000000000,1007,1007
 
-What is brought may use signals: it captures them as they are at that instant,
-also as the initial value of a `delay`.
+The signal function in the event may use signals: it captures them as they are
+at that instant, also as the initial value of a `delay`.
 
   $ cat > capture.frob <<'EOF'
   > main :: SF Float (Float, Float)
@@ -47,7 +47,7 @@ also as the initial value of a `delay`.
   9.000000000,303,300
   10.000000000,306,3
 
-Of several one is brought.
+The event carries one of several.
 
   $ cat > several.frob <<'EOF'
   > main :: SF Float Float
@@ -68,8 +68,9 @@ Of several one is brought.
   9.000000000,6
   10.000000000,60
 
-What runs may itself be a switch, ended by the control or by its own event; an
-old one that switches at the instant of a `drSwitch` is seen once more.
+The running signal function may itself be a switch, which the control or its own
+event ends; if the old one switches at the instant of a `drSwitch`, its output
+is seen once more.
 
   $ cat > both.frob <<'EOF'
   > main :: SF Float (Float, Float)

@@ -1,5 +1,5 @@
 Signal functions that start each other in tail position are the modes of one
-machine; their parameters are carried along.
+machine; their parameters are stored.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > bounce.frob <<'EOF'
@@ -77,7 +77,7 @@ and `proc x -> sf x`.
   9.000000000,30.5
   10.000000000,30.5
 
-Parameters may be signal functions, if they are finitely many.
+Parameters may be signal functions, if there are finitely many.
 
   $ cat > chosen.frob <<'EOF'
   > alternate :: SF Float Float -> SF Float Float -> SF Float Float

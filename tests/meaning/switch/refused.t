@@ -1,5 +1,5 @@
-A signal function that starts itself again as a part of something would run inside
-itself; the message names what is around it.
+A signal function that restarts itself as a part of an expression would run inside itself; the
+message names the enclosing expression.
 
   $ cat > inside.frob <<'EOF'
   > main :: SF Float Float
@@ -18,7 +18,7 @@ itself; the message names what is around it.
   1 error
   [1]
 
-One that gets larger each time would need a mode for each size.
+A signal function that grows at each restart would need a mode for each size.
 
   $ cat > grows.frob <<'EOF'
   > go :: SF Float Float -> SF Float Float
@@ -39,7 +39,7 @@ One that gets larger each time would need a mode for each size.
   1 error
   [1]
 
-So would one that starts itself again at larger types.
+The same for one that restarts itself at larger types.
 
   $ cat > types.frob <<'EOF'
   > go :: Eq a => a -> SF Float Float
@@ -62,7 +62,7 @@ So would one that starts itself again at larger types.
   1 error
   [1]
 
-A signal function that calls itself other than in a continuation.
+A signal function that calls itself outside a continuation.
 
   $ cat > calls.frob <<'EOF'
   > main :: SF Float Float
@@ -83,7 +83,7 @@ A signal function that calls itself other than in a continuation.
   1 error
   [1]
 
-A continuation is static.
+A continuation must be static.
 
   $ cat > signal.frob <<'EOF'
   > main :: SF Float Float
@@ -103,7 +103,7 @@ A continuation is static.
   1 error
   [1]
 
-A signal function that travels in an event is not stored.
+A signal function in an event cannot be stored.
 
   $ cat > stored.frob <<'EOF'
   > main :: SF Float Float
@@ -121,7 +121,8 @@ A signal function that travels in an event is not stored.
   1 error
   [1]
 
-Growth and larger types through several definitions: the way round is shown.
+Growth and larger types through several definitions: the message shows the
+cycle.
 
   $ cat > round.frob <<'FROB'
   > go, back :: SF Float Float -> SF Float Float
@@ -171,8 +172,8 @@ Growth and larger types through several definitions: the way round is shown.
   1 error
   [1]
 
-A definition has a copy for each signal function and type that it gets, and an option
-limits them.
+A definition has a copy for each signal function and type that it receives, and an option limits
+their number.
 
   $ cat > copies.frob <<'FROB'
   > applied :: (Float -> Float) -> SF Float Float

@@ -1,5 +1,5 @@
-What enters a mode makes its first step: no time has passed, delays have their initial
-values, and a machine inside is in its first mode.
+When a mode starts, it takes its first step: no time has passed, delays have their initial values,
+and an inner machine is in its first mode.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > inside.frob <<'EOF'
@@ -13,8 +13,8 @@ values, and a machine inside is in its first mode.
   > EOF
   $ frobc compile inside.frob --lint
 
-The first mode of the program has no use for time, so nothing tells its first step from
-others; the first dt is not looked at.
+The first mode of the program does not use the time, so the state has no flag for its first step;
+the first dt is ignored.
 
   $ sed -n '/^void inside_reset/,/^}/p' inside.c | sed 's, */\*.*,,'
   void inside_reset(struct inside_state *self)

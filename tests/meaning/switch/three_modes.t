@@ -1,5 +1,5 @@
-A controller of three modes: follow a wall; back up for 1 s after a bump; turn until
-the way is free.
+A controller with three modes: follow a wall; back up for 1 s after a bump; turn until the way is
+free.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > three_modes.frob <<'EOF'
@@ -40,8 +40,7 @@ the way is free.
   $ frobc trace three_modes.frob --input three_modes.csv --engine interp > other.csv
   $ frobc trace three_modes.frob --input three_modes.csv | cmp - other.csv
 
-In C the running mode is stepped, its event is tested, and only then is an output
-chosen.
+In C, the running mode takes a step and its event is tested; only then is an output chosen.
 
   $ frobc compile three_modes.frob
   $ sed -n '/^struct FROB_OVERLAID three_modes_state/,/^};/p' three_modes.h
@@ -119,7 +118,7 @@ chosen.
       three_modes_step_ns(self, dt_ns, (double)dt_ns / 1e9, in, out);
   }
 
-No compiler has anything to say about it, nor about delayed switches and sums.
+The C has no warnings, also for delayed switches and sums.
 
   $ cat > delayed.frob <<'EOF'
   > main :: SF (Float, Event Float) (Maybe Float, Float)

@@ -1,5 +1,5 @@
-A local time stops at the end of time, after 292 years. Where a mode ends long before
-that, its time is added up without a thought of it.
+A local time stops at its maximum, after 292 years. If a mode ends long before that, its time is
+added up without that check.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
@@ -12,8 +12,8 @@ that, its time is added up without a thought of it.
       self->time = frob_soon(self->time, dt_ns);
       self->time = frob_soon(self->time, dt_ns);
 
-Not where something else ends the mode, where the limit is near the end of time, or
-where not the time alone decides.
+The check is needed if something else ends the mode, if the limit is near the maximum, or if the
+time alone does not end the mode.
 
   $ cat > goes_on.frob <<'EOF'
   > main :: SF Float Float
@@ -27,7 +27,8 @@ where not the time alone decides.
       self->time = frob_later(self->time, dt_ns);
       self->time = frob_later(self->time, dt_ns);
 
-Nor where it starts again, whether the time says when, as in `debounce`, or the input.
+It is also needed if the time restarts, whether the time itself determines when, as in `debounce`,
+or the input.
 
   $ cat > settles.frob <<'EOF'
   > import Control
@@ -44,8 +45,8 @@ Nor where it starts again, whether the time says when, as in `debounce`, or the 
   $ advances held
       self->time = b ? 0 : frob_later(self->time, dt_ns);
 
-In a signal function that has instants of its own dt is as long as it is: here no
-event comes for 380 years, which a recording cannot say: its times are below 10^9 s.
+In a signal function with its own instants, dt may be arbitrarily long: here no event comes for 380
+years. A recording cannot represent this, because its times are below 10^9 s.
 
   $ cat > seldom.frob <<'EOF'
   > main :: SF (Event Float) (Event Float)

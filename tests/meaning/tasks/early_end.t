@@ -1,6 +1,6 @@
-Where a mode ends, its outputs and its state are dropped, for the next one is stepped in
-the same instant. So its transitions come first, and the rest of its step only if none
-of them occurs.
+When a mode ends, its outputs and its state are dropped, because the next mode takes its step in the
+same instant. So its transitions come first, and the rest of its step runs only if none of them
+occurs.
 
   $ . ./trace.sh
   $ cat > early.frob <<'EOF'
@@ -49,8 +49,9 @@ of them occurs.
   3.500000000,10
   4.000000000,11.771412850656844
 
-However little that is, for compilers see then which of two modes' outputs counts. But a
-mode that does not go on in the instant it ends has no such branch.
+This is done even if little is skipped, because C compilers then see which of two modes' outputs
+counts. But if the output of a mode still counts at the instant when it ends, there is no such
+branch.
 
   $ cat > plain.frob <<'EOF'
   > main :: SF Float Float

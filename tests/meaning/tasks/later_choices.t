@@ -1,6 +1,6 @@
-Of the ways in which a task can go on, a later one counts only where those before it do
-not, and only with what its result can then be. A time-out of 20 s does not end at the
-first instant, so here a task that ends at once goes on to one that takes time.
+Of the ways in which a task can continue, a later one is considered only if no earlier one fires,
+and only with the results that are then possible. A time-out of 20 s does not end at the first
+instant, so here a task that ends immediately is followed by one that takes time.
 
   $ cat > visit.frob <<'FROB'
   > import Geometry
@@ -25,8 +25,8 @@ first instant, so here a task that ends at once goes on to one that takes time.
   $ frobc check visit.frob
   $ frobc check --lint visit.frob
 
-With a choice that takes no time it may go round for ever, if it is at its goal at the
-start; so it may if the time-out can be at once.
+With a choice that takes no time, the task may repeat endlessly if the robot starts at its goal, or
+if the time-out may be 0.
 
   $ sed 's/Just True -> .*/Just True -> return ()/' visit.frob > at_once.frob
   $ frobc check at_once.frob 2>&1 | grep -v '^ *|* *$'
@@ -63,7 +63,7 @@ start; so it may if the time-out can be at once.
      = hint: wait for at least 1 ns: `max 1[ms] q`
   1 error
 
-Both engines agree on what happens when the task does end at its first instant.
+Both engines agree if the task does end at its first instant.
 
   $ cat > ended.frob <<'FROB'
   > step :: Task Int Int ()

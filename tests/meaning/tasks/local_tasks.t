@@ -1,4 +1,4 @@
-A task may go on as itself in a `where`, with what it mentions of the definition around.
+A task may continue as itself in a `where`, and use names of the enclosing definition.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > local.frob <<'EOF'

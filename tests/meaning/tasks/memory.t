@@ -1,5 +1,5 @@
-States that exclude one another share memory, and what a task needs now and again
-later is kept once.
+States that exclude each other share memory, and a value that a task needs now and again later is
+stored once.
 
   $ . ./trace.sh
   $ cat > lamp.frob <<'EOF'
@@ -40,8 +40,8 @@ later is kept once.
       (padding)             7
   
 
-A task that never ends keeps nothing about its end: this one is one number for the
-time and one for the state, as by hand.
+A task that never ends stores nothing about its end: this one stores one number for the time and one
+for the state, like hand-written code.
 
   $ cat > blink.frob <<'EOF'
   > main :: SF () Float

@@ -1,4 +1,5 @@
-What is no task, tasks that do not fit together, and tasks for signal functions.
+Expressions that are not tasks, tasks that do not fit together, and tasks used
+as signal functions.
 
   $ cat > mistakes.frob <<'EOF'
   > wait :: Task Float Float Float
@@ -149,8 +150,8 @@ What is no task, tasks that do not fit together, and tasks for signal functions.
   11 errors
   [1]
 
-A pattern before `<-` must match always, and a task may not mention a signal, nor
-hold an instance.
+A pattern before `<-` must always match, and a task must not mention a signal or contain an
+instance.
 
   $ cat > patterns.frob <<'EOF'
   > whole :: Task a Float Int
@@ -223,7 +224,7 @@ hold an instance.
   5 errors
   [1]
 
-A program is no task, but what runs one.
+A program is not a task, but a signal function that runs one.
 
   $ printf 'main :: Task Float Float ()\nmain = sleepT 1[s] 2\n' > entry.frob
   $ frobc compile entry.frob
@@ -238,7 +239,7 @@ A program is no task, but what runs one.
   1 error
   [1]
 
-Arguments in the wrong order: a time where the task belongs, or the reverse.
+Arguments in the wrong order: a time instead of a task, or the reverse.
 
   $ cat > order.frob <<'EOF'
   > follow :: Task Float Float ()

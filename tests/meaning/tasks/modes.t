@@ -1,5 +1,5 @@
-`trace --modes` shows which mode of each machine runs after an instant; nothing for a
-machine that is part of a mode that does not run.
+`trace --modes` shows which mode of each machine runs after an instant; the cell is empty for a
+machine in a mode that does not run.
 
   $ . ./trace.sh
   $ cat > bug.frob <<'EOF'
@@ -39,15 +39,15 @@ machine that is part of a mode that does not run.
   4.000000000,Left 1,driveTo,
   4.500000000,Left 1,driveTo,
 
-What it writes can be read again: modes are output.
+The result can be used as input again: modes are outputs.
 
   $ sed 's/,out/,in/; s/Left //' modes.csv | cut -d, -f1,2,3 > again.csv
   $ frobc trace bug.frob --input again.csv | head -2
   time,out
   0.000000000,Left 1
 
-One for each element of an array, names that are there twice, switches inside tasks,
-and no machine at all.
+One machine for each element of an array, duplicate names, switches inside tasks, and no machine at
+all.
 
   $ cat > many.frob <<'EOF'
   > main :: SF (Array 2 Float, Float) (Array 2 (Either Float ()), Either Float ())

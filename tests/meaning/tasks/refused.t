@@ -1,8 +1,9 @@
-Recursion of tasks in tail position only, and time in every cycle.
+Tasks may be recursive only in tail position, and every cycle must take time.
 
   $ . ./trace.sh
 
-A call that is not the last statement, with what still waits for it.
+A call that is not the last statement, with the statements that still wait for
+it.
 
   $ cat > not_last.frob <<'EOF'
   > bug :: Float -> Task Float Float ()
@@ -28,7 +29,7 @@ A call that is not the last statement, with what still waits for it.
   1 error
   [1]
 
-A call that something around goes on watching.
+A call inside a task that is still being watched.
 
   $ cat > watched.frob <<'EOF'
   > bug :: Float -> Task Float Float ()
@@ -52,8 +53,8 @@ A call that something around goes on watching.
   1 error
   [1]
 
-A call of itself first, directly or through combinators: no time would pass, and
-nothing would ever be done.
+A task that first calls itself, directly or through combinators: no time would
+pass, and it would do nothing.
 
   $ cat > first.frob <<'EOF'
   > go :: Int -> Task Float Float ()
@@ -122,8 +123,8 @@ nothing would ever be done.
   2 errors
   [1]
 
-A cycle that takes no time, with what makes each step possible: by tasks that are
-known to end at once …
+A cycle that takes no time, with what makes each step possible: because tasks are known to end
+immediately …
 
   $ cat > at_once.frob <<'EOF'
   > main :: SF Float (Either () Float)
@@ -141,7 +142,7 @@ known to end at once …
   
   1 error
 
-… that are no more than `return` …
+… because they are just `return` …
 
   $ cat > returns.frob <<'EOF'
   > go :: Int -> Task Float Float ()
@@ -180,7 +181,8 @@ known to end at once …
   1 error, 1 warning
   [1]
 
-… or by a time that may be none; known to be one, it is accepted.
+… or because a time may be 0; if the time is known to be positive, the program
+is accepted.
 
   $ cat > may_be_none.frob <<'EOF'
   > main :: SF Float (Either Float ())
@@ -208,8 +210,8 @@ known to end at once …
   $ sed 's/x \* 1\[s\]/max 1[ms] (x * 1[s])/' may_be_none.frob > is_some.frob
   $ frobc check is_some.frob
 
-A condition that may hold from the start takes no time; the message shows the way round,
-and `untilT` is the cure that neither waits for a change nor stands still.
+A condition that may be true from the start takes no time; the message shows the cycle. `untilT`
+fixes it: it neither waits for a change nor stops.
 
   $ cat > corners.frob <<'EOF'
   > main :: SF Float (Either Float ())
@@ -240,7 +242,7 @@ and `untilT` is the cure that neither waits for a change nor stands still.
   $ yes 3 | head -5 | rows in | trace until | cut -d, -f2 | xargs
   out Left 1 Left 2 Left 1 Left 2 Left 1
 
-A task in a combinator of the library's is called by its own name.
+A task in a combinator of the library is called by its own name.
 
   $ cat > blink.frob <<'EOF'
   > main :: SF Float (Either Float ())
@@ -269,7 +271,8 @@ A task in a combinator of the library's is called by its own name.
   
   1 error
 
-One that is written in the combinator's argument is called as the definition around both.
+A task that is written in the combinator's argument has the name of the definition that contains
+both.
 
   $ cat > within.frob <<'EOF'
   > main :: SF Float (Either Float ())
@@ -321,8 +324,8 @@ Parameters that grow.
   [1]
 
 
-A circle that the library closes, with a task of the library's in it, is shown where the
-program asks for it, with what takes time there.
+A cycle that the library closes, and that contains a task of the library, is shown at the place in
+the program that calls it, with the part that takes time.
 
   $ cat > tour.frob <<'FROB'
   > import Geometry

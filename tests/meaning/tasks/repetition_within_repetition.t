@@ -1,6 +1,5 @@
-Repetitions stand within repetitions. An inner one that has something to do takes
-time, so the outer one does not go round in no time: how often it runs is known
-where it is a literal, and an array has at least one element.
+Nested repetitions. An inner repetition that is not empty takes time, so the outer one takes time
+too: the number of iterations is known if it is a literal, and an array has at least one element.
 
   $ . ./trace.sh
   $ cat > rounds.frob <<'FROB'
@@ -13,7 +12,7 @@ where it is a literal, and an array has at least one element.
   $ yes 0 | head -12 | rows in | trace rounds | cut -d, -f2 | xargs
   out Left 1 Left 1 Left 1 Left 1 Left 1 Left 1 Left 1 Left 2 Left 3 Left 4 Right 7 Right 7
 
-One may have nothing to do, where the outer one is bounded:
+An inner repetition may be empty if the outer one is bounded:
 
   $ cat > maybe.frob <<'FROB'
   > pause :: Int -> Task Float Float ()

@@ -1,5 +1,5 @@
-Tasks one after the other. The next task starts at the instant at which the one
-before it ends, on the same input.
+Tasks in sequence. The next task starts at the instant at which the previous one
+ends, on the same input.
 
   $ . ./trace.sh
 
@@ -29,8 +29,7 @@ before it ends, on the same input.
   4.000000000,Right ()
   4.500000000,Right ()
 
-Patterns, `let`, `case` with guards, nested `do`, results that are dropped; `return`
-takes no time.
+Patterns, `let`, `case` with guards, nested `do`, discarded results; `return` takes no time.
 
   $ cat > statements.frob <<'EOF'
   > data Seen = Seen { far :: Float, count :: Int }
@@ -122,7 +121,7 @@ mutually recursive with parameters.
   3.500000000,Right (-3)
   4.000000000,Right (-3)
 
-A task in a `proc` is static, and so runs there like a signal function.
+A task in a `proc` is static, so it runs there like a signal function.
 
   $ cat > inside.frob <<'EOF'
   > main :: SF Float (Float, Bool)

@@ -1,5 +1,5 @@
-`frobc report --states` shows the machines of a program, for Graphviz: machines that run
-inside a state, and what comes from outside.
+`frobc report --states` shows the machines of a program for Graphviz: machines that run inside a
+state, and transitions that depend on the outside.
 
   $ . ./trace.sh
 
@@ -75,7 +75,7 @@ inside a state, and what comes from outside.
     }
   }
 
-The report says how many states an instant can pass through.
+The report states how many states can follow each other within an instant.
 
   $ frobc report bug.frob | sed -n '/^modes/,$p' | without_lines
   modes

@@ -1,5 +1,5 @@
-What a mode is entered with is kept as it was given; what is computed of that alone is computed when it
-starts, not at each step.
+The values with which a mode is entered are stored unchanged; values computed from these alone are
+computed when the mode starts, not at each step.
 
   $ cat > errand.frob <<'EOF'
   > main :: SF Float Float

@@ -1,4 +1,5 @@
-What a camera saw is shown with marks on it, in pixels. The program that drives has nothing of it.
+The image that a camera sees is shown with marks on it, in pixels. The program that drives contains
+nothing of this.
 
   $ cat > world.toml <<'TOML'
   > robot = "pioneer"
@@ -56,7 +57,7 @@ What a camera saw is shown with marks on it, in pixels. The program that drives 
   0
   [1]
 
-A mark for the map is none for the image, and a place in metres is none there.
+Marks on the map require metres, and marks on the image require pixels.
 
   $ sed 's/InImage Grey/InWorld Grey/' shows.frob > metres.frob; frobc check metres.frob
   error[E0320]: expected the unit `m`, found `px`
@@ -72,7 +73,7 @@ A mark for the map is none for the image, and a place in metres is none there.
   1 error
   [1]
 
-An output that is delayed has its marks with it, and only the key of an image.
+A delayed output keeps its marks, but only the key of an image.
 
   $ cat > held.frob <<'FROB'
   > import Robot

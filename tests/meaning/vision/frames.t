@@ -1,5 +1,5 @@
 A camera of eight by eight pixels looks at a wall. Its frames come 30 times a second and are 40 ms
-old when they do; the program sees each at one instant.
+old when they arrive; the program sees each of them at one instant.
 
   $ cat > world.toml <<'TOML'
   > robot = "pioneer"
@@ -38,8 +38,8 @@ old when they do; the program sees each at one instant.
   $ head -1 log.csv | tr , '\n' | grep -n camera
   30:in.console.camera
 
-A recording names a frame by its number, its size in bytes, and a hash of what is in it. The frames
-are beside it, as PPM files.
+A recording names a frame by its number, its size in bytes, and a hash of its contents. The frames
+are stored next to it, as PPM files.
 
   $ sed 's/^\([0-9.]*\),.*"\(Frame.*\)",.*/\1 \2/; s/^\([0-9.]*\),.*/\1/; 1d' log.csv | sed 's/0x[0-9a-f]*/HASH/'
   0.000000000
@@ -67,8 +67,8 @@ are beside it, as PPM files.
   8 8
   255
 
-Whatever is run on it does the same once more: compiled, in single precision, and by the
-interpreter, which calls the same kernels.
+Each engine reproduces the run from it: compiled, in single precision, and the interpreter, which
+calls the same kernels.
 
   $ frobc trace looks.frob --robot pioneer --input log.csv > c.csv
   $ sed 's/"[^"]*"//' log.csv | cut -d, -f1,31,32 | cmp - c.csv
@@ -79,12 +79,12 @@ interpreter, which calls the same kernels.
   0.040000000,0.40000000000000002,0.040000000000000001
   0.060000000,0.40000000000000002,0.059999999999999998
 
-A second recording of the same name takes the place of the first, with its frames.
+A second recording with the same name replaces the first one and its frames.
 
   $ frobc run looks.frob --record log.csv --for 0.05s > /dev/null; ls log.frames | wc -l
   1
 
-A frame that is gone, that was changed, that is torn, or that is another file.
+A frame that is missing, changed, or truncated, or that is another file.
 
   $ frame=$(ls log.frames/*); cp $frame kept.ppm
   $ both() { for engine in c interp; do frobc trace looks.frob --robot pioneer --input log.csv --engine $engine > /dev/null; done 2>&1 | sed 's/ found .*//; s/-[0-9a-f]\{10\}[.]/-HASH./'; }
@@ -101,7 +101,7 @@ A frame that is gone, that was changed, that is torn, or that is another file.
   error: log.csv:4:151: column `in.console.camera`: expected an existing frame (log.frames/000000-HASH.ppm: it is not a frame written by frobc),
   error: log.csv:4:151: column `in.console.camera`: expected an existing frame (log.frames/000000-HASH.ppm: it is not a frame written by frobc),
 
-A cell that names no frame.
+A cell that does not name a frame.
 
   $ sed 's/Image 0 337 0x[0-9a-f]*/Image zero/' log.csv > odd.csv
   $ for engine in c interp; do frobc trace looks.frob --robot pioneer --input odd.csv --engine $engine > out; done 2>&1 | sed 's/ found .*//'

@@ -1,4 +1,5 @@
-An image is there for an instant. What would keep it longer is refused, and told what to keep.
+An image exists for one instant. A program that would keep it longer is rejected, and the message
+says what to store instead.
 
   $ cat > keeps.frob <<'FROB'
   > import Vision
@@ -21,7 +22,7 @@ An image is there for an instant. What would keep it longer is refused, and told
   1 error
   [1]
 
-What was found in it may be kept.
+Results computed from it may be stored.
 
   $ cat > finds.frob <<'FROB'
   > import Vision
@@ -31,7 +32,7 @@ What was found in it may be kept.
   > FROB
   $ frobc check finds.frob
 
-The report counts what a step calls of the kernels, and says what is asked of the host.
+The report counts the kernel calls of a step, and states what the host must provide.
 
   $ cat > sees.frob <<'FROB'
   > import Robot
@@ -52,7 +53,7 @@ The report counts what a step calls of the kernels, and says what is asked of th
     calls of frob_image_lens  1
     camera  camera    sees.frob:8
 
-A robot's C struct has no camera, and a program that does not see has nothing of it.
+A robot's C struct does not contain a camera, and a program without a camera has nothing for one.
 
   $ frobc header pioneer | grep -ci -E 'camera|image|frame'
   0
@@ -63,7 +64,7 @@ A robot's C struct has no camera, and a program that does not see has nothing of
       struct sees_console console;
   };
 
-The names of kernels are the library's: a program of one's own calls them through it.
+The names of kernels are reserved for the library: a user's program calls them through it.
 
   $ cat > own.frob <<'FROB'
   > foreign mine :: Float -> Float = "frob_image_lens"
@@ -74,7 +75,7 @@ The names of kernels are the library's: a program of one's own calls them throug
   $ frobc check own.frob 2>&1 | head -1
   error[E0232]: your function cannot be called `frob_image_lens` in C: that name is used by generated C and its runtime
 
-A world without a camera, and hosts that have none.
+A world without a camera, and hosts that do not support any.
 
   $ cat > dark.toml <<'TOML'
   > [start]

@@ -1,5 +1,5 @@
-Tags are looked for by the host: what it finds is an input of the program. Two tags on a wall, of
-which the nearer is the larger; a robot before them knows where they are.
+The host looks for tags; the tags that it finds are an input of the program. Two tags on a wall, of
+which the nearer one is larger; a robot in front of them computes their positions.
 
   $ cat > world.toml <<'TOML'
   > robot = "pioneer"
@@ -60,7 +60,7 @@ which the nearer is the larger; a robot before them knows where they are.
   0
   [1]
 
-Over 50 frames: nothing is ever missed, off by more than 2 cm, or turned by more than 5 degrees.
+Over 50 frames, no tag is ever missed, off by more than 2 cm, or turned by more than 5 degrees.
 
   $ frobc trace sees.frob --entry off --robot pioneer --input log.csv > off.csv
   $ cat > worst.awk << 'AWK'
@@ -73,7 +73,7 @@ Over 50 frames: nothing is ever missed, off by more than 2 cm, or turned by more
   $ awk -f worst.awk off.csv
   51 frames, 102 tags; within 2 cm within 5 degrees
 
-Both engines make the same of them, in single precision too. What finds tags need not be there.
+Both engines have the same results, also in single precision. The tag finder need not be installed.
 
   $ mkdir broken; : > broken/libapriltag.so.3
   $ LD_LIBRARY_PATH=$PWD/broken frobc trace sees.frob --entry off --robot pioneer --input log.csv | cmp - off.csv
@@ -83,7 +83,8 @@ Both engines make the same of them, in single precision too. What finds tags nee
   $ awk -f worst.awk float.csv
   51 frames, 102 tags; within 2 cm within 5 degrees
 
-Where it is needed and not there; a program without tags does not need it.
+The tag finder is missing although it is needed; a program without tags does not
+need it.
 
   $ LD_LIBRARY_PATH=$PWD/broken frobc run sees.frob --world world.toml --for 1s
   error: this program detects tags, but the library for that, libapriltag.so.3, is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
@@ -97,7 +98,7 @@ Where it is needed and not there; a program without tags does not need it.
   $ LD_LIBRARY_PATH=$PWD/broken frobc run rests.frob --world world.toml --for 1s | head -1
   time simulated: 1.000 s
 
-A program may look at the same frames itself. A world without a camera; a robot; the report.
+A program may examine the same frames itself. A world without a camera; a robot; the report.
 
   $ cat > both.frob <<'FROB'
   > import Robot
@@ -126,7 +127,7 @@ A program may look at the same frames itself. A world without a camera; a robot;
   error: sees uses the camera `camera`, but only the simulator and Linux robots have cameras, not boards
   [2]
 
-Two things of a console with one label, of which one is a camera's tags.
+Two controls of a console with the same label, one of which is a camera's tags.
 
   $ cat > twice.frob <<'FROB'
   > import Capability

@@ -1,5 +1,5 @@
-A camera of this computer, by Video4Linux. There need be none: what is preloaded plays one, and what
-can be the matter with it.
+A camera of this computer, through Video4Linux. No camera is required: a preloaded library simulates
+one and its faults.
 
   $ . ./camera.sh
   $ frobc build sees.frob --robot pioneer -o sees
@@ -7,7 +7,7 @@ can be the matter with it.
   $ export FAKE_STATE=$PWD/state FAKE_FRAMES=$PWD/film FAKE_SIZE=64x48 FAKE_FORM
   $ echo good > state
 
-It gives frames as they are, or JPEG; with a size that nobody has asked for, it is the camera's.
+It delivers raw frames or JPEG; if no size is requested, the camera's size is used.
 
   $ of () { FAKE_FORM=$1; ./frames $2 40 64 48 > film; see_frames 10 3 /dev/video7; sed -n 's/^camera: \(.*\);.*/\1/p' summary; at_least 'camera frames' 10; }
   $ of YUYV yuyv
@@ -20,20 +20,20 @@ It gives frames as they are, or JPEG; with a size that nobody has asked for, it 
   64 x 48, colours, MJPG at 30 Hz
   camera frames: enough
 
-The age of a frame counts from the driver's stamp.
+The age of a frame is computed from the driver's timestamp.
 
   $ grep -o 'age = [0-9.]*' log.csv | awk '{ if ($3 > 0 && $3 < 0.2) good++ } END { print (good > 5) }'
   1
 
-A size that is set has to be the camera's, and so has the form.
+A requested size must be one of the camera's, and so must the format.
 
   $ see_warned 2 /dev/video7 --set camera.width=320 --set camera.height=240; cat messages
   warning: camera `camera` (/dev/video7) delivers no frames: it does not deliver frames of 320 x 240, but of 64 x 48: set width and height to those
   $ FAKE_FORM=H264; see_warned 2 /dev/video7; cat messages
   warning: camera `camera` (/dev/video7) delivers no frames: it supports none of the formats YUYV, MJPEG and grey; read it with ffmpeg into a pipe of raw frames
 
-Something is the matter with it: the program has no frames, keeps its time, stops as it says, and a
-message tells why. When all is well again, so is the program.
+A fault: the program has no frames, keeps its rate, and stops as programmed, and a message gives the
+reason. When the camera works again, so does the program.
 
   $ # FORM KIND STATE: good, then in that state, then good again
   $ through () {
@@ -83,8 +83,7 @@ message tells why. When all is well again, so is the program.
   warning: camera `camera` (/dev/video7) delivers no frames: a frame is not a JPEG: Invalid JPEG file structure: missing SOS marker
   camera `camera` (/dev/video7) delivers frames again
 
-A driver that does not come back from a call holds nobody up but the process that captures, which is
-begun anew.
+A driver that does not return from a call blocks only the capture process, which is restarted.
 
   $ in_time with_robot through YUYV yuyv hanging
   speed: 0
@@ -92,7 +91,7 @@ begun anew.
   warning: camera `camera` (/dev/video7) delivers no frames: its capture process hangs in a system call: restarting it
   camera `camera` (/dev/video7) delivers frames again
 
-Who else has it, and what is no camera.
+A camera that another process uses, and a device that is not a camera.
 
   $ FAKE_FORM=YUYV; echo busy > state; see_warned 2 /dev/video7; cat messages
   warning: camera `camera` (/dev/video7) delivers no frames: another program uses it: end that program first

@@ -1,6 +1,6 @@
-Whatever is the matter with a camera, of whatever kind: the program's event does not come any more, the
-age of the newest frame grows, the camera is not alive, a message says why, and the robot's steps keep
-their time.
+Whatever is wrong with a camera of any kind, the program receives no more events, the age of the
+newest frame grows, the camera is not alive, a message gives the reason, and the robot's steps keep
+their rate.
 
   $ . ./camera.sh
   $ frobc build sees.frob --robot pioneer -o sees
@@ -13,7 +13,7 @@ their time.
   > main = reactimateRobot (proc i -> roMake (setVelTR (frameAge (camera i) * 1[m/s^2]) (if cameraAlive 0.5[s] i then 1[rad/s] else 0)))
   > FROB
 
-The last half second of a run in which there is something the matter; the robot stands, too.
+The last half second of a run with a fault; the robot stands still as well.
 
   $ judge () { # NAME
   >   frobc trace ages.frob --robot pioneer --input log.csv > ages.csv
@@ -31,7 +31,7 @@ The last half second of a run in which there is something the matter; the robot 
   > }
   $ ./frames yuyv 40 64 48 > film; ./frames jpeg 40 320 240 > film.mjpeg; mkfifo pipe
 
-Devices, after a second in order:
+Devices that fail after a second:
 
   $ export FAKE_STATE=$PWD/state FAKE_FRAMES=$PWD/film FAKE_SIZE=64x48 FAKE_FORM=YUYV
   $ for state in good unplugged silent frozen short damaged hanging; do
@@ -62,7 +62,8 @@ Folders, files and pipes:
   $ feed='(./frames ppm 5 32 24; while ./frames rgb 1 24 32; do sleep 0.1; done) > pipe'; see_warned 4 pipe; judge 'rubbish'; feed=
   rubbish: no frames, age grows, not alive, told, stands, in time
 
-Servers (one that hangs after some frames is asked again, and gives these again: network.t):
+Servers (one that hangs after some frames receives a new request, and sends the same frames again:
+network.t):
 
   $ python3 server.py film.mjpeg port & server=$!
   $ until_true '[ -e port ]'

@@ -1,4 +1,4 @@
-A program that sees needs a camera on a robot; without one it says how to name it.
+A program with a camera requires one on a robot; without it, the message says how to name it.
 
   $ . ./camera.sh
   $ start_robot
@@ -6,8 +6,8 @@ A program that sees needs a camera on a robot; without one it says how to name i
   error: sees uses a camera, `camera`: add its source with --camera SOURCE, such as /dev/video0 or http://HOST:PORT/PATH
   [2]
 
-A folder of pictures is a camera whose frames come in the order of their names, from when the
-program begins.
+A folder of pictures is a camera whose frames come in the order of their names, from the start of
+the program.
 
   $ mkdir pictures
   $ for k in 00 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16 17 18 19; do ./frames ppm 1 32 24 ${k#0} > pictures/$k.ppm; done
@@ -21,7 +21,7 @@ program begins.
   $ warnings
   warning: camera `camera` (pictures) delivers no frames any more: all 20 pictures have been shown
 
-The program was given each of them once, and stops when they are over.
+The program receives each of them once, and stops after the last one.
 
   $ grep -o 'number = [0-9]*' log.csv | awk '{ print $3 - before; before = $3 }' | sort | uniq -c | sed 's/^ *//'
   1 0
@@ -29,8 +29,8 @@ The program was given each of them once, and stops when they are over.
   $ grep -v '^#' log.csv | sed 's/"[^"]*"//' | awk -F, 'NR > 1 && $31 > 0 { drove = 1 } END { print drove, $31 }'
   1 0
 
-The recording has the frames, as the simulator's has: it replays bit for bit, on both engines, and
-the folder beside it is a camera again, which knows itself where it sat.
+The recording contains the frames, like the simulator's: it replays bit for bit, on both engines.
+The folder next to it can be used as a camera again, whose files contain its pose.
 
   $ ls log.frames | wc -l
   20
@@ -42,8 +42,8 @@ the folder beside it is a camera again, which knows itself where it sat.
   $ sed -n 's/^camera: //p' summary
   32 x 24, colours, 20 pictures at 100 Hz; focal length 28 px from the frame's header, 0.12 m ahead, 0.00 m to the left, 0.50 m up, tilted down by 20 degrees
 
-A pipe of pictures, in any of the forms that tell their size; and of raw frames, whose size is
-told. Who writes it may end, and another one begin.
+A pipe of pictures, in any format that contains their size; and of raw frames, whose size is given
+by an option. The writer may end, and another one continue.
 
   $ mkfifo pipe
   $ for kind in ppm pgm jpeg; do
@@ -66,7 +66,7 @@ told. Who writes it may end, and another one begin.
   camera `camera` (pipe) delivers frames again
   $ feed=
 
-A file of frames is shown at its rate.
+A file of frames is played at its rate.
 
   $ ./frames jpeg 10 64 48 > film.mjpeg
   $ see_warned 2 film.mjpeg --set camera.rate=20 --set camera.grey=1
@@ -76,7 +76,8 @@ A file of frames is shown at its rate.
   camera frames not seen: 0
   warning: camera `camera` (film.mjpeg) delivers no frames any more: the whole file has been shown
 
-What is no frame is none, and is told; so is a frame of another size than those before it.
+Data that is not a frame is rejected with a message; so is a frame of another size than the previous
+ones.
 
   $ wrong () { see_warned 2 "$@"; sed -n 's/^camera frames: /frames: /p; s/^late/late/p' summary; warnings; }
   $ mkdir empty; wrong empty
@@ -100,7 +101,7 @@ What is no frame is none, and is told; so is a frame of another size than those 
   warning: camera `camera` (pipe) delivers no frames: a frame is 48 x 64, colours, but expected 64 x 48, colours: set width, height and grey to the format of the camera, or configure the camera for this format
   $ feed=
 
-Wrong options are told before anything moves.
+Wrong options are reported before anything moves.
 
   $ see 1 pictures --set camera.width=64; cat messages
   error: camera `camera` has only a width or a height: set both, or neither

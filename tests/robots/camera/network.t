@@ -1,4 +1,4 @@
-A camera on a network, which gives MJPEG over HTTP: parts with their lengths, JPEGs alone, chunks.
+A network camera that sends MJPEG over HTTP: parts with lengths, JPEGs alone, chunks.
 
   $ . ./camera.sh
   $ ./frames jpeg 60 320 240 > film.mjpeg
@@ -15,8 +15,8 @@ A camera on a network, which gives MJPEG over HTTP: parts with their lengths, JP
   320 x 240, colours, JPEG
   camera frames: enough
 
-A server that hangs, sends rubbish or ends its stream: the program's event does not come, the run
-goes on in its time, and a message says why.
+A server that hangs, sends rubbish or ends its stream: the program receives no events, the run keeps
+its rate, and a message gives the reason.
 
   $ for kind in hangs silent rubbish noise page forbidden missing; do
   >   see_warned 2 $address/$kind; sed -n 's/^late/late/p' summary; warnings
@@ -40,7 +40,8 @@ goes on in its time, and a message says why.
   $ see_warned 2 http://nowhere.invalid/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|; s|: [^:;]*;|: REASON;|'
   warning: camera `camera` (ADDRESS) delivers no frames: cannot find the address of nowhere.invalid: REASON; check its name, and that this machine is on its network
 
-The program sees it, too: the age of the newest frame grows, and the camera is no longer alive.
+The program can detect it, too: the age of the newest frame grows, and the camera is no longer
+alive.
 
   $ cat > ages.frob <<'FROB'
   > import Robot
@@ -53,7 +54,7 @@ The program sees it, too: the age of the newest frame grows, and the camera is n
   $ frobc trace ages.frob --robot pioneer --input log.csv | awk -F, 'NR > 1 { if ($3 == 1) lived = 1; dead = lived && $3 == 0 ? dead + 1 : 0; if (dead > 1 && $2 <= before) print "no older"; before = $2; if (dead > longest) { longest = dead; age = $2 } } END { print (longest > 10 && age > 0.08) }'
   1
 
-JPEGs that are cut short are no frames; the whole ones between them are.
+Truncated JPEGs are dropped; the complete ones between them are frames.
 
   $ see_frames 10 2 $address/truncated; at_least 'camera frames' 10; at_least 'camera frames not seen' 8; warnings
   camera frames: enough
@@ -63,8 +64,8 @@ JPEGs that are cut short are no frames; the whole ones between them are.
   camera frames not seen: 0
   warning: camera `camera` (http://HOST/cut) delivers no frames: a JPEG is damaged: Corrupt JPEG data: premature end of data segment
 
-A camera that has frozen sends frames without an end, all the same one. After a second they are
-none any more: the program's camera is not alive, and it stops.
+A frozen camera keeps sending the same frame. After a second its frames no longer count: the
+program's camera is not alive, and it stops.
 
   $ see_warned 5 $address/frozen; warnings
   warning: camera `camera` (http://HOST/frozen) delivers no frames: it is frozen: all its frames are identical; unplug it and plug it in again, or set frozen=0 if identical frames are correct
@@ -74,7 +75,7 @@ none any more: the program's camera is not alive, and it stops.
   $ tail -1 log.csv | sed 's/"[^"]*"//' | awk -F, '{ print ($31 > 0) }'
   1
 
-Where the server goes and comes back, so do the frames; the program goes on where it was.
+If the server disappears and returns, so do the frames; the program continues.
 
   $ start_robot
   $ rm log.csv
@@ -92,7 +93,7 @@ Where the server goes and comes back, so do the frames; the program goes on wher
   interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command to start again and overwrite that file
   error: the run was ended by an interrupt; sent a stop command to the robot
 
-The process that captures may be killed: another one begins.
+If the capture process is killed, another one replaces it.
 
   $ rm log.csv
   $ ./sees --device $device --for 600 --camera $address/good --record log.csv > summary 2> messages & run=$!

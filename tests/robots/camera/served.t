@@ -1,5 +1,5 @@
-A served robot offers the cameras of its world as MJPEG over HTTP, so a program that sees drives it
-from end to end: here it follows the ball, a metre behind it.
+A served robot offers the cameras of its world as MJPEG over HTTP, so a program with a camera can
+drive it completely: here it follows the ball, a metre behind it.
 
   $ . ./camera.sh
   $ follow () {
@@ -21,12 +21,12 @@ from end to end: here it follows the ball, a metre behind it.
   error: small
   collisions: 0
 
-It followed the ball from when it saw it on: there is no second search.
+It follows the ball from its first sight on: there is no second search.
 
   $ frobc trace ../../../examples/follow_ball/follow_ball.frob --robot pioneer --input run.csv --modes | sed '1d; s/.*,//' | uniq | sed '1{/search/d}'
   follow
 
-Other paths tell which there are; who asks for rubbish is left alone.
+Other paths list the cameras; malformed requests are ignored.
 
   $ start_robot ../../../examples/follow_ball/world.toml
   $ port=$(sed -n 's/camera: .*:\([0-9]*\)\/.*/\1/p' served)
@@ -44,7 +44,7 @@ Other paths tell which there are; who asks for rubbish is left alone.
   HTTP/1.0 404 Not Found True
   $ end $robot
 
-A world without a camera has none to offer.
+A world without a camera cannot serve one.
 
   $ frobc serve --world hall.toml --camera 0
   error: the world has no camera: add a table [camera] to its file

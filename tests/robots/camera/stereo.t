@@ -1,5 +1,5 @@
-A stereo head of two cameras, each with frames of its own times: the host gives those together that are
-nearest to each other.
+A stereo head with two cameras, whose frames have different times: the host combines the frames that
+are closest in time.
 
   $ . ./camera.sh
   $ cat > both.frob <<'FROB'
@@ -25,8 +25,8 @@ nearest to each other.
   > }
   $ mkfifo one two
 
-Cameras without a common clock, the one twice as quick: all pairs are near, and what has no partner is
-left out and counted.
+Cameras without a common clock, one twice as fast as the other: all pairs are close in time, and
+frames without a partner are skipped and counted.
 
   $ near () { awk -F '[ :]+' '/^pairs apart/ { print ($7 < 45 ? "near" : $0) }' summary; }
   $ feed="$(frames_of one 0.05 0) $(frames_of two 0.1 0.01)"
@@ -43,8 +43,8 @@ left out and counted.
   $ frobc trace both.frob --robot pioneer --input log.csv | cmp - recorded.csv
   $ frobc trace both.frob --robot pioneer --input log.csv --engine interp | cmp - recorded.csv
 
-None are as near to each other as they have to be: the program has no pairs and stands, and is told
-what may help. One camera whose frames come later than the other's says by how much.
+If no frames are as close as required, the program has no pairs, the robot stands still, and a
+message says what may help. If the frames of one camera arrive later, it states by how much.
 
   $ feed="$(frames_of one 0.1 0) $(frames_of two 0.1 0.15)"
   $ wants="grep -q '^warning.*give no pairs' messages"
@@ -57,7 +57,7 @@ what may help. One camera whose frames come later than the other's says by how m
   $ tail -1 log.csv | sed 's/"[^"]*"//g' | awk -F, '{ print $32 }'
   0
 
-One camera falls silent and comes back, and so do the pairs; which one it was is told.
+If one camera falls silent and returns, so do the pairs; a message names the camera.
 
   $ feed="$(frames_of one 0.05 0) (for k in \$(seq 0 20); do ./frames ppm 1 32 24 \$k; sleep 0.05; done; sleep 2; for k in \$(seq 0 400); do ./frames ppm 1 32 24 \$k || break; sleep 0.05; done) > two &"
   $ wants="grep -q 'frames again' messages"
@@ -70,7 +70,8 @@ One camera falls silent and comes back, and so do the pairs; which one it was is
   stands
   drives
 
-A served robot offers both its cameras: it drives down the corridor by them, as in the simulator.
+A served robot offers both cameras: a program drives it down the corridor with them, as in the
+simulator.
 
   $ example=../../../examples/corridor_stereo
   $ drive_down () {

@@ -1,5 +1,5 @@
-Tags are looked for in the frames of a real camera, in a process of their own: a served robot docks
-before one, as in the simulator. Where it stands in the end is told by its world, not by itself.
+A separate process looks for tags in the frames of a real camera: a served robot docks in front of
+one, as in the simulator. Its final position is reported by its world, not by the program.
 
   $ . ./camera.sh
   $ example=../../../examples/dock_tag
@@ -19,7 +19,7 @@ before one, as in the simulator. Where it stands in the end is told by its world
   docked
   collisions: 0
 
-What was found is in the recording, and no pictures: it is run again without what finds tags.
+The recording contains the tags, and no pictures: it is replayed without the tag finder.
 
   $ ls -d run.frames 2> /dev/null
   [2]
@@ -27,8 +27,8 @@ What was found is in the recording, and no pictures: it is run again without wha
   $ frobc trace $example/dock_tag.frob --robot pioneer --input run.csv | cmp - recorded.csv
   $ frobc trace $example/dock_tag.frob --robot pioneer --input run.csv --engine interp | cmp - recorded.csv
 
-A program that looks at the frames, too, has both at the same instant, of the same frame. Here the
-host and the kernels are compiled from their sources, as for another machine.
+A program that also examines the frames receives both at the same instant, from the same frame. Here
+the host and the kernels are compiled from their sources, as for another machine.
 
   $ cat > both.frob <<'FROB'
   > import Robot
@@ -67,7 +67,7 @@ host and the kernels are compiled from their sources, as for another machine.
   0.10000000000000001
   0
 
-The process that looks for tags may be killed: another one begins, and the program goes on.
+If the process that looks for tags is killed, another one replaces it, and the program continues.
 
   $ rm log.csv
   $ start_robot
@@ -84,7 +84,7 @@ The process that looks for tags may be killed: another one begins, and the progr
   interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command to start again and overwrite that file
   error: the run was ended by an interrupt; sent a stop command to the robot
 
-Without the library a program that asks for tags is told so before anything moves.
+Without the library, a program that uses tags is rejected before anything moves.
 
   $ mkdir none; printf 'no library' > none/libapriltag.so.3
   $ LD_LIBRARY_PATH=$PWD/none ./both --device $device --for 3 --camera still.frames

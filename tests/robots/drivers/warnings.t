@@ -1,5 +1,5 @@
-The runtime compiles without a warning under clang as under gcc (which builds
-it), in C99; its headers can be included alone, also from C++.
+The runtime compiles without warnings under clang and gcc (which builds it), in
+C99; its headers can be included individually, also from C++.
 
   $ runtime=../../../runtime
   $ strict="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I$runtime -I$runtime/include"

@@ -1,6 +1,6 @@
-BUG and the wall follower, through the drivers and the lines of all robots, in
-virtual time: they reach what they reach in the simulator, and touch nothing. The
-line follower does on the robot that sees the floor.
+BUG and the wall follower drive all robots through their drivers and lines, in virtual time: they
+reach the same goals as in the simulator, and touch nothing. The line follower does so on the robot
+that senses the floor.
 
   $ sh ./seeds.sh frobc ./frob-line ../../../examples 3
   bug on a pioneer behind its line: 0 runs out of bounds

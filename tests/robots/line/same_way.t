@@ -1,7 +1,8 @@
-A program goes the same way in the simulator as on the robot behind its line: the simulator
-rounds speeds as the wire does. Each robot turns at 0.008 rad/s, less than its wire can say
-at once, for 8 s; then it makes an S, and stands. Both ends are judged by where the robot
-really is; in the simulator that is its odometry, here without errors but for a Create's counts.
+A program drives the same path in the simulator as on the robot behind its line: the simulator
+rounds speeds like the protocol. Each robot turns at 0.008 rad/s, below the resolution of its
+protocol, for 8 s; then it drives an S, and stops. Both runs are judged by the robot's true
+position; in the simulator this is its odometry, which here has no errors except the resolution of a
+Create's encoders.
 
   $ cat > slow.frob <<EOF
   > import Robot

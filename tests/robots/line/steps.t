@@ -1,4 +1,4 @@
-The steps that `frobc report` states are those of the drivers and of the simulator.
+The resolutions that `frobc report` states are those of the drivers and of the simulator.
 
   $ cat > still.frob <<EOF
   > import Robot

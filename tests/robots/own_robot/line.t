@@ -1,5 +1,5 @@
-The wall follower drives a robot of one's own behind a line: the driver on one side,
-the board and the simulated body on the other.
+The wall follower drives a user-defined robot behind a line: the driver at one end, the board and
+the simulated body at the other.
 
   $ . ../robot/robot.sh
   $ . ../run/within.sh
@@ -20,7 +20,7 @@ the board and the simulated body on the other.
   $ frobc trace $follow --robot $rover/Rover.frob --input log.csv --output again.csv
   $ sed 's/,.*,\([^,]*,[^,]*\)$/,\1/' log.csv | cmp - again.csv
 
-The parts that are missing are named, and what is no robot of one's own has none.
+Missing parts are named; a robot of the library has no such parts.
 
   $ frobc serve --robot $rover/Rover.frob --with $rover/rover_body.c --for 1s
   error: there is no `frob_rover_board` in the C files of the robot: define the board of your own robot in a C file, and add the file with `--with`

@@ -1,5 +1,5 @@
-A robot of one's own with photocells and sensors that look down. Its C is good C and
-C++, and it goes for a lamp that a wall hides at first.
+A user-defined robot with photocells and sensors that look down. Its code is valid C and C++, and it
+drives to a lamp that a wall hides at first.
 
   $ seek=../../../examples/light_seek
   $ moth="--robot $seek/Moth.frob"
@@ -13,7 +13,7 @@ C++, and it goes for a lamp that a wall hides at first.
   $ sh ../run/seeds.sh $seek $seek/Moth.frob 5 collisions 0 0 distance_driven 5 8 finished_after 30 50 -- --with $seek/moth_body.c --for 2min --exit-when-done
   ../../../examples/light_seek/Moth.frob: 0 of 5 seeds out of bounds
 
-It is at the lamp when it ends, and what it did replays on both engines.
+It ends at the lamp, and the run replays on both engines.
 
   $ frobc run $seek/light_seek.frob $moth --with $seek/moth_body.c --exit-when-done --for 2min --record run.csv --picture run.svg > summary
   $ frobc trace $seek/light_seek.frob $moth --input run.csv > replayed.csv
@@ -27,14 +27,14 @@ It is at the lamp when it ends, and what it did replays on both engines.
   dark
   bright
 
-Without the lamp it looks for one for ever.
+Without the lamp it searches forever.
 
   $ grep -v -e lamp -e position $seek/world.toml > dark.toml
   $ frobc run $seek/light_seek.frob $moth --with $seek/moth_body.c --world dark.toml --exit-when-done --for 60s | grep -c finished
   0
   [1]
 
-The line follower of another robot runs on it, on tape as wide as its sensors are apart.
+The line follower of another robot runs on it, on tape as wide as the distance between its sensors.
 
   $ cat > narrow.toml <<'TOML'
   > [start]
@@ -57,7 +57,7 @@ The line follower of another robot runs on it, on tape as wide as its sensors ar
   $ frobc run ../../../examples/line_follow/line_follow.frob $moth --with $seek/moth_body.c --world narrow.toml --for 60s > summary
   $ within largest_distance_from_the_tape 0 0.008 distance_along_the_tape 10 12 < summary
 
-No robot of the library sees light.
+No robot of the library senses light.
 
   $ frobc check $seek/light_seek.frob --robot create
   error[E0503]: `create` has no `HasPhotocells`

@@ -1,5 +1,5 @@
-A robot that Frob does not know: the file of its module stands where the name of one
-that it knows would. What the module says makes a C header beside the program.
+A user-defined robot: the file of its module takes the place of a robot's name. frobc generates a C
+header from the module, next to the program.
 
   $ rover=../../../examples/own_robot
   $ follow=../../../examples/wall_follow/wall_follow.frob
@@ -13,8 +13,8 @@ that it knows would. What the module says makes a C header beside the program.
   #include "rover.h"
   $ frobc header $rover/Rover.frob | cmp - generated/rover.h
 
-All its C is C++ too; the body since C++20, which has names of members. Of those that it
-leaves out no C compiler warns, but clang 19 where it is C++.
+Its C is also valid C++; the body requires C++20, which has designated initializers. C compilers do
+not warn about the omitted members, except clang 19 when it compiles C++.
 
   $ compiles () {
   >   for source in $2; do
@@ -27,8 +27,8 @@ leaves out no C compiler warns, but clang 19 where it is C++.
   $ compiles "g++ -x c++ -std=c++17" "$others"
   $ compiles "clang++ -x c++ -std=c++20" $rover/rover_body.c -Wno-missing-field-initializers
 
-The wall follower goes round its room on it, unchanged, with its simulated body; and
-what is recorded replays on both engines.
+The wall follower drives it once round its room, unchanged, with its simulated body; and the
+recording replays on both engines.
 
   $ frobc run $follow --robot $rover/Rover.frob --with $rover/rover_body.c --for 60s --seed 1 --record run.csv | grep -E 'error:|collisions'
   mean wall distance error: 0.0150 m
@@ -39,7 +39,7 @@ what is recorded replays on both engines.
   $ head -1 replayed.csv
   time,out.forward,out.turn
 
-In single precision too: its structs stay of doubles, the table for hosts converts.
+The same in single precision: the robot's structs have doubles, and the table for hosts converts.
 
   $ frobc run $follow --real float --robot $rover/Rover.frob --with $rover/rover_body.c --for 60s --seed 1 --record run.csv | grep -E 'error:|collisions'
   mean wall distance error: 0.0146 m
@@ -70,7 +70,8 @@ All its C files may be given at once.
   $ frobc build $follow --robot $rover/Rover.frob $all --target linux -o wall_follow && ./wall_follow --help | grep watchdog
     watchdog           the robot stops by itself after so many ms without a speed, 100 to 2000 (500)
 
-An exported library has what its C files include; each builds by itself, in both precisions.
+An exported library contains the headers that its C files include; each file compiles separately, in
+both precisions.
 
   $ frobc export $follow --robot $rover/Rover.frob $all --platformio library
   $ ls library/examples
@@ -91,7 +92,7 @@ An exported library has what its C files include; each builds by itself, in both
   $ builds
   $ frobc export $follow --real float --robot $rover/Rover.frob $all --platformio library && builds
 
-A program can name it, as any other module.
+A program can import its module, like any other.
 
   $ cat > own.frob <<'FROB'
   > import Robot
@@ -114,7 +115,7 @@ A program can name it, as any other module.
   1 error
   [1]
 
-What is missing is said.
+Missing definitions are reported.
 
   $ frobc run $follow --robot $rover/Rover.frob
   error: there is no simulated rover; for your own robot, define its body `frob_rover_body` in a C file, and add the file with `--with`

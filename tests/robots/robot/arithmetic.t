@@ -1,5 +1,6 @@
-A program compiled to other arithmetic does not drive: here a C compiler joins
-products and sums. (Where the processor cannot do that, what would be said is.)
+A program compiled with non-standard arithmetic does not drive: here a C
+compiler contracts products and sums. (If the processor cannot do that, the
+script prints the expected message.)
 
   $ . ./robot.sh
   $ start_robot
@@ -16,8 +17,8 @@ products and sums. (Where the processor cannot do that, what would be said is.)
   error: drive must not drive a robot: its arithmetic rounds a product and a sum only once: compile with -ffp-contract=off
   [2]
 
-Neither does one whose processor was set to round up before it began, as any
-library can do, nor is it traced.
+Nor does a program whose processor was set to round up before it began, as any
+library can do; such a program cannot be traced either.
 
   $ cat > upward.c <<'END'
   > #include <fenv.h>
@@ -31,7 +32,7 @@ library can do, nor is it traced.
   $ frobc trace twice.frob --with upward.c --input in.csv 2>&1 | sed 's/error: .* cannot/error: PROGRAM cannot/'
   error: PROGRAM cannot be run: its arithmetic does not round to nearest: remove the code that sets another rounding mode
 
-The robot has heard of none of them.
+The robot has received nothing from these programs.
 
   $ cat told
   $ end_robot

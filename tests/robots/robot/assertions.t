@@ -1,4 +1,4 @@
-An assertion that is violated stops the robot, if that is wanted; and it is told in any case.
+If the option is set, a violated assertion stops the robot; it is reported in any case.
 
   $ . ./robot.sh
   $ start_robot

@@ -1,4 +1,4 @@
-A device that cannot be opened is told with what helps.
+If a device cannot be opened, the message says what helps.
 
   $ . ./robot.sh
   $ frobc run drive.frob --device ./nothing
@@ -14,7 +14,7 @@ A device that cannot be opened is told with what helps.
   error: `tcp:127.0.0.1:` is not an address; write tcp:HOST:PORT
   [2]
 
-One that is in use names who uses it.
+For a device that is in use, the message names the program that uses it.
 
   $ start_robot
   $ start_driving
@@ -24,7 +24,7 @@ One that is in use names who uses it.
   [4]
   $ end_robot
 
-Settings are numbers within their bounds; the watchdog cannot be turned off.
+Settings are numbers within bounds; the watchdog cannot be disabled.
 
   $ frobc run drive.frob --for 1s --device ./line --set max-speed=9
   error: max-speed takes a number from 0.01 to 2.2, not `9`
@@ -55,14 +55,14 @@ Options of the simulator have no meaning on a robot.
   error: --strict only works in the simulator: remove it, or remove --device
   [2]
 
-A robot runs in real time in any case.
+A robot always runs in real time.
 
   $ start_robot
   $ frobc run drive.frob --device ./line --for 0.1s --realtime | grep connections
   connections: 1
   $ end_robot
 
-A program for no robot does not come as far as a driver.
+A program that is not for a robot is rejected before a driver starts.
 
   $ echo 'main = arr (\x -> x + 1.0)' > plain.frob
   $ frobc run plain.frob --for 1s --device ./line

@@ -36,8 +36,9 @@ boards with the Arduino framework.
   hal
   hosts
 
-It builds as such tools build it: each source by itself, with `src` to include
-from, and without the system's calls. The board is a few lines here.
+It builds the way such tools build it: each source separately, with `src` as the
+include folder, and without system calls. The board is simulated by a few lines
+here.
 
   $ cat > Arduino.h <<'FAKE'
   > #include <cstddef>
@@ -81,7 +82,8 @@ In single precision.
   $ g++ -std=c++17 $strict -I. drive/examples/drive/main.cpp board.cpp *.o -lm -o board
   $ ./board
 
-With C of the user's: its headers come along, and those that they include.
+With the user's C: the library includes its headers, and the headers that they
+include.
 
   $ mkdir c c/parts && cat > c/half_way.frob <<'FROB'
   > import Robot
@@ -121,7 +123,7 @@ With C of the user's: its headers come along, and those that they include.
   half/src/parts:
   state.h
 
-What is elsewhere cannot come along.
+Files outside the folder cannot be exported.
 
   $ echo '#include "../elsewhere.h"' >> c/inside.h && touch elsewhere.h
   $ frobc export c/half_way.frob --robot pioneer --with c/halved.c --with c/half.h --platformio half

@@ -1,7 +1,6 @@
-The robot is away for 4 s: its server is killed and started again, or it is stopped with SIGSTOP. The
-program gets one instant whose step is the outage, and `outage` tells it how long that was. The first
-speed on the line afterwards is zero. A rate limit and a PID count at most 0.2 s, a low-pass the
-whole time.
+The robot is away for 4 s: its server is killed and restarted, or stopped with SIGSTOP. The program
+has one instant whose step is the outage, and `outage` returns its length. The first speed on the
+line afterwards is zero. A rate limit and a PID count at most 0.2 s, a low-pass the whole time.
 
   $ . ./robot.sh
   $ cat > drives.frob <<FROB
@@ -22,8 +21,8 @@ whole time.
   >   until_true 'grep -q "VEL 300" told'
   > }
 
-The first speed that is sent after the outage, and then the program at its longest outage. On a busy
-machine there may be other, short ones.
+The first speed that is sent after the outage, and then the program's state at its longest outage.
+On a busy machine there may be other, short outages.
 
   $ judge () {
   >   until_true 'told "VEL 300"'
@@ -41,8 +40,8 @@ machine there may be other, short ones.
   >           (smooth ? "and the low-pass has forgotten" : "and the low-pass remembers") }' seen.csv
   > }
 
-A server that is killed, and started again after 4 s. Its terminal's name is free then, and another
-process may get it, so the link to it must go, too.
+A server that is killed, and restarted after 4 s. Its terminal's name is then free, and another
+process may get it, so the link to it must be removed, too.
 
   $ start_robot; drive_on
   $ kill -KILL $robot; rm line; wait $robot 2> /dev/null
@@ -51,7 +50,8 @@ process may get it, so the link to it must go, too.
   VEL 0
   away for the whole step and the low-pass has forgotten
 
-One that stands for 4 s. What the host wrote meanwhile waits on the line, and is a stop.
+A server that is stopped for 4 s. The bytes that the host wrote meanwhile wait on the line, and are
+a stop command.
 
   $ : > told; drive_on
   $ mark; kill -STOP $robot; sleep 4; kill -CONT $robot; judge

@@ -1,7 +1,6 @@
-The cable is pulled and plugged in again, and the device has another name then:
-the run goes on, with zero first. The robot's own watchdog is not what stops it
-here, it would take up its old speed. Two seconds after the robot's return it drives again, at
-the latest.
+The cable is pulled and plugged in again, and the device then has another name: the run continues,
+with zero first. Here the robot's own watchdog is not what stops it; it would resume its old speed.
+At most two seconds after the robot's return, it drives again.
 
   $ . ./robot.sh
   $ now () { awk -v slow=$FROB_SLOW '{ print $1 / slow }' /proc/uptime; } # by the robot's clock
@@ -30,7 +29,7 @@ the latest.
   $ grep connections summary
   connections: 2
 
-However often that happens, nothing is left open.
+However often this happens, no descriptor stays open.
 
   $ start_robot
   $ start_driving
@@ -46,7 +45,7 @@ However often that happens, nothing is left open.
   $ kill -INT $run; wait $run
   [4]
 
-So it is with one on the network, whose server goes and comes again.
+The same with a robot on the network, whose server disappears and returns.
 
   $ end_robot
   $ serve_on () {
@@ -69,7 +68,7 @@ So it is with one on the network, whose server goes and comes again.
   status 4
   $ start_robot
 
-A robot that does not come back ends the run.
+A robot that does not return ends the run.
 
   $ start_driving --reconnect 0.3
   $ kill -USR1 $robot; wait $run
@@ -78,7 +77,8 @@ A robot that does not come back ends the run.
   error: lost the connection to the robot, and could not reconnect within 0.3 s; the robot could not be reached to stop it
   $ end_robot
 
-One that was turned off does not answer; the first time that is an error.
+A robot that is turned off does not answer; at the first connection this is an
+error.
 
   $ start_robot
   $ kill -STOP $robot

@@ -1,5 +1,5 @@
-A program runs on the robot behind a serial line as it runs in the simulator;
-the summary says how it went.
+A program runs on the robot behind a serial line as in the simulator; the
+summary reports the run.
 
   $ . ./robot.sh
   $ drive () { # TIME [OPTION OF THE ROBOT...]
@@ -22,8 +22,8 @@ the summary says how it went.
   connections: 1
   log: log.csv
 
-Behind the handshake (whose SYNCs have the numbers of PULSE, OPEN and CLOSE) the robot
-is told zero before anything else, and in the end to stop.
+After the handshake (whose SYNCs have the numbers of PULSE, OPEN and CLOSE), the robot receives zero
+speeds before anything else, and finally a stop.
 
   $ awk '{ print $2, $3 }' told | sed -n '5,6p'
   VEL 0
@@ -34,20 +34,20 @@ is told zero before anything else, and in the end to stop.
   STOP 
   CLOSE 
 
-It drove as far as the program said, and odometry says so.
+It drove as far as the program commanded, according to odometry.
 
   $ awk '/^distance driven/ { print ($3 > 0.3 && $3 < 0.75) }' served
   1
   $ awk -F, 'END { print ($2 > 0.2 && $2 < 0.65) }' log.csv
   1
 
-The measured times are in the recording, so that replaying it gives the same
-commands, bit for bit.
+The recording contains the measured times, so a replay has the same commands,
+bit for bit.
 
   $ frobc trace drive.frob --input log.csv --output again.csv
   $ sed 's/,.*,\([^,]*,[^,]*\)$/,\1/' log.csv | cmp - again.csv
 
-`frobc build` makes the executable that was run; it takes TCP as well.
+`frobc build` builds the executable that was run; it also accepts TCP.
 
   $ frobc build drive.frob --robot pioneer -o drive
   $ rm served
@@ -58,7 +58,7 @@ commands, bit for bit.
   robot: Pioneer p3dx-sh, FrobSim
   $ end_robot
 
-Other models have other factors.
+Other models have other conversion factors.
 
   $ in_time drive 1500ms --model p3dx
   $ head -1 summary
@@ -68,7 +68,7 @@ Other models have other factors.
   $ awk -F, 'END { print ($2 > 0.1 && $2 < 0.5) }' log.csv
   1
 
-A task that ends leaves the robot at rest; the summary says with what it ended.
+A task that ends leaves the robot at rest; the summary shows its result.
 
   $ finish () {
   >   start_robot
@@ -83,8 +83,8 @@ A task that ends leaves the robot at rest; the summary says with what it ended.
   $ tail -1 again.csv | cut -d, -f 2-
   0,0,true
 
-Real-time priority and locked memory are for whom the system allows them; others
-are told how to be allowed, and the run goes on.
+Real-time priority and locked memory require permission; without it, a warning
+says how to get it, and the run continues.
 
   $ start_robot
   $ without_rights () {
@@ -98,8 +98,8 @@ are told how to be allowed, and the run goes on.
   1
   $ end_robot
 
-Who starts a run may close its streams: none of their numbers becomes the line's or
-the controller's, which would get what is printed.
+The parent process may close the standard streams: the line and the controller never get their
+descriptors, to which text would be printed.
 
   $ start_robot
   $ ./drive --device ./line --for 0.3 --progress 2>&- | sed -n '/connections/p'
@@ -111,8 +111,8 @@ the controller's, which would get what is printed.
   [2]
   $ end_robot
 
-A recording that cannot be written ends the run, with the robot stopped; so does one
-that may not be longer, which is no signal.
+A recording that cannot be written ends the run, with the robot stopped; so does one that exceeds
+the file size limit, which does not raise a signal.
 
   $ start_robot
   $ (ulimit -f 4; ./drive --device ./line --for 30 --record log.csv > summary)

@@ -1,5 +1,5 @@
 The same wall follower drives a Scout and a Create behind their lines: along the
-wall, round the corner, without touching it.
+wall and round the corner, without touching it.
 
   $ . ./robot.sh
   $ . ../run/within.sh
@@ -29,8 +29,8 @@ The recordings replay, bit for bit.
   >   awk -F, -v n=$columns '{ line = $1; for (i = NF - n + 2; i <= NF; i++) line = line "," $i; print line }' $robot/log.csv | cmp - again.csv
   > done
 
-A Create that comes to a hole has left the mode in which it drives. That ends the
-run; it does not enter it again by itself.
+A Create at a hole leaves the mode in which it drives. That ends the run; the driver does not
+restore the mode.
 
   $ kind=create; start_robot --world hole.toml
   $ frobc run forward.frob --robot create --device ./line --for 20s > summary
@@ -42,7 +42,7 @@ run; it does not enter it again by itself.
   $ grep -c SAFE told
   1
 
-When the program's process is killed, both are told to stop.
+When the program's process is killed, both robots receive a stop.
 
   $ for kind in scout create; do
   >   start_robot
@@ -59,8 +59,8 @@ When the program's process is killed, both are told to stop.
   status 4
   status 4
 
-So is a Create, whose robot has no watchdog, when the process is killed that holds
-its line; and a Scout, which has one, in any case.
+So does a Create, which has no watchdog, when the process that owns its line is killed; and a Scout,
+which has one.
 
   $ for kind in scout create; do
   >   start_robot
@@ -74,8 +74,8 @@ its line; and a Scout, which has one, in any case.
   >   end_robot
   > done
 
-Their cable is pulled and plugged in again: the run goes on, with zero first. The
-Create drives on meanwhile; the Scout's watchdog stops it after a second.
+The cable is pulled and plugged in again: the run continues, with zero first. Meanwhile the Create
+drives on; the Scout's watchdog stops it after a second.
 
   $ for kind in scout create; do
   >   start_robot
@@ -97,8 +97,8 @@ Create drives on meanwhile; the Scout's watchdog stops it after a second.
   DRIVE_DIRECT 0 0
   connections: 2
 
-One that does not answer may be turned off, elsewhere, or want another rate: the message
-tells which was tried. On a line where something sends it is not the cable.
+A robot that does not answer may be turned off, on another line, or require another rate: the
+message names the rate that was tried. If bytes arrive on the line, the cable is not the problem.
 
   $ kind=scout; start_robot; kill -STOP $robot
   $ frobc run forward.frob --robot scout --device ./line --for 1s > summary

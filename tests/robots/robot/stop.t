@@ -1,9 +1,9 @@
-Whatever ends or stops any part of a run, the robot is told to stop.
+Whatever ends or stops any part of a run, the robot receives a stop.
 
   $ . ./robot.sh
   $ start_robot
 
-An interrupt, and SIGTERM:
+SIGINT and SIGTERM:
 
   $ start_driving; mark; kill -INT $run; wait $run
   [4]
@@ -17,7 +17,8 @@ An interrupt, and SIGTERM:
   last speed: 0
   error: the run was ended by Terminated; sent a stop command to the robot
 
-Ctrl-C ends with what was kept and how to go on, before the fate of the robot.
+After Ctrl-C, the output says what was saved and how to continue, before it
+reports on the robot.
 
   $ start_driving --record log.csv; kill -INT $run; wait $run
   [4]
@@ -35,7 +36,7 @@ The controller is killed:
   last speed: 0
   error: the controller was killed by signal 9 (Killed); sent a stop command to the robot
 
-The controller stops, as in an endless loop: the robot is stopped after 0.2 s,
+The controller hangs, as in an endless loop: the robot is stopped after 0.2 s,
 and the run is given up after two seconds.
 
   $ start_driving; mark; kill -STOP $controller; wait $run
@@ -45,7 +46,7 @@ and the run is given up after two seconds.
   a step takes longer than 0.2 s: stopping the robot
   error: the controller has not finished a step for 2 s; sent a stop command to the robot
 
-When it goes on in time, so does the robot.
+If the controller continues in time, so does the robot.
 
   $ start_driving; mark; kill -STOP $controller
   $ until_stopped
@@ -56,8 +57,8 @@ When it goes on in time, so does the robot.
   $ awk '/^late steps/ { print ($3 >= 1) }' summary
   1
 
-The process that holds the line is killed: the guard stops the robot, before
-the robot's own watchdog does.
+The process that owns the line is killed: the guard stops the robot, before the
+robot's own watchdog does.
 
   $ start_driving; mark; kill -KILL $run; wait $run 2> /dev/null
   [137]
@@ -66,7 +67,7 @@ the robot's own watchdog does.
   [1]
   $ until_true '! [ -e /proc/$guard ] && ! [ -e /proc/$second_guard ] && ! [ -e /proc/$controller ]'
 
-A run that is killed loses no row of its recording, and the rows replay.
+A killed run loses no row of its recording, and the rows can be replayed.
 
   $ start_driving --record log.csv; sleep 0.3; kill -KILL $run; wait $run 2> /dev/null
   [137]
@@ -76,7 +77,8 @@ A run that is killed loses no row of its recording, and the rows replay.
   $ sed 's/,.*,\([^,]*,[^,]*\)$/,\1/' log.csv | cmp - again.csv
   $ until_true '! [ -e /proc/$guard ] && ! [ -e /proc/$second_guard ]'
 
-It is stopped with SIGSTOP: the guard stops the robot until it goes on.
+The process is stopped with SIGSTOP: the guard stops the robot until the process
+continues.
 
   $ start_driving; mark; kill -STOP $run
   $ until_stopped; told watchdog
@@ -86,8 +88,9 @@ It is stopped with SIGSTOP: the guard stops the robot until it goes on.
   $ kill -INT $run; wait $run
   [4]
 
-All processes of the run are stopped, as by a debugger or a machine that sleeps. When they go on,
-readings on the line are old. The first speed that the robot is told is zero, and the run goes on.
+All processes of the run are stopped, as by a debugger or a machine that sleeps. When they continue,
+the readings on the line are old. The first speed that the robot receives is zero, and the run
+continues.
 
   $ start_driving
   $ for time in 0.3 0.4 0.5 0.6 0.7 0.8 0.9 2; do
@@ -106,9 +109,9 @@ readings on the line are old. The first speed that the robot is told is zero, an
   $ kill -INT $run; wait $run
   [4]
 
-A guard is killed, or hangs: the run goes on, says so, and starts another guard, which stops the
-robot when it has to. There are two, so one may be killed together with the process that holds the
-line.
+A guard is killed, or hangs: the run continues, reports it, and starts another guard, which can stop
+the robot. There are two guards, so that one of them may be killed together with the process that
+owns the line.
 
   $ start_driving; kill -KILL $guard; kill -STOP $second_guard
   $ until_true 'grep -q signal messages && grep -q hangs messages'; grep -v connected messages

@@ -1,5 +1,5 @@
-Keys that are typed drive the robot: one is an event of one instant, in the order
-typed; the robot goes on with the last command.
+Typed keys drive the robot: each key is an event at one instant, in the order typed; the robot
+continues with the last command.
 
   $ cat > keys.frob <<'FROB'
   > import Robot
@@ -39,7 +39,7 @@ typed; the robot goes on with the last command.
   0.400000000,,0
   0.500000000,,0
 
-Without `--console` nobody listens, and the recording replays as it was.
+Without `--console` keys are ignored, and the recording replays as it was.
 
   $ printf 'ws ' | frobc run keys.frob --robot scout --rate 10 --for 0.2s --record quiet.csv > summary
   $ cut -d, -f31,32 quiet.csv

@@ -1,4 +1,5 @@
-Down the middle of a corridor by two cameras: a recording replays bit for bit, on both engines.
+The robot drives down the middle of a corridor with two cameras: a recording replays bit for bit, on
+both engines.
 
   $ program=../../../examples/corridor_stereo/corridor_stereo.frob
   $ frobc run $program --for 2s --record run.csv > summary
@@ -7,7 +8,7 @@ Down the middle of a corridor by two cameras: a recording replays bit for bit, o
   $ cmp recorded.csv replayed.csv
   $ frobc trace $program --robot pioneer --input run.csv --engine interp | cut -d, -f1-3 | cmp - replayed.csv
 
-In the dark it stays where it is, and says that it has ended.
+In the dark it stays where it is, and reports that it has ended.
 
   $ sed 's/^\[stereo\]/&\nexposure = 0.001/' ../../../examples/corridor_stereo/world.toml > dark.toml
   $ frobc run $program --world dark.toml --for 2s --exit-when-done | grep -E 'driven|finished'

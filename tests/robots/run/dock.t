@@ -1,5 +1,5 @@
-Into the dock, to a fifth of a metre before the wall at its end: there the robot
-is in the alcove, on its middle line to 8 cm (by odometry).
+The robot drives into the dock, to a fifth of a metre in front of the wall at
+its end. It is then in the alcove, within 8 cm of its middle line (by odometry).
 
   $ for robot in pioneer scout create; do
   >   sh seeds.sh ../../../examples/dock $robot 3 collisions 0 0 finished_after 20 40 -- --for 2min --exit-when-done
@@ -16,7 +16,7 @@ is in the alcove, on its middle line to 8 cm (by odometry).
   Just 0.1
   1 1 1
 
-Where the alcove is walled up it tries three times, backs out each time, and gives up.
+If the alcove is blocked, it tries three times, backs out each time, and gives up.
 
   $ sed 's/\[5, 2.12\], \[6, 2.12\], \[6, 2.88\], \[5, 2.88\], //' ../../../examples/dock/world.toml > walled.toml
   $ frobc run ../../../examples/dock/dock.frob --world walled.toml --for 10min --exit-when-done --record run.csv | grep "result\|collisions"

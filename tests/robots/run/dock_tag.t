@@ -1,5 +1,5 @@
-Before a tag: on each robot, and not before the other tag; a recording replays bit for bit, on both
-engines, with nothing that finds tags.
+Docking in front of a tag: on each robot, and not in front of the other tag; a recording replays bit
+for bit, on both engines, without the tag finder.
 
   $ program=../../../examples/dock_tag/dock_tag.frob
   $ for robot in scout create; do frobc test $program --robot $robot --seeds 2 | grep degrees; done
@@ -13,7 +13,7 @@ engines, with nothing that finds tags.
   $ cmp recorded.csv replayed.csv
   $ frobc trace $program --robot pioneer --input run.csv --engine interp | cut -d, -f1-3 | cmp - replayed.csv
 
-Without its tag it turns, and looks for it.
+Without its tag the robot turns, and searches for it.
 
   $ sed 's/^id = 5/id = 4/' ../../../examples/dock_tag/world.toml > lost.toml
   $ frobc run $program --world lost.toml --for 5s --exit-when-done | grep -E 'driven|finished'

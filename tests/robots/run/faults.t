@@ -1,5 +1,6 @@
-Driving into a wall is told in the summary, and with --strict it is a fault.
-Without a world beside the program it is the room that comes with frobc.
+The summary reports a collision with a wall, and with --strict it is a fault. If
+there is no world next to the program, the default is the room that comes with
+frobc.
 
   $ cat > ahead.frob <<EOF
   > import Robot
@@ -14,7 +15,7 @@ Without a world beside the program it is the room that comes with frobc.
   $ frobc run ahead.frob --for 5s --strict | grep collisions
   collisions: 0
 
-A command that is not a number is rest: of a robot that drives, it stops it.
+A command that is not a number means rest: it stops a moving robot.
 
   $ cat > dead_sensor.frob <<EOF
   > import Robot
@@ -27,7 +28,7 @@ A command that is not a number is rest: of a robot that drives, it stops it.
   $ tail -1 log.csv | cut -d, -f5,6,30,31
   0,0,nan,0
 
-A world file that cannot be read or used is wrong use, and every mistake in it has
+A world file that cannot be read or used is a usage error, and every mistake in it is reported with
 its place.
 
   $ frobc run ahead.frob --world missing.toml

@@ -1,4 +1,4 @@
-Round a course of tape that is seen by a camera, with its latency, noise and lost frames.
+Round a course of tape, seen by a camera with latency, noise and lost frames.
 
   $ sh seeds.sh ../../../examples/line_by_camera pioneer 1 collisions 0 0 mean_distance_from_the_tape 0 0.03 largest_distance_from_the_tape 0 0.07 distance_along_the_tape 12 14 -- --for 60s
   pioneer: 0 of 1 seeds out of bounds
@@ -11,7 +11,8 @@ A recording replays bit for bit, on both engines.
   $ grep -v '^#' run.csv | sed 's/"[^"]*"//' | cut -d, -f1,31- | cmp - replayed.csv
   $ frobc trace $line --robot pioneer --input run.csv --engine interp | cmp - replayed.csv
 
-Where the line ends it is searched for, and found again, the way back.
+At the end of the line the robot searches for it, and finds it again, in the
+opposite direction.
 
   $ cat > end.toml <<'TOML'
   > [start]

@@ -1,9 +1,10 @@
-Three times round a course of tape, on the robot that sees the floor.
+Three times round a course of tape, on the robot that senses the floor.
 
   $ sh seeds.sh ../../../examples/line_follow create 5 collisions 0 0 mean_distance_from_the_tape 0 0.01 largest_distance_from_the_tape 0 0.04 distance_along_the_tape 45 50 -- --for 220s
   create: 0 of 5 seeds out of bounds
 
-A recording replays bit for bit, on both engines; the signals are in it.
+A recording replays bit for bit, on both engines; it contains the sensor
+signals.
 
   $ follow=../../../examples/line_follow/line_follow.frob
   $ frobc run $follow --for 20s --record run.csv --picture run.svg > summary
@@ -17,8 +18,8 @@ A recording replays bit for bit, on both engines; the signals are in it.
   $ cut -d, -f31-34 run.csv | sed 1q
   in.cliffSignals[0],in.cliffSignals[1],in.cliffSignals[2],in.cliffSignals[3]
 
-It loses the line at a corner, searches, and finds it again; where the line ends it
-searches and stops. Nothing but the corner and the end is searched for.
+The robot loses the line at a corner, searches, and finds it again; at the end of the line it
+searches and stops. It searches only at the corner and at the end.
 
   $ cat > corner.toml <<'TOML'
   > robot = "create"
@@ -48,7 +49,7 @@ Without a line it gives up.
   $ frobc run $follow --world bare.toml --exit-when-done --for 60s | grep finished
   finished after: 20.000 s
 
-A robot that does not look down is told.
+A robot without floor sensors is rejected.
 
   $ frobc check $follow --robot scout 2>&1 | head -1
   error[E0503]: `scout` has no `HasFloorSensors`

@@ -1,6 +1,6 @@
-An outage of the world: the host loses the robot for 4 s, as when its line is away. The program does
-not run meanwhile. Afterwards `outage` tells it how long that was, and its controllers take one step
-of 0.2 s, and not one of 4 s. A low-pass counts the whole time: what it held is old.
+An outage of the world: the host loses the robot for 4 s, as if its line were lost. The program does
+not run meanwhile. Afterwards `outage` returns the length, and the program's controllers take one
+step of 0.2 s, not one of 4 s. A low-pass counts the whole time, because its stored value is old.
 
   $ cat > world.toml <<TOML
   > [start]
@@ -44,8 +44,8 @@ The recording is replayed bit for bit, in both engines, for each robot.
   >   cut -d, -f2 c.csv | cmp - recorded
   > done
 
-The robot stands during the outage, and for one instant more: the first command afterwards is rest.
-A trial has the same outage, and its judge sees that.
+The robot stands still during the outage, and for one more instant: the first command afterwards is
+zero. A trial has the same outage, and its judge sees it.
 
   $ cat > judged.frob <<FROB
   > import Robot
@@ -60,7 +60,7 @@ A trial has the same outage, and its judge sees that.
   ok    stands: 2 seeds, 7 s
   1 test: all hold
 
-Outages that overlap are refused.
+Overlapping outages are rejected.
 
   $ printf '[start]\nx = 0\ny = 0\n[outage]\nlasts = 4\nevery = 2\n' > twice.toml
   $ frobc run drives.frob --world twice.toml --for 1s --robot create

@@ -1,4 +1,4 @@
-Runs that are recorded compressed: the same rows, and the same run again.
+Runs with compressed recordings: the same rows, and the same replay.
 
   $ examples=../../../examples
   $ drive=$examples/wall_follow/wall_follow.frob
@@ -14,8 +14,8 @@ Runs that are recorded compressed: the same rows, and the same run again.
   $ frobc trace $drive --input run.csv.gz | cmp - out.csv
   $ frobc trace $drive --input run.csv.zst | cmp - out.csv
 
-With a camera: its frames are beside it, in the folder that they would be in if it were compressed
-later.
+With a camera: its frames are stored next to the recording, in the folder that they would have if it
+were compressed later.
 
   $ see=$examples/follow_ball/follow_ball.frob
   $ frobc run $see --for 3s --record ball.csv.gz > summary
@@ -29,7 +29,7 @@ later.
   $ grep -v '^#' ball.csv | sed 's/"[^"]*"//g' | awk -F, "$columns" > recorded
   $ awk -F, "$columns" ball.out.csv | cmp - recorded
 
-Of several robots each has a recording:
+With several robots, each has a recording:
 
   $ cat > two.toml <<END
   > [[start]]
@@ -45,8 +45,8 @@ Of several robots each has a recording:
   two-2.csv.gz
   two.toml
 
-A host that is killed leaves a whole archive, as it is gzip that writes it; so does one that is
-interrupted, with all processes of its group.
+A host that is killed leaves a complete archive, because gzip writes it; so does one that is
+interrupted together with all processes of its group.
 
   $ frobc build --shared $drive -o drive.so
   $ host=$(dirname $(dirname $(command -v frobc)))/lib/frobc/frob-sim
@@ -66,7 +66,7 @@ interrupted, with all processes of its group.
   $ whole int.csv.gz
   as far as it went
 
-And where the disk is full the run ends:
+If the disk is full, the run ends:
 
   $ ln -s /dev/full full.csv.gz
   $ frobc run $drive --for 60s --record full.csv.gz 2> said > summary

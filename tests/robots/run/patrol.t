@@ -1,5 +1,5 @@
-To and fro between two places, past a pillar that is in the way: in three minutes
-at least twice at each end (by odometry), touching nothing.
+Back and forth between two places, past a pillar that is in the way: within three minutes at least
+twice at each end (by odometry), touching nothing.
 
   $ for robot in pioneer scout create; do
   >   sh seeds.sh ../../../examples/patrol $robot 2 collisions 0 0 distance_driven 30 45 -- --for 3min

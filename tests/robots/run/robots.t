@@ -23,8 +23,8 @@ A recording replays bit for bit, on both engines.
   time,out.forward,out.turn
   time,out.forward,out.turn,out.powerColour,out.powerLight,out.checkLight,out.dockLight,out.spotLight,out.debrisLight,out.tone
 
-A world may name its robot. Then a program that leaves its robot open needs no
-other word, and one that does not must be for that robot.
+A world may name its robot. A program that leaves its robot open then needs no
+option, and a program for a specific robot must be for that one.
 
   $ cat > open.frob <<'FROB'
   > import Robot
@@ -58,7 +58,7 @@ other word, and one that does not must be for that robot.
   error: ahead.toml:1:9: there is no robot `creator`; the robots are pioneer, scout, create; remove `robot` if the world is for your own robot
   [2]
 
-A Create sees where the floor ends. One that does not look falls, and stays there.
+A Create senses where the floor ends. A robot without such sensors falls, and stays there.
 
   $ cat > edge.toml <<'TOML'
   > robot = "create"
@@ -89,7 +89,7 @@ A Create sees where the floor ends. One that does not look falls, and stays ther
   false,false,false,true,true,true,true
   false,true,true,true,true,true,false
 
-A Scout's bumpers tell from where it is pressed: it drives back into the wall behind.
+A Scout's bumpers report from which side they are pressed: it drives backwards into the wall.
 
   $ cat > back.frob <<'FROB'
   > import Robot

@@ -1,5 +1,5 @@
-The wall follower's gains do not depend on the noise of one run, nor on the rate
-at which it runs: no collision, and errors within the same bounds.
+The wall follower's gains depend neither on the noise of one run nor on the
+program's rate: no collision, and errors within the same bounds.
 
   $ . ./within.sh
   $ for rate in 20 30 50 100; do

@@ -1,5 +1,5 @@
-The stick that the sonars limit, on a table: both engines agree. A sonar that is dead
-gives no number, and then the speed is none, at which a robot rests.
+The stick, limited by the sonars, on a table of inputs: both engines agree. A dead sonar reads NaN,
+and then the speed is NaN, for which a robot rests.
 
   $ example=../../../examples/safe_stick
   $ frobc trace $example/safe_stick.frob --entry safely --input $example/drive.csv | tee driven.csv
@@ -17,7 +17,7 @@ gives no number, and then the speed is none, at which a robot rests.
   9.000000000,nan,0
   $ frobc trace $example/safe_stick.frob --entry safely --input $example/drive.csv --engine interp | cmp - driven.csv
 
-With the key w held down, whatever the robot, it drives up to a wall and stops before it.
+With the key w held down, each robot drives up to a wall and stops in front of it.
 
   $ printf 'name = "ahead"\n[start]\nx = 0\ny = 0\n[[wall]]\npoints = [[3, -3], [3, 3]]\n' > ahead.toml
   $ for robot in pioneer scout create; do
@@ -31,7 +31,7 @@ With the key w held down, whatever the robot, it drives up to a wall and stops b
   collisions: 0
   1
 
-The recording tells how far it came.
+The recording shows how far it came.
 
   $ sed -n '/^```frob/,/^```$/p' $example/README.md | grep -v '```' > logger.frob
   $ frobc trace logger.frob --entry logger --robot create --input log.csv | awk -F, 'END { print ($2 > 1.2 && $2 < 3) }'

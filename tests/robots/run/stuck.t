@@ -1,5 +1,5 @@
-A task that drives ends where the robot cannot, and says so: there is a wall behind it, which
-no sonar of `forward` sees, and it stands in a corridor that is narrower than its diagonal.
+A driving task ends if the robot cannot move, and reports that: there is a wall behind the robot,
+which no sonar used by `forward` sees, and it is in a corridor that is narrower than its diagonal.
 
   $ cat > stuck.frob <<EOF
   > import Geometry
@@ -55,7 +55,7 @@ no sonar of `forward` sees, and it stands in a corridor that is narrower than it
   result: (false, false, false, false)
   in time
 
-A motor that strains counts, on a floor where the wheels slip too.
+A straining motor counts, also on a floor where the wheels slip.
 
   $ printf '[drive]\nslip = 0.1\n' >> behind.toml
   $ for robot in pioneer scout create; do run --entry back --robot $robot --world behind.toml; done

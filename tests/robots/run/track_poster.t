@@ -1,6 +1,6 @@
-It learns the poster in the first frame, and drives up to it until it is 1.6 times as large;
-from 3.8 m that is a way of 1.4 m. The ball hides it twice in 16 s. Each time it is
-lost, and found again.
+The program learns the poster in the first frame, and drives up to it until it is 1.6 times as
+large; from 3.8 m that is a distance of 1.4 m. The ball hides the poster twice in 16 s. Each time it
+is lost, and found again.
 
   $ frobc run ../../../examples/track_poster/track_poster.frob --robot pioneer --for 16s --seed 1 --record run.csv | sed -n 's/\(distance driven: 1.4\).*/\1/p; /collisions/p'
   distance driven: 1.4
@@ -22,7 +22,7 @@ lost, and found again.
   Lost
   Seen
 
-While it is not seen the robot stands still.
+While the poster is not visible, the robot stands still.
 
   $ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /t.sight$/) s = i; next } $s != "Seen" && ($2 != 0 || $3 != 0)' probed.csv | wc -l
   0

@@ -11,15 +11,16 @@ keeps its distance.
   $ head -c 4 run.png | tail -c 3; echo
   PNG
 
-Once round: in the end it is near the place where it started, after having been
-in the corner of the room farthest from it (by odometry, which starts at 0).
+Once round: at the end the robot is near the place where it started, after
+having been in the corner of the room farthest from it (by odometry, which
+starts at 0).
 
   $ awk -F, 'NR > 1 { if ($2 > x) x = $2; if ($3 < y) y = $3; end_x = $2; end_y = $3 }
   >   END { print (x > 4.5 && x < 5.2), (y < -3 && y > -4), (end_x * end_x + end_y * end_y < 1) }' one.csv
   1 1 1
 
-The world beside the program is the one that is taken; the same seed gives the
-same log, byte for byte, and another seed another one.
+The default world is the one next to the program; the same seed produces the
+same log, byte for byte, and another seed a different one.
 
   $ frobc run $examples/wall_follow/wall_follow.frob --record two.csv > /dev/null
   $ cmp one.csv two.csv
@@ -27,8 +28,8 @@ same log, byte for byte, and another seed another one.
   $ cmp -s one.csv three.csv
   [1]
 
-The recording is an input of `frobc trace`, which commands what was commanded
-then, bit for bit.
+`frobc trace` accepts the recording as input, and reproduces the commands, bit
+for bit.
 
   $ frobc trace $examples/wall_follow/wall_follow.frob --input one.csv --output replayed.csv
   $ head -1 replayed.csv

@@ -1,6 +1,6 @@
-# Two more lines for the summary of a run, from its recording: the longest time that the
-# robot, by its odometry, stayed within half a metre of a place, and in how many squares
-# of a metre it has been.
+# Adds two lines to the summary of a run, from its recording: the longest time that the
+# robot, by its odometry, stayed within half a metre of a place, and the number of
+# squares of one metre that it visited.
 BEGIN { FS = "," }
 NR == 2 { x = $2; y = $3; since = $1 }
 NR > 1 {

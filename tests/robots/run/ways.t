@@ -1,5 +1,5 @@
-Ways and turns by odometry, on each robot: a square, a turn of more than a whole one, back
-again, and a wall that ends a way.
+Distances and turns by odometry, on each robot: a square, a turn of more than a full circle, back
+again, and a wall that ends a drive.
 
   $ cat > ways.frob << FROB
   > import Robot

@@ -1,5 +1,6 @@
-A world is found by its name in the current folder, beside the program, and among those that come
-with frobc, in this order; in a trial beside the program, and among those.
+frobc searches for a world by its name in the current folder, next to the program, and among the
+worlds that come with frobc, in this order; for a trial, next to the program, and among those
+worlds.
 
   $ mkdir prog folder
   $ cat > prog/ahead.frob << 'FROB'
@@ -21,7 +22,7 @@ with frobc, in this order; in a trial beside the program, and among those.
   $ run prog/near.toml
   time simulated: 1.000 s
 
-One that does not exist is told from one that cannot be read.
+A missing world and an unreadable one have different messages.
 
   $ run none.toml
   error: there is no world `none.toml` here or beside prog/ahead.frob or among the worlds of frobc: room.toml

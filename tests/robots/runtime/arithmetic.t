@@ -1,5 +1,5 @@
-What is wrong with arithmetic is found, under each option that takes something
-away; and nothing is, where nothing is wrong.
+The check finds each fault of the arithmetic, under each compiler option that
+causes one; and none if there is none.
 
   $ cat > ask.c <<'END'
   > #include <frob/arithmetic.h>
@@ -46,8 +46,8 @@ away; and nothing is, where nothing is wrong.
   $ ask clang -O2 -fno-signed-zeros
   special treats floating-point numbers as real numbers: compile without -ffast-math and its parts
 
-Products and sums are joined where the processor can do that; where not, the
-answers are written here.
+Products and sums are contracted if the processor can do that; otherwise the
+script prints the expected results.
 
   $ can () { grep -qw fma /proc/cpuinfo; }
   $ if can; then ask gcc -O2 -ffp-contract=fast -mfma && ask clang -O1 -ffp-contract=fast -mfma; else for i in 1 2; do
@@ -55,15 +55,15 @@ answers are written here.
   contraction rounds a product and a sum only once: compile with -ffp-contract=off
   contraction rounds a product and a sum only once: compile with -ffp-contract=off
 
-Registers that hold more than a double make products look as if they were joined.
+Registers with more bits than a double make products appear contracted.
 
   $ if [ "$(uname -m)" = x86_64 ]; then ask gcc -O0 -mfpmath=387 && ask gcc -O2 -mfpmath=387; else for i in 1 2; do
   >   echo "uses more than 53 bits of precision: compile for SSE2 or another unit for doubles"; done; fi | sed 's/.* uses/uses/'
   uses more than 53 bits of precision: compile for SSE2 or another unit for doubles
   uses more than 53 bits of precision: compile for SSE2 or another unit for doubles
 
-Of the processor's settings: linking with -ffast-math has small numbers made zero
-from when the process starts, and any code can set a rounding mode.
+Settings of the processor: linking with -ffast-math flushes subnormal numbers to zero from the start
+of the process, and any code can set a rounding mode.
 
   $ gcc -O2 -I ../../../runtime/include -c ask.c && gcc -ffast-math ask.o -o linked && ./linked
   subnormal flushes small numbers to zero: compile and link without -ffast-math

@@ -1,4 +1,4 @@
-`frobc serve` tells first what to connect to: a pseudo-terminal,
+`frobc serve` first prints what to connect to: a pseudo-terminal,
 
   $ frobc serve --robot pioneer --for 200ms | sed 's|/dev/pts/[0-9]*|PTY|; s|^\(time simulated:\) [0-9.]* s|\1 N s|'
   device: PTY
@@ -8,18 +8,18 @@
   odometry error at the end: 0.000 m
   collisions: 0
 
-or a port of this machine, for tools that connect by TCP.
+or a TCP port of this machine, for tools that connect by TCP.
 
   $ frobc serve --robot pioneer --tcp 0 --for 100ms | sed -n '1s/:[0-9]*$/:PORT/p'
   device: tcp:127.0.0.1:PORT
 
-A Scout and a Create are there, too.
+It also simulates a Scout and a Create.
 
   $ for robot in scout create; do frobc serve --robot $robot --for 100ms | sed -n '1s|/dev/pts/[0-9]*|PTY|p'; done
   device: PTY
   device: PTY
 
-What is wrong with the call is told.
+Errors in the command line are reported.
 
   $ frobc serve --robot pionier
   error: there is no robot `pionier`; the robots are pioneer, scout, create; for your own robot, write the file of its module
@@ -31,7 +31,8 @@ What is wrong with the call is told.
   error: there is no world `nowhere.toml` here or among the worlds of frobc: room.toml
   [2]
 
-A link is kept to the device while it is there, and taken away at the end.
+With --link, a symbolic link leads to the device while it exists, and is removed
+at the end.
 
   $ serve_a_link () {
   >   frobc serve --link robot > out & server=$!
@@ -42,7 +43,7 @@ A link is kept to the device while it is there, and taken away at the end.
   $ kill $server; wait $server; [ -e robot ] || echo gone
   gone
 
-But not another that somebody has put in its place.
+A different link that somebody has created in its place is kept.
 
   $ serve_a_link; ln -sf /dev/null robot
   $ kill $server; wait $server; readlink robot

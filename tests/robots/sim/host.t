@@ -1,5 +1,5 @@
-A program drives the robot; the summary says how it went. (The last digits
-depend on the machine.)
+A program drives the robot; the summary reports the run. (The last digits depend
+on the machine.)
 
   $ sim () { ../../../runtime/frob-sim "$@"; }
   $ world=../../../examples/wall_follow/world.toml
@@ -15,7 +15,8 @@ depend on the machine.)
   picture: run.svg
   log: one.csv
 
-The same seed gives the same log, byte for byte; another seed another one.
+The same seed produces the same log, byte for byte; another seed a different
+one.
 
   $ sim ./wall_follower.so --world $world --for 30 --record two.csv > /dev/null
   $ cmp one.csv two.csv
@@ -23,7 +24,7 @@ The same seed gives the same log, byte for byte; another seed another one.
   $ cmp -s one.csv three.csv
   [1]
 
-The program replayed on its recorded input commands what it did then.
+A replay of the program on its recorded input has the same commands.
 
   $ ../../../runtime/frob-trace ./wall_follower.so one.csv replayed.csv
   $ sed 's/,.*,\([^,]*,[^,]*\)$/,\1/' one.csv | cmp - replayed.csv
@@ -36,7 +37,7 @@ At 30 Hz the instant after 30 steps is at exactly one second.
   $ sed 1d rate.csv | wc -l | tr -d ' '
   31
 
-A PNG picture is one, and a picture that is neither is refused.
+A PNG picture is valid, and a picture in an unknown format is rejected.
 
   $ sim ./wall_follower.so --world $world --for 1 --picture run.png > /dev/null
   $ head -c 4 run.png | tail -c 3; echo
@@ -45,7 +46,7 @@ A PNG picture is one, and a picture that is neither is refused.
   error: the name of the picture `run.gif` must end in .svg or .png
   [2]
 
-Running into a wall is told, and with --strict it is a fault.
+A collision with a wall is reported, and with --strict it is a fault.
 
   $ cat > ahead.c <<EOF
   > #include <frob/arithmetic.h>
@@ -71,14 +72,14 @@ Running into a wall is told, and with --strict it is a fault.
   error: the robot collided with something
   [4]
 
-A program for another robot is refused.
+A program for another robot is rejected.
 
   $ compile rover rover.so
   $ sim ./rover.so --world $world
   error: there is no simulated rover; for your own robot, define its body `frob_rover_body` in a C file, and add the file with `--with`
   [2]
 
-Wrong use has status 2, and says what is wrong.
+Wrong use has exit status 2, with a message.
 
   $ sim ./wall_follower.so
   error: --world is missing; see `frob-sim --help`
@@ -98,7 +99,7 @@ Wrong use has status 2, and says what is wrong.
   error: cannot write no/such/folder.csv: No such file or directory
   [2]
 
-Every mistake in a world file is told at once.
+All mistakes in a world file are reported together.
 
   $ cat > wrong.toml <<EOF
   > [start]

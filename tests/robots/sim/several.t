@@ -1,5 +1,5 @@
-Three robots in one world run the same program, each for itself; the summary tells
-of each, and then of all. (The last digits depend on the machine.)
+Three robots in one world run the same program independently. The summary lists each robot, and then
+all together. (The last digits depend on the machine.)
 
   $ sim () { ../../../runtime/frob-sim "$@"; }
   $ cat > three.toml <<EOF
@@ -41,7 +41,7 @@ of each, and then of all. (The last digits depend on the machine.)
   simulated seconds per second: N
   picture: run.svg
 
-What each has read and commanded is in a log of its own, and replayed it is the same.
+Each robot has a log of its inputs and commands, and a replay of it has the same commands.
 
   $ for k in 1 2 3; do
   >   ../../../runtime/frob-trace ./wall_follower.so log-$k.csv replayed.csv
@@ -50,7 +50,8 @@ What each has read and commanded is in a log of its own, and replayed it is the 
   $ cmp -s log-1.csv log-2.csv
   [1]
 
-The same seed gives the same logs, byte for byte; another seed others.
+The same seed produces the same logs, byte for byte; another seed different
+ones.
 
   $ sim ./wall_follower.so --world three.toml --for 10 --record again.csv > again
   $ for k in 1 2 3; do cmp log-$k.csv again-$k.csv; done
@@ -60,7 +61,7 @@ The same seed gives the same logs, byte for byte; another seed others.
   another
   another
 
-A robot that runs into another one has collided, and so has the other.
+If a robot runs into another one, both have collided.
 
   $ cat > ahead.c <<EOF
   > #include <frob/arithmetic.h>

@@ -1,4 +1,5 @@
-Whoever is killed, and whenever, run the same command to continue, and the table is the same.
+Whichever process is killed, and whenever, running the same command again continues the sweep, and
+the table is the same.
 
   $ . ./follow.sh && follow 5 60
   $ cat > gaps.toml << 'PLAN'
@@ -9,7 +10,7 @@ Whoever is killed, and whenever, run the same command to continue, and the table
   > PLAN
   $ frobc sweep gaps.toml --rows whole --table whole.csv > /dev/null
 
-The command itself, again and again.
+The command itself is killed again and again.
 
   $ for pause in 0.15 0.3 0.2 0.4 0.25; do
   >   frobc sweep gaps.toml -j 3 > told 2>&1 & sweep=$!
@@ -17,7 +18,7 @@ The command itself, again and again.
   > done
   > frobc sweep gaps.toml > told && cmp gaps.csv whole.csv
 
-Its processes, while it runs: their runs are made by others.
+Its processes are killed while it runs: others perform their runs.
 
   $ rm -r gaps.rows
   $ frobc sweep gaps.toml -j 2 > told 2>&1 & sweep=$!
@@ -28,12 +29,12 @@ Its processes, while it runs: their runs are made by others.
   >   done; test -n "$child" && kill -9 $child 2> no_child
   > done; wait $sweep && cmp gaps.csv whole.csv
 
-A row that is not whole, or has been changed, is made again.
+A row that is incomplete or was changed is computed again.
 
   $ for file in gaps.rows/*.rows; do sed -i '1s/held/hell/; $s/.$//' "$file"; done
   $ frobc sweep gaps.toml > told && cmp gaps.csv whole.csv
 
-Where the disk is full what is done is kept.
+If the disk is full, finished rows are kept.
 
   $ rm -r gaps.rows && mkdir small
   $ (ulimit -f 8; frobc sweep gaps.toml -j 1 --rows small) 2>&1 | sed 's/[0-9][0-9]*/N/g'
@@ -41,7 +42,7 @@ Where the disk is full what is done is kept.
   N runs done, N left; run the same command to continue
   $ test $(cat small/*.rows | wc -l) -gt 10 && frobc sweep gaps.toml --rows small > told && cmp gaps.csv whole.csv
 
-So it is where there is no room for the table.
+The same if there is no room for the table.
 
   $ frobc sweep gaps.toml --rows small --table /dev/full
   error: cannot write /dev/full: No space left on device

@@ -1,4 +1,4 @@
-What is wrong with a plan is told before the first run, with its place.
+Mistakes in a plan are reported before the first run, with their places.
 
   $ cat > follow.frob << 'FROB'
   > import Robot

@@ -1,4 +1,4 @@
-A hundred shards, of which some have a run more than others, in any order and two at a time.
+A hundred shards, some with one run more than others, in any order and two at a time.
 
   $ . ./follow.sh && follow 1 45
   $ cat > gaps.toml << 'PLAN'

@@ -1,5 +1,5 @@
-A sweep makes many runs of a trial, and a table of them: over worlds, robots, values of parameters,
-and seeds, which vary fastest.
+A sweep performs many runs of a trial, and writes a table of them: over worlds, robots, values of
+parameters, and seeds, which vary fastest.
 
   $ cat > follow.frob << 'FROB'
   > import Robot
@@ -59,7 +59,8 @@ and seeds, which vary fastest.
   keeps, &quot;off&quot;: error (m)
   keeps, &quot;off&quot;: way (m)
 
-A table is the same whatever the processes, and whatever order plans of its runs came in.
+The table does not depend on the number of processes, or on the order in which earlier plans
+performed its runs.
 
   $ frobc sweep gaps.toml -j 1 --rows one --table one.csv > /dev/null
   $ frobc sweep gaps.toml -j 8 --rows eight --table eight.csv > /dev/null
@@ -69,7 +70,7 @@ A table is the same whatever the processes, and whatever order plans of its runs
   $ frobc sweep more.toml --rows fresh --table fresh.csv > /dev/null
   $ cmp more.csv fresh.csv
 
-Shards, on machines of their own or not, make the same table together.
+Shards, on separate machines or not, produce the same table together.
 
   $ frobc sweep gaps.toml --shard 1/3 --rows first
   16 runs of shard 1/3 done; 32 are left to other shards; then make the table with `--merge`
@@ -81,7 +82,7 @@ Shards, on machines of their own or not, make the same table together.
   $ frobc sweep gaps.toml --shard 3/3 --rows second > /dev/null
   $ frobc sweep gaps.toml --merge --rows first --also second --table shards.csv > /dev/null && cmp gaps.csv shards.csv
 
-What has changed is made anew, and nothing else: another world, a picture that hangs in it, or
+Only changed runs are performed again: with another world, a different picture that hangs in it, or
 another program.
 
   $ count () { cat gaps.rows/*.rows | wc -l; }
@@ -102,8 +103,8 @@ another program.
   $ cmp -s gaps.csv one.csv
   [1]
 
-How many there are, and how many of them are done, is told without making any; with a digest that
-tells whether another machine would make the same.
+--dry-run prints the number of runs, and how many of them are finished, without performing any; and
+a digest that shows whether another machine would perform the same ones.
 
   $ dry () { frobc sweep "$@" --dry-run | grep -v digest; }
   $ dry gaps.toml
@@ -122,7 +123,8 @@ tells whether another machine would make the same.
   $ echo '# other' >> elsewhere/empty.toml; digest elsewhere/gaps.toml | cmp -s here -
   [1]
 
-Points may be sampled: a Latin hypercube has a value in each part of each range.
+Points may be sampled: a Latin hypercube has one value in each part of each
+range.
 
   $ cat > drawn.toml << 'PLAN'
   > program = "follow.frob"

@@ -1,5 +1,5 @@
-Every kernel by its name in Frob, on the frames of a run, under both engines: in the first frame
-the poster's red disc and frame are two blobs; two images from one camera have disparities, but no
+Every kernel under its name in Frob, on the frames of a run, in both engines: in the first frame the
+poster's red disc and frame are two blobs; two images from one camera have disparities, but no
 depths.
 
   $ frobc run known.frob --world world.toml --for 1s --seed 1 --record run.csv > summary

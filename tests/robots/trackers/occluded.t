@@ -1,5 +1,5 @@
-The camera is covered for two seconds, and later for one, while the robot drives and turns. A thing
-of three patches, a patch and a ball are lost, and found again as soon as they are seen.
+The camera is covered for two seconds, and later for one, while the robot drives and turns. An
+object of three patches, a patch and a ball are lost, and found again as soon as they are visible.
 
   $ cat > again.awk << 'AWK'
   > BEGIN { FS = ","; split("composite patch ball", names, " ") }

@@ -1,5 +1,6 @@
-A square and its corner are followed by their edges, while a robot drives and turns before them. What
-is found is compared with where the camera's geometry says that it is: the root of the mean square.
+Trackers follow a square and its corner by their edges, while a robot drives and turns in front of
+them. The results are compared with the positions computed from the camera's geometry: the root mean
+square of the distances.
 
   $ export LC_ALL=C
   $ picture () { # BRIGHTNESS INSIDE, AROUND
@@ -107,7 +108,8 @@ is found is compared with where the camera's geometry says that it is: the root 
   size within 1
   square within 0.3
 
-A square whose upper left corner is hidden is where the others say.
+If the upper left corner of the square is hidden, its position follows from the
+others.
 
   $ picture 90 90 > grey.pgm
   $ { cat bright.toml; printf '[[poster]]\ncenter = [4.85, 2.3]\nfacing_deg = 180\nsize = [0.25, 0.25]\nmiddle = 0.8\npicture = "grey.pgm"\n'; } > hidden.toml
@@ -116,7 +118,7 @@ A square whose upper left corner is hidden is where the others say.
   size within 1
   square within 0.6
 
-A smoothed track follows with a delay, and begins anew where the thing is found again.
+A smoothed track follows with a delay, and restarts when the object is found again.
 
   $ cat > smooth.frob << 'FROB'
   > import Tracking

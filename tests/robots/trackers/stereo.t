@@ -1,7 +1,7 @@
-A robot with a stereo head goes to and fro, a good two metres before a wall; pixels are noisy, frames
-lost, and the right camera is a little askew. Each depth is compared with the world: those of the
-wall are off by five percent at most, each of them, whichever way they are asked for; a box and
-a wall beside are where the outline of the floor plan has them.
+A robot with a stereo head drives back and forth, a good two metres in front of a wall; pixels are
+noisy, frames lost, and the right camera is slightly misaligned. Each depth is compared with the
+world. Every depth of the wall is off by at most five percent, by whichever function; a box and a
+side wall are where the floor plan has them.
 
   $ frobc run stereo.frob --world stereo.toml --for 6s --seed 1 --record run.csv > summary
   $ frobc trace stereo.frob --entry judged --input run.csv > judged.csv
@@ -19,18 +19,18 @@ a wall beside are where the outline of the floor plan has them.
   side within 0.1
   base within 0.120001
 
-The interpreter sees the same, bit for bit.
+The interpreter has the same results, bit for bit.
 
   $ frobc trace stereo.frob --entry judged --input run.csv --engine interp | cmp - judged.csv
 
-A right camera that is askew by a degree falsifies distances.
+A right camera that is misaligned by a degree falsifies distances.
 
   $ sed 's/askew_yaw_deg = .*/askew_yaw_deg = 1/' stereo.toml > askew.toml
   $ frobc run stereo.frob --world askew.toml --for 0.5s --seed 1 --record askew.csv > summary
   $ frobc trace stereo.frob --entry judged --input askew.csv | sed -n 2p | grep -c 'wall = 0.[2-9]'
   1
 
-A bare wall has no depth, and a pair is none where one of its frames is missing.
+A bare wall has no depth, and there is no pair if one of its frames is missing.
 
   $ sed 's/^closed = true/&\ntexture = "plain"/; s/^noise.*//' stereo.toml > bare.toml
   $ cat > bare.frob << 'FROB'

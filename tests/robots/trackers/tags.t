@@ -1,5 +1,5 @@
-A tag that moves through the picture as a robot turns: the tracker keeps to it, one of the two of its
-number, and the corners that were found are where the camera's geometry has them.
+A tag moves through the picture as a robot turns: the tracker stays on the one of two tags with the
+same number, and the corners are at the positions computed from the camera's geometry.
 
   $ cat > tagged.toml << 'TOML'
   > [start]

@@ -1,6 +1,6 @@
-A robot drives and turns a little before a poster and a ball that rolls, with a noisy camera.
-Each tracker is compared with where the camera's geometry says that the thing is: the root of the
-mean square, in pixels, of all frames but the first.
+A robot drives and turns a little in front of a poster and a rolling ball, with a noisy camera. Each
+tracker is compared with the object's position computed from the camera's geometry: the root mean
+square in pixels, over all frames but the first.
 
   $ frobc run known.frob --world world.toml --for 8s --seed 1 --record run.csv > summary
   $ frobc trace known.frob --entry judged --input run.csv > judged.csv
@@ -19,7 +19,7 @@ mean square, in pixels, of all frames but the first.
   edge within 0.3
   ball within 1
 
-The interpreter runs the same kernels; all else of the trackers is the same, bit for bit.
+The interpreter runs the same kernels; everything else in the trackers is the same, bit for bit.
 
   $ frobc trace known.frob --entry judged --input run.csv --engine interp | cmp - judged.csv
 
@@ -29,7 +29,8 @@ Another seed of noise:
   $ frobc trace known.frob --entry judged --input run.csv | awk -f mean.awk | grep -c within
   5
 
-The ball is out of sight from the first frame on: the track is lost, and the estimate stays.
+The ball is never visible after the first frame: the track is lost, and the estimate does not
+change.
 
   $ cat > unseen.frob << 'FROB'
   > import Tracking
@@ -49,7 +50,8 @@ The ball is out of sight from the first frame on: the track is lost, and the est
   Lost,0,1
   out.1,out.2,out.3
 
-A camera that gives no more frames: after its patience the tracker says that it has lost the ball.
+A camera that delivers no more frames: after its patience, the tracker reports that it has lost the
+ball.
 
   $ awk -F, '$1 > 2 { gsub(/"Frame [^"]*"/, "") } { print }' run.csv > silent.csv
   $ cp -r run.frames silent.frames

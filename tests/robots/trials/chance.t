@@ -1,5 +1,5 @@
-A trial may be asked to hold in a share of its runs. They go on until that can be said, or until
-there are no more seeds; the outcome does not depend on how many run at a time.
+A trial may require that only a given proportion of its runs hold. Runs continue until this is
+decided, or until there are no more seeds; the outcome does not depend on how many run at a time.
 
   $ cat > chance.frob << 'FROB'
   > import Robot
@@ -31,8 +31,8 @@ there are no more seeds; the outcome does not depend on how many run at a time.
   error[E0392]: `holdsWith` needs a share between 0 and 1 and a confidence between 0.5 and 1, not 1.5 and 0.95
   2 errors
 
-Of a trial that fails the run that fails first is looked at, and the disturbances of the world are
-left out that it fails without.
+If a trial fails, the run that failed earliest is examined, and those disturbances of the world are
+removed without which it still fails.
 
   $ installed=$(dirname $(dirname $(command -v frobc)))
   $ cp $installed/share/frobc/worlds/room.toml noisy.toml
@@ -62,7 +62,7 @@ left out that it fails without.
   35:slip = 0.1
   37:# noise = 0.1 # of light
 
-What is reported of a run is about that run alone, and the same of the simpler one: the time, the
+The report about a run is about that run alone, and the same for the simpler one: the time, the
 outputs, the seed and the command that shows it agree with each other and with the recording.
 
   $ cat > agree.py << 'PY'

@@ -1,5 +1,5 @@
-A collision is the same in `frobc run`, in a trial and in a sweep: something came to touch the
-robot. Each says with what, where, when, and with what clearance.
+A collision is the same in `frobc run`, in a trial and in a sweep: an object came to touch the
+robot. Each reports the object, the place, the time, and the clearance.
 
   $ cat > ahead.frob << 'FROB'
   > import Robot
@@ -53,7 +53,8 @@ robot. Each says with what, where, when, and with what clearance.
   odometry_error,collisions,collision_at,collision_x,collision_y,collision_clearance,collision_with
   0.001497612,1,2.635000000,0.850704789,0,0.210247612,"the cone (thing.toml, line 1)"
 
-What can be pushed is touched as well, and so is what rolls against the robot.
+Objects that can be pushed count too, and so do objects that roll against the
+robot.
 
   $ printf '[[box]]\ncenter = [1, 0]\nsize = [0.2, 0.2]\n' | sh meet
   collisions: 1
@@ -77,7 +78,8 @@ What can be pushed is touched as well, and so is what rolls against the robot.
   odometry_error,collisions,collision_at,collision_x,collision_y,collision_clearance,collision_with
   0.0544742447,1,2.855000000,0.914737642,0.0944424495,inf,"the ball (thing.toml, line 1)"
 
-Nothing is missed between two instants of a slow program, and nothing is touched where nothing is.
+No collision between two instants of a slow program is missed, and none is reported without an
+object.
 
   $ printf '[[ball]]\nway = [[1, 3], [1, -3]]\nspeed = 2.5\nradius = 0.02\n' | rate=1 sh meet
   collisions: 1
@@ -91,13 +93,13 @@ Nothing is missed between two instants of a slow program, and nothing is touched
   odometry_error,collisions,collision_at,collision_x,collision_y,collision_clearance,collision_with
   9.45854186e-06,0,,,,,
 
-Tools get the same.
+The output for tools contains the same data.
 
   $ printf '[[wall]]\npoints = [[1, -1], [1, 1]]\n[start]\nx = 0\ny = 0\n' > thing.toml
   $ frobc test ahead.frob --robot pioneer --json -k nothing | grep -o '"collisions".*"clearance":[0-9.]*}'
   "collisions":1,"first_collision":{"time":2.965,"with":"the wall (thing.toml, line 1)","x":0.950205088,"y":-0.0939347222,"clearance":0.21124692}
 
-Of several robots each says what it touched.
+With several robots, each reports what it touched.
 
   $ printf '[[start]]\nx = 0\ny = 0\n[[start]]\nx = 2\ny = 0\nheading_deg = 180\n' > two.toml
   $ frobc run ahead.frob --robot pioneer --world two.toml --for 6s | grep coll

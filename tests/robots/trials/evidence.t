@@ -1,5 +1,5 @@
-What is kept of a failed run: no test overwrites the files of another, although their labels have
-the same slug, or their programs the same name.
+Files that are kept of a failed run: no test overwrites the files of another, even if their labels
+have the same slug, or their programs the same name.
 
   $ program () {
   >   printf 'import Robot\nimport Trial\nimport WallFollow\n'
@@ -49,13 +49,13 @@ The printed commands repeat each option that changes the program.
   frobc view failed/runs-1-seeds.csv seeds.frob --robot pioneer --real float --specialization-limit 5000 --with 'my c/evil.h' --with ./-evil.h --entry 'judge test runs 1' --at 0s
   $ head -1 commands | sed 's/frobc view/& --only-build/' > again.sh && sh again.sh > built && test -s "$(cat built)"
 
-A suggested name is not read as an option.
+A suggested name is not interpreted as an option.
 
   $ sed 's|^main ::|foreign include "-evil.h"\n&|' one.frob > evil.frob
   $ frobc test evil.frob --robot pioneer -k 'A b' 2>&1 | grep -o 'add `[^`]*`'
   add `--with ./-evil.h`
 
-A file in the way stays as it is. The report leaves out only what cannot be written.
+An existing file in the way is not changed. The report omits only what cannot be written.
 
   $ mkdir taken && echo mine | tee taken/runs-1.csv > taken/runs-1-1.csv
   $ frobc test seeds.frob --robot pioneer --keep taken --rate 20 > told

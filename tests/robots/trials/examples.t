@@ -1,4 +1,4 @@
-What the examples promise of themselves holds, on each robot that they are for.
+The trials of the examples hold, on each robot that they are for.
 
   $ examples=../../../examples
   $ frobc test $examples | grep -v '^      '
@@ -102,7 +102,7 @@ What the examples promise of themselves holds, on each robot that they are for.
   10 tests: all hold
   6 tests: all hold
 
-What needs C runs if its files are named, as it is told to.
+Examples that need C run if their files are given, as the message says.
 
   $ frobc test $examples/light_seek $examples/blob_tracker | sed -n 's/^      //p' | sort -u > commands
   error: no test was run; see above for how to run the skipped tests
@@ -124,7 +124,7 @@ What needs C runs if its files are named, as it is told to.
   $ grep -c skipped left.xml
   3
 
-Named, they have to run.
+If a file is named, its tests must run.
 
   $ frobc test $examples/blob_tracker/blob_tracker.frob
   FAIL  finds the same blob with both trackers: cannot be run

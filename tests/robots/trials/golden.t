@@ -1,4 +1,5 @@
-A golden trace is what a program once gave on an input, and gives still.
+A golden trace is the stored output of a program for an input, which the program
+must still produce.
 
   $ mkdir here
   $ cat > here/speed.frob << 'FROB'
@@ -12,7 +13,7 @@ A golden trace is what a program once gave on an input, and gives still.
   > FROB
   $ printf 'time,in\n0,2\n1,2\n2,3\n6,0\n' > here/drive.csv
 
-The first time there is nothing to compare with; `--update` writes it.
+At first there is nothing to compare with; `--update` writes the output.
 
   $ frobc test here
   FAIL  drives on: there is no file here/driven.csv; it must contain the output of the trace: write it with `--update`
@@ -31,7 +32,7 @@ The first time there is nothing to compare with; `--update` writes it.
   ok    drives on: 6 s
   1 test: all hold
 
-A program that gives something else fails, and says what.
+If the output differs, the test fails and shows the difference.
 
   $ sed -i 's/>= 10/> 16/' here/speed.frob
   $ (cd here && frobc test)
@@ -48,7 +49,7 @@ A program that gives something else fails, and says what.
   ok    drives on: 6 s
   1 test: all hold
 
-Only a trace is overwritten, and never the input; an input that is none is told.
+Only a trace is overwritten, and never the input; an invalid input is reported.
 
   $ echo "# my notes" > here/driven.csv
   $ frobc test here --update

@@ -1,5 +1,5 @@
-Of a folder the trials are skipped that need a library that is not installed; of a file that is
-named they fail, for the same reason. What is called so here is no library.
+In a folder, trials that need a library that is not installed are skipped; in a file that is named,
+they fail, for the same reason. The library's name in this test is not a real one.
 
   $ mkdir none && printf 'no library' > none/libapriltag.so.3
   $ export LD_LIBRARY_PATH=$PWD/none

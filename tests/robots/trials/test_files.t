@@ -1,4 +1,4 @@
-The tests and trials of a program may be in a file of their own, beside it. They know all names and
+The tests and trials of a program may be in a separate file, next to it. They can use all names and
 imports of the program, and may have more imports.
 
   $ cat > slow.frob << 'FROB'
@@ -45,8 +45,8 @@ imports of the program, and may have more imports.
   1 test: all hold
   $ frobc check slow.frob
 
-The test that fails is in the test file, and what shows it names that file; a trial names the
-program.
+The failing test is in the test file, and the command that shows it names that file; for a trial, it
+names the program.
 
   $ cat > slow.test.frob << 'FROB'
   > test "doubles a speed" = during 1[s] (proc () -> gentle 0.4[m/s] == 0.8[m/s])
@@ -66,8 +66,8 @@ program.
   1 {"file":"slow.frob"
   2 {"file":"slow.test.frob"
 
-A program is compiled without its test file, whatever that holds. Neither running nor tracing reads
-it.
+A program is compiled without its test file, whatever the file contains. Neither running nor tracing
+reads it.
 
   $ mkdir with without
   $ frobc compile slow.frob --robot pioneer -o with
@@ -104,8 +104,8 @@ A program cannot use its test file.
   1 error
   [1]
 
-A test file has no header and no `main`, and defines nothing that its program defines. The places
-are those in the test file.
+A test file has no header and no `main`, and does not define names that its program defines. Places
+refer to the test file.
 
   $ cat > slow.test.frob << 'FROB'
   > module Slow where
@@ -175,7 +175,7 @@ are those in the test file.
   3 errors
   [1]
 
-Without its program it means nothing, and cannot be run as a program.
+Without its program, a test file is invalid, and it cannot be run as a program.
 
   $ cp away lost.test.frob
   $ frobc check lost.test.frob
@@ -229,7 +229,7 @@ Without its program it means nothing, and cannot be run as a program.
   [2]
   $ rmdir slow.test.frob
 
-Imports of a test file may lead back to the program, but not round in a circle.
+Imports of a test file may lead back to the program, but not form a cycle.
 
   $ cat > Gains.frob << 'FROB'
   > gain :: Float
@@ -269,8 +269,8 @@ Imports of a test file may lead back to the program, but not round in a circle.
   1 error
   [1]
 
-An unused import of the program is one even if its tests use what it brings; a test file that
-imports its own program is told that it need not.
+An import that the program does not use is reported even if its tests use its names; if a test file
+imports its own program, the message says that this is not necessary.
 
   $ rm Twice.frob Once.frob
   $ cat > Gains.frob << 'FROB'
@@ -320,7 +320,7 @@ imports its own program is told that it need not.
   import Trial
   
 
-Formatting and fixing take it like any other file.
+Formatting and fixing treat it like any other file.
 
   $ printf 'import Trial\ntest   "is two" = during 1[s] (proc () ->   gain == 2)\n' > Gains.test.frob
   $ frobc format Gains.test.frob && cat Gains.test.frob

@@ -1,5 +1,5 @@
-A test by itself runs for its time; a trial drives the program in the simulator, once with each
-seed. A line for each, and more of one that fails.
+A test without a robot runs for its duration; a trial drives the program in the simulator, once with
+each seed. Each has a line of output, and details if it fails.
 
   $ cat > around.frob << 'FROB'
   > import Past
@@ -105,7 +105,7 @@ seed. A line for each, and more of one that fails.
   is-never-near-the-wall-1.png
   waits-for-what-never-comes.csv
 
-The outcome does not depend on how many processes run, and tools can read it.
+The outcome does not depend on the number of processes, and tools can read it.
 
   $ frobc test around.frob --robot pioneer --json -j 1 > one
   [1]
@@ -131,7 +131,7 @@ The outcome does not depend on how many processes run, and tools can read it.
   ok    touches nothing: 2 seeds, 20 s
   1 test: all hold
 
-The command that is told shows the run: it compiles, and the recording is the program's.
+The printed command shows the run: it compiles, and the recording is the program's.
 
   $ view=$(sed -n 's/^ *\(frobc view .* --seed .*\)/\1/p' told | head -1)
   $ echo "$view" | numbers
@@ -140,7 +140,8 @@ The command that is told shows the run: it compiles, and the recording is the pr
   $ frobc trace around.frob --robot pioneer --input failed/goes-far-in-no-time-3.csv --output again.csv
   assert "is slow, "always"": held
 
-What a trial measures is told over its seeds, and in each run for tools.
+The measurements of a trial are summarized over its seeds, and listed for each
+run for tools.
 
   $ cat > measures.frob << 'FROB'
   > import Robot
@@ -192,7 +193,7 @@ What a trial measures is told over its seeds, and in each run for tools.
         mean: 0.5 s
   1 test: all hold
 
-Compiled programs have nothing of it.
+Compiled programs contain nothing of the tests.
 
   $ mkdir plain && sed '/^test/,$d; /Past/d; /Trial/d; /Sources/d' around.frob > plain/around.frob
   $ frobc compile around.frob --robot pioneer -o with && frobc compile plain/around.frob --robot pioneer -o without
@@ -205,7 +206,7 @@ Compiled programs have nothing of it.
   <     around_wallFollow1_step(&self->wallFollow1, dt, in, &i_sonar, &forward, &turn); /*  */
   >     around_wallFollow1_step(&self->wallFollow1, dt, in, &i_sonar, &forward, &turn); /*  */
 
-What is wrong is told before anything runs, or in the place of a result.
+Errors are reported before anything runs, or in place of a result.
 
   $ cat > wrong.frob << 'FROB'
   > import Trial
@@ -274,7 +275,7 @@ What is wrong is told before anything runs, or in the place of a result.
   error: --seeds must be a number of at least 1
   [2]
 
-What is wrong with a program is told once, however many of its tests need it.
+An error in the program is reported once, however many of its tests need it.
 
   $ cat > open.frob << 'FROB'
   > import Robot

@@ -1,6 +1,7 @@
-Drivers, and what hosts drive robots through, need nothing of a system: they are
-C99 and C++17 without a warning, use a kilobyte of the stack at the most in each
-function, and call only what copies bytes or is in <math.h>.
+The drivers, and the code through which hosts use them, do not depend on an
+operating system: they compile as C99 and C++17 without warnings, use at most a
+kilobyte of stack in each function, and call only functions that copy bytes or
+are in <math.h>.
 
   $ runtime=../../../runtime
   $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wvla -Werror -ffp-contract=off -I$runtime -I$runtime/include"

@@ -1,5 +1,5 @@
-A mode that ends leads straight to the first step of the next: what it would do besides
-is left out, the machine within it among that.
+When a mode ends, the code goes directly to the first step of the next one, and skips the rest of
+the mode's step, including the machine within it.
 
   $ cat > duty.frob <<'END'
   > main :: SF (Bool, Float) Float
@@ -38,7 +38,8 @@ is left out, the machine within it among that.
   8.000000000,2
   $ frobc trace duty.frob --input in.csv --engine interp | cmp - c.csv
 
-Of two ways to end each is asked, also where one holds wherever the other does.
+Both ways to end are tested, even if one condition is true whenever the other
+one is.
 
   $ cat > turn.frob <<'END'
   > import Geometry
@@ -101,7 +102,7 @@ Of two ways to end each is asked, also where one holds wherever the other does.
   3.000000000,2
   $ frobc trace turn.frob --input in.csv --engine interp | cmp - c.csv
 
-The same where one way to end is taken only if another one's condition holds as well.
+The same if one way to end is taken only if the other one's condition is also true.
 
   $ cat > both.frob <<'END'
   > main, go :: SF (Bool, Float) Float

@@ -1,5 +1,5 @@
-The programs made by hand, and their tables for hosts, compile without a warning
-as C99 and as C++17.
+The hand-built programs and their tables for hosts compile without warnings as
+C99 and as C++17.
 
   $ mkdir c && cd c && ../generate.exe
   $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fsyntax-only -I ../../../../runtime/include"
@@ -8,7 +8,7 @@ as C99 and as C++17.
   $ g++ -std=c++17 -x c++ $flags *.c
   $ clang++ -std=c++17 -x c++ $flags *.c
 
-They refuse to compile where numbers would not be IEEE doubles.
+They do not compile if numbers would not be IEEE doubles.
 
   $ refused () { "$@" -std=c99 $flags hold.c 2>&1 | grep -o 'error:.*compile without.*"'; }
   $ for option in -ffast-math -ffinite-math-only -freciprocal-math -fno-signed-zeros; do refused gcc $option; done
@@ -21,7 +21,7 @@ They refuse to compile where numbers would not be IEEE doubles.
   $ refused clang -ffinite-math-only
   error: "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
 
-The same program gives the same text, every time.
+The generated text is the same every time.
 
   $ mkdir again && cd again && ../../generate.exe && cd ..
   $ for f in *.c *.h; do cmp $f again/$f; done

@@ -1,5 +1,5 @@
-Two comparisons of a number that never hold together, or of which one always does: clang
-warns of them where they have a branch.
+Two comparisons of a number that are never both true, or of which one always is: clang warns about
+them if they have a branch.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > contrary.frob <<'END'

@@ -1,5 +1,5 @@
-Names of types nested deeply are cut at a word, and numbered; the whole name stands in
-a comment above.
+Long names of deeply nested types are cut at a word and numbered; a comment above contains the
+complete name.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > deep.frob <<'FROB'

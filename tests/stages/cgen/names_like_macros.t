@@ -1,4 +1,4 @@
-Names that begin as macros of the headers do, in a program whose name begins so:
+Names that begin like macros of the headers, in a program whose name does so:
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > m.frob <<EOF

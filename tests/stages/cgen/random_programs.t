@@ -1,5 +1,5 @@
-Random programs compute in C, bit for bit, what the evaluator says they do; the
-code compiles without a warning.
+In C, random programs compute bit for bit what the evaluator computes; the code
+compiles without warnings.
 
   $ ./random_c.exe 25 20
   $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off -I ../../../runtime/include"

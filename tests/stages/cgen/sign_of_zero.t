@@ -1,4 +1,4 @@
-`0 - abs x` is 0 for x = 0, not -0, whatever the C compiler folds.
+`0 - abs x` is 0 for x = 0, not -0, whatever constants the C compiler folds.
 
   $ cat > zero.frob <<'FROB'
   > main :: SF Float (Float, Float, Float)
@@ -13,9 +13,9 @@
   $ CC=clang frobc trace zero.frob --input zero.csv | cksum > clang
   $ frobc trace zero.frob --input zero.csv --engine interp | cksum | cmp - clang
 
-clang 13 to 15 take `x > 0.0 ? -0.0 : x` for one with `>=`, so that a zero x comes out with the
-wrong sign. They cannot where they do not see that the other zero is negative. Every choice
-between a number and a zero, whatever the signs, is right:
+clang 13 to 15 treat `x > 0.0 ? -0.0 : x` like `>=`, so that a zero x gets the wrong sign. They
+cannot do so if they do not see that the other zero is negative. Every choice between a number and a
+zero, with any signs, is correct:
 
   $ python3 > choices.frob <<'PY'
   > choices, joined = [], []
@@ -37,7 +37,7 @@ between a number and a zero, whatever the signs, is right:
   >   for cc in gcc clang; do CC=$cc frobc trace --real $real choices.frob --input choices.csv | cmp - interp; done
   > done
 
-The C has no negative zero that a compiler could see, and none in a comparison at all:
+The C contains no negative zero that a compiler could see, and none in a comparison:
 
   $ frobc compile choices.frob
   $ grep -c -e '-0\.0' choices.c

@@ -1,5 +1,5 @@
-In the braces of an array a truth value has to be a `bool`, or C++ does not take it: where a
-compiler would warn that it knows what a condition comes to, it is a call.
+In an array initializer, C++ requires a truth value to be a `bool`: if a compiler would warn that it
+knows the value of a condition, the condition is a function call.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ check () {

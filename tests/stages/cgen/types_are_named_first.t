@@ -1,4 +1,4 @@
-The types that a host sees keep their names, even if a function inside has the same.
+The types that a host sees keep their names, even if an internal function has the same name.
 
   $ cat > battery.frob <<'FROB'
   > data Advice = GoOn | Stop

@@ -1,4 +1,4 @@
-A signal function is not its signal: it has to be run.
+A signal function is not a signal: it must be run.
 
   $ cat > unrun.frob <<FROB
   > clock :: SF () Time

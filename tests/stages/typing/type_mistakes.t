@@ -1,4 +1,4 @@
-Numbers of another representation: the conversions are named.
+Numbers of another representation: the messages name the conversions.
 
   $ cat > numbers.frob <<FROB
   > count :: Int
@@ -31,7 +31,7 @@ Numbers of another representation: the conversions are named.
   2 errors
   [1]
 
-Fields are looked up in the record's type; near misses are suggested.
+Fields are looked up in the record's type; similar names are suggested.
 
   $ cat > fields.frob <<FROB
   > import Geometry
@@ -87,7 +87,8 @@ Fields are looked up in the record's type; near misses are suggested.
   4 errors
   [1]
 
-What cannot be compared, what nothing decides, what a signature leaves out.
+Types that cannot be compared, types that nothing determines, and signatures
+that lack something.
 
   $ cat > comparisons.frob <<FROB
   > same = sin == cos
@@ -126,7 +127,7 @@ What cannot be compared, what nothing decides, what a signature leaves out.
   3 errors
   [1]
 
-A signature that promises more than the definition keeps.
+A signature that is more general than the definition.
 
   $ cat > promises.frob <<FROB
   > next :: a -> a
@@ -170,7 +171,7 @@ A signature that promises more than the definition keeps.
   3 errors
   [1]
 
-Patterns, conditions, and a function given itself.
+Patterns, conditions, and a function applied to itself.
 
   $ cat > shapes.frob <<FROB
   > value e = case e of

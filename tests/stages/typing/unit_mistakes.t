@@ -1,5 +1,5 @@
-Units that do not fit are shown in the words of the program, with the names of
-aliases, at both places.
+Units that do not fit are shown as in the program, with the names of aliases, at
+both places.
 
   $ cat > operands.frob <<FROB
   > vMax :: Velocity
@@ -22,7 +22,7 @@ aliases, at both places.
   1 error
   [1]
 
-The second branch has to agree with the first.
+The second branch must agree with the first one.
 
   $ cat > branches.frob <<FROB
   > near :: Distance -> Velocity -> Bool -> Distance
@@ -42,8 +42,8 @@ The second branch has to agree with the first.
   1 error
   [1]
 
-An argument is held against the signature of what takes it, and a component
-against its part of the signature.
+An argument is compared with the signature of the function, and a component with
+its part of the signature.
 
   $ cat > signatures.frob <<FROB
   > stop :: Velocity -> Float[m/s^2] -> Time
@@ -77,7 +77,7 @@ against its part of the signature.
   2 errors
   [1]
 
-Units with a name of their own keep it; wrong roots and powers show.
+Units with their own names keep them; wrong roots and powers are shown.
 
   $ cat > named.frob <<FROB
   > force :: Float[kg] -> Float[m/s^2] -> Float[N]
@@ -110,7 +110,8 @@ Units with a name of their own keep it; wrong roots and powers show.
   2 errors
   [1]
 
-A signature for every unit that works for one, or for a related one, only.
+A signature that claims every unit although the definition works only for one,
+or for a related one.
 
   $ cat > general.frob <<FROB
   > raised :: Float[u] -> Float[u]
@@ -143,7 +144,7 @@ A signature for every unit that works for one, or for a related one, only.
   2 errors
   [1]
 
-One mistake is one message, however often what it defines is used.
+One mistake has one message, however often the definition is used.
 
   $ cat > once.frob <<FROB
   > pace = 1[m] + 1[s]

@@ -4,7 +4,7 @@
   > F
   $ printf 'time,in\n0,1\n' > in.csv
 
-What is built is kept, in a folder that is the user's alone; a second run takes it from there.
+Build results are cached in a folder that belongs to the user alone; a second run uses them.
 
   $ export XDG_CACHE_HOME=$PWD/cache
   $ frobc trace add.frob --input in.csv
@@ -18,14 +18,14 @@ What is built is kept, in a folder that is the user's alone; a second run takes 
   $ CC=false frobc trace add.frob --input in.csv > /dev/null 2>&1; echo $?
   2
 
-An entry that was damaged heals itself.
+A damaged entry is rebuilt.
 
   $ truncate -s 100 cache/frobc/add-*.so
   $ frobc trace add.frob --input in.csv
   time,out
   0.000000000,2
 
-What was left by a command that was killed goes with the next one that builds.
+The next command that builds removes the leftovers of a killed command.
 
   $ mkdir cache/frobc/work-0123.99999999
   $ touch cache/frobc/work-0123.99999999/add.c
@@ -34,8 +34,8 @@ What was left by a command that was killed goes with the next one that builds.
   add-KEY.so
   add-KEY.so.md5
 
-A folder that others may write, or that is somebody else's, is not trusted: what is built goes
-when the command has ended.
+A folder that others can write to, or that belongs to another user, is not trusted: results are
+removed when the command ends.
 
   $ mkdir tmp; export TMPDIR=$PWD/tmp
   $ rm -r cache/frobc; mkdir -m 777 cache/frobc; chmod 777 cache/frobc
@@ -55,7 +55,7 @@ when the command has ended.
   0.000000000,2
   $ gone
 
-Where nothing can be written, that is said.
+If nothing can be written, that is reported.
 
   $ HOME= TMPDIR=/dev/null frobc trace add.frob --input in.csv 2>&1 | sed 's/frobc-[0-9a-f]*/frobc-N/'
   error: cannot store build results in /dev/null/frobc-N: Not a directory; free some space there, or set TMPDIR and XDG_CACHE_HOME to writable folders

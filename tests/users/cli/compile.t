@@ -15,7 +15,7 @@
   $ (cd elsewhere && frobc compile ../gain.frob -o deep)
   $ cmp gain.c elsewhere/deep/gain.c && cmp gain.h elsewhere/deep/gain.h
 
-The top of both files says what they were generated from, and how.
+The comment at the top of both files states how to generate them again.
 
   $ sed -n 's/^ \*   \([0-9a-f]* .*frob\)$/\1/p' gain.c | md5sum -c
   gain.frob: OK
@@ -103,7 +103,7 @@ The top of both files says what they were generated from, and how.
       gain_step_ns(self, 0, 0.0, in, out);
   }
 
-It compiles without a warning as C99 and as C++17, under gcc and clang:
+The code compiles without warnings as C99 and as C++17, under gcc and clang:
 
   $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off -c -o /dev/null"
   $ gcc -std=c99 $flags gain.c
@@ -111,7 +111,7 @@ It compiles without a warning as C99 and as C++17, under gcc and clang:
   $ g++ -std=c++17 $flags -x c++ gain.c
   $ clang++ -std=c++17 $flags -x c++ gain.c
 
-Another entry, and one that is not there:
+Another entry, and a missing one:
 
   $ cat > two.frob <<EOF
   > slow, fast :: SF Float Float
@@ -144,7 +144,7 @@ Another entry, and one that is not there:
   $ grep '^/. fast' two.c
   /* fast, two.frob:3 */
 
-What has not got a closed type cannot be compiled:
+A definition with a polymorphic type cannot be compiled:
 
   $ cat > open.frob <<EOF
   > twice :: SF a b -> SF a (b, b)
@@ -162,7 +162,7 @@ What has not got a closed type cannot be compiled:
   1 error
   [1]
 
-`-o` is a folder:
+`-o` names a folder:
 
   $ frobc compile gain.frob -o elsewhere/gain.c
   error: -o takes the folder for gain.c and gain.h, but elsewhere/gain.c is the name of a file: write -o elsewhere

@@ -1,7 +1,7 @@
 The exit status tells scripts what happened; each message names the cause and
-the cure.
+the fix.
 
-A program that is right:
+A correct program:
 
   $ cat > good.frob <<EOF
   > main :: SF Float Float
@@ -9,7 +9,7 @@ A program that is right:
   > EOF
   $ frobc check good.frob
 
-A program that is rejected:
+A rejected program:
 
   $ cat > bad.frob <<EOF
   > main :: SF Float Float
@@ -27,7 +27,7 @@ A program that is rejected:
   $ frobc check good.frob bad.frob > /dev/null 2>&1
   [1]
 
-A file that is missing, a folder in place of a file, a file that is not text:
+A missing file, a folder instead of a file, a file that is not text:
 
   $ frobc check missing.frob
   error: there is no file missing.frob
@@ -89,7 +89,7 @@ Wrong use:
   Try 'frobc compile --help' or 'frobc --help' for more information.
   [2]
 
-A folder that is not there yet is made, if it can be:
+A folder that does not exist is created, if possible:
 
   $ frobc compile good.frob -o made/on/demand && ls made/on/demand
   good.c
@@ -107,7 +107,7 @@ A missing tool:
   error: there is no C compiler `no-such-cc` here; install one (on Debian: apt-get install gcc), or set the environment variable CC
   [2]
 
-The variable CC names one program, of any name, without options:
+The variable CC names one program, with any name, without options:
 
   $ mkdir tools && printf '#!/bin/sh\nexec cc "$@"\n' > 'tools/my cc' && cp 'tools/my cc' tools/plain
   $ chmod +x 'tools/my cc'
@@ -128,7 +128,7 @@ The variable CC names one program, of any name, without options:
   time,out
   0.000000000,2
 
-A robot that there is not, and a program for no robot:
+An unknown robot, and a program without a robot:
 
   $ frobc check good.frob --robot pioneer
   $ frobc check good.frob --robot roomba
@@ -153,14 +153,14 @@ A robot that there is not, and a program for no robot:
   error: good is not a robot program; use `reactimateRobot` to make one
   [2]
 
-Recursion is found in modules without a program too:
+Recursion is also detected in modules without an entry:
 
   $ echo 'f x = f (x - 1)' > recursive.frob
   $ frobc check recursive.frob 2>&1 | head -1
   error[E0410]: `f` calls itself
 
-What belongs to a robot is refused without one, as what belongs to the simulator is refused with one; a picture that
-cannot be written is no run.
+Options for robots are rejected without one, and options of the simulator are rejected with one; a
+picture that cannot be written prevents the run.
 
   $ cat > rest.frob <<'FROB'
   > import Robot
@@ -183,8 +183,8 @@ cannot be written is no run.
   error: cannot write taken: it is a directory
   [2]
 
-What cannot be written is told, and is no fault of frobc's own; a run that was told
-to nobody is not done. A program that is rejected is, whoever reads why.
+A write error is reported, and is not a fault of frobc itself. A run whose results nobody could read
+has failed. A rejected program is reported as rejected, whether or not somebody reads the reason.
 
   $ frobc explain E0205 > /dev/full
   error: cannot write standard output: No space left on device

@@ -1,4 +1,4 @@
-`frobc explain` tells what a diagnostic means, in any case of letters.
+`frobc explain` explains a diagnostic; the code may be in upper or lower case.
 
   $ frobc explain e0401
   # a signal needs its own value in the same instant

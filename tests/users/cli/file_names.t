@@ -4,7 +4,7 @@
   > F
   $ printf 'time,in\n0,1\n' > in.csv
 
-A program's C files are named after it, and must not stand before the headers that they include.
+A program's C files are named after it, and must not hide headers that they include.
 
   $ for name in math Math stdint float; do cp add.frob $name.frob; frobc trace $name.frob --input in.csv; done
   error: a C program named math would hide the standard header <math.h>: rename math.frob
@@ -19,7 +19,7 @@ A program's C files are named after it, and must not stand before the headers th
   time,out
   0.000000000,2
 
-Other headers it may be called like, but where there is C of the user's that may include them.
+A program may have the name of another header, except if the user's C may include that header.
 
   $ cp add.frob time.frob && frobc trace time.frob --input in.csv
   time,out
@@ -27,8 +27,8 @@ Other headers it may be called like, but where there is C of the user's that may
   $ echo "#include <time.h>" > clock.c; frobc trace time.frob --with clock.c --input in.csv; rm clock.c
   error: a C program named time would hide the standard header <time.h>: rename time.frob
 
-What C's quotes cannot hold is replaced, and no control character comes to the terminal or
-into C.
+Characters that cannot be in quotes in C are replaced, and no control character reaches the terminal
+or the C code.
 
   $ cp add.frob 'a"b\c.frob' && frobc compile 'a"b\c.frob' && ls *.c && head -1 a_b_c.c
   a_b_c.c
@@ -50,7 +50,7 @@ into C.
   error: there is no file no\027[31m.frob
   [2]
 
-A message stays on its line, whichever file it names.
+A message stays on one line, whatever the name of the file.
 
   $ lines=$(printf 'a\nb\tc')
   $ frobc check "$lines.frob"
@@ -119,7 +119,7 @@ A message stays on its line, whichever file it names.
   error: `a\010b\009c` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter, such as a_b_c
   [2]
 
-A name may be as long as the files that are made of it can be called.
+A name may be as long as the names of the generated files allow.
 
   $ long() { printf 'a%.0s' $(seq $1); }
   $ cp add.frob $(long 240).frob; frobc compile $(long 240).frob && ls | grep -c aaaa

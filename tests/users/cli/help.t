@@ -1,4 +1,4 @@
-Each command has help, and nothing in its text is amiss, which would be said beside it.
+Each command has help, without errors in its text, which cmdliner would print next to it.
 
   $ frobc --help=plain > whole
   $ commands=$(frobc help nothing 2>&1 | sed -n 's/.*the commands are //p' | tr -d ,)
@@ -11,7 +11,8 @@ Each command has help, and nothing in its text is amiss, which would be said bes
   > done
   $ TERM=dumb frobc help | diff whole -
 
-Each has a page for man, and so has frobc (compiler/frobc/dune lists them).
+There is a manual page for each command, and for frobc (compiler/frobc/dune
+lists them).
 
   $ man=$(dirname $(which frobc))/../man/man1
   $ test $(ls $man/frobc*.1 | wc -l) = $(echo frobc $commands | wc -w) || ls $man

@@ -1,5 +1,5 @@
-On a terminal progress fits into one line, however narrow it is and however long a label; and
-Ctrl-C ends each command with one line that says what was kept and how to go on.
+On a terminal, progress fits on one line, however narrow the terminal and however long a label.
+Ctrl-C ends each command with one line that says what was kept and how to continue.
 
   $ export PYTHONPATH=$PWD/../../../runtime/python PYTHONDONTWRITEBYTECODE=1
   $ export PATH=$(dirname $(command -v frobc)):/usr/bin:/bin
@@ -13,7 +13,7 @@ Ctrl-C ends each command with one line that says what was kept and how to go on.
   > FROB
   $ printf 'program = "long.frob"\nrobots = ["pioneer"]\n' > long.toml
 
-The key is pressed when the first progress is seen, so nothing depends on how fast that comes.
+The test presses the key when it sees the first progress, so it does not depend on the speed.
 
   $ cat > press.py << 'PY'
   > import fcntl, os, pty, re, struct, sys, termios

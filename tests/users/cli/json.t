@@ -1,4 +1,5 @@
-Diagnostics for editors: one JSON object a line, with the field names of rustc.
+Diagnostics for editors: one JSON object per line, with the field names of
+rustc.
 
   $ cat > loop.frob <<EOF
   > main :: SF Float Float
@@ -11,8 +12,8 @@ Diagnostics for editors: one JSON object a line, with the field names of rustc.
   $ sed 's/, "rendered":.*/}/' diagnostics
   {"message":"the signal `speed` needs its own value in the same instant","code":{"code":"E0401","explanation":"# a signal needs its own value in the same instant\n\nThe equations of a `proc` hold at every instant and can refer to each other in any order. But if a\nsignal depends on its own value in the same instant, no order of evaluation exists. The message\nshows the loop, one signal after the other. The loop can lead through signal functions that pass\nan input to an output in the same instant. The components of tuples and records are separate\nsignals.\n\n```frob-error\nmain :: SF Float Float\nmain = proc target -> speed where\n    err   = target - speed\n    speed = 0.5 * err\n```\n\nDecide which signal in the loop should be the value of the previous instant, and read it with\n`delay`, which also needs the value at the first instant. `integral` also breaks a loop, because\nit adds up its past input. `derivative` does not.\n\n```frob\nmain :: SF Float Float\nmain = proc target -> speed where\n    err   = target - delay 0 speed\n    speed = 0.5 * err\n```\n"},"level":"error","spans":[{"file_name":"loop.frob","byte_start":56,"byte_end":61,"line_start":3,"line_end":3,"column_start":5,"column_end":10,"is_primary":true,"text":[{"text":"    speed = 2 * err","highlight_start":5,"highlight_end":10}],"label":null},{"file_name":"loop.frob","byte_start":64,"byte_end":71,"line_start":3,"line_end":3,"column_start":13,"column_end":20,"is_primary":false,"text":[{"text":"    speed = 2 * err","highlight_start":13,"highlight_end":20}],"label":"`speed` reads `err` here"},{"file_name":"loop.frob","byte_start":82,"byte_end":91,"line_start":4,"line_end":4,"column_start":11,"column_end":20,"is_primary":false,"text":[{"text":"    err = x - speed","highlight_start":11,"highlight_end":20}],"label":"`err` reads `speed` here"}],"children":[{"message":"let `err` read the previous value of `speed`: `delay x0 speed`, where `x0` is the initial value","code":null,"level":"help","spans":[],"children":[],"rendered":null}],"fixes":[],"rendered":"error[E0401]: the signal `speed` needs its own value in the same instant\n --> loop.frob:3:5\n  |\n3 |     speed = 2 * err\n  |     ^^^^^   ------- `speed` reads `err` here\n4 |     err = x - speed\n  |           --------- `err` reads `speed` here\n  |\n  = hint: let `err` read the previous value of `speed`: `delay x0 speed`, where `x0` is the initial value\n"}
 
-Of very many diagnostics the first 1,000 errors and the first 1,000 warnings are shown. The last
-object then says how many are left out.
+Of very many diagnostics, the first 1,000 errors and the first 1,000 warnings are shown. The last
+object contains the number of omitted ones.
 
   $ names() { printf 'main :: SF Float Float\nmain = proc x -> x'; seq "$1" | sed 's/^/ + z/' | tr -d '\n'; echo; }
   $ names 1001 > one.frob

@@ -1,6 +1,5 @@
-The summary of a trace says which outputs were NaN, and since when; `frobc view --why-nan` goes
-back to where that began: here to an equation whose value was kept for an instant, and to one
-of two infinities.
+The summary of a trace lists the outputs that were NaN, and since when; `frobc view --why-nan` finds
+the origin: here an equation whose value was stored for an instant, and one with two infinities.
 
   $ cat > rates.frob << FROB
   > main :: SF Float (Float, Float, Float)
@@ -26,7 +25,8 @@ of two infinities.
   NaN: out.1, first at 4.000 s, from main.rate at rates.frob:4, NaN since 3.000 s
   NaN: out.2, first at 1.000 s, from main.other at rates.frob:6
 
-What the input says is NaN is no news to who made the input. It is found as an origin:
+NaN that the input contains is not reported, because whoever made the input knows it. It is found as
+an origin:
 
   $ printf 'time,in\n0,1\n1,nan\n2,1\n3,1\n' > in.csv
   $ frobc trace rates.frob --input in.csv | tail -1
@@ -36,7 +36,7 @@ What the input says is NaN is no news to who made the input. It is found as an o
   NaN: out.2, first at 1.000 s, from the input in
   NaN: out.3, first at 1.000 s, from the input in
 
-An assertion that was violated as it looked at NaN:
+An assertion that was violated because of NaN:
 
   $ cat > asserts.frob << FROB
   > main :: SF Float Bool
@@ -53,7 +53,7 @@ An assertion that was violated as it looked at NaN:
   $ frobc view in.csv asserts.frob --why-nan
   NaN: assert "small", violated at 1.000 s, from main.y at asserts.frob:3
 
-The summary of a run says it too; outputs that are all numbers are not mentioned:
+The summary of a run also reports NaN; outputs without NaN are not mentioned:
 
   $ cat > drives.frob << FROB
   > import Robot

@@ -1,4 +1,4 @@
-A project that has been made runs, checks, is formatted and passes its trials, at once.
+A new project immediately runs, checks, is formatted and passes its trials.
 
   $ frobc new rover
   made rover:
@@ -83,7 +83,7 @@ A project that has been made runs, checks, is formatted and passes its trials, a
   world.toml
   $ grep -r '@' . ; cd ..
 
-It may be below other folders, which are made too, and the name is that of the last.
+The project may be in other folders, which are created too; its name is that of the last one.
 
   $ frobc new robots/big-one/ | head -2 && frobc compile robots/big-one/big-one.frob -o robots && ls robots
   made robots/big-one:
@@ -96,13 +96,13 @@ It may be below other folders, which are made too, and the name is that of the l
     frobc run r2.frob --view
     frobc test
 
-Without the right to write nothing is left behind.
+Without write permission nothing is left behind.
 
   $ touch taken; frobc new taken/rover; ls taken
   error: cannot create the folder taken/rover: Not a directory
   taken
 
-What is there already stays as it is.
+Existing files are not changed.
 
   $ frobc new rover
   error: there is already a folder rover: use another name, or move it away
@@ -117,7 +117,7 @@ What is there already stays as it is.
   error: `/` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
   [2]
 
-Names are those of files, C and the library.
+Names must be valid as names of files, in C and in the library.
 
   $ for name in '' 3pi 'my robot' rover.frob müller math Robot _x "$(printf 'a\033b')"; do frobc new "$name"; done
   error: `` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter

@@ -1,5 +1,5 @@
-Nothing is overwritten without a word: neither what a command reads, nor the same file
-twice, nor a file that frobc has not made.
+frobc never overwrites without warning: neither the files that a command reads, nor the same file
+twice, nor a file that frobc did not create.
 
   $ cat > double.frob <<'EOF'
   > main :: SF Float Float
@@ -35,7 +35,7 @@ twice, nor a file that frobc has not made.
   error: --output would overwrite in.csv, which is an input: use another file name
   [2]
 
-What a person has written stays.
+Files that a person has written are kept.
 
   $ echo 'int speed;' > double.c
   $ frobc compile double.frob
@@ -63,7 +63,7 @@ What a person has written stays.
   $ cat robot
   mine
 
-What frobc has made is replaced, and so is what is empty.
+Files that frobc created are replaced, and so are empty files.
 
   $ rm double.c drive
   $ touch run.csv
@@ -92,8 +92,8 @@ What frobc has made is replaced, and so is what is empty.
   wall
   world.toml
 
-The C and its header are written beside and renamed together: where there is no room
-for one, both stay as they were.
+The C file and its header are first written under other names, and then renamed together: if there
+is no room for one, both stay as they were.
 
   $ cp double.c before.c && cp double.h before.h
   $ (ulimit -f 0; frobc compile double.frob --batch 2>&1) | cat

@@ -1,4 +1,4 @@
-Recordings that are compressed are read as any other, by every command, and written where the name
+Every command reads compressed recordings like any other, and writes compressed ones if the name
 says so.
 
   $ cat > way.frob <<END
@@ -16,12 +16,12 @@ says so.
   $ gzip -dc c.csv.gz | cmp - out.csv; gzip -dc interp.csv.gz | cmp - out.csv
   $ zstd -dqc c.csv.zst | cmp - out.csv; zstd -dqc interp.csv.zst | cmp - out.csv
 
-The same bytes each time, whoever has written them:
+The bytes are the same each time, whichever program writes them:
 
   $ cmp c.csv.gz interp.csv.gz
   $ cmp c.csv.zst interp.csv.zst
 
-A picture of a trace that is written compressed:
+A picture of a compressed trace:
 
   $ frobc trace way.frob --input in.csv.gz --output drawn.csv.gz --picture drawn.svg
   $ head -c 20 drawn.svg; echo
@@ -44,8 +44,8 @@ A golden trace:
   $ frobc test golden.frob | grep line
   FAIL  as it was: line 502 of golden.csv.zst is `5.000000000,7`, but the program returns `5.000000000,3.9833332999999964`; if the program is right, update the file with `--update`
 
-An archive that is cut off is read as far as it goes; then there is an error. (Of what was being
-compressed the last part is lost: up to some 100 kB.)
+A truncated archive is read up to its end; then there is an error. (Of the data that was being
+compressed, the last part is lost: up to about 100 kB.)
 
   $ head -c 20000 in.csv.gz > cut.csv.gz
   $ frobc trace way.frob --input cut.csv.gz 2>&1 > cut.out | sed 's/:[0-9]*:1:/:LINE:1:/'
@@ -62,7 +62,7 @@ compressed the last part is lost: up to some 100 kB.)
   error: cannot read damaged.csv.zst: the archive is truncated or damaged (`frobc convert` recovers its complete rows)
   [2]
 
-Names that are not as the files are:
+Names that do not match the contents:
 
   $ cp in.csv.gz packed.csv; cp in.csv plain.csv.gz; cp in.csv.gz other.csv.zst
   $ for file in packed.csv plain.csv.gz other.csv.zst; do for engine in c interp; do
@@ -79,7 +79,7 @@ Names that are not as the files are:
   error: in.csv.gz is not a Frob program but a table of inputs, or a recording; use it with a program: `frobc trace PROGRAM.frob --input in.csv.gz`
   [2]
 
-No file that is not a trace is written over, whether it can be read or not:
+No file that is not a trace is overwritten, whether or not it can be read:
 
   $ printf 'my notes\n' | gzip > notes.csv.gz
   $ frobc trace way.frob --input in.csv --output notes.csv.gz
@@ -92,7 +92,7 @@ No file that is not a trace is written over, whether it can be read or not:
   error: --output would overwrite in.csv.gz, which is an input: use another file name
   [2]
 
-Where zstd is missing, what is there stays as it is:
+If zstd is missing, existing files are kept:
 
   $ mkdir bin; for tool in cc gcc as ld gzip; do
   >   tool=$(command -v $tool) && ln -s $tool bin/
@@ -109,7 +109,7 @@ Where zstd is missing, what is there stays as it is:
   error: cannot write new.csv.zst: this needs the program zstd, which is not installed (`apt install zstd`)
   [2]
 
-A disk that is full, of which the tool tells:
+A full disk, which the tool reports:
 
   $ ln -s /dev/full full.csv.gz; ln -s /dev/full full.csv.zst
   $ for ending in gz zst; do for engine in c interp; do

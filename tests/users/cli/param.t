@@ -34,7 +34,7 @@ An option sets them, and both engines agree.
   1.000000000,10,true
   1.000000000,-2,false
 
-The header has them as a struct; the C is that of any value.
+The header declares them as a struct; the C works for any values.
 
   $ frobc compile steer.frob && sed -n '/^\/\* Param/,/^extern/p' steer.h
   /* Parameters. Do not change them between a reset and the last step after it. */
@@ -51,7 +51,7 @@ The header has them as a struct; the C is that of any value.
       out->f1 = params->kTurn * x;                            /* line 11 */
       out->f2 = params->on && n < params->most;
 
-What a recording was made with holds for a replay, unless an option says otherwise.
+A replay uses the values of the recording, unless an option sets others.
 
   $ (printf '# param kTurn=7[1/m]\n# param gone=1\n'; cat in.csv) > recorded.csv
   $ for engine in c interp; do
@@ -74,7 +74,7 @@ What a recording was made with holds for a replay, unless an option says otherwi
   error: other.csv: the parameter `kTurn` is a number of 1/m, but `7[m]` has another unit; to override the recorded value, use `--param`
   [2]
 
-What is wrong with an option.
+Mistakes in options.
 
   $ frobc trace steer.frob --input in.csv --param kTurn=5
   error[E0320]: expected the unit `1/m`, found none
@@ -119,7 +119,7 @@ What is wrong with an option.
   1 error
   [2]
 
-What is wrong with a declaration.
+Mistakes in declarations.
 
   $ cat > wrong.frob <<'END'
   > param pair :: (Int, Int) = (1, 2)
@@ -178,7 +178,8 @@ What is wrong with a declaration.
   1 error
   [1]
 
-A run records them, may write its recording anew, and is replayed as it was.
+A run records the parameters, may overwrite its own recording, and is replayed
+with the same values.
 
   $ cat > stop.frob <<'END'
   > import Robot

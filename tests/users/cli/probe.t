@@ -45,7 +45,7 @@
   edgeFrom.b      :: Bool         Prelude.frob:378
   _laps.n         :: Float        lap.frob:13
 
-A name is the end of the way to a signal, or to what runs; numbers may be left out.
+A name is the end of the path to a signal, or to an instance; numbers may be omitted.
 
   $ columns() { frobc trace lap.frob --input in.csv --probe "$@" | head -1; }
   $ columns a
@@ -59,7 +59,7 @@ A name is the end of the way to a signal, or to what runs; numbers may be left o
   $ columns probe.way.1.x
   time,out,probe.way.1.x
 
-What else is asked for is an error, as is a name that nothing has.
+Other names are errors, and so is a name that matches nothing.
 
   $ columns way.y
   error[E0506]: this program has no inner signal `way.y`
@@ -97,20 +97,21 @@ What else is asked for is an error, as is a name that nothing has.
   error: there is no input: name a recording with `--input IN.csv`
   [2]
 
-The program computes what it did, and a recording with probes can be replayed.
+The program's outputs do not change, and a recording with probes can be
+replayed.
 
   $ frobc trace lap.frob --input in.csv --probe all --output all.csv && cut -d, -f1-2 all.csv | cmp - plain.csv
   $ cut -d, -f2- all.csv | paste -d, in.csv - > recorded.csv
   $ frobc trace lap.frob --input recorded.csv | cmp - plain.csv
 
-Without `--probe` there is nothing of it in C.
+Without `--probe` the C code contains nothing of it.
 
   $ frobc compile lap.frob && grep -ic probe lap.c lap.h
   lap.c:0
   lap.h:0
   [1]
 
-In modes, what does not run has an empty cell; `mode` is the one that runs.
+In modes, signals that do not run have empty cells; `mode` is the running mode.
 
   $ cat > modes.frob <<'EOF'
   > drive :: Velocity -> SF Distance (Velocity, Event Distance)
@@ -162,7 +163,8 @@ In modes, what does not run has an empty cell; `mode` is the one that runs.
   0.900000000,-1,-1,1,fro,to,,1,,2,,0.44999999999999996
   1.200000000,-1,-1,-1,fro,fro,,,,,,
 
-What would make a switch need its own output is left out, and is an error where it is asked for.
+A probe that would make a switch depend on its own output is omitted, and is an error if it was
+requested by name.
 
   $ cat > fed.frob <<'EOF'
   > main :: SF () Float
@@ -189,13 +191,13 @@ What would make a switch need its own output is left out, and is an error where 
   1 error
   [2]
 
-The interpreter has no probes.
+The interpreter does not support probes.
 
   $ frobc trace lap.frob --input in.csv --probe all --engine interp
   error: only the compiled program has probes: use `--probe` with `--engine c`
   [2]
 
-`--picture` draws the columns, those of one unit in one panel.
+`--picture` draws the columns, with one panel for each unit.
 
   $ frobc trace lap.frob --input in.csv --probe x,over,_gear --picture lap.svg
   $ grep -o '>[^<>]*</text>' lap.svg

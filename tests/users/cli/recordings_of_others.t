@@ -1,4 +1,4 @@
-Recordings that others made: which option reads them is told, and both engines do.
+Recordings of other programs: the message says which option reads them, and both engines support it.
 
   $ cat > speed.frob << FROB
   > data In = In { speed :: Velocity, ok :: Bool }
@@ -12,8 +12,8 @@ Recordings that others made: which option reads them is told, and both engines d
   >   if [ -s c.err ]; then cat c.err; else cmp c.out interp.out; cat c.out; fi
   > }
 
-Semicolons, decimal commas, other names, a column that the program does not have; times since
-1970, of which the differences count, to the nanosecond:
+Semicolons, decimal commas, other names, a column that the program does not have; times since 1970,
+whose differences count, to the nanosecond:
 
   $ cat > log.csv << CSV
   > Time;wheel_speed;flag;note
@@ -45,7 +45,7 @@ Semicolons, decimal commas, other names, a column that the program does not have
   $ trace log.csv --separator ';' --column in.speed=whel
   error: log.csv:1:1: there is no column `whel` for `--column`; the columns are `Time`, `wheel_speed`, `flag`, `note`
 
-A quote in a name is quoted, too:
+A quote in a name is quoted as well:
 
   $ printf "it's time,in.speed,in.ok\n0,1,true\n" > quotes.csv
   $ trace quotes.csv
@@ -55,7 +55,7 @@ A quote in a name is quoted, too:
   error: quotes.csv:1:15: the program's input has no `it's ok`
   error: quotes.csv:1:1: missing: `in.ok`; the header for this program is `time,in.speed,in.ok`; `--column 'in.ok=it'\''s ok'` reads it from the column it's ok
 
-Tabs; a column whose name a shell would take apart:
+Tabs; a column whose name a shell would split:
 
   $ printf 'in.speed\tstamp [s]\tis ok\n1\t1.7e9\ttrue\n1\t1.7000000000000000014e9\ttrue\n' > tabs.csv
   $ trace tabs.csv
@@ -72,7 +72,7 @@ Tabs; a column whose name a shell would take apart:
   1700000000.000000000,0,0
   1700000000.000000001,1.0000000000000001e-09,1.0000000000000001e-09
 
-An instant may be as late as 4 · 10^9 s, and 8 · 10^9 s after the one before:
+An instant may be as late as 4 · 10^9 s, and 8 · 10^9 s after the previous one:
 
   $ printf 'time,in.speed,in.ok\n%s,1,true\n%s,1,true\n' -4e9 4e9 > far.csv
   $ trace far.csv
@@ -83,7 +83,7 @@ An instant may be as late as 4 · 10^9 s, and 8 · 10^9 s after the one before:
   $ trace far.csv
   error: far.csv:2:1: `4000000000.000000001` is not a time in seconds
 
-Every way to write what is no number, with a sign or without:
+Every spelling of NaN and infinity, with and without a sign:
 
   $ printf 'time,in\n0,nan\n1,NaN\n2,-NAN\n3,Inf\n4,-inf\n5,+INF\n6,Infinity\n7,-infinity\n' > names.csv
   $ echo 'main :: SF Float Float
@@ -97,7 +97,7 @@ Every way to write what is no number, with a sign or without:
   time,out
   [2]
 
-`convert` and `view` take the same options; `view` shows late times from the first one on:
+`convert` and `view` accept the same options; `view` shows late times relative to the first one:
 
   $ frobc convert log.csv again.csv --separator ';'
   error: log.csv:1: not a recording: the first column must be `time`, not `Time`; `--time-column Time` reads the times from that column
@@ -241,7 +241,7 @@ because `frobc` does not read that far:
   error: cannot view zeros.csv.gz: it is not a recording: the first column must be `time`
   [2]
 
-What is no option:
+Invalid options:
 
   $ frobc trace speed.frob --input log.csv --separator ab 2>&1 | head -1
   frobc: option '--separator': `ab` is not `tab`, nor a character such as `;`

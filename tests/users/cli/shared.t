@@ -1,4 +1,4 @@
-A program as a shared object, for hosts that load it: with a table, and a function of many steps.
+A program as a shared object, for hosts that load it: with a table, and a function for many steps.
 
   $ echo 'main :: SF Float Float
   > main = proc x -> 2 * integral x / 1[s]' > twice.frob
@@ -11,7 +11,7 @@ A program as a shared object, for hosts that load it: with a table, and a functi
   twice_steps
   $ frobc build --shared twice.frob -o other.so && cmp twice.so other.so
 
-It is for this machine, and overwrites nothing that frobc has not made.
+It is for this machine, and does not overwrite files that frobc did not create.
 
   $ frobc build --shared twice.frob --target cortex-m
   error: --shared only works for this machine: remove --target

@@ -1,4 +1,4 @@
-The compiler can be watched at work, stage by stage.
+Options show the program after each stage of the compiler.
 
   $ cat > gain.frob <<EOF
   > main :: SF Float[m] Float[m/s]
@@ -53,14 +53,15 @@ The compiler can be watched at work, stage by stage.
   $ ls gain*
   gain.frob
 
-A dump takes the place of the files:
+With a dump, no files are written:
 
   $ frobc compile gain.frob --dump=c | grep -c derivative
   7
   $ ls gain*
   gain.frob
 
-The optimizer's passes, each with the reason for its place, and the program where it changes it:
+The optimizer's passes, each with the reason for its position, and the program after each pass that
+changes it:
 
   $ cat > twice.frob <<END
   > main :: SF Float (Float, Float)
@@ -127,7 +128,7 @@ The optimizer's passes, each with the reason for its place, and the program wher
     -> (out.1 = _1, out.2 = _3)
   
 
-So are those that come after it, in Step.
+The passes after the optimizer, in Step:
 
   $ frobc compile gain.frob --dump=passes --stop-after=step | grep -A1 'instant:\|resets:\|order:'
   first-instant: first, because it may add a field to the root's state

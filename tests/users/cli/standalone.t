@@ -1,4 +1,4 @@
-With `--standalone` the two files need nothing but C: they hold the helpers, the elementary
+With `--standalone` the two files need nothing but C: they contain the helpers, the elementary
 functions and the robot's structs that the program uses.
 
   $ share=$(dirname "$(command -v frobc)")/../share/frobc lib=$(dirname "$(command -v frobc)")/../lib/frobc
@@ -39,7 +39,8 @@ functions and the robot's structs that the program uses.
   orbit.h:0
   7
 
-Whatever a program calls, no more is there than it needs: compilers find nothing unused, and nothing missing.
+The files contain exactly what the program needs: compilers report nothing as unused, and nothing as
+missing.
 
   $ cc() { "$@" $flags -c one.c -o one.o && ! nm one.o | grep 'U frob' ; }
   $ for real in double float; do for f in exp log sin cos tan asin acos atan '(2 **)' 'atan2 2' 'hypot 2' sqrt '(2 *)' 'max 1' signum; do
@@ -50,7 +51,8 @@ Whatever a program calls, no more is there than it needs: compilers find nothing
   $ grep -c '^static' one.c
   1
 
-A robot's header is in the program's, beside which others may include it.
+The program's header contains the robot's header, which others may include as
+well.
 
   $ cat > go.frob <<END
   > import Robot

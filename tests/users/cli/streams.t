@@ -1,6 +1,6 @@
-Results go to standard output, and messages to standard error, in every command. Each is run here
-with a program that has a warning. Its standard output is for another tool to read: to the last
-byte it is that of the same program without the warning.
+Every command writes results to standard output, and messages to standard error. Each is run here
+with a program that has a warning. Its standard output is for other tools: it equals, byte for byte,
+that of the same program without the warning.
 
   $ export PYTHONPATH=$PWD/../../../runtime/python PYTHONDONTWRITEBYTECODE=1
   $ export PATH=$(dirname $(command -v frobc)):/usr/bin:/bin
@@ -19,7 +19,7 @@ byte it is that of the same program without the warning.
   $ cp ../../../examples/own_robot/* clean
   $ cp clean/* warned
 
-No line moves where an import of nothing takes the place of an empty line.
+No line number changes, because an unused import replaces an empty line.
 
   $ sed -i '3s/^$/import Past/' warned/program.frob
   $ sed -i '0,/^$/s//import Past/' warned/Rover.frob
@@ -28,8 +28,8 @@ No line moves where an import of nothing takes the place of an empty line.
   $ frobc check warned/Rover.frob 2>&1 | grep 'warning\['
   warning[W0306]: `Past` is imported but nothing from it is used
 
-What a command says of the machine or of its own speed, and the path of a build, is left out. A
-command that warns says so.
+Statements about the machine, the speed of a run, and the path of a build are omitted. For each
+command, the test shows whether it warns.
 
   $ cat > both << 'SH'
   > shown () { sed -E "/^simulated seconds per second|^time simulated/d; s/^device: .*/device/; s|^/.*\.so$|BUILT|"; }
@@ -83,7 +83,8 @@ command that warns says so.
   +++ program.frob
   -import Past
 
-What a robot's module is warned of is for who checks it, not for who uses it.
+Warnings about a robot's module are for those who check the module, not for
+those who use it.
 
   $ both frobc header Rover.frob
   no warning: frobc header Rover.frob
@@ -92,7 +93,7 @@ What a robot's module is warned of is for who checks it, not for who uses it.
   no warning: frobc serve --robot Rover.frob --with rover_body.c --with rover_board.c --for 0.1s
   status 0
 
-Where both go to one place, the messages come first.
+If both streams go to the same place, the messages come first.
 
   $ cd warned
   $ frobc view run.csv program.frob --robot pioneer --only-build 2>&1 | sed -n '1p; $s|^/.*\.so$|BUILT|p'
@@ -100,7 +101,7 @@ Where both go to one place, the messages come first.
   BUILT
   $ cd ..
 
-The language server writes nothing but the protocol.
+The language server writes only the protocol.
 
   $ cat > speak.py << 'PY'
   > import json, re, subprocess, sys
@@ -135,7 +136,8 @@ The language server writes nothing but the protocol.
   $ python3 speak.py
   ['W0306']
 
-The other commands take no program that could have a warning; here are all that there are.
+The other commands do not take a program that could have a warning; the list below contains all
+commands.
 
   $ frobc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z]*\) .*/\1/p' | xargs
   build check compile convert explain export falsify fix format header help lsp new report run selftest serve sweep test trace view

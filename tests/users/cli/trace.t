@@ -27,8 +27,8 @@
   $ frobc trace sum.frob --input - < in.csv | tail -1
   0.300000000,nan,false
 
-A recording with outputs can be replayed as it is; columns come in any order;
-quotes, CRLF and spaces do no harm:
+A recording with outputs can be replayed; columns may have any order; quotes,
+CRLF and spaces are accepted:
 
   $ printf '\357\273\277time,out.1,in\r\n"0", 7,"1.5"\r\n0.5,7,2\r\n' > recorded.csv
   $ frobc trace sum.frob --input recorded.csv
@@ -36,7 +36,8 @@ quotes, CRLF and spaces do no harm:
   0.000000000,0,false
   0.500000000,0.75,true
 
-Events and sums are one cell each, tuples and records a column a part:
+An event or a sum has one cell; each component of a tuple or record has a
+column:
 
   $ cat > cells.frob <<EOF
   > import Geometry
@@ -66,7 +67,7 @@ Events and sums are one cell each, tuples and records a column a part:
   1.000000000,"(2.5, -2.5)",At (-0.5),"Just Pose {position = Vec2 {x = 1, y = 2}, heading = 3}"
   2.000000000,"(-1, 1)",At (-0.5),"Just Pose {position = Vec2 {x = 1, y = 2}, heading = -3}"
 
-What is wrong with an input is said with its place:
+Mistakes in the input are reported with their places:
 
   $ trace() { cat > wrong.csv; frobc trace sum.frob --input wrong.csv; }
   $ trace < /dev/null
@@ -122,7 +123,7 @@ What is wrong with an input is said with its place:
   error: cannot write no/such/folder.csv: No such file or directory
   [2]
 
-What is read is not written over: the recording, under any name, or the program.
+Input files are not overwritten: the recording, under any name, and the program.
 
   $ cp in.csv log.csv; ln -s log.csv link.csv
   $ frobc trace sum.frob --input log.csv --output log.csv

@@ -1,5 +1,5 @@
-A program asks its operator for buttons, knobs and their like. What it asks for is
-part of its input, under the labels; both engines agree, whatever the operator does.
+A program requests controls from its operator: buttons, knobs and others. They are part of its
+input, under their labels; both engines agree, whatever the operator does.
 
   $ cat > panel.frob <<'FROB'
   > import Geometry
@@ -41,7 +41,7 @@ part of its input, under the labels; both engines agree, whatever the operator d
   2.000000000,2,0.070000000000000007,0.29999999999999999,false,true,1,-2
   $ frobc trace panel.frob --input in.csv --engine interp | cmp - c.csv
 
-A knob is never outside of its limits and never NaN, whatever stands in the input.
+A knob is never outside its limits and never NaN, whatever the input contains.
 
   $ printf 'time,in.slow,in.top speed\n0,-1,9\n1,nan,inf\n2,-inf,nan\n' > odd.csv
   $ frobc trace panel.frob --input odd.csv | tee c.csv | cut -d, -f1,3,4
@@ -51,7 +51,7 @@ A knob is never outside of its limits and never NaN, whatever stands in the inpu
   2.000000000,0,0.25
   $ frobc trace panel.frob --input odd.csv --engine interp | cmp - c.csv
 
-Columns that are left out, of things that nobody touches.
+Omitted columns, of controls that nobody touches.
 
   $ printf 'time\n0\n1\n' | frobc trace panel.frob --input - | tee c.csv
   time,out.1,out.2,out.3,out.4,out.5,out.6.x,out.6.y
@@ -65,12 +65,12 @@ Columns that are left out, of things that nobody touches.
   error: standard input:1:6: the program's input has no `in.gone`
   [2]
 
-In single precision too.
+The same in single precision.
 
   $ frobc trace panel.frob --real float --input odd.csv > c.csv
   $ frobc trace panel.frob --real float --input odd.csv --engine interp | cmp - c.csv
 
-The console in C: behind the struct of a robot.
+The console in C: after the robot's struct.
 
   $ cat > drive.frob <<'FROB'
   > import Robot
@@ -91,7 +91,7 @@ The console in C: behind the struct of a robot.
   $ frobc report drive.frob --robot scout --format json | sed 's/.*"console"/"console"/'
   "console":[{"label":"drive","kind":"hold","line":4},{"label":"speed","kind":"knob","least":0,"most":0.4,"first":0.2,"unit":"m/s","line":4}],"params":[],"params_bytes":0,"marks":0,"wire":{"robot":"scout","steps":[{"quantity":"each wheel","size":2.54,"unit":"mm/s"},{"quantity":"so turning","size":0.42158539966172975,"unit":"deg/s"}]},"assertions":0,"assertion_operations":0,"assertion_bytes":0}
 
-`Console` is the console that nobody touches; a robot that has none has that one.
+`Console` is the console that nobody touches; a robot without a console uses it.
 
   $ cat > alone.frob <<'FROB'
   > import Robot

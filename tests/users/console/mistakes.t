@@ -1,4 +1,4 @@
-Two things under one label: both places are shown.
+Two controls with the same label: both places are shown.
 
   $ cat > kinds.frob <<'FROB'
   > import Robot
@@ -33,7 +33,8 @@ Two things under one label: both places are shown.
   2 errors
   [1]
 
-The same limits in other units are others; the same in all is one knob.
+The same limits in other units are different; if everything is the same, it is
+one knob.
 
   $ cat > units.frob <<'FROB'
   > import Robot
@@ -59,7 +60,7 @@ The same limits in other units are others; the same in all is one knob.
   $ sed -i 's/^turn i.*/turn i = knob "gain" 0 1[m\/s] 0 i \/ 1[m]/' units.frob
   $ frobc check units.frob
 
-Labels are known while compiling, and are good as names of columns.
+Labels are known at compile time, and are valid column names.
 
   $ cat > labels.frob <<'FROB'
   > import Robot
@@ -184,8 +185,8 @@ Units that do not fit.
   1 error
   [1]
 
-A parameter is known where its argument is, through any number of definitions; what
-a signal function remembers is not.
+A parameter is known if its argument is, through any number of definitions; the state of a signal
+function is not.
 
   $ cat > parameters.frob <<'FROB'
   > import Robot

@@ -1,5 +1,5 @@
-A recording as MCAP. The reader here checks all lengths, checksums, indexes and offsets of it, and
-prints the first message of each topic.
+A recording converted to MCAP. The reader in this test checks all lengths, checksums, indexes and
+offsets, and prints the first message of each topic.
 
   $ cat > run.csv <<END
   > # param gain=2[1/s]
@@ -25,14 +25,14 @@ prints the first message of each topic.
   /ranges foxglove.SceneUpdate 1
       {"deletions": [], "entities": [{"timestamp": {"sec": 0, "nsec": 20000000}, "frame_id": "robot", "id": "in.sonar[0]", "lifetime": {"sec": 0, "nsec": 700000000}, "frame_locked": true, "metadata": [], "lines": [{"type": 1, "pose": {"position": {"x": 0.069, "y": 0.136, "z": 0}, "orientation": {"x": 0, "y": 0, "z": 0.7071067811865475, "w": 0.7071067811865476}}, "thickness": 0.01, "scale_invariant": fal…
 
-Numbers that JSON does not write so are written anew, and what is no number is left out:
+Numbers that JSON writes differently are converted, and values that are not numbers are omitted:
 
   $ grep -ao '{"[^{]*"mode":"[^}]*}' run.mcap
   {"1":0.5,"mode":"Wait (At 3)"}
   {"1":-0,"mode":"say \"hi\", twice"}
 
-The same recording has the same bytes, and comes out again as it was; one that was compressed too,
-or with another compression:
+The same recording always results in the same bytes, and converting it back restores it; the same
+for a compressed one, or with another compression:
 
   $ frobc convert run.csv again.mcap && cmp run.mcap again.mcap
   $ frobc convert run.mcap back.csv && cmp run.csv back.csv
@@ -43,8 +43,8 @@ or with another compression:
   $ frobc convert packed.mcap back.csv.zst && zstd -dqc back.csv.zst | cmp - run.csv
   $ frobc convert back.csv.zst back.csv && cmp run.csv back.csv
 
-A run of the simulator, with a camera: its frames are images, and come back as they were. What came
-back can be replayed.
+A run of the simulator, with a camera: its frames become images, and converting back restores them.
+The restored recording can be replayed.
 
   $ see=../../../examples/follow_ball/follow_ball.frob
   $ frobc run $see --for 1s --record ball.csv > summary
@@ -74,7 +74,7 @@ back can be replayed.
   $ frobc convert ball.csv fewer.mcap
   warning: 4 frames that ball.csv names are missing from ball.frames or are not frames; they were left out
 
-Echoes of a Scout, whose sonars sit elsewhere:
+Echoes of a Scout, whose sonars have other positions:
 
   $ frobc run ../../../examples/wall_follow/wall_follow.frob --robot scout --for 1s --record scout.csv > summary
   $ frobc convert scout.csv scout.mcap
@@ -82,7 +82,7 @@ Echoes of a Scout, whose sonars sit elsewhere:
   /ranges foxglove.SceneUpdate 23
       {"deletions": [], "entities": [{"timestamp": {"sec": 0, "nsec": 20000000}, "frame_id": "robot", "id": "in.sonar[0]", "lifetime": {"sec": 0, "nsec": 700000000}, "frame_locked": true, "metadata": [], "lines": [{"type": 1, "pose": {"position": {"x": 0.2, "y": 0, "z": 0}, "orientation": {"x": 0, "y": 0, "z": 0, "w": 1}}, "thickness": 0.01, "scale_invariant": false, "points": [{"x": 0, "y": 0, "z":
 
-Where the end is missing, what is whole is converted:
+If the end is missing, the complete part is converted:
 
   $ { cat run.csv; printf '2,1,1'; } > torn.csv
   $ frobc convert torn.csv torn.mcap
@@ -102,7 +102,7 @@ Where the end is missing, what is whole is converted:
   $ frobc convert cut.mcap back.csv
   warning: the recording in cut.mcap: the archive is truncated or damaged
 
-No recording:
+Not a recording:
 
   $ bad () { printf "$1" > bad.csv; frobc convert bad.csv bad.mcap; }
   $ bad ''
@@ -137,7 +137,7 @@ No recording:
   error: . is a folder
   [2]
 
-MCAP is what `frobc convert` makes and reads, and nobody else:
+Only `frobc convert` writes and reads MCAP:
 
   $ cat > main.frob <<END
   > main :: SF Float Float
@@ -162,7 +162,7 @@ MCAP is what `frobc convert` makes and reads, and nobody else:
   error: run.mcap is not a Frob program but an MCAP recording; convert it: `frobc convert run.mcap RUN.csv`
   [2]
 
-Names that say nothing, or too little to do:
+Names that do not say what to do, or that ask for nothing:
 
   $ frobc convert run.csv run.bag
   error: run.bag must be a recording (.csv, .csv.gz, .csv.zst) or MCAP (.mcap), but its name ends in neither
@@ -185,7 +185,7 @@ Names that say nothing, or too little to do:
   Try 'frobc convert --help' or 'frobc --help' for more information.
   [2]
 
-What is there is not lost:
+Existing files are not lost:
 
   $ frobc convert run.csv run.csv
   error: convert would overwrite run.csv, which is an input: use another file name
@@ -211,7 +211,7 @@ What is there is not lost:
   error: cannot write kept.mcap: File too large
   [2]
 
-MCAP that is of others, cut off, or damaged:
+MCAP files that are from other programs, truncated, or damaged:
 
   $ frobc convert theirs.mcap back.csv
   error: cannot read theirs.mcap: it is truncated or damaged
@@ -234,7 +234,7 @@ MCAP that is of others, cut off, or damaged:
   ls: cannot access 'new.csv': No such file or directory
   [2]
 
-Whatever byte of it is another, nothing worse happens than an error, or what was there before:
+Whichever byte is changed, the result is an error, or the original recording:
 
   $ python3 - > seen <<END
   > import subprocess

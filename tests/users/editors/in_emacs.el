@@ -1,4 +1,4 @@
-;; What Emacs has of the language server by eglot, as its user sees it. -*- lexical-binding: t -*-
+;; Shows what a user of Emacs sees of the language server, with eglot. -*- lexical-binding: t -*-
 (require 'frob-mode)
 (require 'eglot)
 (require 'flymake)
@@ -29,7 +29,7 @@
                               (eglot--TextDocumentPositionParams))))
   (princ (format "hover %s\n" (string-replace "\n" " "
                                               (plist-get (plist-get hover :contents) :value)))))
-;; Mended by hand.
+;; Fix the mistake by hand.
 (goto-char (point-min))
 (search-forward "Sonn")
 (delete-char -1)

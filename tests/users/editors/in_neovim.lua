@@ -1,4 +1,4 @@
--- What Neovim has of the language server, as its user sees it.
+-- Shows what a user of Neovim sees of the language server.
 local file = 'drive.frob'
 require('frob').setup()
 vim.cmd('filetype plugin on | syntax on')
@@ -26,7 +26,7 @@ end
 say('hover', (ask('hover', 2, 0).contents.value:gsub('\n', ' ')))
 say('definition', ask('definition', 5, 4).range.start.line)
 
--- The fix that the message offers.
+-- Apply the fix that the message offers.
 local d = vim.diagnostic.get(0)[1]
 local at = { line = d.lnum, character = d.col }
 local actions = ask('codeAction', d.lnum, d.col, {

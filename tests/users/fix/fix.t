@@ -1,5 +1,5 @@
-`frobc fix` makes the fixes that messages come with, where nothing else can have been meant,
-and says what is left.
+`frobc fix` applies the fixes of messages if they are certain to be right, and prints the remaining
+messages.
 
   $ cat > drive.frob <<'END'
   > import Geometry
@@ -62,7 +62,8 @@ and says what is left.
       v     = limit vMax (0.5[1/s] * (- frontSonar i))
       omega = 0.3[rad/s])
 
-With `--all` those too that may not be what was meant, of several for one place the first.
+With `--all`, it also applies fixes that may not be what the author meant; if there are several for
+one place, the first.
 
   $ cat > turn.frob <<'END'
   > import Robot
@@ -88,8 +89,8 @@ With `--all` those too that may not be what was meant, of several for one place 
   import Robot
   main = reactimateRobot (proc _ -> roMake (setVelTR 0 30[deg/s]))
 
-Where a case or guards lack something, it is named, below what is there; for the value stands `_`,
-which is none, so that it is not forgotten.
+If a case or guards are incomplete, the missing branches are added below the existing ones; the
+value is `_`, which does not compile, so that it is not forgotten.
 
   $ cat > cases.frob <<'END'
   > data Side = LeftSide | RightSide | Ahead Float
@@ -151,7 +152,7 @@ which is none, so that it is not forgotten.
   cases.frob:20:20: name the missing cases (E0350)
   4
 
-In JSON each fix stands beside its diagnostic.
+In JSON, each fix is listed with its diagnostic.
 
   $ cat > unused.frob <<'END'
   > main :: SF Float Float
@@ -160,7 +161,8 @@ In JSON each fix stands beside its diagnostic.
   $ frobc check --format=json unused.frob 2>&1 | sed 's/.*"fixes"://; s/,"rendered".*//'
   [{"title":"write `_x`","safe":true,"edits":[{"span":{"file_name":"unused.frob","byte_start":35,"byte_end":36,"line_start":2,"line_end":2,"column_start":13,"column_end":14},"text":"_x"}]}]
 
-What is no program, or not there, stays as it is; a program without fixes too, to the byte.
+Files that are not programs or do not exist are left alone; a program without fixes does not change
+by a byte.
 
   $ printf 'main = \377\n' > bytes.frob
   $ cp bytes.frob before.frob
@@ -198,8 +200,8 @@ What is no program, or not there, stays as it is; a program without fixes too, t
   0000040   =       p   r   o   c       _   x       -   >       1  \r  \n
   0000060
 
-Comments stay, wherever they stand in what a fix removes; and so do line ends, permissions and the
-other names of a file.
+Comments are kept, wherever they are in the text that a fix removes; so are line endings,
+permissions and the other names of a file.
 
   $ cat > why.frob <<'END'
   > import Control -- why

@@ -1,4 +1,4 @@
-`frobc format` writes programs as the library is written, in place and without a word.
+`frobc format` formats programs in the style of the library, in place and without output.
 
   $ cat > speed.frob <<'EOF'
   > 
@@ -26,10 +26,9 @@
       x = integral (v)   -- as the crow flies
       unused = \y -> -y
 
-Lines stay as they are broken; each block stands four columns further right, `then`, `else`
-and a `where` of its own line two; a list whose lines begin with commas has them under its
-bracket. What was aligned by blanks stays so, and what has been renamed or added in between
-comes along.
+Line breaks are kept; each block is indented by four more columns, and `then`, `else` and a `where`
+on its own line by two; a list whose lines begin with commas has them below its bracket. Text that
+was aligned with spaces stays aligned, including renamed or added lines in between.
 
   $ frobc format - <<'EOF'
   > next n = do
@@ -80,7 +79,7 @@ comes along.
       -- of both
       v        = velocity
 
-A choice in a chain stands below the one before; so does `in` below the `let` of a line.
+A choice in a chain is aligned with the previous one; so is `in` with the `let` of a line.
 
   $ frobc format - <<'EOF'
   > speed = if far then 3
@@ -111,7 +110,7 @@ A choice in a chain stands below the one before; so does `in` below the `let` of
       a = 1
     in a
 
-Lines of more than 100 characters are broken where least binds.
+Lines of more than 100 characters are broken at the loosest-binding operators.
 
   $ frobc format - <<'EOF'
   > placesHeard :: Ranging -> (Pose -> Pose) -> Array n Pose -> SF (Facing, Array n (Event Distance)) (Array n (Maybe Point2))
@@ -138,8 +137,8 @@ Lines of more than 100 characters are broken where least binds.
       , -0.83, -0.98
       ]
 
-Literals, texts and comments stay as written. A comment of its own line stands as what comes
-below it, or in its block; one behind a line goes along with it.
+Literals, texts and comments are not changed. A comment on its own line is indented like the line
+below it, or like its block; one at the end of a line moves with the line.
 
   $ frobc format - <<'EOF'
   > {- {- nested -}
@@ -166,8 +165,8 @@ below it, or in its block; one behind a line goes along with it.
   z = 35[deg] -- close
   -- the end
 
-`--check` writes nothing; it prints which files would change, with the first line that
-would, and exits with 1.
+`--check` writes nothing; it lists the files that would change, each with the first line that would,
+and exits with 1.
 
   $ printf 'x = 1\ny=2\n' > small.frob
   $ frobc format --check speed.frob small.frob
@@ -180,8 +179,8 @@ would, and exits with 1.
   y=2
   $ frobc format --check - < speed.frob
 
-A tab is as wide as editors show it, if that makes no difference; a byte order mark goes. Lines
-end as the first one does.
+A tab is as wide as editors show it, if the program is the same for all widths; a byte order mark is
+removed. All lines get the line ending of the first one.
 
   $ printf '\357\273\277main = proc x -> y where\r\n\ty\t= x\r\n\tz = y -- a\tb\r\n' | frobc format - | cat -A
   main = proc x -> y where^M$
@@ -195,7 +194,8 @@ end as the first one does.
       y = x^M$
   $ frobc format --check ends.frob
 
-A file keeps its permissions and its other names; one that is read-only is left.
+A file keeps its permissions and its other names; a read-only file is not
+changed.
 
   $ printf 'x  = 1\n' > shared.frob && ln shared.frob other.frob && chmod 640 shared.frob
   $ frobc format shared.frob && cat other.frob && stat -c '%a %h' shared.frob
@@ -212,7 +212,8 @@ A file keeps its permissions and its other names; one that is read-only is left.
   $ printf 'x = "a\tb"\n' | frobc format - 2>&1 | head -1
   error[E0102]: a tab: indentation counts, so only spaces are allowed
 
-A file that is no program stays as it is; the message is that of `frobc check`.
+A file that is not a program is not changed; the message is that of `frobc
+check`.
 
   $ printf 'x  = (1\n' > broken.frob && cp broken.frob before
   $ frobc check broken.frob 2> said; frobc format small.frob broken.frob 2> message
@@ -233,8 +234,8 @@ A file that is no program stays as it is; the message is that of `frobc check`.
   1 error
   [1]
 
-The equations of a `where` belong to the field of a record, or the element of a list, that they
-are in; and so does the rest of a field.
+The equations of a `where` belong to the field of a record, or the element of a list, that contains
+them; so does the rest of a field.
 
   $ cat > trial.frob << 'FROB'
   > trial "keeps off" = Trial {
@@ -273,7 +274,7 @@ are in; and so does the rest of a field.
   ]
   $ frobc format trial.frob --check
 
-What cannot be read or written is said.
+Read and write errors are reported.
 
   $ mkfifo pipe; mkdir folder; echo '[robot]' > world.toml
   $ timeout 120 frobc format pipe folder world.toml none.frob
@@ -293,7 +294,7 @@ What cannot be read or written is said.
   error: cannot write large.frob: File too large
   [1]
 
-A file keeps its permissions; a link stays one; what is formatted already is not touched.
+A file keeps its permissions; a link stays a link; a formatted file is not touched.
 
   $ printf 'x=1\n' > real.frob; chmod 761 real.frob; ln -s real.frob link.frob
   $ frobc format link.frob
@@ -304,7 +305,7 @@ A file keeps its permissions; a link stays one; what is formatted already is not
   $ touch -d 2001-01-01 real.frob; frobc format real.frob; stat -c %y real.frob | cut -c1-10
   2001-01-01
 
-Files are long, and lines too; a minute of processor time is far more than they need.
+Long files and long lines: a minute of processor time is far more than they need.
 
   $ within() { (ulimit -t "$1"; shift; exec "$@"); } # so many seconds of processor time
   $ for i in $(seq 100000); do echo "x$i=f $i"; done > many.frob

@@ -1,5 +1,5 @@
-Each program of the project, and each in its documentation, stays the same program when it
-is formatted, with the same comments, and once formatted it stays as it is.
+Formatting keeps the meaning and the comments of each program of the project, including those in its
+documentation, and formatting twice is the same as formatting once.
 
   $ top=../../..
   $ for page in $top/README.md $top/docs/*.md $top/docs/*/*.md $top/examples/*/README.md; do

@@ -1,6 +1,5 @@
-The project's own programs are formatted. Not so those that are about how programs are
-written: the mistakes that people make, the paper's listings as it prints them, and those
-that test layout and the parser.
+The project's own programs are formatted, except those that test how programs are written: mistakes
+that people make, the paper's listings as printed, and tests of layout and the parser.
 
   $ top=../../..
   $ find $top/stdlib $top/examples $top/compiler $top/tests -name '*.frob' \

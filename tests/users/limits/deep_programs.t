@@ -1,5 +1,6 @@
-Deep programs have a result, or a message where they pass the limit of 10,000
-levels; the stack never runs over. Each ends within 20 s of processor time.
+Deeply nested programs have a result, or a message if they exceed the limit of
+10,000 levels; the stack never overflows. Each ends within 20 s of processor
+time.
 
   $ within() { (ulimit -t "$1"; shift; exec "$@"); } # so many seconds of processor time
   $ compile() { { echo 'main :: SF Int Int'; cat; } > deep.frob; within 20 frobc compile deep.frob 2> message; }
@@ -17,7 +18,7 @@ A chain of 9,000 operators:
   $ { printf 'main = proc x -> '; repeat 9000 '('; printf x; repeat 9000 ')'; echo; } | trace
   out 1 2
 
-4,000 calls inside each other, and 9,000 by `$`:
+4,000 nested calls, and 9,000 with `$`:
 
   $ { printf 'main = proc x -> '; repeat 4000 'negate ('; printf x; repeat 4000 ')'; echo; } | trace
   out 1 2
@@ -39,7 +40,7 @@ A chain of 9,000 operators:
   >   printf "x * 7"; for (i = 2; i < n; i++) printf ")"; print "" }' | trace
   out 7 3
 
-2,000 procs inside each other, 5,000 signal functions in a row:
+2,000 nested procs, 5,000 signal functions in a row:
 
   $ awk 'BEGIN { n = 2000; printf "main = proc a0 -> "
   >   for (i = 1; i < n; i++) printf "(proc a%d -> ", i
@@ -50,7 +51,7 @@ A chain of 9,000 operators:
   $ { printf 'main = '; repeat 5000 'arr (+ 1) >>> '; echo 'identity'; } | trace
   out 5001 5002
 
-Patterns and types 50 deep:
+Patterns and types nested 50 levels deep:
 
   $ { printf 'f p = case p of\n    '; repeat 50 'Just ('; printf p; repeat 50 ')'; printf ' -> p\n    _ -> 2\n'
   >   printf 'main = proc x -> f ('; repeat 50 'Just ('; printf x; repeat 50 ')'; echo ')'; } | trace

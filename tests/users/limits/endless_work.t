@@ -1,10 +1,10 @@
-A short program can ask for work without end. Each stage counts its steps (not the time), says
-what grows when they are used up, and gives the same answer on every machine. So this test shows
-messages, with the counts in them, and does not look at the clock.
+A short program can require endless work. Each stage counts its steps (not the time), reports what
+grows when the limit is reached, and has the same result on every machine. So this test shows
+messages that contain the counts, and does not depend on the clock.
 
   $ refused() { cat > "$1.frob"; timeout 100 frobc check "$1.frob" 2>&1 | cut -c 1-140; }
 
-A signal function that is chosen anew at each start is one `if` deeper each time:
+A signal function that is chosen at each start nests one `if` deeper each time:
 
   $ refused chosen <<'EOF'
   > lowp :: SF Float Float
@@ -67,8 +67,8 @@ an array of   error[E0413]: 1048576 functions or signal functions is too large t
   1 error
 an array of   error[E0413]: 1000 times 1000 functions or signal functions is too large to compile
 
-Tasks that do another one twice, twenty levels of them; modes whose signal functions change in
-all combinations:
+Tasks that run another task twice, on twenty levels; modes whose signal functions change in all
+combinations:
 
   $ { echo 'main :: SF Float (Either Float ())'; echo 'main = runTask t20'; echo 't0 :: Task Float Float ()'
   >   echo 't0 = mkTask (proc x -> (x, edge (x > 1)))'
@@ -96,7 +96,7 @@ all combinations:
   >   printf 'main :: SF (Float, Bool) Float\nmain = go %s\n' "$(list 'a ')"; } | refused combinations | head -1
   error[E0413]: the state machine of `go` has too many modes: more than 5452
 
-Functions that call the next one twice, with other functions; signal functions of other numbers;
+Functions that call the next one twice, with other functions; signal functions with other numbers;
 types that double:
 
   $ { echo 'h0 :: (Float -> Float) -> Float -> Float'; echo 'h0 f x = f x'
@@ -177,7 +177,7 @@ types that double:
   
   1 error
 
-What is small as code and large as state: forty levels of a signal function behind itself.
+Small code with a large state: forty nested levels of a signal function.
 
   $ { echo 's0 = delay 0'; for i in $(seq 40); do echo "s$i = s$((i - 1)) >>> s$((i - 1))"; done
   >   echo 'main :: SF Float Float'; echo 'main = s40'; } | refused state
@@ -197,7 +197,8 @@ What is small as code and large as state: forty levels of a signal function behi
   
   1 error
 
-Types of a few lines that are larger than memory, in each place where types are written or found:
+Types that need a few lines but are larger than memory, in each place where types are written or
+inferred:
 
   $ levels() { for i in $(seq $1); do printf "$2" $i $((i - 1)) $((i - 1)); done; }
   $ { echo 'x0 = 1'; levels 24 'x%d = (x%d, x%d)\n'; printf 'main :: SF Float Float\nmain = proc x -> x\n'; } | refused pairs | head -1
@@ -233,7 +234,7 @@ Types of a few lines that are larger than memory, in each place where types are 
   >   for i in $(seq 40); do echo "f$i x = f$((i - 1)) (Pair x x)"; done; printf 'main :: SF Float Float\nmain = proc _ -> f40 One\n'; } | refused classes | head -1
   error[E0413]: `f26` uses itself at ever larger types
 
-Patterns that differ in too many ways. A last branch for everything makes them complete:
+Patterns with too many combinations. A last branch for everything makes them complete:
 
   $ patterns() { for i in $(seq 0 19); do printf '    ('; for j in $(seq 0 19); do
   >     if [ $i = $j ]; then printf R; elif [ $j = $(((i + 1) % 20)) ]; then printf G; else printf _; fi
@@ -253,7 +254,7 @@ Patterns that differ in too many ways. A last branch for everything makes them c
   1 error
   $ { cat cases.frob; echo '    _ -> 20'; } | refused complete
 
-Parameters are computed before the run, by the interpreter:
+The interpreter computes parameters before the run:
 
   $ { echo 'param p :: Float = f40 1'; echo 'f0 :: Float -> Float'; echo 'f0 x = x + 1'; levels 40 'f%d x = f%d (f%d x)\n'
   >   printf 'main :: SF Float Float\nmain = proc x -> x + p\n'; } | refused parameter
@@ -295,8 +296,8 @@ A literal of 5 MB:
   $ { printf 'main :: SF Float Float\nmain = proc x -> x + 0.'; awk 'BEGIN { for (i = 0; i < 500000; i++) printf "0123456789"; print "" }'; } | refused digits | head -1
   error[E0105]: a number has up to 1000 characters, this one has 5000002
 
-What is long or deep but does not grow is compiled: seven loops of tasks within each other, each
-of 900 rounds, an array of 20,000 signal functions, and 60 modes that all lead to each other.
+Long or deep programs that do not grow are compiled: seven nested loops of tasks, with 900
+iterations each, an array of 20,000 signal functions, and 60 modes that all lead to each other.
 
   $ refused rounds <<'EOF'
   > main :: SF Float (Either Float ())

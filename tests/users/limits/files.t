@@ -1,9 +1,9 @@
-Whatever a file holds, frobc ends with a result or says what is wrong with it.
+Whatever a file contains, frobc ends with a result or reports the error.
 
   $ check() { timeout 120 frobc check "$@" 2>&1 | head -4; }
 
-Modules that import each other, wherever one starts, and a module that imports
-itself:
+Modules that import each other, starting with any of them, and a module that
+imports itself:
 
   $ echo 'import B' > A.frob; echo 'import C' > B.frob; echo 'import A' > C.frob
   $ echo 'import A' > Outside.frob; echo 'import Itself' > Itself.frob
@@ -23,7 +23,7 @@ itself:
     |
   1 | import Itself
 
-A module that is not there:
+A missing module:
 
   $ echo 'import Contrl' > missing.frob
   $ frobc check missing.frob
@@ -39,7 +39,7 @@ A module that is not there:
   1 error
   [1]
 
-Byte order mark and CRLF are fine; tabs are not, nor are other encodings:
+Byte order marks and CRLF are accepted; tabs and other encodings are not:
 
   $ printf '\357\273\277main :: SF Int Int\r\nmain = proc x -> y where\r\n    y = x + 1\r\n' > windows.frob
   $ frobc check windows.frob
@@ -65,7 +65,7 @@ Byte order mark and CRLF are fine; tabs are not, nor are other encodings:
   1
   error[E0103]: unexpected character with code 13
 
-Nothing at all, and nothing but comments:
+An empty file, and one that contains only comments:
 
   $ : > empty.frob && frobc check empty.frob
   $ echo '-- later' > comments.frob && frobc check comments.frob
@@ -81,7 +81,8 @@ Files that cannot be read:
   error: cannot read ring.frob: Too many levels of symbolic links
   [2]
 
-A file of another kind says what it is for, whatever the command:
+For a file of another kind, the message says what it is for, whatever the
+command:
 
   $ cp $(which true) binary; echo '[robot]' > world.toml; echo 'time,in' > in.csv; echo 'int x;' > near.c
   $ : > near.h; mkdir one many; : > one/drive.frob; : > many/b.frob; : > many/a.frob
@@ -101,13 +102,13 @@ A file of another kind says what it is for, whatever the command:
   error: in.csv is not a Frob program but a table of inputs, or a recording; use it with a program: `frobc trace PROGRAM.frob --input in.csv`
   [2]
 
-A command that is suggested can be copied into a shell, whatever the file's name is.
+A suggested command can be copied into a shell, whatever the file's name:
 
   $ touch "it's a world.toml"; frobc run "it's a world.toml"
   error: it's a world.toml is not a Frob program but a world; use it with a program: `frobc run PROGRAM.frob --world 'it'\''s a world.toml'`
   [2]
 
-A pipe is no module, nor is a device:
+A pipe is not a module, nor is a device:
 
   $ mkfifo Pipe.frob && echo 'import Pipe' > uses_pipe.frob
   $ timeout 120 frobc check uses_pipe.frob

@@ -1,10 +1,10 @@
-Large programs compile in time that grows with their size; a minute of processor
-time is far more than they need.
+The time to compile large programs is proportional to their size; a minute of
+processor time is far more than they need.
 
   $ within() { (ulimit -t "$1"; shift; exec "$@"); } # so many seconds of processor time
   $ trace() { printf 'time,in\n0,1\n' | within 60 frobc trace "$1.frob" --input -; }
 
-100,000 lines, a definition each, all of which the program needs in the end:
+100,000 lines with one definition each, all of which the program needs:
 
   $ awk 'BEGIN { print "f0 :: Int -> Int\nf0 x = x"
   >   for (i = 1; i < 99996; i++) printf "f%d x = f%d x + %d\n", i, int(i / 2), i
@@ -69,7 +69,7 @@ As many mistakes as lines:
   1
   100000 errors; the first 100 are shown
 
-20,000 equations in one loop are judged as fast as without it:
+20,000 equations in one loop are checked as fast as without it:
 
   $ awk 'BEGIN { n = 20000; print "main :: SF Float Float\nmain = proc _ -> y0 where"
   >   for (i = 0; i < n; i++) printf "    y%d = y%d + 1\n", i, (i + 1) % n }' > ring.frob
@@ -78,7 +78,7 @@ As many mistakes as lines:
   error[E0401]: the signal `y0` needs its own value in the same instant
 
 5,000 equations in one loop, and 5,000 functions that call each other, are
-refused in a few lines:
+rejected in a few lines:
 
   $ awk 'BEGIN { n = 5000; print "main :: SF Int Int\nmain = proc x -> y0 where"
   >   for (i = 0; i < n; i++) printf "    y%d = y%d + x\n", i, (i + 1) % n }' > loop.frob

@@ -1,4 +1,4 @@
-Programs with very many definitions of one kind, or with very wide ones, are compiled, or refused
+Programs with very many definitions of one kind, or with very wide ones, are compiled, or rejected
 in a few lines. Each call may take 30 s of processor time, about ten times what it needs. An
 algorithm that is quadratic in the number takes longer than that.
 
@@ -12,8 +12,8 @@ algorithm that is quadratic in the number takes longer than that.
   $ { list 5000 'param p# :: Float = #' '\n'; printf '\nmain :: SF Float Float\nmain = proc x -> x'; list 5000 ' + p#' ''; echo; } | check params
   status 0
 
-Mistakes on one line: 40,000 of one name, and 9,000 of different names. Text shows the first 100 of them, JSON the
-first 1,000, and then how many are left out.
+Mistakes on one line: 40,000 with the same name, and 9,000 with different names. Text output shows
+the first 100 of them, JSON the first 1,000, and then the number of omitted ones.
 
   $ { printf 'main :: SF Float Float\nmain = proc x -> [x'; list 40000 ', z' ''; echo ']'; } | check same
   status 1
@@ -47,7 +47,7 @@ first 1,000, and then how many are left out.
   error[E0105]: a name has up to 1000 characters, this one has 1000001
    --> letters.frob:1:1
 
-5,000 modules that exist, each imports the one before:
+5,000 existing modules, each of which imports the previous one:
 
   $ mkdir chain && (cd chain && echo 'v0 = 1' > M0.frob && for i in $(seq 4999); do echo "import M$((i - 1))
   > v$i = v$((i - 1)) + 1" > M$i.frob; done)
@@ -66,7 +66,7 @@ first 1,000, and then how many are left out.
   status 1
   200000 errors; the first 100 are shown
 
-Where the stack may not grow, the message has a place and says what to do:
+If the stack must not grow, the message has a place and says what to do:
 
   $ (ulimit -S -s 1024; ulimit -H -s 1024; OCAMLRUNPARAM=l=100000 within 30 frobc check cases.frob)
   error[E0106]: the program is too large, or nested too deeply, for the stack of frobc
@@ -82,7 +82,7 @@ Where the stack may not grow, the message has a place and says what to do:
   1 error
   [1]
 
-Programs that frobc starts have the stack that frobc was started with:
+Programs that frobc starts have the stack limit with which frobc was started:
 
   $ (ulimit -S -s 4096; frobc run --help > help.txt; cat > cc <<'END'
   > #!/bin/sh
@@ -92,7 +92,7 @@ Programs that frobc starts have the stack that frobc was started with:
   > chmod +x cc; printf "$main" > own.frob; CC="$PWD/cc" frobc build --shared own.frob -o own.so && sort -u stack)
   4096
 
-A circle of 6,000 modes, and 1,000 switches within each other:
+A cycle of 6,000 modes, and 1,000 nested switches:
 
   $ { list 6000 's# :: SF Float Float' '\n'; echo; awk 'BEGIN { for (i = 0; i < 6000; i++) printf "s%d = switch (proc x -> (x + %d, edge (x > %d))) (\\_ -> s%d)\n", i, i, i, (i + 1) % 6000 }'
   >   printf 'main :: SF Float Float\nmain = s0\n'; } > circle.frob

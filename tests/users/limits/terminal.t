@@ -1,5 +1,5 @@
-What others wrote never steers a terminal: no escape or other control character reaches it raw,
-from cells, names of columns, names of files, worlds. It is shown by its code.
+Text from others never controls a terminal: no escape or other control character reaches it
+unchanged, from cells, column names, file names, or worlds. It is shown by its code.
 
   $ E=$(printf '\033')
   $ raw() { "$@" > out.txt 2>&1; LC_ALL=C grep -c "[$(printf '\001-\010\013-\037\177')]" out.txt > count.txt; test "$(cat count.txt)" = 0 || { echo "RAW: $*" | cat -v; cat -v out.txt; }; }
@@ -51,7 +51,7 @@ from cells, names of columns, names of files, worlds. It is shown by its code.
   $ frobc run "d${E}.frob" --robot pioneer --for 1s --record "r${E}.csv" | tail -1
   log: r\027.csv
 
-A recording that is one endless line, small as an archive, is refused with bounded memory.
+A recording with one endless line, which is small when compressed, is rejected with bounded memory.
 
   $ cat > memory.py <<'P'
   > import resource, subprocess, sys

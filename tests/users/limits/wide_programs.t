@@ -1,7 +1,6 @@
-A function of hundreds of scalars is given them one by one, as C compilers take it. Here
-with 300 inputs and outputs: at the root, of a signal function inside, of a
-mode's parameters, of an event with a record, and of a function whose only result stands
-in a choice.
+A function of hundreds of scalars receives them individually, as C compilers support. Here with 300
+inputs and outputs: at the root, for an inner signal function, for a mode's parameters, for an event
+with a record, and for a function whose only result is used in a choice.
 
   $ row() { awk -v n="$1" -v s="$2" 'BEGIN { for (i = 1; i <= n; i++) { t = s; gsub(/#/, i, t); gsub(/@/, i % n + 1, t); printf "%s%s", (i > 1 ? ", " : ""), t } }'; }
   $ alternating() { awk -v n="$1" -v odd="$2" -v even="$3" 'BEGIN { for (i = 1; i <= n; i++) { t = i % 2 ? odd : even; gsub(/#/, i, t); printf "%s%s", (i > 1 ? ", " : ""), t } }'; }
@@ -33,7 +32,7 @@ in a choice.
   > EOF
   $ frobc compile wide.frob -o .
 
-It computes what the interpreter computes, and C compilers have nothing to say.
+The results are those of the interpreter, and C compilers have no warnings.
 
   $ { printf time; row 300 ',in.#' | sed 's/, //g'; echo; for k in 0 1 2 3 4 5 6; do printf '%d' $k; awk -v k=$k 'BEGIN { for (i = 1; i <= 300; i++) printf ",%d", (i * 7 + k * k * (i % 5)) % 23 - 9 + (i == 2 ? k : 0) }'; echo; done; } > in.csv
   $ frobc trace wide.frob --input in.csv > compiled.csv
@@ -44,7 +43,7 @@ It computes what the interpreter computes, and C compilers have nothing to say.
   $ gcc -std=c99 -O2 $strict -c wide.c -o wide.o && clang -std=c99 -O1 $strict -c wide.c -o wide.o
   $ g++ -x c++ -std=c++17 $strict -c wide.c -o wide.o && clang++ -x c++ -std=c++17 $strict -c wide.c -o wide.o
 
-So with the user's C, of whose results few are read.
+The same with the user's C, of whose results the program uses few.
 
   $ cat > shaken.frob <<EOF
   > data Wide = Wide { $(row 40 'x# :: Float') }
@@ -58,12 +57,12 @@ So with the user's C, of whose results few are read.
   $ frobc compile shaken.frob -o .
   $ gcc -std=c99 -O2 $strict -c shaken.c && clang -std=c99 -O1 $strict -c shaken.c
 
-The stack that the report states is enough.
+The stack that the report states is sufficient.
 
   $ sh ../../generated/report/measure.sh wide.frob
   all measured
 
-A mode that ends leaves its results unwritten, which nobody reads then.
+A mode that ends leaves its results unwritten, and nothing reads them then.
 
   $ cat > ends.frob <<EOF
   > main :: SF Float ($(row 40 'Float'))

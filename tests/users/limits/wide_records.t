@@ -1,5 +1,5 @@
-Each number of a record is a signal of its own, so many values of a large record are too much to
-compile. The message names the record, how many numbers it has, and what to do. Steps are counted,
+Each number of a record is a separate signal, so many values of a large record are too much to
+compile. The message names the record, the number of its numbers, and what to do. Steps are counted,
 not time.
 
   $ check() { cat > "$1.frob"; (ulimit -t 30; exec frobc check "$1.frob" 2>&1) | cut -c 1-120; }
@@ -23,7 +23,7 @@ not time.
   $ { record; printf 'main :: SF R Float\nmain = proc r -> (f r).f0\nf :: R -> R\nf r0 = let\n'; list 1000 '    r@ = r# { f# = 1 }' '\n'; printf '\n  in r1000\n'; } | check pure | head -1
   error[E0413]: the updates of records up to here write more than 1000000 fields: too many to compile
 
-Fewer of them are as many values, and so are choices between records, and calls:
+Fewer updates, but as many values; choices between records, and calls:
 
   $ { record; printf 'main :: SF R Float\nmain = proc r0 -> r190.f0 where\n'; list 190 '    r@ = r# { f# = 1 }' '\n'; echo; } | check fewer | head -1
   error[E0413]: more than 161 equations and calls define values of the type `R`
@@ -45,17 +45,17 @@ Fewer of them are as many values, and so are choices between records, and calls:
   $ { record; printf 's :: SF R R\ns = proc r -> if r.f0 > 1 then r else r { f1 = 2 }\nmain :: SF R Float\nmain = proc r0 -> r1000.f0 where\n'; list 1000 '    r@ = s r#' '\n'; echo; } | check calls | head -1
   error[E0413]: more than 162 equations and calls define values of the type `R`
 
-One update of all fields, and a few dozen updates of a record, are not much:
+One update of all fields, and a few dozen updates of a record, are accepted:
 
   $ { record; printf 'main :: SF R R\nmain = proc r -> r { '; list 5000 'f# = #' ', '; printf ' }\n'; } | check all
   $ { record; printf 'main :: SF R Float\nmain = proc r0 -> r50.f0 where\n'; list 50 '    r@ = r# { f# = 1 }' '\n'; echo; } | check dozens
 
-To read and write each field of a record takes time in proportion to their number:
+Reading and writing each field of a record takes time in proportion to their number:
 
   $ { printf 'data T = T { '; list 60000 'f#' ', '; printf ' :: Float }\nread :: T -> Array 60000 Float\nread t = ['; list 60000 't.f#' ', '
   >   printf ']\nwrite :: T -> T\nwrite t = t { '; list 60000 'f# = #' ', '; printf ' }\nmain :: SF Float Float\nmain = proc x -> x\n'; } | check fields
 
-Records in records, 1,500 levels of them:
+Nested records, 1,500 levels deep:
 
   $ { printf 'data R0 = R0 { a0 :: Float }\n'; list 1500 'data R@ = R@ { a@ :: Float, r# :: R# }' '\n'; printf '\nmain :: SF R1500 Float\nmain = proc r -> r.a1500\n'; } | check levels
   error[E0316]: a value of the type `R500` would nest data more than 500 levels deep
@@ -68,7 +68,7 @@ Records in records, 1,500 levels of them:
   
   1 error
 
-A task that keeps the results of 3,000 others, all for its end; and switches in each other's first
+A task that keeps the results of 3,000 others until its end, and switches in each other's first
 modes:
 
   $ { printf 'main :: SF Float (Either Float Float)\nmain = runTask (do\n'; list 3000 '    x# <- t' '\n'; printf '\n    return (x0'; list 2999 ' + x@' ''
@@ -78,8 +78,8 @@ modes:
   >   list 1000 's@ = switch (proc x -> (y, edge (x > #)) where y = s# x) (\_ -> s#)' '\n'; echo; } | check switches | head -1
   error[E0413]: the state machine of `s403` has too many modes: more than 142
 
-What is long but does not grow is compiled: 5,000 signal functions in a chain, 3,000 tasks of which
-each is over when the next one begins.
+Long programs that do not grow are compiled: 5,000 signal functions in a chain, 3,000 tasks in a
+sequence.
 
   $ { printf 'main :: SF Float Float\nmain = '; list 5000 'delay #' ' >>> '; echo; } | check chain
   $ { printf 'main :: SF Float (Either Float ())\nmain = runTask (do\n'; list 3000 '    t' '\n'; printf '\n    return ())\nt :: Task Float Float Float\nt = mkTask (proc x -> (x, tag (edge (x > 1)) x))\n'; } | check tasks

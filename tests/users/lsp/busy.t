@@ -1,5 +1,5 @@
-A text that takes its whole budget keeps no other text waiting, and work that an edit made useless
-is dropped. What counts is the order of answers, not the time that they take.
+A text that uses its whole budget does not delay other texts, and work that an edit made useless is
+dropped. The test checks the order of answers, not their times.
 
   $ export PYTHONPATH=$PWD PYTHONDONTWRITEBYTECODE=1
   $ export FROB_HOME=$(dirname $(dirname $(which frobc)))
@@ -48,7 +48,7 @@ is dropped. What counts is the order of answers, not the time that they take.
   >     "main :: SF (Float, Bool) Float\nmain = go" + " a" * 14 + "\n")
   > END
 
-The question about the large text comes first. Its answer comes last, after those about the small
+The request about the large text comes first. Its answer comes last, after those about the small
 text.
 
   $ python3 - <<'END'
@@ -72,9 +72,10 @@ text.
   {'large.frob': [('E0413', 'the state machine of `go` has too many modes: more than 5452')], 'small.frob': []}
   0
 
-With a compiler that does not come to an end, the small text is answered and edited all the same.
-The edit that takes the fault away ends the work, of which nothing is heard any more. A question
-that is cancelled is answered at once, closing a text ends its work too, and no process is left behind.
+Even if the compiler never terminates on one text, the server answers requests about the small text,
+which can be edited. The edit that removes the fault ends the work, whose result is discarded. A
+cancelled request is answered immediately, closing a text ends its work too, and no process is left
+behind.
 
   $ echo 'gain = 2[1/s]' > Slow.frob; touch Slow.fault
   $ python3 - <<'END'

@@ -1,4 +1,4 @@
-What an editor is told of a program, one feature after the other.
+The features that the server offers to editors, one after the other.
 
   $ export PYTHONPATH=$PWD PYTHONDONTWRITEBYTECODE=1
   $ cat > Gains.frob <<'END'
@@ -44,7 +44,7 @@ What an editor is told of a program, one feature after the other.
   >     return [i["label"] for i in sorted(items, key=lambda i: i["sortText"])]
   > END
 
-Hover: a name's type with units, its level, its doc comment; of any other expression the type.
+Hover: a name's type with units, its level, its doc comment; for other expressions the type.
 
   $ python3 - <<'END'
   > from ask import *
@@ -106,7 +106,7 @@ Hover: a name's type with units, its level, its doc comment; of any other expres
   
   *from `Capability`*
 
-Definition, in whatever module; symbols of the text and of all programs.
+Definitions in any module; symbols of the text and of all programs.
 
   $ python3 - <<'END'
   > from ask import *
@@ -134,8 +134,8 @@ Definition, in whatever module; symbols of the text and of all programs.
     omega 13 12:4-12:42
   kTurn Gains Gains.frob 2:0-2:5
 
-References and renaming go through all programs of the folders. What would come to mean something
-else is refused.
+References and renaming cover all programs of the folders. A renaming that would change the meaning
+of a name is rejected.
 
   $ python3 - <<'END'
   > from ask import *
@@ -179,7 +179,7 @@ else is refused.
   frontSonar -> sonar `frontSonar` belongs to the library
   None {"range": {"start": {"line": 9, "character": 19}, "end": {"line": 9, "character": 22}}, "placeholder": "way"}
 
-Code actions: the fixes of messages, and a signature.
+Code actions: fixes for messages, and a signature.
 
   $ python3 - <<'END'
   > from ask import *
@@ -201,7 +201,8 @@ Code actions: the fixes of messages, and a signature.
   quickfix write `kTurn` [["12:12-12:17", "kTurn"]]
   quickfix add `import Robot` [["0:12-0:12", "\nimport Robot"]]
 
-Completion by what stands around the cursor, also while the text is broken.
+Completion according to the text around the cursor, also while the text is
+invalid.
 
   $ python3 - <<'END'
   > from ask import *
@@ -234,7 +235,7 @@ Completion by what stands around the cursor, also while the text is broken.
   [["limit", "import Control", [{"range": {"start": {"line": 1, "character": 12}, "end": {"line": 1, "character": 12}}, "newText": "\nimport Control"}]]]
   SF Float[u] Float[u s] 0 at the first instant; each later step adds its length times the previous input.
 
-Signature help while arguments are written.
+Signature help while arguments are typed.
 
   $ python3 - <<'END'
   > from ask import *
@@ -255,7 +256,7 @@ Signature help while arguments are written.
   None
   None
 
-Lenses above the entry, hints behind names that nobody has signed, colours by level, folds and
+Lenses above the entry, hints after names without a signature, colours by level, folding and
 selections.
 
   $ python3 - <<'END'
@@ -330,7 +331,7 @@ selections.
   select 7:0-9:22
   select 0:0-13:0
 
-Of a text that never was without mistakes, what is right in it is known all the same.
+If a text never was without mistakes, its valid parts still provide information.
 
   $ python3 - <<'END'
   > from client import *

@@ -1,5 +1,5 @@
-A definition inside another one can be lifted to the top level. What it knows from around it comes to
-be its parameters, and it gets a signature.
+A local definition can be lifted to the top level. The names that it uses from its surroundings
+become its parameters, and it gets a signature.
 
   $ export PYTHONPATH=$PWD PYTHONDONTWRITEBYTECODE=1
   $ cat > lift.py <<'END'
@@ -123,7 +123,8 @@ be its parameters, and it gets a signature.
   -- x - d
   not offered
 
-A program that is formatted stays so: a line that its name with arguments makes too long is broken.
+A formatted program stays formatted: a line that becomes too long because of the name's arguments is
+broken.
 
   $ cat > drive.frob <<'END'
   > import Robot

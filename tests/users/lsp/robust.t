@@ -1,8 +1,9 @@
-What an editor or anybody else may send: the server answers, and lives.
+Invalid and unusual input: the server answers, and keeps running.
 
   $ export PYTHONPATH=$PWD PYTHONDONTWRITEBYTECODE=1
 
-Before anything is open, and about what is not; what is no JSON, no request, or no method.
+Requests before any text is open, and about texts that are not; input that is not JSON, not a
+request, or not a known method.
 
   $ python3 - <<'END'
   > from client import *
@@ -45,8 +46,7 @@ Before anything is open, and about what is not; what is no JSON, no request, or 
   None
   0
 
-A request that is cancelled before its turn is not answered otherwise. The input may end at any
-time.
+A request that is cancelled before its turn has no other answer. The input may end at any time.
 
   $ python3 - <<'END'
   > from client import *
@@ -71,7 +71,7 @@ time.
   1
   1
 
-Places are counted in the encoding that both know: UTF-16 unless something else is agreed on.
+Positions are counted in the negotiated encoding, which is UTF-16 by default.
 
   $ python3 - <<'END'
   > from client import *
@@ -101,8 +101,8 @@ Places are counted in the encoding that both know: UTF-16 unless something else 
   []
   4:6-4:9
 
-Texts that are not saved, in several folders, and one that has no file at all; a module that
-changes is looked at again in all that import it.
+Unsaved texts, in several folders, and one without a file; when a module changes, all texts that
+import it are checked again.
 
   $ mkdir one two
   $ python3 - <<'END'
@@ -136,7 +136,7 @@ changes is looked at again in all that import it.
   None []
   0
 
-A file that is not UTF-8, one that is gone, one that is a folder: said where it is imported.
+A file that is not UTF-8, a missing file, and a folder: the error is reported where it is imported.
 
   $ printf 'x = "\377"\n' > Bytes.frob
   $ mkdir Folder.frob
@@ -152,7 +152,8 @@ A file that is not UTF-8, one that is gone, one that is a folder: said where it 
   1:7-1:13 cannot read `$TESTCASE_ROOT/Folder.frob`: it is a directory
   2:7-2:11 there is no module `Gone`
 
-A text of 100,000 lines, one that is a single line, and one that nests too deep.
+A text of 100,000 lines, one with a single line, and one that is nested too
+deeply.
 
   $ python3 - <<'END'
   > from client import *

@@ -1,6 +1,6 @@
-What goes wrong in the compiler itself, by whatever fault, is a message at the top of the text and
-in the editor's log. The server goes on: other texts are as they were, and so is this one, once
-what went wrong does no more.
+Any fault in the compiler itself results in a message at the top of the text and in the editor's
+log. The server continues: other texts are not affected, and neither is this one once the fault
+disappears.
 
   $ export PYTHONPATH=$PWD PYTHONDONTWRITEBYTECODE=1
   $ export FROB_HOME=$(dirname $(dirname $(which frobc)))
@@ -40,7 +40,7 @@ what went wrong does no more.
   ['frobc gave up after 1 s', 'internal error in Files: nobody knows why', 'internal error in frobc: Not_found']
   0
 
-A server that is killed, at any time, leaves nothing behind that another one stumbles over.
+A server that is killed at any time leaves nothing behind that affects another one.
 
   $ cat > drive.frob <<'END'
   > import Robot
@@ -77,7 +77,8 @@ A server that is killed, at any time, leaves nothing behind that another one stu
   faulty_server.exe
   random_edits.py
 
-Of a program of 200 modules, one is changed that all others rest on, and mended.
+In a program of 200 modules, the one on which all others depend is changed, and
+fixed.
 
   $ mkdir large
   $ python3 - <<'END'

@@ -1,5 +1,5 @@
-A test file, NAME.test.frob, is checked with the program beside it: mistakes, hover, definitions and
-lenses are those of its own text.
+A test file, NAME.test.frob, is checked together with the program next to it: mistakes, hover,
+definitions and lenses refer to its own text.
 
   $ export PYTHONPATH=$PWD PYTHONDONTWRITEBYTECODE=1
   $ cat > halves.frob <<'END'

@@ -1,4 +1,4 @@
-A Debian package has nothing that lintian would call an error or warn of.
+lintian reports no errors and no warnings about the Debian package.
 
   $ deb=$(sh ../../../compiler/package/deb.sh $(dirname $(which frobc))/.. packages)
   $ [ $deb = $PWD/packages/frobc_$(frobc --version)_$(dpkg --print-architecture).deb ] || echo $deb
@@ -9,8 +9,8 @@ A Debian package has nothing that lintian would call an error or warn of.
   libcairo2 
   gcc | c-compiler
 
-Unpacked into a folder that stands for the root, its compiler runs the wall follower that comes
-with it, with the library and the simulator that lie beside it there.
+When it is unpacked into a folder in place of the root, its compiler runs the wall follower in the
+package, with the library and the simulator that are next to it.
 
   $ dpkg-deb -x $deb root
   $ PATH=$PWD/root/usr/bin:$PATH
@@ -37,7 +37,8 @@ with it, with the library and the simulator that lie beside it there.
   in …/root/usr, 
   $ mv away root/usr/share/frobc/stdlib
 
-It brings along what there is to read. Links within lead somewhere, but for some to sources.
+The package contains the documentation. Its links lead to files in the package, except some to
+sources.
 
   $ cd root/usr/share && ls doc/frobc man/man1
   doc/frobc:

@@ -1,6 +1,6 @@
-The version of Frob is in one place, dune-project. The compiler, the language server, the opam
-package, the Python distribution and the extension for Visual Studio Code have the same version. The
-Debian package, too: see deb.t.
+The version of Frob is defined in one place, dune-project. The compiler, the language server, the
+opam package, the Python distribution and the extension for Visual Studio Code have the same
+version. So does the Debian package; see deb.t.
 
   $ top=../../..
   $ version=$(sed -n 's/^(version \(.*\))$/\1/p' $top/dune-project)

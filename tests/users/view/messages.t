@@ -1,5 +1,5 @@
-What `frobc view` says before it shows a page. A run to look at, of a program that computes
-a distance:
+Messages of `frobc view` before it shows a page. A run to view, of a program that computes a
+distance:
 
   $ cat > way.frob <<EOF
   > main :: SF (Velocity, Bool) Distance
@@ -12,8 +12,8 @@ a distance:
   > 0.2,3,true,0.30000000000000004
   > EOF
 
-A viewer serves until it is ended, so here it is, as soon as it has said its address; of
-this only the form is always the same:
+A viewer serves until it is ended, so this test ends it as soon as it has printed its address, of
+which only the form is always the same:
 
   $ view () {
   >   : > said; frobc view --print "$@" > said 2>&1 & viewer=$!
@@ -28,7 +28,7 @@ this only the form is always the same:
   view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
 
-No recording, and what is none:
+A missing recording, and a file that is not one:
 
   $ frobc view gone.csv way.frob
   error: there is no file gone.csv
@@ -45,7 +45,7 @@ No recording, and what is none:
   error: cannot view header.csv: it contains no instant
   [2]
 
-A torn last line is left out:
+A truncated last line is omitted:
 
   $ head -c -5 run.csv > torn.csv
   $ view torn.csv way.frob
@@ -53,7 +53,7 @@ A torn last line is left out:
   view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
 
-One that is compressed, and one of which the end is missing:
+A compressed recording, and one whose end is missing:
 
   $ gzip -k run.csv
   $ view run.csv.gz way.frob
@@ -69,7 +69,7 @@ One that is compressed, and one of which the end is missing:
   error: cannot view plain.csv.gz: its name says that it is compressed by gzip, but it is not
   [2]
 
-A recording of another program, or of another version of it, is shown as far as it fits:
+A recording of another program, or of another version of it, is shown as far as it matches:
 
   $ sed 's/in.2/in.stop/' run.csv > other.csv
   $ view other.csv way.frob
@@ -99,7 +99,7 @@ A recording of another program, or of another version of it, is shown as far as 
   view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
 
-A port that is taken, and one that is none:
+A port that is in use, and an invalid one:
 
   $ : > first; frobc view --print run.csv way.frob > first & first=$!
   $ for i in $(seq 100); do grep -q '^view: ' first && break; sleep 0.1; done
@@ -111,7 +111,7 @@ A port that is taken, and one that is none:
   error: --port takes a number from 1 to 65535
   [2]
 
-Where the address cannot be told:
+If the address cannot be printed:
 
   $ frobc view --print run.csv way.frob > /dev/full
   error: cannot write standard output: No space left on device

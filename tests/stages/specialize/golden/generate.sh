@@ -1,4 +1,4 @@
-# The rules that compare the dump of each program here with the file beside it.
+# Prints dune rules that compare the dump of each program here with the file next to it.
 for program in *.frob; do
     name=${program%.frob}
     cat <<END

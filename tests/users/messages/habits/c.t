@@ -1,4 +1,4 @@
-What C and Python write differently is named in Frob's own words.
+Syntax that C and Python write differently: the message shows Frob's syntax.
 
   $ cat > differs.frob <<'FROB'
   > f :: Float -> Bool
@@ -115,7 +115,7 @@ What C and Python write differently is named in Frob's own words.
   1 error
   [1]
 
-Braces are refused once, not once for each.
+Braces have one message, not one for each.
 
   $ cat > braces.frob <<'FROB'
   > main :: SF Float Float

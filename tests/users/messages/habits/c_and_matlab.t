@@ -1,6 +1,6 @@
 More of C and MATLAB: choices, arrays, numbers and functions.
 
-A choice by values, of which each line has a colon; told once.
+A choice by values, with a colon on each line: reported once.
 
   $ cat > switch.frob <<'FROB'
   > main :: SF Int Int
@@ -148,7 +148,7 @@ Rows of a matrix:
   1 error
   [1]
 
-What stands at the left edge only, and ranges:
+Syntax that is only valid at the left edge, and ranges:
 
   $ cat > param.frob <<'FROB'
   > import Robot

@@ -1,4 +1,4 @@
-Records and arrays as other languages have them.
+Records and arrays in the syntax of other languages.
 
   $ cat > record_unknown_field.frob <<'FROB'
   > data St = St { x :: Float, y :: Float }

@@ -1,4 +1,5 @@
-Forms of other languages are shown in Frob's, with the words of the program.
+Constructs of other languages: the message shows Frob's syntax, with the
+program's own words.
 
 A list comprehension:
 
@@ -41,7 +42,7 @@ An equation before the guards:
   $ sed 's/ =$//' guards.frob > equations.frob
   $ frobc check equations.frob
 
-A `case` without `of`, as Python has it:
+A `case` without `of`, as in Python:
 
   $ cat > case.frob <<'FROB'
   > speed m = case m:
@@ -109,7 +110,7 @@ A `case` without `of`, as Python has it:
   1 error
   [1]
 
-Names with a capital, of a value (told once, however often it is used) and of a field:
+Names with a capital, of a value (reported once, however often it is used) and of a field:
 
   $ cat > capital.frob <<'FROB'
   > Speed = 0.3[m/s]
@@ -142,7 +143,7 @@ Names with a capital, of a value (told once, however often it is used) and of a 
   1 error
   [1]
 
-A unit without brackets is taken whole:
+A unit without brackets is recognized as a whole:
 
   $ cat > unit.frob <<'FROB'
   > slope = 0.3m/s^2 * 2
@@ -159,7 +160,7 @@ A unit without brackets is taken whole:
   1 error
   [1]
 
-A bracket that is closed too late: it is the outer one that stays open.
+A bracket that is closed too late: the outer one stays open.
 
   $ cat > late.frob <<'FROB'
   > half x = (0.5 * (x - 1)
@@ -176,7 +177,7 @@ A bracket that is closed too late: it is the outer one that stays open.
   1 error
   [1]
 
-A choice between commands, with the signal function that is in its branches:
+A choice between commands, with the signal function that the branches contain:
 
   $ cat > choice.frob <<'FROB'
   > speed = proc d -> do

@@ -1,4 +1,4 @@
-What Haskell has and Frob writes otherwise, or only looks alike.
+Haskell's constructs that Frob writes differently, or that only look alike.
 
 A type of one constructor is `data`:
 
@@ -15,7 +15,7 @@ A type of one constructor is `data`:
   1 error
   [1]
 
-Application binds tighter than operators, here as there:
+As in Haskell, application binds tighter than operators:
 
   $ cat > application.frob <<'FROB'
   > outside :: Float -> Bool
@@ -62,7 +62,7 @@ Application binds tighter than operators, here as there:
   3 errors
   [1]
 
-What an argument makes of a type is said where it is:
+If an argument determines a type, the message shows it there:
 
   $ cat > decided.frob <<'FROB'
   > before :: SF Bool Bool
@@ -122,7 +122,7 @@ What an argument makes of a type is said where it is:
   4 errors
   [1]
 
-A field is no function:
+A field is not a function:
 
   $ cat > field.frob <<'FROB'
   > data Wheel = Wheel { speed :: Velocity }
@@ -142,7 +142,7 @@ A field is no function:
   1 error
   [1]
 
-A type in lower case is a variable. Where that does no harm it is a warning:
+A type in lower case is a variable. If that does no harm, it is a warning:
 
   $ cat > lower_case.frob <<'FROB'
   > twice :: float[m] -> float[m]
@@ -173,7 +173,7 @@ A type in lower case is a variable. Where that does no harm it is a warning:
   1 error, 1 warning
   [1]
 
-Operators that only Haskell has, and its other ways to write a list, a branch and a module.
+Operators that only Haskell has, and its other syntax for a list, a branch and a module.
 
   $ cat > bind.frob <<'FROB'
   > import Robot
@@ -274,7 +274,7 @@ Operators that only Haskell has, and its other ways to write a list, a branch an
   1 error
   [1]
 
-Names from Haskell, Yampa and C are told by the name here.
+For names from Haskell, Yampa and C, the message names Frob's equivalent.
 
   $ cat > names.frob <<'FROB'
   > main :: SF Int Float

@@ -1,4 +1,5 @@
-A loop of another language among the equations of a `proc`: nothing is repeated there.
+A loop of another language among the equations of a `proc`: the message says that equations are not
+repeated.
 
   $ cat > loop.frob <<'FROB'
   > import Robot
@@ -21,7 +22,7 @@ A loop of another language among the equations of a `proc`: nothing is repeated 
   1 error
   [1]
 
-In the middle too.
+The same in the middle.
 
   $ cat > middle.frob <<'FROB'
   > import Robot
@@ -99,7 +100,7 @@ An Arduino's `delay`, and `sleep`.
   1 error
   [1]
 
-The cures.
+The fixes.
 
   $ cat > cured.frob <<'FROB'
   > import Robot
@@ -111,7 +112,8 @@ The cures.
   > FROB
   $ frobc check cured.frob
 
-A task whose signature names the robot's input, where `watching` asks for any.
+A task whose signature names the robot's input, although `watching` requires any
+input.
 
   $ cat > watched.frob <<'FROB'
   > import Robot
@@ -140,7 +142,7 @@ A task whose signature names the robot's input, where `watching` asks for any.
   $ sed 's/^patrol ::.*/patrol :: (HasSonar i, DiffDrive o) => Task i o Bool/' watched.frob > any.frob
   $ frobc check any.frob
 
-Modules of other languages, for what needs none.
+Modules of other languages for functions that need no import.
 
   $ for m in Maths Time List Random; do
   >   printf 'import %s\n\nmain :: SF Float Float\nmain = proc x -> sqrt x\n' $m > m.frob
@@ -159,7 +161,7 @@ Modules of other languages, for what needs none.
     = hint: for random numbers write `whiteNoise 1 ()`, with `import Sources`
   1 error
 
-A colour that nobody has defined.
+An undefined colour.
 
   $ cat > colour.frob <<'FROB'
   > import Robot

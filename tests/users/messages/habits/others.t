@@ -1,4 +1,5 @@
-Loops, calls, declarations and operators as elsewhere: one message for each.
+Loops, calls, declarations and operators in the syntax of other languages: one
+message for each.
 
 C and Arduino:
 
@@ -272,8 +273,8 @@ Haskell:
   1 error
   [1]
 
-Units and numbers as other places write them, tables with semicolons, `else` as a guard,
-a colon after a condition.
+Units and numbers in other notations, tables with semicolons, `else` as a guard, a colon after a
+condition.
 
   $ cat > writings.frob <<'EOF'
   > main :: SF Float Float

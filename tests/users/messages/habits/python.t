@@ -1,4 +1,4 @@
-What Python writes, in Frob's words.
+Python's constructs, and their equivalents in Frob.
 
   $ cat > definition.frob <<'FROB'
   > def twice(x):

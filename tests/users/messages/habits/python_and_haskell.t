@@ -16,7 +16,7 @@ More of Python, Haskell and C: objects, comments, lists, named arguments.
   1 error
   [1]
 
-A class with a method: told once.
+A class with a method: reported once.
 
   $ cat > objects.frob <<'FROB'
   > class Wall:

@@ -1,4 +1,4 @@
-Records as other languages have them.
+Records in the syntax of other languages.
 
   $ cat > assigned.frob <<'FROB'
   > import Robot

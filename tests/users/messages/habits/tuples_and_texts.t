@@ -1,4 +1,4 @@
-Tuples, records and texts as other languages treat them.
+Tuples, records and texts, used as in other languages.
 
   $ cat > index.frob <<'FROB'
   > main :: SF (Float, Float) Float

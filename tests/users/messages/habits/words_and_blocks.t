@@ -1,6 +1,6 @@
-Words and blocks of other languages.
+Keywords and blocks of other languages.
 
-A block in braces is one mistake, whatever is in it:
+A block in braces has one message, whatever it contains:
 
   $ cat > braces.frob <<'FROB'
   > import Robot
@@ -87,7 +87,7 @@ A block in braces is one mistake, whatever is in it:
   1 error
   [1]
 
-An equation where a task is done:
+An equation among the statements of a task:
 
   $ cat > equation.frob <<'FROB'
   > import Robot

@@ -1,4 +1,4 @@
-Words and signs of other languages around a definition.
+Keywords and symbols of other languages around a definition.
 
   $ cat > from_import_star.frob <<'FROB'
   > from Robot import *

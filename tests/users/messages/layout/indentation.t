@@ -1,4 +1,5 @@
-A line that starts at a wrong column says where its block starts.
+For a line that starts in a wrong column, the message says where its block
+starts.
 
   $ cat > left.frob <<'FROB'
   > main :: SF Float Float
@@ -103,7 +104,8 @@ A line that starts at a wrong column says where its block starts.
   2 errors
   [1]
 
-A bracket around a block that nothing closes: the bracket is shown, and the definitions after it are read.
+An unclosed bracket around a block: the message shows the bracket, and the parser continues with the
+definitions after it.
 
   $ cat > unclosed.frob <<'FROB'
   > import Robot
@@ -133,7 +135,8 @@ A bracket around a block that nothing closes: the bracket is shown, and the defi
   2 errors
   [1]
 
-A line that was meant for a `where`; an expression that goes on too far left; a branch of guards only.
+A line that belongs in a `where`; an expression that continues too far to the left; a branch with
+guards only.
 
   $ cat > equation.frob <<'FROB'
   > main :: SF Float Float

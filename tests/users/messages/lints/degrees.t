@@ -1,5 +1,5 @@
-Angles that somebody has made degrees of, where angles are in radians: compared with one,
-added to one, given to what wants one. Also by the name of an equation, and as 57.3.
+Numbers of degrees used where angles are in radians: compared with an angle, added to one, passed as
+one. Also through the name of an equation, and with the factor 57.3.
 
   $ cat > degrees.frob <<'FROB'
   > import Geometry
@@ -62,7 +62,7 @@ added to one, given to what wants one. Also by the name of an equation, and as 5
   
   5 warnings
 
-What is a number of degrees, and is used as one; and what is made an angle again.
+Numbers of degrees that are used as such, and numbers that are converted back to an angle.
 
   $ cat > numbers.frob <<'FROB'
   > import Geometry

@@ -1,4 +1,4 @@
-The library and the examples have nothing to be warned of.
+The library and the examples have no warnings.
 
   $ for file in $(find -L ../../../../stdlib ../../../../examples -name '*.frob' | sort); do
   >     (cd $(dirname $file) && frobc check $(basename $file) 2>&1) | grep '^warning' -A 1

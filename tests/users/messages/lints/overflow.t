@@ -1,4 +1,4 @@
-Numbers that no Int can be, where the numbers of a definition are Ints only by its use.
+Numbers out of the range of Int, if the numbers of a definition are Ints only because of its use.
 
   $ cat > definition.frob <<'FROB'
   > big = 100000 * 100000

@@ -1,5 +1,5 @@
-A threshold beyond what the robot sees: told where the robot is known, by its types or by
-the command, also through an equation and `watching`.
+A threshold beyond the robot's sensor range: reported if the robot is known, from its types or from
+the command line, also through an equation and `watching`.
 
   $ cat > far.frob <<'FROB'
   > import Robot

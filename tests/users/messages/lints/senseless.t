@@ -1,5 +1,5 @@
-Constants that nobody means: what is never a number, what wraps around, times below zero.
-Each is told where it comes from, not where it goes.
+Constants that are certainly mistakes: NaN, values that wrap around, negative times. Each is
+reported where it is computed, not where it is used.
 
   $ cat > nan.frob <<'FROB'
   > gain :: Float

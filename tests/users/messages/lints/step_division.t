@@ -1,5 +1,5 @@
-A division by the length of the step, which is 0 at the first instant; also by an equation that
-is that length, and by a multiple of it. In a branch it is silent.
+A division by the length of the step, which is 0 at the first instant; also through an equation that
+is that length, and by a multiple of it. Inside a branch there is no warning.
 
   $ cat > slopes.frob <<'FROB'
   > import Control

@@ -1,4 +1,4 @@
-What nothing uses: a rule that was never wired in is told at its equation.
+Unused definitions: a rule that was never connected is reported at its equation.
 
   $ cat > never_wired.frob <<'FROB'
   > import Robot
@@ -19,8 +19,8 @@ What nothing uses: a rule that was never wired in is told at its equation.
   
   1 warning
 
-Equations that use each other only, one that uses itself, a pattern of which nothing
-is used and one of which a part is, what a task ends with:
+Equations that only use each other, one that uses itself, a pattern that is unused or partially
+used, the result of a task:
 
   $ cat > circles.frob <<'FROB'
   > main :: SF Float Float
@@ -91,8 +91,8 @@ is used and one of which a part is, what a task ends with:
   
   6 warnings
 
-A name with `_` in front is silent, and so is what it uses; a program with errors is
-told of these first.
+A name that starts with `_` has no warning, and neither have the names that it uses; in a program
+with errors, the errors are reported first.
 
   $ cat > silent.frob <<'FROB'
   > main :: SF Float Float
@@ -118,7 +118,7 @@ told of these first.
   1 error
   [1]
 
-Imports of which nothing is used, and names of their lists; what a header hands on is used.
+Unused imports, and unused names in import lists; a name that the header re-exports is used.
 
   $ cat > imports.frob <<'FROB'
   > import Control
@@ -169,7 +169,7 @@ Imports of which nothing is used, and names of their lists; what a header hands 
   > FROB
   $ frobc check gathered.frob
 
-A module of the program's own may be there for its instances:
+A module of the program may be imported only for its instances:
 
   $ cat > Boxes.frob <<'FROB'
   > class HasSize a where
@@ -190,7 +190,7 @@ A module of the program's own may be there for its instances:
   > FROB
   $ frobc check sized.frob
 
-Many variables of one pattern are one warning.
+Many variables of one pattern have one warning.
 
   $ cat > many.frob <<'FROB'
   > main :: SF (Float, Float, Float, Float, Float, Float) Float

@@ -1,4 +1,4 @@
-Classes in signatures: before `=>`, in parentheses, of the variable that is meant.
+Classes used as types in signatures: before `=>`, in parentheses, and as a variable's type.
 
   $ cat > parentheses.frob <<'FROB'
   > import Robot

@@ -1,4 +1,4 @@
-Declarations whose punctuation or capitals are those of another language.
+Declarations with the punctuation or the capitals of another language.
 
   $ cat > record.frob <<'FROB'
   > data Stick = { ahead :: Float }

@@ -1,4 +1,4 @@
-Fields of another record, fields as values, units of what is computed.
+Fields of another record, fields as values, units of computed values.
 
   $ cat > rgb.frob <<'FROB'
   > import Robot

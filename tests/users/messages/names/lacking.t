@@ -1,4 +1,5 @@
-Declarations and equations that lack a part, or have one too many: told of the whole.
+Declarations and equations that lack a part, or have one too many: the message is about the whole
+construct.
 
 Assertions and trials:
 
@@ -95,7 +96,7 @@ Assertions and trials:
   1 error
   [1]
 
-Parameters, modules and what is foreign:
+Parameters, modules and foreign declarations:
 
   $ cat > param_type.frob <<'FROB'
   > import Control

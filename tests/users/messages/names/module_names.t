@@ -1,4 +1,4 @@
-The name of a module begins with a capital; that of a program may be any.
+The name of a module begins with a capital letter; that of a program may be any.
 
   $ cat > wall.frob <<'FROB'
   > limit :: Float -> Float
@@ -46,7 +46,7 @@ The name of a module begins with a capital; that of a program may be any.
   1 error
   [1]
 
-The import has its capital, the file lacks it:
+The import begins with a capital letter, the file does not:
 
   $ sed 's/import wall/import Wall/' small.frob > my-robot.frob
   $ frobc check my-robot.frob
@@ -62,7 +62,7 @@ The import has its capital, the file lacks it:
   1 error
   [1]
 
-As the hint says:
+After the change that the hint suggests:
 
   $ mv wall.frob Wall.frob
   $ frobc check my-robot.frob

@@ -1,4 +1,4 @@
-Unknown names: other capitals, units as words, what a later version will have.
+Unknown names: different capitals, units as words, features of a later version.
 
   $ cat > true.frob <<'FROB'
   > ready = true
@@ -68,7 +68,7 @@ Unknown names: other capitals, units as words, what a later version will have.
   1 error
   [1]
 
-A `where` after `proc … -> do` does not see the signals.
+A `where` after `proc … -> do` cannot use the signals.
 
   $ cat > where.frob <<'FROB'
   > main :: SF Float Float
@@ -93,7 +93,7 @@ A `where` after `proc … -> do` does not see the signals.
   1 error
   [1]
 
-An equation is no assignment; parameters have other troubles.
+An equation is not an assignment; parameters have other errors.
 
   $ cat > twice.frob <<'FROB'
   > main :: SF Float Float

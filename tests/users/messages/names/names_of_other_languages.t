@@ -1,4 +1,4 @@
-Names that other languages have are answered with what they are here. Of each name, the hint:
+Names from other languages: the message names Frob's equivalent. The hint for each name:
 
   $ hint() {
   >   for name in "$@"; do
@@ -87,14 +87,14 @@ Names that other languages have are answered with what they are here. Of each na
   integrate: write `integral`
   deriv: write `derivative`
 
-A near name of the program's own or of the library is still offered where no other language has it:
+A similar name in the program or the library is still suggested if no other language has it:
 
   $ hint atan3 sqrtf constan
   atan3: did you mean `atan`?
   sqrtf: did you mean `sqrt`?
   constan: did you mean `constant`?
 
-What the hints say is right:
+The hints are correct:
 
   $ cat > right.frob <<'FROB'
   > import Control

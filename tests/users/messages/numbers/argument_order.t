@@ -1,4 +1,4 @@
-Arguments in another order than the function's: told where they fit the other way round.
+Arguments in the wrong order: reported if they fit in another order.
 
 A robot's speeds:
 
@@ -48,7 +48,7 @@ The event first:
   $ sed 's,hold (.*) 0.3.m/s.),hold 0.3[m/s] (tag (edge (bumped i)) 0)),' hold.frob > cured.frob
   $ frobc check cured.frob
 
-A place and its label:
+A position and its label:
 
   $ cat > label.frob <<'FROB'
   > import Display
@@ -72,7 +72,7 @@ A place and its label:
   $ sed 's,"here" (place i),(place i) "here",' label.frob > cured.frob
   $ frobc check cured.frob
 
-A number without its unit is in its place:
+A number without its unit, in the right position:
 
   $ cat > no_unit.frob <<'FROB'
   > import Control
@@ -96,7 +96,7 @@ A number without its unit is in its place:
   $ sed 's,200,200[ms],' no_unit.frob > cured.frob
   $ frobc check cured.frob
 
-Two that are of one type whatever it is are not exchanged:
+Two arguments that both fit any type are not exchanged:
 
   $ cat > alike.frob <<'FROB'
   > import Robot
@@ -118,7 +118,7 @@ Two that are of one type whatever it is are not exchanged:
   1 error
   [1]
 
-Two of one unit do not change places: here it is the unit of the rate that is wrong.
+Two arguments with the same unit are not exchanged: here the unit of the rate is wrong.
 
   $ cat > rate.frob <<'FROB'
   > import Control

@@ -1,4 +1,5 @@
-Arguments of the wrong form: a negative number, a tuple of another size, a value for a signal function.
+Arguments of the wrong form: a negative number, a tuple of another size, a value for a signal
+function.
 
   $ cat > negative.frob <<'FROB'
   > f :: Float -> Float
@@ -31,7 +32,7 @@ Arguments of the wrong form: a negative number, a tuple of another size, a value
   2 errors
   [1]
 
-A minus with blanks on both sides, or on none, is a subtraction.
+A minus with spaces on both sides, or on neither, is a subtraction.
 
   $ cat > minus.frob <<'FROB'
   > f :: Float -> Float
@@ -107,7 +108,7 @@ A minus with blanks on both sides, or on none, is a subtraction.
   1 error
   [1]
 
-A function that is to be given lacks an argument.
+A function passed as an argument lacks one of its own arguments.
 
   $ cat > lacking.frob <<'FROB'
   > import Robot

@@ -1,4 +1,4 @@
-Arguments and elements: too few, too many, or without what is between them.
+Arguments and elements: too few, too many, or without separators.
 
 Arguments:
 

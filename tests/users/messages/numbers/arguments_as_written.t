@@ -1,6 +1,6 @@
-Arguments as they are written elsewhere, or not quite.
+Arguments in the syntax of other languages, or almost correct.
 
-What is applied, as an argument:
+A function application as an argument:
 
   $ cat > edge.frob <<'FROB'
   > import Robot
@@ -46,7 +46,7 @@ A point without a digit before it:
   $ sed 's/[.]5/0.5/' point.frob > cured.frob
   $ frobc check cured.frob
 
-Two arguments for one pair:
+Two arguments instead of one pair:
 
   $ cat > pair.frob <<'FROB'
   > import Robot
@@ -72,7 +72,7 @@ Two arguments for one pair:
   $ sed 's/steer (frontSonar i) (sideSonar i)/steer (frontSonar i, sideSonar i)/' pair.frob > cured.frob
   $ frobc check cured.frob
 
-A function for a signal function:
+A function instead of a signal function:
 
   $ cat > lambda.frob <<'FROB'
   > import Robot

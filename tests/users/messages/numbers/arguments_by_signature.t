@@ -1,4 +1,4 @@
-Arguments that are forgotten, too many, or of another kind: the signature of what is applied says how it is.
+Missing, additional, or wrong arguments: the message shows the signature of the function.
 
   $ cat > distance_one_arg.frob <<'FROB'
   > import Robot

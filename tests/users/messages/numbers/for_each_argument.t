@@ -1,6 +1,6 @@
-Arguments and factors that are not what was asked for.
+Arguments and factors of another type than expected.
 
-A number that is no Int is not exchanged with a 0:
+A number that is not an Int is not replaced by a 0:
 
   $ cat > index.frob <<'FROB'
   > main :: SF (Array 4 Float, Float) Float

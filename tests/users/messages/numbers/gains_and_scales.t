@@ -1,4 +1,4 @@
-Units that want a gain, a power, or a declaration.
+Units that require a gain, a power, or a declaration.
 
   $ cat > type_unit_scaled.frob <<'FROB'
   > limitCm :: Float[cm] -> Float[cm]

@@ -1,4 +1,4 @@
-Int and Float in one operation: both operands are named, and the conversion that is meant.
+Int and Float in one operation: the message names both operands, and the conversion.
 
   $ cat > product.frob <<'FROB'
   > double :: Int -> Float

@@ -1,4 +1,5 @@
-A plain number where one with a unit is needed: the literal is shown with it.
+A number without a unit where one is required: the message shows the literal
+with the unit.
 
   $ cat > argument.frob <<'FROB'
   > import Control
@@ -48,7 +49,7 @@ A plain number where one with a unit is needed: the literal is shown with it.
   2 errors
   [1]
 
-In a record the number is shown, and not the record.
+In a record, the message shows the number, not the record.
 
   $ cat > corners.frob <<'FROB'
   > import Geometry

@@ -1,4 +1,4 @@
-A formula in which a number lacks its unit, and another with an exponent that is no number.
+A formula in which a number lacks its unit, and one with an exponent that is not a number.
 
   $ cat > braking.frob <<'FROB'
   > import Robot

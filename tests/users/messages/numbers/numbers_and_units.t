@@ -1,4 +1,4 @@
-Numbers and units written as elsewhere.
+Numbers and units in other notations.
 
   $ cat > point.frob <<'FROB'
   > x = .5
@@ -83,7 +83,7 @@ Numbers and units written as elsewhere.
   1 error
   [1]
 
-A unit stands on a literal or a type, never on a name, and touches it.
+A unit follows a literal or a type, never a name, without a space.
 
   $ cat > name.frob <<'FROB'
   > f :: Float -> Distance
@@ -131,7 +131,7 @@ A unit stands on a literal or a type, never on a name, and touches it.
   1 error
   [1]
 
-A name in the size of an array is a variable of the type, and not a number.
+A name in the size of an array is a type variable, not a number.
 
   $ cat > size.frob <<'FROB'
   > n = 4
@@ -153,8 +153,8 @@ A name in the size of an array is a variable of the type, and not a number.
   1 error
   [1]
 
-Degrees where an angle is in radians have no other unit, but are more than a turn. A number
-that says `rad`, or that is no angle, is left alone.
+Degrees for an angle in radians have no other unit, but exceed a full turn. There is no warning for
+a number with `rad` in its comment, or for a number that is not an angle.
 
   $ cat > degrees.frob <<'FROB'
   > import Geometry
@@ -192,8 +192,8 @@ that says `rad`, or that is no angle, is left alone.
   
   3 warnings
 
-So is what is added to an angle, and a product of numbers; a number beside a signal may
-well be a frequency.
+The same for a number that is added to an angle, and for a product of numbers; a number next to a
+signal may be a frequency.
 
   $ cat > sums.frob <<'FROB'
   > import Geometry
@@ -233,8 +233,8 @@ well be a frequency.
   
   3 warnings
 
-Degrees that an angle is compared with, on either side, also of what is an angle because
-its operand is.
+Degrees that are compared with an angle, on either side, also if an expression is an angle because
+of its operand.
 
   $ cat > compared.frob <<'FROB'
   > import Geometry

@@ -1,4 +1,5 @@
-A tuple for an array, a number for a mark, an integral with a reset.
+A tuple instead of an array, a number instead of a mark, an integral with a
+reset.
 
   $ cat > tuple.frob <<'FROB'
   > import Robot

@@ -1,4 +1,5 @@
-The two of a pair in the other order: said once, of the pair, also where each of them alone would fit.
+The components of a pair in the wrong order: reported once, for the pair, even if one of them alone
+would fit.
 
 A recurring switch, whose output may be anything:
 
@@ -61,7 +62,7 @@ A recurring switch, whose output may be anything:
   1 error
   [1]
 
-An output and the event that ends it: it is of the output's class that the event has no instance.
+An output and the event that ends it: the event has no instance of the output's class.
 
   $ cat > ends.frob <<'FROB'
   > import Robot
@@ -121,7 +122,7 @@ A reset:
   1 error
   [1]
 
-The output of a signature, which may itself be wrong:
+The output in a signature, which may itself be wrong:
 
   $ cat > output.frob <<'FROB'
   > import Robot
@@ -146,7 +147,7 @@ The output of a signature, which may itself be wrong:
   1 error
   [1]
 
-Arguments one after the other, and a tuple:
+Separate arguments, and a tuple:
 
   $ cat > one_tuple.frob <<'FROB'
   > mix :: (Float, Float) -> Float

@@ -1,4 +1,4 @@
-A function among the arguments that was to be applied to those behind it.
+A function among the arguments that should be applied to the following ones.
 
   $ cat > tasks.frob <<'FROB'
   > import Robot
@@ -49,7 +49,7 @@ A function among the arguments that was to be applied to those behind it.
   1 error
   [1]
 
-What `return` is given is not done:
+`return` does not run its argument:
 
   $ cat > turn.frob <<'FROB'
   > import Robot

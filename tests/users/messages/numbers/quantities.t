@@ -1,6 +1,6 @@
-Units that are missing, or others.
+Units that are missing or wrong.
 
-A turn, a pause, and a unit that stands apart:
+A turn, a pause, and a unit after a space:
 
   $ cat > turn_without_unit.frob <<'FROB'
   > import Robot
@@ -67,7 +67,7 @@ A turn, a pause, and a unit that stands apart:
   1 error
   [1]
 
-What makes one quantity of another:
+Conversions from one quantity to another:
 
   $ cat > speed_from_distance.frob <<'FROB'
   > import Robot
@@ -145,7 +145,7 @@ What makes one quantity of another:
   1 error
   [1]
 
-The gains of a controller depend on each other, so one of a wrong unit is one message:
+The gains of a controller depend on each other, so a wrong unit has one message:
 
   $ cat > pid_of_three_numbers.frob <<'FROB'
   > import Control
@@ -212,7 +212,7 @@ The gains of a controller depend on each other, so one of a wrong unit is one me
   1 error
   [1]
 
-Types of one name, and a local function of one type:
+Types with the same name, and a local function of one type:
 
   $ cat > two_modules_T.frob <<'FROB'
   > import qualified Geometry as G

@@ -1,4 +1,4 @@
-Records where their parts belong, parts where records do, and numbers for truths.
+Records instead of their components, components instead of records, and numbers instead of Bools.
 
   $ cat > heading.frob <<'FROB'
   > import Robot

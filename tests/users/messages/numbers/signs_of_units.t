@@ -1,6 +1,6 @@
-Units as others write them.
+Units in other notations.
 
-A power without its sign, on a number and in a type:
+A power without `^`, on a number and in a type:
 
   $ cat > power.frob <<'FROB'
   > import Robot
@@ -75,7 +75,7 @@ A degree sign, percent, and a point between units:
   1 error
   [1]
 
-A signal that is chosen among angles, where an angular velocity is wanted:
+A choice between angles, where an angular velocity is expected:
 
   $ cat > chosen.frob <<'FROB'
   > import Robot

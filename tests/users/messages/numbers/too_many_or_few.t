@@ -1,4 +1,5 @@
-Arguments that are one too many, or missing in front: what the function takes, or how it is written.
+One argument too many, or a missing first one: the message shows the function's arguments, or its
+syntax.
 
   $ cat > turn.frob <<'FROB'
   > import Robot
@@ -189,7 +190,7 @@ Arguments that are one too many, or missing in front: what the function takes, o
   1 error
   [1]
 
-Tasks below each other, on a condition, and with a time:
+Tasks in sequence, under a condition, and with a time:
 
   $ cat > forever.frob <<'FROB'
   > import Robot

@@ -1,6 +1,6 @@
-What comes out has another unit than is wanted.
+Results whose unit is not the expected one.
 
-The numbers of a knob decide its unit:
+The limits of a knob determine its unit:
 
   $ cat > knob.frob <<'FROB'
   > import Robot
@@ -23,7 +23,7 @@ The numbers of a knob decide its unit:
   $ sed 's,0 0.5 0.2,0 0.5[m/s] 0.2[m/s],' knob.frob > cured.frob
   $ frobc check cured.frob
 
-The signature may be what is wrong:
+The signature may be wrong:
 
   $ cat > signature.frob <<'FROB'
   > import Robot
@@ -50,7 +50,7 @@ The signature may be what is wrong:
   $ sed 's,Velocity,Distance,;s,1.m/s.,1[m],' signature.frob > cured.frob
   $ frobc check cured.frob
 
-A speed of turning is an angle by a time:
+An angular velocity is an angle divided by a time:
 
   $ cat > turn.frob <<'FROB'
   > import Robot
@@ -77,7 +77,7 @@ A speed of turning is an angle by a time:
   $ sed 's,1.5.rad/m.,1.5[1/(m s)],;s,rad/m,1/(m s),' turn.frob > cured.frob
   $ frobc check cured.frob
 
-`delay` is by one instant:
+`delay` delays by one instant:
 
   $ cat > delay.frob <<'FROB'
   > import Robot

@@ -1,4 +1,5 @@
-The argument that decided a type is shown where another one does not fit it.
+If an argument does not fit, the message shows the earlier argument that
+determined the type.
 
   $ cat > sizes.frob <<'FROB'
   > import Robot
@@ -64,7 +65,7 @@ The argument that decided a type is shown where another one does not fit it.
   1 error
   [1]
 
-What comes first and last, exchanged:
+The first and the last argument exchanged:
 
   $ cat > label.frob <<'FROB'
   > import Robot
@@ -84,7 +85,7 @@ What comes first and last, exchanged:
   1 error
   [1]
 
-What is wrong twice in a line is told once:
+Two mistakes of the same kind on a line are reported once:
 
   $ cat > image.frob <<'FROB'
   > import Robot

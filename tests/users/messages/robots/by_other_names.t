@@ -1,6 +1,6 @@
-What a robot senses and does, by the names that it has elsewhere.
+A robot's sensors and commands under names from elsewhere.
 
-A function that is written as a field, whether the program uses it elsewhere or not:
+A function that is written as a field, whether or not the program uses it elsewhere:
 
   $ cat > field.frob <<'FROB'
   > import Robot
@@ -20,7 +20,7 @@ A function that is written as a field, whether the program uses it elsewhere or 
   $ sed 's/i.bumped/bumped i/' field.frob > function.frob
   $ frobc check function.frob
 
-Words that others have:
+Names from other systems:
 
   $ cat > words.frob <<'FROB'
   > import Robot
@@ -91,7 +91,7 @@ Words that others have:
   1 error
   [1]
 
-A name of the program's own that is only misspelt comes first:
+A misspelt name of the program itself is suggested first:
 
   $ cat > misspelt.frob <<'FROB'
   > import Robot

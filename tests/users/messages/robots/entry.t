@@ -1,4 +1,5 @@
-What cannot be the entry says why, and what would.
+For a definition that cannot be the entry, the message says why, and what could
+be.
 
   $ cat > entries.frob <<'FROB'
   > main = 3
@@ -57,7 +58,7 @@ What cannot be the entry says why, and what would.
   1 error
   [1]
 
-What it shows of types is what a signature would say, units and classes with them.
+The types in the message are those that a signature would have, including units and classes.
 
   $ cat > typed.frob <<'FROB'
   > -- areas and speeds
@@ -104,7 +105,7 @@ What it shows of types is what a signature would say, units and classes with the
   1 error
   [1]
 
-A program that leaves its robot open cannot be run as it stands.
+A program that leaves its robot open cannot be run without an option.
 
   $ cat > robot.frob <<'FROB'
   > import Robot

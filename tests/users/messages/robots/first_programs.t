@@ -1,6 +1,7 @@
-What people write in their first programs.
+Mistakes in first programs.
 
-Blocks in braces, and a lambda, a field or a unit as elsewhere:
+Blocks in braces, and a lambda, a field or a unit in the syntax of other
+languages:
 
   $ cat > braces.frob <<'FROB'
   > avoid = proc i -> {
@@ -115,8 +116,8 @@ Blocks in braces, and a lambda, a field or a unit as elsewhere:
   1 error
   [1]
 
-A switch from what has no event, an Int with a point, arithmetic of vectors, map for
-mapSF, a name that several modules have:
+A switch whose signal function has no event, an Int with a decimal point, arithmetic on vectors, map
+instead of mapSF, a name that several modules have:
 
   $ cat > types.frob <<'FROB'
   > import Geometry

@@ -1,6 +1,7 @@
-What goes wrong in one's first programs for a robot.
+Mistakes in first programs for robots.
 
-A name that is not imported: the module that gathers what programs for robots need.
+A name that is not imported: the message names the module that combines everything that programs for
+robots need.
 
   $ cat > no_import.frob <<'FROB'
   > main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] 0))
@@ -17,7 +18,7 @@ A name that is not imported: the module that gathers what programs for robots ne
   1 error
   [1]
 
-An angle where a speed of turning is needed.
+An angle where an angular velocity is expected.
 
   $ cat > degrees.frob <<'FROB'
   > import Robot
@@ -39,7 +40,7 @@ An angle where a speed of turning is needed.
   $ sed 's,30.deg.,30[deg/s],' degrees.frob > turning.frob
   $ frobc check turning.frob
 
-An event where a truth or a number is needed.
+An event where a Bool or a number is expected.
 
   $ cat > events.frob <<'FROB'
   > import Robot
@@ -70,7 +71,7 @@ An event where a truth or a number is needed.
   2 errors
   [1]
 
-A place written as a pair.
+A position written as a pair.
 
   $ cat > place.frob <<'FROB'
   > import Robot
@@ -108,7 +109,7 @@ The output of a robot without `roMake`.
   1 error
   [1]
 
-Likewise in a signal function, in a function, and where a signature says what comes out.
+The same in a signal function, in a function, and if a signature states the output.
 
   $ cat > no_make.frob <<'FROB'
   > import Robot
@@ -158,7 +159,7 @@ Likewise in a signal function, in a function, and where a signature says what co
   1 error
   [1]
 
-And where the output is one of a task's, or a signature's.
+The same if the output is that of a task, or of a signature.
 
   $ cat > no_make.frob <<'FROB'
   > import Robot
@@ -232,7 +233,7 @@ And where the output is one of a task's, or a signature's.
   3 errors
   [1]
 
-A signature that asks for too little.
+A signature that requires too little.
 
   $ cat > asks.frob <<'FROB'
   > import Robot
@@ -259,8 +260,8 @@ A signature that asks for too little.
   1 error
   [1]
 
-A signal function of a robot is a program for any that has what it asks for; without a
-signature it is for a Pioneer, as a program is.
+A signal function for a robot is a program for any robot with the required capabilities; without a
+signature it is for a Pioneer, like a program.
 
   $ cat > logger.frob <<'FROB'
   > import Robot
@@ -303,7 +304,7 @@ Words that are operators.
   1 error
   [1]
 
-A table that lacks most of what the robot senses.
+A table that lacks most of the robot's sensors.
 
   $ printf 'time,in.odometry.heading\n0,1\n' > in.csv
   $ frobc trace logger.frob --input in.csv 2>&1 | cut -d';' -f1
@@ -311,7 +312,7 @@ A table that lacks most of what the robot senses.
   $ frobc trace logger.frob --input in.csv --engine interp 2>&1 | cut -d';' -f1
   error: in.csv:1:1: missing: `in.odometry.position.x`, `in.odometry.position.y`, `in.leftWheel` and 24 more
 
-A program named without its ending, a number for a code.
+A program named without its extension, a number instead of a code.
 
   $ frobc run logger
   error: there is no file logger; did you mean logger.frob?
@@ -319,7 +320,8 @@ A program named without its ending, a number for a code.
   $ frobc explain 402 | head -1
   # signal functions or tasks that may start each other endlessly within one instant
 
-A signature that promises too little is one mistake, whoever needs what it lacks.
+A signature that requires too few capabilities is one mistake, whichever definition needs the
+missing one.
 
   $ cat > promise.frob <<'FROB'
   > import Geometry

@@ -1,4 +1,5 @@
-A loop through a signal function of the library is broken in the program's own module.
+For a loop through a signal function of the library, the message says how to break it in the
+program's own module.
 
   $ cat > Filters.frob <<'FROB'
   > import qualified Control
@@ -15,7 +16,7 @@ A loop through a signal function of the library is broken in the program's own m
   $ frobc check main.frob > said 2>&1
   [1]
 
-Where the library has its line now is no matter here.
+Removes the line number in the library, which does not matter here.
 
   $ sed 's/Control.frob:[0-9]*/Control.frob:N/; s/^ *[0-9]* |     y = if/ N |     y = if/' said
   error[E0401]: the signal `y` needs its own value in the same instant

@@ -1,6 +1,6 @@
-What a robot is to do.
+Outputs of robots.
 
-Several things at a time are composed:
+Several commands at a time are composed:
 
   $ cat > two.frob <<'FROB'
   > import Create
@@ -25,7 +25,7 @@ Several things at a time are composed:
   $ sed 's/ 0, setL/ 0 . setL/' two.frob > cured.frob
   $ frobc check cured.frob
 
-The choices of a type with a few constructors:
+A choice between the constructors of a type:
 
   $ cat > light.frob <<'FROB'
   > import Create
@@ -50,7 +50,7 @@ The choices of a type with a few constructors:
   $ sed 's/(bumped i)/(if bumped i then On else Off)/' light.frob > cured.frob
   $ frobc check cured.frob
 
-What is sensed lacks its input:
+A sensor function without its input:
 
   $ cat > bumped.frob <<'FROB'
   > import Robot

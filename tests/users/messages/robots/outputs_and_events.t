@@ -1,4 +1,5 @@
-Outputs of robots where something else stands: said once, with what is lacking.
+A robot's output is expected, but something else is found: reported once, with
+what is missing.
 
   $ cat > composed.frob <<'FROB'
   > import Robot

@@ -1,4 +1,4 @@
-A part of what is wanted: what makes one of it.
+A component of the expected type: the message shows how to construct the whole.
 
   $ cat > mark.frob <<'FROB'
   > import Display
@@ -47,7 +47,7 @@ A part of what is wanted: what makes one of it.
   $ sed 's/<- frontSonar/<- ask frontSonar/' sonar.frob > cured.frob
   $ frobc check cured.frob
 
-A name with a signature alone is told once:
+A name that has only a signature is reported once:
 
   $ cat > alone.frob <<'FROB'
   > import Robot

@@ -1,6 +1,6 @@
-What people write at first of a robot's senses, speeds and tasks.
+Common first mistakes with a robot's sensors, speeds and tasks.
 
-A sense lacks its input, is read like a field, or in a task:
+A sensor function without its input, read like a field, or in a task:
 
   $ cat > sonar_without_input.frob <<'FROB'
   > import Robot
@@ -104,7 +104,7 @@ A sense lacks its input, is read like a field, or in a task:
   1 error
   [1]
 
-What comes out is not an output, or takes time:
+A result that is not an output, or that takes time:
 
   $ cat > speed_as_output.frob <<'FROB'
   > import Robot
@@ -191,7 +191,7 @@ What comes out is not an output, or takes time:
   1 error
   [1]
 
-A robot has no such thing, or its module is not imported:
+A capability that no robot has, or whose module is not imported:
 
   $ cat > setLight_on_pioneer.frob <<'FROB'
   > import Robot

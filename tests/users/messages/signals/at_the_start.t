@@ -1,6 +1,6 @@
-What is known when a signal function starts, and what is not.
+Values that are known when a signal function starts, and values that are not.
 
-A distance that changes, for one that is kept:
+A changing distance instead of a stored one:
 
   $ cat > distance.frob <<'FROB'
   > import Robot
@@ -47,7 +47,7 @@ A mode that mentions a signal of the `proc` around it:
   $ sed 's/mode i/mode (i, d)/;s/proc j/proc (j, _)/;s/proc _ -> 0.1/proc (_, e) -> 0.1/;s/[*] d))/* e))/' mode.frob > cured.frob
   $ frobc check cured.frob
 
-A threshold that is missing:
+A missing threshold:
 
   $ cat > hysteresis.frob <<'FROB'
   > import Control

@@ -1,7 +1,7 @@
-What is written at first of choices, records, switches, arrays and places, and where a
-`proc` ends.
+Common first mistakes with choices, records, switches, arrays and positions, and with the end of a
+`proc`.
 
-A signal is known in its `proc` only, and that ends at a bracket or comma:
+A signal is in scope only in its `proc`, which ends at a bracket or comma:
 
   $ cat > bracket.frob <<'FROB'
   > import Robot
@@ -60,7 +60,7 @@ A signal is known in its `proc` only, and that ends at a bracket or comma:
   1 error
   [1]
 
-Nothing is assigned, in no branch; and a choice by constructors is a `case`:
+There are no assignments, in any branch; a choice by constructors is a `case`:
 
   $ cat > assigned.frob <<'FROB'
   > main :: SF (Velocity, Velocity) Velocity
@@ -160,7 +160,7 @@ Nothing is assigned, in no branch; and a choice by constructors is a `case`:
   1 error
   [1]
 
-Records have constructors, and commas:
+Records require constructors, and commas:
 
   $ cat > semicolon.frob <<'FROB'
   > data P = P { pos :: Distance; vel :: Velocity }
@@ -179,7 +179,7 @@ Records have constructors, and commas:
   1 error
   [1]
 
-However many there are; what is wrong besides is still said.
+With any number of such mistakes; other mistakes are still reported:
 
   $ cat > semicolons.frob <<'FROB'
   > data P = P
@@ -262,7 +262,7 @@ However many there are; what is wrong besides is still said.
   1 error
   [1]
 
-A type stands with its expression; names are not hidden; an hour:
+A type annotation belongs to its expression; names are not hidden; an hour:
 
   $ cat > annotation.frob <<'FROB'
   > import Control
@@ -314,7 +314,7 @@ A type stands with its expression; names are not hidden; an hour:
   1 error
   [1]
 
-What a switch takes, what a program is made of, what is computed with arrays, and a place:
+Arguments of a switch, components of a program, computations with arrays, and a position:
 
   $ cat > truth.frob <<'FROB'
   > main :: SF Distance Distance
@@ -409,7 +409,7 @@ What a switch takes, what a program is made of, what is computed with arrays, an
   1 error
   [1]
 
-Tasks side by side have two outputs, and a text is no output:
+Tasks side by side have two outputs, and a text is not an output:
 
   $ cat > race.frob <<'FROB'
   > import Robot
@@ -449,7 +449,7 @@ Tasks side by side have two outputs, and a text is no output:
   1 error
   [1]
 
-A function of nothing is applied to nothing:
+A function without arguments is applied to `()`:
 
   $ cat > nothing.frob <<'FROB'
   > foreign seven :: () -> Int = "seven"

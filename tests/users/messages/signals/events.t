@@ -1,6 +1,6 @@
-Events, truths, what may be missing, and values: each where another belongs.
+Events, Bools, Maybes, and values: each used instead of another.
 
-Events of two truths:
+Events from two Bools:
 
   $ cat > either.frob <<'FROB'
   > import Robot
@@ -25,7 +25,7 @@ Events of two truths:
   $ sed 's,mergeE (bumpedLeft i) (bumpedRight i),edge (bumpedLeft i || bumpedRight i),' either.frob > cured.frob
   $ frobc check cured.frob
 
-An event is no `Maybe`:
+An event is not a `Maybe`:
 
   $ cat > maybe.frob <<'FROB'
   > import Robot
@@ -51,7 +51,7 @@ An event is no `Maybe`:
   $ sed 's/Just k/Event _/;s/Nothing/NoEvent/' maybe.frob > cured.frob
   $ frobc check cured.frob
 
-What is in an event, or in a `Maybe`, is compared as one:
+A value in an event, or in a `Maybe`, is compared as one:
 
   $ cat > compared.frob <<'FROB'
   > import Robot
@@ -97,7 +97,7 @@ What is in an event, or in a `Maybe`, is compared as one:
   $ sed 's/== 244/== Just 244/' beacon.frob > cured.frob
   $ frobc check cured.frob
 
-Each event of `accum` brings a function:
+Each event of `accum` carries a function:
 
   $ cat > accum.frob <<'FROB'
   > import Robot
@@ -147,7 +147,7 @@ Each event of `accum` brings a function:
   $ sed 's/accumHold .*/accumHold 0 (tag (buttonPressed "faster" i) (\\k -> k + 1))/' initial_last.frob > cured.frob
   $ frobc check cured.frob
 
-`hold` is of events:
+`hold` takes an event:
 
   $ cat > held.frob <<'FROB'
   > import Robot
@@ -197,7 +197,7 @@ The events of `edge` have no value:
   $ sed 's/edge (frontSonar i < 0.5.m.)/tag (edge (frontSonar i < 0.5[m])) (sideSonar i)/' unit.frob > cured.frob
   $ frobc check cured.frob
 
-A value where an event of it is wanted:
+A value where an event with that value is expected:
 
   $ cat > tone.frob <<'FROB'
   > import Create

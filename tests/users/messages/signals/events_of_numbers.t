@@ -1,4 +1,4 @@
-Events, as far as they are held or added up.
+Events that are held or summed.
 
   $ cat > for_a_time.frob <<'FROB'
   > main :: SF Bool Bool
@@ -38,7 +38,7 @@ Events, as far as they are held or added up.
   1 error
   [1]
 
-A function of the input where a switch has signal functions:
+A function of the input where a switch expects signal functions:
 
   $ cat > functions.frob <<'FROB'
   > import Robot

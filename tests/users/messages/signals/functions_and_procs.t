@@ -1,4 +1,4 @@
-A function or signal function that is not opened as one.
+A function or signal function that does not begin like one.
 
   $ cat > function.frob <<'FROB'
   > f :: Float -> Float
@@ -68,7 +68,7 @@ A function or signal function that is not opened as one.
   1 error
   [1]
 
-The statements of a `proc` stand in one `do`; another one within it is one of tasks.
+The statements of a `proc` are in a single `do`; a nested `do` contains tasks.
 
   $ cat > within.frob <<'FROB'
   > main :: SF Float Float

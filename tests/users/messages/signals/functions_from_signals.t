@@ -1,5 +1,5 @@
-A function computed from signals lives for an instant. What would keep it is shown
-with the way that leads there, and the call in the program comes first.
+A function computed from signals exists for one instant. If it would be stored, the message shows
+how it gets there, with the call in the program first.
 
   $ cat > held.frob <<'FROB'
   > main :: SF Float Float
@@ -71,7 +71,8 @@ with the way that leads there, and the call in the program comes first.
   1 error
   [1]
 
-What runs is chosen when it starts; a signal cannot be a parameter of it.
+The running signal function is chosen when it starts; a signal cannot be its
+parameter.
 
   $ cat > parameter.frob <<'FROB'
   > import Control
@@ -92,8 +93,8 @@ What runs is chosen when it starts; a signal cannot be a parameter of it.
   1 error
   [1]
 
-An array of functions is refused where each of them would be: in what is stored, in
-the input or the output of the program.
+An array of functions is rejected wherever a function would be: in stored values, and in the input
+or the output of the program.
 
   $ cat > stored.frob <<'FROB'
   > main :: SF (Float, Int) Float

@@ -1,6 +1,7 @@
-Signal functions and tasks that start themselves again: told at the program's own place, with its own names.
+Signal functions and tasks that restart themselves: reported at the program's own place, with its
+own names.
 
-A task of the library runs first; what grows is the program's.
+A task of the library runs first; the growing one is the program's.
 
   $ cat > tasks.frob <<'FROB'
   > import Robot
@@ -64,7 +65,7 @@ A task of the library runs first; what grows is the program's.
   1 error
   [1]
 
-`rSwitch` goes on around the mode that starts it again.
+`rSwitch` continues around the mode that restarts it.
 
   $ cat > around.frob <<'FROB'
   > import Robot

@@ -1,5 +1,5 @@
-An equation with the name of a parameter: setting that would change nothing there. What is handed to a
-function may well be the parameter.
+An equation with the name of a parameter: setting the parameter would not change the equation. An
+argument of a function may still be the parameter.
 
   $ cat > gain.frob <<'FROB'
   > param gain :: Float = 0.5

@@ -1,6 +1,6 @@
 Where signal functions run in branches, guards and functions.
 
-A robot's senses may stand there, and what remembers nothing: they run at every instant.
+A robot's sensors and stateless code are allowed there: they run at every instant.
 
   $ cat > senses.frob <<'FROB'
   > import Robot
@@ -18,7 +18,7 @@ A robot's senses may stand there, and what remembers nothing: they run at every 
   > FROB
   $ frobc check senses.frob
 
-Of what remembers, the program has to say which of two things it means.
+For stateful code, the program must state which of two meanings it has.
 
   $ cat > remembers.frob <<'FROB'
   > main :: SF (Bool, Velocity, Velocity) (Distance, Float, Float, Float)
@@ -78,7 +78,8 @@ Of what remembers, the program has to say which of two things it means.
   5 errors
   [1]
 
-What has a value only there cannot be the input of what runs at every instant.
+A value that exists only there cannot be the input of an instance that runs at
+every instant.
 
   $ cat > only_there.frob <<'FROB'
   > main :: SF (Event Velocity, Array 4 Distance) (Distance, Array 4 Velocity, Velocity)

@@ -1,4 +1,4 @@
-Switches with their event as an argument, and events that are taken for values.
+Switches whose event is an argument, and events used as values.
 
   $ cat > in_an_equation.frob <<'FROB'
   > import Robot

@@ -1,4 +1,4 @@
-Signal functions taken for functions: not run, composed with a point, given a function's type.
+Signal functions used as functions: not run, composed with `.`, given a function's type.
 
   $ cat > unrun.frob <<'FROB'
   > import Control
@@ -54,7 +54,7 @@ Signal functions taken for functions: not run, composed with a point, given a fu
   1 error
   [1]
 
-A value of another type is said once, not once a branch.
+A value of another type is reported once, not once per branch.
 
   $ cat > event.frob <<'FROB'
   > main :: SF (Event Float) Float
@@ -97,7 +97,7 @@ A parameter that a definition runs is a function unless its signature says `SF`.
   1 error
   [1]
 
-An initial value was forgotten.
+A missing initial value.
 
   $ cat > initial.frob <<'FROB'
   > main :: SF Float Float
@@ -119,7 +119,7 @@ An initial value was forgotten.
   1 error
   [1]
 
-A truth where an event is needed.
+A Bool where an event is expected.
 
   $ cat > truth.frob <<'FROB'
   > main :: SF Bool Float
@@ -140,7 +140,7 @@ A truth where an event is needed.
   1 error
   [1]
 
-Operators of truths do not take events.
+Operators on Bools do not accept events.
 
   $ cat > operators.frob <<'FROB'
   > either, both :: Event Int -> Event Int -> Event Int
@@ -180,7 +180,7 @@ Operators of truths do not take events.
   3 errors
   [1]
 
-The event that ends a mode was not run; a function tells when a task is to be given up.
+The event that ends a mode was not run; a function determines when a task is aborted.
 
   $ cat > unrun.frob <<'FROB'
   > import Robot

@@ -1,4 +1,5 @@
-What must be static but is a signal: the two usual wishes behind it.
+A signal where a static value is required: the message covers the two usual
+intentions.
 
   $ cat > initial.frob <<'FROB'
   > main :: SF Float Float
@@ -37,7 +38,7 @@ What must be static but is a signal: the two usual wishes behind it.
   1 error
   [1]
 
-A task that goes on as itself must take time.
+A task that continues as itself must take time.
 
   $ cat > local_task.frob <<'FROB'
   > import Geometry

@@ -1,4 +1,4 @@
-What a truth, an event, a function and a signal function are taken for.
+Bools, events, functions and signal functions, each used instead of another.
 
   $ cat > after.frob <<'FROB'
   > import Robot
@@ -57,7 +57,7 @@ What a truth, an event, a function and a signal function are taken for.
   1 error
   [1]
 
-A signature that says a function: it is told of the definition, and not again where that is used.
+A signature with a function type: reported at the definition, and not again where it is used.
 
   $ cat > signature.frob <<'FROB'
   > import Robot

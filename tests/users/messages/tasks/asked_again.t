@@ -1,4 +1,5 @@
-A task that asks, and goes on: shown where the program asks.
+A task that checks a condition and continues: reported where the program checks
+it.
 
   $ cat > ask.frob <<'FROB'
   > import Robot

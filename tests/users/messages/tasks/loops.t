@@ -1,6 +1,6 @@
-Tasks that may go round without time: named as the program names them.
+Tasks that may repeat without taking time: the message uses the program's names.
 
-A time that may be 0: it is the task with the time-out, not `timeOut`, that goes round.
+A time that may be 0: the task with the time-out repeats, not `timeOut`.
 
   $ cat > blink.frob <<'FROB'
   > import Robot
@@ -28,7 +28,7 @@ A time that may be 0: it is the task with the time-out, not `timeOut`, that goes
   $ sed 's/`timeOut` q/`timeOut` max 1[ms] q/;s/max 1.ms. q/(&)/' blink.frob > cured.frob
   $ frobc check cured.frob
 
-A task that may have nothing to do, for ever:
+A task that may be empty, forever:
 
   $ cat > look.frob <<'FROB'
   > import Robot

@@ -1,6 +1,6 @@
-What a task ends with, and what it is taken for.
+Results of tasks, used as something else.
 
-Nothing is no truth:
+`()` is not a Bool:
 
   $ cat > nothing.frob <<'FROB'
   > import Robot
@@ -25,7 +25,7 @@ Nothing is no truth:
   1 error
   [1]
 
-A task that may run out of time:
+A task that may time out:
 
   $ cat > late.frob <<'FROB'
   > import Robot
@@ -50,7 +50,7 @@ A task that may run out of time:
   $ sed 's/if ok/if fromMaybe False ok/' late.frob > cured.frob
   $ frobc check cured.frob
 
-An event for a truth:
+An event instead of a Bool:
 
   $ cat > event.frob <<'FROB'
   > import Robot
@@ -76,7 +76,7 @@ An event for a truth:
   $ sed 's/(keyPressed i)/(isEvent (keyPressed i))/' event.frob > cured.frob
   $ frobc check cured.frob
 
-A condition without the output that stands beside it:
+A condition without the output that belongs to it:
 
   $ cat > until.frob <<'FROB'
   > import Robot

@@ -1,6 +1,6 @@
-Statements of a `do` that are no tasks, or not quite.
+Statements of a `do` that are not tasks, or not quite.
 
-An argument is missing: the type of the function shows which.
+A missing argument: the type of the function shows which one.
 
   $ cat > sleep.frob <<'FROB'
   > import Robot
@@ -27,7 +27,7 @@ An argument is missing: the type of the function shows which.
   $ sed 's/sleepT 5.s./& restingOutput/' sleep.frob > cured.frob
   $ frobc check cured.frob
 
-A task is no condition; what it ends with is.
+A task is not a condition; its result is.
 
   $ cat > condition.frob <<'FROB'
   > import Robot
@@ -51,7 +51,7 @@ A task is no condition; what it ends with is.
   $ sed 's/    if forward/    ok <- forward/;s/      then/    if ok then/' condition.frob > cured.frob
   $ frobc check cured.frob
 
-Branches end with one type:
+All branches must have the same result type:
 
   $ cat > branches.frob <<'FROB'
   > import Robot
@@ -107,7 +107,7 @@ Several tasks in a branch:
   $ sed 's/then$/then do/' several.frob > cured.frob
   $ frobc check cured.frob
 
-What a robot is to do takes some time:
+A robot's command takes time:
 
   $ cat > output.frob <<'FROB'
   > import Robot

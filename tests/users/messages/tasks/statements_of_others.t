@@ -130,7 +130,7 @@ Tasks with the statements of other languages.
   
   2 warnings
 
-A `return` that does nothing is taken out without asking.
+A `return` that does nothing is removed without confirmation.
 
   $ frobc fix return_in_the_middle.frob
   return_in_the_middle.frob:5:5: leave it out (W0312)

@@ -1,4 +1,4 @@
-A cell that is not what its column needs: both engines say what was expected, and what is there.
+A cell that does not fit its column: both engines say what was expected, and what was found.
 
   $ cat > stick.frob <<'FROB'
   > data Mode = Slow | Normal | Fast
@@ -9,7 +9,7 @@ A cell that is not what its column needs: both engines say what was expected, an
   $ given() { { echo 'time,in.mode,in.top,in.side'; cat; } > in.csv; }
   $ both() { for engine in c interp; do frobc trace stick.frob --input in.csv --engine $engine > /dev/null || echo "[$?]"; done; }
 
-A constructor is one of these.
+The constructors that are possible.
 
   $ echo '0,Fst,Nothing,0' | given && both
   error: in.csv:2:3: column `in.mode`: expected `Slow`, `Normal` or `Fast`, found `Fst`
@@ -22,7 +22,7 @@ A constructor is one of these.
   error: in.csv:2:8: column `in.top`: expected `Nothing` or `Just`, found `None`
   [2]
 
-A number is in the unit that the program has; the cell says none.
+A number is in the unit of the program; the cell has no unit.
 
   $ echo '0,,Nothing,2 m/s' | given && both
   error: in.csv:2:12: column `in.side`: expected nothing after the number, found `2 m/s`

@@ -1,4 +1,4 @@
-A recording with other columns is told the whole header, once, by both engines.
+For a recording with other columns, both engines report the whole header, once.
 
   $ cat > eyes.frob <<'FROB'
   > data Eyes = Eyes { left :: Float, right :: Float }
@@ -17,8 +17,8 @@ A recording with other columns is told the whole header, once, by both engines.
   error: eyes.csv:1:1: missing: `in.left`, `in.right`; the header for this program is `time,in.left,in.right`; `--column in.left=NAME` reads it from the column NAME
   [2]
 
-A blank beside a comma belongs to the name of a column or to a time, and both
-engines say so; other cells may have some.
+A space next to a comma is part of the column's name or of a time, and both
+engines point it out; other cells may have spaces.
 
   $ both () {
   >     frobc trace eyes.frob --input $1 >/dev/null

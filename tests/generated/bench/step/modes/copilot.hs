@@ -1,5 +1,6 @@
--- Follow a wall; back up for 1 s after a bump; turn until the way is free: as a
--- Copilot specification, which has no modes, so their number is a stream.
+-- Follow a wall; back up for 1 s after a bump; turn until the way is free: a
+-- Copilot specification, which has no modes but a stream with the mode's
+-- number.
 module Main (main) where
 
 import ClockInCopilot
@@ -24,7 +25,7 @@ spec = trigger "command" true [arg speed, arg turn]
       mux ((before == following) && bump && not held) backing $
       mux ((before == backing) && ((since + nanoseconds) >= 1e9)) turning $
       mux ((before == turning) && free && not held) following before
-    -- what ends the mode, one instant ago
+    -- The condition that ends the mode, one instant ago
     held = [True] ++ mux (mode == following) bump (mux (mode == turning) free held)
     since = [0] ++ mux (before == backing) (since + nanoseconds) 0
     started = [False] ++ true

@@ -15,7 +15,7 @@ spec = trigger "command" true [arg (mux (wanted > largest) largest (mux (wanted 
     ki = 0.3
     kd = 0.1
     largest = 1.0 :: Stream Double
-    -- the integral of what counted, up to the instant before
+    -- The integral of the counted error, up to the previous instant
     total = ([0] ++ total) + seconds * ([0] ++ counted)
     started = [False] ++ true
     slope = mux (started && (seconds > 0)) ((e - ([0] ++ e)) / seconds) ([0] ++ slope)

@@ -10,7 +10,7 @@ import qualified Prelude as P
 limit :: Stream Double -> Stream Double -> Stream Double
 limit x y = mux (y > x) x (mux (y < negate x) (negate x) y)
 
--- | The slope since the instant before; its last value while time stands still.
+-- | The slope since the previous instant; the last slope while no time passes.
 slope :: Stream Double -> Stream Double
 slope s = now
   where
