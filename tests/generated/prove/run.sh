@@ -76,12 +76,16 @@ int main(void)
     ${name}_reset(&state$by);
     while (Frama_C_nondet(0, 1)) {
         double dt;
+        int64_t dt_ns;
         Frama_C_make_unknown((char *)&in, sizeof in);
         Frama_C_make_unknown((char *)&dt, sizeof dt);
+        Frama_C_make_unknown((char *)&dt_ns, sizeof dt_ns);
         if (Frama_C_nondet(0, 1))
             ${name}_reset(&state$by);
-        if (dt == dt)
+        if (dt == dt && Frama_C_nondet(0, 1))
             ${name}_step(&state$by, dt, &in, &out);
+        else if (dt == dt)
+            ${name}_step_ns(&state$by, dt_ns, dt, &in, &out);
     }
     return 0;
 }
