@@ -34,6 +34,8 @@ def of_value(value: Any) -> Optional[int]:
         return of_text(value.strip())
     if isinstance(value, decimal.Decimal):
         return _of_decimal(value) if value.is_finite() else None
+    if isinstance(value, numbers.Integral):
+        value = int(value)  # numpy's integers overflow
     if isinstance(value, numbers.Rational):
         ns = round(value * 10**9)
         return ns if abs(ns) <= MOST_NS else None

@@ -16,8 +16,8 @@ correctly.
   verdict: fit
 
   $ verdict () { frobc selftest "$@" 2> errors | grep -v ': right' && cat errors; }
-  $ verdict --cc clang --cflags "-O3 -ffp-contract=off -march=native"
-  compiler: clang -O3 -ffp-contract=off -march=native
+  $ verdict --cc clang --cflags "-O3 -ffp-contract=off -march=native -Wno-unknown-warning-option -Wno-invalid-feature-combination"
+  compiler: clang -O3 -ffp-contract=off -march=native -Wno-unknown-warning-option -Wno-invalid-feature-combination
   verdict: fit
   $ verdict --cc tcc --cflags ""
   compiler: tcc

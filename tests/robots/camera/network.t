@@ -67,9 +67,10 @@ Truncated JPEGs are dropped; the complete ones between them are frames.
 A frozen camera keeps sending the same frame. After a second its frames no longer count: the
 program's camera is not alive, and it stops.
 
-  $ see_warned 5 $address/frozen; warnings
+  $ speeds () { grep -v '^#' log.csv | sed 's/"[^"]*"//' | awk -F, 'NR > 1 && $31 > 0 { drove = 1 } END { print drove, $31 }'; }
+  $ wants='grep -q "^warning: camera" messages && speeds | grep -q "^1 0\$"'; see 5 $address/frozen; wants=; warnings
   warning: camera `camera` (http://HOST/frozen) delivers no frames: it is frozen: all its frames are identical; unplug it and plug it in again, or set frozen=0 if identical frames are correct
-  $ grep -v '^#' log.csv | sed 's/"[^"]*"//' | awk -F, 'NR > 1 && $31 > 0 { drove = 1 } END { print drove, $31 }'
+  $ speeds
   1 0
   $ see 3 $address/frozen --set camera.frozen=0; warnings
   $ tail -1 log.csv | sed 's/"[^"]*"//' | awk -F, '{ print ($31 > 0) }'
