@@ -45,7 +45,7 @@ let nested t span ~otherwise f =
     if not t.too_deep then (
       t.too_deep <- true;
       Diagnostic.error ~code:"E0106" ~at:span "this is nested more than %d levels deep" deepest
-      |> Diagnostic.hint "name the inner parts in definitions of their own"
+      |> Diagnostic.hint "define the inner parts under their own names"
       |> emit t);
     otherwise)
   else (

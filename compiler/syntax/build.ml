@@ -42,7 +42,7 @@ let context (t : Ir.ty) =
     | Type { name; units = None; arguments = [ argument ] } -> (name, argument)
     | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
         Reject.at ~code:"E0110" t.span ~hint:"as in `(Eq a, Ord b) => …`"
-          "before `=>` stand classes, each with one type"
+          "expected classes before `=>`, each with one type"
   in
   match t.desc with
   | Tuple_type ts -> Long_list.map one ts
@@ -60,7 +60,7 @@ let class_ context (head : Ir.ty) members : Ir.declaration_desc =
         (name, variable)
     | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
         Reject.at ~code:"E0110" head.span ~hint:"as in `class Shape a where`"
-          "the head of a class is its name and one type variable"
+          "the head of a class must be its name and one type variable"
   in
   let superclass ((class_ : Ir.qualified), (t : Ir.ty)) =
     match t.desc with
@@ -69,7 +69,7 @@ let class_ context (head : Ir.ty) members : Ir.declaration_desc =
         Reject.at ~code:"E0110" t.span
           ~hint:
             (Printf.sprintf "as in `class Eq %s => %s %s`" variable.text name.text variable.text)
-          "a superclass speaks of the class's own variable `%s`" variable.text
+          "a superclass must use the class's own variable `%s`" variable.text
   in
   Class { superclasses = List.map superclass context; name; variable; members }
 
@@ -80,7 +80,7 @@ let instance context (head : Ir.ty) members : Ir.declaration_desc =
   | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
       Reject.at ~code:"E0110" head.span
         ~hint:"as in `instance Shape Circle where` or `instance Shape (Maybe a) where`"
-        "the head of an instance is a class and one type"
+        "the head of an instance must be a class and one type"
 
 (* Foreign code *)
 
@@ -111,8 +111,8 @@ let size location (digits, decimal) =
   match whole digits with
   | Some n when not decimal -> n
   | Some _ | None ->
-      Reject.at ~code:"E0110" (span location) "the size of an array is a whole number, not `%s`"
-        digits
+      Reject.at ~code:"E0110" (span location)
+        "the size of an array must be a whole number, not `%s`" digits
 
 (* Units *)
 
@@ -137,14 +137,15 @@ let product factors =
     | Amount { digits; _ } ->
         Reject.at ~code:"E0119" f.span
           ~hint:
-            (Printf.sprintf "a power is written `m^2`; an array of %s has the type `Array %s Float`"
+            (Printf.sprintf
+               "write a power as `m^2`; an array of %s elements has the type `Array %s Float`"
                digits digits)
           "the number `%s` cannot be part of a unit, only `1` can" digits
   in
   let multiply left (f : Surface.factor) = Some (times left (measure f) ~over:f.over) in
   match List.fold_left multiply None (List.rev factors) with
   | Some unit_ -> unit_
-  | None -> Diagnostic.bug ~stage:"Syntax.Build" "a unit without factors"
+  | None -> Diagnostic.bug ~stage:"Syntax.Build" "this unit has no factors"
 
 let rec gcd a b = if b = 0 then a else gcd b (a mod b)
 
@@ -154,11 +155,12 @@ let exponent location ~negative numerator ~over : Ir.rational =
     | Some n when n <= 1000 -> n
     | Some _ | None ->
         Reject.at ~code:"E0119" (span location)
-          "the exponent of a unit is a whole number up to 1000, or a quotient of two"
+          "the exponent of a unit must be a whole number up to 1000, or a quotient of two such \
+           numbers"
   in
   let numerator = small numerator and denominator = small over in
   if denominator = 0 then
-    Reject.at ~code:"E0119" (span location) "the exponent of a unit is divided by zero";
+    Reject.at ~code:"E0119" (span location) "the exponent of a unit is a division by zero";
   let divisor = gcd numerator denominator in
   let numerator = numerator / divisor in
   { numerator = (if negative then -numerator else numerator); denominator = denominator / divisor }
@@ -166,7 +168,7 @@ let exponent location ~negative numerator ~over : Ir.rational =
 let scaled_unit ~(name : Ir.name) factors : Ir.declaration_desc =
   let reject span =
     Reject.at ~code:"E0119" span ~hint:"as in `unit inch = 0.0254 m` or `unit deg = pi/180`"
-      "the scale of a unit is one number, perhaps with `pi`, over one number"
+      "the scale of a unit must be a number, optionally with `pi`, or a quotient of two"
   in
   let add ((scale : Ir.scale), factor_seen, unit_) (f : Surface.factor) =
     match f.factor with
@@ -192,7 +194,7 @@ let scaled_unit ~(name : Ir.name) factors : Ir.declaration_desc =
 
 (* Statements *)
 
-let last_statement_hint = "end with the output, as in `returnA -< x`"
+let last_statement_hint = "end the `do` with its output, as in `returnA -< x`"
 
 (* The first word of an expression, if it is a name. *)
 let rec first_word (e : Ir.expr) =
@@ -208,9 +210,9 @@ let reject_block term =
   | Some { text = ("while" | "for" | "foreach" | "repeat") as text; span } ->
       Reject.at ~code:"E0116" span
         ~hint:
-          "all statements of a `proc` hold at every instant, and `if c then a else b` chooses a \
-           value; what is done until something happens is a task, as `whileT c t`"
-        "nothing is repeated in a `proc`, so there is no `%s`" text
+          "all statements of a `proc` hold at every instant: choose a value by `if c then a else \
+           b`, or repeat a task by `whileT c t`"
+        "a `proc` has no loops, so it cannot contain `%s`" text
   | _ -> ()
 
 let reject_waiting term =
@@ -247,8 +249,8 @@ let do_body location statements : Ir.proc_body =
         reject_waiting term;
         Reject.at ~code:"E0116" span
           ~hint:
-            "nothing is done for its effect, such as printing or waiting: bind its value with `x \
-             <- …`, or run it with `sf -< x`; tasks are statements of a `do` without `proc`"
+            "a `proc` has no side effects: bind the value with `let x = e`, or run a signal \
+             function with `x <- sf -< e`; for tasks, use a `do` without `proc`"
           "this expression is not a statement of a `proc`"
     | Rec _ -> Diagnostic.bug ~stage:"Syntax.Build" "a `rec` that was not flattened"
   in
@@ -257,11 +259,11 @@ let do_body location statements : Ir.proc_body =
   | Bare_expression ({ span; _ } as term) :: _ ->
       reject_block term;
       reject_waiting term;
-      Reject.at ~code:"E0116" span ~hint:"write `returnA -< …` if this is the value"
-        "the last statement of a `do` gives the output, and needs `-<`"
+      Reject.at ~code:"E0116" span ~hint:"write `returnA -< …` to output this value"
+        "the last statement of this `do` is its output, and needs `-<`"
   | (Arrow_bind { left = { span; _ }; _ } | Command_bind { left = { span; _ }; _ }) :: _ ->
       Reject.at ~code:"E0116" span ~hint:last_statement_hint
-        "the last statement of a `do` gives the output, so it cannot bind a name"
+        "the last statement of this `do` is its output, so it cannot bind a name"
   | Let _ :: _ ->
       Reject.at ~code:"E0116" (span location) ~hint:last_statement_hint
         "the last statement of this `do` is a `let`, so it has no output"
@@ -273,16 +275,16 @@ let do_body location statements : Ir.proc_body =
 (* A [do] block of tasks. Its last statement is a task, whose result is the block's result. *)
 let task_body location statements : Ir.expr_desc =
   let last_is what span =
-    Reject.at ~code:"E0116" span ~hint:"end with a task, as in `return x`"
-      "the last statement of a `do` is a task, so it cannot %s" what
+    Reject.at ~code:"E0116" span ~hint:"end the `do` with a task, as in `return x`"
+      "the last statement of a `do` must be a task, so it cannot %s" what
   in
   let no_command (c : Ir.command) =
     raise (Reject.Command { command = c.span; block = fst location })
   in
   let no_rec span =
     Reject.at ~code:"E0116" span
-      ~hint:"a task starts itself again by its name, as its last statement"
-      "`rec` belongs to the `do` of a `proc`: tasks come one after the other"
+      ~hint:"to repeat a task, write `forever t`, or its own name as its last statement"
+      "`rec` is only allowed in the `do` of a `proc`, because tasks run one after the other"
   in
   let rec place (statements : Surface.statement list) =
     match statements with
@@ -316,25 +318,25 @@ let task_body location statements : Ir.expr_desc =
           Reject.at ~code:"E0116" left.span
             ~hint:
               (Printf.sprintf
-                 "leave out `%s <-`, and the `do` ends with what the task does; or go on, as with \
+                 "remove `%s <-` to return the task's result, or add a last statement such as \
                   `return %s`"
                  text text)
-            "the last statement of a `do` is a task, so it cannot bind a name"
+            "the last statement of a `do` must be a task, so it cannot bind a name"
       | _ -> last_is "bind a name" left.span)
   | (Let _ as last) :: _ -> last_is "be a `let`" (place [ last ])
   | (Bare_command command | Command_bind { command; _ }) :: _ -> no_command command
   | Rec inner :: _ -> no_rec (place inner)
   | [] ->
-      Reject.at ~code:"E0116" (span location) ~hint:"end with a task, as in `return x`"
-        "this `do` is empty: there is no task in it"
+      Reject.at ~code:"E0116" (span location) ~hint:"end the `do` with a task, as in `return x`"
+        "this `do` is empty: it contains no task"
 
 (* Clauses *)
 
 let where location = function
   | [] ->
       Reject.at ~code:"E0110" (span location)
-        ~hint:"what belongs to a `where` is indented more than the definition that it ends"
-        "nothing belongs to this `where`"
+        ~hint:"indent the definitions after `where` further than the definition that it belongs to"
+        "this `where` has no definitions"
   | declarations -> declarations
 
 let declarations list =

@@ -120,7 +120,7 @@ let nested_comment t =
           (Diagnostic.error ~code:"E0104"
              ~at:(Build.span (start, opener_stop))
              "this comment is never closed"
-          |> Diagnostic.hint "comments nest: each `{-` needs its own `-}`"))
+          |> Diagnostic.hint "close it with `-}`; comments nest, so each `{-` needs its own `-}`"))
       else
         match (peek t 0, peek t 1) with
         | '{', '-' ->
@@ -209,7 +209,7 @@ let take_name t =
   let length = t.at - first in
   if length > most_letters then
     report t ~code:"E0105" ~start
-      (Printf.sprintf "a name has up to %d characters, this one has %d" most_letters length);
+      (Printf.sprintf "a name has at most %d characters, but this one has %d" most_letters length);
   String.sub t.text first (min length most_letters)
 
 (* Does this `.` select a field: no space on either side, and a lower-case name after it? *)
@@ -304,14 +304,14 @@ let number t =
     let rest = if has_unit then rest ^ take_rest_of_unit t else rest in
     let hint =
       match (base, rest) with
-      | 16, _ -> "the digits after `0x` are `0` to `9` and `a` to `f`"
-      | 8, _ -> "the digits after `0o` are `0` to `7`"
-      | 2, _ -> "the digits after `0b` are `0` and `1`"
-      | _ when rest.[0] = '_' -> "`_` stands between two digits"
-      | _, ("f" | "F" | "d" | "L" | "u") -> Printf.sprintf "numbers have no suffix: `%s`" text
-      | _ when has_unit -> Printf.sprintf "a unit stands in brackets: `%s[%s]`" text rest
+      | 16, _ -> "after `0x`, use the digits `0` to `9` and `a` to `f`"
+      | 8, _ -> "after `0o`, use the digits `0` to `7`"
+      | 2, _ -> "after `0b`, use the digits `0` and `1`"
+      | _ when rest.[0] = '_' -> "use `_` only between two digits"
+      | _, ("f" | "F" | "d" | "L" | "u") -> Printf.sprintf "remove the suffix: `%s`" text
+      | _ when has_unit -> Printf.sprintf "put the unit in brackets: `%s[%s]`" text rest
       | _ ->
-          Printf.sprintf "a product is `%s * %s`; a unit stands in brackets: `%s[%s]`" text rest
+          Printf.sprintf "for a product write `%s * %s`; put a unit in brackets: `%s[%s]`" text rest
             text rest
     in
     let problem =
@@ -328,7 +328,7 @@ let number t =
     BAD)
   else if String.length text > most_digits then (
     report t ~code:"E0105" ~start
-      (Printf.sprintf "a number has up to %d characters, this one has %d" most_digits
+      (Printf.sprintf "a number has at most %d characters, but this one has %d" most_digits
          (String.length text));
     BAD)
   else NUMBER (text, point || exponent > 0)
@@ -346,7 +346,7 @@ let fraction t =
   digits t;
   let text = "0" ^ String.sub t.text first (t.at - first) in
   report t ~code:"E0105" ~start ~write:text
-    ~hint:(Printf.sprintf "a number starts with a digit: `%s`" text)
+    ~hint:(Printf.sprintf "write a digit before the point: `%s`" text)
     (Printf.sprintf "the number `%s` has no digit before its point"
        (String.sub t.text first (t.at - first)));
   BAD
@@ -361,7 +361,7 @@ let string t =
         t.at <- t.at + 1;
         token
     | _ when at_end t || peek t 0 = '\n' ->
-        report t ~code:"E0104" ~start ~hint:"a text ends with another `\"`, in its line"
+        report t ~code:"E0104" ~start ~hint:"end the text with another `\"` on the same line"
           "this text is not closed on its line";
         BAD
     | '\\' -> (
@@ -379,7 +379,7 @@ let string t =
         | 't' -> escape '\t'
         | _ ->
             if (not (at_end t)) && peek t 0 <> '\n' then step t;
-            report t ~code:"E0105" ~start:from ~hint:"there are `\\\"`, `\\\\`, `\\n` and `\\t`"
+            report t ~code:"E0105" ~start:from ~hint:"use `\\\"`, `\\\\`, `\\n` or `\\t`"
               "unknown escape in a text";
             go BAD)
     | c ->

@@ -47,9 +47,9 @@ let literal_exponent (operator : Ir.qualified) (right : term) =
   let reject span =
     Reject.at ~code:"E0117" span
       ~hint:
-        "for other exponents there is `**`, on Floats without a unit; of an Int `n` it is `x ** \
-         toFloat n`"
-      "the exponent of `%s` must be a whole number written out" (shown operator)
+        "for other exponents use `**`, which takes Floats without a unit; for an Int `n` write `x \
+         ** toFloat n`"
+      "the exponent of `%s` must be a literal whole number" (shown operator)
   in
   let rec read negative (t : term) =
     match t.desc with
@@ -94,17 +94,17 @@ let written_in_words (operand : term) =
 let reject_two (first : Ir.qualified) operand (second : Ir.qualified) =
   Reject.diagnostic
     (Diagnostic.error ~code:"E0113" ~at:second.span
-       "`%s` and `%s` do not combine without parentheses" (shown first) (shown second)
+       "`%s` and `%s` cannot be combined without parentheses" (shown first) (shown second)
     |> Diagnostic.label ~at:first.span "after this one"
     |>
     match written_in_words operand with
     | Some (word, symbol, at) ->
         fun d ->
-          Diagnostic.hint (Printf.sprintf "`%s` is written `%s`" word symbol) d
+          Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol word) d
           |> Diagnostic.write at symbol
     | None when fst (precedence second) = comparison_level ->
         Diagnostic.hint "compare two at a time: `a < b && b < c`"
-    | None -> Diagnostic.hint "put parentheses around the part that comes first")
+    | None -> Diagnostic.hint "put parentheses around the part to compute first")
 
 let in_parentheses (first : Span.t) (last : Span.t) =
   let place at = Span.make ~file:first.file ~start:at ~stop:at in
@@ -189,7 +189,8 @@ let loosest stack =
 let reject_section (operator : Ir.qualified) inner =
   let inside = match inner with Some inner -> shown inner | None -> "-" in
   Reject.at ~code:"E0113" operator.span ~hint:"put parentheses around the operand of the section"
-    "in this section `%s` would take only a part of what `%s` makes" (shown operator) inside
+    "this section needs parentheses: `%s` would take only a part of its operand with `%s`"
+    (shown operator) inside
 
 let check_section (operator : Ir.qualified) wanted stack =
   let level, side = precedence operator in

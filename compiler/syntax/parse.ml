@@ -138,7 +138,7 @@ let misplaced sink code span message hint =
 let too_deep sink at =
   Diagnostic.emit sink
     (Diagnostic.error ~code:"E0106" ~at "this is nested more than %d levels deep" Layout.deepest
-    |> Diagnostic.hint "give the inner parts names of their own")
+    |> Diagnostic.hint "define the inner parts under their own names")
 
 let levels_of_a_token = 4
 
@@ -163,14 +163,13 @@ let rec collect reader (program : Ir.program) errors =
       | Item Nothing -> (program, errors)
       | Item (Header header) ->
           if program.header <> None || program.imports <> [] || program.declarations <> [] then
-            misplaced reader.sink "E0118" header.span
-              "`module` stands at the very beginning of a file"
-              "move it to the first line, or leave it out";
+            misplaced reader.sink "E0118" header.span "`module` must be at the beginning of a file"
+              "move it to the first line, or remove it";
           ({ program with header = Some header }, errors)
       | Item (Import import) ->
           if program.declarations <> [] then
-            misplaced reader.sink "E0118" import.span "an `import` stands before all definitions"
-              "move it up";
+            misplaced reader.sink "E0118" import.span "an `import` must come before all definitions"
+              "move it to the top of the file";
           ({ program with imports = import :: program.imports }, errors)
       | Item (Declaration d) ->
           check_depth reader d;
@@ -226,17 +225,17 @@ let check_tabs sink ~file text =
       let more = if !count = 1 then "" else Printf.sprintf " (%d in this file)" !count in
       Diagnostic.emit sink
         (Diagnostic.error ~code:"E0102" ~at:(span_at ~file text offset 1)
-           "a tab: indentation counts, so only spaces are allowed%s" more
-        |> Diagnostic.hint "let the editor write spaces for tabs")
+           "this is a tab, but only spaces are allowed, because indentation has a meaning%s" more
+        |> Diagnostic.hint "set up your editor to insert spaces instead of tabs")
 
 let program sink ~file text =
   match Utf8.first_error text with
   | Some offset ->
       Diagnostic.emit sink
         (Diagnostic.error ~code:"E0101" ~at:(span_at ~file text offset 1)
-           "this file is not valid UTF-8: byte %d cannot stand here"
+           "this file is not valid UTF-8: byte %d is not allowed here"
            (Char.code text.[offset])
-        |> Diagnostic.hint "is this a text file? save it as UTF-8");
+        |> Diagnostic.hint "save the file as UTF-8 text");
       None
   | None -> (
       (* A separate sink for this file, to find out whether the file has errors. *)

@@ -16,9 +16,9 @@ let rec to_expr (t : term) : Ir.expr =
     ->
       Reject.diagnostic
         (Diagnostic.error ~code:"E0110" ~at:span
-           "a unit directly follows its number, without a blank"
-        |> Diagnostic.hint "take the blank out, as in `0.4[m/s]`"
-        |> Diagnostic.fix ~safe:true "take the blank out"
+           "a unit must directly follow its number, without a space"
+        |> Diagnostic.hint "remove the space, as in `0.4[m/s]`"
+        |> Diagnostic.fix ~safe:true "remove the space"
              [ (Span.make ~file:span.file ~start:head.span.stop ~stop:span.start, "") ])
   | Application { head; arguments } ->
       let apply (f : Ir.expr) argument : Ir.expr =
@@ -34,9 +34,11 @@ let rec to_expr (t : term) : Ir.expr =
       | Parenthesized _ | Application _ | Braces _ ->
           make (Update { record = to_expr before; fields }))
   | Wildcard ->
-      Reject.at ~code:"E0114" t.span "`_` is a pattern that matches anything; it has no value"
+      Reject.at ~code:"E0114" t.span
+        "`_` is a pattern that matches any value; it cannot be used as a value"
   | As (x, _) ->
-      Reject.at ~code:"E0114" t.span "`%s@…` is a pattern and cannot stand in an expression" x.text
+      Reject.at ~code:"E0114" t.span "`%s@…` is a pattern and cannot be used in an expression"
+        x.text
 
 let no_pattern span what = Reject.at ~code:"E0114" span "%s cannot be part of a pattern" what
 
@@ -44,15 +46,15 @@ let unqualified (x : Ir.qualified) =
   match x.qualifier with
   | None -> x.name
   | Some q ->
-      Reject.at ~code:"E0114" x.span "a pattern binds new names; `%s.%s` is one of another module"
-        q.text x.name.text
+      Reject.at ~code:"E0114" x.span
+        "a pattern binds new names, but `%s.%s` belongs to another module" q.text x.name.text
 
 let is_operator (x : Ir.name) =
   match x.text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
 
 let of_comparison = function
   | "<" | ">" | "<=" | ">=" | "==" | "/=" | "&&" | "||" ->
-      Some "a condition stands behind the pattern, as a guard: `x | x > 0 -> 1`"
+      Some "write the condition as a guard after the pattern: `x | x > 0 -> 1`"
   | _ -> None
 
 let rec to_pattern (t : term) : Ir.pattern =
@@ -77,15 +79,14 @@ let rec to_pattern (t : term) : Ir.pattern =
   | Application { head = { desc = Constructor c; _ }; arguments } ->
       make (Constructed (c, Long_list.map to_pattern arguments))
   | Application { head; _ } ->
-      Reject.at ~code:"E0114" head.span
-        ~hint:"a pattern that takes a value apart starts with a constructor, as in `Just x`"
+      Reject.at ~code:"E0114" head.span ~hint:"start the pattern with a constructor, as in `Just x`"
         "a function cannot be applied in a pattern"
   | Braces { before = { desc = Constructor c; _ }; fields } ->
       make (Record_of (c, Long_list.map (fun (name, t) -> (name, to_pattern t)) fields))
   | Braces { before; _ } ->
       Reject.at ~code:"E0114" before.span
-        ~hint:"a record pattern starts with a constructor, as in `Pose { heading = h }`"
-        "this cannot stand before the braces of a pattern"
+        ~hint:"start a record pattern with a constructor, as in `Pose { heading = h }`"
+        "only a constructor is allowed before the braces of a pattern"
   | Negated t -> no_pattern t.span "a minus sign before anything but a number"
   | Expression desc -> no_expression t.span desc
 
@@ -106,12 +107,11 @@ and no_expression span (desc : Ir.expr_desc) =
   | Sequence _ -> no_pattern span "a `do`"
   | Field _ ->
       Reject.at ~code:"E0114" span
-        ~hint:
-          "nothing is assigned: a record with another field is `p { x = … }`, under a name of its \
-           own"
-        "the selection of a field cannot be part of a pattern"
+        ~hint:"Frob has no assignments: give a changed copy a new name, as in `q = p { x = 1 }`"
+        "a field access cannot be part of a pattern"
   | Annotated _ ->
-      Reject.at ~code:"E0114" span ~hint:"give the definition a signature of its own"
+      Reject.at ~code:"E0114" span
+        ~hint:"write the type in a signature, on the line above the definition"
         "a type cannot be part of a pattern"
   | Left_section _ | Right_section _ -> no_pattern span "an operator"
   | Apply _ | Update _ | Variable _ | Constructor _ | Number _ | Tuple _ | Array _ | Negate _
@@ -126,12 +126,12 @@ let rec to_left (t : term) : Ir.left =
       Function_name { name = unqualified x; parameters = Long_list.map to_pattern arguments }
   | Expression (Binary { operator; _ }) ->
       Reject.at ~code:"E0114" operator.span
-        ~hint:"a function of two arguments can be used infix, in backticks"
-        "the left side of a definition cannot use `%s`: programs define no operators"
+        ~hint:"define a function of two arguments, and use it infix in backticks"
+        "the left side of a definition cannot contain `%s`: programs cannot define operators"
         operator.name.text
   | Application { head = { desc = Parenthesized _; _ } as head; _ } ->
-      Reject.at ~code:"E0114" head.span ~hint:"leave out the parentheses: `f x y = …`"
-        "the left side of a definition starts with the name it defines"
+      Reject.at ~code:"E0114" head.span ~hint:"remove the parentheses: `f x y = …`"
+        "the left side of a definition must start with the name that it defines"
   | Application _ | Expression _ | Wildcard | As _ | Constructor _ | Number _ | Negated _ | Tuple _
   | Array _ | Braces _ ->
       Pattern (to_pattern t)

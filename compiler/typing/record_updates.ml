@@ -15,11 +15,11 @@ let report sink ~at found =
   | None -> ()
   | Some { record; updates } ->
       Diagnostic.error ~code:"E0413" ~at
-        "the updates of records up to here write more than %d fields: too many to compile"
+        "the record updates up to here write more than %d fields, which is too many to compile"
         most_fields
       |> Diagnostic.note
            (Printf.sprintf
-              "an update writes all fields of its record; `%s` has %d fields, and %d updates so far"
+              "an update writes all fields of its record; `%s` has %d fields and %d updates so far"
               record.constructor.name (size record) updates)
       |> Diagnostic.hint "change several fields in one update: `r { a = 1, b = 2 }`"
       |> Diagnostic.hint

@@ -71,7 +71,7 @@ let signatures declarations =
 let signature_table (scope : Scope.t) ~is_bound ~names signatures =
   let report_repeated (first : Syntax.Ir.name) (name : Syntax.Ir.name) =
     Diagnostic.error ~code:"E0211" ~at:name.span "`%s` has two signatures" name.text
-    |> Diagnostic.label ~at:first.span "the first is here"
+    |> Diagnostic.label ~at:first.span "the first one is here"
     |> Context.emit scope.context
   in
   let report_unbound (name : Syntax.Ir.name) =
@@ -200,7 +200,7 @@ let report_pattern (scope : Scope.t) item =
               line above"
              x.text x.text name.text
        | Pattern { desc = Constructed ({ qualifier = None; name; _ }, _); _ } ->
-           Printf.sprintf "start the name of a value with a small letter: `%s`"
+           Printf.sprintf "start the name of a value with a lower-case letter: `%s`"
              (String.uncapitalize_ascii name.text)
        | Pattern _ | Name _ | Function_name _ ->
            "define each name separately, or match the pattern in a `let` or `where`")

@@ -14,7 +14,8 @@ let check_label (scope : Scope.t) (label : Syntax.Ir.name) =
   let is_control c = Char.code c < 32 || c = '\127' in
   if String.trim label.text = "" || String.exists is_control label.text then
     Diagnostic.error ~code:"E0235" ~at:label.span "this label is empty or contains a line break"
-    |> Diagnostic.hint "say in a few words what must hold; the summary of a run shows the label"
+    |> Diagnostic.hint
+         "describe in a few words what must hold; the summary of a run shows the label"
     |> Context.emit scope.context
 
 (* `trial name = Trial { … }` without quotes around the label, which parses as the definition of a

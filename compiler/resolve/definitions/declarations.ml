@@ -198,9 +198,9 @@ let check_unit_name (scope : Scope.t) (name : Syntax.Ir.name) =
   in
   if not (proper || scope.library) then
     Diagnostic.error ~code:"E0220" ~at:name.span
-      "the name of the unit `%s` is a single small letter" name.text
+      "the name of the unit `%s` is a single lower-case letter" name.text
     |> Diagnostic.note
-         "single small letters are reserved for unit variables and the library's units"
+         "single lower-case letters are reserved for unit variables and the library's units"
     |> Diagnostic.hint "use a name of at least two characters, or a capital letter"
     |> Context.emit scope.context
 

@@ -285,8 +285,8 @@ and check_given_once (scope : Scope.t) names =
     match Interface.String_map.find_opt name.text seen with
     | None -> Interface.String_map.add name.text name seen
     | Some (first : Syntax.Ir.name) ->
-        Diagnostic.error ~code:"E0213" ~at:name.span "field `%s` is given twice" name.text
-        |> Diagnostic.label ~at:first.span "first given here"
+        Diagnostic.error ~code:"E0213" ~at:name.span "field `%s` is set twice" name.text
+        |> Diagnostic.label ~at:first.span "first set here"
         |> Context.emit scope.context;
         seen
   in

@@ -35,8 +35,8 @@ let report_fields (scope : Scope.t) (constructor : constructor) known = function
       |> Context.emit scope.context
 
 let report_repeated (scope : Scope.t) (first : Syntax.Ir.name) (second : Syntax.Ir.name) =
-  Diagnostic.error ~code:"E0213" ~at:second.span "field `%s` is given twice" second.text
-  |> Diagnostic.label ~at:first.span "first given here"
+  Diagnostic.error ~code:"E0213" ~at:second.span "field `%s` appears twice" second.text
+  |> Diagnostic.label ~at:first.span "first used here"
   |> Context.emit scope.context
 
 let construction (scope : Scope.t) (constructor : constructor) ~at given =

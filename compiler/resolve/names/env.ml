@@ -34,14 +34,15 @@ let report_label_twice t (first : Ir.Local.t) (second : Ir.Local.t) =
 let report_twice t ~is_equation (first : Ir.Local.t) (second : Ir.Local.t) =
   if Labels.is_name second.name then report_label_twice t first second
   else
-    Diagnostic.error ~code:"E0212" ~at:second.span "`%s` is bound twice in one group" second.name
-    |> Diagnostic.label ~at:first.span "first bound here"
+    Diagnostic.error ~code:"E0212" ~at:second.span "`%s` is defined twice here" second.name
+    |> Diagnostic.label ~at:first.span "first defined here"
     |> (if not is_equation then Fun.id
         else
           Diagnostic.hint
             (Printf.sprintf
-               "write one equation for `%s`: it holds at every instant, unlike an assignment; for \
-                its value one instant ago write `delay 0 %s`, where 0 is the first value"
+               "write one equation for `%s`, because an equation holds at every instant, unlike an \
+                assignment; for its previous value, write `delay 0 %s`, where 0 is the initial \
+                value"
                second.name second.name))
     |> Context.emit (context t)
 

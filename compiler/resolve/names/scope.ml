@@ -48,7 +48,7 @@ let imported t space visible name =
 
 let report_ambiguous t space (name : Syntax.Ir.name) (candidates : (import * _) list) =
   let place diagnostic ((import : import), entry) =
-    let text = Printf.sprintf "the one of `%s`" import.module_ in
+    let text = Printf.sprintf "the one in `%s`" import.module_ in
     let at = space.place entry in
     Diagnostic.label ~at text diagnostic
   in

@@ -1,29 +1,30 @@
 let by_equation =
-  "a function is defined by an equation, `f x = …`, and a block ends where the indentation does"
+  "define a function by an equation, `f x = …`; a block ends where its indentation ends"
 
 let no_procedures =
-  "there are no procedures: a robot's program is equations that hold at every instant, `main = \
+  "Frob has no procedures: write equations that hold at every instant, as in `main = \
    reactimateRobot (proc i -> roMake (setVelTR v omega))`"
 
 let cures =
   [
     ([ "end"; "endif"; "endfunction" ], by_equation);
     ( [ "while" ],
-      "a task is done again and again by `whileT condition t`, where the condition is a signal \
-       function, and by `forever t`" );
+      "to repeat a task, write `forever t`, or `whileT condition t` while a signal function \
+       returns True" );
     ( [ "for"; "foreach" ],
-      "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \
-       `forEachT xs f` does a task for each" );
+      "Frob has no loops: write `map f xs` or `foldl (+) 0 xs` for an array, `forEachT xs f` to \
+       run a task for each element" );
     ( [ "print"; "println"; "printf"; "disp"; "fprintf"; "Serial"; "cout"; "puts" ],
-      "nothing is printed: what is to be seen is an output, and `--record` writes all of them" );
+      "a program cannot print: make the value an output, and write all outputs to a file with \
+       `--record`" );
     ( [ "struct"; "typedef" ],
-      "a record is declared by `data`, and built by its constructor: `data Config = Config { speed \
-       :: Velocity }`" );
-    ([ "enum" ], "a choice of names is `data Side = LeftSide | RightSide`");
+      "declare a record with `data` and a constructor: `data Config = Config { speed :: Velocity }`"
+    );
+    ([ "enum" ], "declare an enumeration with `data`: `data Side = LeftSide | RightSide`");
     ( [ "extern" ],
-      "a function that is in C is declared with its type here, and its name there: `foreign \
-       cubeRoot :: Float -> Float = \"cbrt\"`" );
-    ([ "using"; "namespace" ], "names come from a module by `import Control`");
+      "declare a C function with its type here and its name in C: `foreign cubeRoot :: Float -> \
+       Float = \"cbrt\"`" );
+    ([ "using"; "namespace" ], "import names from a module, as in `import Control`");
   ]
 
 let of_word word = Option.map snd (List.find_opt (fun (words, _) -> List.mem word words) cures)

@@ -23,7 +23,7 @@ let of_def words =
   let is_name w = String.for_all Basis.Character.is_name w in
   if names <> [] && List.for_all is_name names then String.concat " " names else "f x"
 
-let of_block = "a block is made by indentation alone; a choice is written `if c then a else b`"
+let of_block = "remove the colon: indentation makes the block; a choice is `if c then a else b`"
 
 (* Does the line begin like a record declaration in another language? *)
 let declares_a_record line =
@@ -86,21 +86,17 @@ let of_field text at =
       {
         hint =
           Some
-            "a record is declared by `data`, and built by its constructor: `data Config = Config { \
-             speed :: Velocity }`";
+            "declare a record with `data` and a constructor: `data Config = Config { speed :: \
+             Velocity }`";
         instead = None;
       }
   | Some _, _ when starts_a_case text at -> { hint = Some (of_switch text at); instead = None }
   | Some line, name when name <> "" && not (String.starts_with ~prefix:"data " line) ->
-      {
-        hint = Some (Printf.sprintf "a field gets its value with `=`: `%s = …`" name);
-        instead = Some " =";
-      }
-  | _ -> { hint = Some "a type follows `::`"; instead = None }
+      { hint = Some (Printf.sprintf "set a field with `=`: `%s = …`" name); instead = Some " =" }
+  | _ -> { hint = Some "put `::` before a type"; instead = None }
 
 let of_class =
-  "there are no objects: `data` declares a record, and functions of it stand at the left edge, \
-   each an equation"
+  "Frob has no objects: declare a record with `data`, and define functions of it at the top level"
 
 (* An indented `def` below a `class`. *)
 let is_a_method text start =
@@ -138,8 +134,8 @@ let splits_a_list text at =
   && line_of_brace text at = None
 
 let of_for =
-  "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forEachT \
-   xs f` does a task for each"
+  "Frob has no loops: write `map f xs` or `foldl (+) 0 xs` for an array, `forEachT xs f` to run a \
+   task for each element"
 
 (* `xs[0:2]`, a Python slice. *)
 let is_a_slice text at =
@@ -161,28 +157,25 @@ let of_colon text at =
   match words with
   | "class" :: _ -> hint of_class
   | "def" :: _ when is_a_method text start -> hint of_class
-  | "def" :: _ ->
-      hint (Printf.sprintf "a function is defined by an equation: `%s = …`" (of_def words))
+  | "def" :: _ -> hint (Printf.sprintf "define a function by an equation: `%s = …`" (of_def words))
   | ("assert" | "assume") :: _ ->
       hint
-        (Printf.sprintf "what holds has a name, in quotes: `%s \"keeps off the wall\" (x > 0)`"
-           (List.hd words))
+        (Printf.sprintf "add a label in quotes: `%s \"keeps off the wall\" (x > 0)`" (List.hd words))
   | "while" :: _ ->
       hint
-        "no block is repeated: `forever t` does a task again and again, `whileT c t` while a \
-         signal function gives True"
+        "to repeat a task, write `forever t`, or `whileT c t` while a signal function returns True"
   | _ when List.mem "for" words || List.mem "(for" words -> hint of_for
   | _ when is_a_slice text at ->
-      hint "a part of an array is made by `take xs` and `drop xs`, as long as its type says"
+      hint "for a part of an array write `take xs` or `drop xs`; its type gives its size"
   | _ when char_at text (at - 1) = '"' && line_of_brace text at <> None ->
-      hint "what has names has the fields of a record: `data Gains = Gains { p :: Float }`"
+      hint "for values with names, declare a record: `data Gains = Gains { p :: Float }`"
   | _ when splits_a_list text at && not (List.mem "if" words || List.mem "lambda" words) ->
       hint ("an array cannot be split into its first element and the rest; " ^ of_elements)
   | name :: _ when types_a_parameter text start at ->
       hint
         (Printf.sprintf
-           "types stand in a signature, a line above: `%s :: Float -> Float`, where the last one \
-            is the result's"
+           "write the types in a signature on the line above, with the result last: `%s :: Float \
+            -> Float`"
            (List.hd (String.split_on_char '(' name)))
   | _ when List.exists (fun word -> word = "lambda" || word = "(lambda") words ->
       let parameters =
@@ -190,14 +183,13 @@ let of_colon text at =
         | x :: ("lambda" | "(lambda") :: _ when String.for_all Basis.Character.is_name x -> x
         | _ -> "x"
       in
-      hint (Printf.sprintf "a function without a name is written `\\%s -> …`" parameters)
+      hint (Printf.sprintf "write an anonymous function as `\\%s -> …`" parameters)
   | _ when ends_line && List.mem "case" words ->
-      hint "the line of a `case` ends with `of`: `case x of`"
+      hint "end the line of a `case` with `of`: `case x of`"
   | _ when ends_line -> hint of_block
   | _ when joins text start at && not (List.mem "if" words) ->
-      hint
-        "nothing is joined: an array keeps its size, and all its elements are written, `[x, 0, 0]`"
-  | _ when List.mem "if" words -> hint "`then` follows the condition: `if c then a else b`"
+      hint "an array has a fixed size: write all its elements, as in `[x, 0, 0]`"
+  | _ when List.mem "if" words -> hint "put `then` after the condition: `if c then a else b`"
   | _ -> of_field text at
 
 (* {1 Other characters} *)
@@ -207,25 +199,25 @@ let symbol text at = function
   | "\u{00b0}" | "\u{00ba}" ->
       let is_part c = Basis.Character.is_digit c || c = '.' in
       let digits = match ending text at is_part with "" -> "90" | digits -> digits in
-      Some ("[deg]", Printf.sprintf "degrees are a unit: `%s[deg]`" digits)
-  | "\u{00b2}" -> Some ("^2", "a power is written `^2`")
-  | "\u{00b3}" -> Some ("^3", "a power is written `^3`")
-  | "\u{00d7}" | "\u{00b7}" | "\u{22c5}" -> Some ("*", "the product is `*`")
-  | "\u{00f7}" -> Some ("/", "the quotient is `/`")
-  | "\u{03c0}" -> Some ("pi", "it is `pi`")
-  | "\u{03a9}" | "\u{2126}" -> Some ("Ohm", "the unit is `Ohm`")
-  | "\u{00b5}" | "\u{03bc}" -> Some ("u", "micro is `u`, as in `us` for microseconds")
-  | "\u{03bb}" -> Some ("\\", "a function without a name is written `\\x -> …`")
-  | "\u{2192}" -> Some ("->", "the arrow is `->`")
-  | "\u{2190}" -> Some ("<-", "the arrow is `<-`")
+      Some ("[deg]", Printf.sprintf "write degrees as a unit: `%s[deg]`" digits)
+  | "\u{00b2}" -> Some ("^2", "write `^2`")
+  | "\u{00b3}" -> Some ("^3", "write `^3`")
+  | "\u{00d7}" | "\u{00b7}" | "\u{22c5}" -> Some ("*", "write `*` to multiply")
+  | "\u{00f7}" -> Some ("/", "write `/` to divide")
+  | "\u{03c0}" -> Some ("pi", "write `pi`")
+  | "\u{03a9}" | "\u{2126}" -> Some ("Ohm", "write the unit as `Ohm`")
+  | "\u{00b5}" | "\u{03bc}" -> Some ("u", "write `u` for micro, as in `us` for microseconds")
+  | "\u{03bb}" -> Some ("\\", "write an anonymous function as `\\x -> …`")
+  | "\u{2192}" -> Some ("->", "write the arrow as `->`")
+  | "\u{2190}" -> Some ("<-", "write the arrow as `<-`")
   | "\u{2227}" -> Some ("&&", "write `&&`")
   | "\u{2228}" -> Some ("||", "write `||`")
-  | "\u{00ac}" -> Some ("not ", "the opposite of `b` is `not b`")
-  | "\u{2212}" | "\u{2013}" -> Some ("-", "the minus sign is `-`")
+  | "\u{00ac}" -> Some ("not ", "write `not b` for the opposite of `b`")
+  | "\u{2212}" | "\u{2013}" -> Some ("-", "write the minus sign as `-`")
   | "\u{2264}" -> Some ("<=", "write `<=`")
   | "\u{2265}" -> Some (">=", "write `>=`")
   | "\u{2260}" -> Some ("/=", "write `/=`")
-  | "\u{2018}" | "\u{2019}" -> Some ("'", "a prime is `'`, and an infix name stands in backticks")
+  | "\u{2018}" | "\u{2019}" -> Some ("'", "write a prime as `'`; put an infix name in backticks")
   | _ -> None
 
 (* The module `Robot` for `#include "Robot.h"`. *)
@@ -257,28 +249,28 @@ let of_character ~text ~at character =
   let both hint instead = { hint = Some hint; instead = Some instead } in
   match (character, symbol text at character) with
   | _, Some (instead, hint) -> both hint instead
-  | "'", None when char_at text (at + 2) = '\'' -> only "a text stands in `\"`"
+  | "'", None when char_at text (at + 2) = '\'' -> only "put a text in double quotes"
   | "'", None when Basis.Character.is_lower next || Basis.Character.is_upper next ->
-      only "a text stands in `\"`, and an infix name in backticks, as in ``x `mod` 2``"
-  | "'", None -> only "an infix name stands in backticks, as in ``x `mod` 2``"
-  | ":", None when next = '=' -> only "an equation is written with `=`"
+      only "put a text in double quotes, an infix name in backticks, as in ``x `mod` 2``"
+  | "'", None -> only "put an infix name in backticks, as in ``x `mod` 2``"
+  | ":", None when next = '=' -> only "write an equation with `=`"
   | ":", None -> of_colon text at
-  | "&", None when next <> '&' -> both "write `&&`, or `.&.` of bits" "&&"
-  | "&", None -> only "write `&&`, or `.&.` of bits"
+  | "&", None when next <> '&' -> both "write `&&`, or `.&.` for bits" "&&"
+  | "&", None -> only "write `&&`, or `.&.` for bits"
   | "#", None when starts "#define" ->
-      only (Printf.sprintf "a constant is an equation: `%s`" (defined text at))
+      only (Printf.sprintf "define a constant by an equation: `%s`" (defined text at))
   | "#", None when starts "#include" ->
-      only (Printf.sprintf "a module is imported: `import %s`" (included text at))
-  | "#", None -> both "a comment starts with `--`" "--"
-  | "~", None when next = '=' -> only "`/=` says that two values differ"
-  | "~", None -> both "the opposite of `b` is `not b`" "not "
-  | "?", None -> only "a choice is written `if c then a else b`"
+      only (Printf.sprintf "import a module: `import %s`" (included text at))
+  | "#", None -> both "write `--` to start a comment" "--"
+  | "~", None when next = '=' -> only "use `/=` to compare for inequality"
+  | "~", None -> both "write `not b` for the opposite of `b`" "not "
+  | "?", None -> only "use `if c then a else b`"
   | "%", None when char_at text (at - 1) = '[' ->
-      only "percent is no unit: 20 percent of x are `0.2 * x`"
-  | "%", None -> only "the remainder is ``x `mod` y``; 20 percent of x are `0.2 * x`"
-  | ("\u{201c}" | "\u{201d}"), None -> only "a text stands in `\"`"
+      only "percent is not a unit: write 20 percent of x as `0.2 * x`"
+  | "%", None -> only "use ``x `mod` y`` for the remainder; 20 percent of x is `0.2 * x`"
+  | ("\u{201c}" | "\u{201d}"), None -> only "put a text in double quotes"
   | _, None when String.length character > 1 ->
-      only "names are made of `a`–`z`, `A`–`Z`, digits, `_` and primes"
+      only "use only `a`–`z`, `A`–`Z`, digits, `_` and `'` in names"
   | _, None -> { hint = None; instead = None }
 
 let is_of_each_line hint =

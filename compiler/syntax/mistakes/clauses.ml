@@ -59,14 +59,15 @@ let report first others =
         List.fold_left also d shown
         |>
         if besides = [] then Fun.id
-        else Diagnostic.note (Printf.sprintf "and %d more clauses" (List.length besides))
+        else Diagnostic.note (Printf.sprintf "there are %d more clauses" (List.length besides))
     | [] -> Diagnostic.bug ~stage:"Syntax.Clauses" "no second clause"
   in
   let all = first :: others in
   let d =
     Diagnostic.hint
       (Printf.sprintf
-         "write one clause, with a branch `pattern -> value` for each in a line below: `%s`"
+         "write one clause, `%s`, and on the lines below it a branch `pattern -> value` for each \
+          of the clauses"
          (case_of first))
       d
   in

@@ -73,18 +73,18 @@ let claim found =
           Some
             (error found
                ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
-               "what is to hold follows the label, without a sign between"
+               "the condition must directly follow the label"
             |> cured found (written (without_sign behind) label))
       | Some ("", _, _) -> None
       | Some (condition, label, "") ->
           Some
-            (error found ~at "the label of an `%s` stands first" word
+            (error found ~at "the label of an `%s` must come first" word
             |> cured found (written (String.trim (without_sign condition)) label))
       | Some _ -> None
       | None when text = "" -> None
       | None ->
           Some
-            (error found ~at "an `%s` has a label, which says what is to hold" word
+            (error found ~at "an `%s` needs a label that says what must hold" word
             |> cured found (written text "\"keeps off the wall\"")))
   | _ -> None
 
@@ -112,7 +112,7 @@ let param found =
         Some
           (error found
              ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
-             "a parameter has its type before its value"
+             "a parameter needs its type before its value"
           |> instead found ~at:(fst (line found), stop) text)
   | _ -> None
 
@@ -132,10 +132,10 @@ let let_equation found =
       if equation = "" then None
       else
         Some
-          (error found ~at:(first, last) "the equations of a `where` have no `let` before them"
+          (error found ~at:(first, last) "the equations of a `where` cannot start with `let`"
           |> (if is_short equation then Diagnostic.hint (Printf.sprintf "write `%s`" equation)
-              else Diagnostic.hint "leave it out")
-          |> Diagnostic.fix "leave it out" [ (span_of found (first, start), "") ])
+              else Diagnostic.hint "remove it")
+          |> Diagnostic.fix "remove it" [ (span_of found (first, start), "") ])
   | _ -> None
 
 (* `HasSonar i, DiffDrive o => SF i o`, without parentheses around the constraints *)
@@ -161,7 +161,7 @@ let constraints found =
           Some
             (error found
                ~at:(first, first + String.length given)
-               "several constraints stand in parentheses"
+               "several constraints need parentheses"
             |> instead found ~at:(first, first + String.length given) (Printf.sprintf "(%s)" given)
             )
       | _ -> None)
@@ -179,7 +179,7 @@ let foreign_import found =
           Some
             (error found
                ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
-               "`foreign` has no `import` behind it, and the name in C stands last"
+               "`foreign` must not be followed by `import`, and the name in C must come last"
             |> instead found ~at:(bol, stop) (Printf.sprintf "foreign %s = \"%s\"" behind symbol))
       | _ -> None)
   | _ -> None
@@ -192,10 +192,10 @@ let module_head found =
       Some
         (error found
            ~at:(found.token.start.pos_cnum, found.token.start.pos_cnum + 1)
-           "the head of a module ends with `where`"
+           "the head of a module must end with `where`"
         |> Diagnostic.hint
              (Printf.sprintf
-                "write `module %s where`; a module that hands on all that it has needs no head" name)
+                "write `module %s where`; a module that exports everything needs no head" name)
         |> Diagnostic.fix "write `where`"
              [ (span_of found (before.stop.pos_cnum, before.stop.pos_cnum), " where") ])
   | _ -> None
@@ -225,9 +225,9 @@ let equation_in_parentheses found =
       in
       Some
         (error found ~at:(by.start.pos_cnum, stop)
-           "an equation stands on its own, and holds at every instant"
+           "an equation cannot be conditional: it holds at every instant"
         |> Diagnostic.hint
-             (Printf.sprintf "one equation chooses the value: `%s = if %s then %s else …`" name
+             (Printf.sprintf "choose the value in one equation: `%s = if %s then %s else …`" name
                 condition value))
   | _ -> None
 
@@ -252,8 +252,8 @@ let path found =
     else
       Some
         (Printf.sprintf
-           "a module is named without its folder: it stands beside this file, or in the library: \
-            `import %s`"
+           "name the module without its folder: `import %s`; its file must be in the folder of \
+            this one, or in the library"
            (String.capitalize_ascii base))
 
 let choices found =
@@ -269,7 +269,7 @@ let choices found =
           let capital part = String.capitalize_ascii (String.trim part) in
           let all = List.map capital (String.split_on_char '|' all) in
           Some
-            (Printf.sprintf "a constructor begins with a capital: `%s= %s`" head
+            (Printf.sprintf "start a constructor with a capital letter: `%s= %s`" head
                (String.concat " | " all))
       | _ -> None)
   | _ -> None

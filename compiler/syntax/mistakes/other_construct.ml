@@ -32,11 +32,10 @@ let top_let found =
       }
     in
     let first n = Build.span (start, { start with pos_cnum = bol + n }) in
-    Diagnostic.error ~code:"E0110" ~at:(first 3)
-      "a definition at the left edge has no `let` before it"
+    Diagnostic.error ~code:"E0110" ~at:(first 3) "a top-level definition cannot start with `let`"
     |> Diagnostic.hint
-         (if String.length own > 50 then "leave it out" else Printf.sprintf "write `%s`" own)
-    |> Diagnostic.fix "leave it out" [ (first 4, "") ]
+         (if String.length own > 50 then "remove it" else Printf.sprintf "write `%s`" own)
+    |> Diagnostic.fix "remove it" [ (first 4, "") ]
     |> Option.some
 
 let word_in_backticks found =
@@ -61,7 +60,7 @@ let value_after_type found =
   match (found.token.token, found.before) with
   | EQUAL, Some _ when ends_a_signature found ->
       error found "expected `->`, or the end of the type, found `=`"
-      |> Diagnostic.hint "the definition stands on a line of its own, below its type"
+      |> Diagnostic.hint "write the definition on its own line, below its type"
       |> Option.some
   | _ -> None
 
@@ -92,12 +91,12 @@ let reserved found =
   match found.token.token with
   | RESERVED "deriving" ->
       absent found "`deriving` is not part"
-      |> Diagnostic.hint "leave it out: `==` and `<` work on all data without functions"
-      |> Diagnostic.fix ~safe:true "leave it out" [ (of_deriving found, "") ]
+      |> Diagnostic.hint "remove it: `==` and `<` work on all data that contains no functions"
+      |> Diagnostic.fix ~safe:true "remove it" [ (of_deriving found, "") ]
       |> Option.some
   | RESERVED "newtype" ->
       absent found "`newtype` is not part"
-      |> Diagnostic.hint "`data` makes a new type, and one with a single field costs nothing"
+      |> Diagnostic.hint "use `data`, which costs nothing for a single field"
       |> Diagnostic.write (span found.token) "data"
       |> Option.some
   | RESERVED word -> Some (absent found "`%s` is not part" word)
@@ -122,13 +121,13 @@ let for_each found =
 let list_comprehension found =
   Option.map
     (fun (element, x, xs) ->
-      error found "no array is made by a `for`"
+      error found "Frob has no array comprehensions"
       |> Diagnostic.hint
-           (Printf.sprintf "each element is computed with by `map (\\%s -> %s) %s`" x element
+           (Printf.sprintf "use `map (\\%s -> %s) %s` to compute each element" x element
               (Source.grouped xs)))
     (for_each found)
 
-let no_index found = error found "a `[` directly after a name starts no index and no array"
+let no_index found = error found "a `[` directly after a name is neither an index nor an array"
 
 (* The digits in brackets directly after a name, and the offset at which the brackets end. *)
 let index found =
@@ -148,8 +147,8 @@ let index_in_brackets found =
       no_index found
       |> Diagnostic.hint
            (Printf.sprintf
-              "an element of an array is `(%s ! %s)`; a tuple is taken apart by an equation, `(a, \
-               b) = %s`, and an argument needs a blank before it"
+              "write `(%s ! %s)` for an element of an array; for a tuple, write an equation, `(a, \
+               b) = %s`; before an argument, write a space"
               name digits name)
       |> Diagnostic.write whole (" ! " ^ digits)
       |> Option.some
@@ -166,27 +165,28 @@ let bracket_after_name found =
   | UNIT_BRACKET when is_a_name found.before ->
       Some
         (if holds_a_unit found then
-           error found "a unit stands on a number written out or on a type, not on a name"
+           error found "a unit in brackets can follow a literal number or a type, but not a name"
            |> Diagnostic.hint
-                "a value has its unit already; to give one to a plain number, multiply: `x * 1[m]`"
+                "remove the unit if the value has one already; to give a plain number a unit, \
+                 multiply: `x * 1[m]`"
          else
            no_index found
            |> Diagnostic.hint
-                "an element of an array is written `xs ! 0`, a tuple is taken apart by an \
-                 equation, `(a, b) = p`; an argument needs a blank before it")
+                "use `xs ! 0` for an element of an array; for a tuple, write an equation, `(a, b) \
+                 = p`; before an argument, write a space")
   | _ -> None
 
 let type_in_brackets found =
   match (found.token.token, found.before) with
   | LBRACKET, Some { token = DOUBLE_COLON | ARROW; _ } ->
-      error found "the type of an array is not written in brackets"
-      |> Diagnostic.hint "it has the size first, as in `Array 4 Float`"
+      error found "the type of an array cannot be written in brackets"
+      |> Diagnostic.hint "write the size and the type of the elements, as in `Array 4 Float`"
       |> Option.some
   | LBRACKET, Some { token = UPPER _ | LOWER _ | QUALIFIED_UPPER _; _ } ->
-      error found "a `[` cannot stand here"
+      error found "a `[` is not allowed here"
       |> Diagnostic.hint
-           "a unit directly follows its type, as in `Float[m]`; the type of an array is `Array 4 \
-            Float`"
+           "write a unit directly after its type, as in `Float[m]`; write the type of an array as \
+            `Array 4 Float`"
       |> Option.some
   | _ -> None
 

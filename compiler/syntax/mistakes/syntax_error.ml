@@ -26,7 +26,7 @@ let describe found =
   | (END | SEMICOLON) when found.token.made ->
       Printf.sprintf "the end of the %s" (item_of (innermost_block found.context))
   | CLOSE | OPEN -> "the end of the block"
-  | DOC _ -> "a comment that documents"
+  | DOC _ -> "a documentation comment"
   | STRING _ -> "a text"
   | BACKTICK -> "a backtick"
   | NUMBER _ -> Printf.sprintf "the number `%s`" (shortened (written found))
@@ -65,7 +65,7 @@ let compares_instead found =
   let of_line line =
     match String.split_on_char ' ' (String.trim line) with
     | name :: "==" :: _ :: _ ->
-        Some (Printf.sprintf "`==` compares; a definition is written with one `=`: `%s = …`" name)
+        Some (Printf.sprintf "write one `=` to define a name: `%s = …`; `==` compares" name)
     | _ -> None
   in
   let bol = found.token.start.pos_bol in
@@ -80,17 +80,17 @@ let starts_with_a_text found =
 (* `"drives ahead"` at the left margin. *)
 let text_alone found =
   if starts_with_a_text found then
-    Some "a comment is `-- …`, and `-- | …` before a definition describes it"
+    Some "write a comment as `-- …`, or as `-- | …` to document the definition below"
   else None
 
 let no_effect =
-  "nothing is called for its effect: an equation gives a value a name, as in `v = 0.3[m/s]`"
+  "Frob has no calls for their effect: write an equation that names a value, as in `v = 0.3[m/s]`"
 
 (* Does the parser expect the `->` of a `proc` or a lambda? *)
 let awaits_arrow expected =
   List.exists
     (fun prefix -> String.starts_with ~prefix expected)
-    [ "expected `->` after the input"; "expected `->` or one more parameter" ]
+    [ "expected `->` after the input"; "expected `->` or another parameter" ]
 
 let lacks_else found =
   match (found.token.token, found.context) with
@@ -127,19 +127,17 @@ let plain found =
         let rules = [ compares_instead; text_alone ] in
         [ Option.value (List.find_map (fun rule -> rule found) rules) ~default:no_effect ]
     | _ :: _ when found.token.token = EQUAL && awaits_arrow expected ->
-        [ "`->` leads from the input to what comes out; an equation has `=`" ]
+        [ "write `->` between the input and the output; `=` is for equations" ]
     | _ when found.token.token = WHERE && awaits_arrow expected ->
-        [ "the output comes first, and then its equations: `proc x -> y where`" ]
+        [ "write the output before `where`: `proc x -> y where`" ]
     | _ when lacks_else found && innermost_block found.context = Do && names_before found "return"
       ->
         [
-          "a `return` ends only what it is the last of: what else is to be done stands in the \
-           other branch, below `else do`";
+          "`return` does not end the task early: put the remaining statements into the other \
+           branch, below `else do`";
         ]
     | hints when lacks_else found && innermost_block found.context <> Do ->
-        List.map
-          (fun _ -> "every `if` has both `then` and `else`, since it always has a value")
-          hints
+        List.map (fun _ -> "add an `else`: every `if` has a value") hints
     | hints -> hints
   in
   List.fold_left (fun d hint -> Diagnostic.hint hint d) d hints |> cured found |> other_place found
@@ -176,27 +174,24 @@ let holds_others found (opener : Lexer.token) =
 
 let unclosed found ((opener, closer), by) =
   Diagnostic.error ~code:"E0111" ~at:(opener_span by) "this `%s` is never closed" opener
-  |> Diagnostic.label ~at:(span found.token) (Printf.sprintf "a `%s` belongs before this" closer)
+  |> Diagnostic.label ~at:(span found.token) (Printf.sprintf "a `%s` is missing before this" closer)
   |> (if holds_others found by.Layout.by && char_at found found.token.start.pos_cnum <> ';' then
         Diagnostic.hint
           (Printf.sprintf
-             "each `%s` closes the last bracket that is still open: if this one was to be closed \
-              where it is, then a bracket in it is not"
+             "each `%s` closes the last open bracket, so perhaps a bracket inside this one is not \
+              closed"
              closer)
       else Fun.id)
   |>
   let at = found.token.start.pos_cnum in
   if at < String.length found.text && found.text.[at] = ';' then
     match opener with
-    | "(" ->
-        Diagnostic.hint
-          "a `;` ends a definition; tasks one after the other stand in a `do`, each on a line of \
-           its own"
-    | "{" -> Diagnostic.hint "a `;` ends a definition; there is a `,` between two fields"
+    | "(" -> Diagnostic.hint "a `;` ends a definition: write tasks below each other in a `do`"
+    | "{" -> Diagnostic.hint "a `;` ends a definition: write a `,` between two fields"
     | "[" ->
         Diagnostic.hint
-          "a `;` ends a definition; there is a `,` between two elements, and rows are arrays: \
-           `[[1, 2], [3, 4]]`"
+          "a `;` ends a definition: write a `,` between two elements, and rows as arrays, `[[1, \
+           2], [3, 4]]`"
     | _ -> Fun.id
   else Fun.id
 
@@ -220,8 +215,8 @@ let bracket found =
           then None
           else
             Some
-              (Diagnostic.error ~code:"E0111" ~at:(span found.token) "this `%s` closes nothing"
-                 closer))
+              (Diagnostic.error ~code:"E0111" ~at:(span found.token)
+                 "this `%s` has no opening bracket" closer))
   | END when not (expects_more found.before) ->
       Option.map (unclosed found) (bracket_of_item found.context)
   | END | SEMICOLON | CLOSE | WHERE | IN | THEN | ELSE | OF ->
@@ -248,11 +243,11 @@ let choice_of_commands found =
         (fun by ->
           Diagnostic.error ~code:"E0116" ~at:(span found.token)
             "`if` and `case` cannot choose between commands"
-          |> Diagnostic.label ~at:(opener_span by) "the choice"
+          |> Diagnostic.label ~at:(opener_span by) "this is the choice"
           |> Diagnostic.hint
                (Printf.sprintf
                   "choose the value, as in `%s -< if c then a else b`, or run both and choose \
-                   between what they give"
+                   between their outputs"
                   (match found.before with
                   | Some { token = LOWER sf; _ } when found.token.token = TAIL -> sf
                   | _ -> "y <- sf")))
@@ -324,14 +319,13 @@ let command sink ~text ~command ~(block : Lexing.position) token =
     (if is_in_a_branch && Equation_hint.of_a_proc found then
        command_in_a_branch found ~command ~block
      else
-       Diagnostic.error ~code:"E0116" ~at:command
-         "`-<` runs a signal function, which only the `do` of a `proc` can"
+       Diagnostic.error ~code:"E0116" ~at:command "`-<` is only allowed in the `do` of a `proc`"
        |> Diagnostic.label
             ~at:(Build.span (block, { block with pos_cnum = block.pos_cnum + 2 }))
-            "tasks stand here, as in each `do` that does not follow `proc … ->` directly"
+            "this `do` does not directly follow `proc … ->`, so its statements are tasks"
        |> Diagnostic.hint
-            "a signal function is `proc x -> do …`, with all its statements in that one `do`; a \
-             task needs no `-<`")
+            "for a signal function, write all statements in one `do` after `proc x ->`; a task \
+             needs no `-<`")
 
 (* {1 Waiting} *)
 

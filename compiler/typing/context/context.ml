@@ -222,7 +222,7 @@ let require_context t ~at ~name ~said (scheme : Type.scheme) (instance : Type.in
         (fun place ->
           ( place,
             fun words ->
-              Printf.sprintf "`%s` asks for `%s` here" name
+              Printf.sprintf "`%s` requires `%s` here" name
                 (Show.constraint_ words class_ parameter) ))
         said
     in
@@ -279,15 +279,15 @@ let check_context t (written : Resolve.Ir.scheme) (scheme : Type.scheme) =
         if own && not (mentioned r.variable) then
           report t (fun _ ->
               Diagnostic.error ~code:"E0364" ~at:c.span
-                "the context speaks of `%s`, but the type does not" r.variable.name
+                "the context contains `%s`, but the type does not" r.variable.name
               |> Diagnostic.label ~at:written.ty.span
-                   (Printf.sprintf "nothing here tells which type `%s` is" r.variable.name))
+                   (Printf.sprintf "nothing here determines the type `%s`" r.variable.name))
     | Number (r, _) when is_variable r -> ()
     | Erroneous -> ()
     | _ ->
         report t (fun words ->
             Diagnostic.error ~code:"E0365" ~at:c.span
-              "a context promises something of a variable, not of %s" (Show.quoted words argument))
+              "a context can only constrain a variable, not %s" (Show.quoted words argument))
   in
   List.iter2 check written.context scheme.context
 
@@ -335,17 +335,18 @@ let check_sizes t =
         variable.found <- Some Type.Erroneous;
         report t (fun _ ->
             Diagnostic.error ~code:"E0331" ~at:used
-              "nothing decides the size of an array where `%s` is used" of_
+              "nothing determines the size of an array where `%s` is used" of_
             |> (match written with
                | Some variable ->
                    Diagnostic.note
                      (Printf.sprintf
-                        "`%s` in the signature of `%s` stands for any size; a certain one is a \
-                         number there, or a name for it: `type Size = 4`"
+                        "`%s` in the signature of `%s` is a variable for any size: write a number \
+                         instead, or a name for it, as in `type Size = 4`"
                         variable of_)
                | None -> Fun.id)
             |> Diagnostic.hint
-                 "annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature")
+                 "annotate it with a type, as in `(e :: Array 4 Float)`, or give the definition a \
+                  signature")
     | _ -> ()
   in
   (* The list is in reverse order. The latest use is usually closest to the place where the array is

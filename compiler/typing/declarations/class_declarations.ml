@@ -31,14 +31,14 @@ let check_method (ctx : Context.t) (written : Resolve.Ir.method_) (variable : Ir
   if not (Type.mentions variable scheme.body) then
     Context.report ctx (fun _ ->
         Diagnostic.error ~code:"E0364" ~at:written.span
-          "the type of the method `%s` does not speak of `%s`" written.name.name variable.name
-        |> Diagnostic.label ~at:written.scheme.ty.span "nothing here tells which instance is meant");
+          "the type of the method `%s` does not contain `%s`" written.name.name variable.name
+        |> Diagnostic.label ~at:written.scheme.ty.span "nothing here determines the instance");
   let check (c : Resolve.Ir.constraint_) (_, argument) =
     match Type.expand argument with
     | Rigid r when r.variable.id = variable.id ->
         Context.report ctx (fun _ ->
             Diagnostic.error ~code:"E0365" ~at:c.span
-              "the context of a method speaks of the class's own variable `%s`" variable.name
+              "the context of a method cannot constrain the class's own variable `%s`" variable.name
             |> Diagnostic.hint (Printf.sprintf "make `%s` a superclass" c.class_.name))
     | _ -> ()
   in
@@ -92,14 +92,14 @@ let report_built_in (ctx : Context.t) (written : Resolve.Ir.instance) =
   Context.report ctx (fun _ ->
       Diagnostic.error ~code:"E0366" ~at:written.span "`%s` has no declared instances"
         written.class_.name
-      |> Diagnostic.note "it holds for all data without functions, by their structure"
-      |> Diagnostic.hint "leave the instance out")
+      |> Diagnostic.note "the compiler compares all data without functions by structure"
+      |> Diagnostic.hint "remove the instance")
 
 let report_head (ctx : Context.t) (written : Resolve.Ir.instance) head =
   Context.report ctx (fun words ->
       let diagnostic =
         Diagnostic.error ~code:"E0362" ~at:written.head.span
-          "the head of an instance is a type constructor applied to distinct variables, not %s"
+          "the head of an instance must be a type constructor applied to distinct variables, not %s"
           (Show.quoted words head)
       in
       let diagnostic =
@@ -112,18 +112,19 @@ let report_head (ctx : Context.t) (written : Resolve.Ir.instance) head =
       in
       match Type.expand head with
       | Number ((Int | Float), _) | Data { units = _ :: _; _ } ->
-          Diagnostic.note "a unit never selects an instance" diagnostic
+          Diagnostic.note "a unit cannot select an instance" diagnostic
           |> Diagnostic.hint "write a unit variable, as in `Float[u]`"
-      | Number _ -> Diagnostic.hint "give instances of `Int[u]` and of `Float[u]`" diagnostic
+      | Number _ ->
+          Diagnostic.hint "write an instance for `Int[u]` and another for `Float[u]`" diagnostic
       | _ -> diagnostic)
 
 let report_second (ctx : Context.t) (written : Resolve.Ir.instance) head
     (first : Environment.instance) =
   Context.report ctx (fun words ->
-      Diagnostic.error ~code:"E0361" ~at:written.span "a second instance `%s`"
+      Diagnostic.error ~code:"E0361" ~at:written.span "there are two instances `%s`"
         (Show.constraint_ words (Ir.Declared written.class_) head)
-      |> Diagnostic.label ~at:first.place "the first is here"
-      |> Diagnostic.note "a class has at most one instance for each type constructor")
+      |> Diagnostic.label ~at:first.place "the first one is here"
+      |> Diagnostic.note "a class can have only one instance for each type constructor")
 
 let report_missing (ctx : Context.t) (written : Resolve.Ir.instance) head (missing : method_ list) =
   Context.report ctx (fun words ->
@@ -136,12 +137,12 @@ let report_missing (ctx : Context.t) (written : Resolve.Ir.instance) head (missi
           diagnostic
       in
       List.fold_left label
-        (Diagnostic.error ~code:"E0363" ~at:written.span "the instance `%s` does not give %s"
+        (Diagnostic.error ~code:"E0363" ~at:written.span "the instance `%s` does not define %s"
            (Show.constraint_ words (Ir.Declared written.class_) head)
            names)
         missing
       |> Diagnostic.hint
-           (Printf.sprintf "the lines below the `where` of the instance define it: %s"
+           (Printf.sprintf "define it below the `where` of the instance: %s"
               (Enumeration.all
                  (List.map (fun (m : method_) -> Printf.sprintf "`%s = …`" m.name.name) missing))))
 

@@ -27,7 +27,7 @@ let unit_ (reader : Annotation.t) (declared : Resolve.Ir.unit_declaration) =
             Diagnostic.(
               error ~code:"E0324" ~at:declared.span "the scale of the unit `%s` is out of range"
                 declared.unit_name.name
-              |> note "a scale is more than 0 and within 1e-150 and 1e150"
+              |> note "a scale must be positive, and between 1e-150 and 1e150"
               |> emit reader.sink);
             { of_unit with scale = Exact.one })
   in

@@ -20,7 +20,7 @@ let is_array tycon = tycon = Environment.array
 let is_program tycon =
   List.mem tycon [ Environment.built_in "Program"; Environment.built_in "Task" ]
 
-let compile_time = "functions, signal functions and labels exist only while compiling"
+let compile_time = "functions, signal functions and labels exist only at compile time"
 
 (* The first part of the type that has no counterpart in C. *)
 let rec obstacle environment (ty : Ir.ty) =
@@ -29,7 +29,7 @@ let rec obstacle environment (ty : Ir.ty) =
   | Bool | Number ((Int | Float), _) | Size _ -> None
   | Number (Representation_variable _, _) ->
       here "C has different functions for Int and Float" ~cure:"write `Float[…]` or `Int[…]`"
-  | String -> here compile_time ~cure:"an `Int` can tell C which text is meant"
+  | String -> here compile_time ~cure:"pass an `Int` that tells C which text you mean"
   | Function _ | Signal_function _ -> here compile_time
   | Variable { name = ("double" | "float" | "int" | "bool") as name; _ } ->
       let cure =
@@ -38,10 +38,9 @@ let rec obstacle environment (ty : Ir.ty) =
         | "bool" -> "`Bool`"
         | _ -> "`Float`, which is a `double`"
       in
-      here "a name in lower case is any type" ~cure:("C's type is written " ^ cure)
+      here "a lower-case name is a type variable" ~cure:("write this C type as " ^ cure)
   | Variable _ ->
-      here "C functions are of one type"
-        ~cure:"import it once for each type, and each size, that is needed"
+      here "a C function has one type" ~cure:"import it once for each type and size that you need"
   | Tuple parts -> List.find_map (obstacle environment) parts
   | Data { tycon; _ } when is_program tycon -> here compile_time
   | Data { tycon; arguments; _ } -> (
@@ -75,23 +74,24 @@ let check_form sink (p : Resolve.Ir.primitive) (kind : Syntax.Ir.foreign_kind) t
   match (kind, ty, result ty) with
   | Foreign_signal_function, Ir.Signal_function _, _ -> true
   | Foreign_signal_function, Function _, Signal_function _ ->
-      report sink p "the signal function `%s` is in C and cannot have parameters" name
-        ~hint:"make them part of its input";
+      report sink p "the foreign signal function `%s` cannot have parameters" name
+        ~hint:"add them to its input";
       false
   | Foreign_signal_function, _, _ ->
-      report sink p "`%s` is a foreign signal function, and `%s` is no such type" name (Show.ty ty)
+      report sink p "`%s` is a foreign signal function, but `%s` is not a signal function type" name
+        (Show.ty ty)
         ~hint:
-          (Printf.sprintf "a function is declared without `sf`: `foreign %s :: %s = …`" name
+          (Printf.sprintf "declare a function without `sf`: `foreign %s :: %s = …`" name
              (Show.ty ty));
       false
   | Foreign_function, _, Signal_function _ ->
       report sink p "`%s` is a signal function" name
-        ~hint:(Printf.sprintf "with a state in C it is declared `foreign sf %s :: …`" name);
+        ~hint:(Printf.sprintf "if it has state in C, declare it as `foreign sf %s :: …`" name);
       false
   | Foreign_function, Function _, _ -> true
   | Foreign_function, _, _ ->
-      report sink p "`%s` takes no argument, and what C gives is a function" name
-        ~hint:(Printf.sprintf "write `() -> %s`; then `%s ()` is its result" (Show.ty ty) name);
+      report sink p "`%s` has no argument, but a C function needs a function type" name
+        ~hint:(Printf.sprintf "use `() -> %s`, and call it as `%s ()`" (Show.ty ty) name);
       false
 
 let check_parts sink environment (p : Resolve.Ir.primitive) ty =
@@ -128,7 +128,7 @@ let check_once sink known (p : Resolve.Ir.primitive) (v : Ir.foreign_value) =
       Diagnostic.error ~code:"E0381" ~at:p.span "C's `%s` is imported here as `%s`" v.symbol
         (Show.ty v.ty)
       |> Diagnostic.label ~at:first.span (Printf.sprintf "and here as `%s`" (Show.ty other.ty))
-      |> Diagnostic.note "a function in C has one type"
+      |> Diagnostic.note "a C function has one type"
       |> Diagnostic.emit sink
   | Some _ -> ()
   | None -> Hashtbl.replace known v.symbol (p, v)
@@ -140,8 +140,8 @@ let value sink environment known schemes (p : Resolve.Ir.primitive) =
       match p.scheme.context with
       | [] -> true
       | _ :: _ ->
-          report sink p "what is in C has no type classes"
-            ~hint:"import it once for each type that is needed";
+          report sink p "foreign declarations cannot have type classes"
+            ~hint:"import it once for each type that you need";
           false
     in
     if

@@ -4,7 +4,8 @@ let refuse sink ~at ?hint format =
   Printf.ksprintf
     (fun text ->
       Diagnostic.error ~code:"E0390" ~at "%s" text
-      |> Diagnostic.note "a parameter is a number or a truth value: what a command line can write"
+      |> Diagnostic.note
+           "a parameter must be a number or a `Bool`, so that the command line can set it"
       |> Option.fold ~none:Fun.id ~some:Diagnostic.hint hint
       |> Diagnostic.emit sink)
     format
@@ -17,12 +18,10 @@ let check sink ~at name (scheme : Ir.scheme) =
         ~hint:"name its unit, as in `Float[1/m]`"
   | _, (Function _ | Signal_function _) ->
       refuse sink ~at "the parameter `%s` cannot be of type `%s`" name (Show.scheme scheme)
-        ~hint:"let it be a number that the function uses"
+        ~hint:"use a number as the parameter, and let the function use it"
   | _, (Tuple _ | Data _) ->
       refuse sink ~at "the parameter `%s` cannot be of type `%s`" name (Show.scheme scheme)
-        ~hint:
-          "declare a parameter for each number in it; one of two choices is a `Bool`, one of more \
-           an `Int`"
+        ~hint:"declare a parameter for each number in it; for a choice, use a `Bool` or an `Int`"
   | _, (Variable _ | Number _ | Bool | String | Size _) ->
       refuse sink ~at "the parameter `%s` cannot be of type `%s`" name (Show.scheme scheme)
 

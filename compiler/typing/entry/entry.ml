@@ -47,10 +47,10 @@ let sets_output program d ty =
 let apply name arguments =
   let arguments = List.init arguments (Variable_name.nth Variable_name.Type) in
   match arguments with
-  | [ _ ] -> Printf.sprintf "`arr %s` applies it at every instant" name
+  | [ _ ] -> Printf.sprintf "use `arr %s` to apply it at every instant" name
   | several ->
-      Printf.sprintf "`proc (%s) -> %s %s` applies it at every instant" (String.concat ", " several)
-        name (String.concat " " several)
+      Printf.sprintf "use `proc (%s) -> %s %s` to apply it at every instant"
+        (String.concat ", " several) name (String.concat " " several)
 
 (* The place of the output expression. *)
 let rec output_of (e : Ir.expr) =
@@ -79,43 +79,45 @@ let refusal program ~closed (d : Ir.definition) =
   match kind d.scheme.ty with
   | (Signal_function { output } | Program { output }) when sets_output program d output ->
       refuse ~at:(output_of d.value)
-        (Printf.sprintf "what comes out is a function, `%s`, not the output of a robot"
-           (Show.ty output))
-        "`roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`"
+        (Printf.sprintf "its output is a function, `%s`, not the output of a robot" (Show.ty output))
+        "use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v \
+         omega)`"
   | Program { output = Function _ | Number _ | Bool | Tuple _ } ->
       refuse ~at:(output_of d.value)
-        (Printf.sprintf "its type is `%s`, and what comes out is not what a robot takes" ty)
-        "the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`"
+        (Printf.sprintf "its type is `%s`, whose output is not the output of a robot" ty)
+        "use `roMake` to make the output of a robot, as in `roMake (setVelTR v omega)`"
   | (Signal_function _ | Program _) when closed || is_closed d -> None
   | (Signal_function _ | Program _) when size_of_a_name program d <> None ->
       let size = Option.get (size_of_a_name program d) in
       refuse
-        (Printf.sprintf "its type `%s` leaves open what comes in or goes out" ty)
+        (Printf.sprintf "its type `%s` has variables, so the input or the output is not determined"
+           ty)
         (Printf.sprintf
-           "`%s` is any size here, and not the value of that name: a size is a number, or a name \
-            for one, `type N = 4`"
+           "`%s` is a variable for any size here, not the value of that name: write a number, or a \
+            name for it, as in `type N = 4`"
            size)
   | Signal_function _ | Program _ ->
       refuse
-        (Printf.sprintf "its type `%s` leaves open what comes in or goes out" ty)
+        (Printf.sprintf "its type `%s` has variables, so the input or the output is not determined"
+           ty)
         (Printf.sprintf "give it a signature without variables, such as `%s :: SF Float Float`" name)
   | Function { result = Signal_function _ | Program _; _ } ->
       refuse
-        (Printf.sprintf "it still needs an argument, its type is `%s`" ty)
+        (Printf.sprintf "it still needs an argument, as its type `%s` shows" ty)
         (if String.equal name "main" then
-           "give it another name, `run` say, and write `main = run …`"
-         else Printf.sprintf "define another with the argument, as in `main = %s …`" name)
+           "give it another name, such as `run`, and write `main = run …`"
+         else Printf.sprintf "define another one with the argument, as in `main = %s …`" name)
   | Task ->
       refuse
         (Printf.sprintf "it is a task, `%s`, not a signal function" ty)
-        (Printf.sprintf "`runTask %s` is one; on a robot, `reactimateTask %s` is the program" name
+        (Printf.sprintf
+           "use `runTask %s` for a signal function, or `reactimateTask %s` for a robot program" name
            name)
   | Function { arguments; _ } ->
       refuse
         (Printf.sprintf "it is a function, `%s`, not a signal function" ty)
         (if sets_output program d d.scheme.ty then
-           "`reactimateRobot (proc i -> roMake (setVelTR v omega))` is a program that sets a \
-            robot's output"
+           "to set a robot's output, write `reactimateRobot (proc i -> roMake (setVelTR v omega))`"
          else apply name arguments)
   | Value ->
       refuse
@@ -123,9 +125,9 @@ let refusal program ~closed (d : Ir.definition) =
         | Number _ | Variable _ -> "it is a value, not a signal function"
         | ty -> Printf.sprintf "it is a value of type `%s`, not a signal function" (Show.ty ty))
         (if String.equal name "main" then
-           "`constant e` is the signal function that always gives it; on a robot the program is \
-            `main = reactimateRobot (constant e)`"
-         else Printf.sprintf "`constant %s` is the signal function that always gives it" name)
+           "use `constant e` for a signal function that always returns it, or `main = \
+            reactimateRobot (constant e)` for a robot program"
+         else Printf.sprintf "use `constant %s` for a signal function that always returns it" name)
 
 (* {1 Choice of the entry} *)
 
@@ -148,7 +150,8 @@ let find sink program ~file name =
               Suggest.closest name (List.map (fun (d : Ir.definition) -> d.name.name) own) )
           with
          | Some program, _ when String.equal name "main" ->
-             Printf.sprintf "this is a test file: name its program, %s" (Printable.name program)
+             Printf.sprintf "this is a test file: give the name of its program, %s"
+               (Printable.name program)
          | _, Some name -> Printf.sprintf "did you mean `--entry %s`?" (Printable.word name)
          | _, None -> "define `main`, or name a signal function of this module with `--entry NAME`")
     |> Diagnostic.emit sink;

@@ -43,26 +43,25 @@ let too_many_parameters ctx ~name ~at ~parameters (expected : Expected.t) ~left 
       let diagnostic =
         match allowed with
         | 0 ->
-            Diagnostic.error ~code:"E0302" ~at "%s has a parameter, but its type is no function"
-              what
+            Diagnostic.error ~code:"E0302" ~at
+              "%s has a parameter, but its type is not a function type" what
         | 1 ->
             Diagnostic.error ~code:"E0302" ~at
-              "%s has more than the one parameter that its type allows" what
+              "%s has more than one parameter, but its type allows only one" what
         | _ ->
-            Diagnostic.error ~code:"E0302" ~at
-              "%s has more than the %d parameters that its type allows" what allowed
+            Diagnostic.error ~code:"E0302" ~at "%s has too many parameters: its type allows only %d"
+              what allowed
       in
       let diagnostic = Expected.explain words expected diagnostic in
       match Type.expand left with
       | _ when as_one_tuple words ~name parameters expected <> None ->
           Diagnostic.hint
             (Printf.sprintf
-               "the signature says one parameter, a tuple: `%s`; parameters one after the other \
-                have an `->` between their types"
+               "the signature has one parameter, a tuple: write `%s`, or write `->` between the \
+                types"
                (Option.get (as_one_tuple words ~name parameters expected)))
             diagnostic
-      | Signal_function _ ->
-          Diagnostic.hint "a signal function takes its signal in a `proc`: `proc x -> …`" diagnostic
+      | Signal_function _ -> Diagnostic.hint "take the signal in a `proc`: `proc x -> …`" diagnostic
       | _ -> diagnostic)
 
 (* `f (x, y) = …` with a signature that takes separate parameters. *)
@@ -79,8 +78,7 @@ let report_one_tuple ctx ~name ~at (parts : Resolve.Ir.pattern list) expected =
   report ctx (fun words ->
       let quote (p : Resolve.Ir.pattern) = Option.map Source.grouped (Show.quote words p.span) in
       let texts = List.filter_map quote parts in
-      Diagnostic.error ~code:"E0301" ~at
-        "`%s` takes its %d arguments one after the other, and not as a tuple" name
+      Diagnostic.error ~code:"E0301" ~at "`%s` takes %d separate arguments, not a tuple" name
         (List.length parts)
       |> Expected.explain words expected
       |>
@@ -198,7 +196,7 @@ let local_scheme ctx ~name ~at (written : Resolve.Ir.scheme) (scheme : Type.sche
           Diagnostic.error ~code:"E0314" ~at
             "only a local function can be polymorphic, and %s is %s" name
             (Show.quoted words scheme.body)
-          |> Diagnostic.label ~at:written.span "its signature has variables of its own");
+          |> Diagnostic.label ~at:written.span "its signature has its own variables");
       Type.monomorphic Erroneous
 
 type declared = { scheme : Type.scheme; inner : t; at : Span.t }

@@ -244,9 +244,9 @@ and array_elements ctx (expected : Expected.t) elements =
   | first :: _ ->
       report ctx (fun _ ->
           Diagnostic.error ~code:"E0333" ~at:first.span
-            "an array that is written out has up to %d elements, not %d" most_written
+            "an array literal has at most %d elements, not %d" most_written
             (most_written + List.length besides)
-          |> Diagnostic.hint "compute the elements, as `generate (\\k -> …)` does"));
+          |> Diagnostic.hint "compute the elements with `generate (\\k -> …)`"));
   let check (done_, (expected : Expected.t)) (element : Resolve.Ir.expr) =
     let because : Expected.reason =
       match expected.because with Element _ as first -> first | _ -> Element element.span
@@ -258,7 +258,7 @@ and array_elements ctx (expected : Expected.t) elements =
 and array ctx (e : Resolve.Ir.expr) elements =
   if elements = [] then
     report ctx (fun _ ->
-        Diagnostic.error ~code:"E0333" ~at:e.span "an array has at least one element");
+        Diagnostic.error ~code:"E0333" ~at:e.span "an array must have at least one element");
   let element = Context.fresh ctx in
   let ty = Environment.array_of (Size (max 1 (List.length elements))) element in
   let elements = array_elements ctx (Expected.make Unknown element) elements in

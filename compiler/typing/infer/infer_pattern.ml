@@ -33,7 +33,7 @@ let rec check ctx (p : Resolve.Ir.pattern) (expected : Expected.t) : Ir.pattern 
             expect ctx ~at:p.span expected (Tuple types);
             if types = [] && errors ctx > before then
               Basis.Diagnostic.revise_last ctx.reader.sink
-                (Basis.Diagnostic.hint "`_` takes every value, and looks at none");
+                (Basis.Diagnostic.hint "use `_`, which matches every value");
             types
       in
       let elements = List.map2 (fun p ty -> check ctx p { expected with ty }) elements types in

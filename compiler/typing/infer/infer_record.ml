@@ -116,7 +116,7 @@ let through ctx words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
       let cure = if has_it then Printf.sprintf "(%s).%s" applied name.text else applied in
       Some
         (Diagnostic.hint
-           (Printf.sprintf "it is a signal function, and what it gives %s `%s`"
+           (Printf.sprintf "it is a signal function; its output %s `%s`"
               (if has_it then "has it:" else "is")
               cure)
            d
@@ -130,22 +130,25 @@ let through ctx words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
       Some
         (Diagnostic.hint
            (Printf.sprintf
-              "an event has a value only where it occurs: `mapE (\\x -> x.%s) %s` is the event of \
-               its `%s`, and `hold x0` keeps the latest one, at first `x0`"
+              "an event has a value only when it occurs: write `mapE (\\x -> x.%s) %s` for the \
+               event of its `%s`; to keep the latest value, `hold x0` that event, where `x0` is \
+               the initial value"
               name.text grouped name.text)
            d)
   | Data { tycon; _ } when tycon = Environment.built_in "Maybe" ->
       Some
         (Diagnostic.hint
-           (Printf.sprintf "there may be none: `maybe x0 (\\x -> x.%s) %s` is `x0` in its place"
+           (Printf.sprintf
+              "the value may be missing: write `maybe x0 (\\x -> x.%s) %s`, where `x0` replaces a \
+               missing value"
               name.text grouped)
            d)
   | Data { tycon; _ } when tycon = Environment.array && not (is_of_arrays ctx name) ->
       Some
         (Diagnostic.hint
            (Printf.sprintf
-              "an array has elements: `(%s ! 0).%s` is that of the first, `map (\\x -> x.%s) %s` \
-               those of all"
+              "for the field of the first element, write `(%s ! 0).%s`; for those of all elements, \
+               write `map (\\x -> x.%s) %s`"
               grouped name.text name.text grouped)
            d)
   | _ -> None
@@ -158,7 +161,7 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
       | Some { constructor; _ } ->
           error "not every %s has the field `%s`" described name.text
           |> Diagnostic.hint
-               (Printf.sprintf "only `%s` has it: `case` finds out, by the pattern `%s { %s = x }`"
+               (Printf.sprintf "only `%s` has it: use a `case` with the pattern `%s { %s = x }`"
                   constructor.name constructor.name name.text)
       | None -> (
           let d = error "%s has no field `%s`" described name.text in
@@ -173,12 +176,12 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
           | Function (input, _), Some f when Show.signal words input <> None ->
               let applied = Printf.sprintf "(%s %s)" f (Option.get (Show.signal words input)) in
               let text = Printf.sprintf "%s.%s" applied name.text in
-              Diagnostic.hint (Printf.sprintf "`%s` is a function: `%s`" f text) d
+              Diagnostic.hint (Printf.sprintf "`%s` is a function: write `%s`" f text) d
               |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (record.span, applied) ]
           | _, Some text when field_within ctx ty name.text <> None ->
               let field = Option.get (field_within ctx ty name.text) in
               let cure = Printf.sprintf "%s.%s.%s" (Source.grouped text) field name.text in
-              Diagnostic.hint (Printf.sprintf "its field `%s` has it: `%s`" field cure) d
+              Diagnostic.hint (Printf.sprintf "its field `%s` has it: write `%s`" field cure) d
               |> Diagnostic.fix
                    (Printf.sprintf "write `%s`" cure)
                    [ (name.span, field ^ "." ^ name.text) ]
@@ -204,8 +207,8 @@ let several_records ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) cand
   report ctx (fun _ ->
       let names = List.map (fun (g : Ir.Global.t) -> "`" ^ g.name ^ "`") candidates in
       Diagnostic.error ~code:"E0311" ~at:name.span
-        "several types have a field `%s`, and nothing tells which is meant" name.text
-      |> Diagnostic.label ~at:record.span "the type of this is not known"
+        "several types have a field `%s`, and nothing determines which one you mean" name.text
+      |> Diagnostic.label ~at:record.span "the type of this is unknown"
       |> Diagnostic.note ("types with such a field: " ^ String.concat ", " names)
       |> Diagnostic.hint "give the definition a signature")
 
@@ -284,7 +287,7 @@ let in_units (constructor : Environment.constructor) =
     | Number (_, u) -> Some (Printf.sprintf "`%s` has `%s`" name (Show.unit_ u))
     | _ -> None
   in
-  Printf.sprintf "of the units in a `%s`, %s" constructor.tycon.name
+  Printf.sprintf "in a `%s`, the units depend on each other: %s" constructor.tycon.name
     (String.concat ", " (List.filter_map field constructor.ir.fields))
 
 let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
@@ -320,8 +323,8 @@ let tell_tighter ctx (e : Resolve.Ir.expr) ~(record : Resolve.Ir.expr) (name : S
       Diagnostic.error ~code:"E0310" ~at:e.span
         "a field binds tighter than application: this is a field of `%s`" record
       |> Diagnostic.hint
-           (Printf.sprintf "what `%s` gives has it: `(%s %s).%s`" function_ function_ record
-              name.text))
+           (Printf.sprintf "for a field of the result of `%s`, write `(%s %s).%s`" function_
+              function_ record name.text))
 
 let field expressions ctx (e : Resolve.Ir.expr) ~record (name : Syntax.Ir.name) ~candidates =
   let typed = expressions.infer ctx record in

@@ -13,7 +13,7 @@ let through_instances words { lacking; culprit; through } diagnostic =
   match through with
   | [] -> diagnostic
   | last :: _ ->
-      Diagnostic.label ~at:last.place (Printf.sprintf "this instance asks for `%s`" asks) diagnostic
+      Diagnostic.label ~at:last.place (Printf.sprintf "this instance requires `%s`" asks) diagnostic
 
 let is_signal_function t = match Type.expand t with Signal_function _ -> true | _ -> false
 
@@ -55,8 +55,8 @@ let for_any_robot (class_ : Ir.Global.t) robot =
   in
   Diagnostic.hint
     (Printf.sprintf
-       "a program for each robot that has it asks for the class in place of a robot's type: `main \
-        :: %s => Program i o`"
+       "for a program that runs on every robot with this capability, write the class instead of \
+        the robot's type: `main :: %s => Program i o`"
        asked)
 
 let is_function t = match Type.expand t with Function _ -> true | _ -> false
@@ -71,7 +71,7 @@ let about_foreign ctx t diagnostic =
   | None -> diagnostic
   | Some tycon ->
       Diagnostic.hint
-        (Printf.sprintf "only C knows what is in a `%s`: import a function that compares two"
+        (Printf.sprintf "only C can compare two values of type `%s`: import a function that does"
            tycon.name)
         diagnostic
 
@@ -109,8 +109,8 @@ let without_hints { required; lack; words; culprit; _ } =
   let at = required.at in
   match lack.lacking with
   | Declared _ when Environment.is_task lack.culprit ->
-      Diagnostic.error ~code:"E0371" ~at "%s makes no task, but %s is needed here" required.by
-        culprit
+      Diagnostic.error ~code:"E0371" ~at "%s does not return a task, but %s is needed here"
+        required.by culprit
   | Declared _ ->
       Diagnostic.error ~code:"E0360" ~at "there is no instance `%s`"
         (Show.constraint_ words lack.lacking lack.culprit)
@@ -136,10 +136,9 @@ let several_outputs fact =
     when fact.required.by = "`roMake`" && is_function fact.lack.culprit ->
       Some
         (fun (d : Diagnostic.t) ->
-          { d with message = "`roMake` takes one function, and makes an output of it" }
+          { d with message = "`roMake` takes one function, and turns it into an output" }
           |> Diagnostic.hint
-               "several commands are put together by a dot: `roMake (setVelTR v omega . setLight \
-                On)`")
+               "combine several commands with `.`: `roMake (setVelTR v omega . setLight On)`")
   | _ -> None
 
 (* The body of a mode with its event missing. *)
@@ -148,8 +147,7 @@ let output_with_an_event fact =
   | Declared { name = "RobotOutput"; _ } when is_with_an_event fact.lack.culprit ->
       Some
         (Diagnostic.hint
-           "besides its output it gives the event that ends it, which is lacking here: `(roMake \
-            (…), after 1[s] ())`")
+           "add the event that ends it, in a pair with the output: `(roMake (…), after 1[s] ())`")
   | _ -> None
 
 (* The outputs of two tasks side by side. *)
@@ -158,8 +156,8 @@ let two_outputs fact =
   | Declared { name = "RobotOutput"; _ } when is_pair fact.lack.culprit ->
       Some
         (Diagnostic.hint
-           "tasks side by side put out both their outputs, of which `mapOutput` makes one; \
-            `timeOut` and `abortWhen` end a task and have its output only")
+           "`both` returns a pair of outputs: combine them with `mapOutput`, or use `timeOut` or \
+            `abortWhen`, which keep only the output of the task")
   | _ -> None
 
 (* A task in an equation. *)
@@ -168,15 +166,15 @@ let task fact =
   | Declared _ when Environment.is_task fact.lack.culprit ->
       Some
         (Diagnostic.hint
-           "a task takes time, and no equation runs it: `reactimateTask` does, and in a `do` one \
-            follows another")
+           "an equation cannot run a task: run it with `reactimateTask`, or in a `do`, one task \
+            after the other")
   | _ -> None
 
 (* Arithmetic on signal functions, where one operand is a number. *)
 let signal_function fact =
   match fact.lack.lacking with
   | Declared _ when is_signal_function fact.lack.culprit ->
-      Some (Diagnostic.hint "`constant e` is the signal function that always gives `e`")
+      Some (Diagnostic.hint "use `constant e` for a signal function that always returns `e`")
   | _ -> None
 
 (* `==` or `<` on types that do not support it. *)
@@ -191,8 +189,7 @@ let not_comparable fact =
   | (Eq | Ord) when Type.expand fact.lack.culprit = String ->
       Some
         (Diagnostic.hint
-           "a text is a label, and no value; what is one of several has a type of its own: `data \
-            Mode = Go | Stop`")
+           "a text is only a label: for a choice, declare a type, as in `data Mode = Go | Stop`")
   | Eq | Ord -> Some (about_foreign fact.ctx fact.lack.culprit)
 
 (* A function that sets an output, used without `roMake`. *)
@@ -209,7 +206,7 @@ let composed_without_parentheses fact =
   | Declared { name = "DiffDrive"; _ } when is_function fact.lack.culprit ->
       Some
         (Diagnostic.hint
-           "`.` composes functions; what one is applied to stands in parentheses: `roMake \
+           "`.` composes functions: put a function and its arguments in parentheses, as in `roMake \
             (setVelTR v omega)`")
   | _ -> None
 
@@ -221,8 +218,8 @@ let of_no_robot fact =
       Some
         (Diagnostic.hint
            (Printf.sprintf
-              "this is of a robot's input or output, and what it is given is %s: perhaps two \
-               things stand in the other order"
+              "this needs a robot's input or output, but is applied to %s: perhaps two arguments \
+               are in the wrong order"
               fact.culprit))
   | _ -> None
 
@@ -232,7 +229,7 @@ let not_declared fact =
   | Declared class_ when is_asked_itself fact && is_of_the_program class_ fact.lack.culprit ->
       Some
         (Diagnostic.hint
-           (Printf.sprintf "`instance %s where` gives it one, with its methods in the lines below"
+           (Printf.sprintf "add `instance %s where`, and define the methods below it"
               (Show.constraint_ fact.words fact.lack.lacking fact.lack.culprit)))
   | _ -> None
 
@@ -250,7 +247,7 @@ let other_instances fact =
           Some
             (fun d ->
               Diagnostic.note
-                (Printf.sprintf "what has `%s`: %s" class_.name (String.concat ", " types))
+                (Printf.sprintf "types with `%s`: %s" class_.name (String.concat ", " types))
                 d
               |> for_others)
       | _ -> None)
@@ -284,11 +281,11 @@ let no_instance ctx required (lack : lack) =
    know about them. *)
 let report_no_condition ctx ~at culprit =
   report ctx (fun words ->
-      Diagnostic.error ~code:"E0360" ~at "%s is nothing that holds or does not"
-        (Show.quoted words culprit)
+      Diagnostic.error ~code:"E0360" ~at "%s is not a condition" (Show.quoted words culprit)
       |> Diagnostic.hint
-           (if Environment.is_event culprit then "`isEvent e` tells whether it occurs now"
-            else "what is asserted is a condition, as in `x > 0`, or a `Verdict`"))
+           (if Environment.is_event culprit then
+              "use `isEvent e`, which is True when the event occurs"
+            else "assert a condition, such as `x > 0`, or a `Verdict`"))
 
 let lacking ctx required (lack : lack) =
   match (lack.lacking, lack.through) with
@@ -298,8 +295,8 @@ let lacking ctx required (lack : lack) =
 
 let undecided ctx (required : required) class_ =
   report ctx (fun words ->
-      Diagnostic.error ~code:"E0308" ~at:required.at "nothing decides the type at which %s is used"
-        required.by
-      |> Diagnostic.note (Printf.sprintf "it must be a type with `%s`" (Show.class_ class_))
-      |> Diagnostic.hint "annotate it, as in `(e :: T)`"
+      Diagnostic.error ~code:"E0308" ~at:required.at
+        "nothing determines the type at which %s is used" required.by
+      |> Diagnostic.note (Printf.sprintf "it must be a type of the class `%s`" (Show.class_ class_))
+      |> Diagnostic.hint "annotate it with a type, as in `(e :: T)`"
       |> explain words required)

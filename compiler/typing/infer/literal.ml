@@ -23,10 +23,10 @@ let too_large (ctx : Context.t) ~at (n : Resolve.Ir.number) representation =
     Context.report ctx (fun _ ->
         Diagnostic.(
           error ~code:"E0313" ~at "`%s` is out of the range of `Int`" n.digits
-          |> note "an `Int` is from -2147483648 to 2147483647"
+          |> note "an `Int` must be from -2147483648 to 2147483647"
           |>
           match as_bits n.digits with
-          | Some m -> hint (Printf.sprintf "as 32 bits, one for the sign, it is `(%ld)`" m)
+          | Some m -> hint (Printf.sprintf "for these 32 bits, write `(%ld)`" m)
           | None -> Fun.id))
   in
   let attempt () =
@@ -51,7 +51,7 @@ let out_of_range (ctx : Context.t) ~at (n : Resolve.Ir.number) =
   match ctx.real with
   | Double -> diagnostic
   | Single ->
-      Diagnostic.note "with `--real float` the largest number is 3.4028234663852886e38" diagnostic
+      Diagnostic.note "with `--real float`, the largest number is 3.4028234663852886e38" diagnostic
 
 (* Only literals like these can exceed the range of a Float. *)
 let is_long digits = String.length digits > 25 || String.exists (fun c -> c = 'e' || c = 'E') digits

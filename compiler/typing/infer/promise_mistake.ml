@@ -86,7 +86,7 @@ let promised words ~by (place : Span.t) needed d =
           | None -> d))
   | _ ->
       Diagnostic.hint
-        (Printf.sprintf "begin %s with `%s =>`, or add it to what stands there: `(…, %s) =>`" by
+        (Printf.sprintf "start %s with `%s =>`, or add it to the existing context: `(…, %s) =>`" by
            alone joined)
         d
 
@@ -94,7 +94,7 @@ let one ctx ({ required; _ } as m) =
   report ctx (fun words ->
       let needed = constraint_ words m in
       let error by =
-        Diagnostic.error ~code:"E0309" ~at:required.at "%s needs `%s`, which %s does not promise"
+        Diagnostic.error ~code:"E0309" ~at:required.at "%s needs `%s`, which %s does not declare"
           required.by needed by
       in
       let asked diagnostic =
@@ -126,7 +126,7 @@ let several ctx (first : t) rest =
           diagnostic
       in
       List.fold_left label
-        (Diagnostic.error ~code:"E0309" ~at:place "%s does not promise %s" by in_words)
+        (Diagnostic.error ~code:"E0309" ~at:place "%s does not declare %s" by in_words)
         all
       |> promised words ~by place needed)
 

@@ -35,7 +35,7 @@ let rec starts = function
 let report_recursion w (x : Local.t) (e : expr) =
   let why =
     match e.ty with
-    | Function _ -> "functions may not call themselves"
+    | Function _ -> "a function cannot call itself"
     | Signal_function _ | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ ->
         "only the equations of a `proc` may be recursive"
   in

@@ -96,7 +96,7 @@ let explain variable node d =
     match node.cause with
     | None_known -> d
     | From_input -> label x.span "it comes from the `proc`'s input here"
-    | Runs at -> label at "a signal function is run here"
+    | Runs at -> label at "a signal function runs here"
     | Mentions { variable = y; node; at } ->
         let d = label at (Printf.sprintf "it depends on `%s` here" y.name) in
         if hops = longest_chain then d else go (hops + 1) y node d

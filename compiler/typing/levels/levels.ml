@@ -50,9 +50,9 @@ let complaint kind what =
   | Head { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ } ->
       Printf.sprintf "the initial value of `delay` must be static, but %s" what
   | Head ({ desc = Apply _; _ } as h) when not (runs_a_local h) ->
-      Printf.sprintf "what %s is given before its signal must be static, but %s" (Misplaced.name h)
-        what
-  | Head _ -> Printf.sprintf "what is run must be static, but %s" what
+      Printf.sprintf "the arguments of %s before its signal must be static, but %s"
+        (Misplaced.name h) what
+  | Head _ -> Printf.sprintf "the signal function that runs here must be static, but %s" what
   | Binding_of x ->
       Printf.sprintf "`%s` is a signal function and must be static, but %s" x.name what
   | Binding_of_task x -> Printf.sprintf "`%s` is a task and must be static, but %s" x.name what
@@ -64,22 +64,23 @@ let cure = function
         "write a constant, as in `delay 0 x`; to start with the first value of `x` instead, write \
          `previous x`, with `import Control`"
   | Head { desc = If _ | Case _; _ } ->
-      Diagnostic.hint "run each in an equation of its own, and choose between their outputs"
+      Diagnostic.hint "run each in a separate equation, and choose between their outputs"
   | Head { desc = Apply ({ desc = Apply ({ desc = Primitive ({ name; _ }, _); _ }, _); _ }, _); _ }
     when name = "switch" || name = "dSwitch" ->
-      Diagnostic.hint (Printf.sprintf "carry it in the event of the `%s`, or use `initially`" name)
+      Diagnostic.hint (Printf.sprintf "pass it in the event of the `%s`, or use `initially`" name)
   | Binding_of_task _ ->
       Diagnostic.hint
-        "a task gets what it knows at its start by its parameters, and signals by its input"
+        "pass values that are known at the start as parameters of the task, and signals in its \
+         input"
   | Head _ ->
       Diagnostic.hint
-        "static is what is known when it starts; what changes while it runs comes in by its input; \
-         `initially` starts it with the value of its first instant"
+        "static values are known when it starts: pass a signal in its input, or use `initially` to \
+         start it with the first value of a signal"
   | Binding_of x ->
       Diagnostic.hint
         (Printf.sprintf
-           "a signal function gets signals by its input: `%s` may take a pair, `proc (x, y) -> …`; \
-            a mode that goes on from a value of the one before gets it by the event of the switch"
+           "pass signals in its input: `%s` can take a pair, `proc (x, y) -> …`; to pass a value \
+            from one mode to the next, use the event of the switch"
            x.name)
 
 let code = function Head _ -> "E0340" | Binding_of _ | Binding_of_task _ -> "E0344"
@@ -139,7 +140,7 @@ let obstacle w place (e : expr) head : Misplaced.obstacle option =
 let instance w place (e : expr) head input =
   let region around = outermost (fun (r : region) -> r.depth >= around) place.regions in
   let nothing_runs region =
-    report w region ~at:e.span (Printf.sprintf "%s is run here" (Misplaced.name head)) Fun.id;
+    report w region ~at:e.span (Printf.sprintf "%s runs here" (Misplaced.name head)) Fun.id;
     (place, place)
   in
   match region place.depth with
@@ -189,14 +190,16 @@ let not_constant w (e : expr) problem =
       |> Diagnostic.label ~at:x.span (Printf.sprintf "`%s` is bound here" x.name)
   | Param (p, at) ->
       error at
-        "the index of `!` must be constant, and the parameter `%s` is not known before the run"
+        "the index of `!` must be constant, but the parameter `%s` is only known when the program \
+         starts"
         p.name
   | Computed at when Span.compare at e.span = 0 -> error at "the index of `!` must be constant"
   | Computed at ->
       error e.span "the index of `!` must be constant" |> Diagnostic.label ~at "this is computed")
-  |> Diagnostic.note "an index is a number, a name of one, or arithmetic with such"
+  |> Diagnostic.note "an index can be a number, a name of a number, or arithmetic with these"
   |> Diagnostic.hint
-       (Printf.sprintf "`at %s x xs` takes any index; where there is no such element it is `x`"
+       (Printf.sprintf
+          "use `at %s x xs`, which takes any index, and returns `x` if there is no such element"
           index)
   |> Diagnostic.emit w.sink
 
@@ -204,15 +207,15 @@ let outside w (array : expr) (index : expr) k =
   let error format = Diagnostic.error ~code:"E0332" ~at:index.span format in
   match array.ty with
   | Data { arguments = [ Size n; _ ]; _ } when k >= n || k < 0 ->
-      error "index %d is outside of an array of %d" k n
+      error "index %d is outside of an array of %d elements" k n
       |> Diagnostic.label ~at:array.span (Printf.sprintf "this is `%s`" (Show.ty array.ty))
       |> Diagnostic.hint
-           (if n = 1 then "its only element has the number 0"
-            else Printf.sprintf "the elements are numbered from 0 to %d" (n - 1))
+           (if n = 1 then "its only element has the index 0"
+            else Printf.sprintf "the indices are from 0 to %d" (n - 1))
       |> Diagnostic.emit w.sink
   | _ when k < 0 ->
       error "index %d is outside of every array" k
-      |> Diagnostic.hint "the elements are numbered from 0"
+      |> Diagnostic.hint "the indices start at 0"
       |> Diagnostic.emit w.sink
   | _ -> ()
 

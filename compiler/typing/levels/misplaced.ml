@@ -45,8 +45,7 @@ let equation sources h (e : expr) =
 
 let own_equation sources h e =
   Diagnostic.hint
-    (Printf.sprintf
-       "to run it at every instant, write the equation %s beside the others, and `%s` here"
+    (Printf.sprintf "to run it at every instant, add the equation %s, and write `%s` here"
        (equation sources h e) (signal h))
 
 (* A hint for restarting the signal function whenever the branch is chosen. *)
@@ -60,13 +59,13 @@ let anew sources condition h input =
         let input = if String.contains input '$' then Source.grouped input else input in
         Some
           (Printf.sprintf
-             "to start it anew whenever this branch is chosen: `%s = resetOn %s (%s, edge %s)`"
+             "to restart it whenever this branch is chosen, write `%s = resetOn %s (%s, edge %s)`"
              (signal h) (Source.grouped h') input becomes)
     | _ -> None
   in
   Diagnostic.hint
     (Option.value (Option.bind condition resets)
-       ~default:"to start it anew whenever this is chosen, `switch` between signal functions")
+       ~default:"to restart it whenever this is chosen, `switch` between signal functions")
 
 (* {1 Messages} *)
 
@@ -84,42 +83,43 @@ let report sink sources position obstacle (e : expr) ~head ~input =
         emit
           (Diagnostic.error ~code:"E0342" ~at:e.span "%s is run in its own definition" (name head)
           |> Diagnostic.hint
-               "every equation holds at every instant: nothing is called again to go on"
+               "an equation holds at every instant, so a signal function need not call itself to \
+                continue"
           |> Diagnostic.hint
-               "to go on otherwise after an event, and perhaps then as this again: `switch (proc x \
-                -> (output, event)) (\\_ -> …)`")
+               "to change what runs after an event, use `switch (proc x -> (output, event)) (\\_ \
+                -> …)`, whose last part may be this signal function again")
     | Depends_on_start | Lifted ->
         emit
-          (Diagnostic.here "what it gives depends on when it started" d
+          (Diagnostic.here "its output depends on when it started" d
           |> own_equation sources head e |> anew sources condition head input)
     | Bound_here x ->
         emit
           (bound x d
           |> Diagnostic.hint
-               "a signal function runs at every instant: give it an input that has a value at \
-                each, or run it on events with `onEvent`")
+               "a signal function runs at every instant: use an input that always has a value, or \
+                run it on events with `onEvent`")
   in
   match position with
   | Every_instant -> ()
   | Outside ->
       emit
         (run "outside of a `proc`" "E0341"
-        |> Diagnostic.here "an instance needs a `proc` around it"
+        |> Diagnostic.here "an instance must be inside a `proc`"
         |> Diagnostic.hint
              (Printf.sprintf
-                "write `proc x -> …`, and run it there: what has the type `a -> b` becomes a \
-                 signal function, `SF a b`, as in `f = proc x -> %s`"
+                "run it in a `proc`, as in `f = proc x -> %s`; the type `a -> b` then becomes `SF \
+                 a b`"
                 (match quote sources head with Some h -> h ^ " x" | None -> "…")))
   | In_task ->
       emit
         (run "outside of a `proc`" "E0341"
-        |> Diagnostic.here "the statements of a task run no signal functions"
+        |> Diagnostic.here "the statements of a task cannot run signal functions"
         |> Diagnostic.hint
              (let asked = Option.value (quote sources head) ~default:"…" in
-              Printf.sprintf "to read it once: `x <- ask %s` before, and `x` here"
+              Printf.sprintf "to read it once, write `x <- ask %s` before this, and `x` here"
                 (Source.grouped asked))
         |> Diagnostic.hint
-             "a task in which it runs at every instant is `mkTask (proc i -> (output, event))`")
+             "to run it at every instant of a task, write `mkTask (proc i -> (output, event))`")
   | In_branch condition -> of_choice "in a branch" condition
   | In_guard -> of_choice "in a guard" None
   | In_function f -> (
@@ -127,20 +127,20 @@ let report sink sources position obstacle (e : expr) ~head ~input =
       let d = run where "E0343" in
       match obstacle with
       | Depends_on_start | Own_definition | Lifted ->
-          emit (Diagnostic.here "functions hold no instances" d |> own_equation sources head e)
+          emit
+            (Diagnostic.here "a function cannot contain instances" d |> own_equation sources head e)
       | Bound_here x ->
           emit
             (bound x d
             |> Diagnostic.hint
                  (match (f, quote sources head) with
                  | "", Some h when String.equal h x.name ->
-                     "`parB` runs an array of signal functions on one input, `parZ` each on its own"
+                     "use `parB` to run an array of signal functions on one input, `parZ` to run \
+                      each on its own input"
                  | "", Some h ->
-                     Printf.sprintf "`mapSF %s` runs one for each element of an array"
+                     Printf.sprintf "use `mapSF %s` to run one for each element of an array"
                        (Source.grouped h)
                  | _, _ ->
-                     Printf.sprintf
-                       "make %s a signal function, of the form `proc %s -> …`: that is run, not \
-                        applied"
+                     Printf.sprintf "turn %s into a signal function, `proc %s -> …`"
                        (if f = "" then "this" else Printf.sprintf "`%s`" f)
                        x.name)))

@@ -131,7 +131,5 @@ let cure words ~name ~at ~(arguments : Resolve.Ir.expr list) order (d : Diagnost
   let d = { d with hints = []; fixes = [] } in
   let shown = List.map (Option.value ~default:"(…)") texts in
   let cure = String.concat " " (name :: shown) in
-  Diagnostic.hint
-    (Printf.sprintf "the arguments of `%s` belong in the other order: `%s`" name cure)
-    d
+  Diagnostic.hint (Printf.sprintf "swap the arguments of `%s`: `%s`" name cure) d
   |> if List.mem None texts then Fun.id else Diagnostic.write at cure

@@ -12,7 +12,7 @@ let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.e
   let operand = Option.value (Option.bind place (Show.quote words)) ~default:"1" in
   error ~code:"E0301" ~at:minus "this `-` subtracts from a function"
   |> label ~at:function_.span (Printf.sprintf "this is %s" (Show.described words ty))
-  |> hint (Printf.sprintf "a negative argument needs parentheses: `%s (-%s)`" name operand)
+  |> hint (Printf.sprintf "put the negative argument in parentheses: `%s (-%s)`" name operand)
   |> Option.fold place ~none:Fun.id ~some:(fun (at : Span.t) ->
          let place at = Span.make ~file:minus.file ~start:at ~stop:at in
          fix "put parentheses around it" [ (place minus.start, "("); (place at.stop, ")") ])
@@ -36,14 +36,14 @@ let not_taken fact =
   match fact.position with
   | 1 ->
       error ~code:"E0302" ~at:fact.head.span "%s is %s, not a function" callee left
-      |> label ~at:fact.at "it is given an argument here"
+      |> label ~at:fact.at "it is applied to an argument here"
   | position ->
-      error ~code:"E0302" ~at:fact.at "%s takes %d argument%s, but is given more" callee
+      error ~code:"E0302" ~at:fact.at "%s takes %d argument%s, but is applied to more" callee
         (position - 1)
         (if position = 2 then "" else "s")
       |> here "one too many"
       |> label ~at:fact.head.span
-           (Printf.sprintf "with %s the result is %s"
+           (Printf.sprintf "with %s, its result is %s"
               (if position = 2 then "one argument" else Printf.sprintf "%d arguments" (position - 1))
               left)
 
@@ -58,7 +58,8 @@ let after_a_number fact =
       Some
         (hint
            (Printf.sprintf
-              "the elements of an array are separated by commas, factors by `*`: `[%s, …]`" digits))
+              "write commas between the elements of an array, `[%s, …]`, or `*` between factors"
+              digits))
   | _ -> None
 
 (* `r.speed 1`, meant to set the field. *)
@@ -69,8 +70,8 @@ let after_a_field fact =
         (match (Show.quote fact.words record.span, Show.quote fact.words fact.at) with
         | Some record, Some value ->
             hint
-              (Printf.sprintf "nothing is set: a record with another `%s` is `%s { %s = %s }`"
-                 field.text (Source.grouped record) field.text value)
+              (Printf.sprintf "for a record with another `%s`, write `%s { %s = %s }`" field.text
+                 (Source.grouped record) field.text value)
         | _ -> Fun.id)
   | _ -> None
 
@@ -78,7 +79,7 @@ let after_a_field fact =
 let of_three fact =
   match fact.head.desc with
   | Global { name = ("mergeE" | "mergeR" | "min" | "max") as name; _ } when fact.position = 3 ->
-      Some (hint (Printf.sprintf "of three it is `%s a (%s b c)`" name name))
+      Some (hint (Printf.sprintf "for three values, write `%s a (%s b c)`" name name))
   | _ -> None
 
 (* `when c a`, meant as a choice. *)
@@ -87,8 +88,8 @@ let event_as_choice fact =
   | Data _, Global { name = "when" | "edge"; _ } when Environment.is_event fact.left ->
       Some
         (hint
-           "it makes an event of a truth; a choice between two values is `if c then a else b`, and \
-            a task that is done on a condition is `whenT c t`")
+           "for a choice between two values, write `if c then a else b`; for a task that runs only \
+            on a condition, write `whenT c t`")
   | _ -> None
 
 let without_paren text =
@@ -143,8 +144,8 @@ let initial_value fact =
   | Global { name = "integral"; _ } when fact.position = 2 ->
       Some
         (hint
-           "it begins at 0: with another beginning it is `x0 + integral v`; to start it afresh at \
-            each occurrence of an event, `resetOn integral (v, e)`")
+           "it starts at 0: for another initial value, write `x0 + integral v`; to restart it when \
+            an event occurs, write `resetOn integral (v, e)`")
   | _ -> None
 
 (* An event as an additional argument of a signal function of the prelude. *)
@@ -154,14 +155,14 @@ let started_afresh fact =
     when fact.position > 1 ->
       Some
         (hint
-           (Printf.sprintf "to start it afresh at each occurrence of an event: `resetOn %s (x, e)`"
+           (Printf.sprintf "to restart it when an event occurs, write `resetOn %s (x, e)`"
               (if name = "delay" then "(delay x0)" else name)))
   | _ -> None
 
 (* Two tasks, one below the other, without a `do`. *)
 let without_do fact =
   if Environment.is_task fact.left && Span.line fact.at.start > Span.line fact.head.span.stop then
-    Some (hint "several tasks, one below the other, stand in a `do`, which opens their block")
+    Some (hint "put `do` before several tasks below each other")
   else None
 
 (* Shows the signature of a definition that is applied to too many arguments. *)
@@ -178,7 +179,7 @@ let signature_of_task fact = if Environment.is_task fact.left then signature fac
 (* A task applied to an input. *)
 let task fact =
   if Environment.is_task fact.left then
-    Some (hint "a task is run by `runTask`: `runTask t` is a signal function")
+    Some (hint "use `runTask t` to turn a task into a signal function")
   else None
 
 let is_digit c = c >= '0' && c <= '9'
@@ -192,13 +193,11 @@ let local fact =
         | (Number _ | Bool), Some text when not (is_digit text.[0]) ->
             hint
               (Printf.sprintf
-                 "two values stand in a tuple, `(%s, %s)`, or have an operator between them" x.name
+                 "put two values in a tuple, `(%s, %s)`, or write an operator between them" x.name
                  text)
         | _ -> Fun.id
       in
-      Some
-        (fun d ->
-          label ~at:x.span (Printf.sprintf "this local `%s` is meant here" x.name) d |> pair)
+      Some (fun d -> label ~at:x.span (Printf.sprintf "it means this local `%s`" x.name) d |> pair)
   | _ -> None
 
 (* The first rule that applies is used. The rules for a kind of head come first, then those for
@@ -228,11 +227,7 @@ let not_a_function words ~head ~position ~at left =
 
 let applied_without_parentheses ~name ~inner ~whole (d : Diagnostic.t) =
   hint
-    (if String.equal name "return" then
-       Printf.sprintf
-         "`return x` does nothing and ends with `x`: a task that is to be done stands there \
-          without it, `%s`"
-         inner
+    (if String.equal name "return" then Printf.sprintf "to run a task, remove `return`: `%s`" inner
      else Printf.sprintf "put parentheses around the argument: `%s`" whole)
     { d with hints = []; fixes = [] }
 
@@ -242,5 +237,5 @@ let not_a_signal_function words ~(head : Resolve.Ir.expr) found =
       (Show.described words found)
   in
   match Type.expand found with
-  | Function _ -> hint "`arr` makes a signal function of a function" diagnostic
+  | Function _ -> hint "use `arr` to turn a function into a signal function" diagnostic
   | _ -> diagnostic

@@ -10,8 +10,7 @@ let of_two_modules words diagnostic =
   | name :: _ ->
       hint
         (Printf.sprintf
-           "two types are called `%s`: use one in both places, or make a value of one from the \
-            other's"
+           "two types have the name `%s`: use the same one in both places, or convert the value"
            name)
         diagnostic
 
@@ -28,8 +27,8 @@ let of_one_type words (expected : Expected.t) found diagnostic =
         { diagnostic with hints = []; fixes = [] }
       |> hint
            (Printf.sprintf
-              "a local function without a signature has one type: give `%s` a signature with a \
-               variable, of the form `%s :: %s -> …`"
+              "a local function without a signature has only one type: give `%s` a signature with \
+               a variable, as in `%s :: %s -> …`"
               name name variable)
   | _ -> diagnostic
 
@@ -40,8 +39,7 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
     when List.length given > takes
          && Environment.is_task expected.ty
          && Span.line (List.nth given takes).span.start > Span.line span.stop ->
-      hint "several tasks, one below the other, stand in a `do`, which opens their block"
-        { d with hints = []; fixes = [] }
+      hint "put `do` before several tasks below each other" { d with hints = []; fixes = [] }
   | Parameter { head = Some { desc = Global g; _ }; given; takes; position; _ }
     when (d.hints = [] || (List.length given > takes && String.equal d.code "E0320"))
          && (takes > 1 || List.length given > takes)
@@ -53,10 +51,9 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
       | Some ty ->
           hint
             (if List.length given > takes || (List.length given = 1 && takes = 2) then
-               Printf.sprintf "`%s` takes %s, and is given %d: `%s :: %s`" g.name
+               Printf.sprintf "`%s` takes %s, but is applied to %d: `%s :: %s`" g.name
                  (Unrun_mistake.count takes) (List.length given) g.name ty
-             else
-               Printf.sprintf "it stands in the place of argument %d: `%s :: %s`" position g.name ty)
+             else Printf.sprintf "this is argument %d: `%s :: %s`" position g.name ty)
             (if List.length given > takes then { d with hints = []; fixes = [] } else d)
       | None -> d)
   | _ -> d
@@ -118,7 +115,7 @@ let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : U
   | Escaping ->
       finish
         (error ~code:"E0306" ~at
-           "a signature's variable cannot depend on what is outside: expected %s, found %s"
+           "a variable of a signature cannot depend on a type outside of it: expected %s, found %s"
            (Show.described words expected.ty)
            (Show.described words found))
   | Out_of_range -> exponent_too_large ~at
@@ -134,12 +131,12 @@ let exchanged_pair words ~at (expected : Expected.t) ((a : Resolve.Ir.expr), fir
   in
   let expected = { expected with because = without_decider expected.because } in
   let d =
-    error ~code:"E0301" ~at "the two of this pair stand in the other order"
+    error ~code:"E0301" ~at "the two parts of this pair are in the wrong order"
     |> Expected.explain words expected
   in
   let of_signature =
     match expected.because with
-    | Signature _ | Output (Signature _) -> ", or the signature has their types in the other order"
+    | Signature _ | Output (Signature _) -> ", or swap their types in the signature"
     | _ -> ""
   in
   match (Show.quote words a.span, Show.quote words b.span) with
@@ -156,5 +153,5 @@ let exchanged_pair words ~at (expected : Expected.t) ((a : Resolve.Ir.expr), fir
 let too_large ~at what =
   Diagnostic.error ~code:"E0316" ~at "the type of %s is too large" what
   |> Diagnostic.note
-       (Printf.sprintf "a type has up to %d parts, nested up to %d deep" Final.most_parts
+       (Printf.sprintf "a type can have at most %d parts, nested at most %d deep" Final.most_parts
           Final.deepest)

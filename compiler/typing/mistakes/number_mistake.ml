@@ -25,8 +25,8 @@ let with_unit words ~ty ~at digits unit_ =
   let is_long = Option.fold (float_of_string_opt digits) ~none:false ~some:(( <= ) many_seconds) in
   if is_angular_velocity ty then
     cure
-      (Printf.sprintf "write `%s[deg/s]` for degrees in a second, `%s[rad/s]` for radians" digits
-         digits)
+      (Printf.sprintf "write `%s[deg/s]` for degrees per second, `%s[rad/s]` for radians per second"
+         digits digits)
       [ "deg/s"; "rad/s" ]
   else if String.equal text "s" && is_long then
     cure
@@ -76,7 +76,7 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
         let per_second angle =
           let text = Printf.sprintf "%s[%s/s]" digits angle in
           let cure d =
-            hint (Printf.sprintf "write `%s` if that is how far it turns in a second" text) d
+            hint (Printf.sprintf "write `%s` if this is the turn rate" text) d
             |> Diagnostic.write at text
           in
           (cure, at, name)
@@ -104,7 +104,7 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
       let cures = List.map cure several in
       let texts = List.map (fun (_, text) -> Printf.sprintf "`%s`" text) cures in
       let diagnostic =
-        List.fold_left (fun d (at, _) -> label ~at "a number without that unit" d) diagnostic cures
+        List.fold_left (fun d (at, _) -> label ~at "this number lacks the unit" d) diagnostic cures
       in
       hint (Printf.sprintf "write %s if that is the unit" (String.concat ", " texts)) diagnostic
       |> fix (Printf.sprintf "give the numbers the unit `%s`" unit_) cures
@@ -237,7 +237,8 @@ let conversion words ~subject ~expected (wanted, given) diagnostic =
 let without_brackets words (wanted, given) diagnostic =
   let write u =
     hint
-      (Printf.sprintf "without brackets `Float` and `Double` have no unit; `Float[%s]` has this one"
+      (Printf.sprintf
+         "use `Float[%s]` for this unit; without brackets, `Float` and `Double` have no unit"
          (Show.measure words u))
       diagnostic
   in
@@ -249,7 +250,7 @@ let without_brackets words (wanted, given) diagnostic =
 let by_time ~(expected : Expected.t) diagnostic =
   match expected.because with
   | Parameter { callee = Some "delay"; position = 2; _ } ->
-      hint "`delay x0` is by one instant, with the value `x0` at the first one, and not by a time"
+      hint "`delay x0` delays by one instant, not by a time; `x0` is its value at the first instant"
         diagnostic
   | _ -> diagnostic
 
@@ -269,8 +270,8 @@ let factor_without_unit words ~subject (wanted, given) diagnostic =
   match Option.bind subject plain_factor with
   | Some digits when diagnostic.hints = [] && not (Units.is_open wanted || Units.is_open given) ->
       hint
-        (Printf.sprintf "perhaps a number in it lacks its unit: with `%s` it is `%s`" digits
-           (Show.measure words given))
+        (Printf.sprintf "perhaps a number lacks its unit: with `%s` as it is, the unit is `%s`"
+           digits (Show.measure words given))
         diagnostic
   | _ -> diagnostic
 
@@ -301,7 +302,7 @@ let gain words ~(subject : Resolve.Ir.expr option) (wanted, given) diagnostic =
     when diagnostic.hints = []
          && not (Units.is_open wanted || Units.is_open given || is_one given || is_one wanted) ->
       let text = Printf.sprintf "%s[%s]" digits (Show.measure words (Units.divide wanted given)) in
-      hint (Printf.sprintf "if the factor is a gain, it has a unit: `%s`" text) diagnostic
+      hint (Printf.sprintf "if the factor is a gain, give it a unit: `%s`" text) diagnostic
       |> write span text
   | _ -> diagnostic
 
@@ -321,7 +322,7 @@ let signature_of_this words ~subject ~(expected : Expected.t) (wanted, given) di
   | Signature { name; _ } when runs words subject <> None ->
       hint
         (Printf.sprintf
-           "`%s` is a signal function, and runs in a `proc`: `%s = proc x -> …`, of the type `SF … \
+           "`%s` is a signal function: run it in a `proc`, `%s = proc x -> …`, with the type `SF … \
             …`"
            (Option.get (runs words subject))
            name)
@@ -331,7 +332,7 @@ let signature_of_this words ~subject ~(expected : Expected.t) (wanted, given) di
          && (not (Units.equal (Units.multiply wanted wanted) given))
          && is_whole given ->
       hint
-        (Printf.sprintf "if this is what comes out, the signature says `Float[%s]`"
+        (Printf.sprintf "if this is the right result, write `Float[%s]` in the signature"
            (Show.measure words given))
         diagnostic
   | _ -> diagnostic
@@ -344,7 +345,8 @@ let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
          && not (is_operand expected || Units.is_open given) ->
       let text = Option.value (Show.quote words e.span) ~default:"e" in
       hint
-        (Printf.sprintf "a gain makes `1/s` of `%s`, as in `2[%s] * %s`" (Show.measure words given)
+        (Printf.sprintf "to convert `%s` to `1/s`, multiply by a gain, as in `2[%s] * %s`"
+           (Show.measure words given)
            (Show.measure words (Units.divide wanted given))
            (Source.grouped text))
         diagnostic
@@ -357,7 +359,7 @@ let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected
     when d.hints = [] && Units.equal wanted Units.one ->
       (match Show.quote words other.span with
       | Some other -> hint (Printf.sprintf "`%s` is a plain number: write `%s`" other digits) d
-      | None -> hint (Printf.sprintf "write `%s` if a plain number is meant" digits) d)
+      | None -> hint (Printf.sprintf "write `%s` if you mean a plain number" digits) d)
       |> write at digits
   | _ -> d
 
@@ -427,8 +429,8 @@ let to_float ~found (e : Resolve.Ir.expr option) =
         hint (Printf.sprintf "write `%s`" text) d
         |> fix (Printf.sprintf "write `%s`" text) [ ((Option.get e).span, "(" ^ text ^ ")") ]
   | None, Some (("map " | "mapE ") as each) ->
-      hint (Printf.sprintf "`%stoFloat` makes each `Int` in it a `Float`" each)
-  | _ -> hint "`toFloat` makes a `Float` of an `Int`"
+      hint (Printf.sprintf "use `%stoFloat` to convert each `Int` to a `Float`" each)
+  | _ -> hint "use `toFloat` to convert an `Int` to a `Float`"
 
 let to_int ~found (e : Resolve.Ir.expr option) =
   let whole digits =
@@ -444,14 +446,16 @@ let to_int ~found (e : Resolve.Ir.expr option) =
   | Some { desc = Number { digits; unit_ = None; _ }; span } when whole digits <> None ->
       fun d ->
         let text = Option.get (whole digits) in
-        hint (Printf.sprintf "a whole number has no point: `%s`" text) d |> write span text
+        hint (Printf.sprintf "write a whole number without a point: `%s`" text) d |> write span text
   | _ -> (
       match for_each found with
       | Some (("map " | "mapE ") as each) ->
           hint
             (Printf.sprintf
-               "`%sround` makes each `Float` in it an `Int`; or `floor`, `ceiling`, `truncate`" each)
-      | _ -> hint "`round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`")
+               "use `%sround` to convert each `Float` to an `Int`, or use `floor`, `ceiling` or \
+                `truncate` instead of `round`"
+               each)
+      | _ -> hint "use `round`, `floor`, `ceiling` or `truncate` to convert a `Float` to an `Int`")
 
 let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   let text = Show.representation words in
@@ -471,7 +475,7 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
       |> here (Printf.sprintf "this is %s" (Show.described words found))
       |> to_float ~found number
   | Parameter { callee = Some "/"; _ }, Float, Int ->
-      plain () |> hint "`div` divides whole numbers" |> to_float ~found subject
+      plain () |> hint "to divide whole numbers, use `div`" |> to_float ~found subject
   | _, Float, Int -> plain () |> to_float ~found subject
   | _, Int, Float -> plain () |> to_int ~found subject
   | _ ->
@@ -481,6 +485,6 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
 
 let makes name x =
   match name with
-  | "Mark" -> Some (Printf.sprintf "`number \"name\" %s` is the mark of a number" x)
-  | "Seeds" -> Some (Printf.sprintf "they are from one to another: ``1 `to` %s``" x)
+  | "Mark" -> Some (Printf.sprintf "use `number \"name\" %s` for the mark of a number" x)
+  | "Seeds" -> Some (Printf.sprintf "write a first and a last seed: ``1 `to` %s``" x)
   | _ -> None

@@ -33,8 +33,8 @@ let mentions words (place : Span.t) name =
 let variable_like_a_type words ~at (variable : Ir.variable) =
   Option.map
     (fun type_ ->
-      warning ~code:"W0302" ~at "`%s` is a variable here, and stands for every type" variable.name
-      |> hint (Printf.sprintf "the type is `%s`" type_)
+      warning ~code:"W0302" ~at "`%s` is a type variable here, so it means any type" variable.name
+      |> hint (Printf.sprintf "if you meant the type, write `%s`" type_)
       |>
       match mentions words at variable.name with
       | [] -> Fun.id
@@ -54,13 +54,13 @@ let less_general words { by; place } (variable : Ir.variable) needed d =
             String.sub text 0 i ^ needed ^ String.sub text (i + n) (String.length text - i - n))
           text (List.rev places)
       in
-      hint (Printf.sprintf "if the definition is right, the signature says `%s`" replaced) d
+      hint (Printf.sprintf "if the definition is right, write the signature as `%s`" replaced) d
       |> fix (Printf.sprintf "write `%s`" replaced) (List.map (fun at -> (at, needed)) places)
   | _ -> d
 
 let too_general words owner ~at ~kind ~instead (variable : Ir.variable) needed =
   let diagnostic =
-    error ~code:"E0306" ~at "the signature promises every %s `%s`, but the definition needs %s" kind
+    error ~code:"E0306" ~at "the signature allows every %s `%s`, but the definition needs %s" kind
       variable.name needed
   in
   (match owner variable with
@@ -70,7 +70,9 @@ let too_general words owner ~at ~kind ~instead (variable : Ir.variable) needed =
   |>
   match type_meant variable with
   | Some type_ ->
-      hint (Printf.sprintf "the type is `%s`; a name in lower case stands for every %s" type_ kind)
+      hint
+        (Printf.sprintf "if you meant the type, write `%s`; a lower-case name means any %s" type_
+           kind)
   | None -> (
       match (owner variable, instead) with
       | Some owner, Some needed -> less_general words owner variable needed
@@ -101,7 +103,7 @@ let general_unit words owner ~at (r : Units.rigid) u =
     (Printf.sprintf "it to be `%s`" (Show.measure words u))
   |> Option.fold (power_meant r.variable) ~none:Fun.id ~some:(fun power ->
          hint
-           (Printf.sprintf "`%s` is a variable here; a power is written `%s`" r.variable.name power))
+           (Printf.sprintf "`%s` is a variable here: write a power as `%s`" r.variable.name power))
 
 let general_representation words owner ~at (r : Units.rigid) n =
   let instead =

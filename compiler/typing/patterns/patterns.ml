@@ -105,9 +105,9 @@ let refuse_many w (scrutinee : expr) branches =
   if not (ends_in_any branches) then
     Diagnostic.(
       error ~code:"E0413" ~at:scrutinee.span
-        "whether this `case` covers every value takes too much to find out"
-      |> note "its branches look at many things at once, in too many combinations"
-      |> hint "end it with a branch `_ -> …`, or look at fewer things at once: a `case` in a branch"
+        "this `case` is too complex to check that it covers every value"
+      |> note "its patterns have too many combinations"
+      |> hint "add a last branch `_ -> …`, or split it into a `case` within a branch"
       |> emit w.sink)
 
 let rec case w (at : Span.t) (scrutinee : expr) branches =
@@ -124,7 +124,7 @@ and covered w at scrutinee branches rows (result : Coverage.result) =
       let d =
         Diagnostic.(
           error ~code:"E0350" ~at:scrutinee.span "this `case` does not cover every value"
-          |> here (Printf.sprintf "no branch for %s" (listed missing)))
+          |> here (Printf.sprintf "there is no branch for %s" (listed missing)))
       in
       let d =
         match (result.guarded_only, missing) with
@@ -133,15 +133,15 @@ and covered w at scrutinee branches rows (result : Coverage.result) =
             |> with_branches w rows branches at
         | None, { named = one :: _; _ } ->
             Diagnostic.hint
-              (Printf.sprintf "add branches such as `%s -> …`, or `_ -> …` for all that is left" one)
+              (Printf.sprintf "add branches such as `%s -> …`, or `_ -> …` for all other values" one)
               d
             |> with_branches w rows branches at
         | None, { named = []; _ } -> d
         | Some index, _ ->
             let b : branch = List.nth branches index in
             d
-            |> Diagnostic.label ~at:b.pattern.span "the guards of this branch may all fail"
-            |> Diagnostic.hint "end the guards with `otherwise`"
+            |> Diagnostic.label ~at:b.pattern.span "all guards of this branch may fail"
+            |> Diagnostic.hint "add a last guard `| otherwise`"
             |> with_otherwise w ~arrow:"->" (guards_of b.value)
       in
       Diagnostic.emit w.sink d);
@@ -151,12 +151,12 @@ and covered w at scrutinee branches rows (result : Coverage.result) =
     | next :: useless, b :: branches when next = index ->
         Diagnostic.(
           warning ~code:"W0301" ~at:b.pattern.span "this branch is never taken"
-          |> here "the branches before it cover these values"
+          |> here "the branches before it cover all its values"
           |> (match Lazy.force for_a_constructor with
              | Some (name, (at : Span.t)) when Basis.Span.compare at b.pattern.span < 0 ->
                  fun d ->
-                   label ~at "a small letter: this is a name for any value" d
-                   |> hint (Printf.sprintf "the constructor is `%s`" name)
+                   label ~at "this starts with a lower-case letter, so it is a name for any value" d
+                   |> hint (Printf.sprintf "for the constructor, write `%s`" name)
                    |> write at name
              | Some _ | None -> Fun.id)
           |> emit w.sink);
@@ -178,8 +178,8 @@ let always_matches w what (p : pattern) =
             |> here (Printf.sprintf "does not match %s" (listed missing))
             |> hint
                  (match missing.named with
-                 | one :: _ -> Printf.sprintf "a `case` has branches for all: one for `%s` too" one
-                 | [] -> "a `case` has branches for all values")
+                 | one :: _ -> Printf.sprintf "use a `case`, with a branch for `%s` too" one
+                 | [] -> "use a `case`, with branches for all values")
             |> emit w.sink))
 
 let rec expr w (e : expr) =
@@ -214,8 +214,9 @@ let rec expr w (e : expr) =
   | Guards (guarded, last) ->
       (if last = None then
          Diagnostic.(
-           error ~code:"E0352" ~at:e.span "these guards may all fail"
-           |> here "no value where they do" |> hint "end them with `otherwise`"
+           error ~code:"E0352" ~at:e.span "all these guards may fail"
+           |> here "there is no value if they do"
+           |> hint "add a last guard `| otherwise`"
            |> with_otherwise w ~arrow:"=" guarded
            |> emit w.sink));
       guards w guarded last

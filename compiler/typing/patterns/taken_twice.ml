@@ -39,9 +39,10 @@ let tell (ctx : Context.t) ~before ~taken (b : Resolve.Ir.branch) ty branches =
       | other :: _ ->
           let first : Resolve.Ir.pattern = List.assoc c !taken in
           Diagnostic.error ~code:"E0301" ~at:b.pattern.span
-            "`%s` is matched for the second time, and `%s` never" c.name other
-          |> Diagnostic.label ~at:first.span "all of them are matched here"
-          |> Diagnostic.hint (Printf.sprintf "if this branch is for the others: `%s`" other)
+            "`%s` is matched twice, and `%s` is never matched" c.name other
+          |> Diagnostic.label ~at:first.span "this branch matches all of them"
+          |> Diagnostic.hint
+               (Printf.sprintf "if this branch is for the other values, write `%s`" other)
           |> fun d -> Diagnostic.revise_last ctx.reader.sink (fun _ -> d)
       | [] -> ())
   | _ -> ());

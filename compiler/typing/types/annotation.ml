@@ -78,8 +78,8 @@ let unit_of_type t scope (written : Resolve.Ir.unit_) =
      let told =
        Diagnostic.(
          error ~code:"E0321" ~at:written.span
-           "a type cannot mention a scaled unit: values are held in base units"
-         |> hint (Printf.sprintf "write `%s` here; scaled units stand on literals" text)
+           "a type cannot contain a scaled unit, because values are stored in base units"
+         |> hint (Printf.sprintf "write `%s` here; use scaled units only after literals" text)
          |> write written.span text)
      in
      match Diagnostic.last t.sink with
@@ -103,7 +103,8 @@ let largest_size = 1_048_576
 let check_size t span n =
   if n < 1 || n > largest_size then
     Diagnostic.(
-      error ~code:"E0333" ~at:span "the size of an array is from 1 to %d, not %d" largest_size n
+      error ~code:"E0333" ~at:span "the size of an array must be from 1 to %d, not %d" largest_size
+        n
       |> emit t.sink)
 
 let report_kind t span (wanted : Type.kind) found =
@@ -122,7 +123,7 @@ let report_kind t span (wanted : Type.kind) found =
     | Of_sizes, _ ->
         Diagnostic.error ~code:"E0330" ~at:span "expected the size of an array, found the type %s"
           shown
-        |> Diagnostic.hint "the size comes first, as in `Array 4 Float`"
+        |> Diagnostic.hint "write the size first, as in `Array 4 Float`"
   in
   Diagnostic.emit t.sink diagnostic
 

@@ -75,7 +75,7 @@ let rec explain_reason words reason (expected : Type.t) diagnostic =
       label ~at (Printf.sprintf "this branch is %s" (Show.described words expected)) diagnostic
   | Statement (Some at) ->
       label ~at
-        (Printf.sprintf "so each task of this `do` is %s" (Show.described words expected))
+        (Printf.sprintf "each task of this `do` must be %s" (Show.described words expected))
         diagnostic
   | Element at ->
       label ~at
@@ -84,7 +84,7 @@ let rec explain_reason words reason (expected : Type.t) diagnostic =
   | Value at ->
       label ~at (Printf.sprintf "the value is %s" (Show.described words expected)) diagnostic
   | Pattern at ->
-      label ~at (Printf.sprintf "the pattern takes %s" (Show.described words expected)) diagnostic
+      label ~at (Printf.sprintf "the pattern matches %s" (Show.described words expected)) diagnostic
   | Uses { name; at } ->
       label ~at
         (Printf.sprintf "elsewhere `%s` is used as %s" name (Show.described words expected))

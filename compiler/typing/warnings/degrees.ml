@@ -39,13 +39,13 @@ let report (ctx : Context.t) (e : Resolve.Ir.expr) =
   in
   let cure =
     match e.desc with
-    | Number n -> in_degrees e n.digits "for degrees write `%s[deg]`"
+    | Number n -> in_degrees e n.digits "if you meant degrees, write `%s[deg]`"
     | Negate ({ desc = Number n; _ } as number) ->
-        in_degrees number n.digits "for degrees write `(-%s[deg])`"
-    | _ -> Diagnostic.hint "for degrees give one of the numbers its unit, as in `90[deg]`"
+        in_degrees number n.digits "if you meant degrees, write `(-%s[deg])`"
+    | _ -> Diagnostic.hint "if you meant degrees, give one of the numbers its unit, as in `90[deg]`"
   in
   Diagnostic.(
-    warning ~code:"W0303" ~at:e.span "this angle is more than a whole turn: it is in radians"
+    warning ~code:"W0303" ~at:e.span "this angle is in radians, so it is more than a whole turn"
     |> cure |> emit ctx.reader.sink)
 
 let rec warn_of_angle ctx (e : Resolve.Ir.expr) =

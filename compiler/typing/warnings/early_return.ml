@@ -24,7 +24,7 @@ let rec only_returns (e : Resolve.Ir.expr) =
 let without (e : Resolve.Ir.expr) next d =
   match (next : Span.t option) with
   | Some next when Span.line next.start = Span.line e.span.stop + 1 ->
-      Diagnostic.fix ~safe:true "leave it out"
+      Diagnostic.fix ~safe:true "remove it"
         [ (Span.make ~file:e.span.file ~start:e.span.start ~stop:next.start, "") ]
         d
   | Some _ | None -> d
@@ -32,12 +32,11 @@ let without (e : Resolve.Ir.expr) next d =
 let warn (ctx : Context.t) (e : Resolve.Ir.expr) ~next =
   let tell message = Diagnostic.warning ~code:"W0312" ~at:e.span message in
   if is_return e then
-    tell "this `return` does nothing: what follows it is done all the same"
-    |> Diagnostic.hint "leave it out: a task ends behind its last statement"
+    tell "this `return` has no effect: the statements after it still run"
+    |> Diagnostic.hint "remove it: a task ends after its last statement"
     |> without e next |> Diagnostic.emit ctx.reader.sink
   else if only_returns e then
-    tell "this ends nothing: what follows it is done all the same"
+    tell "this does not end the task: the statements after it still run"
     |> Diagnostic.hint
-         "the rest belongs into the other branch: `if c then return x else do`, and below it what \
-          is to be done else"
+         "move the remaining statements into the other branch: `if c then return x else do`"
     |> Diagnostic.emit ctx.reader.sink

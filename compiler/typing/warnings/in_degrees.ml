@@ -89,9 +89,9 @@ let report (ctx : Context.t) ?beside (e : Resolve.Ir.expr) others =
     | None -> Fun.id
   in
   Diagnostic.(
-    warning ~code:"W0313" ~at:e.span "this is a number of degrees, where angles are in radians"
+    warning ~code:"W0313" ~at:e.span "this is in degrees, but angles are in radians"
     |> other
-    |> hint ("nothing has to be converted, since `90[deg]` is in radians too" ^ itself)
+    |> hint ("remove the conversion, because `90[deg]` is in radians too" ^ itself)
     |> emit ctx.reader.sink)
 
 let warn ctx e (expected : Expected.t) =

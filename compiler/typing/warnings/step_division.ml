@@ -24,10 +24,10 @@ let rec expr out steps (e : expr) =
       Diagnostic.(
         warning ~code:"W0314" ~at:e.span
           "this divides by the length of the step, which is 0 at the first instant"
-        |> note "there it is infinite, or NaN if what is divided is 0 too"
+        |> note "there the quotient is infinite, or NaN if the dividend is 0 too"
         |> hint
-             "for the slope of a signal use `derivative`; else divide in a branch that is taken \
-              only if the step is longer than 0"
+             "for the slope of a signal, use `derivative`; otherwise divide only in a branch where \
+              the step is longer than 0"
         |> emit out)
   | Some _ | None -> ());
   match e.desc with

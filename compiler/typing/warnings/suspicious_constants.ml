@@ -22,16 +22,16 @@ let number w (e : expr) =
       if not (List.exists of_nan (arguments e) || is_on_purpose w e) then
         Diagnostic.(
           warning ~code:"W0307" ~at:e.span "this is never a number: it is NaN"
-          |> note "every comparison with NaN is False, and what is computed with it is NaN too"
+          |> note "every comparison with NaN is False, and every result computed from NaN is NaN"
           |> emit w.sink)
   | (Apply _ | Negate _ | Global _), Some (Int n)
     when Int32.to_int (Int32.of_int n) <> n
          && match e.desc with Global _ -> Constant.is_of_any_numbers w.constants e | _ -> true ->
       Diagnostic.(
-        warning ~code:"W0308" ~at:e.span "this is %d, which no Int can be: it wraps around to %ld" n
-          (Int32.of_int n)
-        |> note "an Int is from -2147483648 to 2147483647"
-        |> hint "write Floats, or numbers of a larger unit"
+        warning ~code:"W0308" ~at:e.span
+          "this is %d, which is out of the range of Int: it wraps around to %ld" n (Int32.of_int n)
+        |> note "an Int must be from -2147483648 to 2147483647"
+        |> hint "use Floats, or a larger unit"
         |> emit w.sink)
   | _ -> ()
 
@@ -49,8 +49,7 @@ let duration w name (e : expr) =
   match Constant.float w.constants e with
   | Some x when x < 0. ->
       Diagnostic.(
-        warning ~code:"W0309" ~at:e.span "`%s` is given a time below zero, which counts as none"
-          name
+        warning ~code:"W0309" ~at:e.span "`%s` has a negative time, which counts as zero" name
         |> hint "write a time of at least `0[s]`"
         |> emit w.sink)
   | Some _ | None -> ()

@@ -72,11 +72,12 @@ let compared w (e : expr) operator reading_of threshold =
       | Some (robot, reach) ->
           let warn always =
             Diagnostic.(
-              warning ~code:"W0310" ~at:e.span "this is always %s: on a %s `%s` says %g m at most"
+              warning ~code:"W0310" ~at:e.span "this is always %s: on a %s, `%s` is at most %g m"
                 (if always then "True" else "False")
                 robot sensor reach
-              |> note "where the robot sees nothing it says `sonarReach i`"
-              |> hint "compare it with less" |> emit w.sink)
+              |> note "when nothing is in range, the reading is `sonarReach i`"
+              |> hint "compare it with a smaller distance"
+              |> emit w.sink)
           in
           Option.iter warn (answer operator ~reach c))
   | _ -> ()

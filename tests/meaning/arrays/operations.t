@@ -21,7 +21,7 @@ A constant index outside the array is an error:
   > main = proc xs -> xs ! 3
   > EOF
   $ frobc check outside.frob
-  error[E0332]: index 3 is outside of an array of 3
+  error[E0332]: index 3 is outside of an array of 3 elements
    --> outside.frob:2:24
     |
   2 | main = proc xs -> xs ! 3
@@ -29,7 +29,7 @@ A constant index outside the array is an error:
     |                   |
     |                   this is `Array 3 Float`
     |
-    = hint: the elements are numbered from 0 to 2
+    = hint: the indices are from 0 to 2
   
   1 error
   [1]

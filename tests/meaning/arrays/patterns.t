@@ -69,7 +69,7 @@ value:
    --> uncovered.frob:2:13
     |
   2 | g xs = case xs of
-    |             ^^ no branch for `[False, False]`
+    |             ^^ there is no branch for `[False, False]`
     |
     = hint: add a branch `[False, False] -> …`
   
@@ -79,7 +79,7 @@ value:
   6 | l [1, x] = x
     |   ^^^^^^ does not match `[0, _]`
     |
-    = hint: a `case` has branches for all: one for `[0, _]` too
+    = hint: use a `case`, with a branch for `[0, _]` too
   
   2 errors
   [1]
@@ -102,9 +102,9 @@ A pattern must have as many elements as the array:
   2 | f [a, b] = a + b
     |   ^^^^^^
     |
-    = hint: the two have different numbers of elements; `take` and `drop` make an array of the size that its type says
+    = hint: use `take` or `drop` to change the size of an array; its type gives the new size
   
-  error[E0306]: the signature promises every size `n`, but the definition needs it to be `2`
+  error[E0306]: the signature allows every size `n`, but the definition needs it to be `2`
    --> size.frob:5:3
     |
   4 | k :: Array n Int -> Int
@@ -112,7 +112,7 @@ A pattern must have as many elements as the array:
   5 | k [a, _] = a
     |   ^^^^^^
     |
-    = hint: if the definition is right, the signature says `Array 2 Int -> Int`
+    = hint: if the definition is right, write the signature as `Array 2 Int -> Int`
   
   2 errors
   [1]

@@ -35,7 +35,7 @@ A lambda does not run its variable inside a larger expression:
     |                        |
     |                        `f` is bound here
     |
-    = hint: `parB` runs an array of signal functions on one input, `parZ` each on its own
+    = hint: use `parB` to run an array of signal functions on one input, `parZ` to run each on its own input
   
   1 error
   [1]

@@ -78,23 +78,23 @@ has no elements or too many:
     |                  |           because this is `Array 2 Float`
     |                  argument 3 of `zipWith` is `Array 2 Float`
     |
-    = hint: 3 are written here; an array of as many has the type `Array 3 Float`
+    = hint: this has 3 elements: write that many in the type, `Array 3 Float`, or change the elements
   
-  error[E0331]: nothing decides the size of an array where `generate` is used
+  error[E0331]: nothing determines the size of an array where `generate` is used
    --> wrong.frob:5:31
     |
   5 | undecided = proc _ -> length (generate id)
     |                               ^^^^^^^^
     |
-    = hint: annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature
+    = hint: annotate it with a type, as in `(e :: Array 4 Float)`, or give the definition a signature
   
-  error[E0333]: an array has at least one element
+  error[E0333]: an array must have at least one element
    --> wrong.frob:7:9
     |
   7 | empty = []
     |         ^^
   
-  error[E0333]: the size of an array is from 1 to 1048576, not 0
+  error[E0333]: the size of an array must be from 1 to 1048576, not 0
    --> wrong.frob:9:15
     |
   9 | none :: Array 0 Float -> Float
@@ -106,7 +106,7 @@ has no elements or too many:
   12 | swapped :: Array Float 3 -> Float
      |                  ^^^^^
      |
-     = hint: the size comes first, as in `Array 4 Float`
+     = hint: write the size first, as in `Array 4 Float`
   
   error[E0301]: expected `Ring 4`, found `Ring 5`
     --> wrong.frob:18:9
@@ -120,7 +120,7 @@ has no elements or too many:
   [1]
   $ echo 'x = (generate id :: Array 1048577 Int)' > big.frob
   $ frobc check big.frob
-  error[E0333]: the size of an array is from 1 to 1048576, not 1048577
+  error[E0333]: the size of an array must be from 1 to 1048576, not 1048577
    --> big.frob:1:27
     |
   1 | x = (generate id :: Array 1048577 Int)

@@ -91,7 +91,7 @@ rejected.
   10 |     assert "" (x > 0)
      |            ^^
      |
-     = hint: say in a few words what must hold; the summary of a run shows the label
+     = hint: describe in a few words what must hold; the summary of a run shows the label
   
   3 errors
   [1]
@@ -102,21 +102,21 @@ rejected.
   >     assert "event" (edge (x > 1))
   > FROB
   $ frobc check number.frob
-  error[E0360]: `Float` is nothing that holds or does not
+  error[E0360]: `Float` is not a condition
    --> number.frob:3:21
     |
   3 |     assert "number" x
     |                     ^
     |
-    = hint: what is asserted is a condition, as in `x > 0`, or a `Verdict`
+    = hint: assert a condition, such as `x > 0`, or a `Verdict`
   
-  error[E0360]: `Event ()` is nothing that holds or does not
+  error[E0360]: `Event ()` is not a condition
    --> number.frob:4:21
     |
   4 |     assert "event" (edge (x > 1))
     |                     ^^^^^^^^^^^^
     |
-    = hint: `isEvent e` tells whether it occurs now
+    = hint: use `isEvent e`, which is True when the event occurs
   
   2 errors
   [1]
@@ -126,7 +126,7 @@ rejected.
   >     assert "nothing"
   > FROB
   $ frobc check nothing.frob
-  error[E0110]: expected what is to hold, a condition, found the end of the block
+  error[E0110]: expected the condition that must hold, found the end of the block
    --> nothing.frob:3:21
     |
   3 |     assert "nothing"

@@ -49,30 +49,30 @@ definition that requires it.
     --> needed.frob:24:6
      |
   20 | total :: (Shape a, Shape b) => a -> b -> Float[m^2]
-     |           ----------------------------------------- `total` asks for `Shape b` here
+     |           ----------------------------------------- `total` requires `Shape b` here
   ...
   24 | e1 = total (Square { side = 1[m] }) (Disc { radius = 1[m] })
      |      ^^^^^ `total` needs it
      |
-     = hint: `instance Shape Disc where` gives it one, with its methods in the lines below
+     = hint: add `instance Shape Disc where`, and define the methods below it
   
   error[E0360]: there is no instance `Shape Disc`
     --> needed.frob:26:6
      |
    2 |     area :: a -> Float[m^2]
-     |             --------------- `area` asks for `Shape a` here
+     |             --------------- `area` requires `Shape a` here
   ...
   13 | instance Shape a => Shape (Bag a) where
-     |                     ------------ this instance asks for `Shape Disc`
+     |                     ------------ this instance requires `Shape Disc`
   ...
   26 | e2 = area (Bag (Disc { radius = 1[m] }) (Disc { radius = 1[m] }))
      |      ^^^^ `area` needs it
   
-  error[E0309]: `area` needs `Shape a`, which the signature of `e3` does not promise
+  error[E0309]: `area` needs `Shape a`, which the signature of `e3` does not declare
     --> needed.frob:29:8
      |
    2 |     area :: a -> Float[m^2]
-     |             --------------- `area` asks for `Shape a` here
+     |             --------------- `area` requires `Shape a` here
   ...
   28 | e3 :: a -> Float[m^2]
      |       --------------- the signature of `e3`
@@ -85,36 +85,36 @@ definition that requires it.
     --> needed.frob:31:6
      |
    2 |     area :: a -> Float[m^2]
-     |             --------------- `area` asks for `Shape a` here
+     |             --------------- `area` requires `Shape a` here
   ...
   31 | e4 = area 3.0
      |      ^^^^ `area` needs it
      |
-     = hint: `instance Shape Float where` gives it one, with its methods in the lines below
+     = hint: add `instance Shape Float where`, and define the methods below it
   
   error[E0307]: `Angle -> Float` has no equality
     --> needed.frob:33:6
      |
    2 |     area :: a -> Float[m^2]
-     |             --------------- `area` asks for `Shape a` here
+     |             --------------- `area` requires `Shape a` here
   ...
   17 | instance (Eq a, Shape a) => Shape (Maybe a) where
-     |                             -------------- this instance asks for `Eq (Angle -> Float)`
+     |                             -------------- this instance requires `Eq (Angle -> Float)`
   ...
   33 | e5 = area (Just sin)
      |      ^^^^ `area` needs it
   
-  error[E0308]: nothing decides the type at which `area` is used
+  error[E0308]: nothing determines the type at which `area` is used
     --> needed.frob:35:6
      |
    2 |     area :: a -> Float[m^2]
-     |             --------------- `area` asks for `Shape a` here
+     |             --------------- `area` requires `Shape a` here
   ...
   35 | e6 = area Nothing
      |      ^^^^
      |
-     = note: it must be a type with `Eq`
-     = hint: annotate it, as in `(e :: T)`
+     = note: it must be a type of the class `Eq`
+     = hint: annotate it with a type, as in `(e :: T)`
   
   error[E0360]: there is no instance `Shape Bool`
     --> needed.frob:38:6
@@ -122,7 +122,7 @@ definition that requires it.
   38 | e7 = f7 True
      |      ^^ `f7` needs it
      |
-     = hint: `instance Shape Bool where` gives it one, with its methods in the lines below
+     = hint: add `instance Shape Bool where`, and define the methods below it
   
   error[E0360]: there is no instance `Shape Float`
     --> needed.frob:41:7
@@ -130,7 +130,7 @@ definition that requires it.
   41 | e10 = f9 2
      |       ^^ `f9` needs it
      |
-     = hint: `instance Shape Float where` gives it one, with its methods in the lines below
+     = hint: add `instance Shape Float where`, and define the methods below it
   
   8 errors
   [1]
@@ -200,9 +200,9 @@ Invalid instances, and instances that lack definitions:
   13 | instance Derived T where
      |          ^^^^^^^^^ `Derived T` needs it
      |
-     = hint: `instance Base T where` gives it one, with its methods in the lines below
+     = hint: add `instance Base T where`, and define the methods below it
   
-  error[E0309]: `Derived (Maybe a)` needs `Base a`, which the instance of `Derived` does not promise
+  error[E0309]: `Derived (Maybe a)` needs `Base a`, which the instance of `Derived` does not declare
     --> declared.frob:18:10
      |
    3 | class Base a => Derived a where
@@ -211,9 +211,9 @@ Invalid instances, and instances that lack definitions:
   18 | instance Derived (Maybe a)
      |          ^^^^^^^^^^^^^^^^
      |
-     = hint: begin the instance of `Derived` with `Base a =>`, or add it to what stands there: `(…, Base a) =>`
+     = hint: start the instance of `Derived` with `Base a =>`, or add it to the existing context: `(…, Base a) =>`
   
-  error[E0306]: the signature promises every unit `u`, but the definition needs it to be `1`
+  error[E0306]: the signature allows every unit `u`, but the definition needs it to be `1`
     --> declared.frob:22:14
      |
   21 | instance Base Float[u] where
@@ -221,7 +221,7 @@ Invalid instances, and instances that lack definitions:
   22 |     base x = x
      |              ^ this is `Float[u]`
   
-  error[E0363]: the instance `Base (a, b)` does not give `base`
+  error[E0363]: the instance `Base (a, b)` does not define `base`
     --> declared.frob:23:10
      |
    2 |     base :: a -> Float
@@ -230,43 +230,43 @@ Invalid instances, and instances that lack definitions:
   23 | instance Base (a, b)
      |          ^^^^^^^^^^^
      |
-     = hint: the lines below the `where` of the instance define it: `base = …`
+     = hint: define it below the `where` of the instance: `base = …`
   
-  error[E0362]: the head of an instance is a type constructor applied to distinct variables, not `a`
+  error[E0362]: the head of an instance must be a type constructor applied to distinct variables, not `a`
     --> declared.frob:24:15
      |
   24 | instance Base a
      |               ^
   
-  error[E0362]: the head of an instance is a type constructor applied to distinct variables, not `n[u]`
+  error[E0362]: the head of an instance must be a type constructor applied to distinct variables, not `n[u]`
     --> declared.frob:25:15
      |
   25 | instance Base n[u]
      |               ^^^^
      |
-     = hint: give instances of `Int[u]` and of `Float[u]`
+     = hint: write an instance for `Int[u]` and another for `Float[u]`
   
-  error[E0362]: the head of an instance is a type constructor applied to distinct variables, not `Float`
+  error[E0362]: the head of an instance must be a type constructor applied to distinct variables, not `Float`
     --> declared.frob:26:15
      |
   26 | instance Base Float
      |               ^^^^^
      |
-     = note: a unit never selects an instance
+     = note: a unit cannot select an instance
      = hint: write a unit variable, as in `Float[u]`
   
-  error[E0361]: a second instance `Base (b, a)`
+  error[E0361]: there are two instances `Base (b, a)`
     --> declared.frob:27:10
      |
   23 | instance Base (a, b)
-     |          ----------- the first is here
+     |          ----------- the first one is here
   ...
   27 | instance Base (b, a) where
      |          ^^^^^^^^^^^
      |
-     = note: a class has at most one instance for each type constructor
+     = note: a class can have only one instance for each type constructor
   
-  error[E0362]: the head of an instance is a type constructor applied to distinct variables, not `P`
+  error[E0362]: the head of an instance must be a type constructor applied to distinct variables, not `P`
     --> declared.frob:30:15
      |
   30 | instance Base P where
@@ -283,13 +283,13 @@ Invalid instances, and instances that lack definitions:
   34 | instance Third U where
      |          ^^^^^^^ `Third U` needs it
      |
-     = hint: `instance Derived U where` gives it one, with its methods in the lines below
+     = hint: add `instance Derived U where`, and define the methods below it
   
-  error[E0364]: the context speaks of `b`, but the type does not
+  error[E0364]: the context contains `b`, but the type does not
     --> declared.frob:36:10
      |
   36 | instance Eq b => Base Bool where
-     |          ^^^^         ---- nothing here tells which type `b` is
+     |          ^^^^         ---- nothing here determines the type `b`
   
   error[E0301]: expected `Float`, found `Bool`
     --> declared.frob:37:14
@@ -300,13 +300,13 @@ Invalid instances, and instances that lack definitions:
   37 |     base x = True
      |              ^^^^
   
-  error[E0362]: the head of an instance is a type constructor applied to distinct variables, not `a -> a`
+  error[E0362]: the head of an instance must be a type constructor applied to distinct variables, not `a -> a`
     --> declared.frob:38:16
      |
   38 | instance Base (a -> a) where
      |                ^^^^^^
   
-  error[E0302]: `base` has more than the one parameter that its type allows
+  error[E0302]: `base` has more than one parameter, but its type allows only one
     --> declared.frob:41:12
      |
    2 |     base :: a -> Float
@@ -321,28 +321,28 @@ Invalid instances, and instances that lack definitions:
   42 | instance Ord U
      |          ^^^^^
      |
-     = note: it holds for all data without functions, by their structure
-     = hint: leave the instance out
+     = note: the compiler compares all data without functions by structure
+     = hint: remove the instance
   
-  error[E0364]: the context speaks of `a`, but the type does not
+  error[E0364]: the context contains `a`, but the type does not
     --> declared.frob:45:8
      |
   45 | bad :: Third a => Float -> Float
-     |        ^^^^^^^    -------------- nothing here tells which type `a` is
+     |        ^^^^^^^    -------------- nothing here determines the type `a`
   
-  error[E0365]: a context promises something of a variable, not of `Maybe a`
+  error[E0365]: a context can only constrain a variable, not `Maybe a`
     --> declared.frob:47:9
      |
   47 | bad2 :: Third (Maybe a) => Maybe a -> Float
      |         ^^^^^^^^^^^^^^
   
-  error[E0364]: the type of the method `q` does not speak of `a`
+  error[E0364]: the type of the method `q` does not contain `a`
     --> declared.frob:50:5
      |
   50 |     q :: Float
-     |     ^    ----- nothing here tells which instance is meant
+     |     ^    ----- nothing here determines the instance
   
-  error[E0365]: the context of a method speaks of the class's own variable `a`
+  error[E0365]: the context of a method cannot constrain the class's own variable `a`
     --> declared.frob:51:11
      |
   51 |     q' :: Eq a => a -> Bool
@@ -386,10 +386,10 @@ The definitions of a method have the types that the class declares.
   9 |     area s = 4 * s.side
     |              ^^^^^^^^^^ this is `Float[m]`
     |
-    = hint: if the factor is a gain, it has a unit: `4[m]`
-    = hint: if this is what comes out, the signature says `Float[m]`
+    = hint: if the factor is a gain, give it a unit: `4[m]`
+    = hint: if this is the right result, write `Float[m]` in the signature
   
-  error[E0306]: the signature promises every type `b`, but the definition needs it to be `Square`
+  error[E0306]: the signature allows every type `b`, but the definition needs it to be `Square`
     --> bodies.frob:10:17
      |
    3 |     label :: a -> b -> b
@@ -398,9 +398,9 @@ The definitions of a method have the types that the class declares.
   10 |     label s x = s
      |                 ^
      |
-     = hint: if the definition is right, the signature says `a -> Square -> Square`
+     = hint: if the definition is right, write the signature as `a -> Square -> Square`
   
-  error[E0306]: the signature promises every type `a`, but the definition needs it to be `Float[m^2]`
+  error[E0306]: the signature allows every type `a`, but the definition needs it to be `Float[m^2]`
     --> bodies.frob:15:19
      |
   12 | instance Shape a => Shape (Maybe a) where
@@ -409,7 +409,7 @@ The definitions of a method have the types that the class declares.
   15 |         Just x -> x
      |                   ^
   
-  error[E0306]: the signature promises every type `b`, but the definition needs it to be `Float[m^2]`
+  error[E0306]: the signature allows every type `b`, but the definition needs it to be `Float[m^2]`
     --> bodies.frob:16:17
      |
    3 |     label :: a -> b -> b
@@ -418,9 +418,9 @@ The definitions of a method have the types that the class declares.
   16 |     label m x = area m
      |                 ^^^^^^
      |
-     = hint: if the definition is right, the signature says `a -> Float[m^2] -> Float[m^2]`
+     = hint: if the definition is right, write the signature as `a -> Float[m^2] -> Float[m^2]`
   
-  error[E0302]: `area` has more than the one parameter that its type allows
+  error[E0302]: `area` has more than one parameter, but its type allows only one
     --> bodies.frob:19:12
      |
    2 |     area :: a -> Float[m^2]
@@ -459,24 +459,24 @@ functions.
    --> levels.frob:6:13
     |
   6 |     far i = frontDistance i > 0
-    |             ^^^^^^^^^^^^^^^ an instance needs a `proc` around it
+    |             ^^^^^^^^^^^^^^^ an instance must be inside a `proc`
     |
-    = hint: write `proc x -> …`, and run it there: what has the type `a -> b` becomes a signal function, `SF a b`, as in `f = proc x -> frontDistance x`
+    = hint: run it in a `proc`, as in `f = proc x -> frontDistance x`; the type `a -> b` then becomes `SF a b`
   
   error[E0342]: `derivative` is run in a branch
     --> levels.frob:11:19
      |
   11 |         Just x -> derivative 0
-     |                   ^^^^^^^^^^^^ what it gives depends on when it started
+     |                   ^^^^^^^^^^^^ its output depends on when it started
      |
-     = hint: to run it at every instant, write the equation `derivativeNow = derivative 0` beside the others, and `derivativeNow` here
-     = hint: to start it anew whenever this is chosen, `switch` between signal functions
+     = hint: to run it at every instant, add the equation `derivativeNow = derivative 0`, and write `derivativeNow` here
+     = hint: to restart it whenever this is chosen, `switch` between signal functions
   
   error[E0350]: this `case` does not cover every value
     --> levels.frob:12:18
      |
   12 |     far m = case m of
-     |                  ^ no branch for `Just _`
+     |                  ^ there is no branch for `Just _`
      |
      = hint: add a branch `Just _ -> …`
   

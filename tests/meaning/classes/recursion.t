@@ -120,7 +120,7 @@ A program with a polymorphic type cannot be run.
   > main = frontDistance
   > EOF
   $ frobc check open.frob
-  error[E0411]: `main` cannot run: its type `HasSonar i => SF i Float[m]` leaves open what comes in or goes out
+  error[E0411]: `main` cannot run: its type `HasSonar i => SF i Float[m]` has variables, so the input or the output is not determined
    --> open.frob:4:1
     |
   4 | main = frontDistance
@@ -131,7 +131,7 @@ A program with a polymorphic type cannot be run.
   1 error
   [1]
   $ frobc compile open.frob
-  error[E0411]: `main` cannot run: its type `HasSonar i => SF i Float[m]` leaves open what comes in or goes out
+  error[E0411]: `main` cannot run: its type `HasSonar i => SF i Float[m]` has variables, so the input or the output is not determined
    --> open.frob:4:1
     |
   4 | main = frontDistance

@@ -10,7 +10,7 @@ Invalid types for foreign code:
   1 | foreign apply :: (Float -> Float) -> Float = "apply"
     |                  ^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: functions, signal functions and labels exist only while compiling
+    = note: functions, signal functions and labels exist only at compile time
   
   1 error
   [1]
@@ -24,8 +24,8 @@ Invalid types for foreign code:
   2 | foreign show' :: Named -> Bool = "show"
     |                  ^^^^^^^^^^^^^
     |
-    = note: functions, signal functions and labels exist only while compiling
-    = hint: an `Int` can tell C which text is meant
+    = note: functions, signal functions and labels exist only at compile time
+    = hint: pass an `Int` that tells C which text you mean
   
   1 error
   [1]
@@ -41,8 +41,8 @@ Invalid types for foreign code:
   1 | foreign first' :: a -> a = "first"
     |                   ^^^^^^
     |
-    = note: C functions are of one type
-    = hint: import it once for each type, and each size, that is needed
+    = note: a C function has one type
+    = hint: import it once for each type and size that you need
   
   error[E0380]: `size` cannot give C a value of type `n`
    --> wrong.frob:2:17
@@ -50,8 +50,8 @@ Invalid types for foreign code:
   2 | foreign size :: Array n Float -> Int = "size"
     |                 ^^^^^^^^^^^^^^^^^^^^
     |
-    = note: C functions are of one type
-    = hint: import it once for each type, and each size, that is needed
+    = note: a C function has one type
+    = hint: import it once for each type and size that you need
   
   error[E0380]: `norm` cannot give C a value of type `n[u]`
    --> wrong.frob:3:17
@@ -62,13 +62,13 @@ Invalid types for foreign code:
     = note: C has different functions for Int and Float
     = hint: write `Float[…]` or `Int[…]`
   
-  error[E0380]: what is in C has no type classes
+  error[E0380]: foreign declarations cannot have type classes
    --> wrong.frob:4:20
     |
   4 | foreign greater :: Ord a => a -> Float -> Float = "greater"
     |                    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: import it once for each type that is needed
+    = hint: import it once for each type that you need
   
   4 errors
   [1]
@@ -76,13 +76,13 @@ Invalid types for foreign code:
   > foreign gravity :: Float = "gravity"
   > foreign filter :: SF Float Float = "filter"
   > EOF
-  error[E0380]: `gravity` takes no argument, and what C gives is a function
+  error[E0380]: `gravity` has no argument, but a C function needs a function type
    --> wrong.frob:1:20
     |
   1 | foreign gravity :: Float = "gravity"
     |                    ^^^^^
     |
-    = hint: write `() -> Float`; then `gravity ()` is its result
+    = hint: use `() -> Float`, and call it as `gravity ()`
   
   error[E0380]: `filter` is a signal function
    --> wrong.frob:2:19
@@ -90,7 +90,7 @@ Invalid types for foreign code:
   2 | foreign filter :: SF Float Float = "filter"
     |                   ^^^^^^^^^^^^^^
     |
-    = hint: with a state in C it is declared `foreign sf filter :: …`
+    = hint: if it has state in C, declare it as `foreign sf filter :: …`
   
   2 errors
   [1]
@@ -100,21 +100,21 @@ Invalid types for foreign code:
   > foreign sf square :: Float -> Float = "square"
   > foreign sf control :: SF (SF Float Float) Float = "control"
   > EOF
-  error[E0380]: the signal function `filter` is in C and cannot have parameters
+  error[E0380]: the foreign signal function `filter` cannot have parameters
    --> wrong.frob:2:22
     |
   2 | foreign sf filter :: Float -> SF Float Float = "filter"
     |                      ^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: make them part of its input
+    = hint: add them to its input
   
-  error[E0380]: `square` is a foreign signal function, and `Float -> Float` is no such type
+  error[E0380]: `square` is a foreign signal function, but `Float -> Float` is not a signal function type
    --> wrong.frob:3:22
     |
   3 | foreign sf square :: Float -> Float = "square"
     |                      ^^^^^^^^^^^^^^
     |
-    = hint: a function is declared without `sf`: `foreign square :: Float -> Float = …`
+    = hint: declare a function without `sf`: `foreign square :: Float -> Float = …`
   
   error[E0380]: `control` cannot give C a value of type `SF Float Float`
    --> wrong.frob:4:23
@@ -122,7 +122,7 @@ Invalid types for foreign code:
   4 | foreign sf control :: SF (SF Float Float) Float = "control"
     |                       ^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: functions, signal functions and labels exist only while compiling
+    = note: functions, signal functions and labels exist only at compile time
   
   3 errors
   [1]
@@ -190,7 +190,7 @@ Names that are invalid in C, one C function with two types, a missing header:
   2 | foreign areaOf :: Int -> Float = "area"
     |         ^^^^^^
     |
-    = note: a function in C has one type
+    = note: a C function has one type
   
   1 error
   [1]
@@ -224,7 +224,7 @@ Other errors about names:
   $ check <<'EOF'
   > foreign Mean :: Float -> Float = "mean"
   > EOF
-  error[E0110]: expected what is foreign: a name, `sf` and a name, `type`, or `include`, found `Mean`
+  error[E0110]: expected a name, `sf` and a name, `type`, or `include`, found `Mean`
    --> wrong.frob:1:9
     |
   1 | foreign Mean :: Float -> Float = "mean"

@@ -136,7 +136,7 @@ copyable:
   4 | same a b = a == b
     |              ^^ `==` needs it
     |
-    = hint: only C knows what is in a `Stamp`: import a function that compares two
+    = hint: only C can compare two values of type `Stamp`: import a function that does
   
   1 error
   [1]

@@ -120,7 +120,7 @@ instant.
   >     go n = switch (proc v -> (v + n + x, edge (v > 2))) (\_ -> go (n + 1))
   > EOF
   $ frobc check run.frob
-  error[E0340]: what is run must be static, but `go` is a signal
+  error[E0340]: the signal function that runs here must be static, but `go` is a signal
    --> run.frob:2:18
     |
   2 | main = proc x -> go 0 x where
@@ -130,7 +130,7 @@ instant.
   3 |     go n = switch (proc v -> (v + n + x, edge (v > 2))) (\_ -> go (n + 1))
     |                                       - `go` is a signal: it depends on `x` here
     |
-    = hint: static is what is known when it starts; what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
+    = hint: static values are known when it starts: pass a signal in its input, or use `initially` to start it with the first value of a signal
   
   1 error
   [1]

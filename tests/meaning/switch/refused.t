@@ -90,7 +90,7 @@ A continuation must be static.
   > main = proc x -> switch (proc y -> (y, edge (y > 1))) (\_ -> constant x) x
   > EOF
   $ frobc check signal.frob
-  error[E0340]: what `switch` is given before its signal must be static, but `x` is a signal
+  error[E0340]: the arguments of `switch` before its signal must be static, but `x` is a signal
    --> signal.frob:2:71
     |
   2 | main = proc x -> switch (proc y -> (y, edge (y > 1))) (\_ -> constant x) x
@@ -98,7 +98,7 @@ A continuation must be static.
     |             |
     |             `x` is a signal: it comes from the `proc`'s input here
     |
-    = hint: carry it in the event of the `switch`, or use `initially`
+    = hint: pass it in the event of the `switch`, or use `initially`
   
   1 error
   [1]

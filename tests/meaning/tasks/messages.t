@@ -45,51 +45,51 @@ as signal functions.
   5 |     2 * x
     |     ^^^^^
     |
-    = hint: `let x = …` names a value; `return x` is the task that ends at once with it
+    = hint: use `let x = …` to name a value, `return x` for a task that returns it immediately
   
-  error[E0371]: a signal function stands where a task is needed
+  error[E0371]: expected a task, found a signal function
    --> mistakes.frob:9:10
     |
   7 | g :: Task Float Float Float
-    |      ---------------------- so each task of this `do` is `Task Float Float a`
+    |      ---------------------- each task of this `do` must be `Task Float Float a`
   8 | g = do
   9 |     x <- derivative
     |          ^^^^^^^^^^ this is `SF Float[u] Float[u/s]`
     |
-    = hint: to read it once: `ask derivative`
-    = hint: `mkTask (derivative &&& event)` ends when the event occurs; `mkTask (derivative &&& never)` never does
+    = hint: to read it once, write `ask derivative`
+    = hint: use `mkTask (derivative &&& event)`, which ends when the event occurs, or `mkTask (derivative &&& never)`, which never ends
   
   error[E0301]: expected `Task Float Float a`, found the function `b -> Task c b ()`
     --> mistakes.frob:10:5
      |
    7 | g :: Task Float Float Float
-     |      ---------------------- so each task of this `do` is `Task Float Float a`
+     |      ---------------------- each task of this `do` must be `Task Float Float a`
   ...
   10 |     sleepT 1[s]
      |     ^^^^^^^^^^^
      |
-     = hint: `sleepT 1[s] restingOutput` waits with the robot at rest; any other output may stand there
+     = hint: add an output: `sleepT 1[s] restingOutput` waits with the robot at rest
   
   error[E0370]: the statements of a `do` are tasks, but this is a number
     --> mistakes.frob:11:5
      |
    7 | g :: Task Float Float Float
-     |      ---------------------- so each task of this `do` is `Task Float Float a`
+     |      ---------------------- each task of this `do` must be `Task Float Float a`
   ...
   11 |     4
      |     ^
      |
-     = hint: `let x = …` names a value; `return x` is the task that ends at once with it
+     = hint: use `let x = …` to name a value, `return x` for a task that returns it immediately
   
   error[E0302]: `g` is `Task Float Float Float`, not a function
     --> mistakes.frob:15:8
      |
   15 |    y = g x
-     |        ^ - it is given an argument here
+     |        ^ - it is applied to an argument here
      |
-     = hint: a task is run by `runTask`: `runTask t` is a signal function
+     = hint: use `runTask t` to turn a task into a signal function
   
-  error[E0371]: a task stands where a signal function is needed
+  error[E0371]: expected a signal function, found a task
     --> mistakes.frob:17:6
      |
   16 | h2 :: SF Float Float
@@ -97,9 +97,9 @@ as signal functions.
   17 | h2 = g
      |      ^ this is `Task Float Float Float`
      |
-     = hint: `runTask g` is a signal function: `Left` its output while it runs, then `Right` its result
+     = hint: use `runTask g`, a signal function that returns `Left` and the output while the task runs, then `Right` and the result
   
-  error[E0371]: a task stands where a signal function is needed
+  error[E0371]: expected a signal function, found a task
     --> mistakes.frob:19:44
      |
   19 | h3 = switch (constant (1, NoEvent)) (\_ -> g)
@@ -107,9 +107,9 @@ as signal functions.
      |      |
      |      argument 2 of `switch` is `SF a n[1]`
      |
-     = hint: `runTask g` is a signal function: `Left` its output while it runs, then `Right` its result
+     = hint: use `runTask g`, a signal function that returns `Left` and the output while the task runs, then `Right` and the result
   
-  error[E0301]: expected a task that ends with `()`, but this one ends with a number of `m`
+  error[E0301]: expected a task that returns `()`, but this one returns a number of `m`
     --> mistakes.frob:22:17
      |
   21 | i :: Bool -> Task Float Float ()
@@ -117,9 +117,9 @@ as signal functions.
   22 | i b = if b then return 1[m] else sleepT 1[s] 2
      |                 ^^^^^^^^^^^
      |
-     = hint: `mapT (const ()) t` is the task `t` without its result; in a `do`, `return ()` below it drops it
+     = hint: to drop the result of a task `t`, write `mapT (const ()) t`, or, in a `do`, `return ()` below it
   
-  error[E0301]: expected a task that ends with `()`, but this one ends with a number of `m`
+  error[E0301]: expected a task that returns `()`, but this one returns a number of `m`
     --> mistakes.frob:23:36
      |
   23 | j b = if b then sleepT 1[s] 2 else return 1[m]
@@ -127,17 +127,17 @@ as signal functions.
      |                 |
      |                 this branch is `Task a n[1] ()`
      |
-     = hint: `mapT (const ()) t` is the task `t` without its result; in a `do`, `return ()` below it drops it
+     = hint: to drop the result of a task `t`, write `mapT (const ()) t`, or, in a `do`, `return ()` below it
   
-  error[E0301]: expected a task whose output is a number, but that of this one is `Bool`
+  error[E0301]: expected a task with the output a number, but this one has the output `Bool`
     --> mistakes.frob:26:4
      |
   25 |    sleepT 1[s] 2
-     |    ------------- so each task of this `do` is `Task a n[1] b`
+     |    ------------- each task of this `do` must be `Task a n[1] b`
   26 |    sleepT 1[s] True
      |    ^^^^^^^^^^^^^^^^
   
-  error[E0371]: a signal function stands where a task is needed
+  error[E0371]: expected a task, found a signal function
     --> mistakes.frob:32:16
      |
   32 | m sf = timeOut sf 2[s]
@@ -145,7 +145,7 @@ as signal functions.
      |        |
      |        argument 1 of `timeOut` is `Task a b c`
      |
-     = hint: `mkTask (sf &&& event)` ends when the event occurs; `mkTask (sf &&& never)` never does
+     = hint: use `mkTask (sf &&& event)`, which ends when the event occurs, or `mkTask (sf &&& never)`, which never ends
   
   11 errors
   [1]
@@ -181,7 +181,7 @@ instance.
   3 |     Just x <- return Nothing
     |     ^^^^^^ does not match `Nothing`
     |
-    = hint: a `case` has branches for all: one for `Nothing` too
+    = hint: use a `case`, with a branch for `Nothing` too
   
   error[E0344]: `t` is a task and must be static, but `x` is a signal
    --> patterns.frob:8:21
@@ -191,15 +191,15 @@ instance.
   8 |     t = sleepT 1[s] x
     |                     ^
     |
-    = hint: a task gets what it knows at its start by its parameters, and signals by its input
+    = hint: pass values that are known at the start as parameters of the task, and signals in its input
   
   error[E0343]: `derivative` is run in a function
     --> patterns.frob:14:17
      |
   14 |         constT (derivative x / 1[1/s])
-     |                 ^^^^^^^^^^^^ functions hold no instances
+     |                 ^^^^^^^^^^^^ a function cannot contain instances
      |
-     = hint: to run it at every instant, write the equation `derivativeNow = derivative x` beside the others, and `derivativeNow` here
+     = hint: to run it at every instant, add the equation `derivativeNow = derivative x`, and write `derivativeNow` here
   
   error[E0344]: `t` is a task and must be static, but `x` is a signal
     --> patterns.frob:14:28
@@ -210,16 +210,16 @@ instance.
   14 |         constT (derivative x / 1[1/s])
      |                            ^
      |
-     = hint: a task gets what it knows at its start by its parameters, and signals by its input
+     = hint: pass values that are known at the start as parameters of the task, and signals in its input
   
   error[E0341]: `sf` is run outside of a `proc`
     --> patterns.frob:19:18
      |
   19 |     sleepT 1[s] (sf y)
-     |                  ^^^^ the statements of a task run no signal functions
+     |                  ^^^^ the statements of a task cannot run signal functions
      |
-     = hint: to read it once: `x <- ask sf` before, and `x` here
-     = hint: a task in which it runs at every instant is `mkTask (proc i -> (output, event))`
+     = hint: to read it once, write `x <- ask sf` before this, and `x` here
+     = hint: to run it at every instant of a task, write `mkTask (proc i -> (output, event))`
   
   5 errors
   [1]
@@ -234,7 +234,7 @@ A program is not a task, but a signal function that runs one.
   2 | main = sleepT 1[s] 2
     | ^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `runTask main` is one; on a robot, `reactimateTask main` is the program
+    = hint: use `runTask main` for a signal function, or `reactimateTask main` for a robot program
   
   1 error
   [1]
@@ -263,7 +263,7 @@ Arguments in the wrong order: a time instead of a task, or the reverse.
     |                                      |
     |                                      argument 1 of `timeOut` is `Task a b c`
     |
-    = hint: the arguments of `timeOut` belong in the other order: `timeOut follow 3[s]`
+    = hint: swap the arguments of `timeOut`: `timeOut follow 3[s]`
   
   error[E0301]: expected `Task a b c`, found a number of `s`
    --> order.frob:6:38
@@ -271,7 +271,7 @@ Arguments in the wrong order: a time instead of a task, or the reverse.
   6 | b = mapT (maybe False (const True)) (3[s] `timeOut` follow)
     |                                      ^^^^ --------- argument 1 of `timeOut` is `Task a b c`
     |
-    = hint: the arguments of `timeOut` belong in the other order: `timeOut follow 3[s]`
+    = hint: swap the arguments of `timeOut`: `timeOut follow 3[s]`
   
   error[E0301]: expected `Task a b c`, found a number of `s`
    --> order.frob:7:46
@@ -281,7 +281,7 @@ Arguments in the wrong order: a time instead of a task, or the reverse.
     |                                      |
     |                                      argument 1 of `timeOut` is `Task a b c`
     |
-    = hint: `timeOut` takes two arguments, and is given 1: `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
+    = hint: `timeOut` takes two arguments, but is applied to 1: `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
   
   error[E0301]: expected `Time` (s), found `Task Float Float ()`
    --> order.frob:8:53
@@ -291,7 +291,7 @@ Arguments in the wrong order: a time instead of a task, or the reverse.
     |                                      |
     |                                      argument 2 of `timeOut` is `Time` (s)
     |
-    = hint: it stands in the place of argument 2: `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
+    = hint: this is argument 2: `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
   
   error[E0301]: expected `Int`, found `Task Float Float (Maybe ())`
     --> order.frob:11:13
@@ -301,7 +301,7 @@ Arguments in the wrong order: a time instead of a task, or the reverse.
      |     |
      |     argument 1 of `retryT` is `Int`
      |
-     = hint: the arguments of `retryT` belong in the other order: `retryT 3 (mapT Just follow)`
+     = hint: swap the arguments of `retryT`: `retryT 3 (mapT Just follow)`
   
   5 errors
   [1]

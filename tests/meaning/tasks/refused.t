@@ -170,13 +170,13 @@ immediately …
     = note: frobc found no end within 1000 steps, the maximum for one instant
     = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at least one instant; `edge` would wait forever if the condition were true from the start
   
-  warning[W0312]: this `return` does nothing: what follows it is done all the same
+  warning[W0312]: this `return` has no effect: the statements after it still run
    --> returns.frob:8:4
     |
   8 |    return ()
     |    ^^^^^^^^^
     |
-    = hint: leave it out: a task ends behind its last statement
+    = hint: remove it: a task ends after its last statement
   
   1 error, 1 warning
   [1]

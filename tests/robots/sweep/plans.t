@@ -62,7 +62,7 @@ Mistakes in a plan are reported before the first run, with their places.
     |              -------- the signature of `gap` requires `Distance` (m)
     |
     = hint: write `0.2[m]` if you meant that unit
-    = hint: if this is what comes out, the signature says `Float[s]`
+    = hint: if this is the right result, write `Float[s]` in the signature
   
   1 error
   [2]

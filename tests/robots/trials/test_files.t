@@ -82,7 +82,7 @@ reads it.
    --> slow.test.frob:1:20
     |
   1 | this is no program (
-    |                    ^- a `)` belongs before this
+    |                    ^- a `)` is missing before this
   
   1 error
   [1]
@@ -217,7 +217,7 @@ Without its program, a test file is invalid, and it cannot be run as a program.
   1 | test "doubles a speed" = during 1[s] (proc () -> gentle 0.4[m/s] == 0.8[m/s])
     | ^
     |
-    = hint: this is a test file: name its program, slow.frob
+    = hint: this is a test file: give the name of its program, slow.frob
   
   1 error
   [2]

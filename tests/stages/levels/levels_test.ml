@@ -43,7 +43,7 @@ let chain () =
 let recursive_equations () =
   check
     "E0340: the initial value of `delay` must be static, but `y` is a signal []\n\
-    \  `y` is a signal: a signal function is run here"
+    \  `y` is a signal: a signal function runs here"
     [
       ( "f",
         proc (any float)
@@ -52,7 +52,7 @@ let recursive_equations () =
     ]
 
 let branches () =
-  check "E0342: `delay` is run in a branch [what it gives depends on when it started]"
+  check "E0342: `delay` is run in a branch [its output depends on when it started]"
     [ ("f", proc (bound x float) [] (case vx [ (any float, plus one (delay one vx)) ])) ]
 
 let local_functions () =
@@ -69,7 +69,7 @@ let local_functions () =
     ]
 
 let outside () =
-  check "E0341: `delay` is run outside of a `proc` [an instance needs a `proc` around it]"
+  check "E0341: `delay` is run outside of a `proc` [an instance must be inside a `proc`]"
     [ ("f", lambda [ bound x float ] (delay one vx)) ]
 
 let signal_function ty = Typing.Ir.Signal_function (ty, ty)

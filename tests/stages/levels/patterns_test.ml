@@ -24,25 +24,25 @@ let of_pair branches =
 let complete () = check "" (of_maybe [ (just_ (any float), one); (nothing_, one) ])
 
 let missing_constructor () =
-  check "E0350: this `case` does not cover every value [no branch for `Just _`]"
+  check "E0350: this `case` does not cover every value [there is no branch for `Just _`]"
     (of_maybe [ (nothing_, one) ])
 
 let missing_literal () =
-  check "E0350: this `case` does not cover every value [no branch for `Just 1`]"
+  check "E0350: this `case` does not cover every value [there is no branch for `Just 1`]"
     (of_maybe [ (nothing_, one); (just_ (literal 0 float), one) ])
 
 let nested () =
-  check "E0350: this `case` does not cover every value [no branch for `(Nothing, Just _)`]"
+  check "E0350: this `case` does not cover every value [there is no branch for `(Nothing, Just _)`]"
     (of_pair [ (pair (just_ (any float)) (any maybe_float), one); (pair nothing_ nothing_, one) ])
 
 let guards_cover_nothing () =
   check
-    "E0350: this `case` does not cover every value [no branch for `Just _`]\n\
-    \  the guards of this branch may all fail"
+    "E0350: this `case` does not cover every value [there is no branch for `Just _`]\n\
+    \  all guards of this branch may fail"
     (of_maybe [ (nothing_, one); (just_ (bound x float), guards [ (boolean true, one) ] None) ])
 
 let never_taken () =
-  check "W0301: this branch is never taken [the branches before it cover these values]"
+  check "W0301: this branch is never taken [the branches before it cover all its values]"
     (of_maybe [ (nothing_, one); (bound y maybe_float, one); (just_ (any float), one) ])
 
 let refutable_parameter () =
@@ -50,7 +50,7 @@ let refutable_parameter () =
     [ ("f", lambda [ just_ (bound x float) ] (var x float)) ]
 
 let guards_outside_of_cases () =
-  check "E0352: these guards may all fail [no value where they do]"
+  check "E0352: all these guards may fail [there is no value if they do]"
     [ ("f", lambda [ bound x float ] (guards [ (boolean true, var x float) ] None)) ]
 
 let many_branches () =

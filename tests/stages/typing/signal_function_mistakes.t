@@ -11,7 +11,7 @@ A signal function is not a signal: it must be run.
   > speed = proc d -> derivative + 1[m/s]
   > FROB
   $ frobc check unrun.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> unrun.frob:2:20
     |
   1 | clock :: SF () Time
@@ -22,7 +22,7 @@ A signal function is not a signal: it must be run.
     = note: expected `Time` (s)
     = hint: run it on `()`: `time ()`
   
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> unrun.frob:5:19
     |
   5 | late = proc () -> time > 10[s]
@@ -32,7 +32,7 @@ A signal function is not a signal: it must be run.
     |
     = hint: run it on `()`: `time ()`
   
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> unrun.frob:8:19
     |
   8 | speed = proc d -> derivative + 1[m/s]
@@ -69,7 +69,7 @@ A function is not a signal function.
   2 | wave = sin
     |        ^^^
     |
-    = hint: `arr` makes a signal function of a function: `arr sin`
+    = hint: use `arr` to turn a function into a signal function: `arr sin`
   
   error[E0304]: expected a signal function, found a function: `Angle -> Float`
    --> functions.frob:4:22
@@ -79,7 +79,7 @@ A function is not a signal function.
     |         |
     |         this is `SF a a`
     |
-    = hint: `arr` makes a signal function of a function: `arr cos`
+    = hint: use `arr` to turn a function into a signal function: `arr cos`
   
   error[E0304]: `-<` needs a signal function, but this is `Angle -> Float`
    --> functions.frob:7:8
@@ -87,7 +87,7 @@ A function is not a signal function.
   7 |   y <- sin -< x
     |        ^^^
     |
-    = hint: `arr` makes a signal function of a function
+    = hint: use `arr` to turn a function into a signal function
   
   error[E0304]: expected a function, found a signal function: `SF Float[u] Float[u/s]`
     --> functions.frob:10:13
@@ -97,7 +97,7 @@ A function is not a signal function.
      |         |
      |         argument 1 of `arr` is `a -> b`
      |
-     = hint: leave out `arr`
+     = hint: remove `arr`
   
   4 errors
   [1]
@@ -115,25 +115,25 @@ Too many and too few arguments.
   > two x y = x
   > FROB
   $ frobc check arguments.frob
-  error[E0302]: `integral` takes 1 argument, but is given more
+  error[E0302]: `integral` takes 1 argument, but is applied to more
    --> arguments.frob:1:30
     |
   1 | total = proc v -> integral v 2
     |                   --------   ^ one too many
     |                   |
-    |                   with one argument the result is `Float[u s]`
+    |                   with one argument, its result is `Float[u s]`
     |
-    = hint: it begins at 0: with another beginning it is `x0 + integral v`; to start it afresh at each occurrence of an event, `resetOn integral (v, e)`
+    = hint: it starts at 0: for another initial value, write `x0 + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
   
-  error[E0302]: `max` takes 2 arguments, but is given more
+  error[E0302]: `max` takes 2 arguments, but is applied to more
    --> arguments.frob:3:23
     |
   3 | largest = max 1.0 2.0 3.0
     |           ---         ^^^ one too many
     |           |
-    |           with 2 arguments the result is `Float`
+    |           with 2 arguments, its result is `Float`
     |
-    = hint: of three it is `max a (max b c)`
+    = hint: for three values, write `max a (max b c)`
   
   error[E0301]: expected `Float`, found the function `Float[u] -> Float[u]`
    --> arguments.frob:5:16
@@ -143,9 +143,9 @@ Too many and too few arguments.
     |          |
     |          this is `Float`
     |
-    = hint: an argument is missing, the last of `hypot :: Float[u] -> Float[u] -> Float[u]`
+    = hint: an argument is missing at the end: `hypot :: Float[u] -> Float[u] -> Float[u]`
   
-  error[E0302]: `two` has more than the one parameter that its type allows
+  error[E0302]: `two` has more than one parameter, but its type allows only one
    --> arguments.frob:8:7
     |
   7 | two :: Float -> Float

@@ -16,7 +16,7 @@ Numbers of another representation: the messages name the conversions.
   2 | count = 3.5
     |         ^^^
     |
-    = hint: `round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`
+    = hint: use `round`, `floor`, `ceiling` or `truncate` to convert a `Float` to an `Int`
   
   error[E0312]: the operands of `+` are `Float` and `Int`
    --> numbers.frob:5:26
@@ -73,13 +73,13 @@ Fields are looked up in the record's type; similar names are suggested.
     |                |
     |                the field `heading` is `Angle` (1)
   
-  error[E0311]: several types have a field `x`, and nothing tells which is meant
+  error[E0311]: several types have a field `x`, and nothing determines which one you mean
     --> fields.frob:11:12
      |
   11 | flat v = v.x
      |          - ^
      |          |
-     |          the type of this is not known
+     |          the type of this is unknown
      |
      = note: types with such a field: `Vec2`, `Vec3`
      = hint: give the definition a signature
@@ -105,16 +105,16 @@ that lack something.
   1 | same = sin == cos
     |            ^^ `==` needs it
   
-  error[E0308]: nothing decides the type at which `==` is used
+  error[E0308]: nothing determines the type at which `==` is used
    --> comparisons.frob:3:17
     |
   3 | quiet = NoEvent == NoEvent
     |                 ^^
     |
-    = note: it must be a type with `Eq`
-    = hint: annotate it, as in `(e :: T)`
+    = note: it must be a type of the class `Eq`
+    = hint: annotate it with a type, as in `(e :: T)`
   
-  error[E0309]: `==` needs `Eq a`, which the signature of `either3` does not promise
+  error[E0309]: `==` needs `Eq a`, which the signature of `either3` does not declare
    --> comparisons.frob:6:17
     |
   5 | either3 :: a -> a -> Bool
@@ -140,7 +140,7 @@ A signature that is more general than the definition.
   > swap (x, y) = (y, x)
   > FROB
   $ frobc check promises.frob
-  error[E0306]: the signature promises every type `a`, but the definition needs it to be a number
+  error[E0306]: the signature allows every type `a`, but the definition needs it to be a number
    --> promises.frob:2:10
     |
   1 | next :: a -> a
@@ -148,7 +148,7 @@ A signature that is more general than the definition.
   2 | next x = x + 1
     |          ^
   
-  error[E0306]: the signature promises every representation `n`, but the definition needs it to be `Float`
+  error[E0306]: the signature allows every representation `n`, but the definition needs it to be `Float`
    --> promises.frob:5:10
     |
   4 | half :: n[u] -> n[u]
@@ -156,9 +156,9 @@ A signature that is more general than the definition.
   5 | half x = x / 2.0
     |          ^
     |
-    = hint: if the definition is right, the signature says `Float[u] -> Float[u]`
+    = hint: if the definition is right, write the signature as `Float[u] -> Float[u]`
   
-  error[E0301]: the two of this pair stand in the other order
+  error[E0301]: the two parts of this pair are in the wrong order
    --> promises.frob:8:15
     |
   7 | swap :: (a, b) -> (a, b)
@@ -166,7 +166,7 @@ A signature that is more general than the definition.
   8 | swap (x, y) = (y, x)
     |               ^^^^^^
     |
-    = hint: write `(x, y)`, or the signature has their types in the other order
+    = hint: write `(x, y)`, or swap their types in the signature
   
   3 errors
   [1]
@@ -201,7 +201,7 @@ Patterns, conditions, and a function applied to itself.
   5 | choose = if 1 then 2 else 3
     |             ^
     |
-    = hint: the truths are `True` and `False`: it is `True`
+    = hint: use `True`: a number is not a `Bool`
   
   error[E0301]: expected a tuple of 2, found one of 3
    --> shapes.frob:8:12
@@ -209,9 +209,9 @@ Patterns, conditions, and a function applied to itself.
   8 |   (a, b) = (1.0, 2.0, 3.0)
     |   ------   ^^^^^^^^^^^^^^^
     |   |
-    |   the pattern takes `(a, b)`
+    |   the pattern matches `(a, b)`
     |
-    = hint: a pattern for it is `(a, b, c)`
+    = hint: write the pattern as `(a, b, c)`
   
   error[E0305]: this would need an infinite type: expected `a -> b`, found `a`
     --> shapes.frob:10:12

@@ -72,7 +72,7 @@ its part of the signature.
     |                                 ^ this is `Velocity` (m/s)
     |
     = hint: multiply by a time, as in `1[s] * v`, or, for the sum over time, write `integral v`
-    = hint: if this is what comes out, the signature says `Float[m/s]`
+    = hint: if this is the right result, write `Float[m/s]` in the signature
   
   2 errors
   [1]
@@ -121,7 +121,7 @@ or for a related one.
   > square x = x * x
   > FROB
   $ frobc check general.frob
-  error[E0306]: the signature promises every unit `u`, but the definition needs it to be `m`
+  error[E0306]: the signature allows every unit `u`, but the definition needs it to be `m`
    --> general.frob:2:16
     |
   1 | raised :: Float[u] -> Float[u]
@@ -129,7 +129,7 @@ or for a related one.
   2 | raised x = x + 1[m]
     |                ^^^^ this is `Float[m]`
     |
-    = hint: if the definition is right, the signature says `Float[m] -> Float[m]`
+    = hint: if the definition is right, write the signature as `Float[m] -> Float[m]`
   
   error[E0320]: expected the unit `u`, found `u^2`
    --> general.frob:5:12

@@ -151,13 +151,13 @@ A definition with a polymorphic type cannot be compiled:
   > twice f = f &&& f
   > EOF
   $ frobc compile open.frob --entry twice
-  error[E0411]: `twice` cannot run: it still needs an argument, its type is `SF a b -> SF a (b, b)`
+  error[E0411]: `twice` cannot run: it still needs an argument, as its type `SF a b -> SF a (b, b)` shows
    --> open.frob:2:1
     |
   2 | twice f = f &&& f
     | ^^^^^^^^^^^^^^^^^
     |
-    = hint: define another with the argument, as in `main = twice …`
+    = hint: define another one with the argument, as in `main = twice …`
   
   1 error
   [1]

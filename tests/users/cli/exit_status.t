@@ -38,13 +38,13 @@ A missing file, a folder instead of a file, a file that is not text:
   [2]
   $ printf '\377\376' > bytes.frob
   $ frobc check bytes.frob
-  error[E0101]: this file is not valid UTF-8: byte 255 cannot stand here
+  error[E0101]: this file is not valid UTF-8: byte 255 is not allowed here
    --> bytes.frob:1:1
     |
   1 | ��
     | ^
     |
-    = hint: is this a text file? save it as UTF-8
+    = hint: save the file as UTF-8 text
   
   1 error
   [1]

@@ -132,8 +132,8 @@ Mistakes in declarations.
   1 | param pair :: (Int, Int) = (1, 2)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: a parameter is a number or a truth value: what a command line can write
-    = hint: declare a parameter for each number in it; one of two choices is a `Bool`, one of more an `Int`
+    = note: a parameter must be a number or a `Bool`, so that the command line can set it
+    = hint: declare a parameter for each number in it; for a choice, use a `Bool` or an `Int`
   
   error[E0390]: the parameter `any` cannot be of every type `Float[u]`
    --> wrong.frob:2:1
@@ -141,7 +141,7 @@ Mistakes in declarations.
   2 | param any :: Float[u] = 0
     | ^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: a parameter is a number or a truth value: what a command line can write
+    = note: a parameter must be a number or a `Bool`, so that the command line can set it
     = hint: name its unit, as in `Float[1/m]`
   
   2 errors
@@ -154,20 +154,20 @@ Mistakes in declarations.
   > main = proc xs -> xs ! k
   > END
   $ frobc check index.frob
-  error[E0347]: the index of `!` must be constant, and the parameter `k` is not known before the run
+  error[E0347]: the index of `!` must be constant, but the parameter `k` is only known when the program starts
    --> index.frob:5:24
     |
   5 | main = proc xs -> xs ! k
     |                        ^
     |
-    = note: an index is a number, a name of one, or arithmetic with such
-    = hint: `at k x xs` takes any index; where there is no such element it is `x`
+    = note: an index can be a number, a name of a number, or arithmetic with these
+    = hint: use `at k x xs`, which takes any index, and returns `x` if there is no such element
   
   1 error
   [1]
   $ echo 'param k = 1' > untyped.frob
   $ frobc check untyped.frob
-  error[E0110]: a parameter has its type before its value
+  error[E0110]: a parameter needs its type before its value
    --> untyped.frob:1:9
     |
   1 | param k = 1

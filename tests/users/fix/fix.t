@@ -30,7 +30,7 @@ messages.
   [1]
   $ cmp drive.frob before.frob
   $ frobc fix drive.frob
-  drive.frob:5:12: take the blank out (E0110)
+  drive.frob:5:12: remove the space (E0110)
   drive.frob:8:36: put parentheses around it (E0113)
   1 more may not be what you meant: apply it with frobc fix --all
   error[E0320]: expected the unit `1/s`, found none
@@ -44,7 +44,7 @@ messages.
   9 |     omega = 0.3)
     |             --- `omega` is this number
     |
-    = hint: write `0.3[deg/s]` for degrees in a second, `0.3[rad/s]` for radians
+    = hint: write `0.3[deg/s]` for degrees per second, `0.3[rad/s]` for radians per second
   
   1 error
   [1]
@@ -79,7 +79,7 @@ one place, the first.
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: write `30[deg/s]` for degrees in a second, `30[rad/s]` for radians
+    = hint: write `30[deg/s]` for degrees per second, `30[rad/s]` for radians per second
   
   1 error
   [1]
@@ -167,13 +167,13 @@ by a byte.
   $ printf 'main = \377\n' > bytes.frob
   $ cp bytes.frob before.frob
   $ frobc fix bytes.frob
-  error[E0101]: this file is not valid UTF-8: byte 255 cannot stand here
+  error[E0101]: this file is not valid UTF-8: byte 255 is not allowed here
    --> bytes.frob:1:8
     |
   1 | main = �
     |        ^
     |
-    = hint: is this a text file? save it as UTF-8
+    = hint: save the file as UTF-8 text
   
   1 error
   [1]

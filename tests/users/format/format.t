@@ -208,9 +208,9 @@ changed.
   0
   [1]
   $ printf 'main = proc x -> y where\n    y = x\n\tz = y\n' | frobc format - 2>&1 | head -1
-  error[E0102]: a tab: indentation counts, so only spaces are allowed
+  error[E0102]: this is a tab, but only spaces are allowed, because indentation has a meaning
   $ printf 'x = "a\tb"\n' | frobc format - 2>&1 | head -1
-  error[E0102]: a tab: indentation counts, so only spaces are allowed
+  error[E0102]: this is a tab, but only spaces are allowed, because indentation has a meaning
 
 A file that is not a program is not changed; the message is that of `frobc
 check`.
@@ -223,13 +223,13 @@ check`.
   y = 2
   $ printf 'x = "M\374nchen"\n' > latin_1.frob
   $ frobc format latin_1.frob
-  error[E0101]: this file is not valid UTF-8: byte 252 cannot stand here
+  error[E0101]: this file is not valid UTF-8: byte 252 is not allowed here
    --> latin_1.frob:1:7
     |
   1 | x = "M�nchen"
     |       ^
     |
-    = hint: is this a text file? save it as UTF-8
+    = hint: save the file as UTF-8 text
   
   1 error
   [1]

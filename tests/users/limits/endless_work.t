@@ -242,14 +242,14 @@ Patterns with too many combinations. A last branch for everything makes them com
   $ colours=$(for i in $(seq 19); do printf 'C, '; done)C
   $ { echo 'data C = R | G | B'; echo "main :: SF ($colours) Float"; echo 'main = proc c -> case c of'; patterns; } > cases.frob
   $ refused patterns < cases.frob
-  error[E0413]: whether this `case` covers every value takes too much to find out
+  error[E0413]: this `case` is too complex to check that it covers every value
    --> patterns.frob:3:23
     |
   3 | main = proc c -> case c of
     |                       ^
     |
-    = note: its branches look at many things at once, in too many combinations
-    = hint: end it with a branch `_ -> …`, or look at fewer things at once: a `case` in a branch
+    = note: its patterns have too many combinations
+    = hint: add a last branch `_ -> …`, or split it into a `case` within a branch
   
   1 error
   $ { cat cases.frob; echo '    _ -> 20'; } | refused complete
@@ -292,9 +292,9 @@ The interpreter computes parameters before the run:
 A literal of 5 MB:
 
   $ { printf 'main :: SF Float Float\nmain = proc x -> x + at 3 0 [1'; awk 'BEGIN { for (i = 0; i < 1700000; i++) printf ", %d", i % 10; print "]" }'; } | refused literal | head -1
-  error[E0333]: an array that is written out has up to 100000 elements, not 1700001
+  error[E0333]: an array literal has at most 100000 elements, not 1700001
   $ { printf 'main :: SF Float Float\nmain = proc x -> x + 0.'; awk 'BEGIN { for (i = 0; i < 500000; i++) printf "0123456789"; print "" }'; } | refused digits | head -1
-  error[E0105]: a number has up to 1000 characters, this one has 5000002
+  error[E0105]: a number has at most 1000 characters, but this one has 5000002
 
 Long or deep programs that do not grow are compiled: seven nested loops of tasks, with 900
 iterations each, an array of 20,000 signal functions, and 60 modes that all lead to each other.

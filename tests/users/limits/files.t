@@ -45,19 +45,19 @@ Byte order marks and CRLF are accepted; tabs and other encodings are not:
   $ frobc check windows.frob
   $ printf 'main = proc x -> y where\n\ty = x\n' > tab.frob
   $ frobc check tab.frob
-  error[E0102]: a tab: indentation counts, so only spaces are allowed
+  error[E0102]: this is a tab, but only spaces are allowed, because indentation has a meaning
    --> tab.frob:2:1
     |
   2 |     y = x
     | ^^^^
     |
-    = hint: let the editor write spaces for tabs
+    = hint: set up your editor to insert spaces instead of tabs
   
   1 error
   [1]
   $ printf 'x = "M\374nchen"\n' > latin_1.frob
   $ check latin_1.frob | head -1
-  error[E0101]: this file is not valid UTF-8: byte 252 cannot stand here
+  error[E0101]: this file is not valid UTF-8: byte 252 is not allowed here
   $ printf 'x = 1\0\n' > zero.frob && frobc check zero.frob 2> message; echo $?; head -1 message
   1
   error[E0103]: unexpected character with code 0

@@ -44,7 +44,7 @@ the first 100 of them, JSON the first 1,000, and then the number of omitted ones
     --> clauses.frob:2:1
   $ { printf 'x'; list 1000000 y ''; printf ' = 1\n'; printf "$main"; } | check letters
   status 1
-  error[E0105]: a name has up to 1000 characters, this one has 1000001
+  error[E0105]: a name has at most 1000 characters, but this one has 1000001
    --> letters.frob:1:1
 
 5,000 existing modules, each of which imports the previous one:

@@ -9,19 +9,19 @@ not time.
 1,000 updates of a record with 5,000 fields, in a signal function and in a function:
 
   $ { record; printf 'main :: SF R Float\nmain = proc r0 -> r1000.f0 where\n'; list 1000 '    r@ = r# { f# = 1 }' '\n'; echo; } | check updates
-  error[E0413]: the updates of records up to here write more than 1000000 fields: too many to compile
+  error[E0413]: the record updates up to here write more than 1000000 fields, which is too many to compile
      --> updates.frob:204:12
       |
   204 |     r201 = r200 { f200 = 1 }
       |            ^^^^^^^^^^^^^^^^^
       |
-      = note: an update writes all fields of its record; `R` has 5000 fields, and 201 updates so far
+      = note: an update writes all fields of its record; `R` has 5000 fields and 201 updates so far
       = hint: change several fields in one update: `r { a = 1, b = 2 }`
       = hint: put fields that change together into a smaller record, or keep them in an array
   
   1 error
   $ { record; printf 'main :: SF R Float\nmain = proc r -> (f r).f0\nf :: R -> R\nf r0 = let\n'; list 1000 '    r@ = r# { f# = 1 }' '\n'; printf '\n  in r1000\n'; } | check pure | head -1
-  error[E0413]: the updates of records up to here write more than 1000000 fields: too many to compile
+  error[E0413]: the record updates up to here write more than 1000000 fields, which is too many to compile
 
 Fewer updates, but as many values; choices between records, and calls:
 

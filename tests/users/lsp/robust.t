@@ -148,7 +148,7 @@ A file that is not UTF-8, a missing file, and a folder: the error is reported wh
   >     print(place(d["range"]), d["message"].split("\n")[0])
   > c.end()
   > END
-  0:0-0:12 in Bytes.frob: this file is not valid UTF-8: byte 255 cannot stand here
+  0:0-0:12 in Bytes.frob: this file is not valid UTF-8: byte 255 is not allowed here
   1:7-1:13 cannot read `$TESTCASE_ROOT/Folder.frob`: it is a directory
   2:7-2:11 there is no module `Gone`
 

@@ -12,7 +12,7 @@ let lacks_of found =
         | _ -> line
       in
       if line = "" || String.length line > 40 then None
-      else Some (Printf.sprintf "the line of the `case` ends with `of`: `case %s of`" line)
+      else Some (Printf.sprintf "end the line of the `case` with `of`: `case %s of`" line)
   | _ -> None
 
 (* Is this the first of a pair of bars around an expression? *)
@@ -25,19 +25,19 @@ let encloses found =
 let matched found =
   match (found.token.token, found.before) with
   | BAR, Some ({ token = LOWER _; _ } as before) when written found before = "with" ->
-      Some "a choice by constructors is written `case x of`, and each branch `pattern -> value`"
+      Some "use `case x of`, and each branch as `pattern -> value`"
   | _ -> None
 
 let after_value found =
   match (found.token.token, found.before) with
   | IF, Some before when (not (expects_more (Some before))) && not found.token.first ->
-      Some "a choice is written `if c then a else b`"
+      Some "use `if c then a else b`"
   | _ -> None
 
 let double_arrow found =
   match (found.token.token, found.before) with
   | DOUBLE_ARROW, Some _ when innermost_block found.context = Of ->
-      Some "a branch is written `pattern -> value`"
+      Some "write the branch as `pattern -> value`"
   | _ -> None
 
 let branch found =
@@ -45,7 +45,7 @@ let branch found =
   | EQUAL, Some { token = UPPER _ | NUMBER _ | UNDERSCORE | RPAREN; _ }
     when innermost_block found.context = Of && not (in_brackets found.context) ->
       Some
-        (Printf.sprintf "a branch has `->`: `%s -> …`"
+        (Printf.sprintf "use `->` in a branch: `%s -> …`"
            (between found found.token.start.pos_bol found.token.start.pos_cnum))
   | _ -> None
 
@@ -53,36 +53,36 @@ let in_braces found =
   match (found.token.token, found.before) with
   | (NUMBER _ | LOWER _ | UPPER _ | LPAREN), Some { token = LBRACE; _ }
     when List.exists (fun (opener, _) -> opener = Layout.If) found.context ->
-      Some "a choice is written `if c then a else b`, without braces"
+      Some "use `if c then a else b`, without braces"
   | _ -> None
 
 let otherwise found =
   match (found.token.token, found.before) with
-  | ELSE, Some { token = BAR; _ } -> Some "what holds for the rest is written `| otherwise`"
+  | ELSE, Some { token = BAR; _ } -> Some "write the last guard as `| otherwise`"
   | _ -> None
 
 let without_then found =
   match (found.token.token, found.before) with
   | ELSE, _ when opens_with Layout.If found.context ->
-      Some "`then` stands between the condition and the first choice: `if c then a else b`"
+      Some "put `then` after the condition: `if c then a else b`"
   | _ -> None
 
 let chain found =
   match (found.token.token, found.before) with
   | THEN, _ when opens_with Layout.Then found.context ->
-      Some "a chain of choices is written `if a then x else if b then y else z`"
+      Some "use `else if`: `if a then x else if b then y else z`"
   | _ -> None
 
 let absolute_value found =
   match (found.token.token, found.before) with
   | BAR, before when encloses found && expects_more before ->
-      Some "the absolute value of `x` is `abs x`"
+      Some "use `abs x` for the absolute value of `x`"
   | _ -> None
 
 let equation_before_guards found =
   match (found.token.token, found.before) with
   | BAR, Some { token = EQUAL; _ } ->
-      Some "leave out the `=` before the guards: each of them has its own, as in `| x > 0 = 1`"
+      Some "remove the `=` before the guards: each guard has its own, as in `| x > 0 = 1`"
   | _ -> None
 
 let without_of found =

@@ -1,7 +1,7 @@
 open Grammar
 open Found
 
-let reserved_word = Printf.sprintf "`%s` is a word of the language and cannot be a name"
+let reserved_word = Printf.sprintf "`%s` is a reserved word, so it cannot be a name"
 
 (* The first line of the definition, up to the error. *)
 let head_of_definition found =
@@ -29,10 +29,9 @@ let lacks_a_value found =
   | ("param" | "foreign") :: rest
     when String.length line > 50 || String.contains line '=' || not (List.mem "::" rest) ->
       None
-  | "param" :: _ -> Some (Printf.sprintf "what it is by default stands behind: `%s = …`" line)
+  | "param" :: _ -> Some (Printf.sprintf "add its default value: `%s = …`" line)
   | "foreign" :: ("type" | "include" | "sf") :: _ -> None
-  | "foreign" :: name :: _ ->
-      Some (Printf.sprintf "its name in C stands behind: `%s = \"%s\"`" line name)
+  | "foreign" :: name :: _ -> Some (Printf.sprintf "add its name in C: `%s = \"%s\"`" line name)
   | _ -> None
 
 let choices found =
@@ -57,7 +56,7 @@ let without_where found =
   match found.token.token with
   | (EQUAL | BAR | DOUBLE_COLON) when lacks_where found ->
       Some
-        (Printf.sprintf "the methods follow `where`, each on a line of its own: `%s where`"
+        (Printf.sprintf "add `where`, and write the methods below it: `%s where`"
            (head_of_definition found))
   | _ -> None
 
@@ -66,14 +65,14 @@ let type_of_choices found =
   | BAR, Some { token = UPPER _ | LOWER _; _ } when first_word found = "type" ->
       let start = found.token.start.pos_bol + 4 in
       Some
-        (Printf.sprintf "a choice of several is declared by `data`: `data %s`"
+        (Printf.sprintf "declare a choice of constructors with `data`: `data %s`"
            (between found start (end_of_line found start)))
   | _ -> None
 
 let foreign_import found =
   match (found.token.token, found.before) with
   | IMPORT, Some { token = FOREIGN; _ } ->
-      Some "the name in C stands last: `foreign cubeRoot :: Float -> Float = \"cbrt\"`"
+      Some "write the name in C at the end: `foreign cubeRoot :: Float -> Float = \"cbrt\"`"
   | _ -> None
 
 let without_value found =
@@ -85,7 +84,7 @@ let capital found =
   match (found.token.token, found.before) with
   | LOWER _, Some { token = DATA | TYPE | CLASS; _ } ->
       Some
-        (Printf.sprintf "the name of a type or class starts with a capital: `%s`"
+        (Printf.sprintf "start the name of a type or class with a capital letter: `%s`"
            (String.capitalize_ascii (written found found.token)))
   | _ -> None
 
@@ -95,7 +94,7 @@ let local found =
     when between found found.token.start.pos_bol found.token.start.pos_cnum = ""
          && (is_local (innermost_block found.context) || opens_block before) ->
       Some
-        (Printf.sprintf "a `%s` stands at the left edge, among the program's definitions"
+        (Printf.sprintf "move the `%s` to the top level, without indentation"
            (written found found.token))
   | _ -> None
 

@@ -30,19 +30,19 @@ let record_before found (field : Layout.token) =
 let split_by_value found =
   match found.token.token with
   | LEFT_ARROW when not (is_blank (after found)) ->
-      Some "`<-` is always one symbol; to compare with a negative number write `< -` with a blank"
+      Some "`<-` is one symbol; to compare with a negative number, write a space: `< -`"
   | _ -> None
 
 let outside_do found =
   match found.token.token with
   | LEFT_ARROW when innermost_block found.context <> Do ->
-      Some "`<-` belongs to the statements of a `do`; an equation is written with `=`"
+      Some "use `=` in an equation; `<-` is only allowed in the statements of a `do`"
   | _ -> None
 
 let outside_proc found =
   match found.token.token with
   | TAIL ->
-      Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
+      Some "in an equation, apply the signal function: `x = sf e`; `-<` is only allowed in a `proc`"
   | _ -> None
 
 let changed found =
@@ -54,20 +54,21 @@ let in_a_choice found =
   match (found.token.token, found.before) with
   | EQUAL, Some ({ token = LOWER _; _ } as name)
     when stands_after found "then" name || stands_after found "else" name ->
-      Some "nothing is assigned: one equation chooses the value, as in `x = if c then a else b`"
+      Some
+        "Frob has no assignments: choose the value in one equation, as in `x = if c then a else b`"
   | _ -> None
 
 let keyword_argument found =
   match (found.token.token, found.before) with
   | EQUAL, Some ({ token = LOWER _; _ } as name) when is_a_keyword_argument found name ->
-      Some "arguments have no names: they stand side by side in their order, as in `f 1 2`"
+      Some "arguments have no names: write them in order, as in `f 1 2`"
   | _ -> None
 
 let changed_field found =
   match (found.token.token, found.before) with
   | EQUAL, Some ({ token = FIELD field; _ } as before) ->
       Some
-        (Printf.sprintf "no record is changed: `%s { %s = … }` is one with another `%s`"
+        (Printf.sprintf "a record cannot be changed: `%s { %s = … }` is a copy with another `%s`"
            (record_before found before) field field)
   | _ -> None
 
@@ -80,11 +81,11 @@ let statement found =
       let name = written found name in
       Some
         (Printf.sprintf
-           "`%s <- t` does the task `t` and names what it ends with; `let %s = e` names a value"
+           "use `%s <- t` to run the task `t` and name its result, or `let %s = e` to name a value"
            name name)
   | _ -> None
 
 let comparison found =
   match found.token.token with
-  | EQUAL when compares found.context -> Some "`=` defines; to compare write `==`"
+  | EQUAL when compares found.context -> Some "use `==` to compare; `=` defines a name"
   | _ -> None

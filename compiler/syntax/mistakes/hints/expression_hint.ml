@@ -15,10 +15,9 @@ let comprehension found =
           match String.split_on_char ']' (String.sub source 1 (String.length source - 1)) with
           | xs :: _ :: _ when x <> "" && not (String.contains xs ',') ->
               Some
-                (Printf.sprintf "each element of an array is computed with by `map (\\%s -> %s) %s`"
-                   x element
+                (Printf.sprintf "use `map (\\%s -> %s) %s` to compute each element" x element
                    (Source.grouped (String.trim xs)))
-          | _ -> Some "each element of an array is computed with by `map (\\x -> …) xs`")
+          | _ -> Some "use `map (\\x -> x + 1) xs` to compute each element")
       | _ -> None)
   | _ -> None
 
@@ -30,7 +29,7 @@ let do_argument found =
           token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _;
           _;
         } ) ->
-      Some "a `do` among arguments needs parentheses, or a `$` before it"
+      Some "put the `do` in parentheses, or write `$` before it"
   | _ -> None
 
 let lambda_argument found =
@@ -41,14 +40,14 @@ let lambda_argument found =
           token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _;
           _;
         } ) ->
-      Some "a lambda among arguments needs parentheses: `f (\\x -> …)`"
+      Some "put the lambda in parentheses: `f (\\x -> …)`"
   | _ -> None
 
 let pattern_of_proc found =
   match (found.token.token, found.before) with
   | (LOWER _ | NUMBER _ | UNDERSCORE | LPAREN), Some ({ token = UPPER _; _ } as constructor)
     when stands_after found "proc" constructor ->
-      Some "a pattern such as `Just x` needs parentheses here"
+      Some "put parentheses around a pattern such as `(Just x)`"
   | _ -> None
 
 let list_comprehension found =

@@ -30,8 +30,9 @@ let capital found =
   | LOWER _, Some { token = MODULE | IMPORT | QUALIFIED; _ } ->
       let name = module_name found in
       Some
-        (Printf.sprintf "a module begins with a capital, and its file too: `%s`, in `%s.frob`" name
-           name)
+        (Printf.sprintf
+           "start the name of the module and of its file with a capital letter: `%s`, in `%s.frob`"
+           name name)
   | _ -> None
 
 let of_haskell found =
@@ -39,21 +40,20 @@ let of_haskell found =
   | ( QUALIFIED_UPPER (("Data" | "Control" | "Prelude" | "Math" | "System" | "Text" | "GHC"), _),
       Some { token = IMPORT | QUALIFIED; _ } ) ->
       Some
-        "what that has for lists, numbers and choices is there without an import, as `map`, \
-         `foldl`, `maybe`; the modules of the library are `Control`, `Geometry`, `Robot` and \
-         others, without points"
+        "remove the import: functions such as `map`, `foldl` and `maybe` are built in; other \
+         modules of the library are `Control`, `Geometry` and `Robot`"
   | _ -> None
 
 let with_points found =
   match (found.token.token, found.before) with
   | QUALIFIED_UPPER _, Some { token = IMPORT | QUALIFIED; _ } ->
-      Some "the name of a module has no points: its file stands beside this one, or in the library"
+      Some "remove the points: a module's file is in the folder of this one, or in the library"
   | _ -> None
 
 let hiding found =
   match (found.token.token, found.before) with
   | LOWER _, Some _ when first_word found = "import" && written found found.token = "hiding" ->
       Some
-        "nothing needs hiding: a module's own definitions hide imported ones, and two imports of \
-         one name clash only where it is used"
+        "remove `hiding`: your own definitions hide imported ones, and two imports of the same \
+         name clash only if you use it"
   | _ -> None

@@ -40,13 +40,13 @@ let misplaced_line found =
     when found.token.first && found.token.column > 1 && found.token.column < column ->
       Some
         (Printf.sprintf
-           "`in` comes before the expression, as in `let x = 1 in x + x`; one more definition \
-            starts at column %d"
+           "put `in` before the expression, as in `let x = 1 in x + x`; if this is another \
+            definition, start it at column %d"
            column)
   | Some (((Where | Do | Of | Rec) as block), { column; _ })
     when found.token.first && found.token.column > 1 && found.token.column < column ->
       Some
-        (Printf.sprintf "the %s of this block start at column %d, but this line at column %d"
+        (Printf.sprintf "the %s of this block start at column %d, but this line starts at column %d"
            (items block) column found.token.column)
   | Some (block, { column; _ }) when (not found.token.first) && line_column found > column -> (
       match (found.token.token, block) with
@@ -72,15 +72,18 @@ let misplaced_line found =
                 when found.token.token = EQUAL
                      && (block = Top || List.mem "proc" (String.split_on_char ' ' line)) ->
                   Printf.sprintf "%s; if it is an equation, add `where` there: `%s`" continues line
-              | _ -> Printf.sprintf "%s; if it is separate, start it at column %d" continues column)
+              | _ ->
+                  Printf.sprintf "%s; if you meant a separate line, start it at column %d" continues
+                    column)
       | _ -> None)
   | Some _ | None -> None
 
-let by_indentation = "blocks are made by indentation; braces write records only"
+let by_indentation = "indent the block instead: braces are only for records"
 
 let of_where found =
   match (found.token.token, found.before) with
-  | WHERE, None -> Some "indent `where` and what follows it: they belong to the definition above"
+  | WHERE, None ->
+      Some "indent `where` and the lines below it, because they belong to the definition above"
   | _ -> None
 
 let not_indented found =
@@ -88,5 +91,5 @@ let not_indented found =
   | (END | SEMICOLON), before
     when expects_more before && (not found.token.last)
          && (found.token.token = END || found.token.made) ->
-      Some "a definition goes on only in lines that are indented more than its first"
+      Some "to continue a definition on the next line, indent that line further than the first"
   | _ -> None

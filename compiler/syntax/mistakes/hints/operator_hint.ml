@@ -3,11 +3,11 @@ open Found
 
 let assigns found =
   match found.before with
-  | Some { token = OPERATOR "!"; _ } -> Some "`/=` says that two values differ"
+  | Some { token = OPERATOR "!"; _ } -> Some "use `/=` to compare for inequality"
   | Some { token = OPERATOR "+" | MINUS | STAR | SLASH; _ } ->
       Some
-        "nothing is assigned: an equation says what holds at every instant, as in `n = delay 0 n + \
-         1`"
+        "Frob has no assignments: write an equation that holds at every instant, as in `n = delay \
+         0 n + 1`"
   | Some _ | None -> None
 
 (* A `//` at the start of a line. *)
@@ -17,7 +17,7 @@ let starts_a_comment found =
   && between found found.token.start.pos_bol found.token.start.pos_cnum = ""
 
 let own_operator =
-  "programs define no operators; a function stands between in backticks: ``a `f` b``"
+  "programs cannot define operators: define a function, and use it infix in backticks, ``a `f` b``"
 
 (* An operator of another language that starts with a Frob operator. *)
 let foreign_operator found (before : Layout.token) =
@@ -25,29 +25,33 @@ let foreign_operator found (before : Layout.token) =
   else
     match written found before ^ written found found.token with
     | "<$" | "<*" ->
-        Some "`mapE f e` applies a function to an event's value, `map f xs` to each of an array"
+        Some
+          "use `mapE f e` to apply a function to an event's value, `map f xs` to apply it to the \
+           elements of an array"
     | ".^" | ".*" | "./" ->
         Some
-          "operators are of numbers: `map (\\x -> x ^ 2) xs` computes with each of an array, \
-           `zipWith (*) xs ys` with those of two"
-    | "<>" -> Some "`/=` says that two values differ"
+          "operators take numbers, not arrays: write `map (\\x -> x ^ 2) xs` for one array, \
+           `zipWith (*) xs ys` for two"
+    | "<>" -> Some "use `/=` to compare for inequality"
     | text when String.length text > 1 && text.[0] = '|' && is_symbol text.[1] -> Some own_operator
-    | ">>" | ">>=" -> Some "tasks follow one another in a `do`, each on a line of its own"
+    | ">>" | ">>=" -> Some "write the tasks below each other in a `do`"
     | "++" when after found = ' ' ->
-        Some "nothing is joined: a text is a label, and an array has a fixed size"
+        Some "texts and arrays cannot be joined: a text is a label, and an array has a fixed size"
     | "++" ->
         Some
-          "nothing is counted up: an equation says what holds at every instant, as in `n = delay 0 \
-           n + 1`"
+          "Frob has no assignments: to count, write an equation that holds at every instant, as in \
+           `n = delay 0 n + 1`"
     | "!!" ->
-        Some "an element of an array is written `xs ! 0`, and `at i default xs` takes any index"
-    | "/*" -> Some "a comment is written `{- … -}`, or `--` up to the end of the line"
-    | "//" -> Some "a comment starts with `--`; whole numbers are divided by `div`"
-    | ".." when names_before found "seeds" -> Some "they are ``1 `to` 20``, both included"
+        Some
+          "use `xs ! 0` for an element at a constant index, `at i x xs` for any index, where `x` \
+           replaces a missing element"
+    | "/*" -> Some "write a comment as `{- … -}`, or as `--` up to the end of the line"
+    | "//" -> Some "use `--` to start a comment; to divide whole numbers, use `div`"
+    | ".." when names_before found "seeds" -> Some "use ``1 `to` 20``, which includes both numbers"
     | ".." ->
         Some
-          "there are no ranges: a few elements are written out, `[1, 2, 3]`; many are made by the \
-           index, `generate (\\i -> i + 1)`, as many as the type says"
+          "Frob has no ranges: write the elements, `[1, 2, 3]`, or compute them from their index, \
+           `generate (\\i -> i + 1)`; the type gives their number"
     | _ -> None
 
 let foreign found = Option.bind found.before (foreign_operator found)
@@ -55,7 +59,7 @@ let foreign found = Option.bind found.before (foreign_operator found)
 let row found =
   match (found.token.token, found.before) with
   | COMMA, Some { token = NUMBER _; _ } when names_before found "!" ->
-      Some "an element of a row is reached by one `!` after the other: `m ! 0 ! 1`"
+      Some "write one `!` for each index: `m ! 0 ! 1`"
   | _ -> None
 
 let member found =
@@ -63,27 +67,27 @@ let member found =
   | ARROW, Some ({ token = LOWER _; _ } as name)
     when is_adjacent found name && not (is_blank (after found)) ->
       Some
-        "nothing is reached by `->`: a field is `r.speed`, and what a robot senses is a signal \
-         function, `frontSonar i`"
+        "use `r.speed` for a field; to read a sensor, apply its signal function, as in `frontSonar \
+         i`"
   | _ -> None
 
 let negation found =
   match (found.token.token, found.before) with
   | OPERATOR "!", Some { token = OPERATOR "!"; _ } -> None
-  | OPERATOR "!", _ -> Some "the opposite of `b` is `not b`"
+  | OPERATOR "!", _ -> Some "use `not b` for the opposite of `b`"
   | _ -> None
 
 let before_point found =
   match found.token.token with
   | OPERATOR "." when Basis.Character.is_digit (after found) ->
-      Some "a number starts with a digit: `0` before the point"
+      Some "write a digit before the point, as in `0.5`"
   | _ -> None
 
 let after_point found =
   match found.before with
   | Some { token = OPERATOR "."; start; _ }
     when Basis.Character.is_digit (char_at found (start.pos_cnum - 1)) ->
-      Some "a number ends with a digit: `0` after the point"
+      Some "write a digit after the point, as in `5.0`"
   | _ -> None
 
 let comment found =
@@ -98,5 +102,5 @@ let own found =
 
 let pipe found =
   match found.token.token with
-  | BAR when after found = '>' -> Some "a function stands before its argument: `f x`"
+  | BAR when after found = '>' -> Some "write the function before its argument: `f x`"
   | _ -> None

@@ -14,26 +14,26 @@ let without_names found =
   match (found.token.token, found.before) with
   | (NUMBER _ | MINUS | STRING _ | LPAREN), Some { token = LBRACE | COMMA; _ }
     when opens_with Layout.Brace found.context ->
-      Some "each value stands behind the name of its field: `Pose { heading = 0 }`"
+      Some "write the name of the field before each value: `Pose { heading = 0 }`"
   | _ -> None
 
 let in_a_unit found =
   match (found.token.token, found.before) with
   | FIELD _, Some _ when is_a_unit found.context ->
-      Some "a blank or `*` multiplies units, as in `kg m^2`"
+      Some "multiply units with a space or `*`, as in `kg m^2`"
   | _ -> None
 
 let without_comma found =
   match (found.token.token, found.before) with
   | EQUAL, Some _ when opens_with Layout.Brace found.context ->
-      Some "there is a `,` between two fields"
+      Some "write a `,` between two fields"
   | _ -> None
 
 let typed found =
   match (found.token.token, found.before) with
   | DOUBLE_COLON, Some field when opens_with Layout.Brace found.context ->
-      if field_of_a_value found field then Some "a field gets its value with `=`"
-      else Some "there is a `,` between two fields"
+      if field_of_a_value found field then Some "set a field with `=`"
+      else Some "write a `,` between two fields"
   | _ -> None
 
 let block_in_braces found =
@@ -45,7 +45,7 @@ let without_equation found =
   match (found.token.token, found.before) with
   | (LOWER _ | UPPER _ | NUMBER _ | LPAREN), Some { token = LOWER _; _ }
     when opens_with Layout.Brace found.context ->
-      Some "a field gets its value with `=`; if a block was meant, it is made by indentation"
+      Some "set a field with `=`; if you meant a block, indent it instead of using braces"
   | _ -> None
 
 let changed found =
@@ -54,20 +54,21 @@ let changed found =
     when opens_with Layout.Brace found.context && field_of_a_value found field ->
       let name = written found field in
       Some
-        (Printf.sprintf "a field gets its value with `=`, also from its own: `r { %s = r.%s + 1 }`"
+        (Printf.sprintf
+           "set a field with `=`, also if the value depends on the old one: `r { %s = r.%s + 1 }`"
            name name)
   | _ -> None
 
 let strict found =
   match (found.token.token, found.before) with
   | OPERATOR "!", _ when first_word found = "data" ->
-      Some "a field always has its value: leave out the `!`"
+      Some "remove the `!`: fields are always evaluated"
   | _ -> None
 
 let capital found =
   match (found.token.token, found.before) with
   | UPPER _, Some { token = LBRACE | COMMA; _ } when opens_with Layout.Brace found.context ->
       Some
-        (Printf.sprintf "the name of a field starts with a small letter: `%s`"
+        (Printf.sprintf "start the name of a field with a lower-case letter: `%s`"
            (String.uncapitalize_ascii (written found found.token)))
   | _ -> None

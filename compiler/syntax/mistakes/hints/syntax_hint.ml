@@ -35,7 +35,7 @@ let beginning found =
   | "void" -> Some (definition, Beginnings.no_procedures)
   | "function" -> Some (definition, Beginnings.by_equation)
   | "from" when found.token.token = IMPORT ->
-      Some (start, Printf.sprintf "names are imported by `import %s`" (python_import found))
+      Some (start, Printf.sprintf "use `import %s`" (python_import found))
   | _ ->
       let word = part found (first_word_from found start.pos_bol) in
       Option.map (fun hint -> (start, hint)) (Beginnings.of_word word)
@@ -154,14 +154,14 @@ let usual found =
   | ARROW -> (
       match found.context with
       | ((Block (Top | Let | Where) | Paren), _) :: _ ->
-          Some "a function without a name is written `\\x -> …`, a signal function `proc x -> …`"
+          Some "write an anonymous function as `\\x -> …`, a signal function as `proc x -> …`"
       | _ -> None)
   | LBRACE when opens_fields found "=" ->
-      Some "a record is built by the name of its constructor, as in `Pose { heading = 0 }`"
+      Some "write the constructor before the braces, as in `Pose { heading = 0 }`"
   | LBRACE when opens_fields found "::" && first_word found = "type" ->
-      Some "`data` declares a record, and its constructor: `data Pose = Pose { heading :: Angle }`"
+      Some "declare a record with `data` and a constructor: `data Pose = Pose { heading :: Angle }`"
   | LBRACE -> Some Indentation_hint.by_indentation
-  | DOUBLE_COLON -> Some "the type of an expression stands with it in parentheses: `(e :: T)`"
+  | DOUBLE_COLON -> Some "put the expression and its type in parentheses: `(e :: T)`"
   | _ -> None
 
 let hint found ~state_hints =

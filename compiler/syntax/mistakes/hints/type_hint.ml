@@ -26,33 +26,32 @@ let is_in_a_size found =
 let split_arrow found =
   match (found.token.token, found.before) with
   | MINUS, Some { token = UPPER _ | LOWER _ | RPAREN | RBRACKET; _ } when splits_an_arrow found ->
-      Some "`->` is always one symbol"
+      Some "remove the space from the arrow: `->`"
   | _ -> None
 
 let parameters found =
   match (found.token.token, found.before) with
   | COMMA, Some _ when lists_parameters found ->
       Some
-        "each parameter is followed by `->`, as in `Float -> Float -> Float`; a tuple stands in \
-         parentheses"
+        "put `->` after each parameter, as in `Float -> Float -> Float`; put a tuple in parentheses"
   | _ -> None
 
 let capital found =
   match (found.token.token, found.before) with
   | DOUBLE_COLON, Some { token = UPPER _; _ } ->
-      Some "the name of a value starts with a small letter"
+      Some "start the name of a value with a lower-case letter"
   | _ -> None
 
 let pointer found =
   match (found.token.token, found.before) with
   | STAR, Some _ when first_word found = "foreign" ->
-      Some "C is given the address of an array or a record anyway: leave out the `*`"
+      Some "remove the `*`: C receives the address of an array or a record anyway"
   | _ -> None
 
 let size found =
   match (found.token.token, found.before) with
   | (STAR | SLASH | MINUS | OPERATOR ("+" | "-")), Some _ when is_in_a_size found ->
       Some
-        "sizes are not computed: a name of its own, as `m` in `Array m Float`, is any size, and \
-         `type Twice = 16` names one"
+        "sizes cannot be computed: use a variable for any size, as in `Array m Float`, or a name \
+         for a number, as in `type Twice = 16`"
   | _ -> None

@@ -23,7 +23,7 @@ let missing_in_definition fact ~missing d =
       match Option.map (fun e -> (e, Plain_name.of_head e)) (Show.definition fact.words x) with
       | Some (({ desc = Apply _; _ } as e), Some head) ->
           let all = missing + List.length (arguments_of e) in
-          label ~at:e.span (Printf.sprintf "`%s` is this, and lacks %s" x.name (count missing)) d
+          label ~at:e.span (Printf.sprintf "this is `%s`; it lacks %s" x.name (count missing)) d
           |> hint
                (match declared fact.words (Some e) with
                | Some (_, ty) when List.compare_length_with (arguments_of e) 0 > 0 ->
@@ -61,10 +61,7 @@ let missing_signal fact ~missing d =
       Some
         (match fact.expected.because with
         | Parameter { callee = Some f; position = 1; before = None; _ } ->
-            hint
-              (Printf.sprintf
-                 "write `%s (%s)`: what is applied stands in parentheses as an argument" f text)
-              d
+            hint (Printf.sprintf "put parentheses around the argument: `%s (%s)`" f text) d
         | _ -> applied fact text d)
   | _ -> None
 
@@ -81,9 +78,7 @@ let missing_output fact ~missing d =
   match Option.bind fact.subject Plain_name.of_head with
   | Some "sleepT" when missing = 1 && Environment.is_task fact.expected.ty ->
       let cure = Printf.sprintf "%s restingOutput" (raw fact "sleepT 1[s]") in
-      hint
-        (Printf.sprintf "`%s` waits with the robot at rest; any other output may stand there" cure)
-        d
+      hint (Printf.sprintf "add an output: `%s` waits with the robot at rest" cure) d
       |> fix (Printf.sprintf "write `%s`" cure) [ (fact.at, cure) ]
       |> Option.some
   | _ -> None
@@ -107,11 +102,11 @@ let missing_by_signature fact ~missing d =
   Option.map
     (fun (name, ty) ->
       hint
-        (Printf.sprintf "%s missing, %s `%s :: %s`"
+        (Printf.sprintf "%s missing %s `%s :: %s`"
            (if missing = 1 then "an argument is" else count missing ^ " are")
            (match input_given fact with
            | Some x -> Printf.sprintf "before `%s`:" x
-           | None -> "the last of")
+           | None -> "at the end:")
            name ty)
         d)
     (declared fact.words fact.subject)
@@ -172,8 +167,8 @@ let lambda_with_too_few_parameters fact =
   | Function _, (Number _ | Bool | String | Data _) when is_a_body fact ->
       Some
         (hinted fact
-           "the function is given one argument more: `_` behind its parameters leaves it unused, \
-            as in `\\n _ -> …`")
+           "the function receives one more argument: add a parameter, or `_` if you do not need \
+            it, as in `\\n _ -> …`")
   | _ -> None
 
 let missing_in_an_operand fact =
@@ -183,8 +178,8 @@ let missing_in_an_operand fact =
       Option.map
         (fun (name, ty) ->
           error ~code:"E0301" ~at:e.span "`%s` lacks an argument" name
-          |> label ~at:fact.at "so it is no number, as this is"
-          |> hint (Printf.sprintf "the last one is missing: `%s :: %s`" name ty))
+          |> label ~at:fact.at "but this is a number"
+          |> hint (Printf.sprintf "add the last argument: `%s :: %s`" name ty))
         (declared fact.words (Some e))
   | _ -> None
 
@@ -195,10 +190,10 @@ let composed fact =
   | Function _, Tuple (_ :: _ :: _ as given) when List.for_all is_function given ->
       Some
         (match all (elements fact) with
-        | None -> hinted fact "functions are composed by `.`: `f . g`"
+        | None -> hinted fact "compose functions with `.`: `f . g`"
         | Some parts ->
             let text = String.concat " . " parts in
-            hinted fact (Printf.sprintf "functions are composed by `.`: `%s`" text)
+            hinted fact (Printf.sprintf "compose functions with `.`: `%s`" text)
             |> instead fact.subject text)
   | _ -> None
 
@@ -211,7 +206,8 @@ let one_too_many fact =
       | Some name, Some text ->
           Some
             (hinted fact
-               (Printf.sprintf "`%s` has an argument too many here: `%s` is a function" name text))
+               (Printf.sprintf "`%s` has one argument too many here: write `%s` for the function"
+                  name text))
       | _ -> Some (different fact))
   | Function _, (Number _ | Bool | Data _ | Tuple _), _ -> Some (different fact)
   | _ -> None

@@ -36,10 +36,14 @@ let with_each fact =
 let computed fact =
   let of_both operator =
     let a, b = operands fact in
-    let each = Printf.sprintf "`map (\\x -> x %s %s) %s` computes with each element" operator b a in
+    let each =
+      Printf.sprintf "use `map (\\x -> x %s %s) %s` to compute with each element" operator b a
+    in
     match b.[0] with
     | '0' .. '9' -> each
-    | _ -> Printf.sprintf "%s, `zipWith (%s) %s %s` with those of two arrays" each operator a b
+    | _ ->
+        Printf.sprintf "%s, or `zipWith (%s) %s %s` to compute with the elements of two arrays" each
+          operator a b
   in
   match fact.wanted with
   | Number _ when is_array fact.found ->
@@ -51,17 +55,17 @@ let counterpart fact =
   match (fact.expected.because, fact.given) with
   | Parameter { callee = Some ("map" | "fmap"); position = 2; at; _ }, t when Environment.is_event t
     ->
-      Some ("mapE", "of an event's value", at)
+      Some ("mapE", "to an event's value", at)
   | Parameter { callee = Some "map"; position = 2; at; _ }, t when Environment.is_task t ->
-      Some ("mapT", "of what a task ends with", at)
+      Some ("mapT", "to the result of a task", at)
   | Parameter { callee = Some "mapE"; position = 2; at; _ }, t when is_array t ->
-      Some ("map", "of each element of an array", at)
+      Some ("map", "to each element of an array", at)
   | _ -> None
 
 let mapped fact =
   Option.map
     (fun (name, of_what, place) ->
-      hinted fact (Printf.sprintf "a function %s is applied by `%s`" of_what name)
+      hinted fact (Printf.sprintf "to apply a function %s, use `%s`" of_what name)
       |> write place name)
     (counterpart fact)
 
@@ -80,8 +84,8 @@ let extreme fact =
       error ~code:"E0301" ~at:fact.at "expected %s, found the function %s" (expected_text fact)
         (found_text fact)
       |> hint
-           (Printf.sprintf "`%s` is of two values; of all elements it is `%simumBy id %s`" name name
-              xs)
+           (Printf.sprintf "`%s` takes two values; for all elements, write `%simumBy id %s`" name
+              name xs)
       |> Option.some
   | _ -> None
 
@@ -93,12 +97,11 @@ let written_as_a_tuple fact =
       |> hint
            (match all (elements fact) with
            | Some elements ->
-               Printf.sprintf "an array is written in brackets: `[%s]`"
-                 (String.concat ", " elements)
+               Printf.sprintf "write an array in brackets: `[%s]`" (String.concat ", " elements)
            | None ->
                let parts = String.concat ", " (names (List.length given)) in
                Printf.sprintf
-                 "a tuple is taken apart by an equation, `(%s) = %s`; an array is written in \
+                 "take the tuple apart in an equation, `(%s) = %s`, and write an array in \
                   brackets, `[%s]`"
                  parts (raw fact "p") parts)
       |> Option.some
@@ -112,11 +115,10 @@ let of_another_size fact =
       |> hint
            (match fact.subject with
            | Some { desc = Array elements; _ } ->
-               Printf.sprintf "%d are written here; an array of as many has the type %s"
+               Printf.sprintf
+                 "this has %d elements: write that many in the type, %s, or change the elements"
                  (List.length elements) (found_text fact)
-           | _ ->
-               "the two have different numbers of elements; `take` and `drop` make an array of the \
-                size that its type says")
+           | _ -> "use `take` or `drop` to change the size of an array; its type gives the new size")
       |> Option.some
   | _ -> None
 
@@ -130,8 +132,7 @@ let of_records fact =
     let shown = List.filteri (fun i _ -> i < 4) fields in
     hinted fact
       (Printf.sprintf
-         "its elements are records, of which the parts are %s: `map (\\x -> x.%s)` takes one of \
-          each"
+         "its elements are records with the fields %s: choose one, as in `map (\\x -> x.%s)`"
          (Enumeration.all (List.map (Printf.sprintf "`%s`") shown))
          (List.hd (List.rev shown)))
   in
@@ -144,6 +145,6 @@ let of_several_types fact =
   | Element _ ->
       Some
         (hinted fact
-           "all elements of an array have one type; values of several types stand in a tuple, `(a, \
-            b)`, or in a record")
+           "all elements of an array must have the same type: for values of several types, use a \
+            tuple, `(a, b)`, or a record")
   | _ -> None

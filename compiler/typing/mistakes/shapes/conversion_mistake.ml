@@ -9,8 +9,7 @@ let of_a_number fact =
 let of_a_text fact =
   match (fact.wanted, fact.given) with
   | Number _, String ->
-      Some
-        (hinted fact "a text is a label: nothing is computed with it, and none is joined to another")
+      Some (hinted fact "a text is only a label: you cannot compute with it or join two texts")
   | _ -> None
 
 let alternatives names = String.concat " or " (List.map (Printf.sprintf "`%s`") names)
@@ -21,7 +20,7 @@ let by_a_constructor fact =
       match Show.makers fact.words fact.expected.ty ~of_:fact.found with
       | [] -> None
       | makers ->
-          Some (hinted fact (Printf.sprintf "%s makes one of such a value" (alternatives makers))))
+          Some (hinted fact (Printf.sprintf "use %s to convert this value" (alternatives makers))))
   | _ -> None
 
 let to_a_choice fact =
@@ -32,7 +31,7 @@ let to_a_choice fact =
       | ([ _; _ ] as choices), Bool ->
           Some
             (hinted fact
-               (Printf.sprintf "it is %s, as in `if %s then … else …`" (alternatives choices)
+               (Printf.sprintf "use %s, as in `if %s then … else …`" (alternatives choices)
                   (raw fact "b")))
-      | choices, _ -> Some (hinted fact ("it is " ^ alternatives choices)))
+      | choices, _ -> Some (hinted fact ("use " ^ alternatives choices)))
   | _ -> None

@@ -95,7 +95,8 @@ let added_up words (subject : Resolve.Ir.expr option) =
     | Some e -> Option.map (fun e -> Printf.sprintf "mapE (\\x n -> n + x) %s" e) (quoted e)
     | None -> None
   in
-  Printf.sprintf "each event brings a function of what was before; to add up the numbers it is `%s`"
+  Printf.sprintf
+    "each event must carry a function of the previous value: to add up the numbers, write `%s`"
     (Option.value event ~default:"mapE (\\x n -> n + x) e")
 
 (* `hold 2[s] b`, meant to keep a truth value true for a time. *)
@@ -133,8 +134,8 @@ let accumulated words ~name ~at (arguments : (Resolve.Ir.expr * Type.t) list) d 
       let event = Printf.sprintf (if takes_its_value then "mapE %s %s" else "tag %s %s") in
       let event = if takes_its_value then event (text f) (text e) else event (text e) (text f) in
       let cure = Printf.sprintf "%s %s (%s)" name (text start) event in
-      Diagnostic.error ~code:"E0301" ~at:f.span "`%s` takes no function of its own" name
-      |> Diagnostic.label ~at:e.span "the event brings it"
+      Diagnostic.error ~code:"E0301" ~at:f.span "`%s` does not take a function as an argument" name
+      |> Diagnostic.label ~at:e.span "the event must carry it"
       |> Diagnostic.hint (Printf.sprintf "write `%s`" cure)
       |> Diagnostic.write at cure
   | _ -> d
@@ -154,8 +155,8 @@ let merged_truths fact =
       let b = grouped fact "b" in
       Some
         (Printf.sprintf
-           "`a || b` holds where one of two truths does; an event is `edge %s`, where it becomes \
-            True, or `when %s`, wherever it is"
+           "for two conditions, write `a || b`; for an event, write `edge %s`, which occurs when \
+            it becomes True, or `when %s`, which occurs whenever it is True"
            b b)
   | _ -> None
 
@@ -163,9 +164,9 @@ let merged_truths fact =
 let other_constructor fact =
   match fact.expected.because with
   | Value _ when is_maybe fact.found && event_wanted fact ->
-      Some "an event is matched by `Event x` where it occurs, by `NoEvent` elsewhere"
+      Some "match an event with the patterns `Event x` and `NoEvent`"
   | Value _ when is_an_event fact && is_maybe fact.wanted ->
-      Some "a `Maybe` is matched by `Just x` or `Nothing`"
+      Some "match a `Maybe` with the patterns `Just x` and `Nothing`"
   | _ -> None
 
 (* An event or a `Maybe` compared with the value that it may contain. *)
@@ -178,9 +179,9 @@ let compared_with_content fact =
       match (Show.quote fact.words other.span, source fact) with
       | Some other, Some text ->
           Some
-            (Printf.sprintf "what is in it is compared so: `%s %s %s %s`" other operator constructor
+            (Printf.sprintf "compare the values like this: `%s %s %s %s`" other operator constructor
                (Source.grouped text))
-      | _ -> Some (Printf.sprintf "what is in it is compared as `%s x`" constructor))
+      | _ -> Some (Printf.sprintf "compare it with `%s x`" constructor))
   | _ -> None
 
 (* `accum` or a related function, with an event that does not carry a function. *)
@@ -192,12 +193,12 @@ let without_function fact =
         (if of_numbers fact.found then added_up fact.words fact.subject
          else if is_an_event fact then
            Printf.sprintf
-             "each event brings a function of what was before: `tag %s (\\n -> n + 1)`; `count` \
-              counts events"
+             "each event must carry a function of the previous value, as in `tag %s (\\n -> n + \
+              1)`; to count events, use `count`"
              (grouped fact "e")
          else
-           "after the initial value comes an event with a function of what was before: `tag e (\\n \
-            -> n + 1)`")
+           "after the initial value, write an event that carries a function of the previous value, \
+            as in `tag e (\\n -> n + 1)`")
   | _ -> None
 
 (* `hold 2[s] b`, meant to keep a truth value true for a time. *)
@@ -207,8 +208,8 @@ let truth_held_for_a_time fact =
     when event_wanted fact && for_a_time fact.words fact.wanted fact.found ->
       Some
         (Printf.sprintf
-           "`hold x0 e` keeps the value of an event; that a condition was True at some instant of \
-            the last seconds is `within 2[s] %s`: `import Past`"
+           "to find out if a condition was True within the last 2 seconds, write `within 2[s] %s`, \
+            with `import Past`; `hold x0 e` keeps the value of an event"
            (grouped fact "b"))
   | _ -> None
 
@@ -219,8 +220,8 @@ let held_value fact =
     when event_wanted fact && is_plain fact.found && fact.given <> Bool ->
       Some
         (Printf.sprintf
-           "this has a value at every instant, and needs no `%s`, which keeps that of an event; \
-            `tag e %s` is an event with the value that it has where `e` occurs"
+           "remove the `%s`: this has a value at every instant; to keep its value from the latest \
+            occurrence of an event `e`, hold `tag e %s`"
            hold (grouped fact "x"))
   | _ -> None
 
@@ -231,8 +232,7 @@ let value_in_place_of_event fact =
     when event_wanted fact && is_plain fact.found && fact.given <> Bool ->
       Some
         (Printf.sprintf
-           "`tag e %s` is such an event, with this value where the event `e` occurs; there is none \
-            at all in `NoEvent`"
+           "use `tag e %s`, which has this value when the event `e` occurs, or `NoEvent`"
            (value fact.words x))
   | _ -> None
 
@@ -244,7 +244,7 @@ let without_value fact =
          && Option.fold (content fact.wanted) ~none:false ~some:is_plain ->
       Some
         (Printf.sprintf
-           "the value of such an event is `()`: `tag %s x` is one with the value of `x`"
+           "the value of this event is `()`: write `tag %s x` for an event with the value of `x`"
            (grouped fact "e"))
   | _ -> None
 
@@ -253,20 +253,19 @@ let time_as_condition fact =
   match (fact.expected.because, after fact.words fact.subject) with
   | Condition, Some time when is_an_event fact ->
       Some
-        (Printf.sprintf "this occurs once, at one instant; `elapsed %s ()` is True from then on"
-           time)
+        (Printf.sprintf
+           "this occurs at one instant only: write `elapsed %s ()`, which is True from then on" time)
   | _ -> None
 
 (* `()` or a `Maybe` as a condition. *)
 let content_as_condition fact =
   match fact.expected.because with
   | Condition when fact.given = Tuple [] ->
-      Some "`()` says no more than that something has happened, or has ended"
+      Some "`()` carries no information: write a condition, such as `x > 0`"
   | Condition when is_maybe fact.found && Option.map Type.expand (content fact.found) = Some Bool ->
       Some
         (Printf.sprintf
-           "`fromMaybe False %s` is what is in it, and False in `Nothing`, as where a time has run \
-            out"
+           "use `fromMaybe False %s`, which is False for `Nothing`, for example after a timeout"
            (grouped fact "m"))
   | _ -> None
 
@@ -274,7 +273,7 @@ let content_as_condition fact =
 let made_twice fact =
   match fact.expected.because with
   | Parameter { callee = Some (("edge" | "when" | "falling") as f); _ } when is_an_event fact ->
-      Some (Printf.sprintf "this is an event already, and needs no `%s`" f)
+      Some (Printf.sprintf "remove the `%s`: this is an event already" f)
   | _ -> None
 
 (* An event as the argument of a function of truth values. *)
@@ -282,14 +281,16 @@ let in_place_of_a_truth fact =
   match fact.expected.because with
   | Parameter { callee = Some f; _ }
     when fact.wanted = Bool && is_an_event fact && not (List.mem f [ "&&"; "||"; "not" ]) ->
-      Some (Printf.sprintf "`isEvent %s` tells whether it occurs now" (grouped fact "e"))
+      Some
+        (Printf.sprintf "use `isEvent %s`, which is True when the event occurs" (grouped fact "e"))
   | _ -> None
 
 (* The event that ends a mode, without the mode's output. *)
 let without_output fact =
   match fact.expected.because with
   | Output (Parameter { position = 1; _ }) when is_beside fact.wanted fact.found ->
-      Some (Printf.sprintf "the output stands beside it: `(output, %s)`" (raw fact "…"))
+      Some
+        (Printf.sprintf "write the output and the event as a pair: `(output, %s)`" (raw fact "…"))
   | _ -> None
 
 (* A function applied to an event whose value has the argument's type. *)
@@ -300,8 +301,8 @@ let applied_to_an_event fact =
          && not (List.mem f [ "switch"; "dSwitch"; "mkTask"; "."; "map" ]) ->
       Some
         (Printf.sprintf
-           "an event has a value only where it occurs: `mapE (\\x -> %s %s%s) %s` is the event of \
-            what `%s` makes of it"
+           "an event has a value only when it occurs: write `mapE (\\x -> %s %s%s) %s` for an \
+            event with the result of `%s`"
            f
            (within fact.words content fact.wanted)
            (if takes > 1 then " …" else "")
@@ -314,8 +315,8 @@ let value_is_nothing fact =
   | (Parameter _ | Operand _ | Branch _), Some { desc = Local _; _ }
     when fact.given = Tuple [] && not (event_wanted fact) ->
       Some
-        "the events of `edge`, `when` and `after` have the value `()`: `tag e x` is one with the \
-         value of `x`"
+        "the events of `edge`, `when` and `after` have the value `()`: write `tag e x` for an \
+         event with the value of `x`"
   | _ -> None
 
 (* The first hint that applies is used. A hint about a prelude function comes before the general one
@@ -358,7 +359,7 @@ let in_a_maybe fact =
     when is_maybe fact.found && not (is_maybe fact.wanted) ->
       Some
         (hinted fact
-           (Printf.sprintf "`fromMaybe x0 %s` is what is in it, and `x0` where there is nothing"
+           (Printf.sprintf "use `fromMaybe x0 %s`, where `x0` replaces a missing value"
               (grouped fact "m")))
   | _ -> None
 
@@ -368,11 +369,11 @@ let in_place_of_a_number fact =
       Some
         (hinted fact
            (Printf.sprintf
-              "an event has a value only where it occurs: `hold x0 %s` is the latest one, at first \
-               `x0`%s"
+              "an event has a value only when it occurs: write `hold x0 %s` for its latest value, \
+               which is `x0` at first%s"
               (grouped fact "e")
               (Option.fold (Array_mistake.with_each fact) ~none:""
-                 ~some:(Printf.sprintf "; `mapE %s` computes with each one"))))
+                 ~some:(Printf.sprintf ", or `mapE %s` to compute with each value"))))
   | _ -> None
 
 let of_a_truth fact =
@@ -381,8 +382,8 @@ let of_a_truth fact =
     Diagnostic.error ~code:"E0301" ~at:fact.at "expected %s, found `Bool`" (expected_text fact)
     |> Diagnostic.hint
          (Printf.sprintf
-            "`edge %s` occurs when it becomes True, `when %s` wherever it is, each with `()`; \
-             `tag` gives it another value"
+            "use `edge %s`, which occurs when it becomes True, or `when %s`, which occurs whenever \
+             it is True; use `tag` to add a value"
             b b)
     |> Option.some
   else None

@@ -29,7 +29,8 @@ let program_output t =
       Some output
   | _ -> None
 
-let cure = "`roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`"
+let cure =
+  "use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v omega)`"
 
 let hint (fact : Shape_fact.t) =
   let ends =
@@ -60,7 +61,7 @@ let statement (fact : Shape_fact.t) =
         "the statements of a `do` are tasks, but this is %s" (Shape_fact.found_text fact)
       |> Diagnostic.hint
            (Printf.sprintf
-              "`sleepT 1[s] %s` is a task that does so for a second, `constT %s` one that never \
+              "use `sleepT 1[s] %s` for a task of one second, or `constT %s` for one that never \
                ends"
               output output)
       |> Option.some

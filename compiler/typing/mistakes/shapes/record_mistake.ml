@@ -8,20 +8,20 @@ let before fact ~callee ~(next : Resolve.Ir.expr) whole =
   match Show.quote fact.words next.span with
   | Some next ->
       let next = Source.grouped next in
-      Printf.sprintf "it is a record, and stands before `%s`: `%s (%s) %s`" next callee whole next
-  | None -> Printf.sprintf "it is a record: `%s`" whole
+      Printf.sprintf "write the record before `%s`: `%s (%s) %s`" next callee whole next
+  | None -> Printf.sprintf "write the record: `%s`" whole
 
 let how_to_build fact constructor fields =
   let whole = Printf.sprintf "%s { %s }" constructor (with_each fields) in
   match fact.expected.because with
   | Parameter { callee = Some callee; position = 1; takes = 2; given = [ next ]; _ } ->
       Some (before fact ~callee ~next whole)
-  | Parameter _ -> Some (Printf.sprintf "it is a record: `%s`" whole)
+  | Parameter _ -> Some (Printf.sprintf "write the record: `%s`" whole)
   | Signature _ | Output _ | Branch _ | Field _ ->
       Some
         (Printf.sprintf
-           "such a record is given as a whole: `%s`, or `r { %s = … }`, which is r with another \
-            `%s`"
+           "write the whole record, `%s`, or a copy of a record `r` with another `%s`: `r { %s = … \
+            }`"
            whole (List.hd fields) (List.hd fields))
   | _ -> None
 
@@ -58,8 +58,8 @@ let parts fact fields =
   match (bound_too_tightly fact.words fact.subject fields, fact.given) with
   | Some hint, _ -> hint
   | None, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ } ->
-      Printf.sprintf "a vector has parts, %s, and a length: `norm %s`" all r
-  | None, _ -> "it is a record, of which the parts are " ^ all
+      Printf.sprintf "for a part of the vector, write %s; for its length, write `norm %s`" all r
+  | None, _ -> "this is a record: choose one of its fields, " ^ all
 
 let in_place_of_a_number fact =
   match (fact.wanted, fact.given) with
@@ -75,7 +75,8 @@ let compared_with_a_number fact =
       Option.map
         (fun (_, fields) ->
           hinted fact
-            (Printf.sprintf "the other one is a record, with the fields %s: `r.%s`"
+            (Printf.sprintf
+               "the other operand is a record with the fields %s: choose one, as in `r.%s`"
                (String.concat ", " (List.map (Printf.sprintf "`%s`") fields))
                (List.hd fields)))
         (Show.fields fact.words fact.expected.ty)

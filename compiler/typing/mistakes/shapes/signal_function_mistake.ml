@@ -12,16 +12,16 @@ let in_place_of_a_test fact =
   | Data { tycon = { name = "Test"; _ }; _ }, Signal_function (input, _) ->
       let sf = grouped fact "sf" in
       error ~code:"E0301" ~at:fact.at
-        "a test is no signal function: it says how long that is to hold"
+        "expected a `Test`, which also says how long to run the signal function"
       |> here (Printf.sprintf "this is %s" (found_text fact))
       |> hint
            (match Type.expand input with
            | Data { tycon = { name = "Truth"; _ }; _ } ->
                Printf.sprintf
-                 "what is to hold in the simulator is a trial: `trial \"name\" = Trial { world = \
+                 "for a run in the simulator, write a trial: `trial \"name\" = Trial { world = \
                   \"room.toml\", lasts = 10[s], seeds = 1 `to` 20, judge = %s }`"
                  (raw fact "sf")
-           | _ -> Printf.sprintf "`during 10[s] %s` is a test" sf)
+           | _ -> Printf.sprintf "use `during 10[s] %s`" sf)
       |> Option.some
   | _ -> None
 
@@ -36,8 +36,10 @@ let condition_of_an_event fact =
       no_signal_function fact
       |> hint
            (match name fact with
-           | Some name -> Printf.sprintf "`proc x -> edge (%s x)` occurs when it becomes True" name
-           | None -> "`proc x -> edge (f x)` occurs when `f x` becomes True")
+           | Some name ->
+               Printf.sprintf
+                 "use `proc x -> edge (%s x)`, which occurs when the condition becomes True" name
+           | None -> "use `proc x -> edge (f x)`, which occurs when `f x` becomes True")
       |> Option.some
   | _ -> None
 
@@ -46,7 +48,7 @@ let function_not_lifted fact =
   | Signal_function _, Function _, Some text ->
       let text = "arr " ^ Source.grouped text in
       no_signal_function fact
-      |> hint (Printf.sprintf "`arr` makes a signal function of a function: `%s`" text)
+      |> hint (Printf.sprintf "use `arr` to turn a function into a signal function: `%s`" text)
       |> Unrun_mistake.instead fact.subject text
       |> Option.some
   | Signal_function _, Function _, None ->
@@ -54,9 +56,9 @@ let function_not_lifted fact =
       |> hint
            (match Show.quote fact.words fact.at with
            | Some text when text.[0] = '\\' ->
-               "a signal function is written `proc x -> …`, with `proc` in place of `\\`; `arr` \
-                makes one of a function"
-           | _ -> "`arr` makes a signal function of a function")
+               "use `proc x -> …`, with `proc` instead of `\\`, or use `arr` to turn a function \
+                into a signal function"
+           | _ -> "use `arr` to turn a function into a signal function")
       |> Option.some
   | _ -> None
 
@@ -64,16 +66,18 @@ let function_not_lifted fact =
    expects it. *)
 let by_its_use fact =
   match (fact.expected.because, fact.wanted) with
-  | Parameter { callee = Some "arr"; _ }, _ -> Some "leave out `arr`"
-  | Parameter { callee = Some "map"; _ }, _ -> Some "`mapSF` runs a signal function on each element"
+  | Parameter { callee = Some "arr"; _ }, _ -> Some "remove `arr`"
+  | Parameter { callee = Some "map"; _ }, _ ->
+      Some "use `mapSF` to run a signal function on each element"
   | Parameter { callee = Some "."; _ }, _ ->
-      Some "signal functions are composed with `>>>`, from left to right"
+      Some "use `>>>` to compose signal functions, from left to right"
   | Parameter { callee = Some name; _ }, _ ->
       Some
-        (Printf.sprintf "if `%s` is to run it, the signature of `%s` must ask for an `SF`" name name)
+        (Printf.sprintf "if `%s` should run it, write an `SF` type in the signature of `%s`" name
+           name)
   | Signature _, Function (input, output) ->
       Some
-        (Printf.sprintf "the type of such a signal function is %s"
+        (Printf.sprintf "for a signal function, write the type %s"
            (Show.described fact.words (Signal_function (input, output))))
   | _ -> None
 
@@ -87,7 +91,7 @@ let in_place_of_a_function fact =
       Some
         (if Switch_mistake.goes_on fact.expected then
            let text = "\\_ -> " ^ raw fact "…" in
-           hint (Printf.sprintf "it is given a value, and may ignore it: `%s`" text) d
+           hint (Printf.sprintf "write a function that ignores its argument: `%s`" text) d
            |> if source fact = None then Fun.id else Unrun_mistake.instead fact.subject text
          else Option.fold (by_its_use fact) ~none:d ~some:(fun text -> hint text d))
   | _ -> None
@@ -95,5 +99,5 @@ let in_place_of_a_function fact =
 let constant fact =
   match (fact.wanted, fact.given, other_operand fact) with
   | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
-      Some (hinted fact "`constant e` is the signal function that always gives `e`")
+      Some (hinted fact "use `constant e` for a signal function that always returns `e`")
   | _ -> None

@@ -24,7 +24,7 @@ let in_place_of_the_event wanted given =
   | _ -> None
 
 let by_an_event =
-  "what ends it is an event: `edge b` occurs when `b` becomes True, `when b` wherever it is"
+  "end it with an event: `edge b` occurs when `b` becomes True, `when b` whenever `b` is True"
 
 (* A function defined in the program, applied to one argument. *)
 let of_a_local_function (e : Resolve.Ir.expr option) =
@@ -47,13 +47,11 @@ let input words t =
 (* A signal function whose output is not a pair, or is a pair without an event. *)
 let hint_for_an_output wanted given =
   if is_pair wanted && not (is_pair given) then
-    Some "it gives its output together with the event that ends it, as `sf &&& e` does"
+    Some "return the output and the event that ends it, as in `sf &&& e`"
   else
     match in_place_of_the_event wanted given with
     | Some other when is_unrun_event other ->
-        Some
-          "the event is a signal function here, and not run: it lacks its signal, as in `after \
-           5[s] ()`"
+        Some "run the event's signal function on a signal, as in `after 5[s] ()`"
     | Some other when Type.expand other = Bool -> Some by_an_event
     | _ -> None
 
@@ -61,16 +59,13 @@ let hint_for_an_output wanted given =
 let hint_for_a_function fact (name, argument) =
   let argument = Option.value (Show.quote fact.words argument) ~default:"x" in
   Printf.sprintf
-    "what is switched are signal functions, which get their signal from the `switch`: `%s = proc \
-     %s -> …`, and the whole runs as `switch %s … %s`"
-    name argument name argument
+    "`switch` needs a signal function: define `%s = proc %s -> …`, and write `switch %s … %s`" name
+    argument name argument
 
 (* A pair of an output and an event in place of the mode that returns them. *)
 let hint_for_a_pair fact =
   let callee = callee fact.expected and x = input fact.words fact.expected.ty in
-  Printf.sprintf
-    "what is %s are signal functions, each of which gets its signal by itself: `%s (proc %s -> %s) \
-     …`, and where that is to be run, `%s` behind it all"
+  Printf.sprintf "`%s` needs a signal function: write `%s (proc %s -> %s) …`, and run that on `%s`"
     (if callee = "mkTask" then "made a task" else "switched")
     callee x (raw fact "(output, event)") x
 
@@ -125,8 +120,8 @@ let three_arguments words ~name ~at arguments d =
       | Some first' ->
           let cure = String.concat " " (name :: first' :: next :: rest) in
           let d =
-            error ~code:"E0301" ~at:second.span "the event of `%s` is no argument of its own" name
-            |> label ~at:first.span "it stands beside the output of this"
+            error ~code:"E0301" ~at:second.span "the event of `%s` is not a separate argument" name
+            |> label ~at:first.span "this must return it together with its output"
             |> hint (Printf.sprintf "write `%s`" cure)
           in
           if String.contains cure '\n' then d else write at cure d)

@@ -27,8 +27,8 @@ let to_wait words (argument : Resolve.Ir.expr) =
   in
   hint
     (Printf.sprintf
-       "`delay` is the value of a signal one instant ago; a task that waits is `sleepT %s \
-        restingOutput`, with the robot at rest"
+       "to wait with the robot at rest, write `sleepT %s restingOutput`; `delay` returns the \
+        previous value of a signal"
        how_long)
 
 (* How to turn a signal function into a task that ends at its event, or never ends. *)
@@ -36,29 +36,29 @@ let to_task words subject output =
   let name = match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "sf" in
   match Type.expand output with
   | Tuple [ _; last ] when Environment.is_event last ->
-      hint (Printf.sprintf "`mkTask %s` is the task that ends when its event occurs" name)
+      hint (Printf.sprintf "use `mkTask %s`, which ends when its event occurs" name)
   | _ -> (
       match Option.bind subject (parts words) with
       | Some (input, output) ->
           hint
             (Printf.sprintf
-               "a task ends at an event, which its `proc` gives beside the output: `mkTask (proc \
-                %s -> (%s, after 1[s] ()))`; one with `never ()` in that place goes on for ever"
+               "add the event that ends the task: `mkTask (proc %s -> (%s, after 1[s] ()))`; with \
+                `never ()` as the event, it never ends"
                input output)
       | None ->
           hint
             (Printf.sprintf
-               "`mkTask (%s &&& event)` ends when the event occurs; `mkTask (%s &&& never)` never \
-                does"
+               "use `mkTask (%s &&& event)`, which ends when the event occurs, or `mkTask (%s &&& \
+                never)`, which never ends"
                name name))
 
 let in_place_of_a_task fact output =
-  error ~code:"E0371" ~at:fact.at "a signal function stands where a task is needed"
+  error ~code:"E0371" ~at:fact.at "expected a task, found a signal function"
   |> here (Printf.sprintf "this is %s" (found_text fact))
   |> (match (fact.expected.because, name fact) with
-     | Statement _, Some name -> hint (Printf.sprintf "to read it once: `ask %s`" name)
+     | Statement _, Some name -> hint (Printf.sprintf "to read it once, write `ask %s`" name)
      | Parameter { callee = Some "reactimateTask"; _ }, _ ->
-         hint "`reactimateRobot` makes a program of a signal function"
+         hint "use `reactimateRobot` to turn a signal function into a program"
      | _ -> Fun.id)
   |>
   match Option.bind fact.subject (waits fact.expected) with
@@ -67,16 +67,16 @@ let in_place_of_a_task fact output =
 
 let in_place_of_a_signal_function fact =
   let name = Option.value (name fact) ~default:"t" in
-  error ~code:"E0371" ~at:fact.at "a task stands where a signal function is needed"
+  error ~code:"E0371" ~at:fact.at "expected a signal function, found a task"
   |> here (Printf.sprintf "this is %s" (found_text fact))
   |> hint
        (match fact.expected.because with
        | Parameter { callee = Some "reactimateRobot"; _ } ->
-           Printf.sprintf "`reactimateTask %s` makes a program of a task" name
+           Printf.sprintf "use `reactimateTask %s` to turn a task into a program" name
        | _ ->
            Printf.sprintf
-             "`runTask %s` is a signal function: `Left` its output while it runs, then `Right` its \
-              result"
+             "use `runTask %s`, a signal function that returns `Left` and the output while the \
+              task runs, then `Right` and the result"
              name)
 
 let task_or_signal_function fact =
@@ -96,7 +96,7 @@ let function_of_the_input fact =
       |> here (Printf.sprintf "this is %s" (found_text fact))
       |> hint
            (match name with
-           | "place" -> "the task that ends with the robot's position is `robotPlace`"
+           | "place" -> "write `robotPlace`, a task that returns the robot's position"
            | _ -> Printf.sprintf "to apply it to the input once, write `ask (arr %s)`" name)
       |> write fact.at
            (if String.equal name "place" then "robotPlace" else Printf.sprintf "ask (arr %s)" name)
@@ -113,8 +113,10 @@ let statement_without_task fact =
         (found_text fact)
       |> hint
            (match name fact with
-           | Some name -> Printf.sprintf "`return %s` is the task that ends at once with it" name
-           | None -> "`let x = …` names a value; `return x` is the task that ends at once with it")
+           | Some name ->
+               Printf.sprintf "use `return %s` for a task that returns it immediately" name
+           | None ->
+               "use `let x = …` to name a value, `return x` for a task that returns it immediately")
       |> Option.some
   | _ -> None
 
@@ -124,8 +126,8 @@ let beside_each_other fact =
     when fact.wanted = Bool && Environment.is_task fact.given ->
       Some
         (hinted fact
-           "two tasks are done side by side by `both s t`, and one until something happens by \
-            `abortWhen`; one after the other they stand in a `do`")
+           "use `both s t` to run two tasks in parallel, `abortWhen` to end a task at an event, or \
+            a `do` to run one after the other")
   | _ -> None
 
 (* Is this the type of a bare `return`, which fits any task? *)
@@ -142,9 +144,7 @@ let only_returned fact =
   | (Number _ | Bool | Data _ | Tuple (_ :: _))
     when is_only_returned fact.words fact.given && not (Environment.is_task fact.wanted) ->
       Some
-        (hinted fact
-           "`return` makes a task: the value of a function or an equation is what stands behind \
-            its `=`, without a `return`")
+        (hinted fact "`return` is only for tasks: write the value after the `=`, without `return`")
   | _ -> None
 
 let condition fact =
@@ -152,9 +152,7 @@ let condition fact =
   | Condition when Environment.is_task fact.found ->
       not_a_condition fact
       |> hint
-           (Printf.sprintf
-              "the task runs on a line before, which names its result: `ok <- %s`, and here stands \
-               `ok`"
+           (Printf.sprintf "run the task on the line before, `ok <- %s`, and write `ok` here"
               (raw fact "t"))
       |> Option.some
   | _ -> None
@@ -164,17 +162,17 @@ let condition fact =
 let of_another_result result result' =
   let nothing t = Type.expand t = Type.Tuple [] in
   if nothing result then
-    "`mapT (const ()) t` is the task `t` without its result; in a `do`, `return ()` below it drops \
+    "to drop the result of a task `t`, write `mapT (const ()) t`, or, in a `do`, `return ()` below \
      it"
-  else if nothing result' then "in a `do`, `return x` below it ends the two with `x`"
-  else "`mapT f t` is the task `t`, and ends with `f` of its result"
+  else if nothing result' then "to return `x` instead, write a `do` with `return x` below the task"
+  else "to apply a function `f` to the result of a task `t`, write `mapT f t`"
 
 let of_another_input fact d =
   match fact.expected.because with
   | Parameter { callee = Some "watching"; _ } ->
       hint
-        "`watching` adds to the input what is heard; a task of any input has the capabilities in \
-         its signature: `(HasSonar i, DiffDrive o) => Task i o Bool`"
+        "`watching` adds a value to the input, so the task must accept any input with its \
+         capabilities: `(HasSonar i, DiffDrive o) => Task i o Bool`"
         d
   | _ -> d
 
@@ -188,14 +186,15 @@ let unlike fact =
   | Some (input, output, result), Some (input', output', result') -> (
       match (differ input input', differ output output', differ result result') with
       | false, false, true ->
-          says "expected a task that ends with %s, but this one ends with %s" result result'
+          says "expected a task that returns %s, but this one returns %s" result result'
           |> hint (of_another_result result result')
           |> Option.some
       | false, true, false ->
           Some
-            (says "expected a task whose output is %s, but that of this one is %s" output output')
+            (says "expected a task with the output %s, but this one has the output %s" output
+               output')
       | true, false, false ->
-          says "expected a task whose input is %s, but that of this one is %s" input input'
+          says "expected a task with the input %s, but this one has the input %s" input input'
           |> of_another_input fact |> Option.some
       | _ -> None)
   | _ -> None

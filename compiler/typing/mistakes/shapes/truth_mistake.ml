@@ -10,7 +10,7 @@ let comparison fact =
   match (fact.given, fact.subject) with
   | Number _, Some { desc = Number { digits; _ }; _ } ->
       Some
-        (Printf.sprintf "the truths are `True` and `False`: it is `%s`"
+        (Printf.sprintf "use `%s`: a number is not a `Bool`"
            (if float_of_string_opt digits = Some 0. then "False" else "True"))
   | Number (_, u), _ ->
       let e = raw fact "x" in
@@ -19,11 +19,12 @@ let comparison fact =
         if Units.equal u Units.one || Units.is_open u then Printf.sprintf "%s /= 0" e
         else Printf.sprintf "%s < 1[%s]" e (Show.measure fact.words u)
       in
-      Some (Printf.sprintf "no number is True or False: a comparison is, as in `%s`" text)
+      Some
+        (Printf.sprintf "a number is neither True nor False: write a comparison, as in `%s`" text)
   | _ -> None
 
 let is_now fact otherwise =
-  Printf.sprintf "`isEvent %s` tells whether it occurs now" (grouped fact otherwise)
+  Printf.sprintf "use `isEvent %s`, which is True when the event occurs" (grouped fact otherwise)
 
 let condition fact =
   match fact.expected.because with
@@ -42,11 +43,15 @@ let event_function fact =
   | Operand { operator = "&&" | "||"; other; _ } ->
       let b = Option.fold (Show.quote fact.words other.span) ~none:"b" ~some:Source.grouped in
       Some
-        (Printf.sprintf "%s; `gate %s %s` is the event where that is True, too" (is_now fact "e")
-           (grouped fact "e") b)
-  | Parameter { callee = Some "||"; _ } -> Some "`mergeE a b` occurs where one of two events does"
+        (Printf.sprintf
+           "%s, or `gate %s %s` for an event that occurs only while the condition is True"
+           (is_now fact "e") (grouped fact "e") b)
+  | Parameter { callee = Some "||"; _ } ->
+      Some "use `mergeE a b`, which occurs when one of two events does"
   | Parameter { callee = Some "&&"; _ } ->
-      Some "`pairEvents a b` occurs where two events do, and `gate e b` where `b` is True"
+      Some
+        "use `pairEvents a b`, which occurs when both events do, or `gate e b`, which occurs only \
+         while `b` is True"
   | Parameter { callee = Some "not"; _ } -> Some (is_now fact "e")
   | _ -> None
 
@@ -57,7 +62,10 @@ let of_events fact =
 
 (* The hint for `not x > 0`. *)
 let hint_to_group name operator =
-  Printf.sprintf "application binds tighter than `%s`: write `%s (… %s …)`" operator name operator
+  Printf.sprintf
+    "put parentheses around the argument, because application binds tighter than `%s`: `%s (… %s \
+     …)`"
+    operator name operator
 
 let grouped_with_an_argument fact =
   match (fact.wanted, fact.expected.because) with
@@ -71,10 +79,9 @@ let equal_to_a_truth fact =
       let itself truth =
         let negated = Printf.sprintf "not %s" (Source.grouped truth) in
         match (raw fact "1", operator) with
-        | "1", "==" | "0", "/=" -> Printf.sprintf "it is True or False by itself: write `%s`" truth
-        | "0", "==" | "1", "/=" ->
-            Printf.sprintf "it is True or False by itself: write `%s`" negated
-        | _ -> Printf.sprintf "it is True or False by itself: `%s`, or `%s`" truth negated
+        | "1", "==" | "0", "/=" -> Printf.sprintf "this is a `Bool` already: write `%s`" truth
+        | "0", "==" | "1", "/=" -> Printf.sprintf "this is a `Bool` already: write `%s`" negated
+        | _ -> Printf.sprintf "this is a `Bool` already: write `%s` or `%s`" truth negated
       in
       Option.map (fun truth -> no_truth fact (itself truth)) (Show.quote fact.words other.span)
   | _ -> None

@@ -10,8 +10,8 @@ let selected fact =
       Some
         (hinted fact
            (Printf.sprintf
-              "a tuple is taken apart by an equation, `(a, b) = %s`; of a pair there are `fst %s` \
-               and `snd %s`"
+              "for the parts of a tuple, write an equation, `(a, b) = %s`; for those of a pair, \
+               also `fst %s` and `snd %s`"
               p p p))
   | _ -> None
 
@@ -44,7 +44,7 @@ let parameter fact =
       let length = List.length wanted in
       Some
         (hinted fact
-           (Printf.sprintf "`%s` takes one tuple of %d: `%s`" (callee fact) length
+           (Printf.sprintf "`%s` takes one tuple of %d: write `%s`" (callee fact) length
               (gathered fact length)))
   | _ -> None
 
@@ -53,8 +53,8 @@ let taken_apart fact given =
   let names = String.concat ", " (names (List.length given)) in
   match fact.expected.because with
   | Parameter { callee = Some ("fst" | "snd"); _ } ->
-      hint (Printf.sprintf "an equation takes it apart: `(%s) = %s`" names (raw fact "p"))
-  | Pattern _ -> hint (Printf.sprintf "a pattern for it is `(%s)`" names)
+      hint (Printf.sprintf "for its parts, write an equation: `(%s) = %s`" names (raw fact "p"))
+  | Pattern _ -> hint (Printf.sprintf "write the pattern as `(%s)`" names)
   | _ -> Fun.id
 
 let of_another_length fact =
@@ -74,7 +74,7 @@ let written_as_an_array fact =
     when Array_mistake.is_array fact.given && List.compare_lengths elements parts = 0 ->
       let message texts =
         let tuple = "(" ^ String.concat ", " texts ^ ")" in
-        hinted fact (Printf.sprintf "a tuple stands in parentheses: `%s`" tuple) |> write span tuple
+        hinted fact (Printf.sprintf "put a tuple in parentheses: `%s`" tuple) |> write span tuple
       in
       List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) elements
       |> all |> Option.map message
@@ -140,8 +140,10 @@ let separated_by_commas fact =
         (List.length components)
       |> hint
            (match (takes, name) with
-           | 1, "atan" -> Printf.sprintf "of two numbers it is `atan2 %s`" arguments
-           | 1, _ -> Printf.sprintf "`%s` takes one argument, and no tuple" name
-           | _ -> Printf.sprintf "several arguments stand side by side: `%s %s`" name arguments)
+           | 1, "atan" -> Printf.sprintf "for two numbers, write `atan2 %s`" arguments
+           | 1, _ -> Printf.sprintf "`%s` takes one argument, not a tuple" name
+           | _ ->
+               Printf.sprintf "write the arguments without parentheses and commas: `%s %s`" name
+                 arguments)
       |> Option.some
   | _ -> None

@@ -41,7 +41,7 @@ let signal_in_place_of_an_argument words name arguments =
         List.rev_map (fun (_, text) -> Option.fold text ~none:"…" ~some:Source.grouped) before
       in
       Some
-        (Printf.sprintf "`%s` takes %s before its signal: `%s`, where the signal is `%s`" name
+        (Printf.sprintf "`%s` takes %s before its signal: write `%s`, where the signal is `%s`" name
            (count (List.length arguments))
            (String.concat " " ((name :: before) @ [ "…"; Source.grouped signal ]))
            signal)
@@ -77,13 +77,13 @@ let hint_to_run words subject input d =
   hint
     (match (Option.bind subject Plain_name.of_head, arguments) with
     | Some name, [ only ] when has_initial_value name ->
-        Printf.sprintf "`%s` has an initial value before its signal: `%s x0 %s`" name name
+        Printf.sprintf "`%s` takes an initial value before its signal: write `%s x0 %s`" name name
           (argument only)
     | Some name, _ :: _ -> (
         match signal_in_place_of_an_argument words name arguments with
         | Some text -> text
         | None ->
-            Printf.sprintf "run it on %s, its last argument: `%s %s`"
+            Printf.sprintf "add %s as the last argument: `%s %s`"
               (if signal = "()" then "`()`" else "a signal")
               (String.concat " " (name :: List.map argument arguments))
               signal)
@@ -112,12 +112,13 @@ let truth_of_event words ~(subject : Resolve.Ir.expr option) ~wanted ~found =
 
 let message words ~subject ~at ~wanted ~input ~found =
   let d =
-    error ~code:"E0303" ~at "a signal function stands where the value of its signal is needed"
+    error ~code:"E0303" ~at
+      "expected a value, found a signal function that is not applied to a signal"
     |> here (Printf.sprintf "this is %s" (Show.described words found))
   in
   match truth_of_event words ~subject ~wanted ~found with
   | Some cure ->
-      hint (Printf.sprintf "it gives events; what is True or False is `%s`" cure) d
+      hint (Printf.sprintf "its output is an event: for a condition, write `%s`" cure) d
       |> instead subject cure
   | None -> hint_to_run words subject input d
 

@@ -18,7 +18,7 @@ let vector words ?(elements = []) wanted =
   | Type.Data { tycon = { name = "Vec3"; _ }; _ } -> built "Vec3" [ "x"; "y"; "z" ]
   | _ -> None
 
-let by_name text = "a vector has its fields by name: " ^ text
+let by_name text = "write a vector with the names of its fields: " ^ text
 
 let of_a_number fact =
   match fact.given with
@@ -48,7 +48,7 @@ let operator (expected : Expected.t) =
       match operator with
       | "+" -> Some "`^+^`"
       | "-" -> Some "`^-^`"
-      | "*" -> Some "`*^` with the number first, and `dot`"
+      | "*" -> Some "`*^` with the number first, or `dot`"
       | _ -> None)
   | _ -> None
 
@@ -56,6 +56,6 @@ let of_an_operator fact =
   match (fact.wanted, fact.given) with
   | Number _, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ } ->
       Option.map
-        (fun operator -> hinted fact ("vectors have operators of their own: " ^ operator))
+        (fun operator -> hinted fact ("for vectors, use " ^ operator))
         (operator fact.expected)
   | _ -> None

@@ -11,7 +11,7 @@ Syntax that C and Python write differently: the message shows Frob's syntax.
   2 | f x = x != 0
     |         ^^
     |
-    = hint: `/=` says that two values differ
+    = hint: use `/=` to compare for inequality
   
   1 error
   [1]
@@ -27,7 +27,7 @@ Syntax that C and Python write differently: the message shows Frob's syntax.
   2 | f x = !x
     |       ^
     |
-    = hint: the opposite of `b` is `not b`
+    = hint: use `not b` for the opposite of `b`
   
   1 error
   [1]
@@ -43,7 +43,7 @@ Syntax that C and Python write differently: the message shows Frob's syntax.
   2 | f x y = x & y
     |           ^
     |
-    = hint: write `&&`, or `.&.` of bits
+    = hint: write `&&`, or `.&.` for bits
   
   1 error
   [1]
@@ -75,7 +75,7 @@ Syntax that C and Python write differently: the message shows Frob's syntax.
   2 | f x = if x > 0 then 1 elif x < 0 then 2 else 3
     |                       ^^^^
     |
-    = hint: a chain of choices is written `if a then x else if b then y else z`
+    = hint: use `else if`: `if a then x else if b then y else z`
   
   1 error
   [1]
@@ -85,7 +85,7 @@ Syntax that C and Python write differently: the message shows Frob's syntax.
   > inside a b c = a < b < c
   > FROB
   $ frobc check between.frob
-  error[E0113]: `<` and `<` do not combine without parentheses
+  error[E0113]: `<` and `<` cannot be combined without parentheses
    --> between.frob:2:22
     |
   2 | inside a b c = a < b < c
@@ -110,7 +110,7 @@ Syntax that C and Python write differently: the message shows Frob's syntax.
   3 |     n += x
     |       ^^
     |
-    = hint: nothing is assigned: an equation says what holds at every instant, as in `n = delay 0 n + 1`
+    = hint: Frob has no assignments: write an equation that holds at every instant, as in `n = delay 0 n + 1`
   
   1 error
   [1]
@@ -130,7 +130,7 @@ Braces have one message, not one for each.
   2 | main = proc x -> y where {
     |                          ^
     |
-    = hint: blocks are made by indentation; braces write records only
+    = hint: indent the block instead: braces are only for records
   
   1 error
   [1]
@@ -140,7 +140,7 @@ Braces have one message, not one for each.
   > inside x = x > 0 and x < 1
   > FROB
   $ frobc check words.frob
-  error[E0113]: `>` and `<` do not combine without parentheses
+  error[E0113]: `>` and `<` cannot be combined without parentheses
    --> words.frob:2:24
     |
   2 | inside x = x > 0 and x < 1
@@ -148,7 +148,7 @@ Braces have one message, not one for each.
     |              |
     |              after this one
     |
-    = hint: `and` is written `&&`
+    = hint: write `&&` instead of `and`
   
   1 error
   [1]
@@ -167,7 +167,7 @@ Braces have one message, not one for each.
     |       |
     |       argument 1 of `limit` is a number
     |
-    = hint: several arguments stand side by side: `limit 1 x`
+    = hint: write the arguments without parentheses and commas: `limit 1 x`
   
   1 error
   [1]
@@ -189,7 +189,7 @@ An `if` without `else` among the statements of a task.
   3 |     if True then sleepT 1[s] 2
     |                               ^
     |
-    = hint: every `if` has both `then` and `else`, since it always has a value; in a task's `do` that is `else return ()`, or `whenT` for the `if`
+    = hint: add an `else`: every `if` has a value; in the `do` of a task, write `else return ()`, or `whenT` instead of `if`
   
   1 error
   [1]
@@ -209,7 +209,7 @@ Comments and counting as in C.
   2 | main = identity /* nothing */
     |                 ^^
     |
-    = hint: a comment is written `{- … -}`, or `--` up to the end of the line
+    = hint: write a comment as `{- … -}`, or as `--` up to the end of the line
   
   1 error
   [1]
@@ -226,7 +226,7 @@ Comments and counting as in C.
   3 |     n = x++
     |          ^^
     |
-    = hint: nothing is counted up: an equation says what holds at every instant, as in `n = delay 0 n + 1`
+    = hint: Frob has no assignments: to count, write an equation that holds at every instant, as in `n = delay 0 n + 1`
   
   1 error
   [1]

@@ -34,9 +34,9 @@ Rows of a matrix:
    --> rows.frob:1:5
     |
   1 | m = [1, 2; 3, 4]
-    |     ^    - a `]` belongs before this
+    |     ^    - a `]` is missing before this
     |
-    = hint: a `;` ends a definition; there is a `,` between two elements, and rows are arrays: `[[1, 2], [3, 4]]`
+    = hint: a `;` ends a definition: write a `,` between two elements, and rows as arrays, `[[1, 2], [3, 4]]`
   
   1 error
   [1]
@@ -54,7 +54,7 @@ Rows of a matrix:
   1 | double :: Array n Float -> Array (2 * n) Float
     |                                     ^
     |
-    = hint: sizes are not computed: a name of its own, as `m` in `Array m Float`, is any size, and `type Twice = 16` names one
+    = hint: sizes cannot be computed: use a variable for any size, as in `Array m Float`, or a name for a number, as in `type Twice = 16`
   
   1 error
   [1]
@@ -70,7 +70,7 @@ Rows of a matrix:
   2 | main = proc x -> |x|
     |                  ^
     |
-    = hint: the absolute value of `x` is `abs x`
+    = hint: use `abs x` for the absolute value of `x`
   
   1 error
   [1]
@@ -88,7 +88,7 @@ Rows of a matrix:
     |                       |
     |                       argument 1 of `atan` is `Float`
     |
-    = hint: of two numbers it is `atan2 y x`
+    = hint: for two numbers, write `atan2 y x`
   
   1 error
   [1]
@@ -105,8 +105,8 @@ Rows of a matrix:
   1 | foreign lut :: double -> double = "lut"
     |                ^^^^^^^^^^^^^^^^
     |
-    = note: a name in lower case is any type
-    = hint: C's type is written `Float`, which is a `double`
+    = note: a lower-case name is a type variable
+    = hint: write this C type as `Float`, which is a `double`
   
   1 error
   [1]
@@ -123,7 +123,7 @@ Rows of a matrix:
   1 | foreign fill :: Array 8 Float* -> Int = "fill"
     |                              ^
     |
-    = hint: C is given the address of an array or a record anyway: leave out the `*`
+    = hint: remove the `*`: C receives the address of an array or a record anyway
   
   1 error
   [1]
@@ -162,7 +162,7 @@ Syntax that is only valid at the left edge, and ranges:
   3 |     param cruise :: Velocity = 0.2[m/s])
     |     ^^^^^
     |
-    = hint: a `param` stands at the left edge, among the program's definitions
+    = hint: move the `param` to the top level, without indentation
   
   1 error
   [1]
@@ -181,7 +181,7 @@ Syntax that is only valid at the left edge, and ranges:
   5 | trial "no touching" = Trial { world = "room.toml", lasts = 60, seeds = [1..20], judge = neverTouches }
     |                                                                          ^^
     |
-    = hint: they are ``1 `to` 20``, both included
+    = hint: use ``1 `to` 20``, which includes both numbers
   
   1 error
   [1]

@@ -52,9 +52,9 @@ Records and arrays in the syntax of other languages.
    --> record_update_call.frob:3:18
     |
   3 | main = proc s -> s.x(3)
-    |                  ^^^ - it is given an argument here
+    |                  ^^^ - it is applied to an argument here
     |
-    = hint: nothing is set: a record with another `x` is `s { x = 3 }`
+    = hint: for a record with another `x`, write `s { x = 3 }`
   
   1 error
   [1]
@@ -80,13 +80,13 @@ Records and arrays in the syntax of other languages.
   > main = proc a -> a[2]
   > FROB
   $ frobc check array_index_bracket.frob
-  error[E0110]: a `[` directly after a name starts no index and no array
+  error[E0110]: a `[` directly after a name is neither an index nor an array
    --> array_index_bracket.frob:2:19
     |
   2 | main = proc a -> a[2]
     |                   ^
     |
-    = hint: an element of an array is `(a ! 2)`; a tuple is taken apart by an equation, `(a, b) = a`, and an argument needs a blank before it
+    = hint: write `(a ! 2)` for an element of an array; for a tuple, write an equation, `(a, b) = a`; before an argument, write a space
   
   1 error
   [1]
@@ -102,7 +102,7 @@ Records and arrays in the syntax of other languages.
   1 | main :: SF Float[4] Float
     |                  ^
     |
-    = hint: a power is written `m^2`; an array of 4 has the type `Array 4 Float`
+    = hint: write a power as `m^2`; an array of 4 elements has the type `Array 4 Float`
   
   1 error
   [1]
@@ -119,7 +119,7 @@ Records and arrays in the syntax of other languages.
   2 | total a = for x in a: s += x
     |                     ^
     |
-    = hint: nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forEachT xs f` does a task for each
+    = hint: Frob has no loops: write `map f xs` or `foldl (+) 0 xs` for an array, `forEachT xs f` to run a task for each element
   
   1 error
   [1]
@@ -138,7 +138,7 @@ Records and arrays in the syntax of other languages.
   2 | gains = [1, 2, 3, 4]
     |         ^^^^^^^^^^^^
     |
-    = hint: 4 are written here; an array of as many has the type `Array 4 Float`
+    = hint: this has 4 elements: write that many in the type, `Array 4 Float`, or change the elements
   
   1 error
   [1]
@@ -156,7 +156,7 @@ Records and arrays in the syntax of other languages.
     |         |
     |         the first element is a number
     |
-    = hint: all elements of an array have one type; values of several types stand in a tuple, `(a, b)`, or in a record
+    = hint: all elements of an array must have the same type: for values of several types, use a tuple, `(a, b)`, or a record
   
   1 error
   [1]
@@ -172,7 +172,7 @@ Records and arrays in the syntax of other languages.
   2 | main = proc (a, b) -> a + b
     |                       ^ - argument 1 of `+` is a number
     |
-    = hint: `map (\x -> x + b) a` computes with each element, `zipWith (+) a b` with those of two arrays
+    = hint: use `map (\x -> x + b) a` to compute with each element, or `zipWith (+) a b` to compute with the elements of two arrays
   
   1 error
   [1]
@@ -188,7 +188,7 @@ Records and arrays in the syntax of other languages.
   2 | main = proc a -> sum a[0:2]
     |                         ^
     |
-    = hint: a part of an array is made by `take xs` and `drop xs`, as long as its type says
+    = hint: for a part of an array write `take xs` or `drop xs`; its type gives its size
   
   1 error
   [1]
@@ -198,13 +198,13 @@ Records and arrays in the syntax of other languages.
   > main = proc a -> [x * 2 for x in a]
   > FROB
   $ frobc check list_comp_if.frob
-  error[E0110]: no array is made by a `for`
+  error[E0110]: Frob has no array comprehensions
    --> list_comp_if.frob:2:31
     |
   2 | main = proc a -> [x * 2 for x in a]
     |                               ^^
     |
-    = hint: each element is computed with by `map (\x -> x * 2) a`
+    = hint: use `map (\x -> x * 2) a` to compute each element
   
   1 error
   [1]
@@ -223,7 +223,7 @@ Records and arrays in the syntax of other languages.
     |             |
     |             this is `Pose`
     |
-    = hint: its field `position` has it: `(robotPose i).position.x`
+    = hint: its field `position` has it: write `(robotPose i).position.x`
   
   1 error
   [1]
@@ -244,7 +244,7 @@ Records and arrays in the syntax of other languages.
     |         |
     |         argument 1 of `sqrt` is `Float[u]`
     |
-    = hint: a vector has parts, `(place i).x`, `(place i).y`, and a length: `norm (place i)`
+    = hint: for a part of the vector, write `(place i).x`, `(place i).y`; for its length, write `norm (place i)`
   
   1 error
   [1]
@@ -261,7 +261,7 @@ Records and arrays in the syntax of other languages.
   3 |     w = 2[1/s] * (robotPose i - 90[deg]))
     |                   ^^^^^^^^^^^ - argument 1 of `-` is a number
     |
-    = hint: it is a record, of which the parts are `(robotPose i).position`, `(robotPose i).heading`
+    = hint: this is a record: choose one of its fields, `(robotPose i).position`, `(robotPose i).heading`
   
   1 error
   [1]
@@ -279,7 +279,7 @@ Records and arrays in the syntax of other languages.
     |                  |
     |                  argument 1 of `fst` is `(a, b)`
     |
-    = hint: an equation takes it apart: `(a, b, c) = p`
+    = hint: for its parts, write an equation: `(a, b, c) = p`
   
   1 error
   [1]
@@ -298,7 +298,7 @@ Records and arrays in the syntax of other languages.
   2 | f x = [x, x]
     |       ^^^^^^
     |
-    = hint: a tuple stands in parentheses: `(x, x)`
+    = hint: put a tuple in parentheses: `(x, x)`
   
   1 error
   [1]
@@ -332,7 +332,7 @@ Records and arrays in the syntax of other languages.
   3 | main = proc x -> x * m ! 0, 1
     |                           ^
     |
-    = hint: an element of a row is reached by one `!` after the other: `m ! 0 ! 1`
+    = hint: write one `!` for each index: `m ! 0 ! 1`
   
   1 error
   [1]
@@ -349,7 +349,7 @@ Records and arrays in the syntax of other languages.
   3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . draw (number ("front" + "sonar") (frontSonar i))))
     |                                                                               ^^^^^^^ - argument 1 of `+` is a number
     |
-    = hint: a text is a label: nothing is computed with it, and none is joined to another
+    = hint: a text is only a label: you cannot compute with it or join two texts
   
   1 error
   [1]

@@ -8,13 +8,13 @@ A list comprehension:
   > twice = [2 * d | d <- ds]
   > FROB
   $ frobc check comprehension.frob
-  error[E0110]: expected an operator, `,` and one more element, or `]`, found `|`
+  error[E0110]: expected an operator, `,` and another element, or `]`, found `|`
    --> comprehension.frob:2:16
     |
   2 | twice = [2 * d | d <- ds]
     |                ^
     |
-    = hint: each element of an array is computed with by `map (\d -> 2 * d) ds`
+    = hint: use `map (\d -> 2 * d) ds` to compute each element
   
   1 error
   [1]
@@ -35,7 +35,7 @@ An equation before the guards:
   2 |     | d < 0.3[m] = 0
     |     ^
     |
-    = hint: leave out the `=` before the guards: each of them has its own, as in `| x > 0 = 1`
+    = hint: remove the `=` before the guards: each guard has its own, as in `| x > 0 = 1`
   
   1 error
   [1]
@@ -56,7 +56,7 @@ A `case` without `of`, as in Python:
   1 | speed m = case m:
     |                 ^
     |
-    = hint: the line of a `case` ends with `of`: `case x of`
+    = hint: end the line of a `case` with `of`: `case x of`
   
   1 error
   [1]
@@ -66,7 +66,7 @@ A `case` without `of`, as in Python:
   >     False -> 0.3[m/s]
   > FROB
   $ frobc check blank.frob
-  error[E0110]: expected `of` after the expression that is looked at, found `->`
+  error[E0110]: expected `of` after the expression of the `case`, found `->`
    --> blank.frob:2:10
     |
   1 | speed m = case m
@@ -74,7 +74,7 @@ A `case` without `of`, as in Python:
   2 |     True -> 0
     |          ^^
     |
-    = hint: the line of the `case` ends with `of`: `case m of`
+    = hint: end the line of the `case` with `of`: `case m of`
   
   1 error
   [1]
@@ -91,7 +91,7 @@ A `case` without `of`, as in Python:
   1 | speed == 0.3[m/s]
     |                  ^
     |
-    = hint: `==` compares; a definition is written with one `=`: `speed = …`
+    = hint: write one `=` to define a name: `speed = …`; `==` compares
   
   1 error
   [1]
@@ -105,7 +105,7 @@ A `case` without `of`, as in Python:
   1 | half = proc x = x / 2
     |               ^
     |
-    = hint: `->` leads from the input to what comes out; an equation has `=`
+    = hint: write `->` between the input and the output; `=` is for equations
   
   1 error
   [1]
@@ -123,7 +123,7 @@ Names with a capital, of a value (reported once, however often it is used) and o
   1 | Speed = 0.3[m/s]
     | ^^^^^^^^^^^^^^^^
     |
-    = hint: start the name of a value with a small letter: `speed`
+    = hint: start the name of a value with a lower-case letter: `speed`
   
   1 error
   [1]
@@ -138,7 +138,7 @@ Names with a capital, of a value (reported once, however often it is used) and o
   2 | goal = Vec2 { X = 1[m], y = 0 }
     |               ^
     |
-    = hint: the name of a field starts with a small letter: `x`
+    = hint: start the name of a field with a lower-case letter: `x`
   
   1 error
   [1]
@@ -155,7 +155,7 @@ A unit without brackets is recognized as a whole:
   1 | slope = 0.3m/s^2 * 2
     |         ^^^^^^^^
     |
-    = hint: a unit stands in brackets: `0.3[m/s^2]`
+    = hint: put the unit in brackets: `0.3[m/s^2]`
   
   1 error
   [1]
@@ -170,9 +170,9 @@ A bracket that is closed too late: the outer one stays open.
    --> late.frob:1:10
     |
   1 | half x = (0.5 * (x - 1)
-    |          ^             - a `)` belongs before this
+    |          ^             - a `)` is missing before this
     |
-    = hint: each `)` closes the last bracket that is still open: if this one was to be closed where it is, then a bracket in it is not
+    = hint: each `)` closes the last open bracket, so perhaps a bracket inside this one is not closed
   
   1 error
   [1]
@@ -190,11 +190,11 @@ A choice between commands, with the signal function that the branches contain:
    --> choice.frob:3:20
     |
   2 |     if d < 0.5[m]
-    |     -- the choice
+    |     -- this is the choice
   3 |       then returnA -< 0
     |                    ^^
     |
-    = hint: choose the value, as in `returnA -< if c then a else b`, or run both and choose between what they give
+    = hint: choose the value, as in `returnA -< if c then a else b`, or run both and choose between their outputs
   
   1 error
   [1]

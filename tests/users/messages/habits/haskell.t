@@ -10,7 +10,7 @@ A type of one constructor is `data`:
   1 | newtype Metres = Metres Float
     | ^^^^^^^
     |
-    = hint: `data` makes a new type, and one with a single field costs nothing
+    = hint: use `data`, which costs nothing for a single field
   
   1 error
   [1]
@@ -37,7 +37,7 @@ As in Haskell, application binds tighter than operators:
     |             |
     |             argument 1 of `not` is `Bool`
     |
-    = hint: application binds tighter than `>`: write `not (… > …)`
+    = hint: put parentheses around the argument, because application binds tighter than `>`: `not (… > …)`
   
   error[E0301]: expected `Bool`, found `Float`
    --> application.frob:5:23
@@ -47,7 +47,7 @@ As in Haskell, application binds tighter than operators:
     |                  |
     |                  argument 1 of `when` is `Bool`
     |
-    = hint: application binds tighter than `<`: write `when (… < …)`
+    = hint: put parentheses around the argument, because application binds tighter than `<`: `when (… < …)`
   
   error[E0301]: expected `Bool`, found a number
    --> application.frob:8:30
@@ -57,7 +57,7 @@ As in Haskell, application binds tighter than operators:
     |                          |
     |                          argument 1 of `not` is `Bool`
     |
-    = hint: application binds tighter than `<`: write `not (… < …)`
+    = hint: put parentheses around the argument, because application binds tighter than `<`: `not (… < …)`
   
   3 errors
   [1]
@@ -87,7 +87,7 @@ If an argument determines a type, the message shows it there:
     |                    |     because this is a number
     |                    argument 2 of `delay` is a number
     |
-    = hint: it stands in the place of argument 2: `delay :: a -> SF a a`
+    = hint: this is argument 2: `delay :: a -> SF a a`
   
   error[E0301]: expected `SF (Event Bool) Bool`, found `SF (Event n[u]) n[u]`
    --> decided.frob:5:8
@@ -106,7 +106,7 @@ If an argument determines a type, the message shows it there:
     |                   |    because this is a number
     |                   argument 2 of `hold` is `Event n[u]`
     |
-    = hint: it stands in the place of argument 2: `hold :: a -> SF (Event a) a`
+    = hint: this is argument 2: `hold :: a -> SF (Event a) a`
   
   error[E0301]: expected `Maybe n[u]`, found `Maybe Bool`
     --> decided.frob:11:26
@@ -117,7 +117,7 @@ If an argument determines a type, the message shows it there:
      |              |         because this is a number
      |              argument 2 of `fromMaybe` is `Maybe n[u]`
      |
-     = hint: it stands in the place of argument 2: `fromMaybe :: a -> Maybe a -> a`
+     = hint: this is argument 2: `fromMaybe :: a -> Maybe a -> a`
   
   4 errors
   [1]
@@ -152,15 +152,15 @@ A type in lower case is a variable. If that does no harm, it is a warning:
   > half x = x / 2
   > FROB
   $ frobc check lower_case.frob
-  warning[W0302]: `float` is a variable here, and stands for every type
+  warning[W0302]: `float` is a type variable here, so it means any type
    --> lower_case.frob:1:10
     |
   1 | twice :: float[m] -> float[m]
     |          ^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: the type is `Float`
+    = hint: if you meant the type, write `Float`
   
-  error[E0306]: the signature promises every representation `float`, but the definition needs it to be `Float`
+  error[E0306]: the signature allows every representation `float`, but the definition needs it to be `Float`
    --> lower_case.frob:5:10
     |
   4 | half :: float[m] -> float[m]
@@ -168,7 +168,7 @@ A type in lower case is a variable. If that does no harm, it is a warning:
   5 | half x = x / 2
     |          ^
     |
-    = hint: the type is `Float`; a name in lower case stands for every representation
+    = hint: if you meant the type, write `Float`; a lower-case name means any representation
   
   1 error, 1 warning
   [1]
@@ -186,7 +186,7 @@ Operators that only Haskell has, and its other syntax for a list, a branch and a
   2 | go = sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0)) >>= \_ -> go
     |                                                 ^^^
     |
-    = hint: tasks follow one another in a `do`, each on a line of its own
+    = hint: write the tasks below each other in a `do`
   
   1 error
   [1]
@@ -202,7 +202,7 @@ Operators that only Haskell has, and its other syntax for a list, a branch and a
   2 | main = proc x -> "x = " ++ show x
     |                         ^^
     |
-    = hint: nothing is joined: a text is a label, and an array has a fixed size
+    = hint: texts and arrays cannot be joined: a text is a label, and an array has a fixed size
   
   1 error
   [1]
@@ -218,7 +218,7 @@ Operators that only Haskell has, and its other syntax for a list, a branch and a
   2 | f xs = xs !! 0
     |           ^^
     |
-    = hint: an element of an array is written `xs ! 0`, and `at i default xs` takes any index
+    = hint: use `xs ! 0` for an element at a constant index, `at i x xs` for any index, where `x` replaces a missing element
   
   1 error
   [1]
@@ -234,7 +234,7 @@ Operators that only Haskell has, and its other syntax for a list, a branch and a
   2 | xs = [1..4]
     |        ^^
     |
-    = hint: there are no ranges: a few elements are written out, `[1, 2, 3]`; many are made by the index, `generate (\i -> i + 1)`, as many as the type says
+    = hint: Frob has no ranges: write the elements, `[1, 2, 3]`, or compute them from their index, `generate (\i -> i + 1)`; the type gives their number
   
   1 error
   [1]
@@ -253,7 +253,7 @@ Operators that only Haskell has, and its other syntax for a list, a branch and a
   4 |     A => 1.0
     |       ^^
     |
-    = hint: a branch is written `pattern -> value`
+    = hint: write the branch as `pattern -> value`
   
   1 error
   [1]
@@ -263,13 +263,13 @@ Operators that only Haskell has, and its other syntax for a list, a branch and a
   > main = identity
   > FROB
   $ frobc check module.frob
-  error[E0110]: expected the name of a module, with a capital, found `Data.Maybe`
+  error[E0110]: expected the name of a module, starting with a capital letter, found `Data.Maybe`
    --> module.frob:1:8
     |
   1 | import Data.Maybe
     |        ^^^^^^^^^^
     |
-    = hint: what that has for lists, numbers and choices is there without an import, as `map`, `foldl`, `maybe`; the modules of the library are `Control`, `Geometry`, `Robot` and others, without points
+    = hint: remove the import: functions such as `map`, `foldl` and `maybe` are built in; other modules of the library are `Control`, `Geometry` and `Robot`
   
   1 error
   [1]

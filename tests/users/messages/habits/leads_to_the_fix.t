@@ -11,13 +11,13 @@ An index in brackets after a call:
   >     v = if hold 2[m] near.echo < 1[m] then 0 else 0.3[m/s])
   > FROB
   $ frobc check index.frob
-  error[E0302]: `sonars` takes 1 argument, but is given more
+  error[E0302]: `sonars` takes 1 argument, but is applied to more
    --> index.frob:4:22
     |
   4 |     near = (sonars i)[3]
     |             ------   ^^^ one too many
     |             |
-    |             with one argument the result is `Array 16 Sonar`
+    |             with one argument, its result is `Array 16 Sonar`
     |
     = hint: write `sonars i ! 3` for that element; the first one is `! 0`
   
@@ -97,7 +97,7 @@ The mathematics module of Python:
   > main = proc x -> math.sin(x)
   > FROB
   $ frobc check math.frob
-  error[E0110]: expected the name of a module, with a capital, found `math`
+  error[E0110]: expected the name of a module, starting with a capital letter, found `math`
    --> math.frob:1:8
     |
   1 | import math
@@ -289,12 +289,12 @@ A function of the robot's input among the statements of a task:
    --> place.frob:4:10
     |
   2 | act :: Task RobotInput RobotOutput Bool
-    |        -------------------------------- so each task of this `do` is `Task RobotInput RobotOutput a`
+    |        -------------------------------- each task of this `do` must be `Task RobotInput RobotOutput a`
   3 | act = do
   4 |     p <- place
     |          ^^^^^ this is `b -> Point2`
     |
-    = hint: the task that ends with the robot's position is `robotPlace`
+    = hint: write `robotPlace`, a task that returns the robot's position
   
   1 error
   [1]
@@ -316,7 +316,7 @@ A function of the robot's input among the statements of a task:
    --> reading.frob:6:10
     |
   4 | act :: Task RobotInput RobotOutput Bool
-    |        -------------------------------- so each task of this `do` is `Task RobotInput RobotOutput a`
+    |        -------------------------------- each task of this `do` must be `Task RobotInput RobotOutput a`
   5 | act = do
   6 |     b <- clear
     |          ^^^^^ this is `RobotInput -> Bool`
@@ -454,7 +454,7 @@ A command with the wrong unit:
     |     ^^^^^^^^^^^^ this is `Distance` (m)
     |
     = hint: multiply by a gain, as in `returnA -< 0.5[1/s] * x`, or, for the rate of change, write `returnA -< derivative x`
-    = hint: if this is what comes out, the signature says `Float[m]`
+    = hint: if this is the right result, write `Float[m]` in the signature
   
   1 error
   [1]
@@ -478,7 +478,7 @@ A command with the wrong unit:
     |     ^^^^^^^^^^^^ this is `Distance` (m)
     |
     = hint: to get a plain number, divide by the unit: `returnA -< x / 1[m]`
-    = hint: if this is what comes out, the signature says `Float[m]`
+    = hint: if this is the right result, write `Float[m]` in the signature
   
   1 error
   [1]
@@ -500,7 +500,7 @@ A command with the wrong unit:
     |     ^^^^^^^^^^^^^ this is `Float[m s]`
     |
     = hint: to get a plain number, divide by the unit: `y <- integral -< x`, then `returnA -< y / 1[m s]`
-    = hint: if this is what comes out, the signature says `Float[m s]`
+    = hint: if this is the right result, write `Float[m s]` in the signature
   
   1 error
   [1]
@@ -655,15 +655,15 @@ One name with two equations:
   >     v = v + 1
   > FROB
   $ frobc check twice.frob
-  error[E0212]: `v` is bound twice in one group
+  error[E0212]: `v` is defined twice here
    --> twice.frob:4:5
     |
   3 |     v = x
-    |     - first bound here
+    |     - first defined here
   4 |     v = v + 1
     |     ^
     |
-    = hint: write one equation for `v`: it holds at every instant, unlike an assignment; for its value one instant ago write `delay 0 v`, where 0 is the first value
+    = hint: write one equation for `v`, because an equation holds at every instant, unlike an assignment; for its previous value, write `delay 0 v`, where 0 is the initial value
   
   1 error
   [1]

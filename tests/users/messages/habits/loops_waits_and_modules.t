@@ -11,13 +11,13 @@ repeated.
   > main = reactimateRobot drive
   > FROB
   $ frobc check loop.frob
-  error[E0116]: nothing is repeated in a `proc`, so there is no `while`
+  error[E0116]: a `proc` has no loops, so it cannot contain `while`
    --> loop.frob:4:5
     |
   4 |     while frontSonar i > 0.5[m]
     |     ^^^^^
     |
-    = hint: all statements of a `proc` hold at every instant, and `if c then a else b` chooses a value; what is done until something happens is a task, as `whileT c t`
+    = hint: all statements of a `proc` hold at every instant: choose a value by `if c then a else b`, or repeat a task by `whileT c t`
   
   1 error
   [1]
@@ -34,13 +34,13 @@ The same in the middle.
   > main = reactimateRobot drive
   > FROB
   $ frobc check middle.frob
-  error[E0116]: nothing is repeated in a `proc`, so there is no `repeat`
+  error[E0116]: a `proc` has no loops, so it cannot contain `repeat`
    --> middle.frob:4:5
     |
   4 |     repeat 10
     |     ^^^^^^
     |
-    = hint: all statements of a `proc` hold at every instant, and `if c then a else b` chooses a value; what is done until something happens is a task, as `whileT c t`
+    = hint: all statements of a `proc` hold at every instant: choose a value by `if c then a else b`, or repeat a task by `whileT c t`
   
   1 error
   [1]
@@ -57,18 +57,18 @@ An Arduino's `delay`, and `sleep`.
   >     delay 2[s]))
   > FROB
   $ frobc check wait.frob
-  error[E0371]: a signal function stands where a task is needed
+  error[E0371]: expected a task, found a signal function
    --> wait.frob:5:5
     |
   3 | main = reactimateTask (watching (do
-    |                        -------- so each task of this `do` is `Task (Watched a) b c`
+    |                        -------- each task of this `do` must be `Task (Watched a) b c`
   4 |     forward 1[m]
   5 |     delay(1000)
     |     ^^^^^^^^^^^ this is `SF n[1] n[1]`
     |
-    = hint: `delay` is the value of a signal one instant ago; a task that waits is `sleepT 1[s] restingOutput`, with the robot at rest
+    = hint: to wait with the robot at rest, write `sleepT 1[s] restingOutput`; `delay` returns the previous value of a signal
   
-  error[E0371]: a signal function stands where a task is needed
+  error[E0371]: expected a task, found a signal function
    --> wait.frob:7:5
     |
   3 | main = reactimateTask (watching (do
@@ -77,7 +77,7 @@ An Arduino's `delay`, and `sleep`.
   7 |     delay 2[s]))
     |     ^^^^^^^^^^ this is `SF n[s] n[s]`
     |
-    = hint: `delay` is the value of a signal one instant ago; a task that waits is `sleepT 2[s] restingOutput`, with the robot at rest
+    = hint: to wait with the robot at rest, write `sleepT 2[s] restingOutput`; `delay` returns the previous value of a signal
   
   2 errors
   [1]
@@ -127,7 +127,7 @@ input.
   > main = reactimateTask (watching patrol)
   > FROB
   $ frobc check watched.frob
-  error[E0301]: expected a task whose input is `Watched a`, but that of this one is `RobotInput`
+  error[E0301]: expected a task with the input `Watched a`, but this one has the input `RobotInput`
    --> watched.frob:9:33
     |
   9 | main = reactimateTask (watching patrol)
@@ -135,7 +135,7 @@ input.
     |                        |
     |                        argument 1 of `watching` is `Task (Watched a) b c`
     |
-    = hint: `watching` adds to the input what is heard; a task of any input has the capabilities in its signature: `(HasSonar i, DiffDrive o) => Task i o Bool`
+    = hint: `watching` adds a value to the input, so the task must accept any input with its capabilities: `(HasSonar i, DiffDrive o) => Task i o Bool`
   
   1 error
   [1]

@@ -16,7 +16,7 @@ C and Arduino:
   4 |     v = if (frontSonar i > 0.5[m]) 0.3[m/s] else 0)
     |                                             ^^^^
     |
-    = hint: `then` stands between the condition and the first choice: `if c then a else b`
+    = hint: put `then` after the condition: `if c then a else b`
   
   1 error
   [1]
@@ -33,7 +33,7 @@ C and Arduino:
   1 | void loop() {
     | ^^^^
     |
-    = hint: there are no procedures: a robot's program is equations that hold at every instant, `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`
+    = hint: Frob has no procedures: write equations that hold at every instant, as in `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`
   
   1 error
   [1]
@@ -86,7 +86,7 @@ C and Arduino:
   1 | #define V_MAX 0.4
     | ^
     |
-    = hint: a constant is an equation: `v_max = 0.4`
+    = hint: define a constant by an equation: `v_max = 0.4`
   
   1 error
   [1]
@@ -107,7 +107,7 @@ Python:
   5 |     print("speed", v))
     |     ^^^^^
     |
-    = hint: nothing is printed: what is to be seen is an output, and `--record` writes all of them
+    = hint: a program cannot print: make the value an output, and write all outputs to a file with `--record`
   
   1 error
   [1]
@@ -127,7 +127,7 @@ Python:
   4 |     if bumped i:
     |                ^
     |
-    = hint: a block is made by indentation alone; a choice is written `if c then a else b`
+    = hint: remove the colon: indentation makes the block; a choice is `if c then a else b`
   
   1 error
   [1]
@@ -145,7 +145,7 @@ Python:
   4 |     for d in ds:
     |                ^
     |
-    = hint: nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forEachT xs f` does a task for each
+    = hint: Frob has no loops: write `map f xs` or `foldl (+) 0 xs` for an array, `forEachT xs f` to run a task for each element
   
   1 error
   [1]
@@ -166,7 +166,7 @@ MATLAB:
   1 | function y = twice(x)
     | ^^^^^^^^
     |
-    = hint: a function is defined by an equation, `f x = …`, and a block ends where the indentation does
+    = hint: define a function by an equation, `f x = …`; a block ends where its indentation ends
   
   1 error
   [1]
@@ -181,7 +181,7 @@ MATLAB:
   2 | main = proc xs -> xs .^ 2
     |                      ^^
     |
-    = hint: operators are of numbers: `map (\x -> x ^ 2) xs` computes with each of an array, `zipWith (*) xs ys` with those of two
+    = hint: operators take numbers, not arrays: write `map (\x -> x ^ 2) xs` for one array, `zipWith (*) xs ys` for two
   
   1 error
   [1]
@@ -196,7 +196,7 @@ MATLAB:
   2 | main = proc (a, b) -> a ~= b
     |                         ^
     |
-    = hint: `/=` says that two values differ
+    = hint: use `/=` to compare for inequality
   
   1 error
   [1]
@@ -217,7 +217,7 @@ Haskell:
   1 | (|+|) :: Float -> Float -> Float
     |  ^^^
     |
-    = hint: programs define no operators; a function stands between in backticks: ``a `f` b``
+    = hint: programs cannot define operators: define a function, and use it infix in backticks, ``a `f` b``
   
   1 error
   [1]
@@ -232,7 +232,7 @@ Haskell:
   2 | main = proc e -> (* 2) <$> e
     |                        ^^^
     |
-    = hint: `mapE f e` applies a function to an event's value, `map f xs` to each of an array
+    = hint: use `mapE f e` to apply a function to an event's value, `map f xs` to apply it to the elements of an array
   
   1 error
   [1]
@@ -287,7 +287,7 @@ condition.
   2 | main = proc x -> if x > 1: 2 else 3
     |                          ^
     |
-    = hint: `then` follows the condition: `if c then a else b`
+    = hint: put `then` after the condition: `if c then a else b`
   
   1 error
   [1]
@@ -322,7 +322,7 @@ condition.
   1 | half = 0.5f
     |        ^^^^
     |
-    = hint: numbers have no suffix: `0.5`
+    = hint: remove the suffix: `0.5`
   
   1 error
   [1]
@@ -332,9 +332,9 @@ condition.
    --> writings.frob:1:9
     |
   1 | table = [1, 2; 3, 4]
-    |         ^    - a `]` belongs before this
+    |         ^    - a `]` is missing before this
     |
-    = hint: a `;` ends a definition; there is a `,` between two elements, and rows are arrays: `[[1, 2], [3, 4]]`
+    = hint: a `;` ends a definition: write a `,` between two elements, and rows as arrays, `[[1, 2], [3, 4]]`
   
   1 error
   [1]
@@ -351,7 +351,7 @@ condition.
   4 |     | else = 1
     |       ^^^^
     |
-    = hint: what holds for the rest is written `| otherwise`
+    = hint: write the last guard as `| otherwise`
   
   1 error
   [1]

@@ -11,7 +11,7 @@ Python's constructs, and their equivalents in Frob.
   1 | def twice(x):
     |             ^
     |
-    = hint: a function is defined by an equation: `twice x = …`
+    = hint: define a function by an equation: `twice x = …`
   
   1 error
   [1]
@@ -27,7 +27,7 @@ Python's constructs, and their equivalents in Frob.
   2 | main = arr (lambda x: x + 1)
     |                     ^
     |
-    = hint: a function without a name is written `\x -> …`
+    = hint: write an anonymous function as `\x -> …`
   
   1 error
   [1]
@@ -44,7 +44,7 @@ Python's constructs, and their equivalents in Frob.
   3 |     y = x ** 2 if x > 0 else 0
     |                ^^
     |
-    = hint: a choice is written `if c then a else b`
+    = hint: use `if c then a else b`
   
   1 error
   [1]
@@ -61,7 +61,7 @@ Python's constructs, and their equivalents in Frob.
   2 | f x = if x > 0:
     |               ^
     |
-    = hint: a block is made by indentation alone; a choice is written `if c then a else b`
+    = hint: remove the colon: indentation makes the block; a choice is `if c then a else b`
   
   1 error
   [1]
@@ -77,7 +77,7 @@ Python's constructs, and their equivalents in Frob.
   1 | from Control import limit
     | ^^^^
     |
-    = hint: names are imported by `import Control (limit)`
+    = hint: use `import Control (limit)`
   
   1 error
   [1]
@@ -93,7 +93,7 @@ Python's constructs, and their equivalents in Frob.
   2 | half n = n // 2
     |            ^^
     |
-    = hint: a comment starts with `--`; whole numbers are divided by `div`
+    = hint: use `--` to start a comment; to divide whole numbers, use `div`
   
   1 error
   [1]

@@ -11,7 +11,7 @@ More of Python, Haskell and C: objects, comments, lists, named arguments.
   2 | main = reactimateRobot (proc i -> roMake (setVelTR (v=0.2, omega=0)))
     |                                                      ^
     |
-    = hint: arguments have no names: they stand side by side in their order, as in `f 1 2`
+    = hint: arguments have no names: write them in order, as in `f 1 2`
   
   1 error
   [1]
@@ -32,7 +32,7 @@ A class with a method: reported once.
   1 | class Wall:
     |           ^
     |
-    = hint: there are no objects: `data` declares a record, and functions of it stand at the left edge, each an equation
+    = hint: Frob has no objects: declare a record with `data`, and define functions of it at the top level
   
   1 error
   [1]
@@ -49,7 +49,7 @@ A class with a method: reported once.
   1 | """Wall follower."""
     |                     ^
     |
-    = hint: a comment is `-- …`, and `-- | …` before a definition describes it
+    = hint: write a comment as `-- …`, or as `-- | …` to document the definition below
   
   1 error
   [1]
@@ -66,7 +66,7 @@ A class with a method: reported once.
   1 | #define SPEED 0.3
     | ^
     |
-    = hint: a constant is an equation: `speed = 0.3`
+    = hint: define a constant by an equation: `speed = 0.3`
   
   1 error
   [1]
@@ -83,7 +83,7 @@ A class with a method: reported once.
   3 |     v = if i->frontSonar < 0.5[m] then 0 else 0.2[m/s])
     |             ^^
     |
-    = hint: nothing is reached by `->`: a field is `r.speed`, and what a robot senses is a signal function, `frontSonar i`
+    = hint: use `r.speed` for a field; to read a sensor, apply its signal function, as in `frontSonar i`
   
   1 error
   [1]
@@ -99,7 +99,7 @@ A class with a method: reported once.
   2 | main = proc x -> x : [0, 0]
     |                    ^
     |
-    = hint: nothing is joined: an array keeps its size, and all its elements are written, `[x, 0, 0]`
+    = hint: an array has a fixed size: write all its elements, as in `[x, 0, 0]`
   
   1 error
   [1]
@@ -127,13 +127,13 @@ A class with a method: reported once.
   > main = proc x -> x
   > FROB
   $ frobc check strict.frob
-  error[E0110]: expected a type, `|` and one more constructor, or the end of the declaration, found `!`
+  error[E0110]: expected a type, `|` and another constructor, or the end of the declaration, found `!`
    --> strict.frob:1:12
     |
   1 | data P = P !Float !Float
     |            ^
     |
-    = hint: a field always has its value: leave out the `!`
+    = hint: remove the `!`: fields are always evaluated
   
   1 error
   [1]
@@ -151,7 +151,7 @@ A class with a method: reported once.
   3 |     x > 0 -> 1
     |       ^
     |
-    = hint: a condition stands behind the pattern, as a guard: `x | x > 0 -> 1`
+    = hint: write the condition as a guard after the pattern: `x | x > 0 -> 1`
   
   1 error
   [1]

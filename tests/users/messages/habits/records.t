@@ -14,7 +14,7 @@ Records in the syntax of other languages.
   4 | slow c = c.speed = 0.1[m/s]
     |                  ^
     |
-    = hint: no record is changed: `c { speed = … }` is one with another `speed`
+    = hint: a record cannot be changed: `c { speed = … }` is a copy with another `speed`
   
   1 error
   [1]
@@ -32,7 +32,7 @@ Records in the syntax of other languages.
   3 | c = Config { speed: 0.1[m/s], gain: 2 }
     |                   ^
     |
-    = hint: a field gets its value with `=`: `speed = …`
+    = hint: set a field with `=`: `speed = …`
   
   1 error
   [1]
@@ -50,7 +50,7 @@ Records in the syntax of other languages.
   3 | c = Config { 0.1[m/s], 2 }
     |              ^^^
     |
-    = hint: each value stands behind the name of its field: `Pose { heading = 0 }`
+    = hint: write the name of the field before each value: `Pose { heading = 0 }`
   
   1 error
   [1]
@@ -69,7 +69,7 @@ Records in the syntax of other languages.
   3 |     speed : Velocity
     |           ^
     |
-    = hint: a record is declared by `data`, and built by its constructor: `data Config = Config { speed :: Velocity }`
+    = hint: declare a record with `data` and a constructor: `data Config = Config { speed :: Velocity }`
   
   1 error
   [1]

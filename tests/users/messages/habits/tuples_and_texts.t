@@ -5,13 +5,13 @@ Tuples, records and texts, used as in other languages.
   > main = proc p -> p[0] + p[1]
   > FROB
   $ frobc check index.frob
-  error[E0110]: a `[` directly after a name starts no index and no array
+  error[E0110]: a `[` directly after a name is neither an index nor an array
    --> index.frob:2:19
     |
   2 | main = proc p -> p[0] + p[1]
     |                   ^
     |
-    = hint: an element of an array is `(p ! 0)`; a tuple is taken apart by an equation, `(a, b) = p`, and an argument needs a blank before it
+    = hint: write `(p ! 0)` for an element of an array; for a tuple, write an equation, `(a, b) = p`; before an argument, write a space
   
   1 error
   [1]
@@ -27,7 +27,7 @@ Tuples, records and texts, used as in other languages.
   2 | main = proc p -> p.1
     |                  ^- argument 1 of `.` is `a -> b`
     |
-    = hint: a tuple is taken apart by an equation, `(a, b) = p`; of a pair there are `fst p` and `snd p`
+    = hint: for the parts of a tuple, write an equation, `(a, b) = p`; for those of a pair, also `fst p` and `snd p`
   
   1 error
   [1]
@@ -46,7 +46,7 @@ Tuples, records and texts, used as in other languages.
     |            |
     |            this is `Sonar`
     |
-    = hint: the other one is a record, with the fields `seat`, `halfAngle`, `echo`: `r.seat`
+    = hint: the other operand is a record with the fields `seat`, `halfAngle`, `echo`: choose one, as in `r.seat`
   
   1 error
   [1]
@@ -65,7 +65,7 @@ Tuples, records and texts, used as in other languages.
   4 | f c = c { a + 1 }
     |             ^
     |
-    = hint: a field gets its value with `=`, also from its own: `r { a = r.a + 1 }`
+    = hint: set a field with `=`, also if the value depends on the old one: `r { a = r.a + 1 }`
   
   1 error
   [1]
@@ -83,7 +83,7 @@ Tuples, records and texts, used as in other languages.
   4 |     v = if mode == "go" then 0.2[m/s] else 0)
     |                 ^^ `==` needs it
     |
-    = hint: a text is a label, and no value; what is one of several has a type of its own: `data Mode = Go | Stop`
+    = hint: a text is only a label: for a choice, declare a type, as in `data Mode = Go | Stop`
   
   1 error
   [1]
@@ -100,7 +100,7 @@ Tuples, records and texts, used as in other languages.
   3 |     y == x + 1
     |               ^
     |
-    = hint: `==` compares; a definition is written with one `=`: `y = …`
+    = hint: write one `=` to define a name: `y = …`; `==` compares
   
   1 error
   [1]

@@ -33,7 +33,7 @@ Types before names, texts in other quotes, fields that are assigned.
   3 | main = reactimateRobot (proc i -> roMake (setVelTR (if buttonHeld 'drive' i then 0.3[m/s] else 0) 0))
     |                                                                   ^
     |
-    = hint: a text stands in `"`, and an infix name in backticks, as in ``x `mod` 2``
+    = hint: put a text in double quotes, an infix name in backticks, as in ``x `mod` 2``
   
   1 error
   [1]
@@ -52,7 +52,7 @@ Types before names, texts in other quotes, fields that are assigned.
   3 | main = reactimateRobot (proc i -> roMake (setVelTR (if buttonHeld "drive i then 0.3[m/s] else 0) 0))
     |                                                                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: a text ends with another `"`, in its line
+    = hint: end the text with another `"` on the same line
   
   1 error
   [1]
@@ -69,13 +69,13 @@ Types before names, texts in other quotes, fields that are assigned.
   > main = reactimateTask (driveTo home)
   > FROB
   $ frobc check assigned.frob
-  error[E0114]: the selection of a field cannot be part of a pattern
+  error[E0114]: a field access cannot be part of a pattern
    --> assigned.frob:5:1
     |
   5 | home.x = 1[m]
     | ^^^^^^
     |
-    = hint: nothing is assigned: a record with another field is `p { x = … }`, under a name of its own
+    = hint: Frob has no assignments: give a changed copy a new name, as in `q = p { x = 1 }`
   
   1 error
   [1]

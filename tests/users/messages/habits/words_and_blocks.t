@@ -16,7 +16,7 @@ A block in braces has one message, whatever it contains:
   2 | main = reactimateRobot (proc i -> {
     |                                   ^
     |
-    = hint: blocks are made by indentation; braces write records only
+    = hint: indent the block instead: braces are only for records
   
   1 error
   [1]
@@ -49,7 +49,7 @@ A block in braces has one message, whatever it contains:
   1 | from Robot import setVelTR
     | ^^^^
     |
-    = hint: names are imported by `import Robot (setVelTR)`
+    = hint: use `import Robot (setVelTR)`
   
   1 error
   [1]
@@ -65,7 +65,7 @@ A block in braces has one message, whatever it contains:
   1 | #include "Robot.h"
     | ^
     |
-    = hint: a module is imported: `import Robot`
+    = hint: import a module: `import Robot`
   
   1 error
   [1]
@@ -82,7 +82,7 @@ A block in braces has one message, whatever it contains:
   1 | extern "C" double filter(double x);
     | ^^^^^^
     |
-    = hint: a function that is in C is declared with its type here, and its name there: `foreign cubeRoot :: Float -> Float = "cbrt"`
+    = hint: declare a C function with its type here and its name in C: `foreign cubeRoot :: Float -> Float = "cbrt"`
   
   1 error
   [1]
@@ -102,7 +102,7 @@ An equation among the statements of a task:
   3 |     ok = forward 1[m]
     |        ^
     |
-    = hint: `ok <- t` does the task `t` and names what it ends with; `let ok = e` names a value
+    = hint: use `ok <- t` to run the task `t` and name its result, or `let ok = e` to name a value
   
   1 error
   [1]
@@ -130,7 +130,7 @@ An equation among the statements of a task:
   >     assert (frontSonar i > 0.1[m]))
   > FROB
   $ frobc check no_text.frob
-  error[E0110]: an `assert` has a label, which says what is to hold
+  error[E0110]: an `assert` needs a label that says what must hold
    --> no_text.frob:3:5
     |
   3 |     assert (frontSonar i > 0.1[m]))

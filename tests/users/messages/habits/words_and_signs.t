@@ -11,7 +11,7 @@ Keywords and symbols of other languages around a definition.
   1 | from Robot import *
     | ^^^^
     |
-    = hint: names are imported by `import Robot`
+    = hint: use `import Robot`
   
   1 error
   [1]
@@ -41,7 +41,7 @@ Keywords and symbols of other languages around a definition.
   > main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
   > FROB
   $ frobc check let_top.frob
-  error[E0110]: a definition at the left edge has no `let` before it
+  error[E0110]: a top-level definition cannot start with `let`
    --> let_top.frob:2:1
     |
   2 | let speed = 0.3[m/s]
@@ -64,7 +64,7 @@ Keywords and symbols of other languages around a definition.
   3 |     v = if frontSonar i < 0.5[m] { 0 } else { 0.3[m/s] })
     |                                    ^
     |
-    = hint: a choice is written `if c then a else b`, without braces
+    = hint: use `if c then a else b`, without braces
   
   1 error
   [1]
@@ -80,7 +80,7 @@ Keywords and symbols of other languages around a definition.
   1 | f (x: Float) = x * 2
     |     ^
     |
-    = hint: types stand in a signature, a line above: `f :: Float -> Float`, where the last one is the result's
+    = hint: write the types in a signature on the line above, with the result last: `f :: Float -> Float`
   
   1 error
   [1]
@@ -97,7 +97,7 @@ Keywords and symbols of other languages around a definition.
   1 | f :: Float - > Float
     |            ^
     |
-    = hint: `->` is always one symbol
+    = hint: remove the space from the arrow: `->`
   
   1 error
   [1]
@@ -108,13 +108,13 @@ Keywords and symbols of other languages around a definition.
   > main = proc x -> f x x
   > FROB
   $ frobc check sig_comma.frob
-  error[E0110]: expected the end of this type, or `->` and more of it, found `,`
+  error[E0110]: expected `->` or the end of this type, found `,`
    --> sig_comma.frob:1:11
     |
   1 | f :: Float, Float -> Float
     |           ^
     |
-    = hint: each parameter is followed by `->`, as in `Float -> Float -> Float`; a tuple stands in parentheses
+    = hint: put `->` after each parameter, as in `Float -> Float -> Float`; put a tuple in parentheses
   
   1 error
   [1]
@@ -126,7 +126,7 @@ Keywords and symbols of other languages around a definition.
   > main = reactimateRobot (drive `switch` bumped `then` rest)
   > FROB
   $ frobc check switch_arrow.frob
-  error[E0110]: `then` is a word of the language and cannot be a name
+  error[E0110]: `then` is a reserved word, so it cannot be a name
    --> switch_arrow.frob:4:48
     |
   4 | main = reactimateRobot (drive `switch` bumped `then` rest)
@@ -155,7 +155,7 @@ Keywords and symbols of other languages around a definition.
   5 | step Turn _ = Drive
     | ---- one more
     |
-    = hint: write one clause, with a branch `pattern -> value` for each in a line below: `step x y = case (x, y) of`
+    = hint: write one clause, `step x y = case (x, y) of`, and on the lines below it a branch `pattern -> value` for each of the clauses
   
   1 error
   [1]
@@ -175,7 +175,7 @@ Keywords and symbols of other languages around a definition.
   4 |     Drive = 1
     |           ^
     |
-    = hint: a branch has `->`: `Drive -> …`
+    = hint: use `->` in a branch: `Drive -> …`
   
   1 error
   [1]
@@ -185,13 +185,13 @@ Keywords and symbols of other languages around a definition.
   > main = proc v -> St { x = v }
   > FROB
   $ frobc check data_fields_lower.frob
-  error[E0110]: expected the name of the new type, with a capital, found `st`
+  error[E0110]: expected the name of the new type, starting with a capital letter, found `st`
    --> data_fields_lower.frob:1:6
     |
   1 | data st = St { x :: Float }
     |      ^^
     |
-    = hint: the name of a type or class starts with a capital: `St`
+    = hint: start the name of a type or class with a capital letter: `St`
   
   1 error
   [1]
@@ -202,13 +202,13 @@ Keywords and symbols of other languages around a definition.
   > main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
   > FROB
   $ frobc check param_no_default.frob
-  error[E0110]: expected `=` and the value that the parameter has by default, found the end of the definition
+  error[E0110]: expected `=` and the default value of the parameter, found the end of the definition
    --> param_no_default.frob:2:24
     |
   2 | param speed :: Velocity
     |                        ^
     |
-    = hint: what it is by default stands behind: `param speed :: Velocity = …`
+    = hint: add its default value: `param speed :: Velocity = …`
   
   1 error
   [1]
@@ -224,7 +224,7 @@ Keywords and symbols of other languages around a definition.
   1 | foreign cbrt :: Float -> Float
     |                               ^
     |
-    = hint: its name in C stands behind: `foreign cbrt :: Float -> Float = "cbrt"`
+    = hint: add its name in C: `foreign cbrt :: Float -> Float = "cbrt"`
   
   1 error
   [1]
@@ -234,7 +234,7 @@ Keywords and symbols of other languages around a definition.
   > main = proc x -> cbrt x
   > FROB
   $ frobc check foreign_haskell.frob
-  error[E0110]: `foreign` has no `import` behind it, and the name in C stands last
+  error[E0110]: `foreign` must not be followed by `import`, and the name in C must come last
    --> foreign_haskell.frob:1:9
     |
   1 | foreign import ccall "cbrt" cbrt :: Float -> Float
@@ -257,7 +257,7 @@ Keywords and symbols of other languages around a definition.
   1 | main = proc x where
     |               ^^^^^
     |
-    = hint: the output comes first, and then its equations: `proc x -> y where`
+    = hint: write the output before `where`: `proc x -> y where`
   
   1 error
   [1]
@@ -273,7 +273,7 @@ Keywords and symbols of other languages around a definition.
   1 | type Mode = Go | Stop
     |                ^
     |
-    = hint: a choice of several is declared by `data`: `data Mode = Go | Stop`
+    = hint: declare a choice of constructors with `data`: `data Mode = Go | Stop`
   
   1 error
   [1]

@@ -14,7 +14,7 @@ starts.
   4 |    z = 2
     |    ^
     |
-    = hint: the definitions of this block start at column 5, but this line at column 4
+    = hint: the definitions of this block start at column 5, but this line starts at column 4
   
   1 error
   [1]
@@ -32,7 +32,7 @@ starts.
   4 |       z = 2
     |         ^
     |
-    = hint: this line is indented further than column 5, where the definitions of this block start, so it continues the line above; if it is separate, start it at column 5
+    = hint: this line is indented further than column 5, where the definitions of this block start, so it continues the line above; if you meant a separate line, start it at column 5
   
   1 error
   [1]
@@ -50,7 +50,7 @@ starts.
   4 |    False -> 0
     |    ^^^^^
     |
-    = hint: the branches of this block start at column 5, but this line at column 4
+    = hint: the branches of this block start at column 5, but this line starts at column 4
   
   1 error
   [1]
@@ -68,7 +68,7 @@ starts.
   3 | where
     | ^^^^^
     |
-    = hint: indent `where` and what follows it: they belong to the definition above
+    = hint: indent `where` and the lines below it, because they belong to the definition above
   
   1 error
   [1]
@@ -85,21 +85,21 @@ starts.
   >     _ -> x
   > FROB
   $ frobc check column_1.frob
-  error[E0110]: nothing belongs to this `where`
+  error[E0110]: this `where` has no definitions
    --> column_1.frob:2:20
     |
   2 | main = proc x -> y where
     |                    ^^^^^
     |
-    = hint: what belongs to a `where` is indented more than the definition that it ends
+    = hint: indent the definitions after `where` further than the definition that it belongs to
   
-  error[E0110]: nothing belongs to this `where`
+  error[E0110]: this `where` has no definitions
    --> column_1.frob:7:12
     |
   7 |     0 -> z where
     |            ^^^^^
     |
-    = hint: what belongs to a `where` is indented more than the definition that it ends
+    = hint: indent the definitions after `where` further than the definition that it belongs to
   
   2 errors
   [1]
@@ -124,7 +124,7 @@ definitions after it.
     |                       ^
   3 |     sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0))
   4 |     sleepT 1[s] (roMake (setVelTR 0 0))
-    |                                        - a `)` belongs before this
+    |                                        - a `)` is missing before this
   
   error[E0110]: expected an operand after the operator, found the end of the file
    --> unclosed.frob:7:12
@@ -168,7 +168,7 @@ guards only.
   3 |     y = let z = x in
     |                     ^
     |
-    = hint: a definition goes on only in lines that are indented more than its first
+    = hint: to continue a definition on the next line, indent that line further than the first
   
   1 error
   [1]

@@ -18,15 +18,15 @@ one. Also through the name of an equation, and with the factor 57.3.
   >     fast = turn * (180 / pi) >= 45[deg/s]
   > FROB
   $ frobc check degrees.frob
-  warning[W0313]: this is a number of degrees, where angles are in radians
+  warning[W0313]: this is in degrees, but angles are in radians
    --> degrees.frob:4:27
     |
   4 | looksAside = proc pose -> pose.heading * 180 / pi > 90[deg]
     |                           ^^^^^^^^^^^^^^^^^^^^^^^   ------- `90[deg]` is in radians
     |
-    = hint: nothing has to be converted, since `90[deg]` is in radians too: write `pose.heading`
+    = hint: remove the conversion, because `90[deg]` is in radians too: write `pose.heading`
   
-  warning[W0313]: this is a number of degrees, where angles are in radians
+  warning[W0313]: this is in degrees, but angles are in radians
    --> degrees.frob:7:37
     |
   7 | past = proc (pose, goal) -> (goal < d, d - far) where
@@ -34,31 +34,31 @@ one. Also through the name of an equation, and with the factor 57.3.
     |                              |
     |                              `goal` is in radians
     |
-    = hint: nothing has to be converted, since `90[deg]` is in radians too: write `pose.heading`
+    = hint: remove the conversion, because `90[deg]` is in radians too: write `pose.heading`
   
-  warning[W0313]: this is a number of degrees, where angles are in radians
+  warning[W0313]: this is in degrees, but angles are in radians
    --> degrees.frob:7:40
     |
   7 | past = proc (pose, goal) -> (goal < d, d - far) where
     |                                        ^   --- `far` is in radians
     |
-    = hint: nothing has to be converted, since `90[deg]` is in radians too: write `pose.heading`
+    = hint: remove the conversion, because `90[deg]` is in radians too: write `pose.heading`
   
-  warning[W0313]: this is a number of degrees, where angles are in radians
+  warning[W0313]: this is in degrees, but angles are in radians
     --> degrees.frob:12:76
      |
   12 | main = proc (pose, goal, turn) -> (looksAside pose, past (pose, goal), sin h, fast) where
      |                                                                            ^
      |
-     = hint: nothing has to be converted, since `90[deg]` is in radians too: write `pose.heading`
+     = hint: remove the conversion, because `90[deg]` is in radians too: write `pose.heading`
   
-  warning[W0313]: this is a number of degrees, where angles are in radians
+  warning[W0313]: this is in degrees, but angles are in radians
     --> degrees.frob:14:12
      |
   14 |     fast = turn * (180 / pi) >= 45[deg/s]
      |            ^^^^^^^^^^^^^^^^^    --------- `45[deg/s]` is in radians
      |
-     = hint: nothing has to be converted, since `90[deg]` is in radians too: write `turn`
+     = hint: remove the conversion, because `90[deg]` is in radians too: write `turn`
   
   5 warnings
 

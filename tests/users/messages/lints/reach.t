@@ -15,23 +15,23 @@ the command line, also through an equation and `watching`.
   $ frobc check far.frob
   $ frobc check far.frob --robot pioneer
   $ frobc check far.frob --robot create
-  warning[W0310]: this is always True: on a Create `frontSonar` says 0.5 m at most
+  warning[W0310]: this is always True: on a Create, `frontSonar` is at most 0.5 m
    --> far.frob:8:12
     |
   8 |     v = if ahead < near then 0[m/s] else 0.2[m/s]
     |            ^^^^^^^^^^^^
     |
-    = note: where the robot sees nothing it says `sonarReach i`
-    = hint: compare it with less
+    = note: when nothing is in range, the reading is `sonarReach i`
+    = hint: compare it with a smaller distance
   
-  warning[W0310]: this is always False: on a Create `sideSonar` says 0.5 m at most
+  warning[W0310]: this is always False: on a Create, `sideSonar` is at most 0.5 m
    --> far.frob:9:12
     |
   9 |     free = 0.5[m] < sideSonar i || ahead >= 0.5[m])))
     |            ^^^^^^^^^^^^^^^^^^^^
     |
-    = note: where the robot sees nothing it says `sonarReach i`
-    = hint: compare it with less
+    = note: when nothing is in range, the reading is `sonarReach i`
+    = hint: compare it with a smaller distance
   
   2 warnings
   $ cat > typed.frob <<'FROB'
@@ -41,13 +41,13 @@ the command line, also through an equation and `watching`.
   > main = proc i -> frontSonar i > 7[m] || frontSonar i > 2[m]
   > FROB
   $ frobc check typed.frob
-  warning[W0310]: this is always False: on a Pioneer `frontSonar` says 5 m at most
+  warning[W0310]: this is always False: on a Pioneer, `frontSonar` is at most 5 m
    --> typed.frob:4:18
     |
   4 | main = proc i -> frontSonar i > 7[m] || frontSonar i > 2[m]
     |                  ^^^^^^^^^^^^^^^^^^^
     |
-    = note: where the robot sees nothing it says `sonarReach i`
-    = hint: compare it with less
+    = note: when nothing is in range, the reading is `sonarReach i`
+    = hint: compare it with a smaller distance
   
   1 warning

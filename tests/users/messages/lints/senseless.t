@@ -21,7 +21,7 @@ reported where it is computed, not where it is used.
   2 | gain = sqrt (1 - low * 2)
     |        ^^^^^^^^^^^^^^^^^^
     |
-    = note: every comparison with NaN is False, and what is computed with it is NaN too
+    = note: every comparison with NaN is False, and every result computed from NaN is NaN
   
   warning[W0307]: this is never a number: it is NaN
     --> nan.frob:11:48
@@ -29,7 +29,7 @@ reported where it is computed, not where it is used.
   11 | main = proc x -> (gain * x, 2 * gain, unknown, log (-1) + x)
      |                                                ^^^^^^^^
      |
-     = note: every comparison with NaN is False, and what is computed with it is NaN too
+     = note: every comparison with NaN is False, and every result computed from NaN is NaN
   
   2 warnings
 
@@ -41,14 +41,14 @@ reported where it is computed, not where it is used.
   > main = proc n -> (steps * steps, -2147483648, n * 65536 * 65536)
   > FROB
   $ frobc check ints.frob
-  warning[W0308]: this is 4294967296, which no Int can be: it wraps around to 0
+  warning[W0308]: this is 4294967296, which is out of the range of Int: it wraps around to 0
    --> ints.frob:5:19
     |
   5 | main = proc n -> (steps * steps, -2147483648, n * 65536 * 65536)
     |                   ^^^^^^^^^^^^^
     |
-    = note: an Int is from -2147483648 to 2147483647
-    = hint: write Floats, or numbers of a larger unit
+    = note: an Int must be from -2147483648 to 2147483647
+    = hint: use Floats, or a larger unit
   
   1 warning
 
@@ -61,7 +61,7 @@ reported where it is computed, not where it is used.
   > main = proc x -> (lowPass (0.1[s] - 0.2[s]) x, every 0[s] (), runTask (sleepT pause 1 `timeOut` (-1[ms])) ())
   > FROB
   $ frobc check times.frob
-  warning[W0309]: `lowPass` is given a time below zero, which counts as none
+  warning[W0309]: `lowPass` has a negative time, which counts as zero
    --> times.frob:6:28
     |
   6 | main = proc x -> (lowPass (0.1[s] - 0.2[s]) x, every 0[s] (), runTask (sleepT pause 1 `timeOut` (-1[ms])) ())
@@ -69,7 +69,7 @@ reported where it is computed, not where it is used.
     |
     = hint: write a time of at least `0[s]`
   
-  warning[W0309]: `sleepT` is given a time below zero, which counts as none
+  warning[W0309]: `sleepT` has a negative time, which counts as zero
    --> times.frob:6:79
     |
   6 | main = proc x -> (lowPass (0.1[s] - 0.2[s]) x, every 0[s] (), runTask (sleepT pause 1 `timeOut` (-1[ms])) ())
@@ -77,7 +77,7 @@ reported where it is computed, not where it is used.
     |
     = hint: write a time of at least `0[s]`
   
-  warning[W0309]: `timeOut` is given a time below zero, which counts as none
+  warning[W0309]: `timeOut` has a negative time, which counts as zero
    --> times.frob:6:98
     |
   6 | main = proc x -> (lowPass (0.1[s] - 0.2[s]) x, every 0[s] (), runTask (sleepT pause 1 `timeOut` (-1[ms])) ())

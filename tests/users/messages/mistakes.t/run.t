@@ -2,7 +2,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
 
   $ for program in [01]*.frob; do echo "# $program"; frobc check "$program"; done 2>&1
   # 001_sonar_without_input.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> 001_sonar_without_input.frob:4:12
     |
   4 |     v = if frontSonar < 0.5[m] then 0 else 0.3[m/s])
@@ -40,7 +40,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     v = if (frontSonar i > 0.5[m]) 0.3[m/s] else 0)
     |                                             ^^^^
     |
-    = hint: `then` stands between the condition and the first choice: `if c then a else b`
+    = hint: put `then` after the condition: `if c then a else b`
   
   1 error
   # 005_sonar_in_a_task.frob
@@ -48,14 +48,14 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 005_sonar_in_a_task.frob:8:8
     |
   8 |     if frontSonar i < 0.5[m]
-    |        ^^^^^^^^^^^^ the statements of a task run no signal functions
+    |        ^^^^^^^^^^^^ the statements of a task cannot run signal functions
     |
-    = hint: to read it once: `x <- ask frontSonar` before, and `x` here
-    = hint: a task in which it runs at every instant is `mkTask (proc i -> (output, event))`
+    = hint: to read it once, write `x <- ask frontSonar` before this, and `x` here
+    = hint: to run it at every instant of a task, write `mkTask (proc i -> (output, event))`
   
   1 error
   # 006_hysteresis_one_argument.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> 006_hysteresis_one_argument.frob:4:18
     |
   3 | main :: SF Float Bool
@@ -64,7 +64,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                  ^^^^^^^^^^^^^^ this is `SF Float Bool`
     |
     = note: expected `Bool`
-    = hint: `hysteresis` takes two arguments before its signal: `hysteresis 1 … x`, where the signal is `x`
+    = hint: `hysteresis` takes two arguments before its signal: write `hysteresis 1 … x`, where the signal is `x`
   
   1 error
   # 007_local_at_two_types.frob
@@ -77,7 +77,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                        |        argument 1 of `twice` is `Float`
     |                        because of this use of `twice`
     |
-    = hint: a local function without a signature has one type: give `twice` a signature with a variable, of the form `twice :: Float[u] -> …`
+    = hint: a local function without a signature has only one type: give `twice` a signature with a variable, as in `twice :: Float[u] -> …`
   
   1 error
   # 008_turn_without_unit.frob
@@ -89,7 +89,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: write `30[deg/s]` for degrees in a second, `30[rad/s]` for radians
+    = hint: write `30[deg/s]` for degrees per second, `30[rad/s]` for radians per second
   
   1 error
   # 009_pid_of_three_numbers.frob
@@ -101,7 +101,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |         |
     |         argument 1 of `pid` is `Pid[u, v]`
     |
-    = hint: it is a record: `Pid { kp = …, ki = …, kd = …, largest = … }`
+    = hint: write the record: `Pid { kp = …, ki = …, kd = …, largest = … }`
   
   1 error
   # 010_pid_gains_without_units.frob
@@ -113,7 +113,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                             |
     |                             the field `ki` is `Float[1/s]`
     |
-    = note: of the units in a `Pid`, `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
+    = note: in a `Pid`, the units depend on each other: `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
     = hint: write `0.1[1/s]` if that is its unit
   
   1 error
@@ -126,7 +126,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                              |
     |                              the field `ki` is `Float[1/s^2]`
     |
-    = note: of the units in a `Pid`, `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
+    = note: in a `Pid`, the units depend on each other: `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
     = hint: write `0.1[1/s^2]` if you meant that unit
   
   1 error
@@ -135,10 +135,10 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 012_integral_in_a_branch.frob:5:26
     |
   5 |     way = if moving then integral v else 0
-    |                          ^^^^^^^^^^ what it gives depends on when it started
+    |                          ^^^^^^^^^^ its output depends on when it started
     |
-    = hint: to run it at every instant, write the equation `integralNow = integral v` beside the others, and `integralNow` here
-    = hint: to start it anew whenever this branch is chosen: `integralNow = resetOn integral (v, edge moving)`
+    = hint: to run it at every instant, add the equation `integralNow = integral v`, and write `integralNow` here
+    = hint: to restart it whenever this branch is chosen, write `integralNow = resetOn integral (v, edge moving)`
   
   1 error
   # 013_timer_in_a_case.frob
@@ -146,14 +146,14 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 013_timer_in_a_case.frob:6:23
     |
   6 |     Go -> if isEvent (after 2[s] ()) then 0 else 0.3[m/s]
-    |                       ^^^^^^^^^^^^^ what it gives depends on when it started
+    |                       ^^^^^^^^^^^^^ its output depends on when it started
     |
-    = hint: to run it at every instant, write the equation `afterNow = after 2[s] ()` beside the others, and `afterNow` here
-    = hint: to start it anew whenever this is chosen, `switch` between signal functions
+    = hint: to run it at every instant, add the equation `afterNow = after 2[s] ()`, and write `afterNow` here
+    = hint: to restart it whenever this is chosen, `switch` between signal functions
   
   1 error
   # 014_delay_without_start.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> 014_delay_without_start.frob:2:22
     |
   2 | main = proc x -> x - delay x
@@ -162,7 +162,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                  this is `Float`
     |
     = note: expected `Float`
-    = hint: `delay` has an initial value before its signal: `delay x0 x`
+    = hint: `delay` takes an initial value before its signal: write `delay x0 x`
   
   1 error
   # 015_delay_arguments_swapped.frob
@@ -178,13 +178,13 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 016_speed_as_output.frob
-  error[E0411]: `main` cannot run: its type is `HasBumpers a => Program a Float[m/s]`, and what comes out is not what a robot takes
+  error[E0411]: `main` cannot run: its type is `HasBumpers a => Program a Float[m/s]`, whose output is not the output of a robot
    --> 016_speed_as_output.frob:3:35
     |
   3 | main = reactimateRobot (proc i -> if bumped i then 0 else 0.3[m/s])
     |                                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`
+    = hint: use `roMake` to make the output of a robot, as in `roMake (setVelTR v omega)`
   
   1 error
   # 017_two_speeds_as_tuple.frob
@@ -196,17 +196,17 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: several arguments stand side by side: `setVelTR 0.3[m/s] 0`
+    = hint: write the arguments without parentheses and commas: `setVelTR 0.3[m/s] 0`
   
   1 error
   # 018_without_roMake.frob
-  error[E0411]: `main` cannot run: what comes out is a function, `b -> b`, not the output of a robot
+  error[E0411]: `main` cannot run: its output is a function, `b -> b`, not the output of a robot
    --> 018_without_roMake.frob:3:35
     |
   3 | main = reactimateRobot (proc _ -> setVelTR 0.3[m/s] 0)
     |                                   ^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+    = hint: use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v omega)`
   
   1 error
   # 019_speed_without_unit.frob
@@ -258,7 +258,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 023_time_as_number.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> 023_time_as_number.frob:2:18
     |
   2 | main = proc x -> time > 5
@@ -288,19 +288,19 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     v = if bumped i then 0)
     |                           ^
     |
-    = hint: every `if` has both `then` and `else`, since it always has a value
+    = hint: add an `else`: every `if` has a value
   
   1 error
   # 026_equation_twice.frob
-  error[E0212]: `v` is bound twice in one group
+  error[E0212]: `v` is defined twice here
    --> 026_equation_twice.frob:4:5
     |
   3 |     v = 0.5[1/s] * d
-    |     - first bound here
+    |     - first defined here
   4 |     v = min v 0.3[m/s]
     |     ^
     |
-    = hint: write one equation for `v`: it holds at every instant, unlike an assignment; for its value one instant ago write `delay 0 v`, where 0 is the first value
+    = hint: write one equation for `v`, because an equation holds at every instant, unlike an assignment; for its previous value, write `delay 0 v`, where 0 is the initial value
   
   1 error
   # 027_counts_itself.frob
@@ -314,7 +314,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 028_task_as_robot.frob
-  error[E0371]: a task stands where a signal function is needed
+  error[E0371]: expected a signal function, found a task
    --> 028_task_as_robot.frob:4:25
     |
   4 | main = reactimateRobot (driveTo (Vec2 { x = 1[m], y = 0 }))
@@ -322,11 +322,11 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |        |
     |        argument 1 of `reactimateRobot` is `SF a b`
     |
-    = hint: `reactimateTask t` makes a program of a task
+    = hint: use `reactimateTask t` to turn a task into a program
   
   1 error
   # 029_robot_as_task.frob
-  error[E0371]: a signal function stands where a task is needed
+  error[E0371]: expected a task, found a signal function
    --> 029_robot_as_task.frob:3:24
     |
   3 | main = reactimateTask (proc i -> roMake (setVelTR 0.2[m/s] 0))
@@ -334,8 +334,8 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |        |
     |        argument 1 of `reactimateTask` is `Task a b c`
     |
-    = hint: `reactimateRobot` makes a program of a signal function
-    = hint: a task ends at an event, which its `proc` gives beside the output: `mkTask (proc i -> (roMake (setVelTR 0.2[m/s] 0), after 1[s] ()))`; one with `never ()` in that place goes on for ever
+    = hint: use `reactimateRobot` to turn a signal function into a program
+    = hint: add the event that ends the task: `mkTask (proc i -> (roMake (setVelTR 0.2[m/s] 0), after 1[s] ()))`; with `never ()` as the event, it never ends
   
   1 error
   # 030_place_as_two_numbers.frob
@@ -347,7 +347,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = 1[m], y = … }`, with `import Geometry`
+    = hint: write a vector with the names of its fields: `Vec2 { x = 1[m], y = … }`, with `import Geometry`
   
   error[E0301]: expected `Point2`, found a number
    --> 030_place_as_two_numbers.frob:5:13
@@ -357,7 +357,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = 0, y = … }`, with `import Geometry`
+    = hint: write a vector with the names of its fields: `Vec2 { x = 0, y = … }`, with `import Geometry`
   
   2 errors
   # 031_task_if_without_else.frob
@@ -369,17 +369,17 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   8 |       then sleepT 1[s] (roMake (setVelTR (-0.2[m/s]) 0))
     |                                                         ^
     |
-    = hint: every `if` has both `then` and `else`, since it always has a value; in a task's `do` that is `else return ()`, or `whenT` for the `if`
+    = hint: add an `else`: every `if` has a value; in the `do` of a task, write `else return ()`, or `whenT` instead of `if`
   
   1 error
   # 032_task_ends_with_bind.frob
-  error[E0116]: the last statement of a `do` is a task, so it cannot bind a name
+  error[E0116]: the last statement of a `do` must be a task, so it cannot bind a name
    --> 032_task_ends_with_bind.frob:7:5
     |
   7 |     p <- robotPlace
     |     ^
     |
-    = hint: leave out `p <-`, and the `do` ends with what the task does; or go on, as with `return p`
+    = hint: remove `p <-` to return the task's result, or add a last statement such as `return p`
   
   1 error
   # 033_event_as_truth.frob
@@ -391,7 +391,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 |     v = if hit then 0 else 0.3[m/s])
     |            ^^^
     |
-    = hint: `isEvent hit` tells whether it occurs now
+    = hint: use `isEvent hit`, which is True when the event occurs
   
   1 error
   # 034_truth_as_event.frob
@@ -403,7 +403,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |        |
     |        argument 1 of `switch` has the output `Event a`
     |
-    = hint: `edge (d < 0.5[m])` occurs when it becomes True, `when (d < 0.5[m])` wherever it is, each with `()`; `tag` gives it another value
+    = hint: use `edge (d < 0.5[m])`, which occurs when it becomes True, or `when (d < 0.5[m])`, which occurs whenever it is True; use `tag` to add a value
   
   1 error
   # 035_switch_to_signal_function.frob
@@ -415,7 +415,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |        |
     |        argument 2 of `switch` is `() -> SF Float[m] Float[m/s]`
     |
-    = hint: it is given a value, and may ignore it: `\_ -> constant 0`
+    = hint: write a function that ignores its argument: `\_ -> constant 0`
   
   1 error
   # 036_mode_calls_itself.frob
@@ -425,8 +425,8 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 | drive = proc i -> if bumped i then roMake id else drive i
     |                                                   ^^^^^^^
     |
-    = hint: every equation holds at every instant: nothing is called again to go on
-    = hint: to go on otherwise after an event, and perhaps then as this again: `switch (proc x -> (output, event)) (\_ -> …)`
+    = hint: an equation holds at every instant, so a signal function need not call itself to continue
+    = hint: to change what runs after an event, use `switch (proc x -> (output, event)) (\_ -> …)`, whose last part may be this signal function again
   
   1 error
   # 037_misspelled_name.frob
@@ -478,17 +478,17 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 041_fields_without_comma.frob
-  error[E0110]: expected an operator, `,` and one more field, or `}`, found `=`
+  error[E0110]: expected an operator, `,` and another field, or `}`, found `=`
    --> 041_fields_without_comma.frob:4:34
     |
   4 | main = proc x -> Gains { p = x i = 2 }
     |                                  ^
     |
-    = hint: there is a `,` between two fields
+    = hint: write a `,` between two fields
   
   1 error
   # 042_index_too_large.frob
-  error[E0332]: index 4 is outside of an array of 4
+  error[E0332]: index 4 is outside of an array of 4 elements
    --> 042_index_too_large.frob:2:38
     |
   2 | main = proc ds -> min (ds ! 1) (ds ! 4)
@@ -496,7 +496,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                 |
     |                                 this is `Array 4 Float[m]`
     |
-    = hint: the elements are numbered from 0 to 3
+    = hint: the indices are from 0 to 3
   
   1 error
   # 043_index_computed.frob
@@ -508,8 +508,8 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                  |
     |                  `k` is bound here
     |
-    = note: an index is a number, a name of one, or arithmetic with such
-    = hint: `at k x xs` takes any index; where there is no such element it is `x`
+    = note: an index can be a number, a name of a number, or arithmetic with these
+    = hint: use `at k x xs`, which takes any index, and returns `x` if there is no such element
   
   1 error
   # 044_case_misses_one.frob
@@ -517,7 +517,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 044_case_misses_one.frob:4:26
     |
   4 | main = proc side -> case side of
-    |                          ^^^^ no branch for `Ahead`
+    |                          ^^^^ there is no branch for `Ahead`
     |
     = hint: add a branch `Ahead -> …`
   
@@ -531,7 +531,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
   5 |     v = limit (0.5[1/s] * frontSonar i))
-    |         ------------------------------- `v` is this, and lacks one argument
+    |         ------------------------------- this is `v`; it lacks one argument
     |
     = hint: `limit` takes two arguments: `limit :: n[u] -> n[u] -> n[u]`
   
@@ -545,7 +545,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                   |
     |                                   argument 1 of `roMake` is `a -> a`
     |
-    = hint: `setVelTR` has an argument too many here: `setVelTR 0.3[m/s] 0` is a function
+    = hint: `setVelTR` has one argument too many here: write `setVelTR 0.3[m/s] 0` for the function
   
   1 error
   # 047_signature_only.frob
@@ -563,17 +563,17 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 048_bracket_forgotten.frob:3:42
     |
   3 | main = reactimateRobot (proc i -> roMake (setVelTR v 0 where
-    |                                          ^             ----- a `)` belongs before this
+    |                                          ^             ----- a `)` is missing before this
   
   1 error
   # 049_where_not_indented.frob
-  error[E0110]: nothing belongs to this `where`
+  error[E0110]: this `where` has no definitions
    --> 049_where_not_indented.frob:2:20
     |
   2 | main = proc d -> v where
     |                    ^^^^^
     |
-    = hint: what belongs to a `where` is indented more than the definition that it ends
+    = hint: indent the definitions after `where` further than the definition that it belongs to
   
   1 error
   # 050_signal_outside_proc.frob
@@ -590,17 +590,17 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 051_task_started_in_proc.frob
-  error[E0371]: `roMake` makes no task, but `Task b c Bool` is needed here
+  error[E0371]: `roMake` does not return a task, but `Task b c Bool` is needed here
    --> 051_task_started_in_proc.frob:5:59
     |
   5 |     if bumped i then driveTo (Vec2 { x = 0, y = 0 }) else roMake (setVelTR 0.2[m/s] 0))
     |                                                           ^^^^^^
     |
-    = hint: a task takes time, and no equation runs it: `reactimateTask` does, and in a `do` one follows another
+    = hint: an equation cannot run a task: run it with `reactimateTask`, or in a `do`, one task after the other
   
   1 error
   # 052_hold_without_start.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> 052_hold_without_start.frob:2:18
     |
   1 | main :: SF (Event Float) Float
@@ -609,7 +609,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                  ^^^^^^ this is `SF (Event (Event Float)) (Event Float)`
     |
     = note: expected `Float`
-    = hint: `hold` has an initial value before its signal: `hold x0 e`
+    = hint: `hold` takes an initial value before its signal: write `hold x0 e`
   
   1 error
   # 053_negative_argument.frob
@@ -621,7 +621,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                           |
     |                                           this is `Velocity -> AngularVelocity -> a -> a`
     |
-    = hint: a negative argument needs parentheses: `setVelTR (-0.2[m/s])`
+    = hint: put the negative argument in parentheses: `setVelTR (-0.2[m/s])`
   
   1 error
   # 054_setLight_on_pioneer.frob
@@ -634,10 +634,10 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
      ::: stdlib/Capability.frob:229:17
       |
   229 |     setLight :: Light -> o -> o
-      |                 --------------- `setLight` asks for `HasLight o` here
+      |                 --------------- `setLight` requires `HasLight o` here
       |
-      = note: what has `HasLight`: `CreateOutput`
-      = hint: a program for each robot that has it asks for the class in place of a robot's type: `main :: (HasOdometry i, HasLight o) => Program i o`
+      = note: types with `HasLight`: `CreateOutput`
+      = hint: for a program that runs on every robot with this capability, write the class instead of the robot's type: `main :: (HasOdometry i, HasLight o) => Program i o`
   
   1 error
   # 055_two_modules_T.frob
@@ -649,17 +649,17 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   7 | main = proc i -> robotPose i
     |                  ^^^^^^^^^^^
     |
-    = hint: two types are called `Pose`: use one in both places, or make a value of one from the other's
+    = hint: two types have the name `Pose`: use the same one in both places, or convert the value
   
   1 error
   # 056_main_with_parameter.frob
-  error[E0411]: `main` cannot run: it still needs an argument, its type is `(HasSonar a, DiffDrive b) => Float[m] -> Program a b`
+  error[E0411]: `main` cannot run: it still needs an argument, as its type `(HasSonar a, DiffDrive b) => Float[m] -> Program a b` shows
    --> 056_main_with_parameter.frob:3:1
     |
   3 | main d = reactimateRobot (proc i -> roMake (setVelTR (0.5[1/s] * (frontSonar i - d)) 0))
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: give it another name, `run` say, and write `main = run …`
+    = hint: give it another name, such as `run`, and write `main = run …`
   
   1 error
   # 057_several_clauses.frob
@@ -671,17 +671,17 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   3 | sign x = x / abs x
     | ^^^^
     |
-    = hint: write one clause, with a branch `pattern -> value` for each in a line below: `sign x = case x of`
+    = hint: write one clause, `sign x = case x of`, and on the lines below it a branch `pattern -> value` for each of the clauses
   
   1 error
   # 058_list_type.frob
-  error[E0110]: the type of an array is not written in brackets
+  error[E0110]: the type of an array cannot be written in brackets
    --> 058_list_type.frob:1:12
     |
   1 | average :: [Float] -> Float
     |            ^
     |
-    = hint: it has the size first, as in `Array 4 Float`
+    = hint: write the size and the type of the elements, as in `Array 4 Float`
   
   1 error
   # 059_list_range.frob
@@ -691,7 +691,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc x -> foldl (+) x [1 .. 10]
     |                                 ^^
     |
-    = hint: there are no ranges: a few elements are written out, `[1, 2, 3]`; many are made by the index, `generate (\i -> i + 1)`, as many as the type says
+    = hint: Frob has no ranges: write the elements, `[1, 2, 3]`, or compute them from their index, `generate (\i -> i + 1)`; the type gives their number
   
   1 error
   # 060_where_after_do.frob
@@ -714,7 +714,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   3 | main = reactimateTask (robotPlace >>= \p -> driveTo p)
     |                                   ^^^
     |
-    = hint: tasks follow one another in a `do`, each on a line of its own
+    = hint: write the tasks below each other in a `do`
   
   1 error
   # 062_fmap_operator.frob
@@ -724,7 +724,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc e -> (* 2) <$> e
     |                        ^^^
     |
-    = hint: `mapE f e` applies a function to an event's value, `map f xs` to each of an array
+    = hint: use `mapE f e` to apply a function to an event's value, `map f xs` to apply it to the elements of an array
   
   1 error
   # 063_pure_result.frob
@@ -754,7 +754,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc n -> "count " ++ show n
     |                           ^^
     |
-    = hint: nothing is joined: a text is a label, and an array has a fixed size
+    = hint: texts and arrays cannot be joined: a text is a label, and an array has a fixed size
   
   1 error
   # 066_factorial.frob
@@ -775,11 +775,11 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 067_if_between_commands.frob:4:20
     |
   3 |     if b
-    |     -- the choice
+    |     -- this is the choice
   4 |       then delay 0 -< x
     |                    ^^
     |
-    = hint: choose the value, as in `y <- sf -< if c then a else b`, or run both and choose between what they give
+    = hint: choose the value, as in `y <- sf -< if c then a else b`, or run both and choose between their outputs
   
   1 error
   # 068_deriving.frob
@@ -789,7 +789,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | data Mode = Wait | Go deriving (Eq, Show)
     |                       ^^^^^^^^
     |
-    = hint: leave it out: `==` and `<` work on all data without functions
+    = hint: remove it: `==` and `<` work on all data that contains no functions
   
   1 error
   # 069_maybe_as_value.frob
@@ -799,7 +799,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 | main = proc i -> beaconSeen i + 1
     |                  ^^^^^^^^^^^^ - argument 1 of `+` is a number
     |
-    = hint: `fromMaybe x0 (beaconSeen i)` is what is in it, and `x0` where there is nothing
+    = hint: use `fromMaybe x0 (beaconSeen i)`, where `x0` replaces a missing value
   
   1 error
   # 070_operator_definition.frob
@@ -809,7 +809,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | (|+|) :: Float -> Float -> Float
     |  ^^^
     |
-    = hint: programs define no operators; a function stands between in backticks: ``a `f` b``
+    = hint: programs cannot define operators: define a function, and use it infix in backticks, ``a `f` b``
   
   1 error
   # 071_double_for_velocity.frob
@@ -822,7 +822,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |        ^^^^^^^^ this is `SF Double Double`
     |
     = note: expected `SF Velocity Velocity`, found `SF Double Double`
-    = hint: without brackets `Float` and `Double` have no unit; `Float[m/s]` has this one
+    = hint: use `Float[m/s]` for this unit; without brackets, `Float` and `Double` have no unit
   
   1 error
   # 072_fromIntegral.frob
@@ -856,7 +856,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |        |
     |        this is `SF Float[u] Float[u s]`
     |
-    = hint: `arr` makes a signal function of a function: `arr (* 2)`
+    = hint: use `arr` to turn a function into a signal function: `arr (* 2)`
   
   1 error
   # 075_pattern_lambda_case.frob
@@ -866,7 +866,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc e -> (\(Event x) -> x) e
     |                     ^^^^^^^ does not match `NoEvent`
     |
-    = hint: a `case` has branches for all: one for `NoEvent` too
+    = hint: use a `case`, with a branch for `NoEvent` too
   
   1 error
   # 076_let_without_in.frob
@@ -876,7 +876,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |         k * x
     |         ^
     |
-    = hint: `in` comes before the expression, as in `let x = 1 in x + x`; one more definition starts at column 13
+    = hint: put `in` before the expression, as in `let x = 1 in x + x`; if this is another definition, start it at column 13
   
   1 error
   # 077_def_function.frob
@@ -886,7 +886,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | def limit(x, low, high):
     |                        ^
     |
-    = hint: a function is defined by an equation: `limit x low high = …`
+    = hint: define a function by an equation: `limit x low high = …`
   
   1 error
   # 078_plus_equals.frob
@@ -896,7 +896,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     if b then n += 1
     |                 ^^
     |
-    = hint: nothing is assigned: an equation says what holds at every instant, as in `n = delay 0 n + 1`
+    = hint: Frob has no assignments: write an equation that holds at every instant, as in `n = delay 0 n + 1`
   
   1 error
   # 079_print_call.frob
@@ -906,7 +906,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 |     print("speed", v))
     |     ^^^^^
     |
-    = hint: nothing is printed: what is to be seen is an output, and `--record` writes all of them
+    = hint: a program cannot print: make the value an output, and write all outputs to a file with `--record`
   
   1 error
   # 080_and_word.frob
@@ -926,7 +926,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc n -> if n = 0 then 1 else 2
     |                       ^
     |
-    = hint: `=` defines; to compare write `==`
+    = hint: use `==` to compare; `=` defines a name
   
   1 error
   # 082_elif.frob
@@ -936,7 +936,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc x -> if x > 1 then 1 elif x < -1 then -1 else x
     |                                  ^^^^
     |
-    = hint: a chain of choices is written `if a then x else if b then y else z`
+    = hint: use `else if`: `if a then x else if b then y else z`
   
   1 error
   # 083_colon_block.frob
@@ -946,7 +946,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     if bumped i:
     |                ^
     |
-    = hint: a block is made by indentation alone; a choice is written `if c then a else b`
+    = hint: remove the colon: indentation makes the block; a choice is `if c then a else b`
   
   1 error
   # 084_for_loop.frob
@@ -956,7 +956,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     for d in ds:
     |                ^
     |
-    = hint: nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forEachT xs f` does a task for each
+    = hint: Frob has no loops: write `map f xs` or `foldl (+) 0 xs` for an array, `forEachT xs f` to run a task for each element
   
   1 error
   # 085_call_with_commas.frob
@@ -968,7 +968,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                          |
     |                                          argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: several arguments stand side by side: `setVelTR 0.2[m/s] 0`
+    = hint: write the arguments without parentheses and commas: `setVelTR 0.2[m/s] 0`
   
   1 error
   # 086_python_lambda.frob
@@ -978,7 +978,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc xs -> map (lambda x: 2 * x) xs
     |                                ^
     |
-    = hint: a function without a name is written `\x -> …`
+    = hint: write an anonymous function as `\x -> …`
   
   1 error
   # 087_arduino_loop.frob
@@ -988,7 +988,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | void loop() {
     | ^^^^
     |
-    = hint: there are no procedures: a robot's program is equations that hold at every instant, `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`
+    = hint: Frob has no procedures: write equations that hold at every instant, as in `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`
   
   1 error
   # 088_while_loop.frob
@@ -1052,7 +1052,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc x -> x > 0 ? x : 0
     |                        ^
     |
-    = hint: a choice is written `if c then a else b`
+    = hint: use `if c then a else b`
   
   1 error
   # 093_exclamation_mark.frob
@@ -1062,7 +1062,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc (a, b) -> a && !b
     |                            ^
     |
-    = hint: the opposite of `b` is `not b`
+    = hint: use `not b` for the opposite of `b`
   
   1 error
   # 094_define.frob
@@ -1072,7 +1072,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | #define V_MAX 0.4
     | ^
     |
-    = hint: a constant is an equation: `v_max = 0.4`
+    = hint: define a constant by an equation: `v_max = 0.4`
   
   1 error
   # 095_remainder.frob
@@ -1082,7 +1082,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc n -> n % 2 == 0
     |                    ^
     |
-    = hint: the remainder is ``x `mod` y``; 20 percent of x are `0.2 * x`
+    = hint: use ``x `mod` y`` for the remainder; 20 percent of x is `0.2 * x`
   
   1 error
   # 096_matlab_function.frob
@@ -1092,7 +1092,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | function y = twice(x)
     | ^^^^^^^^
     |
-    = hint: a function is defined by an equation, `f x = …`, and a block ends where the indentation does
+    = hint: define a function by an equation, `f x = …`; a block ends where its indentation ends
   
   1 error
   # 097_element_powers.frob
@@ -1102,7 +1102,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc xs -> xs .^ 2
     |                      ^^
     |
-    = hint: operators are of numbers: `map (\x -> x ^ 2) xs` computes with each of an array, `zipWith (*) xs ys` with those of two
+    = hint: operators take numbers, not arrays: write `map (\x -> x ^ 2) xs` for one array, `zipWith (*) xs ys` for two
   
   1 error
   # 098_array_without_commas.frob
@@ -1110,9 +1110,9 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 098_array_without_commas.frob:2:12
     |
   2 | weights = [0.25 0.5 0.25]
-    |            ^^^^ --- it is given an argument here
+    |            ^^^^ --- it is applied to an argument here
     |
-    = hint: the elements of an array are separated by commas, factors by `*`: `[0.25, …]`
+    = hint: write commas between the elements of an array, `[0.25, …]`, or `*` between factors
   
   1 error
   # 099_index_in_parentheses.frob
@@ -1120,7 +1120,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 099_index_in_parentheses.frob:2:19
     |
   2 | main = proc ds -> ds(1) + ds(2)
-    |                   ^^ - it is given an argument here
+    |                   ^^ - it is applied to an argument here
     |
     = hint: write `ds ! 1` for that element; the first one is `! 0`
   
@@ -1128,7 +1128,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 099_index_in_parentheses.frob:2:27
     |
   2 | main = proc ds -> ds(1) + ds(2)
-    |                           ^^ - it is given an argument here
+    |                           ^^ - it is applied to an argument here
     |
     = hint: write `ds ! 2` for that element; the first one is `! 0`
   
@@ -1140,7 +1140,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc (a, b) -> a ~= b
     |                         ^
     |
-    = hint: `/=` says that two values differ
+    = hint: use `/=` to compare for inequality
   
   1 error
   [1]

@@ -15,7 +15,7 @@ Classes, assertions and tests that lack a part.
   2 |     area :: a -> Float
     |          ^^
     |
-    = hint: the methods follow `where`, each on a line of its own: `class Shape a where`
+    = hint: add `where`, and write the methods below it: `class Shape a where`
   
   1 error
   [1]
@@ -55,12 +55,12 @@ Classes, assertions and tests that lack a part.
    --> no_instance.frob:4:18
     |
   2 |     area :: a -> Float
-    |             ---------- `area` asks for `Shape a` here
+    |             ---------- `area` requires `Shape a` here
   3 | data Sq = Sq Float
   4 | main = proc x -> area (Sq x)
     |                  ^^^^ `area` needs it
     |
-    = hint: `instance Shape Sq where` gives it one, with its methods in the lines below
+    = hint: add `instance Shape Sq where`, and define the methods below it
   
   1 error
   [1]
@@ -71,7 +71,7 @@ Classes, assertions and tests that lack a part.
   > main = proc (x, y) -> bigger x y
   > FROB
   $ frobc check constraint_missing.frob
-  error[E0309]: `>` needs `Ord a`, which the signature of `bigger` does not promise
+  error[E0309]: `>` needs `Ord a`, which the signature of `bigger` does not declare
    --> constraint_missing.frob:2:19
     |
   1 | bigger :: a -> a -> a
@@ -96,7 +96,7 @@ Classes, assertions and tests that lack a part.
   3 |     assert safe: frontSonar i > 0.2[m])
     |                ^
     |
-    = hint: what holds has a name, in quotes: `assert "keeps off the wall" (x > 0)`
+    = hint: add a label in quotes: `assert "keeps off the wall" (x > 0)`
   
   1 error
   [1]
@@ -107,7 +107,7 @@ Classes, assertions and tests that lack a part.
   >     assert frontSonar i > 0.2[m])
   > FROB
   $ frobc check assert_noname.frob
-  error[E0110]: an `assert` has a label, which says what is to hold
+  error[E0110]: an `assert` needs a label that says what must hold
    --> assert_noname.frob:3:5
     |
   3 |     assert frontSonar i > 0.2[m])
@@ -125,7 +125,7 @@ Classes, assertions and tests that lack a part.
   > test "drives" = comesFar 1[m] 10[s]
   > FROB
   $ frobc check test_block.frob
-  error[E0301]: a test is no signal function: it says how long that is to hold
+  error[E0301]: expected a `Test`, which also says how long to run the signal function
    --> test_block.frob:4:17
     |
   4 | test "drives" = comesFar 1[m] 10[s]
@@ -133,7 +133,7 @@ Classes, assertions and tests that lack a part.
     |      |
     |      the value after this name must be `Test`
     |
-    = hint: what is to hold in the simulator is a trial: `trial "name" = Trial { world = "room.toml", lasts = 10[s], seeds = 1 `to` 20, judge = comesFar 1[m] 10[s] }`
+    = hint: for a run in the simulator, write a trial: `trial "name" = Trial { world = "room.toml", lasts = 10[s], seeds = 1 `to` 20, judge = comesFar 1[m] 10[s] }`
   
   1 error
   [1]
@@ -163,15 +163,15 @@ Classes, assertions and tests that lack a part.
   > main = proc x -> f (Left x)
   > FROB
   $ frobc check left_twice.frob
-  error[E0301]: `Left` is matched for the second time, and `Right` never
+  error[E0301]: `Left` is matched twice, and `Right` is never matched
    --> left_twice.frob:5:5
     |
   4 |     Left x -> x
-    |     ------ all of them are matched here
+    |     ------ this branch matches all of them
   5 |     Left b -> if b then 1 else 0
     |     ^^^^^^
     |
-    = hint: if this branch is for the others: `Right`
+    = hint: if this branch is for the other values, write `Right`
   
   1 error
   [1]
@@ -186,7 +186,7 @@ Classes, assertions and tests that lack a part.
   > main = proc x -> raised x
   > FROB
   $ frobc check too_general.frob
-  error[E0306]: the signature promises every unit `u`, but the definition needs it to be `m`
+  error[E0306]: the signature allows every unit `u`, but the definition needs it to be `m`
    --> too_general.frob:2:16
     |
   1 | raised :: Float[u] -> Float[u]
@@ -194,9 +194,9 @@ Classes, assertions and tests that lack a part.
   2 | raised x = x + 1[m]
     |                ^^^^ this is `Float[m]`
     |
-    = hint: if the definition is right, the signature says `Float[m] -> Float[m]`
+    = hint: if the definition is right, write the signature as `Float[m] -> Float[m]`
   
-  error[E0306]: the signature promises every type `a`, but the definition needs it to be `Bool`
+  error[E0306]: the signature allows every type `a`, but the definition needs it to be `Bool`
    --> too_general.frob:4:15
     |
   3 | flip' :: a -> Bool
@@ -204,15 +204,15 @@ Classes, assertions and tests that lack a part.
   4 | flip' x = not x
     |               ^
     |
-    = hint: if the definition is right, the signature says `Bool -> Bool`
+    = hint: if the definition is right, write the signature as `Bool -> Bool`
   
-  warning[W0302]: `float` is a variable here, and stands for every type
+  warning[W0302]: `float` is a type variable here, so it means any type
    --> too_general.frob:5:7
     |
   5 | tw :: float[m] -> float[m]
     |       ^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: the type is `Float`
+    = hint: if you meant the type, write `Float`
   
   2 errors, 1 warning
   [1]

@@ -7,7 +7,7 @@ Classes used as types in signatures: before `=>`, in parentheses, and as a varia
   > main = reactimateRobot go
   > FROB
   $ frobc check parentheses.frob
-  error[E0110]: several constraints stand in parentheses
+  error[E0110]: several constraints need parentheses
    --> parentheses.frob:2:7
     |
   2 | go :: HasSonar i, DiffDrive o => SF i o
@@ -61,7 +61,7 @@ Classes used as types in signatures: before `=>`, in parentheses, and as a varia
   > main = reactimateRobot go
   > FROB
   $ frobc check exchanged.frob
-  error[E0309]: the signature of `go` does not promise `DiffDrive o` and `HasSonar i`
+  error[E0309]: the signature of `go` does not declare `DiffDrive o` and `HasSonar i`
    --> exchanged.frob:2:8
     |
   2 | go :: (HasSonar o, DiffDrive i) => SF i o
@@ -83,7 +83,7 @@ Classes used as types in signatures: before `=>`, in parentheses, and as a varia
   > main = reactimateRobot go
   > FROB
   $ frobc check added.frob
-  error[E0309]: `frontSonar` needs `HasSonar i`, which the signature of `go` does not promise
+  error[E0309]: `frontSonar` needs `HasSonar i`, which the signature of `go` does not declare
     --> added.frob:3:46
      |
    2 | go :: (HasConsole i, DiffDrive o) => SF i o
@@ -94,7 +94,7 @@ Classes used as types in signatures: before `=>`, in parentheses, and as a varia
     ::: stdlib/Capability.frob:48:19
      |
   48 |     frontSonar :: SF i Distance
-     |                   ------------- `frontSonar` asks for `HasSonar i` here
+     |                   ------------- `frontSonar` requires `HasSonar i` here
      |
      = hint: write `(HasSonar i, HasConsole i, DiffDrive o) => SF i o`
   

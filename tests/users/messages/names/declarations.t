@@ -4,7 +4,7 @@ Declarations with the punctuation or the capitals of another language.
   > data Stick = { ahead :: Float }
   > FROB
   $ frobc check record.frob
-  error[E0110]: expected the name of a constructor, with a capital, found `{`
+  error[E0110]: expected the name of a constructor, starting with a capital letter, found `{`
    --> record.frob:1:14
     |
   1 | data Stick = { ahead :: Float }
@@ -26,7 +26,7 @@ Declarations with the punctuation or the capitals of another language.
   1 | f : Float -> Float
     |   ^
     |
-    = hint: a type follows `::`
+    = hint: put `::` before a type
   
   1 error
   [1]
@@ -42,7 +42,7 @@ Declarations with the punctuation or the capitals of another language.
   1 | Gain :: Float
     |      ^^
     |
-    = hint: the name of a value starts with a small letter
+    = hint: start the name of a value with a lower-case letter
   
   1 error
   [1]
@@ -58,7 +58,7 @@ Declarations with the punctuation or the capitals of another language.
   2 | s = Stick { ahead :: 1 }
     |                   ^^
     |
-    = hint: a field gets its value with `=`
+    = hint: set a field with `=`
   
   1 error
   [1]

@@ -47,7 +47,7 @@ A method:
   > main = reactimateRobot (proc i -> roMake (setVelTR (nextSpeed Lazy (frontSonar i)) 0))
   > FROB
   $ frobc check method.frob
-  error[E0363]: the instance `Planner Lazy` does not give `done`
+  error[E0363]: the instance `Planner Lazy` does not define `done`
    --> method.frob:9:10
     |
   5 |     done :: p -> Bool
@@ -56,7 +56,7 @@ A method:
   9 | instance Planner Lazy where
     |          ^^^^^^^^^^^^
     |
-    = hint: the lines below the `where` of the instance define it: `done = …`
+    = hint: define it below the `where` of the instance: `done = …`
   
   1 error
   [1]

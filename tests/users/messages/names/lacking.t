@@ -10,7 +10,7 @@ Assertions and trials:
   >     assert (w <= 0.3[m/s]) "slow enough"
   > FROB
   $ frobc check label_last.frob
-  error[E0110]: the label of an `assert` stands first
+  error[E0110]: the label of an `assert` must come first
    --> label_last.frob:4:5
     |
   4 |     assert (w <= 0.3[m/s]) "slow enough"
@@ -28,7 +28,7 @@ Assertions and trials:
   >     assert "slow enough" = w <= 0.3[m/s]
   > FROB
   $ frobc check label_equals.frob
-  error[E0110]: what is to hold follows the label, without a sign between
+  error[E0110]: the condition must directly follow the label
    --> label_equals.frob:4:26
     |
   4 |     assert "slow enough" = w <= 0.3[m/s]
@@ -46,7 +46,7 @@ Assertions and trials:
   >     assert w <= 0.3[m/s]
   > FROB
   $ frobc check label_none.frob
-  error[E0110]: an `assert` has a label, which says what is to hold
+  error[E0110]: an `assert` needs a label that says what must hold
    --> label_none.frob:4:5
     |
   4 |     assert w <= 0.3[m/s]
@@ -105,7 +105,7 @@ Parameters, modules and foreign declarations:
   > main = proc x -> gain * x
   > FROB
   $ frobc check param_type.frob
-  error[E0110]: a parameter has its type before its value
+  error[E0110]: a parameter needs its type before its value
    --> param_type.frob:2:12
     |
   2 | param gain = 0.5
@@ -129,8 +129,8 @@ Parameters, modules and foreign declarations:
   2 | param side :: Side = L
     | ^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: a parameter is a number or a truth value: what a command line can write
-    = hint: declare a parameter for each number in it; one of two choices is a `Bool`, one of more an `Int`
+    = note: a parameter must be a number or a `Bool`, so that the command line can set it
+    = hint: declare a parameter for each number in it; for a choice, use a `Bool` or an `Int`
   
   1 error
   [1]
@@ -141,13 +141,13 @@ Parameters, modules and foreign declarations:
   > main = proc xs -> sum xs
   > FROB
   $ frobc check param_size.frob
-  error[E0411]: `main` cannot run: its type `SF (Array n Float) Float` leaves open what comes in or goes out
+  error[E0411]: `main` cannot run: its type `SF (Array n Float) Float` has variables, so the input or the output is not determined
    --> param_size.frob:3:1
     |
   3 | main = proc xs -> sum xs
     | ^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `n` is any size here, and not the value of that name: a size is a number, or a name for one, `type N = 4`
+    = hint: `n` is a variable for any size here, not the value of that name: write a number, or a name for it, as in `type N = 4`
   
   1 error
   [1]
@@ -158,13 +158,13 @@ Parameters, modules and foreign declarations:
   > main = proc x -> x
   > FROB
   $ frobc check folder.frob
-  error[E0110]: expected the name of a module, with a capital, found `lib`
+  error[E0110]: expected the name of a module, starting with a capital letter, found `lib`
    --> folder.frob:1:8
     |
   1 | import lib/Geometry
     |        ^^^
     |
-    = hint: a module is named without its folder: it stands beside this file, or in the library: `import Geometry`
+    = hint: name the module without its folder: `import Geometry`; its file must be in the folder of this one, or in the library
   
   1 error
   [1]
@@ -175,13 +175,13 @@ Parameters, modules and foreign declarations:
   > main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0))
   > FROB
   $ frobc check head.frob
-  error[E0110]: the head of a module ends with `where`
+  error[E0110]: the head of a module must end with `where`
    --> head.frob:1:13
     |
   1 | module Pilot
     |             ^
     |
-    = hint: write `module Pilot where`; a module that hands on all that it has needs no head
+    = hint: write `module Pilot where`; a module that exports everything needs no head
   
   1 error
   [1]
@@ -192,7 +192,7 @@ Parameters, modules and foreign declarations:
   > main = proc x -> c_sin x
   > FROB
   $ frobc check ccall.frob
-  error[E0110]: `foreign` has no `import` behind it, and the name in C stands last
+  error[E0110]: `foreign` must not be followed by `import`, and the name in C must come last
    --> ccall.frob:1:9
     |
   1 | foreign import ccall "math.h sin" c_sin :: Float -> Float
@@ -232,8 +232,8 @@ Parameters, modules and foreign declarations:
   1 | foreign logc :: String -> Float -> Float = "log_it"
     |                 ^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: functions, signal functions and labels exist only while compiling
-    = hint: an `Int` can tell C which text is meant
+    = note: functions, signal functions and labels exist only at compile time
+    = hint: pass an `Int` that tells C which text you mean
   
   1 error
   [1]
@@ -247,7 +247,7 @@ Equations:
   >     v = 0.5[1/s] * (d - 0.3[m]))
   > FROB
   $ frobc check let.frob
-  error[E0110]: the equations of a `where` have no `let` before them
+  error[E0110]: the equations of a `where` cannot start with `let`
    --> let.frob:3:5
     |
   3 |     let d = frontSonar i
@@ -265,13 +265,13 @@ Equations:
   >     when (frontSonar i < 0.5[m]) (v = 0))
   > FROB
   $ frobc check when.frob
-  error[E0110]: an equation stands on its own, and holds at every instant
+  error[E0110]: an equation cannot be conditional: it holds at every instant
    --> when.frob:4:34
     |
   4 |     when (frontSonar i < 0.5[m]) (v = 0))
     |                                  ^^^^^^^^
     |
-    = hint: one equation chooses the value: `v = if frontSonar i < 0.5[m] then 0 else …`
+    = hint: choose the value in one equation: `v = if frontSonar i < 0.5[m] then 0 else …`
   
   1 error
   [1]
@@ -287,7 +287,7 @@ Equations:
   2 | main = reactimateRobot (proc i = roMake (setVelTR 0.2[m/s] 0))
     |                                ^
     |
-    = hint: `->` leads from the input to what comes out; an equation has `=`
+    = hint: write `->` between the input and the output; `=` is for equations
   
   1 error
   [1]
@@ -317,13 +317,13 @@ Equations:
   > main = proc b -> if b then 1 else 0
   > FROB
   $ frobc check constructors.frob
-  error[E0110]: expected the name of a constructor, with a capital, found `go`
+  error[E0110]: expected the name of a constructor, starting with a capital letter, found `go`
    --> constructors.frob:1:13
     |
   1 | data Mode = go | stop
     |             ^^
     |
-    = hint: a constructor begins with a capital: `data Mode = Go | Stop`
+    = hint: start a constructor with a capital letter: `data Mode = Go | Stop`
   
   1 error
   [1]

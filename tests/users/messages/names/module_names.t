@@ -11,37 +11,37 @@ The name of a module begins with a capital letter; that of a program may be any.
   > main = arr limit
   > FROB
   $ frobc check small.frob
-  error[E0110]: expected the name of a module, with a capital, found `wall`
+  error[E0110]: expected the name of a module, starting with a capital letter, found `wall`
    --> small.frob:1:8
     |
   1 | import wall
     |        ^^^^
     |
-    = hint: a module begins with a capital, and its file too: `Wall`, in `Wall.frob`
+    = hint: start the name of the module and of its file with a capital letter: `Wall`, in `Wall.frob`
   
   1 error
   [1]
   $ sed 's/import wall/import my-wall (limit)/' small.frob > dash.frob
   $ frobc check dash.frob
-  error[E0110]: expected the name of a module, with a capital, found `my`
+  error[E0110]: expected the name of a module, starting with a capital letter, found `my`
    --> dash.frob:1:8
     |
   1 | import my-wall (limit)
     |        ^^
     |
-    = hint: a module begins with a capital, and its file too: `MyWall`, in `MyWall.frob`
+    = hint: start the name of the module and of its file with a capital letter: `MyWall`, in `MyWall.frob`
   
   1 error
   [1]
   $ (echo 'module wall where'; cat wall.frob) > head.frob
   $ frobc check head.frob
-  error[E0110]: expected the name of this module, with a capital, found `wall`
+  error[E0110]: expected the name of this module, starting with a capital letter, found `wall`
    --> head.frob:1:8
     |
   1 | module wall where
     |        ^^^^
     |
-    = hint: a module begins with a capital, and its file too: `Wall`, in `Wall.frob`
+    = hint: start the name of the module and of its file with a capital letter: `Wall`, in `Wall.frob`
   
   1 error
   [1]

@@ -25,7 +25,7 @@ Unknown names: different capitals, units as words, features of a later version.
   1 | Speed = 0.4[m/s]
     | ^^^^^^^^^^^^^^^^
     |
-    = hint: start the name of a value with a small letter: `speed`
+    = hint: start the name of a value with a lower-case letter: `speed`
   
   1 error
   [1]
@@ -104,23 +104,23 @@ An equation is not an assignment; parameters have other errors.
   > f x x = x
   > FROB
   $ frobc check twice.frob
-  error[E0212]: `n` is bound twice in one group
+  error[E0212]: `n` is defined twice here
    --> twice.frob:4:5
     |
   3 |     n = 0
-    |     - first bound here
+    |     - first defined here
   4 |     n = n + x
     |     ^
     |
-    = hint: write one equation for `n`: it holds at every instant, unlike an assignment; for its value one instant ago write `delay 0 n`, where 0 is the first value
+    = hint: write one equation for `n`, because an equation holds at every instant, unlike an assignment; for its previous value, write `delay 0 n`, where 0 is the initial value
   
-  error[E0212]: `x` is bound twice in one group
+  error[E0212]: `x` is defined twice here
    --> twice.frob:6:5
     |
   6 | f x x = x
     |   - ^
     |   |
-    |   first bound here
+    |   first defined here
   
   2 errors
   [1]
@@ -141,7 +141,7 @@ A field that not every value of the type has.
     |                   |
     |                   this is `State`
     |
-    = hint: only `Held` has it: `case` finds out, by the pattern `Held { spot = x }`
+    = hint: only `Held` has it: use a `case` with the pattern `Held { spot = x }`
   
   1 error
   [1]

@@ -16,7 +16,7 @@ A robot's speeds:
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: the arguments of `setVelTR` belong in the other order: `setVelTR 0.3[m/s] 30[deg/s]`
+    = hint: swap the arguments of `setVelTR`: `setVelTR 0.3[m/s] 30[deg/s]`
   
   1 error
   [1]
@@ -41,7 +41,7 @@ The event first:
     |         |     because this is `Event n[u]`
     |         argument 2 of `hold` is `Event (Event n[u])`
     |
-    = hint: the arguments of `hold` belong in the other order: `hold 0.3[m/s] (tag (edge (bumped i)) 0)`
+    = hint: swap the arguments of `hold`: `hold 0.3[m/s] (tag (edge (bumped i)) 0)`
   
   1 error
   [1]
@@ -65,7 +65,7 @@ A position and its label:
     |                                                                                    |
     |                                                                                    argument 1 of `label` is `Vec2[u]`
     |
-    = hint: the arguments of `label` belong in the other order: `label (place i) "here"`
+    = hint: swap the arguments of `label`: `label (place i) "here"`
   
   1 error
   [1]
@@ -113,7 +113,7 @@ Two arguments that both fit any type are not exchanged:
     |         |   because this is `Float[m/s]`
     |         argument 2 of `min` is `Float[m/s]`
     |
-    = hint: an event has a value only where it occurs: `hold x0 (tag (edge (bumped i)) 0)` is the latest one, at first `x0`
+    = hint: an event has a value only when it occurs: write `hold x0 (tag (edge (bumped i)) 0)` for its latest value, which is `x0` at first
   
   1 error
   [1]

@@ -17,7 +17,7 @@ function.
     |       |
     |       this is `n[u] -> n[u]`
     |
-    = hint: a negative argument needs parentheses: `abs (-1)`
+    = hint: put the negative argument in parentheses: `abs (-1)`
   
   error[E0301]: this `-` subtracts from a function
    --> negative.frob:5:13
@@ -27,7 +27,7 @@ function.
     |       |
     |       this is `Float -> Float`
     |
-    = hint: a negative argument needs parentheses: `max x (-1)`
+    = hint: put the negative argument in parentheses: `max x (-1)`
   
   2 errors
   [1]
@@ -80,9 +80,9 @@ A minus with spaces on both sides, or on neither, is a subtraction.
   11 |     (a, b, c) = pair x
      |     ---------   ^^^^^^ this is `(Float, Float)`
      |     |
-     |     the pattern takes `(a, b, c)`
+     |     the pattern matches `(a, b, c)`
      |
-     = hint: a pattern for it is `(a, b)`
+     = hint: write the pattern as `(a, b)`
   
   2 errors
   [1]
@@ -101,9 +101,9 @@ A minus with spaces on both sides, or on neither, is a subtraction.
      ::: stdlib/Capability.frob:215:11
       |
   215 | roMake :: RobotOutput o => (o -> o) -> o
-      |           ------------------------------ `roMake` asks for `RobotOutput o` here
+      |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
-      = hint: `constant e` is the signal function that always gives `e`
+      = hint: use `constant e` for a signal function that always returns `e`
   
   1 error
   [1]

@@ -9,7 +9,7 @@ Arguments:
   > main = proc x -> hysteresis 1 x
   > FROB
   $ frobc check hysteresis_one_argument.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> hysteresis_one_argument.frob:4:18
     |
   3 | main :: SF Float Bool
@@ -18,7 +18,7 @@ Arguments:
     |                  ^^^^^^^^^^^^^^ this is `SF Float Bool`
     |
     = note: expected `Bool`
-    = hint: `hysteresis` takes two arguments before its signal: `hysteresis 1 … x`, where the signal is `x`
+    = hint: `hysteresis` takes two arguments before its signal: write `hysteresis 1 … x`, where the signal is `x`
   
   1 error
   [1]
@@ -27,7 +27,7 @@ Arguments:
   > main = proc x -> x - delay x
   > FROB
   $ frobc check delay_without_start.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> delay_without_start.frob:2:22
     |
   2 | main = proc x -> x - delay x
@@ -36,7 +36,7 @@ Arguments:
     |                  this is `Float`
     |
     = note: expected `Float`
-    = hint: `delay` has an initial value before its signal: `delay x0 x`
+    = hint: `delay` takes an initial value before its signal: write `delay x0 x`
   
   1 error
   [1]
@@ -56,7 +56,7 @@ Arguments:
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
   5 |     v = limit (0.5[1/s] * frontSonar i))
-    |         ------------------------------- `v` is this, and lacks one argument
+    |         ------------------------------- this is `v`; it lacks one argument
     |
     = hint: `limit` takes two arguments: `limit :: n[u] -> n[u] -> n[u]`
   
@@ -76,7 +76,7 @@ Arguments:
     |                                   |
     |                                   argument 1 of `roMake` is `a -> a`
     |
-    = hint: `setVelTR` has an argument too many here: `setVelTR 0.3[m/s] 0` is a function
+    = hint: `setVelTR` has one argument too many here: write `setVelTR 0.3[m/s] 0` for the function
   
   1 error
   [1]
@@ -94,7 +94,7 @@ Arguments:
     |                                           |
     |                                           this is `Velocity -> AngularVelocity -> a -> a`
     |
-    = hint: a negative argument needs parentheses: `setVelTR (-0.2[m/s])`
+    = hint: put the negative argument in parentheses: `setVelTR (-0.2[m/s])`
   
   1 error
   [1]
@@ -111,7 +111,7 @@ Arguments:
     |        |
     |        argument 2 of `switch` is `() -> SF Float[m] Float[m/s]`
     |
-    = hint: it is given a value, and may ignore it: `\_ -> constant 0`
+    = hint: write a function that ignores its argument: `\_ -> constant 0`
   
   1 error
   [1]
@@ -130,9 +130,9 @@ Elements and fields:
    --> array_without_commas.frob:2:12
     |
   2 | weights = [0.25 0.5 0.25]
-    |            ^^^^ --- it is given an argument here
+    |            ^^^^ --- it is applied to an argument here
     |
-    = hint: the elements of an array are separated by commas, factors by `*`: `[0.25, …]`
+    = hint: write commas between the elements of an array, `[0.25, …]`, or `*` between factors
   
   1 error
   [1]
@@ -145,7 +145,7 @@ Elements and fields:
    --> index_in_parentheses.frob:2:19
     |
   2 | main = proc ds -> ds(1) + ds(2)
-    |                   ^^ - it is given an argument here
+    |                   ^^ - it is applied to an argument here
     |
     = hint: write `ds ! 1` for that element; the first one is `! 0`
   
@@ -153,7 +153,7 @@ Elements and fields:
    --> index_in_parentheses.frob:2:27
     |
   2 | main = proc ds -> ds(1) + ds(2)
-    |                           ^^ - it is given an argument here
+    |                           ^^ - it is applied to an argument here
     |
     = hint: write `ds ! 2` for that element; the first one is `! 0`
   
@@ -166,13 +166,13 @@ Elements and fields:
   > main = proc x -> Gains { p = x i = 2 }
   > FROB
   $ frobc check fields_without_comma.frob
-  error[E0110]: expected an operator, `,` and one more field, or `}`, found `=`
+  error[E0110]: expected an operator, `,` and another field, or `}`, found `=`
    --> fields_without_comma.frob:4:34
     |
   4 | main = proc x -> Gains { p = x i = 2 }
     |                                  ^
     |
-    = hint: there is a `,` between two fields
+    = hint: write a `,` between two fields
   
   1 error
   [1]

@@ -39,7 +39,7 @@ A point without a digit before it:
   3 | main = reactimateRobot (proc _ -> roMake (setVelTR .5[m/s] 0))
     |                                                    ^^
     |
-    = hint: a number starts with a digit: `0.5`
+    = hint: write a digit before the point: `0.5`
   
   1 error
   [1]
@@ -65,7 +65,7 @@ Two arguments instead of one pair:
     |                                                     |
     |                                                     argument 1 of `steer` is `(Distance, Distance)`
     |
-    = hint: `steer` takes one tuple of 2: `steer (frontSonar i, sideSonar i)`
+    = hint: `steer` takes one tuple of 2: write `steer (frontSonar i, sideSonar i)`
   
   1 error
   [1]
@@ -88,7 +88,7 @@ A function instead of a signal function:
     |        |
     |        argument 1 of `reactimateRobot` is `SF a b`
     |
-    = hint: a signal function is written `proc x -> …`, with `proc` in place of `\`; `arr` makes one of a function
+    = hint: use `proc x -> …`, with `proc` instead of `\`, or use `arr` to turn a function into a signal function
   
   1 error
   [1]

@@ -11,9 +11,9 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
    --> distance_one_arg.frob:4:12
     |
   4 |     v = if distance (place i) > 1[m] then 0 else 0.2[m/s])
-    |            ^^^^^^^^^^^^^^^^^^   ---- so it is no number, as this is
+    |            ^^^^^^^^^^^^^^^^^^   ---- but this is a number
     |
-    = hint: the last one is missing: `distance :: Vec2[u] -> Vec2[u] -> Float[u]`
+    = hint: add the last argument: `distance :: Vec2[u] -> Vec2[u] -> Float[u]`
   
   1 error
   [1]
@@ -34,7 +34,7 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
     |         |
     |         argument 1 of `lowPass` is `Time` (s)
     |
-    = hint: `lowPass` takes two arguments, and is given 1: `lowPass :: Time -> SF Float[u] Float[u]`
+    = hint: `lowPass` takes two arguments, but is applied to 1: `lowPass :: Time -> SF Float[u] Float[u]`
   
   1 error
   [1]
@@ -53,7 +53,7 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
     |                  |     because this is `n[u] -> n[u] -> n[u]`
     |                  argument 2 of `foldl` is a number
     |
-    = hint: it stands in the place of argument 2: `foldl :: (b -> a -> b) -> b -> Array n a -> b`
+    = hint: this is argument 2: `foldl :: (b -> a -> b) -> b -> Array n a -> b`
   
   1 error
   [1]
@@ -71,7 +71,7 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
   2 | main = proc a -> max a
     |                  ^^^^^
     |
-    = hint: `max` is of two values; of all elements it is `maximumBy id a`
+    = hint: `max` takes two values; for all elements, write `maximumBy id a`
   
   1 error
   [1]
@@ -90,7 +90,7 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
     |      |
     |      argument 1 of `generate` is `Int -> a`
     |
-    = hint: `generate` takes one argument, and is given 2: `generate :: (Int -> a) -> Array n a`
+    = hint: `generate` takes one argument, but is applied to 2: `generate :: (Int -> a) -> Array n a`
   
   1 error
   [1]
@@ -108,7 +108,7 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
     |                  |
     |                  this is `Array 3 Float`
     |
-    = hint: a whole number has no point: `1`
+    = hint: write a whole number without a point: `1`
   
   1 error
   [1]
@@ -126,7 +126,7 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
     |                       |
     |                       argument 1 of `at` is `Int`
     |
-    = hint: the arguments of `at` belong in the other order: `at k 0 a`
+    = hint: swap the arguments of `at`: `at k 0 a`
   
   1 error
   [1]
@@ -147,7 +147,7 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
     |          ^^^^^^^ this is `Float[m]`
     |
     = hint: to get a plain number, divide by the unit: `(d * 100) / 1[m]`
-    = hint: if this is what comes out, the signature says `Float[m]`
+    = hint: if this is the right result, write `Float[m]` in the signature
   
   1 error
   [1]
@@ -167,7 +167,7 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
     |                                                           |
     |                                                           the field `seeds` is `Seeds`
     |
-    = hint: they are from one to another: ``1 `to` 5``
+    = hint: write a first and a last seed: ``1 `to` 5``
   
   1 error
   [1]

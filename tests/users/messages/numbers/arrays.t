@@ -14,7 +14,7 @@ Arrays of another size, ranges, patterns of another length.
   3 | ns = [1..5]
     |        ^^
     |
-    = hint: there are no ranges: a few elements are written out, `[1, 2, 3]`; many are made by the index, `generate (\i -> i + 1)`, as many as the type says
+    = hint: Frob has no ranges: write the elements, `[1, 2, 3]`, or compute them from their index, `generate (\i -> i + 1)`; the type gives their number
   
   1 error
   [1]
@@ -39,7 +39,7 @@ Arrays of another size, ranges, patterns of another length.
     |                                                                     |                       because this is `Array 3 Float`
     |                                                                     argument 3 of `zipWith` is `Array 3 Float[u]`
     |
-    = hint: the two have different numbers of elements; `take` and `drop` make an array of the size that its type says
+    = hint: use `take` or `drop` to change the size of an array; its type gives the new size
   
   1 error
   [1]
@@ -62,9 +62,9 @@ Arrays of another size, ranges, patterns of another length.
   7 |     (f, l, r) = sides i)
     |     ---------   ^^^^^^^ this is `(Distance, Distance)`
     |     |
-    |     the pattern takes `(a, b, c)`
+    |     the pattern matches `(a, b, c)`
     |
-    = hint: a pattern for it is `(a, b)`
+    = hint: write the pattern as `(a, b)`
   
   1 error
   [1]

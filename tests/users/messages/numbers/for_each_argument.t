@@ -15,7 +15,7 @@ A number that is not an Int is not replaced by a 0:
     |                        |
     |                        argument 1 of `at` is `Int`
     |
-    = hint: `round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`
+    = hint: use `round`, `floor`, `ceiling` or `truncate` to convert a `Float` to an `Int`
   
   1 error
   [1]
@@ -34,7 +34,7 @@ A number that is not an Int is not replaced by a 0:
     |                  |
     |                  argument 1 of `add` is `(Float, Float)`
     |
-    = hint: `add` takes one tuple of 2: `add (x, x)`
+    = hint: `add` takes one tuple of 2: write `add (x, x)`
   
   1 error
   [1]
@@ -53,7 +53,7 @@ A number that is not an Int is not replaced by a 0:
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
   3 |     v = knob "speed" 0.1[m/s] i)
-    |         ----------------------- `v` is this, and lacks two arguments
+    |         ----------------------- this is `v`; it lacks two arguments
     |
     = hint: `knob` takes 5 arguments: `knob :: String -> Float[u] -> Float[u] -> Float[u] -> i -> Float[u]`
   
@@ -73,7 +73,7 @@ A number that is not an Int is not replaced by a 0:
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: if the factor is a gain, it has a unit: `2[1/m/s]`
+    = hint: if the factor is a gain, give it a unit: `2[1/m/s]`
   
   1 error
   [1]

@@ -6,13 +6,13 @@ Units that require a gain, a power, or a declaration.
   > main = proc x -> limitCm x
   > FROB
   $ frobc check type_unit_scaled.frob
-  error[E0321]: a type cannot mention a scaled unit: values are held in base units
+  error[E0321]: a type cannot contain a scaled unit, because values are stored in base units
    --> type_unit_scaled.frob:1:18
     |
   1 | limitCm :: Float[cm] -> Float[cm]
     |                  ^^           -- and here
     |
-    = hint: write `m` here; scaled units stand on literals
+    = hint: write `m` here; use scaled units only after literals
   
   1 error
   [1]
@@ -32,7 +32,7 @@ Units that require a gain, a power, or a declaration.
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: a gain makes `1/s` of `m`, as in `2[1/m/s] * w`
+    = hint: to convert `m` to `1/s`, multiply by a gain, as in `2[1/m/s] * w`
   
   1 error
   [1]

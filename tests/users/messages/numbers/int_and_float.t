@@ -47,7 +47,7 @@ Int and Float in one operation: the message names both operands, and the convers
   2 | half n = n / 2
     |          ^ - argument 1 of `/` is `Float`
     |
-    = hint: `div` divides whole numbers
+    = hint: to divide whole numbers, use `div`
     = hint: write `toFloat n`
   
   1 error
@@ -60,7 +60,7 @@ A type in lower case is a variable.
   > f x = x + 1
   > FROB
   $ frobc check lower.frob
-  error[E0306]: the signature promises every type `float`, but the definition needs it to be a number
+  error[E0306]: the signature allows every type `float`, but the definition needs it to be a number
    --> lower.frob:2:7
     |
   1 | f :: float -> float
@@ -68,7 +68,7 @@ A type in lower case is a variable.
   2 | f x = x + 1
     |       ^
     |
-    = hint: the type is `Float`; a name in lower case stands for every type
+    = hint: if you meant the type, write `Float`; a lower-case name means any type
   
   1 error
   [1]

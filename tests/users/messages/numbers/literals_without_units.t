@@ -83,7 +83,7 @@ In a record, the message shows the number, not the record.
     |
     = hint: write `1[m]` if that is its unit
   
-  error[E0306]: the signature promises every unit `u`, but the definition needs it to be `1`
+  error[E0306]: the signature allows every unit `u`, but the definition needs it to be `1`
    --> corners.frob:9:30
     |
   8 | scaled :: Float[u] -> Vec2[u]
@@ -91,7 +91,7 @@ In a record, the message shows the number, not the record.
   9 | scaled k = Vec2 { x = k, y = 1 }
     |                              ^ this is `Float`
     |
-    = hint: if the definition is right, the signature says `Float[1] -> Vec2[1]`
+    = hint: if the definition is right, write the signature as `Float[1] -> Vec2[1]`
   
   3 errors
   [1]

@@ -17,7 +17,7 @@ A formula in which a number lacks its unit, and one with an exponent that is not
   4 | stoppable d = sqrt (2 * 0.3 * d)
     |               ^^^^^^^^^^^^^^^^^^ this is `Float[m^(1/2)]`
     |
-    = hint: perhaps a number in it lacks its unit: with `0.3` it is `m^(1/2)`
+    = hint: perhaps a number lacks its unit: with `0.3` as it is, the unit is `m^(1/2)`
   
   1 error
   [1]
@@ -33,13 +33,13 @@ A formula in which a number lacks its unit, and one with an exponent that is not
   > main = reactimateRobot (proc _ -> roMake (setVelTR (0.3[m/s] * decay 0.5 2) 0))
   > FROB
   $ frobc check power.frob
-  error[E0117]: the exponent of `^` must be a whole number written out
+  error[E0117]: the exponent of `^` must be a literal whole number
    --> power.frob:4:17
     |
   4 | decay x n = x ^ n
     |                 ^
     |
-    = hint: for other exponents there is `**`, on Floats without a unit; of an Int `n` it is `x ** toFloat n`
+    = hint: for other exponents use `**`, which takes Floats without a unit; for an Int `n` write `x ** toFloat n`
   
   1 error
   [1]
@@ -59,7 +59,7 @@ A formula in which a number lacks its unit, and one with an exponent that is not
   3 |     while True do
     |     ^^^^^
     |
-    = hint: a task is done again and again by `whileT condition t`, where the condition is a signal function, and by `forever t`
+    = hint: to repeat a task, write `forever t`, or `whileT condition t` while a signal function returns True
   
   1 error
   [1]

@@ -11,7 +11,7 @@ Numbers and units in other notations.
   1 | x = .5
     |     ^^
     |
-    = hint: a number starts with a digit: `0.5`
+    = hint: write a digit before the point: `0.5`
   
   error[E0110]: expected an operand after the operator, found `+`
    --> point.frob:2:8
@@ -19,7 +19,7 @@ Numbers and units in other notations.
   2 | y = 5. + 2
     |        ^
     |
-    = hint: a number ends with a digit: `0` after the point
+    = hint: write a digit after the point, as in `5.0`
   
   2 errors
   [1]
@@ -37,7 +37,7 @@ Numbers and units in other notations.
   1 | n = 1_000_
     |     ^^^^^^
     |
-    = hint: `_` stands between two digits
+    = hint: use `_` only between two digits
   
   error[E0105]: the number `0xF` is directly followed by `G`
    --> digits.frob:2:5
@@ -45,7 +45,7 @@ Numbers and units in other notations.
   2 | k = 0xFG
     |     ^^^^
     |
-    = hint: the digits after `0x` are `0` to `9` and `a` to `f`
+    = hint: after `0x`, use the digits `0` to `9` and `a` to `f`
   
   error[E0105]: the number `0b` has no digits
    --> digits.frob:3:5
@@ -53,15 +53,15 @@ Numbers and units in other notations.
   3 | b = 0b
     |     ^^
     |
-    = hint: the digits after `0b` are `0` and `1`
+    = hint: after `0b`, use the digits `0` and `1`
   
-  error[E0117]: the exponent of `^` must be a whole number written out
+  error[E0117]: the exponent of `^` must be a literal whole number
    --> digits.frob:4:11
     |
   4 | f x = x ^ 9223372036854775807
     |           ^^^^^^^^^^^^^^^^^^^
     |
-    = hint: for other exponents there is `**`, on Floats without a unit; of an Int `n` it is `x ** toFloat n`
+    = hint: for other exponents use `**`, which takes Floats without a unit; for an Int `n` write `x ** toFloat n`
   
   4 errors
   [1]
@@ -77,8 +77,8 @@ Numbers and units in other notations.
   2 | mask = 0xFFFF_0000
     |        ^^^^^^^^^^^
     |
-    = note: an `Int` is from -2147483648 to 2147483647
-    = hint: as 32 bits, one for the sign, it is `(-65536)`
+    = note: an `Int` must be from -2147483648 to 2147483647
+    = hint: for these 32 bits, write `(-65536)`
   
   1 error
   [1]
@@ -90,13 +90,13 @@ A unit follows a literal or a type, never a name, without a space.
   > f x = x[m]
   > FROB
   $ frobc check name.frob
-  error[E0110]: a unit stands on a number written out or on a type, not on a name
+  error[E0110]: a unit in brackets can follow a literal number or a type, but not a name
    --> name.frob:2:8
     |
   2 | f x = x[m]
     |        ^
     |
-    = hint: a value has its unit already; to give one to a plain number, multiply: `x * 1[m]`
+    = hint: remove the unit if the value has one already; to give a plain number a unit, multiply: `x * 1[m]`
   
   1 error
   [1]
@@ -105,13 +105,13 @@ A unit follows a literal or a type, never a name, without a space.
   > x = 5 [m]
   > FROB
   $ frobc check blank.frob
-  error[E0110]: a unit directly follows its number, without a blank
+  error[E0110]: a unit must directly follow its number, without a space
    --> blank.frob:1:7
     |
   1 | x = 5 [m]
     |       ^^^
     |
-    = hint: take the blank out, as in `0.4[m/s]`
+    = hint: remove the space, as in `0.4[m/s]`
   
   1 error
   [1]
@@ -126,7 +126,7 @@ A unit follows a literal or a type, never a name, without a space.
   1 | type Speed = m/s
     |               ^
     |
-    = hint: types such as `Float` start with a capital, and a unit stands in brackets, as in `Float[m/s]`
+    = hint: start a type such as `Float` with a capital letter, and put a unit in brackets, as in `Float[m/s]`
   
   1 error
   [1]
@@ -141,14 +141,14 @@ A name in the size of an array is a type variable, not a number.
   > main = proc x -> x + xs ! 2
   > FROB
   $ frobc check size.frob
-  error[E0331]: nothing decides the size of an array where `xs` is used
+  error[E0331]: nothing determines the size of an array where `xs` is used
    --> size.frob:5:22
     |
   5 | main = proc x -> x + xs ! 2
     |                      ^^
     |
-    = note: `n` in the signature of `xs` stands for any size; a certain one is a number there, or a name for it: `type Size = 4`
-    = hint: annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature
+    = note: `n` in the signature of `xs` is a variable for any size: write a number instead, or a name for it, as in `type Size = 4`
+    = hint: annotate it with a type, as in `(e :: Array 4 Float)`, or give the definition a signature
   
   1 error
   [1]
@@ -166,29 +166,29 @@ a number with `rad` in its comment, or for a number that is not an angle.
   > main = proc x -> cos 45 * x + cos quarter + start.heading + cos 90[rad] + cos 6.2 + exp 45
   > FROB
   $ frobc check degrees.frob
-  warning[W0303]: this angle is more than a whole turn: it is in radians
+  warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> degrees.frob:3:46
     |
   3 | start = Pose { position = zeroVec, heading = -90 }
     |                                              ^^^
     |
-    = hint: for degrees write `(-90[deg])`
+    = hint: if you meant degrees, write `(-90[deg])`
   
-  warning[W0303]: this angle is more than a whole turn: it is in radians
+  warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> degrees.frob:5:11
     |
   5 | quarter = 90
     |           ^^
     |
-    = hint: for degrees write `90[deg]`
+    = hint: if you meant degrees, write `90[deg]`
   
-  warning[W0303]: this angle is more than a whole turn: it is in radians
+  warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> degrees.frob:7:22
     |
   7 | main = proc x -> cos 45 * x + cos quarter + start.heading + cos 90[rad] + cos 6.2 + exp 45
     |                      ^^
     |
-    = hint: for degrees write `45[deg]`
+    = hint: if you meant degrees, write `45[deg]`
   
   3 warnings
 
@@ -207,29 +207,29 @@ signal may be a frequency.
   > main = proc x -> wave x x + right x + back (Pose { position = zeroVec, heading = x }) x
   > FROB
   $ frobc check sums.frob
-  warning[W0303]: this angle is more than a whole turn: it is in radians
+  warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> sums.frob:3:35
     |
   3 | back p a = wrapAngle (p.heading - 180 + a)
     |                                   ^^^
     |
-    = hint: for degrees write `180[deg]`
+    = hint: if you meant degrees, write `180[deg]`
   
-  warning[W0303]: this angle is more than a whole turn: it is in radians
+  warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> sums.frob:5:15
     |
   5 | right a = a + 2 * 45
     |               ^^^^^^
     |
-    = hint: for degrees give one of the numbers its unit, as in `90[deg]`
+    = hint: if you meant degrees, give one of the numbers its unit, as in `90[deg]`
   
-  warning[W0303]: this angle is more than a whole turn: it is in radians
+  warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> sums.frob:7:33
     |
   7 | wave t a = sin (100 * t) + cos (-(90 / 1)) + sin (7 / 2 + t) + cos (a + 90[deg]) + tan (t - 4 - 5)
     |                                 ^^^^^^^^^
     |
-    = hint: for degrees give one of the numbers its unit, as in `90[deg]`
+    = hint: if you meant degrees, give one of the numbers its unit, as in `90[deg]`
   
   3 warnings
 
@@ -243,36 +243,36 @@ of its operand.
   >     h = pose.heading
   > FROB
   $ frobc check compared.frob
-  warning[W0303]: this angle is more than a whole turn: it is in radians
+  warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> compared.frob:3:31
     |
   3 | main = proc (pose, x) -> (h > 90, -45 <= h, abs (angleDiff h 0) > 2 * 45, h + pose.heading == 180, x > 90[m] || h > 3) w…
     |                               ^^
     |
-    = hint: for degrees write `90[deg]`
+    = hint: if you meant degrees, write `90[deg]`
   
-  warning[W0303]: this angle is more than a whole turn: it is in radians
+  warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> compared.frob:3:35
     |
   3 | main = proc (pose, x) -> (h > 90, -45 <= h, abs (angleDiff h 0) > 2 * 45, h + pose.heading == 180, x > 90[m] || h > 3) w…
     |                                   ^^^
     |
-    = hint: for degrees write `(-45[deg])`
+    = hint: if you meant degrees, write `(-45[deg])`
   
-  warning[W0303]: this angle is more than a whole turn: it is in radians
+  warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> compared.frob:3:67
     |
   3 | …h > 90, -45 <= h, abs (angleDiff h 0) > 2 * 45, h + pose.heading == 180, x > 90[m] || h > 3) where
     |                                          ^^^^^^
     |
-    = hint: for degrees give one of the numbers its unit, as in `90[deg]`
+    = hint: if you meant degrees, give one of the numbers its unit, as in `90[deg]`
   
-  warning[W0303]: this angle is more than a whole turn: it is in radians
+  warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> compared.frob:3:95
     |
   3 | …Diff h 0) > 2 * 45, h + pose.heading == 180, x > 90[m] || h > 3) where
     |                                          ^^^
     |
-    = hint: for degrees write `180[deg]`
+    = hint: if you meant degrees, write `180[deg]`
   
   4 warnings

@@ -16,7 +16,7 @@ reset.
     |              |
     |              argument 2 of `map` is `Array m Float[u]`
     |
-    = hint: an array is written in brackets: `[sideSonar i, rightSonar i]`
+    = hint: write an array in brackets: `[sideSonar i, rightSonar i]`
   
   1 error
   [1]
@@ -38,7 +38,7 @@ reset.
     |                                                                 |
     |                                                                 argument 1 of `draw` is `Mark`
     |
-    = hint: `number "name" (frontSonar i)` is the mark of a number
+    = hint: use `number "name" (frontSonar i)` for the mark of a number
   
   1 error
   [1]
@@ -52,15 +52,15 @@ reset.
   >     way = integral (velocity i) (edge (bumped i)))
   > FROB
   $ frobc check reset.frob
-  error[E0302]: `integral` takes 1 argument, but is given more
+  error[E0302]: `integral` takes 1 argument, but is applied to more
    --> reset.frob:4:34
     |
   4 |     way = integral (velocity i) (edge (bumped i)))
     |           --------               ^^^^^^^^^^^^^^^ one too many
     |           |
-    |           with one argument the result is `Float[m]`
+    |           with one argument, its result is `Float[m]`
     |
-    = hint: it begins at 0: with another beginning it is `x0 + integral v`; to start it afresh at each occurrence of an event, `resetOn integral (v, e)`
+    = hint: it starts at 0: for another initial value, write `x0 + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
   
   1 error
   [1]
@@ -103,7 +103,7 @@ reset.
     |                                                        |
     |                                                        this is `a -> Point2`
     |
-    = hint: `place` is a function: `(place i).x`
+    = hint: `place` is a function: write `(place i).x`
   
   1 error
   [1]

@@ -11,7 +11,7 @@ A recurring switch, whose output may be anything:
   >     v = rSwitch (constant 0) (when b `tag` constant 1, b)
   > FROB
   $ frobc check ramp.frob
-  error[E0301]: the two of this pair stand in the other order
+  error[E0301]: the two parts of this pair are in the wrong order
    --> ramp.frob:5:30
     |
   5 |     v = rSwitch (constant 0) (when b `tag` constant 1, b)
@@ -30,7 +30,7 @@ A recurring switch, whose output may be anything:
   >     y = rSwitch integral (tag (edge b) integral, x)
   > FROB
   $ frobc check recurring.frob
-  error[E0301]: the two of this pair stand in the other order
+  error[E0301]: the two parts of this pair are in the wrong order
    --> recurring.frob:3:26
     |
   3 |     y = rSwitch integral (tag (edge b) integral, x)
@@ -49,7 +49,7 @@ A recurring switch, whose output may be anything:
   >     v = rSwitch (constant 0.2[m/s]) (edge (frontSonar i < 0.5[m]) `tag` constant 0, i))
   > FROB
   $ frobc check robot.frob
-  error[E0301]: the two of this pair stand in the other order
+  error[E0301]: the two parts of this pair are in the wrong order
    --> robot.frob:3:37
     |
   3 |     v = rSwitch (constant 0.2[m/s]) (edge (frontSonar i < 0.5[m]) `tag` constant 0, i))
@@ -69,7 +69,7 @@ An output and the event that ends it: the event has no instance of the output's 
   > main = reactimateRobot (switch (proc i -> (after 2[s] (), roMake (setVelTR 0.2[m/s] 0))) (\_ -> proc i -> roMake (setVelTR 0 0)))
   > FROB
   $ frobc check ends.frob
-  error[E0301]: the two of this pair stand in the other order
+  error[E0301]: the two parts of this pair are in the wrong order
    --> ends.frob:2:43
     |
   2 | main = reactimateRobot (switch (proc i -> (after 2[s] (), roMake (setVelTR 0.2[m/s] 0))) (\_ -> proc i -> roMake (setVel…
@@ -88,7 +88,7 @@ An output and the event that ends it: the event has no instance of the output's 
   > main = reactimateTask go
   > FROB
   $ frobc check task.frob
-  error[E0301]: the two of this pair stand in the other order
+  error[E0301]: the two parts of this pair are in the wrong order
    --> task.frob:2:24
     |
   2 | go = mkTask (proc i -> (edge (frontSonar i < 0.5[m]), roMake (setVelTR 0.2[m/s] 0)))
@@ -109,7 +109,7 @@ A reset:
   >     y = resetOn integral (edge b, x)
   > FROB
   $ frobc check reset.frob
-  error[E0301]: the two of this pair stand in the other order
+  error[E0301]: the two parts of this pair are in the wrong order
    --> reset.frob:3:26
     |
   3 |     y = resetOn integral (edge b, x)
@@ -134,7 +134,7 @@ The output in a signature, which may itself be wrong:
   >     (v, w) = drive i)
   > FROB
   $ frobc check output.frob
-  error[E0301]: the two of this pair stand in the other order
+  error[E0301]: the two parts of this pair are in the wrong order
    --> output.frob:3:19
     |
   2 | drive :: HasSonar i => SF i (Velocity, AngularVelocity)
@@ -142,7 +142,7 @@ The output in a signature, which may itself be wrong:
   3 | drive = proc i -> (w, v) where
     |                   ^^^^^^
     |
-    = hint: write `(v, w)`, or the signature has their types in the other order
+    = hint: write `(v, w)`, or swap their types in the signature
   
   1 error
   [1]
@@ -156,7 +156,7 @@ Separate arguments, and a tuple:
   > main = proc x -> mix (x, x)
   > FROB
   $ frobc check one_tuple.frob
-  error[E0302]: `mix` has more than the one parameter that its type allows
+  error[E0302]: `mix` has more than one parameter, but its type allows only one
    --> one_tuple.frob:2:7
     |
   1 | mix :: (Float, Float) -> Float
@@ -164,7 +164,7 @@ Separate arguments, and a tuple:
   2 | mix x y = x + y
     |       ^
     |
-    = hint: the signature says one parameter, a tuple: `mix (x, y) = …`; parameters one after the other have an `->` between their types
+    = hint: the signature has one parameter, a tuple: write `mix (x, y) = …`, or write `->` between the types
   
   1 error
   [1]
@@ -176,7 +176,7 @@ Separate arguments, and a tuple:
   > main = proc x -> mix x x
   > FROB
   $ frobc check several.frob
-  error[E0301]: `mix` takes its 2 arguments one after the other, and not as a tuple
+  error[E0301]: `mix` takes 2 separate arguments, not a tuple
    --> several.frob:2:5
     |
   1 | mix :: Float -> Float -> Float

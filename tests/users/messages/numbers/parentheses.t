@@ -8,13 +8,13 @@ A function among the arguments that should be applied to the following ones.
   >     forever turnBy 90[deg])
   > FROB
   $ frobc check tasks.frob
-  error[E0302]: `sleepT` takes 2 arguments, but is given more
+  error[E0302]: `sleepT` takes 2 arguments, but is applied to more
    --> tasks.frob:4:25
     |
   4 |     sleepT 2[s] roMake (setVelTR 0 0)
     |     ------              ^^^^^^^^^^^^ one too many
     |     |
-    |     with 2 arguments the result is `Task a ((b -> b) -> b) ()`
+    |     with 2 arguments, its result is `Task a ((b -> b) -> b) ()`
     |
     = hint: put parentheses around the argument: `sleepT 2[s] (roMake (setVelTR 0 0))`
   
@@ -59,15 +59,15 @@ A function among the arguments that should be applied to the following ones.
   > main = reactimateTask t
   > FROB
   $ frobc check turn.frob
-  error[E0302]: `return` takes 1 argument, but is given more
+  error[E0302]: `return` takes 1 argument, but is applied to more
    --> turn.frob:4:19
     |
   4 |     return turnBy 90[deg]
     |     ------        ^^^^^^^ one too many
     |     |
-    |     with one argument the result is `Task a b (Angle -> Task c d Bool)`
+    |     with one argument, its result is `Task a b (Angle -> Task c d Bool)`
     |
-    = hint: `return x` does nothing and ends with `x`: a task that is to be done stands there without it, `turnBy 90[deg]`
+    = hint: to run a task, remove `return`: `turnBy 90[deg]`
   
   1 error
   [1]

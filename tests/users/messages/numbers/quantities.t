@@ -16,7 +16,7 @@ A turn, a pause, and a unit after a space:
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: write `30[deg/s]` for degrees in a second, `30[rad/s]` for radians
+    = hint: write `30[deg/s]` for degrees per second, `30[rad/s]` for radians per second
   
   1 error
   [1]
@@ -140,7 +140,7 @@ Conversions from one quantity to another:
     |        ^^^^^^^^ this is `SF Double Double`
     |
     = note: expected `SF Velocity Velocity`, found `SF Double Double`
-    = hint: without brackets `Float` and `Double` have no unit; `Float[m/s]` has this one
+    = hint: use `Float[m/s]` for this unit; without brackets, `Float` and `Double` have no unit
   
   1 error
   [1]
@@ -163,7 +163,7 @@ The gains of a controller depend on each other, so a wrong unit has one message:
     |         |
     |         argument 1 of `pid` is `Pid[u, v]`
     |
-    = hint: it is a record: `Pid { kp = …, ki = …, kd = …, largest = … }`
+    = hint: write the record: `Pid { kp = …, ki = …, kd = …, largest = … }`
   
   1 error
   [1]
@@ -184,7 +184,7 @@ The gains of a controller depend on each other, so a wrong unit has one message:
     |                             |
     |                             the field `ki` is `Float[1/s]`
     |
-    = note: of the units in a `Pid`, `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
+    = note: in a `Pid`, the units depend on each other: `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
     = hint: write `0.1[1/s]` if that is its unit
   
   1 error
@@ -206,7 +206,7 @@ The gains of a controller depend on each other, so a wrong unit has one message:
     |                              |
     |                              the field `ki` is `Float[1/s^2]`
     |
-    = note: of the units in a `Pid`, `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
+    = note: in a `Pid`, the units depend on each other: `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
     = hint: write `0.1[1/s^2]` if you meant that unit
   
   1 error
@@ -232,7 +232,7 @@ Types with the same name, and a local function of one type:
   7 | main = proc i -> robotPose i
     |                  ^^^^^^^^^^^
     |
-    = hint: two types are called `Pose`: use one in both places, or make a value of one from the other's
+    = hint: two types have the name `Pose`: use the same one in both places, or convert the value
   
   1 error
   [1]
@@ -251,7 +251,7 @@ Types with the same name, and a local function of one type:
     |                        |        argument 1 of `twice` is `Float`
     |                        because of this use of `twice`
     |
-    = hint: a local function without a signature has one type: give `twice` a signature with a variable, of the form `twice :: Float[u] -> …`
+    = hint: a local function without a signature has only one type: give `twice` a signature with a variable, as in `twice :: Float[u] -> …`
   
   1 error
   [1]

@@ -34,7 +34,7 @@ Records instead of their components, components instead of records, and numbers 
   4 |     p = robotPose i.heading
     |                   ^^^^^^^^^
     |
-    = hint: what `robotPose` gives has it: `(robotPose i).heading`
+    = hint: for a field of the result of `robotPose`, write `(robotPose i).heading`
   
   1 error
   [1]
@@ -56,7 +56,7 @@ Records instead of their components, components instead of records, and numbers 
     |               |     because this is `n[m] -> n[m] -> n[m]`
     |               argument 3 of `foldl` is `Array 16 n[m]`
     |
-    = hint: its elements are records, of which the parts are `seat`, `halfAngle` and `echo`: `map (\x -> x.echo)` takes one of each
+    = hint: its elements are records with the fields `seat`, `halfAngle` and `echo`: choose one, as in `map (\x -> x.echo)`
   
   1 error
   [1]
@@ -77,7 +77,7 @@ Records instead of their components, components instead of records, and numbers 
   3 | halve c = c.v * 0.5
     |           ^^^^^^^^^
     |
-    = hint: such a record is given as a whole: `Cmd { v = …, w = … }`, or `r { v = … }`, which is r with another `v`
+    = hint: write the whole record, `Cmd { v = …, w = … }`, or a copy of a record `r` with another `v`: `r { v = … }`
   
   1 error
   [1]
@@ -97,7 +97,7 @@ Records instead of their components, components instead of records, and numbers 
     |           |
     |           argument 2 of `map` is `Array m n[u]`
     |
-    = hint: a tuple is taken apart by an equation, `(a, b) = p`; an array is written in brackets, `[a, b]`
+    = hint: take the tuple apart in an equation, `(a, b) = p`, and write an array in brackets, `[a, b]`
   
   1 error
   [1]
@@ -116,7 +116,7 @@ Records instead of their components, components instead of records, and numbers 
     |            |
     |            this is `Bool`
     |
-    = hint: it is True or False by itself: write `bumped i`
+    = hint: this is a `Bool` already: write `bumped i`
   
   1 error
   [1]

@@ -36,7 +36,7 @@ A degree sign, percent, and a point between units:
   3 | quarter = 90°
     |             ^
     |
-    = hint: degrees are a unit: `90[deg]`
+    = hint: write degrees as a unit: `90[deg]`
   
   1 error
   [1]
@@ -52,7 +52,7 @@ A degree sign, percent, and a point between units:
   2 | main = reactimateRobot (proc i -> roMake (setVelTR (50[%] * 0.4[m/s]) 0))
     |                                                        ^
     |
-    = hint: percent is no unit: 20 percent of x are `0.2 * x`
+    = hint: percent is not a unit: write 20 percent of x as `0.2 * x`
   
   1 error
   [1]
@@ -70,7 +70,7 @@ A degree sign, percent, and a point between units:
   2 | inertia :: Float[kg.m^2]
     |                    ^^
     |
-    = hint: a blank or `*` multiplies units, as in `kg m^2`
+    = hint: multiply units with a space or `*`, as in `kg m^2`
   
   1 error
   [1]
@@ -93,7 +93,7 @@ A choice between angles, where an angular velocity is expected:
   3 |     w = if frontSonar i < 0.5[m] then 45[deg] else 0)
     |                                       ------- `w` is this number
     |
-    = hint: write `45[deg/s]` if that is how far it turns in a second
+    = hint: write `45[deg/s]` if this is the turn rate
   
   1 error
   [1]

@@ -17,15 +17,15 @@ syntax.
     |     |
     |     argument 1 of `forward` is `Distance` (m)
     |
-    = hint: `forward` takes one argument, and is given 2: `forward :: Distance -> Task i o Bool`
+    = hint: `forward` takes one argument, but is applied to 2: `forward :: Distance -> Task i o Bool`
   
-  error[E0302]: `turnBy` takes 1 argument, but is given more
+  error[E0302]: `turnBy` takes 1 argument, but is applied to more
    --> turn.frob:5:20
     |
   5 |     turnBy 90[deg] 0.5[rad/s])
     |     ------         ^^^^^^^^^^ one too many
     |     |
-    |     with one argument the result is `Task a b Bool`
+    |     with one argument, its result is `Task a b Bool`
     |
     = hint: `turnBy :: Angle -> Task i o Bool`
   
@@ -38,13 +38,13 @@ syntax.
   > main = reactimateTask (forward 2[m] 0.3[m/s])
   > FROB
   $ frobc check drive.frob
-  error[E0302]: `forward` takes 1 argument, but is given more
+  error[E0302]: `forward` takes 1 argument, but is applied to more
    --> drive.frob:3:37
     |
   3 | main = reactimateTask (forward 2[m] 0.3[m/s])
     |                        -------      ^^^^^^^^ one too many
     |                        |
-    |                        with one argument the result is `Task a b Bool`
+    |                        with one argument, its result is `Task a b Bool`
     |
     = hint: `forward :: Distance -> Task i o Bool`
   
@@ -63,7 +63,7 @@ syntax.
   3 |     v = if buttonHeld i then 0.2[m/s] else 0)
     |            ^^^^^^^^^^^^
     |
-    = hint: an argument is missing, before `i`: `buttonHeld :: String -> i -> Bool`
+    = hint: an argument is missing before `i`: `buttonHeld :: String -> i -> Bool`
   
   1 error
   [1]
@@ -81,7 +81,7 @@ syntax.
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: two arguments are missing, before `i`: `knob :: String -> Float[u] -> Float[u] -> Float[u] -> i -> Float[u]`
+    = hint: two arguments are missing before `i`: `knob :: String -> Float[u] -> Float[u] -> Float[u] -> i -> Float[u]`
   
   1 error
   [1]
@@ -102,7 +102,7 @@ syntax.
     |         |
     |         argument 1 of `pid` is `Pid[u, v]`
     |
-    = hint: it is a record, and stands before `err`: `pid (Pid { kp = …, ki = …, kd = …, largest = … }) err`
+    = hint: write the record before `err`: `pid (Pid { kp = …, ki = …, kd = …, largest = … }) err`
   
   1 error
   [1]
@@ -121,7 +121,7 @@ syntax.
     |                  |
     |                  argument 1 of `lowPass` is `Time` (s)
     |
-    = hint: `lowPass` takes two arguments, and is given 1: `lowPass :: Time -> SF Float[u] Float[u]`
+    = hint: `lowPass` takes two arguments, but is applied to 1: `lowPass :: Time -> SF Float[u] Float[u]`
   
   1 error
   [1]
@@ -142,7 +142,7 @@ syntax.
     |                     |
     |                     argument 2 of `respondsWithin` is `(Bool, Bool)`
     |
-    = hint: `respondsWithin` takes one tuple of 2: `respondsWithin 1[s] (stop, w == 0)`
+    = hint: `respondsWithin` takes one tuple of 2: write `respondsWithin 1[s] (stop, w == 0)`
   
   1 error
   [1]
@@ -154,13 +154,13 @@ syntax.
   >     v = if sonars i [3] < 0.4[m] then 0 else 0.3[m/s])
   > FROB
   $ frobc check index.frob
-  error[E0302]: `sonars` takes 1 argument, but is given more
+  error[E0302]: `sonars` takes 1 argument, but is applied to more
    --> index.frob:4:21
     |
   4 |     v = if sonars i [3] < 0.4[m] then 0 else 0.3[m/s])
     |            ------   ^^^ one too many
     |            |
-    |            with one argument the result is `Array 16 Sonar`
+    |            with one argument, its result is `Array 16 Sonar`
     |
     = hint: write `sonars i ! 3` for that element; the first one is `! 0`
   
@@ -180,12 +180,12 @@ syntax.
    --> output.frob:6:16
     |
   4 |     a <- lowPass 0.1[s] -< d
-    |     - this local `a` is meant here
+    |     - it means this local `a`
   5 |     b <- integral -< v
   6 |     returnA -< a b
-    |                ^ - it is given an argument here
+    |                ^ - it is applied to an argument here
     |
-    = hint: two values stand in a tuple, `(a, b)`, or have an operator between them
+    = hint: put two values in a tuple, `(a, b)`, or write an operator between them
   
   1 error
   [1]
@@ -208,7 +208,7 @@ Tasks in sequence, under a condition, and with a time:
   4 |     forward 1[m]
     |     ^^^^^^^
     |
-    = hint: several tasks, one below the other, stand in a `do`, which opens their block
+    = hint: put `do` before several tasks below each other
   
   1 error
   [1]
@@ -223,15 +223,15 @@ Tasks in sequence, under a condition, and with a time:
   >     forward 1[m])
   > FROB
   $ frobc check when.frob
-  error[E0302]: `when` takes 1 argument, but is given more
+  error[E0302]: `when` takes 1 argument, but is applied to more
    --> when.frob:6:20
     |
   6 |     when (not ok) (turnBy 90[deg])
     |     ----           ^^^^^^^^^^^^^^ one too many
     |     |
-    |     with one argument the result is `Event ()`
+    |     with one argument, its result is `Event ()`
     |
-    = hint: it makes an event of a truth; a choice between two values is `if c then a else b`, and a task that is done on a condition is `whenT c t`
+    = hint: for a choice between two values, write `if c then a else b`; for a task that runs only on a condition, write `whenT c t`
   
   1 error
   [1]
@@ -252,7 +252,7 @@ Tasks in sequence, under a condition, and with a time:
     |     |
     |     argument 1 of `timeOut` is `Task a b c`
     |
-    = hint: the arguments of `timeOut` belong in the other order: `timeOut (forward 2[m]) 5[s]`
+    = hint: swap the arguments of `timeOut`: `timeOut (forward 2[m]) 5[s]`
   
   1 error
   [1]
@@ -276,7 +276,7 @@ Tasks in sequence, under a condition, and with a time:
   5 |     turnBy 90[deg]) 4)
     |     ^^^^^^^^^^^^^^
     |
-    = hint: the arguments of `repeatT` belong in the other order: `repeatT 4 (…)`
+    = hint: swap the arguments of `repeatT`: `repeatT 4 (…)`
   
   1 error
   [1]

@@ -43,7 +43,7 @@ The signature may be wrong:
     |                      ^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
     |
     = hint: multiply by a gain, as in `0.5[1/s] * (integral (velocity i))`, or, for the rate of change, write `derivative (integral (velocity i))`
-    = hint: if this is what comes out, the signature says `Float[m]`
+    = hint: if this is the right result, write `Float[m]` in the signature
   
   1 error
   [1]
@@ -95,7 +95,7 @@ An angular velocity is an angle divided by a time:
     |         |     because this is `Float[s]`
     |         argument 2 of `delay` is `Float[s]`
     |
-    = hint: `delay x0` is by one instant, with the value `x0` at the first one, and not by a time
+    = hint: `delay x0` delays by one instant, not by a time; `x0` is its value at the first instant
   
   1 error
   [1]

@@ -18,7 +18,7 @@ determined the type.
     |               |     because this is `n[m] -> n[m] -> n[m]`
     |               argument 3 of `foldl` is `Array 16 n[m]`
     |
-    = hint: its elements are records, of which the parts are `seat`, `halfAngle` and `echo`: `map (\x -> x.echo)` takes one of each
+    = hint: its elements are records with the fields `seat`, `halfAngle` and `echo`: choose one, as in `map (\x -> x.echo)`
   
   1 error
   [1]
@@ -80,7 +80,7 @@ The first and the last argument exchanged:
     |                                                     |
     |                                                     argument 2 of `knob` is `Float[u]`
     |
-    = hint: the arguments of `knob` belong in the other order: `knob "speed" 0 0.4[m/s] 0.2[m/s] i`
+    = hint: swap the arguments of `knob`: `knob "speed" 0 0.4[m/s] 0.2[m/s] i`
   
   1 error
   [1]
@@ -105,7 +105,7 @@ Two mistakes of the same kind on a line are reported once:
     |            |
     |            argument 1 of `findBlob` is `Image`
     |
-    = hint: an event has a value only where it occurs: `mapE (\x -> findBlob x.image …) (camera i)` is the event of what `findBlob` makes of it
+    = hint: an event has a value only when it occurs: write `mapE (\x -> findBlob x.image …) (camera i)` for an event with the result of `findBlob`
   
   1 error
   [1]
@@ -121,7 +121,7 @@ Two mistakes of the same kind on a line are reported once:
   2 | main = proc p -> p.0 + p.1
     |                  ^- argument 1 of `.` is `a -> b`
     |
-    = hint: a tuple is taken apart by an equation, `(a, b) = p`; of a pair there are `fst p` and `snd p`
+    = hint: for the parts of a tuple, write an equation, `(a, b) = p`; for those of a pair, also `fst p` and `snd p`
   
   1 error
   [1]

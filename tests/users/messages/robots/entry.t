@@ -20,7 +20,7 @@ be.
   1 | main = 3
     | ^^^^^^^^
     |
-    = hint: `constant e` is the signal function that always gives it; on a robot the program is `main = reactimateRobot (constant e)`
+    = hint: use `constant e` for a signal function that always returns it, or `main = reactimateRobot (constant e)` for a robot program
   
   1 error
   [1]
@@ -31,12 +31,12 @@ be.
   4 | f x = x
     | ^^^^^^^
     |
-    = hint: `arr f` applies it at every instant
+    = hint: use `arr f` to apply it at every instant
   
   1 error
   [1]
   $ frobc compile entries.frob --entry open
-  error[E0411]: `open` cannot run: its type `SF a a` leaves open what comes in or goes out
+  error[E0411]: `open` cannot run: its type `SF a a` has variables, so the input or the output is not determined
    --> entries.frob:7:1
     |
   7 | open = proc x -> x
@@ -47,13 +47,13 @@ be.
   1 error
   [1]
   $ frobc compile entries.frob --entry scaled
-  error[E0411]: `scaled` cannot run: it still needs an argument, its type is `Float -> SF Float Float`
+  error[E0411]: `scaled` cannot run: it still needs an argument, as its type `Float -> SF Float Float` shows
     --> entries.frob:10:1
      |
   10 | scaled k = proc x -> k * x
      | ^^^^^^^^^^^^^^^^^^^^^^^^^^
      |
-     = hint: define another with the argument, as in `main = scaled …`
+     = hint: define another one with the argument, as in `main = scaled …`
   
   1 error
   [1]
@@ -78,7 +78,7 @@ The types in the message are those that a signature would have, including units 
   9 | main v = v / 1[m/s]
     | ^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `arr main` applies it at every instant
+    = hint: use `arr main` to apply it at every instant
   
   1 error
   [1]
@@ -89,7 +89,7 @@ The types in the message are those that a signature would have, including units 
   3 | area a b = a * b
     | ^^^^^^^^^^^^^^^^
     |
-    = hint: `proc (a, b) -> area a b` applies it at every instant
+    = hint: use `proc (a, b) -> area a b` to apply it at every instant
   
   1 error
   [1]
@@ -100,7 +100,7 @@ The types in the message are those that a signature would have, including units 
   6 | least x y z w = if x < w && z == Just y then x else w
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `proc (a, b, c, d) -> least a b c d` applies it at every instant
+    = hint: use `proc (a, b, c, d) -> least a b c d` to apply it at every instant
   
   1 error
   [1]
@@ -112,13 +112,13 @@ A program that leaves its robot open cannot be run without an option.
   > main = reactimateRobot (proc _ -> 0.3[m/s])
   > FROB
   $ frobc check robot.frob
-  error[E0411]: `main` cannot run: its type is `Program a Float[m/s]`, and what comes out is not what a robot takes
+  error[E0411]: `main` cannot run: its type is `Program a Float[m/s]`, whose output is not the output of a robot
    --> robot.frob:2:35
     |
   2 | main = reactimateRobot (proc _ -> 0.3[m/s])
     |                                   ^^^^^^^^
     |
-    = hint: the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`
+    = hint: use `roMake` to make the output of a robot, as in `roMake (setVelTR v omega)`
   
   1 error
   [1]

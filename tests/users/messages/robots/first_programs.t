@@ -15,7 +15,7 @@ languages:
   1 | avoid = proc i -> {
     |                   ^
     |
-    = hint: blocks are made by indentation; braces write records only
+    = hint: indent the block instead: braces are only for records
   
   1 error
   [1]
@@ -29,7 +29,7 @@ languages:
   1 | halve x = do { return x / 2 }
     |              ^
     |
-    = hint: blocks are made by indentation; braces write records only
+    = hint: indent the block instead: braces are only for records
   
   1 error
   [1]
@@ -50,7 +50,7 @@ languages:
   2 | go = switch (constant 1 &&& edge) \_ -> constant 2
     |                                   ^
     |
-    = hint: a lambda among arguments needs parentheses: `f (\x -> …)`
+    = hint: put the lambda in parentheses: `f (\x -> …)`
   
   error[E0110]: expected an operator, an argument, or the end of the expression, found `\case`
    --> lambda.frob:4:11
@@ -58,7 +58,7 @@ languages:
   4 | far = map \case Just d -> d; Nothing -> 0
     |           ^^^^^
     |
-    = hint: a lambda among arguments needs parentheses: `f (\x -> …)`
+    = hint: put the lambda in parentheses: `f (\x -> …)`
   
   error[E0110]: expected a parameter after `\`, found `case`
    --> lambda.frob:6:10
@@ -66,7 +66,7 @@ languages:
   6 | near = \ case Just d -> d
     |          ^^^^
     |
-    = hint: as in `\x -> x + 1`, or `\case`, without a blank in it, and branches
+    = hint: as in `\x -> x + 1`; write `\case` without a space
   
   error[E0114]: a tuple without some of its elements cannot be part of a pattern
    --> lambda.frob:8:8
@@ -86,7 +86,7 @@ languages:
    --> cases.frob:2:8
     |
   2 | near = \case Just d -> d
-    |        ^^^^^ no branch for `Nothing`
+    |        ^^^^^ there is no branch for `Nothing`
     |
     = hint: add a branch `Nothing -> …`
   
@@ -94,7 +94,7 @@ languages:
    --> cases.frob:3:7
     |
   3 | far = \case
-    |       ^^^^^ no branch for `_`
+    |       ^^^^^ there is no branch for `_`
     |
     = hint: add a branch `_ -> …`
   
@@ -150,7 +150,7 @@ instead of mapSF, a name that several modules have:
     |         |
     |         argument 1 of `switch` is `SF Float (a, Event b)`
     |
-    = hint: it gives its output together with the event that ends it, as `sf &&& e` does
+    = hint: return the output and the event that ends it, as in `sf &&& e`
   
   error[E0312]: expected `Int`, found `Float`
     --> types.frob:14:17
@@ -160,7 +160,7 @@ instead of mapSF, a name that several modules have:
      |           |
      |           argument 1 of `times` is `Int`
      |
-     = hint: a whole number has no point: `2`
+     = hint: write a whole number without a point: `2`
   
   error[E0301]: expected a number, found `Point2`
     --> types.frob:17:11
@@ -168,7 +168,7 @@ instead of mapSF, a name that several modules have:
   17 | way a b = b - a
      |           ^ - argument 1 of `-` is a number
      |
-     = hint: vectors have operators of their own: `^-^`
+     = hint: for vectors, use `^-^`
   
   error[E0304]: expected a function, found a signal function: `SF (Event n[u]) n[u]`
     --> types.frob:20:24
@@ -178,7 +178,7 @@ instead of mapSF, a name that several modules have:
      |                   |
      |                   argument 1 of `map` is `a -> b`
      |
-     = hint: `mapSF` runs a signal function on each element
+     = hint: use `mapSF` to run a signal function on each element
   
   4 errors
   [1]
@@ -215,7 +215,7 @@ A class or instance without its `where`, a `do` as an argument:
   5 |     size b = 1
     |            ^
     |
-    = hint: the methods follow `where`, each on a line of its own: `instance Sized Bool where`
+    = hint: add `where`, and write the methods below it: `instance Sized Bool where`
   
   error[E0110]: expected an operator, an argument, or the end of the expression, found `do`
    --> instance.frob:8:17
@@ -223,7 +223,7 @@ A class or instance without its `where`, a `do` as an argument:
   8 | dance = forever do
     |                 ^^
     |
-    = hint: a `do` among arguments needs parentheses, or a `$` before it
+    = hint: put the `do` in parentheses, or write `$` before it
   
   2 errors
   [1]

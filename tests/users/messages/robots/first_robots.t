@@ -33,7 +33,7 @@ An angle where an angular velocity is expected.
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: write `30[deg/s]` if that is how far it turns in a second
+    = hint: write `30[deg/s]` if this is the turn rate
   
   1 error
   [1]
@@ -58,7 +58,7 @@ An event where a Bool or a number is expected.
   4 | stops = proc i -> if edge (bumped i) then 0 else 1
     |                      ^^^^^^^^^^^^^^^
     |
-    = hint: `isEvent (edge (bumped i))` tells whether it occurs now
+    = hint: use `isEvent (edge (bumped i))`, which is True when the event occurs
   
   error[E0301]: expected a number, found `Event Float`
    --> events.frob:7:18
@@ -66,7 +66,7 @@ An event where a Bool or a number is expected.
   7 | more = proc e -> e + 1
     |                  ^ - argument 1 of `+` is a number
     |
-    = hint: an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`; `mapE (\x -> x + 1) e` computes with each one
+    = hint: an event has a value only when it occurs: write `hold x0 e` for its latest value, which is `x0` at first, or `mapE (\x -> x + 1) e` to compute with each value
   
   2 errors
   [1]
@@ -86,7 +86,7 @@ A position written as a pair.
     |                        |
     |                        argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = 3, y = 4 }`, with `import Geometry`
+    = hint: write a vector with the names of its fields: `Vec2 { x = 3, y = 4 }`, with `import Geometry`
   
   1 error
   [1]
@@ -98,13 +98,13 @@ The output of a robot without `roMake`.
   > main = reactimateRobot (proc _ -> setVelTR 0.1[m/s] 0)
   > FROB
   $ frobc check no_make.frob
-  error[E0411]: `main` cannot run: what comes out is a function, `b -> b`, not the output of a robot
+  error[E0411]: `main` cannot run: its output is a function, `b -> b`, not the output of a robot
    --> no_make.frob:2:35
     |
   2 | main = reactimateRobot (proc _ -> setVelTR 0.1[m/s] 0)
     |                                   ^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+    = hint: use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v omega)`
   
   1 error
   [1]
@@ -116,13 +116,13 @@ The same in a signal function, in a function, and if a signature states the outp
   > main = proc i -> setVelTR 0.1[m/s] (if bumped i then 1[rad/s] else 0)
   > FROB
   $ frobc check no_make.frob
-  error[E0411]: `main` cannot run: what comes out is a function, `b -> b`, not the output of a robot
+  error[E0411]: `main` cannot run: its output is a function, `b -> b`, not the output of a robot
    --> no_make.frob:2:18
     |
   2 | main = proc i -> setVelTR 0.1[m/s] (if bumped i then 1[rad/s] else 0)
     |                  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+    = hint: use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v omega)`
   
   1 error
   [1]
@@ -133,13 +133,13 @@ The same in a signal function, in a function, and if a signature states the outp
   > main = proc _ -> setVelTR 0.1[m/s] 0
   > FROB
   $ frobc check no_make.frob
-  error[E0411]: `main` cannot run: what comes out is a function, `PioneerOutput -> PioneerOutput`, not the output of a robot
+  error[E0411]: `main` cannot run: its output is a function, `PioneerOutput -> PioneerOutput`, not the output of a robot
    --> no_make.frob:4:18
     |
   4 | main = proc _ -> setVelTR 0.1[m/s] 0
     |                  ^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+    = hint: use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v omega)`
   
   1 error
   [1]
@@ -154,7 +154,7 @@ The same in a signal function, in a function, and if a signature states the outp
   2 | main = setVelTR 0.1[m/s]
     | ^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `reactimateRobot (proc i -> roMake (setVelTR v omega))` is a program that sets a robot's output
+    = hint: to set a robot's output, write `reactimateRobot (proc i -> roMake (setVelTR v omega))`
   
   1 error
   [1]
@@ -178,9 +178,9 @@ The same if the output is that of a task, or of a signature.
     ::: stdlib/Robot.frob:43:19
      |
   43 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
-     |                   ------------------------------------------ `reactimateTask` asks for `RobotOutput o` here
+     |                   ------------------------------------------ `reactimateTask` requires `RobotOutput o` here
      |
-     = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+     = hint: use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v omega)`
   
   1 error
   [1]
@@ -208,7 +208,7 @@ The same if the output is that of a task, or of a signature.
   5 | ahead = proc i -> setVelTR 0.1[m/s] 0
     |                   ^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+    = hint: use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v omega)`
   
   error[E0301]: expected `PioneerOutput`, found `a -> a`
    --> no_make.frob:8:18
@@ -218,7 +218,7 @@ The same if the output is that of a task, or of a signature.
   8 | spin = proc i -> turning where
     |                  ^^^^^^^
     |
-    = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+    = hint: use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v omega)`
   
   error[E0301]: expected `Program PioneerInput PioneerOutput`, found `Program PioneerInput (a -> a)`
     --> no_make.frob:12:8
@@ -228,7 +228,7 @@ The same if the output is that of a task, or of a signature.
   12 | main = reactimateRobot (proc i -> turning) where
      |        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
      |
-     = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+     = hint: use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v omega)`
   
   3 errors
   [1]
@@ -242,7 +242,7 @@ A signature that requires too little.
   > main = reactimateRobot (proc i -> roMake (setVelTR (if bumped i then 0 else 0.1[m/s]) 0))
   > FROB
   $ frobc check asks.frob
-  error[E0309]: `bumped` needs `HasBumpers i`, which the signature of `main` does not promise
+  error[E0309]: `bumped` needs `HasBumpers i`, which the signature of `main` does not declare
     --> asks.frob:4:56
      |
    3 | main :: DiffDrive o => Program i o
@@ -253,7 +253,7 @@ A signature that requires too little.
     ::: stdlib/Capability.frob:89:11
      |
   89 | bumped :: HasBumpers i => i -> Bool
-     |           ------------------------- `bumped` asks for `HasBumpers i` here
+     |           ------------------------- `bumped` requires `HasBumpers i` here
      |
      = hint: write `(DiffDrive o, HasBumpers i) => Program i o`
   
@@ -334,7 +334,7 @@ missing one.
   >         when (distance (place i) start >= way || frontSonar i < 0.4[m])))
   > FROB
   $ frobc check promise.frob
-  error[E0309]: the signature of `straight` does not promise `DiffDrive o` and `HasSonar i`
+  error[E0309]: the signature of `straight` does not declare `DiffDrive o` and `HasSonar i`
    --> promise.frob:4:13
     |
   4 | straight :: Distance -> Task i o ()

@@ -9,9 +9,9 @@ Semicolons, several commands, and a signature of too few parameters: one message
    --> tasks.frob:2:23
     |
   2 | main = reactimateTask (forward 1[m]; turnBy 90[deg])
-    |                       ^            - a `)` belongs before this
+    |                       ^            - a `)` is missing before this
     |
-    = hint: a `;` ends a definition; tasks one after the other stand in a `do`, each on a line of its own
+    = hint: a `;` ends a definition: write tasks below each other in a `do`
   
   1 error
   [1]
@@ -25,9 +25,9 @@ Semicolons, several commands, and a signature of too few parameters: one message
    --> elements.frob:2:18
     |
   2 | main = proc x -> [x; x; x]
-    |                  ^ - a `]` belongs before this
+    |                  ^ - a `]` is missing before this
     |
-    = hint: a `;` ends a definition; there is a `,` between two elements, and rows are arrays: `[[1, 2], [3, 4]]`
+    = hint: a `;` ends a definition: write a `,` between two elements, and rows as arrays, `[[1, 2], [3, 4]]`
   
   1 error
   [1]
@@ -37,7 +37,7 @@ Semicolons, several commands, and a signature of too few parameters: one message
   > main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0) (setLight On))
   > FROB
   $ frobc check commands.frob
-  error[E0360]: `roMake` takes one function, and makes an output of it
+  error[E0360]: `roMake` takes one function, and turns it into an output
      --> commands.frob:2:35
       |
     2 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0) (setLight On))
@@ -46,9 +46,9 @@ Semicolons, several commands, and a signature of too few parameters: one message
      ::: stdlib/Capability.frob:215:11
       |
   215 | roMake :: RobotOutput o => (o -> o) -> o
-      |           ------------------------------ `roMake` asks for `RobotOutput o` here
+      |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
-      = hint: several commands are put together by a dot: `roMake (setVelTR v omega . setLight On)`
+      = hint: combine several commands with `.`: `roMake (setVelTR v omega . setLight On)`
   
   1 error
   [1]
@@ -60,7 +60,7 @@ Semicolons, several commands, and a signature of too few parameters: one message
   > main = proc x -> steer x 1
   > FROB
   $ frobc check parameters.frob
-  error[E0302]: `steer` has more than the one parameter that its type allows
+  error[E0302]: `steer` has more than one parameter, but its type allows only one
    --> parameters.frob:2:9
     |
   1 | steer :: Float -> Float
@@ -76,15 +76,15 @@ Semicolons, several commands, and a signature of too few parameters: one message
   > main = proc v -> integral 5[m] v
   > FROB
   $ frobc check beginning.frob
-  error[E0302]: `integral` takes 1 argument, but is given more
+  error[E0302]: `integral` takes 1 argument, but is applied to more
    --> beginning.frob:2:32
     |
   2 | main = proc v -> integral 5[m] v
     |                  --------      ^ one too many
     |                  |
-    |                  with one argument the result is `Float[m s]`
+    |                  with one argument, its result is `Float[m s]`
     |
-    = hint: it begins at 0: with another beginning it is `x0 + integral v`; to start it afresh at each occurrence of an event, `resetOn integral (v, e)`
+    = hint: it starts at 0: for another initial value, write `x0 + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
   
   1 error
   [1]

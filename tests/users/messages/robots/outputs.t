@@ -18,7 +18,7 @@ Several commands at a time are composed:
     |                                   |
     |                                   argument 1 of `roMake` is `a -> a`
     |
-    = hint: functions are composed by `.`: `setVelTR 0.3[m/s] 0 . setLight On`
+    = hint: compose functions with `.`: `setVelTR 0.3[m/s] 0 . setLight On`
   
   1 error
   [1]
@@ -43,7 +43,7 @@ A choice between the constructors of a type:
     |                                                                 |
     |                                                                 argument 1 of `setLight` is `Light`
     |
-    = hint: it is `Off` or `On`, as in `if bumped i then … else …`
+    = hint: use `Off` or `On`, as in `if bumped i then … else …`
   
   1 error
   [1]

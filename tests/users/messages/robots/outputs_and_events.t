@@ -15,9 +15,9 @@ what is missing.
      ::: stdlib/Capability.frob:222:17
       |
   222 |     setVelTR :: Velocity -> AngularVelocity -> o -> o
-      |                 ------------------------------------- `setVelTR` asks for `DiffDrive o` here
+      |                 ------------------------------------- `setVelTR` requires `DiffDrive o` here
       |
-      = hint: `.` composes functions; what one is applied to stands in parentheses: `roMake (setVelTR v omega)`
+      = hint: `.` composes functions: put a function and its arguments in parentheses, as in `roMake (setVelTR v omega)`
   
   1 error
   [1]
@@ -36,9 +36,9 @@ what is missing.
      ::: stdlib/Capability.frob:215:11
       |
   215 | roMake :: RobotOutput o => (o -> o) -> o
-      |           ------------------------------ `roMake` asks for `RobotOutput o` here
+      |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
-      = hint: this is of a robot's input or output, and what it is given is `Float[m/s]`: perhaps two things stand in the other order
+      = hint: this needs a robot's input or output, but is applied to `Float[m/s]`: perhaps two arguments are in the wrong order
   
   1 error
   [1]
@@ -57,9 +57,9 @@ what is missing.
      ::: stdlib/Capability.frob:215:11
       |
   215 | roMake :: RobotOutput o => (o -> o) -> o
-      |           ------------------------------ `roMake` asks for `RobotOutput o` here
+      |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
-      = hint: besides its output it gives the event that ends it, which is lacking here: `(roMake (…), after 1[s] ())`
+      = hint: add the event that ends it, in a pair with the output: `(roMake (…), after 1[s] ())`
   
   1 error
   [1]
@@ -75,9 +75,9 @@ what is missing.
    --> hidden.frob:4:5
     |
   3 |     forward <- ask frontSonar
-    |     ------- this local `forward` is meant here
+    |     ------- it means this local `forward`
   4 |     forward 1[m])
-    |     ^^^^^^^ ---- it is given an argument here
+    |     ^^^^^^^ ---- it is applied to an argument here
   
   1 error
   [1]

@@ -16,7 +16,7 @@ A component of the expected type: the message shows how to construct the whole.
     |                                                                 |
     |                                                                 argument 1 of `draw` is `Mark`
     |
-    = hint: `InWorld colour …` or `OnRobot colour …` makes one of such a value
+    = hint: use `InWorld colour …` or `OnRobot colour …` to convert this value
   
   1 error
   [1]
@@ -31,16 +31,16 @@ A component of the expected type: the message shows how to construct the whole.
   >     if d > 1[m] then forward 0.5[m] else return False)
   > FROB
   $ frobc check sonar.frob
-  error[E0371]: a signal function stands where a task is needed
+  error[E0371]: expected a task, found a signal function
    --> sonar.frob:4:10
     |
   3 | main = reactimateTask (do
-    |        -------------- so each task of this `do` is `Task a b c`
+    |        -------------- each task of this `do` must be `Task a b c`
   4 |     d <- frontSonar
     |          ^^^^^^^^^^ this is `SF d Distance`
     |
-    = hint: to read it once: `ask frontSonar`
-    = hint: `mkTask (frontSonar &&& event)` ends when the event occurs; `mkTask (frontSonar &&& never)` never does
+    = hint: to read it once, write `ask frontSonar`
+    = hint: use `mkTask (frontSonar &&& event)`, which ends when the event occurs, or `mkTask (frontSonar &&& never)`, which never ends
   
   1 error
   [1]

@@ -9,7 +9,7 @@ A sensor function without its input, read like a field, or in a task:
   >     v = if frontSonar < 0.5[m] then 0 else 0.3[m/s])
   > FROB
   $ frobc check sonar_without_input.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> sonar_without_input.frob:4:12
     |
   4 |     v = if frontSonar < 0.5[m] then 0 else 0.3[m/s])
@@ -55,10 +55,10 @@ A sensor function without its input, read like a field, or in a task:
    --> sonar_in_a_task.frob:8:8
     |
   8 |     if frontSonar i < 0.5[m]
-    |        ^^^^^^^^^^^^ the statements of a task run no signal functions
+    |        ^^^^^^^^^^^^ the statements of a task cannot run signal functions
     |
-    = hint: to read it once: `x <- ask frontSonar` before, and `x` here
-    = hint: a task in which it runs at every instant is `mkTask (proc i -> (output, event))`
+    = hint: to read it once, write `x <- ask frontSonar` before this, and `x` here
+    = hint: to run it at every instant of a task, write `mkTask (proc i -> (output, event))`
   
   1 error
   [1]
@@ -98,8 +98,8 @@ A sensor function without its input, read like a field, or in a task:
   4 | drive = proc i -> if bumped i then roMake id else drive i
     |                                                   ^^^^^^^
     |
-    = hint: every equation holds at every instant: nothing is called again to go on
-    = hint: to go on otherwise after an event, and perhaps then as this again: `switch (proc x -> (output, event)) (\_ -> …)`
+    = hint: an equation holds at every instant, so a signal function need not call itself to continue
+    = hint: to change what runs after an event, use `switch (proc x -> (output, event)) (\_ -> …)`, whose last part may be this signal function again
   
   1 error
   [1]
@@ -112,13 +112,13 @@ A result that is not an output, or that takes time:
   > main = reactimateRobot (proc i -> if bumped i then 0 else 0.3[m/s])
   > FROB
   $ frobc check speed_as_output.frob
-  error[E0411]: `main` cannot run: its type is `HasBumpers a => Program a Float[m/s]`, and what comes out is not what a robot takes
+  error[E0411]: `main` cannot run: its type is `HasBumpers a => Program a Float[m/s]`, whose output is not the output of a robot
    --> speed_as_output.frob:3:35
     |
   3 | main = reactimateRobot (proc i -> if bumped i then 0 else 0.3[m/s])
     |                                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`
+    = hint: use `roMake` to make the output of a robot, as in `roMake (setVelTR v omega)`
   
   1 error
   [1]
@@ -130,13 +130,13 @@ A result that is not an output, or that takes time:
   >     if bumped i then driveTo (Vec2 { x = 0, y = 0 }) else roMake (setVelTR 0.2[m/s] 0))
   > FROB
   $ frobc check task_started_in_proc.frob
-  error[E0371]: `roMake` makes no task, but `Task b c Bool` is needed here
+  error[E0371]: `roMake` does not return a task, but `Task b c Bool` is needed here
    --> task_started_in_proc.frob:5:59
     |
   5 |     if bumped i then driveTo (Vec2 { x = 0, y = 0 }) else roMake (setVelTR 0.2[m/s] 0))
     |                                                           ^^^^^^
     |
-    = hint: a task takes time, and no equation runs it: `reactimateTask` does, and in a `do` one follows another
+    = hint: an equation cannot run a task: run it with `reactimateTask`, or in a `do`, one task after the other
   
   1 error
   [1]
@@ -156,7 +156,7 @@ A result that is not an output, or that takes time:
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = 1[m], y = … }`, with `import Geometry`
+    = hint: write a vector with the names of its fields: `Vec2 { x = 1[m], y = … }`, with `import Geometry`
   
   error[E0301]: expected `Point2`, found a number
    --> place_as_two_numbers.frob:5:13
@@ -166,7 +166,7 @@ A result that is not an output, or that takes time:
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = 0, y = … }`, with `import Geometry`
+    = hint: write a vector with the names of its fields: `Vec2 { x = 0, y = … }`, with `import Geometry`
   
   2 errors
   [1]
@@ -180,13 +180,13 @@ A result that is not an output, or that takes time:
   >     p <- robotPlace
   > FROB
   $ frobc check task_ends_with_bind.frob
-  error[E0116]: the last statement of a `do` is a task, so it cannot bind a name
+  error[E0116]: the last statement of a `do` must be a task, so it cannot bind a name
    --> task_ends_with_bind.frob:7:5
     |
   7 |     p <- robotPlace
     |     ^
     |
-    = hint: leave out `p <-`, and the `do` ends with what the task does; or go on, as with `return p`
+    = hint: remove `p <-` to return the task's result, or add a last statement such as `return p`
   
   1 error
   [1]
@@ -209,10 +209,10 @@ A capability that no robot has, or whose module is not imported:
      ::: stdlib/Capability.frob:229:17
       |
   229 |     setLight :: Light -> o -> o
-      |                 --------------- `setLight` asks for `HasLight o` here
+      |                 --------------- `setLight` requires `HasLight o` here
       |
-      = note: what has `HasLight`: `CreateOutput`
-      = hint: a program for each robot that has it asks for the class in place of a robot's type: `main :: (HasOdometry i, HasLight o) => Program i o`
+      = note: types with `HasLight`: `CreateOutput`
+      = hint: for a program that runs on every robot with this capability, write the class instead of the robot's type: `main :: (HasOdometry i, HasLight o) => Program i o`
   
   1 error
   [1]

@@ -9,13 +9,13 @@ A changing distance instead of a stored one:
   > main = reactimateRobot (proc i -> wallFollow1 (frontSonar i) i)
   > FROB
   $ frobc check distance.frob
-  error[E0340]: what `wallFollow1` is given before its signal must be static, but `frontSonar` is run here
+  error[E0340]: the arguments of `wallFollow1` before its signal must be static, but `frontSonar` runs here
    --> distance.frob:4:48
     |
   4 | main = reactimateRobot (proc i -> wallFollow1 (frontSonar i) i)
     |                                                ^^^^^^^^^^^^
     |
-    = hint: static is what is known when it starts; what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
+    = hint: static values are known when it starts: pass a signal in its input, or use `initially` to start it with the first value of a signal
   
   1 error
   [1]
@@ -36,11 +36,11 @@ A mode that mentions a signal of the `proc` around it:
    --> mode.frob:5:87
     |
   4 |     d = frontSonar i
-    |         ------------ `d` is a signal: a signal function is run here
+    |         ------------ `d` is a signal: a signal function runs here
   5 |     mode = switch (proc j -> (0.3[m/s], edge (bumped j))) (\_ -> proc _ -> 0.1[1/s] * d))
     |                                                                                       ^
     |
-    = hint: a signal function gets signals by its input: `mode` may take a pair, `proc (x, y) -> …`; a mode that goes on from a value of the one before gets it by the event of the switch
+    = hint: pass signals in its input: `mode` can take a pair, `proc (x, y) -> …`; to pass a value from one mode to the next, use the event of the switch
   
   1 error
   [1]
@@ -58,7 +58,7 @@ A missing threshold:
   >     v = if far then 0.3[m/s] else 0)
   > FROB
   $ frobc check hysteresis.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> hysteresis.frob:6:12
     |
   5 |     far = hysteresis 0.5[m] (frontSonar i)
@@ -67,7 +67,7 @@ A missing threshold:
     |            ^^^ this is `SF Float[m] Bool`
     |
     = note: expected `Bool`
-    = hint: `hysteresis` takes two arguments before its signal: `hysteresis 0.5[m] … (frontSonar i)`, where the signal is `frontSonar i`
+    = hint: `hysteresis` takes two arguments before its signal: write `hysteresis 0.5[m] … (frontSonar i)`, where the signal is `frontSonar i`
   
   1 error
   [1]

@@ -75,7 +75,7 @@ There are no assignments, in any branch; a choice by constructors is a `case`:
   4 |     if avg > 1[m/s] then avg = 1[m/s]
     |                              ^
     |
-    = hint: nothing is assigned: one equation chooses the value, as in `x = if c then a else b`
+    = hint: Frob has no assignments: choose the value in one equation, as in `x = if c then a else b`
   
   1 error
   [1]
@@ -96,7 +96,7 @@ There are no assignments, in any branch; a choice by constructors is a `case`:
   4 |         v = 1
     |           ^
     |
-    = hint: nothing is assigned: one equation chooses the value, as in `x = if c then a else b`
+    = hint: Frob has no assignments: choose the value in one equation, as in `x = if c then a else b`
   
   1 error
   [1]
@@ -115,7 +115,7 @@ There are no assignments, in any branch; a choice by constructors is a `case`:
   5 |         | Idle -> 0
     |         ^
     |
-    = hint: a choice by constructors is written `case x of`, and each branch `pattern -> value`
+    = hint: use `case x of`, and each branch as `pattern -> value`
   
   1 error
   [1]
@@ -131,11 +131,11 @@ There are no assignments, in any branch; a choice by constructors is a `case`:
    --> small.frob:5:5
     |
   4 |     stop -> 0
-    |     ---- a small letter: this is a name for any value
+    |     ---- this starts with a lower-case letter, so it is a name for any value
   5 |     Go v -> v
-    |     ^^^^ the branches before it cover these values
+    |     ^^^^ the branches before it cover all its values
     |
-    = hint: the constructor is `Stop`
+    = hint: for the constructor, write `Stop`
   
   1 warning
   $ cat > bare.frob <<'FROB'
@@ -172,9 +172,9 @@ Records require constructors, and commas:
    --> semicolon.frob:1:12
     |
   1 | data P = P { pos :: Distance; vel :: Velocity }
-    |            ^                - a `}` belongs before this
+    |            ^                - a `}` is missing before this
     |
-    = hint: a `;` ends a definition; there is a `,` between two fields
+    = hint: a `;` ends a definition: write a `,` between two fields
   
   1 error
   [1]
@@ -207,7 +207,7 @@ With any number of such mistakes; other mistakes are still reported:
     |
   5 | data Q = Q { a :: Bool; b : Bool }
   --
-  error[E0111]: this `}` closes nothing
+  error[E0111]: this `}` has no opening bracket
    --> semicolons.frob:6:9
     |
   6 | f x = x }
@@ -223,7 +223,7 @@ With any number of such mistakes; other mistakes are still reported:
   1 | type P = { pos :: Distance, vel :: Velocity }
     |          ^
     |
-    = hint: `data` declares a record, and its constructor: `data Pose = Pose { heading :: Angle }`
+    = hint: declare a record with `data` and a constructor: `data Pose = Pose { heading :: Angle }`
   
   1 error
   [1]
@@ -239,7 +239,7 @@ With any number of such mistakes; other mistakes are still reported:
   3 | main = proc v -> { left = v, right = v }
     |                  ^
     |
-    = hint: a record is built by the name of its constructor, as in `Pose { heading = 0 }`
+    = hint: write the constructor before the braces, as in `Pose { heading = 0 }`
   
   1 error
   [1]
@@ -278,7 +278,7 @@ A type annotation belongs to its expression; names are not hidden; an hour:
   5 |     xs = window 0 x :: Array 4 Float
     |                     ^^
     |
-    = hint: the type of an expression stands with it in parentheses: `(e :: T)`
+    = hint: put the expression and its type in parentheses: `(e :: T)`
   
   1 error
   [1]
@@ -294,7 +294,7 @@ A type annotation belongs to its expression; names are not hidden; an hour:
   1 | import Control hiding (limit)
     |                ^^^^^^
     |
-    = hint: nothing needs hiding: a module's own definitions hide imported ones, and two imports of one name clash only where it is used
+    = hint: remove `hiding`: your own definitions hide imported ones, and two imports of the same name clash only if you use it
   
   1 error
   [1]
@@ -331,7 +331,7 @@ Arguments of a switch, components of a program, computations with arrays, and a 
     |        |
     |        argument 1 of `switch` is `SF n[m] (n[m], Event a)`
     |
-    = hint: what ends it is an event: `edge b` occurs when `b` becomes True, `when b` wherever it is
+    = hint: end it with an event: `edge b` occurs when `b` becomes True, `when b` whenever `b` is True
   
   1 error
   [1]
@@ -350,7 +350,7 @@ Arguments of a switch, components of a program, computations with arrays, and a 
     |        |
     |        argument 2 of `switch` is `() -> SF n[m] n[m]`
     |
-    = hint: it is given a value, and may ignore it: `\_ -> next`
+    = hint: write a function that ignores its argument: `\_ -> next`
   
   1 error
   [1]
@@ -363,7 +363,7 @@ Arguments of a switch, components of a program, computations with arrays, and a 
   > forward d = sleepT (d / 0.2[m/s]) (roMake (setVelTR 0.2[m/s] 0))
   > FROB
   $ frobc check task.frob
-  error[E0371]: a task stands where a signal function is needed
+  error[E0371]: expected a signal function, found a task
    --> task.frob:2:24
     |
   2 | main = reactimateRobot spin
@@ -371,7 +371,7 @@ Arguments of a switch, components of a program, computations with arrays, and a 
     |        |
     |        argument 1 of `reactimateRobot` is `SF a b`
     |
-    = hint: `reactimateTask spin` makes a program of a task
+    = hint: use `reactimateTask spin` to turn a task into a program
   
   1 error
   [1]
@@ -386,7 +386,7 @@ Arguments of a switch, components of a program, computations with arrays, and a 
   2 | main = proc xs -> xs * 2
     |                   ^^ - argument 1 of `*` is a number
     |
-    = hint: `map (\x -> x * 2) xs` computes with each element
+    = hint: use `map (\x -> x * 2) xs` to compute with each element
   
   1 error
   [1]
@@ -404,7 +404,7 @@ Arguments of a switch, components of a program, computations with arrays, and a 
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = 1, y = … }`, with `import Geometry`
+    = hint: write a vector with the names of its fields: `Vec2 { x = 1, y = … }`, with `import Geometry`
   
   1 error
   [1]
@@ -426,9 +426,9 @@ Tasks side by side have two outputs, and a text is not an output:
     ::: stdlib/Robot.frob:43:19
      |
   43 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
-     |                   ------------------------------------------ `reactimateTask` asks for `RobotOutput o` here
+     |                   ------------------------------------------ `reactimateTask` requires `RobotOutput o` here
      |
-     = hint: tasks side by side put out both their outputs, of which `mapOutput` makes one; `timeOut` and `abortWhen` end a task and have its output only
+     = hint: `both` returns a pair of outputs: combine them with `mapOutput`, or use `timeOut` or `abortWhen`, which keep only the output of the task
   
   1 error
   [1]

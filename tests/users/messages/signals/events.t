@@ -18,7 +18,7 @@ Events from two Bools:
     |           |
     |           argument 1 of `mergeE` is `Event a`
     |
-    = hint: `a || b` holds where one of two truths does; an event is `edge (bumpedLeft i)`, where it becomes True, or `when (bumpedLeft i)`, wherever it is
+    = hint: for two conditions, write `a || b`; for an event, write `edge (bumpedLeft i)`, which occurs when it becomes True, or `when (bumpedLeft i)`, which occurs whenever it is True
   
   1 error
   [1]
@@ -44,7 +44,7 @@ An event is not a `Maybe`:
   5 |         Just k -> 0.1[m/s]
     |         ^^^^^^
     |
-    = hint: an event is matched by `Event x` where it occurs, by `NoEvent` elsewhere
+    = hint: match an event with the patterns `Event x` and `NoEvent`
   
   1 error
   [1]
@@ -68,7 +68,7 @@ A value in an event, or in a `Maybe`, is compared as one:
     |            |
     |            this is `Event Int`
     |
-    = hint: what is in it is compared so: `keyPressed i == Event 119`
+    = hint: compare the values like this: `keyPressed i == Event 119`
   
   1 error
   [1]
@@ -90,7 +90,7 @@ A value in an event, or in a `Maybe`, is compared as one:
     |                                                        |
     |                                                        this is `Maybe Int`
     |
-    = hint: what is in it is compared so: `beaconSeen i == Just 244`
+    = hint: compare the values like this: `beaconSeen i == Just 244`
   
   1 error
   [1]
@@ -116,7 +116,7 @@ Each event of `accum` carries a function:
     |         |         because this is a number
     |         argument 2 of `accumHold` is `Event (n[u] -> n[u])`
     |
-    = hint: each event brings a function of what was before: `tag (edge (bumped i)) (\n -> n + 1)`; `count` counts events
+    = hint: each event must carry a function of the previous value, as in `tag (edge (bumped i)) (\n -> n + 1)`; to count events, use `count`
   
   1 error
   [1]
@@ -140,7 +140,7 @@ Each event of `accum` carries a function:
     |              |          because this is `Event ()`
     |              argument 2 of `accumHold` is `Event (Event () -> Event ())`
     |
-    = hint: after the initial value comes an event with a function of what was before: `tag e (\n -> n + 1)`
+    = hint: after the initial value, write an event that carries a function of the previous value, as in `tag e (\n -> n + 1)`
   
   1 error
   [1]
@@ -165,7 +165,7 @@ Each event of `accum` carries a function:
     |         |    because this is a number of `m`
     |         argument 2 of `hold` is `Event n[m]`
     |
-    = hint: this has a value at every instant, and needs no `hold`, which keeps that of an event; `tag e (frontSonar i)` is an event with the value that it has where `e` occurs
+    = hint: remove the `hold`: this has a value at every instant; to keep its value from the latest occurrence of an event `e`, hold `tag e (frontSonar i)`
   
   1 error
   [1]
@@ -190,7 +190,7 @@ The events of `edge` have no value:
     |                                              |
     |                                              argument 1 of `turn` is `Float[m]`
     |
-    = hint: the events of `edge`, `when` and `after` have the value `()`: `tag e x` is one with the value of `x`
+    = hint: the events of `edge`, `when` and `after` have the value `()`: write `tag e x` for an event with the value of `x`
   
   1 error
   [1]
@@ -214,7 +214,7 @@ A value where an event with that value is expected:
     |                                           |
     |                                           argument 1 of `playTone` is `Event Tone`
     |
-    = hint: `tag e (Tone { pitch = …, lasting = … })` is such an event, with this value where the event `e` occurs; there is none at all in `NoEvent`
+    = hint: use `tag e (Tone { pitch = …, lasting = … })`, which has this value when the event `e` occurs, or `NoEvent`
   
   1 error
   [1]

@@ -14,7 +14,7 @@ Values of events, and functions of them.
     |                  |    because this is `Bool`
     |                  argument 2 of `hold` is `Event Bool`
     |
-    = hint: the value of such an event is `()`: `tag (edge b) x` is one with the value of `x`
+    = hint: the value of this event is `()`: write `tag (edge b) x` for an event with the value of `x`
   
   1 error
   [1]
@@ -32,7 +32,7 @@ Values of events, and functions of them.
     |                  |
     |                  argument 1 of `accumHoldBy` is `a -> n[1]`
     |
-    = hint: the function is given one argument more: `_` behind its parameters leaves it unused, as in `\n _ -> …`
+    = hint: the function receives one more argument: add a parameter, or `_` if you do not need it, as in `\n _ -> …`
   
   1 error
   [1]
@@ -42,15 +42,15 @@ Values of events, and functions of them.
   > main = proc (a, b, c) -> count (mergeE (edge a) (edge b) (edge c))
   > FROB
   $ frobc check merged.frob
-  error[E0302]: `mergeE` takes 2 arguments, but is given more
+  error[E0302]: `mergeE` takes 2 arguments, but is applied to more
    --> merged.frob:2:59
     |
   2 | main = proc (a, b, c) -> count (mergeE (edge a) (edge b) (edge c))
     |                                 ------                    ^^^^^^ one too many
     |                                 |
-    |                                 with 2 arguments the result is `Event ()`
+    |                                 with 2 arguments, its result is `Event ()`
     |
-    = hint: of three it is `mergeE a (mergeE b c)`
+    = hint: for three values, write `mergeE a (mergeE b c)`
   
   1 error
   [1]

@@ -14,7 +14,7 @@ Events that are held or summed.
     |                  |    because this is a number of `s`
     |                  argument 2 of `hold` is `Event n[s]`
     |
-    = hint: `hold x0 e` keeps the value of an event; that a condition was True at some instant of the last seconds is `within 2[s] b`: `import Past`
+    = hint: to find out if a condition was True within the last 2 seconds, write `within 2[s] b`, with `import Past`; `hold x0 e` keeps the value of an event
   
   1 error
   [1]
@@ -33,7 +33,7 @@ Events that are held or summed.
     |                  |         because this is a number
     |                  argument 2 of `accumHold` is `Event (n[u] -> n[u])`
     |
-    = hint: each event brings a function of what was before; to add up the numbers it is `tag (edge b) (\n -> n + 1)`
+    = hint: each event must carry a function of the previous value: to add up the numbers, write `tag (edge b) (\n -> n + 1)`
   
   1 error
   [1]
@@ -56,7 +56,7 @@ A function of the input where a switch expects signal functions:
     |         |
     |         argument 1 of `switch` is `SF a (b, Event c)`
     |
-    = hint: what is switched are signal functions, which get their signal from the `switch`: `drive = proc i -> …`, and the whole runs as `switch drive … i`
+    = hint: `switch` needs a signal function: define `drive = proc i -> …`, and write `switch drive … i`
   
   warning[W0201]: `i` hides a local variable of the same name
    --> functions.frob:4:11

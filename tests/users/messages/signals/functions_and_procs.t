@@ -11,7 +11,7 @@ A function or signal function that does not begin like one.
   2 | f = x -> x + 1
     |       ^^
     |
-    = hint: a function without a name is written `\x -> …`, a signal function `proc x -> …`
+    = hint: write an anonymous function as `\x -> …`, a signal function as `proc x -> …`
   
   1 error
   [1]
@@ -21,13 +21,13 @@ A function or signal function that does not begin like one.
   > f = \x = x + 1
   > FROB
   $ frobc check lambda.frob
-  error[E0110]: expected `->` or one more parameter, found `=`
+  error[E0110]: expected `->` or another parameter, found `=`
    --> lambda.frob:2:8
     |
   2 | f = \x = x + 1
     |        ^
     |
-    = hint: `->` leads from the input to what comes out; an equation has `=`
+    = hint: write `->` between the input and the output; `=` is for equations
   
   1 error
   [1]
@@ -43,7 +43,7 @@ A function or signal function that does not begin like one.
   2 | main = proc a b -> a
     |               ^
     |
-    = hint: as in `proc x -> x + 1`; several inputs are a tuple, as in `proc (x, y) -> x + y`
+    = hint: as in `proc x -> x + 1`; combine several inputs in a tuple, as in `proc (x, y) -> x + y`
   
   1 error
   [1]
@@ -55,7 +55,7 @@ A function or signal function that does not begin like one.
   >     False -> 0
   > FROB
   $ frobc check case.frob
-  error[E0110]: expected `of` after the expression that is looked at, found `->`
+  error[E0110]: expected `of` after the expression of the `case`, found `->`
    --> case.frob:3:10
     |
   2 | f x = case x
@@ -63,7 +63,7 @@ A function or signal function that does not begin like one.
   3 |     True -> 1
     |          ^^
     |
-    = hint: the line of the `case` ends with `of`: `case x of`
+    = hint: end the line of the `case` with `of`: `case x of`
   
   1 error
   [1]
@@ -79,16 +79,16 @@ The statements of a `proc` are in a single `do`; a nested `do` contains tasks.
   >         returnA -< z
   > FROB
   $ frobc check within.frob
-  error[E0116]: `-<` runs a signal function, which only the `do` of a `proc` can
+  error[E0116]: `-<` is only allowed in the `do` of a `proc`
    --> within.frob:6:9
     |
   4 |     do
-    |     -- tasks stand here, as in each `do` that does not follow `proc … ->` directly
+    |     -- this `do` does not directly follow `proc … ->`, so its statements are tasks
   5 |         z <- delay 0 -< y
   6 |         returnA -< z
     |         ^^^^^^^^^^^^
     |
-    = hint: a signal function is `proc x -> do …`, with all its statements in that one `do`; a task needs no `-<`
+    = hint: for a signal function, write all statements in one `do` after `proc x ->`; a task needs no `-<`
   
   1 error
   [1]

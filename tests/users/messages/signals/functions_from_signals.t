@@ -80,7 +80,7 @@ parameter.
   > main = proc (x, tau) -> lowPass (tau * 1[s]) x
   > FROB
   $ frobc check parameter.frob
-  error[E0340]: what `lowPass` is given before its signal must be static, but `tau` is a signal
+  error[E0340]: the arguments of `lowPass` before its signal must be static, but `tau` is a signal
    --> parameter.frob:3:34
     |
   3 | main = proc (x, tau) -> lowPass (tau * 1[s]) x
@@ -88,7 +88,7 @@ parameter.
     |                 |
     |                 `tau` is a signal: it comes from the `proc`'s input here
     |
-    = hint: static is what is known when it starts; what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
+    = hint: static values are known when it starts: pass a signal in its input, or use `initially` to start it with the first value of a signal
   
   1 error
   [1]
@@ -152,7 +152,7 @@ or the output of the program.
   > main = proc xs -> foldl (>>>) identity (map (\x -> arr (\y -> x * y)) xs) 2
   > FROB
   $ frobc check run.frob
-  error[E0340]: what `foldl` is given before its signal must be static, but `xs` is a signal
+  error[E0340]: the arguments of `foldl` before its signal must be static, but `xs` is a signal
    --> run.frob:2:71
     |
   2 | main = proc xs -> foldl (>>>) identity (map (\x -> arr (\y -> x * y)) xs) 2
@@ -160,7 +160,7 @@ or the output of the program.
     |             |
     |             `xs` is a signal: it comes from the `proc`'s input here
     |
-    = hint: static is what is known when it starts; what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
+    = hint: static values are known when it starts: pass a signal in its input, or use `initially` to start it with the first value of a signal
   
   1 error
   [1]

@@ -35,45 +35,45 @@ For stateful code, the program must state which of two meanings it has.
    --> remembers.frob:3:28
     |
   3 |     x = if b && v > w then integral v else integral $ v + w
-    |                            ^^^^^^^^^^ what it gives depends on when it started
+    |                            ^^^^^^^^^^ its output depends on when it started
     |
-    = hint: to run it at every instant, write the equation `integralNow = integral v` beside the others, and `integralNow` here
-    = hint: to start it anew whenever this branch is chosen: `integralNow = resetOn integral (v, edge (b && v > w))`
+    = hint: to run it at every instant, add the equation `integralNow = integral v`, and write `integralNow` here
+    = hint: to restart it whenever this branch is chosen, write `integralNow = resetOn integral (v, edge (b && v > w))`
   
   error[E0342]: `integral` is run in a branch
    --> remembers.frob:3:44
     |
   3 |     x = if b && v > w then integral v else integral $ v + w
-    |                                            ^^^^^^^^^^^^^^^^ what it gives depends on when it started
+    |                                            ^^^^^^^^^^^^^^^^ its output depends on when it started
     |
-    = hint: to run it at every instant, write the equation `integralNow = integral $ v + w` beside the others, and `integralNow` here
-    = hint: to start it anew whenever this branch is chosen: `integralNow = resetOn integral (v + w, edge (not (b && v > w)))`
+    = hint: to run it at every instant, add the equation `integralNow = integral $ v + w`, and write `integralNow` here
+    = hint: to restart it whenever this branch is chosen, write `integralNow = resetOn integral (v + w, edge (not (b && v > w)))`
   
   error[E0342]: `after'` is run in a branch
    --> remembers.frob:4:40
     |
   4 |     y = if b then 0 else if v > w then after' () else 1
-    |                                        ^^^^^^^^^ what it gives depends on when it started
+    |                                        ^^^^^^^^^ its output depends on when it started
     |
-    = hint: to run it at every instant, write the equation `after'Now = after' ()` beside the others, and `after'Now` here
-    = hint: to start it anew whenever this is chosen, `switch` between signal functions
+    = hint: to run it at every instant, add the equation `after'Now = after' ()`, and write `after'Now` here
+    = hint: to restart it whenever this is chosen, `switch` between signal functions
   
   error[E0342]: `edge` is run in a guard
    --> remembers.frob:5:9
     |
   5 |     z | edge b == Event () = 1
-    |         ^^^^^^ what it gives depends on when it started
+    |         ^^^^^^ its output depends on when it started
     |
-    = hint: to run it at every instant, write the equation `edgeNow = edge b` beside the others, and `edgeNow` here
-    = hint: to start it anew whenever this is chosen, `switch` between signal functions
+    = hint: to run it at every instant, add the equation `edgeNow = edge b`, and write `edgeNow` here
+    = hint: to restart it whenever this is chosen, `switch` between signal functions
   
   error[E0343]: `delay` is run in the function `f`
    --> remembers.frob:8:15
     |
   8 |     f k = k * delay 0 (v / 1[m/s])
-    |               ^^^^^^^^^^^^^^^^^^^^ functions hold no instances
+    |               ^^^^^^^^^^^^^^^^^^^^ a function cannot contain instances
     |
-    = hint: to run it at every instant, write the equation `delayNow = delay 0 (v / 1[m/s])` beside the others, and `delayNow` here
+    = hint: to run it at every instant, add the equation `delayNow = delay 0 (v / 1[m/s])`, and write `delayNow` here
   
   5 errors
   [1]
@@ -98,7 +98,7 @@ every instant.
     |                                  |
     |                                  `d` is bound here
     |
-    = hint: `mapSF derivative` runs one for each element of an array
+    = hint: use `mapSF derivative` to run one for each element of an array
   
   error[E0342]: `integral` is run in a branch
    --> only_there.frob:4:20
@@ -108,7 +108,7 @@ every instant.
     |               |
     |               `v` is bound here
     |
-    = hint: a signal function runs at every instant: give it an input that has a value at each, or run it on events with `onEvent`
+    = hint: a signal function runs at every instant: use an input that always has a value, or run it on events with `onEvent`
   
   error[E0343]: `derivative` is run in the function `slope`
    --> only_there.frob:6:15
@@ -118,7 +118,7 @@ every instant.
     |           |
     |           `d` is bound here
     |
-    = hint: make `slope` a signal function, of the form `proc d -> …`: that is run, not applied
+    = hint: turn `slope` into a signal function, `proc d -> …`
   
   3 errors
   [1]

@@ -7,13 +7,13 @@ Switches whose event is an argument, and events used as values.
   >     slow = constant 0.1[m/s]
   > FROB
   $ frobc check in_an_equation.frob
-  error[E0301]: the event of `switch` is no argument of its own
+  error[E0301]: the event of `switch` is not a separate argument
    --> in_an_equation.frob:3:22
     |
   3 |     v = switch slow (when (1 > 0)) (\_ -> constant 0.4[m/s])
     |                ----  ^^^^^^^^^^^^
     |                |
-    |                it stands beside the output of this
+    |                this must return it together with its output
     |
     = hint: write `switch (proc x -> (slow x, when (1 > 0))) (\_ -> constant 0.4[m/s])`
   
@@ -27,13 +27,13 @@ Switches whose event is an argument, and events used as values.
   > main = reactimateRobot (switch cruise (proc i -> edge (frontSonar i < 0.5[m])) (\_ -> back))
   > FROB
   $ frobc check three_arguments.frob
-  error[E0301]: the event of `switch` is no argument of its own
+  error[E0301]: the event of `switch` is not a separate argument
    --> three_arguments.frob:4:40
     |
   4 | main = reactimateRobot (switch cruise (proc i -> edge (frontSonar i < 0.5[m])) (\_ -> back))
     |                                ------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |                                |
-    |                                it stands beside the output of this
+    |                                this must return it together with its output
     |
     = hint: write `switch (cruise &&& (proc i -> edge (frontSonar i < 0.5[m]))) (\_ -> back)`
   
@@ -46,13 +46,13 @@ Switches whose event is an argument, and events used as values.
   >     y = switch (constant 1) (edge (x > 2)) (constant 3) x
   > FROB
   $ frobc check three_and_a_signal.frob
-  error[E0301]: the event of `switch` is no argument of its own
+  error[E0301]: the event of `switch` is not a separate argument
    --> three_and_a_signal.frob:3:30
     |
   3 |     y = switch (constant 1) (edge (x > 2)) (constant 3) x
     |                 ----------   ^^^^^^^^^^^^
     |                 |
-    |                 it stands beside the output of this
+    |                 this must return it together with its output
     |
     = hint: write `switch (proc x -> (constant 1 x, edge (x > 2))) (\_ -> constant 3) x`
   
@@ -73,7 +73,7 @@ Switches whose event is an argument, and events used as values.
     |                     |
     |                     argument 1 of `edge` is `Bool`
     |
-    = hint: no number is True or False: a comparison is, as in `frontSonar i < 1[m]`
+    = hint: a number is neither True nor False: write a comparison, as in `frontSonar i < 1[m]`
   
   1 error
   [1]
@@ -92,7 +92,7 @@ Switches whose event is an argument, and events used as values.
     |            |
     |            this is `Bool`
     |
-    = hint: `isEvent (every 1[s] ())` tells whether it occurs now; `gate (every 1[s] ()) (bumped i)` is the event where that is True, too
+    = hint: use `isEvent (every 1[s] ())`, which is True when the event occurs, or `gate (every 1[s] ()) (bumped i)` for an event that occurs only while the condition is True
   
   1 error
   [1]
@@ -111,7 +111,7 @@ Switches whose event is an argument, and events used as values.
     |                  |    because this is a number
     |                  argument 2 of `hold` is `Event n[u]`
     |
-    = hint: this has a value at every instant, and needs no `hold`, which keeps that of an event; `tag e 1` is an event with the value that it has where `e` occurs
+    = hint: remove the `hold`: this has a value at every instant; to keep its value from the latest occurrence of an event `e`, hold `tag e 1`
   
   1 error
   [1]
@@ -121,11 +121,11 @@ Switches whose event is an argument, and events used as values.
   > main = proc e -> accumHold 0 (+1) e
   > FROB
   $ frobc check accum_wrong.frob
-  error[E0301]: `accumHold` takes no function of its own
+  error[E0301]: `accumHold` does not take a function as an argument
    --> accum_wrong.frob:2:30
     |
   2 | main = proc e -> accumHold 0 (+1) e
-    |                              ^^^^ - the event brings it
+    |                              ^^^^ - the event must carry it
     |
     = hint: write `accumHold 0 (tag e (+1))`
   
@@ -145,7 +145,7 @@ Switches whose event is an argument, and events used as values.
     |                  |
     |                  argument 2 of `map` is `Array m n[u]`
     |
-    = hint: a function of an event's value is applied by `mapE`
+    = hint: to apply a function to an event's value, use `mapE`
   
   1 error
   [1]
@@ -164,7 +164,7 @@ Switches whose event is an argument, and events used as values.
     |         |
     |         argument 1 of `switch` is `SF a (b, Event c)`
     |
-    = hint: what is switched are signal functions, each of which gets its signal by itself: `switch (proc i -> (0.2[m/s], edge (bumped i))) …`, and where that is to be run, `i` behind it all
+    = hint: `switched` needs a signal function: write `switch (proc i -> (0.2[m/s], edge (bumped i))) …`, and run that on `i`
   
   1 error
   [1]
@@ -177,21 +177,21 @@ Switches whose event is an argument, and events used as values.
   >     b = findBlob (camera i) (everywhere (camera i)) red)
   > FROB
   $ frobc check camera_direct.frob
-  warning[W0303]: this angle is more than a whole turn: it is in radians
+  warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> camera_direct.frob:3:31
     |
   3 | red = ColourRange { hueFrom = 340, hueTo = 20, saturationFrom = 0.5, saturationTo = 1, valueFrom = 0.2, valueTo = 1 }
     |                               ^^^
     |
-    = hint: for degrees write `340[deg]`
+    = hint: if you meant degrees, write `340[deg]`
   
-  warning[W0303]: this angle is more than a whole turn: it is in radians
+  warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> camera_direct.frob:3:44
     |
   3 | red = ColourRange { hueFrom = 340, hueTo = 20, saturationFrom = 0.5, saturationTo = 1, valueFrom = 0.2, valueTo = 1 }
     |                                            ^^
     |
-    = hint: for degrees write `20[deg]`
+    = hint: if you meant degrees, write `20[deg]`
   
   error[E0301]: expected `Image`, found `Event Frame`
    --> camera_direct.frob:5:19
@@ -201,7 +201,7 @@ Switches whose event is an argument, and events used as values.
     |         |
     |         argument 1 of `findBlob` is `Image`
     |
-    = hint: an event has a value only where it occurs: `mapE (\x -> findBlob x.image …) (camera i)` is the event of what `findBlob` makes of it
+    = hint: an event has a value only when it occurs: write `mapE (\x -> findBlob x.image …) (camera i)` for an event with the result of `findBlob`
   
   1 error, 2 warnings
   [1]
@@ -222,7 +222,7 @@ Switches whose event is an argument, and events used as values.
     |            |
     |            this is `Event Frame`
     |
-    = hint: an event has a value only where it occurs: `mapE (\x -> x.number) f` is the event of its `number`, and `hold x0` keeps the latest one, at first `x0`
+    = hint: an event has a value only when it occurs: write `mapE (\x -> x.number) f` for the event of its `number`; to keep the latest value, `hold x0` that event, where `x0` is the initial value
   
   1 error
   [1]
@@ -239,7 +239,7 @@ Switches whose event is an argument, and events used as values.
     |                     |
     |                     this is `SF a Time`
     |
-    = hint: it is a signal function, and what it gives is `time x`
+    = hint: it is a signal function; its output is `time x`
   
   1 error
   [1]
@@ -250,14 +250,14 @@ Switches whose event is an argument, and events used as values.
   >     v = if after 5[s] then 0 else 0.2[m/s])
   > FROB
   $ frobc check after_if.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> after_if.frob:3:12
     |
   3 |     v = if after 5[s] then 0 else 0.2[m/s])
     |            ^^^^^^^^^^ this is `SF a (Event ())`
     |
     = note: expected `Bool`
-    = hint: it gives events; what is True or False is `elapsed 5[s] ()`
+    = hint: its output is an event: for a condition, write `elapsed 5[s] ()`
   
   1 error
   [1]
@@ -273,7 +273,7 @@ Switches whose event is an argument, and events used as values.
   2 | main = proc e -> e + 1
     |                  ^ - argument 1 of `+` is a number
     |
-    = hint: an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`; `mapE (\x -> x + 1) e` computes with each one
+    = hint: an event has a value only when it occurs: write `hold x0 e` for its latest value, which is `x0` at first, or `mapE (\x -> x + 1) e` to compute with each value
   
   1 error
   [1]

@@ -6,7 +6,7 @@ Signal functions used as functions: not run, composed with `.`, given a function
   > main = proc x -> lowPass 0.5[s] + x
   > FROB
   $ frobc check unrun.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> unrun.frob:3:18
     |
   3 | main = proc x -> lowPass 0.5[s] + x
@@ -15,7 +15,7 @@ Signal functions used as functions: not run, composed with `.`, given a function
     |                  this is `SF Float[u] Float[u]`
     |
     = note: expected a number
-    = hint: run it on a signal, its last argument: `lowPass 0.5[s] x`
+    = hint: add a signal as the last argument: `lowPass 0.5[s] x`
   
   1 error
   [1]
@@ -31,7 +31,7 @@ Signal functions used as functions: not run, composed with `.`, given a function
   2 | main = integral . derivative
     |        ^^^^^^^^ - argument 1 of `.` is `a -> b`
     |
-    = hint: signal functions are composed with `>>>`, from left to right
+    = hint: use `>>>` to compose signal functions, from left to right
   
   1 error
   [1]
@@ -49,7 +49,7 @@ Signal functions used as functions: not run, composed with `.`, given a function
   2 | main = proc x -> x + 1
     |        ^^^^^^^^^^^^^^^
     |
-    = hint: the type of such a signal function is `SF Float Float`
+    = hint: for a signal function, write the type `SF Float Float`
   
   1 error
   [1]
@@ -71,7 +71,7 @@ A value of another type is reported once, not once per branch.
   3 |     Just x -> x
     |     ^^^^^^
     |
-    = hint: an event is matched by `Event x` where it occurs, by `NoEvent` elsewhere
+    = hint: match an event with the patterns `Event x` and `NoEvent`
   
   1 error
   [1]
@@ -92,7 +92,7 @@ A parameter that a definition runs is a function unless its signature says `SF`.
     |        |
     |        argument 1 of `twice` is `a -> a`
     |
-    = hint: if `twice` is to run it, the signature of `twice` must ask for an `SF`
+    = hint: if `twice` should run it, write an `SF` type in the signature of `twice`
   
   1 error
   [1]
@@ -105,7 +105,7 @@ A missing initial value.
   >     y = delay (y + x)
   > FROB
   $ frobc check initial.frob
-  error[E0303]: a signal function stands where the value of its signal is needed
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> initial.frob:3:9
     |
   3 |     y = delay (y + x)
@@ -114,7 +114,7 @@ A missing initial value.
     |     elsewhere `y` is used as `Float`
     |
     = note: expected `Float`
-    = hint: `delay` has an initial value before its signal: `delay x0 (y + x)`
+    = hint: `delay` takes an initial value before its signal: write `delay x0 (y + x)`
   
   1 error
   [1]
@@ -135,7 +135,7 @@ A Bool where an event is expected.
     |                  |    because this is `Float[u]`
     |                  argument 2 of `hold` is `Event Float[u]`
     |
-    = hint: `edge b` occurs when it becomes True, `when b` wherever it is, each with `()`; `tag` gives it another value
+    = hint: use `edge b`, which occurs when it becomes True, or `when b`, which occurs whenever it is True; use `tag` to add a value
   
   1 error
   [1]
@@ -157,7 +157,7 @@ Operators on Bools do not accept events.
   2 | either a b = a || b
     |              ^ -- argument 1 of `||` is `Bool`
     |
-    = hint: `mergeE a b` occurs where one of two events does
+    = hint: use `mergeE a b`, which occurs when one of two events does
   
   error[E0301]: expected `Bool`, found `Event Int`
    --> operators.frob:3:12
@@ -165,7 +165,7 @@ Operators on Bools do not accept events.
   3 | both a b = a && b
     |            ^ -- argument 1 of `&&` is `Bool`
     |
-    = hint: `pairEvents a b` occurs where two events do, and `gate e b` where `b` is True
+    = hint: use `pairEvents a b`, which occurs when both events do, or `gate e b`, which occurs only while `b` is True
   
   error[E0301]: expected `Bool`, found `Event ()`
    --> operators.frob:6:24
@@ -175,7 +175,7 @@ Operators on Bools do not accept events.
     |                   |
     |                   argument 1 of `not` is `Bool`
     |
-    = hint: `isEvent (edge b)` tells whether it occurs now
+    = hint: use `isEvent (edge b)`, which is True when the event occurs
   
   3 errors
   [1]
@@ -197,7 +197,7 @@ The event that ends a mode was not run; a function determines when a task is abo
     |                         |
     |                         argument 1 of `switch` is `SF a (b, Event c)`
     |
-    = hint: the event is a signal function here, and not run: it lacks its signal, as in `after 5[s] ()`
+    = hint: run the event's signal function on a signal, as in `after 5[s] ()`
   
   1 error
   [1]
@@ -215,7 +215,7 @@ The event that ends a mode was not run; a function determines when a task is abo
     |                                                                   |
     |                                                                   argument 2 of `abortWhen` is `SF a (Event b)`
     |
-    = hint: `proc x -> edge (bumped x)` occurs when it becomes True
+    = hint: use `proc x -> edge (bumped x)`, which occurs when the condition becomes True
   
   1 error
   [1]

@@ -25,7 +25,7 @@ intentions.
   > main = proc x -> (if x > 0 then lowPass 1[s] else identity) x
   > FROB
   $ frobc check choice.frob
-  error[E0340]: what is run must be static, but `x` is a signal
+  error[E0340]: the signal function that runs here must be static, but `x` is a signal
    --> choice.frob:3:22
     |
   3 | main = proc x -> (if x > 0 then lowPass 1[s] else identity) x
@@ -33,7 +33,7 @@ intentions.
     |             |
     |             `x` is a signal: it comes from the `proc`'s input here
     |
-    = hint: run each in an equation of its own, and choose between their outputs
+    = hint: run each in a separate equation, and choose between their outputs
   
   1 error
   [1]

@@ -12,7 +12,7 @@ Bools, events, functions and signal functions, each used instead of another.
   3 |     v = if after 5[s] () then 0 else 0.2[m/s])
     |            ^^^^^^^^^^^^^
     |
-    = hint: this occurs once, at one instant; `elapsed 5[s] ()` is True from then on
+    = hint: this occurs at one instant only: write `elapsed 5[s] ()`, which is True from then on
   
   1 error
   [1]
@@ -23,15 +23,15 @@ Bools, events, functions and signal functions, each used instead of another.
   >     v = when (frontSonar i < 0.5[m]) 0 0.2[m/s])
   > FROB
   $ frobc check when.frob
-  error[E0302]: `when` takes 1 argument, but is given more
+  error[E0302]: `when` takes 1 argument, but is applied to more
    --> when.frob:3:38
     |
   3 |     v = when (frontSonar i < 0.5[m]) 0 0.2[m/s])
     |         ----                         ^ one too many
     |         |
-    |         with one argument the result is `Event ()`
+    |         with one argument, its result is `Event ()`
     |
-    = hint: it makes an event of a truth; a choice between two values is `if c then a else b`, and a task that is done on a condition is `whenT c t`
+    = hint: for a choice between two values, write `if c then a else b`; for a task that runs only on a condition, write `whenT c t`
   
   1 error
   [1]
@@ -52,7 +52,7 @@ Bools, events, functions and signal functions, each used instead of another.
     |             ^^^^^^^^^^ this is `Float[s]`
     |
     = hint: to get a plain number, divide by the unit: `(integral x) / 1[s]`
-    = hint: `integral` is a signal function, and runs in a `proc`: `speedUp = proc x -> …`, of the type `SF … …`
+    = hint: `integral` is a signal function: run it in a `proc`, `speedUp = proc x -> …`, with the type `SF … …`
   
   1 error
   [1]
@@ -76,7 +76,7 @@ A signature with a function type: reported at the definition, and not again wher
   3 | go = switch (proc i -> (roMake (setVelTR 0.2[m/s] 0), edge (frontSonar i < 0.5[m]))) (\_ -> rest)
     |      ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: the type of such a signal function is `SF RobotInput RobotOutput`
+    = hint: for a signal function, write the type `SF RobotInput RobotOutput`
   
   1 error
   [1]
@@ -95,8 +95,8 @@ A signature with a function type: reported at the definition, and not again wher
     |                         |       because this is `SF a (b, Event Distance)`
     |                         argument 2 of `switch` is `Distance` (m)
     |
-    = hint: it stands in the place of argument 2: `switch :: SF a (b, Event c) -> (c -> SF a b) -> SF a b`
-    = hint: `_` takes every value, and looks at none
+    = hint: this is argument 2: `switch :: SF a (b, Event c) -> (c -> SF a b) -> SF a b`
+    = hint: use `_`, which matches every value
   
   1 error
   [1]

@@ -9,16 +9,16 @@ A signal function as a step of a task.
   >     turnBy 90[deg])
   > FROB
   $ frobc check proc.frob
-  error[E0371]: a signal function stands where a task is needed
+  error[E0371]: expected a task, found a signal function
    --> proc.frob:5:5
     |
   3 | main = reactimateTask (do
-    |        -------------- so each task of this `do` is `Task a b c`
+    |        -------------- each task of this `do` must be `Task a b c`
   4 |     forward 1[m]
   5 |     proc _ -> roMake (setVelTR 0.1[m/s] 0)
     |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `SF d e`
     |
-    = hint: a task ends at an event, which its `proc` gives beside the output: `mkTask (proc _ -> (roMake (setVelTR 0.1[m/s] 0), after 1[s] ()))`; one with `never ()` in that place goes on for ever
+    = hint: add the event that ends the task: `mkTask (proc _ -> (roMake (setVelTR 0.1[m/s] 0), after 1[s] ()))`; with `never ()` as the event, it never ends
   
   1 error
   [1]

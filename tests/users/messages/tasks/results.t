@@ -20,7 +20,7 @@ Results of tasks, used as something else.
   5 |     if ok then forward 1[m] else return False
     |        ^^
     |
-    = hint: `()` says no more than that something has happened, or has ended
+    = hint: `()` carries no information: write a condition, such as `x > 0`
   
   1 error
   [1]
@@ -43,7 +43,7 @@ A task that may time out:
   5 |     if ok then turnBy 90[deg] else return False)
     |        ^^
     |
-    = hint: `fromMaybe False ok` is what is in it, and False in `Nothing`, as where a time has run out
+    = hint: use `fromMaybe False ok`, which is False for `Nothing`, for example after a timeout
   
   1 error
   [1]
@@ -69,7 +69,7 @@ An event instead of a Bool:
     |     |
     |     argument 1 of `whenT` is `Bool`
     |
-    = hint: `isEvent (keyPressed i)` tells whether it occurs now
+    = hint: use `isEvent (keyPressed i)`, which is True when the event occurs
   
   1 error
   [1]
@@ -92,7 +92,7 @@ A condition without the output that belongs to it:
     |                        |
     |                        argument 1 of `untilT` has the output `(a, Bool)`
     |
-    = hint: the output stands beside it: `(output, bumped i)`
+    = hint: write the output and the event as a pair: `(output, bumped i)`
   
   1 error
   [1]

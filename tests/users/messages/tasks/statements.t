@@ -15,12 +15,12 @@ A missing argument: the type of the function shows which one.
    --> sleep.frob:5:5
     |
   3 | main = reactimateTask (do
-    |        -------------- so each task of this `do` is `Task a b c`
+    |        -------------- each task of this `do` must be `Task a b c`
   4 |     forward 1[m]
   5 |     sleepT 5[s]
     |     ^^^^^^^^^^^
     |
-    = hint: `sleepT 5[s] restingOutput` waits with the robot at rest; any other output may stand there
+    = hint: add an output: `sleepT 5[s] restingOutput` waits with the robot at rest
   
   1 error
   [1]
@@ -44,7 +44,7 @@ A task is not a condition; its result is.
   4 |     if forward 1[m]
     |        ^^^^^^^^^^^^
     |
-    = hint: the task runs on a line before, which names its result: `ok <- forward 1[m]`, and here stands `ok`
+    = hint: run the task on the line before, `ok <- forward 1[m]`, and write `ok` here
   
   1 error
   [1]
@@ -63,7 +63,7 @@ All branches must have the same result type:
   >       else sleepT 1[s] restingOutput)
   > FROB
   $ frobc check branches.frob
-  error[E0301]: expected a task that ends with `Bool`, but this one ends with `()`
+  error[E0301]: expected a task that returns `Bool`, but this one returns `()`
    --> branches.frob:7:12
     |
   6 |       then return True
@@ -71,7 +71,7 @@ All branches must have the same result type:
   7 |       else sleepT 1[s] restingOutput)
     |            ^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: in a `do`, `return x` below it ends the two with `x`
+    = hint: to return `x` instead, write a `do` with `return x` below the task
   
   1 error
   [1]
@@ -92,15 +92,15 @@ Several tasks in a branch:
   >       else return True)
   > FROB
   $ frobc check several.frob
-  error[E0302]: `turnBy` takes 1 argument, but is given more
+  error[E0302]: `turnBy` takes 1 argument, but is applied to more
    --> several.frob:8:9
     |
   7 |         turnBy 90[deg]
-    |         ------ with one argument the result is `Task a b Bool`
+    |         ------ with one argument, its result is `Task a b Bool`
   8 |         forward 1[m]
     |         ^^^^^^^ one too many
     |
-    = hint: several tasks, one below the other, stand in a `do`, which opens their block
+    = hint: put `do` before several tasks below each other
   
   1 error
   [1]
@@ -124,7 +124,7 @@ A robot's command takes time:
   4 |     setVelTR 0.3[m/s] 0)
     |     ^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0))` is a task that does so for a second, `constT (roMake (setVelTR 0.3[m/s] 0))` one that never ends
+    = hint: use `sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0))` for a task of one second, or `constT (roMake (setVelTR 0.3[m/s] 0))` for one that never ends
   
   1 error
   [1]

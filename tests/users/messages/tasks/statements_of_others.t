@@ -15,7 +15,7 @@ Tasks with the statements of other languages.
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: `return` makes a task: the value of a function or an equation is what stands behind its `=`, without a `return`
+    = hint: `return` is only for tasks: write the value after the `=`, without `return`
   
   1 error
   [1]
@@ -30,9 +30,9 @@ Tasks with the statements of other languages.
    --> task_semis.frob:3:23
     |
   3 | main = reactimateTask (forward 1[m]; turnBy 90[deg])
-    |                       ^            - a `)` belongs before this
+    |                       ^            - a `)` is missing before this
     |
-    = hint: a `;` ends a definition; tasks one after the other stand in a `do`, each on a line of its own
+    = hint: a `;` ends a definition: write tasks below each other in a `do`
   
   1 error
   [1]
@@ -53,7 +53,7 @@ Tasks with the statements of other languages.
   5 |     while True:
     |               ^
     |
-    = hint: no block is repeated: `forever t` does a task again and again, `whileT c t` while a signal function gives True
+    = hint: to repeat a task, write `forever t`, or `whileT c t` while a signal function returns True
   
   1 error
   [1]
@@ -72,11 +72,11 @@ Tasks with the statements of other languages.
    --> task_sleepT_noout.frob:5:5
     |
   4 |     forward 1[m]
-    |     ------------ so each task of this `do` is `Task a b c`
+    |     ------------ each task of this `do` must be `Task a b c`
   5 |     sleepT 2[s]
     |     ^^^^^^^^^^^
     |
-    = hint: `sleepT 2[s] restingOutput` waits with the robot at rest; any other output may stand there
+    = hint: add an output: `sleepT 2[s] restingOutput` waits with the robot at rest
   
   1 error
   [1]
@@ -91,13 +91,13 @@ Tasks with the statements of other languages.
   > main = reactimateTask t
   > FROB
   $ frobc check return_in_the_middle.frob
-  warning[W0312]: this `return` does nothing: what follows it is done all the same
+  warning[W0312]: this `return` has no effect: the statements after it still run
    --> return_in_the_middle.frob:5:5
     |
   5 |     return ()
     |     ^^^^^^^^^
     |
-    = hint: leave it out: a task ends behind its last statement
+    = hint: remove it: a task ends after its last statement
   
   1 warning
 
@@ -112,28 +112,28 @@ Tasks with the statements of other languages.
   > main = reactimateTask t
   > FROB
   $ frobc check early_return.frob
-  warning[W0312]: this ends nothing: what follows it is done all the same
+  warning[W0312]: this does not end the task: the statements after it still run
    --> early_return.frob:5:5
     |
   5 |     if place x == place x then return 5 else return 6
     |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: the rest belongs into the other branch: `if c then return x else do`, and below it what is to be done else
+    = hint: move the remaining statements into the other branch: `if c then return x else do`
   
-  warning[W0312]: this `return` does nothing: what follows it is done all the same
+  warning[W0312]: this `return` has no effect: the statements after it still run
    --> early_return.frob:6:5
     |
   6 |     return 5
     |     ^^^^^^^^
     |
-    = hint: leave it out: a task ends behind its last statement
+    = hint: remove it: a task ends after its last statement
   
   2 warnings
 
 A `return` that does nothing is removed without confirmation.
 
   $ frobc fix return_in_the_middle.frob
-  return_in_the_middle.frob:5:5: leave it out (W0312)
+  return_in_the_middle.frob:5:5: remove it (W0312)
   $ tail -5 return_in_the_middle.frob
   import Driving
   t = do
@@ -158,7 +158,7 @@ A `return` that does nothing is removed without confirmation.
   6 |     if b then return False
     |                           ^
     |
-    = hint: a `return` ends only what it is the last of: what else is to be done stands in the other branch, below `else do`
+    = hint: `return` does not end the task early: put the remaining statements into the other branch, below `else do`
   
   1 error
   [1]
@@ -175,7 +175,7 @@ A `return` that does nothing is removed without confirmation.
   3 | main = reactimateTask (forward 1[m] || turnBy 90[deg])
     |                        ^^^^^^^^^^^^ -- argument 1 of `||` is `Bool`
     |
-    = hint: two tasks are done side by side by `both s t`, and one until something happens by `abortWhen`; one after the other they stand in a `do`
+    = hint: use `both s t` to run two tasks in parallel, `abortWhen` to end a task at an event, or a `do` to run one after the other
   
   1 error
   [1]
