@@ -90,7 +90,7 @@ const struct frob_image *frob_sim_frame(struct frob_sim *sim, size_t robot, int 
                                         int64_t time_ns);
 
 /* Commands the robot with its output struct until the next command. The simulator limits the
- * values to what the robot can do, and stops the robot if any of them is NaN. `time_ns` is the
+ * values to the robot's abilities, and stops the robot if any of them is NaN. `time_ns` is the
  * controller's instant, for the record. */
 void frob_sim_command(struct frob_sim *sim, int64_t time_ns, const void *output);
 void frob_sim_command_robot(struct frob_sim *sim, size_t robot, int64_t time_ns,
@@ -120,17 +120,17 @@ struct frob_sim_summary {
      * when the robot has touched nothing for half a second. */
     int collisions;
     double odometry_error_m; /* distance between the robot's true position and its odometry */
-    int measured;            /* nonzero if the world file says to measure the distance from a
-                                wall: */
+    int measured;            /* nonzero if the world file selects the
+                                distance from a wall for measurement: */
     double wall_distance_m;  /* the distance that the robot should keep */
     double mean_error_m;     /* mean error since the robot settled; NaN if it has not settled */
     double largest_error_m;
-    int tape_measured;  /* nonzero if it says to measure the distance from the middle of tape on
-                           the floor: */
+    int tape_measured;  /* nonzero if it selects the distance from the middle
+                           of tape on the floor: */
     double mean_tape_m; /* mean distance since the robot settled; NaN if it has not settled */
     double largest_tape_m;
     double tape_way_m;      /* distance travelled along the tape, in the order of its points */
-    int ball_measured;      /* nonzero if it says to measure the distance from a ball: */
+    int ball_measured;      /* nonzero if it selects the distance from a ball: */
     double ball_distance_m; /* the distance that the robot should keep */
     double mean_ball_m;     /* mean error since the robot settled; NaN if it has not settled */
     double largest_ball_m;

@@ -28,7 +28,7 @@ struct Collision {
 struct Member {
     std::unique_ptr<Robot> robot;
     Recorder recorder;
-    std::optional<WallDistance> wall_distance; // present if the world says to measure this
+    std::optional<WallDistance> wall_distance; // present if the world requests this measurement
     std::optional<TapeDistance> tape_distance;
     std::optional<BallDistance> ball_distance;
     std::vector<Camera> cameras;       // the opened cameras
@@ -48,8 +48,8 @@ class Simulation {
     Simulation(const Simulation &) = delete;
     Simulation &operator=(const Simulation &) = delete;
 
-    // Runs the physics up to this time since the start. The physics has steps of its own: it stops
-    // at the last step that is not later than this time.
+    // Runs the physics up to this time since the start. The physics has its own steps: it
+    // stops at the last step that is not later than this time.
     void advance(std::int64_t time_ns);
 
     // One instant of a robot's controller: read the sensors, then command. The structs are those of
@@ -113,8 +113,8 @@ class Simulation {
     Scene scene_;
     const RobotKind &kind_;
     World world_;
-    // Updates the quantity that the world says to measure and returns its value; NaN if it says to
-    // measure nothing.
+    // Updates the quantity that the world file selects for measurement and returns its value;
+    // NaN if it selects none.
     double measure(Member &member, std::int64_t time_ns, const Pose &pose);
     void take_frames();
     void watch(Member &member, const Body &body);

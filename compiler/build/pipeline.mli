@@ -1,4 +1,4 @@
-(** The compiler's stages in their order, from text to C. {!Queries} combines them into answers for
+(** The compiler's stages in order, from text to C. {!Queries} combines them into answers for
     commands.
 
     A stage emits diagnostics to the sink. Its result is [None] if the program was rejected, or if

@@ -361,7 +361,7 @@ let messages =
    that recurses until the stack is full takes time quadratic in the stack's size. *)
 let largest_stack = 1 lsl 25
 
-(* Names that other tools give to commands, and that cmdliner would correct to other commands. *)
+(* Names of commands in other tools that cmdliner would correct to other commands. *)
 let command_meant = function "fmt" -> Some "format" | "lint" -> Some "check" | _ -> None
 
 let evaluate () =

@@ -145,8 +145,8 @@ static void sum_windows(const uint16_t *columns, int32_t window, int32_t wide, u
     const uint16_t *part = columns;
     int32_t done = 0;
 
-    /* `part` holds sums of `size` neighbours; `sums` holds the first `done` neighbours of each
-     * window. */
+    /* `part` contains sums of `size` neighbours; `sums` contains the first `done`
+     * neighbours of each window. */
     for (int32_t size = 1; size <= window; size *= 2) {
         if ((window & size) != 0) {
             if (done == 0)

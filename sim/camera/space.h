@@ -1,6 +1,6 @@
 // Geometry in space, in metres: x and y along the floor, z up. It uses only operations that IEEE
-// 754 defines to the last bit, and its own sine and cosine, so that a scene gives the same picture
-// on every machine.
+// 754 defines to the last bit, and its own sine and cosine, so that a scene produces the same
+// picture on every machine.
 #pragma once
 
 #include <cmath>

@@ -100,7 +100,7 @@ Plot ball_plot(const Simulation &simulation, double end_s) {
     return plot;
 }
 
-// Plots the distance that the world file says to measure.
+// Plots the distance that the world file selects for measurement.
 Plot distance_plot(const Simulation &simulation, double end_s) {
     const std::optional<MeasureSettings> &measure = simulation.scene().measure;
     if (measure && measure->what == MeasureSettings::What::tape)

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double label_size = 11.0;
 
-// Estimates the width of a text, which a canvas does not know before it draws. Accurate to a few
-// per cent for DejaVu Sans.
+// Estimates the width of a text, because a canvas cannot determine it before it draws. Accurate
+// to a few per cent for DejaVu Sans.
 double text_width(const std::string &text, double size) {
     double widths = 0.0;
     for (const char c : text) {

@@ -1,4 +1,4 @@
-// Records what happened at each of the controller's instants, for the picture.
+// Records the data of each of the controller's instants, for the picture.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A robot's body in the world: its pose, and what is around it.
+// A robot's body in the world: its pose, and the objects around it.
 #pragma once
 
 #include <cstdint>

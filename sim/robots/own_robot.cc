@@ -27,7 +27,8 @@ std::vector<Vec> spots_of(const frob_body &table) {
     return spots;
 }
 
-// Resolution of the speed commands, if the table gives one: of forward and turn, or of each wheel.
+// Resolution of the speed commands, if the table contains one: of forward and turn, or of each
+// wheel.
 frob_wire wire_of(const frob_body &table) {
     if (table.wheel_step_m_s > 0.0)
         return {true,

@@ -54,7 +54,7 @@ constexpr std::array<std::size_t, 2> front_sonars = {3, 4};
 
 constexpr double sonar_half_angle = radians(12.0); // half the opening angle of the cone
 constexpr double sonar_nearest = 0.1;              // m; nearer objects read as this
-constexpr double sonar_farthest = 5.0;             // m; farther objects give no echo
+constexpr double sonar_farthest = 5.0;             // m; farther objects return no echo
 
 // The same dimensions in the form that the rest of the simulator uses.
 const Chassis &chassis();

@@ -1,5 +1,5 @@
-// Dimensions of Nomadics' Super Scout. They are those of stdlib/Scout.frob, which gives the sources
-// and says which values are estimates.
+// Dimensions of Nomadics' Super Scout. They are those of stdlib/Scout.frob, which lists the sources
+// and the values that are estimates.
 #pragma once
 
 #include "chassis.h"

@@ -17,7 +17,7 @@ struct SonarRing {
     std::int64_t ping_ns;           // from one transducer of an array to the next
     std::vector<SonarArray> arrays; // arrays that fire in parallel
     double nearest;                 // m; nearer objects read as this
-    double farthest;                // m; farther objects give no echo
+    double farthest;                // m; farther objects return no echo
     double resolution;              // m; 0: continuous
 };
 

@@ -24,7 +24,8 @@ class Connection {
     // Returns the bytes that have arrived. Never blocks.
     virtual Bytes read() = 0;
 
-    // Sends the bytes. Those that cannot be sent at once are lost, as on a line that nobody reads.
+    // Sends the bytes. Those that cannot be sent immediately are lost, as on a line without a
+    // reader.
     virtual void write(const Bytes &bytes) = 0;
 
     // The bit rate that the client has set; 0 if the connection has none.

@@ -94,7 +94,7 @@ Options read_options(int argc, char **argv) {
     }
     if (o.world.empty())
         throw WrongUse("--world is missing; `frob-serve --help` says how to use it");
-    // For a user-defined robot, its board gives the rate.
+    // For a user-defined robot, its board determines the rate.
     if (!o.own.empty()) return o;
     const std::uint32_t usual = usual_rate(o.robot);
     if (usual == 0)

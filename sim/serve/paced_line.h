@@ -10,7 +10,7 @@ namespace frob::serve {
 
 class PacedLine {
   public:
-    // A line that is not paced delivers bytes at once.
+    // A line that is not paced delivers bytes immediately.
     explicit PacedLine(bool paced) : paced_(paced) {}
 
     // Sends bytes at this time, behind those in transit.

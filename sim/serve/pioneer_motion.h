@@ -25,7 +25,7 @@ class PioneerMotion {
     void face_by(double angle, double from); // DHEAD: turn by an angle from the heading; DCHEAD:
                                              // from the heading setpoint
     void stop();                             // STOP: stop with the set decelerations
-    void halt();                             // E_STOP, motors off: stop at once
+    void halt();                             // E_STOP, motors off: stop immediately
 
     // SETV, SETRV, SETA, SETRA. A positive acceleration is for speeding up, a negative one for
     // braking. Until a client sets them, only the body's limits apply.

@@ -42,7 +42,7 @@ void TcpPort::leave() {
     client_ = -1;
 }
 
-// A robot has only one line, so other clients are disconnected at once.
+// A robot has only one line, so other clients are disconnected immediately.
 void TcpPort::refuse_others() {
     sockaddr_in address{};
     socklen_t size = sizeof address;

@@ -10,8 +10,8 @@ tools=_build/formatters
 check=${1:-}
 failed=0
 
-# Lists the tracked files with these endings. Excludes what frobc generated, such as the headers of
-# robots and golden files: tests compare it byte for byte with the compiler's output.
+# Lists the tracked files with these extensions. Excludes files that frobc generates, such as the
+# headers of robots and golden files: tests compare them byte for byte with the compiler's output.
 sources() {
     if [ -e .git ]; then git ls-files "$@"; else
         for pattern in "$@"; do find . -path ./_build -prune -o -name "$pattern" -print; done

@@ -15,8 +15,8 @@ type decision =
   | Open  (** not decided yet *)
 
 val decide : t -> bool list -> decision * int
-(** Takes the results of runs in order (whether each held). Also returns the number of runs after
-    which it was decided. *)
+(** Decides from the results of runs, in order (whether each held). Also returns the number of runs
+    that the decision took. *)
 
 val bounds : confidence:float -> held:int -> int -> float * float
 (** A confidence interval for the proportion of all runs that hold, if [held] of this many runs did:

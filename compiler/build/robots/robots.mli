@@ -13,8 +13,8 @@ val unfit : string
 (** The code for a program that does not fit the robot, or any robot. *)
 
 val known : string option -> (t option, string) result
-(** The robot that the option names, if it is given: a robot of the library by its name, or a robot
-    of the user's own by the file of its module, which ends in [.frob]. The error is a text for the
+(** The robot that the option names, if it is given: a robot of the library by its name, or a
+    user-defined robot by the file of its module, which ends in [.frob]. The error is a text for the
     user. *)
 
 val own_of : string option -> t option

@@ -177,7 +177,7 @@ value frobc_child_allow_stack(value bytes)
     return Val_unit;
 }
 
-/* OCaml represents the signals that it knows by negative numbers of its own. */
+/* OCaml has its own negative numbers for the signals that it supports. */
 value frobc_child_signal_number(value signal)
 {
     return Val_int(caml_convert_signal_number(Int_val(signal)));

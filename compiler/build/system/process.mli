@@ -2,7 +2,7 @@
 
 type failure =
   | Not_found of string  (** the program, which is not installed *)
-  | Failed of { status : int; errors : string }  (** [errors] is what the program wrote *)
+  | Failed of { status : int; errors : string }  (** [errors] is the program's output *)
 
 val run : string -> string list -> (unit, failure) result
 (** [run program arguments] runs a program silently, without input. The error contains its output.

@@ -1,5 +1,5 @@
-(** Checks which C functions a program may call. A program by somebody else must not reach functions
-    of the C library, such as [system] and [remove]. *)
+(** Checks which C functions a program may call. A program from somebody else must not be able to
+    call functions of the C library such as [system] and [remove]. *)
 
 val check : calls:string list -> string list -> (unit, string) result
 (** Checks that each of these names is in {!Basis.C_names.pure}, is a kernel of the runtime

@@ -18,7 +18,7 @@ let copies_of source target =
   all (List.map one (files source))
 
 (* PlatformIO requires a version. It is the version of the user's library, which Frob does not
-   know, and not the version of Frob. *)
+   know, not the version of Frob. *)
 let manifest name =
   Printf.sprintf
     {|{
@@ -57,8 +57,8 @@ let headers_of ~sources ~folders generated =
   let is_own (h : Own_headers.t) = not (List.mem_assoc h.name generated) in
   Ok (List.filter is_own (of_sources @ of_program))
 
-(* Files of the user's by their paths, each with its name in the export. There all of them are in one
-   folder. *)
+(* The user's files by their paths, each with its name in the export, where all of them are in
+   one folder. *)
 let copies_of_own ~into files =
   let open Basis.Let_syntax.Result in
   let add copies (path, name) =

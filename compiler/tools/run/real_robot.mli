@@ -9,8 +9,8 @@ type serve = {
 }
 
 val serve : robot:string option -> sources:string list -> serve -> int
-(** Replaces this process by the simulated robot. [sources] are the C files of a robot of the user's
-    own. *)
+(** Replaces this process by the simulated robot. [sources] are the C files of a user-defined robot.
+*)
 
 type run = {
   device : string;  (** a serial device, or [tcp:HOST:PORT] *)

@@ -1,6 +1,5 @@
-(** Requirements of tests that only the command line can supply. These are C files, because code
-    from somebody else must not reach the C compiler automatically, and the module of a robot of the
-    user's own. *)
+(** Requirements of tests that only the command line can supply: C files, because code from somebody
+    else must not reach the C compiler automatically, and the module of a user-defined robot. *)
 
 type t = {
   what : string;  (** description, such as [the robot Moth and its body in C] *)

@@ -177,7 +177,7 @@ let left_out p (run : Outcome.run) seed text =
     | [] -> None
     | left_out -> Some (left_out, List.map Disturbances.name needed)
 
-(* The second result says what could not be saved. *)
+(* The second result describes the files that could not be saved. *)
 let simpler p run seed : Outcome.simpler option * string =
   let text = read p.world in
   match left_out p run seed text with

@@ -17,8 +17,8 @@ enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
                                              const struct frob_p2os_packet *packet);
 enum frob_status frob_pioneer_connect_advance(struct frob_pioneer *d);
 
-/* sense.c: converts a SIP to what the robot senses. frob_pioneer_sense is the driver's `sense`; it
- * extrapolates odometry to the current time. */
+/* sense.c: converts a SIP to the robot's sensor readings. frob_pioneer_sense is the driver's
+ * `sense`; it extrapolates odometry to the current time. */
 void frob_pioneer_take_sip(struct frob_pioneer *d, const struct frob_p2os_sip *sip);
 void frob_pioneer_sense(void *device, void *input);
 

@@ -1,4 +1,4 @@
-/* Converts a SIP to what the robot senses. */
+/* Converts a SIP to the robot's sensor readings. */
 #include "drivers/pioneer/device.h"
 
 #include <math.h>

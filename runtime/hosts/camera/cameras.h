@@ -42,7 +42,7 @@ struct cameras {
     struct stereo_pair stereo;
     /* The tag finder, if the program uses tags; each process that looks for tags has a copy. */
     struct tag_finder finder;
-    bool tells; /* also report what works */
+    bool tells; /* also report cameras that work */
 };
 
 /* Counts the cameras that the program uses, for frames or for tags in them, and initializes their
@@ -56,9 +56,9 @@ bool cameras_options(struct camera_options options[CAMERAS_MOST], size_t *count,
 bool cameras_start(struct cameras *c, const struct frob_program *program,
                    const struct camera_options *options, size_t count, bool tells);
 
-/* Sets what the program sees at this instant, `now_ns` after `first_ns` on the monotonic clock: the
- * newest frames that it has not been given, and their tags. For cameras `left` and `right` these
- * are frames taken together. They stay valid until the next call. */
+/* Sets the program's camera input at this instant, `now_ns` after `first_ns` on the monotonic
+ * clock: the newest frames that it has not received, and their tags. For cameras `left` and `right`
+ * these are frames taken together. They stay valid until the next call. */
 void cameras_look(struct cameras *c, void *input, int64_t first_ns, int64_t now_ns);
 
 /* Prints the messages of the processes on standard error. */

@@ -8,7 +8,7 @@
 size_t decode_raw_size(const struct camera_options *o);
 
 /* Decodes an image in a self-describing format: 8-bit PGM or PPM, or JPEG. Returns NULL, or a
- * message in `message`, about "a frame", that gives the cause and the fix. If `is_grey`, decodes
+ * message in `message`, about "a frame", with the cause and the fix. If `is_grey`, decodes
  * brightness only. */
 const char *decode_picture(const uint8_t *bytes, size_t size, bool is_grey, struct captured *frame,
                            char message[256]);

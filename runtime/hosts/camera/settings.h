@@ -38,7 +38,7 @@ enum camera_setting {
 };
 
 /* The settings, in the order of the enum. On the command line, their names follow the camera's
- * label and a point. */
+ * label and a dot. */
 extern const struct frob_setting camera_settings[CAMERA_SETTING_COUNT];
 
 enum { CAMERA_LABEL_ROOM = 64 };

@@ -32,7 +32,8 @@ struct turbo {
     int (*destroy)(void *handle);
 };
 
-/* Loads the library once. Returns NULL, with what is missing in `fault`, on failure. */
+/* Loads the library once. On failure, returns NULL and stores the name of the missing part in
+   `fault`. */
 const struct turbo *turbo_find(const char **fault);
 
 #ifdef __cplusplus

@@ -212,7 +212,7 @@ static bool is_word(const char *name, const char *word)
     return strlen(name) == strlen(word) && has_word(name, word);
 }
 
-/* Index of the column that probably holds the times; the number of columns if there is none. */
+/* Index of the column that probably contains the times; the number of columns if there is none. */
 static size_t looks_like_time(const struct csv *csv)
 {
     size_t i;

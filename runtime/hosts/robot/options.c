@@ -52,7 +52,7 @@ static void show_params(const struct frob_program *program)
     }
 }
 
-/* Lists the settings of a camera, whose names follow its label and a point. */
+/* Lists the settings of a camera, whose names follow its label and a dot. */
 static void show_cameras(const struct frob_program *program)
 {
     struct camera_options cameras[CAMERAS_MOST];

@@ -30,7 +30,8 @@ struct options {
     bool progress;           /* report progress even if standard error is not a terminal */
     const char **params;     /* NAME=VALUE for each parameter that is set */
     size_t param_count;
-    double settings[SETTINGS_MOST];              /* the driver's settings, in its order */
+    double settings[SETTINGS_MOST];              /* the driver's settings, in the order of its
+                                                    table */
     struct camera_options cameras[CAMERAS_MOST]; /* the cameras that the program uses */
     size_t camera_count;
 };

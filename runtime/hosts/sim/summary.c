@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Prints what was measured for a robot; each line starts with `who`. */
+/* Prints the measurements of a robot; each line starts with `who`. */
 static void print_wall_distance(const char *who, const struct frob_sim_summary *s)
 {
     if (!s->measured)

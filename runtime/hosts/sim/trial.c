@@ -180,7 +180,7 @@ static void print_collisions(const struct frob_sim *sim, FILE *file)
         fputs("\t\t\t\t\t", file);
 }
 
-/* Prints what the judge measures: a tab and `name=value` for each. */
+/* Prints the measurements of the judge: a tab and `name=value` for each. */
 static bool print_measures(const struct trial *trial, FILE *file)
 {
     const struct frob_value *probes = trial->judge->probes;

@@ -34,7 +34,7 @@ struct options {
     const char *program;
 };
 
-/* What to print when the server is ready. */
+/* The text to print when the server is ready. */
 struct start {
     const struct options *options;
     const char *token;

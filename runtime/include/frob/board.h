@@ -29,8 +29,8 @@ struct frob_board {
     uint32_t rate;     /* bit rate of the line */
     size_t size;       /* bytes of the board's memory, which is all zero at power-on */
 
-    /* Passes what the body senses from `now_ns` on, as the robot's input struct. Each event is
-     * passed once. */
+    /* Passes the body's sensor readings from `now_ns` on, as the robot's input struct.
+     * Each event is passed once. */
     void (*sense)(void *board, const void *input, int64_t now_ns);
 
     /* Handles a received byte. The time is that of the last `sense` or `advance`. */

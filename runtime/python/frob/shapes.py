@@ -274,7 +274,7 @@ def clear(shape: Shape, memory: Buffer, base: int) -> None:
 
 
 def from_text(shape: Shape, text: str, place: str) -> Any:
-    """Parses a value. In a cell that holds an event, the text omits the constructor `Event`."""
+    """Parses a value. In a cell that contains an event, the text omits the constructor `Event`."""
     if text.strip() == "" and isinstance(shape, Sum) and shape.is_event:
         return None
     if isinstance(shape, Sum) and text.strip() in shape.numbers and not shape.is_event:

@@ -7,13 +7,13 @@
 struct row {
     int64_t time_ns;
     uint64_t dt;              /* the step's dt in seconds: the bits of a double */
-    const char *const *cells; /* cells of the input's columns, in their order */
+    const char *const *cells; /* cells of the input's columns, in order */
 };
 
 struct recording {
     const struct row *rows;
     int count;
-    const char *const *params; /* cells of the program's parameters, in their order */
+    const char *const *params; /* cells of the program's parameters, in order */
     uint64_t trace;            /* FNV-1a hash of the output's trace */
     /* NAME_step of a single-precision program, if this test passes each dt to it as a float;
      * otherwise NULL, and the test calls the step in the table for hosts, which takes a double. */

@@ -103,8 +103,9 @@ class Kernels:
         return found.x, found.y
 
     def bent(self, straighten, points, matrix, distortion, size):
-        """Applies a lens's distortion to points, or removes it; `distortion` holds five numbers in
-        OpenCV's order."""
+        """Applies a lens's distortion to points, or removes it; `distortion` contains five
+        numbers in OpenCV's order.
+        """
         k1, k2, p1, p2, k3 = distortion
         image = Image(
             size[0],

@@ -1,5 +1,5 @@
 #!/bin/sh
-# measure.sh FILE...: compares what frobc report states about programs with what gcc makes of their
+# measure.sh FILE...: compares what frobc report states about programs with the results of gcc for their
 # C: the size of the state, the functions of the C library that they call, and the stack. Prints the
 # differences; skips programs that frobc rejects. REAL, if set, is the floating-point type.
 

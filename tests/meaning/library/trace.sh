@@ -1,5 +1,5 @@
 # trace NAME: runs the compiled program NAME.frob on the rows from standard input; the interpreter
-# must give the same output.
+# must produce the same output.
 trace() {
     cat >input.csv
     frobc trace --lint --engine interp "$1.frob" --input input.csv --output interpreted.csv

@@ -44,7 +44,7 @@ static enum matter matter;  /* the current failure … */
 static int64_t until_ns;    /* … and when it ends and the next one begins */
 static int64_t well_ns;     /* since when the camera has worked */
 static uint32_t cuts;       /* how often an open descriptor has been lost forever … */
-static bool is_mute;        /* … and whether it gives no error then */
+static bool is_mute;        /* … and whether it reports no error then */
 static uint32_t opened_cut; /* the value of `cuts` when it was opened */
 static int64_t due_ns, period_ns;
 static uint8_t shade;

@@ -226,8 +226,8 @@ static void test_addresses(void)
     CHECK(answer_read(&answer, "HTTP/1.1 ok fine\r\n", 18, &length) == ANSWER_WRONG);
 }
 
-/* Frames from a writer that never stops: the frame that the reader holds must not change, and
- * each frame must be newer than the one before. */
+/* Frames from a writer that never stops: the reader's frame must not change, and each frame
+ * must be newer than the one before. */
 static void test_buffers(void)
 {
     struct buffers *b = buffers_make();
@@ -312,8 +312,9 @@ static uint32_t pairs_of(const struct two *two)
     return taken;
 }
 
-/* However the two cameras' frames are offset, and however often the program looks, it must get a
- * pair for almost every frame of the slower camera, or at every instant if instants are rarer. */
+/* Whatever the offset of the two cameras' frames, and however often the program looks, it must
+ * get a pair for almost every frame of the slower camera, or at every instant if instants are
+ * rarer. */
 static void test_pairs(void)
 {
     static const int instants[] = { 1, 10, 20, 50, 100, 400 };
@@ -386,7 +387,7 @@ static void test_pairs_of_processes(void)
 }
 
 /* Frames with bytes changed, removed or duplicated, passed through the whole pipeline under
- * sanitizers: each gives a frame or none. */
+ * sanitizers: each results in a frame or none. */
 static void test_damage(const uint8_t *jpeg, size_t size)
 {
     static uint8_t damaged[1 << 22];

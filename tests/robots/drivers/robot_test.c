@@ -1,4 +1,4 @@
-/* Tests what core/robot.h promises to drivers, with a minimal driver. */
+/* Tests the guarantees of core/robot.h to drivers, with a minimal driver. */
 #include "check.h"
 
 #include "core/robot.h"
@@ -78,7 +78,7 @@ struct rover {
     int64_t sensed_ns;
     double told;
     int commands, stops;
-    int stops_at_poll; /* a real driver's poll sends a command that it still holds */
+    int stops_at_poll; /* a real driver's poll sends a pending command */
 };
 
 struct rover_output {

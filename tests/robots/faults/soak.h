@@ -229,8 +229,8 @@ class Soak
             unwanted_ns_ = b_.time.now_ns;
         const double unwanted_s = static_cast<double>(b_.time.now_ns - unwanted_ns_) * 1e-9;
         result_.longest_unwanted_s = std::max(result_.longest_unwanted_s, unwanted_s);
-        // A robot that waits for the rest of a packet that garbage began does not hear a stop until
-        // its watchdog ends the wait; a robot that does hear is stopped at once.
+        // A robot that waits for the rest of a packet that garbage began does not hear a
+        // stop until its watchdog ends the wait; a robot that does hear stops immediately.
         const std::int64_t hearing_ns = b_.time.now_ns - clean_ns_ - Kind::hearing_ms * ms;
         if (hearing_ns > 0 && b_.time.now_ns - unwanted_ns_ > std::min(hearing_ns, 120 * ms))
             fail("the robot moves though readings are stale");

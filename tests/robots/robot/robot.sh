@@ -14,7 +14,7 @@ start_robot () {
   until_true '[ -e line ]'
 }
 
-# Starts the program on the robot, and waits until it drives: $run is the process that holds the
+# Starts the program on the robot, and waits until it drives: $run is the process that owns the
 # line; $controller, $guard and $second_guard are its children. Clears the log of commands first.
 start_driving () {
   : > told

@@ -1,4 +1,4 @@
-// Tests what a simulated camera sees, and when.
+// Tests the images of simulated cameras, and their times.
 #include <algorithm>
 #include <cmath>
 #include <cstring>

@@ -1,4 +1,4 @@
-// Tests the floor: tape and patches in world files, and what sensors see of them.
+// Tests the floor: tape and patches in world files, and how sensors measure them.
 #include <frob/create.h>
 
 #include "bends.h"

@@ -1,4 +1,4 @@
-// Tests what a user-defined robot sees of lamps and of the floor.
+// Tests the photocells and floor sensors of a user-defined robot.
 #include <cstring>
 
 #include <frob/body.h>

@@ -53,7 +53,7 @@ void run_into_each_other()
                 "and its wheels turn with it");
 }
 
-// What robot 0 senses and does while others are far away.
+// The readings and poses of robot 0 while others are far away.
 std::vector<double> first_of(int robots)
 {
     Simulation s(parse_world("[start]\nx = 0\ny = 0\nspacing = 50\ncolumns = 1\ncount = " +

@@ -1,4 +1,4 @@
-// Tests what the sonars hear, against geometry.
+// Tests the echoes of the sonars, against geometry.
 #include <map>
 
 #include "check.h"

@@ -106,7 +106,7 @@ array() {
         --wrap 'frobc sweep gaps.toml --jobs 1 --shard $SLURM_ARRAY_TASK_ID/8'
 }
 
-# A lost job must be reported; submitting the same array again must make its runs and no others.
+# A lost job must be reported; submitting the same array again must perform its runs and no others.
 array 1-7
 if frobc sweep gaps.toml --merge >merge.told 2>&1; then
     echo "a table although a shard is missing"

@@ -20,7 +20,7 @@
 constexpr std::int64_t ms = 1000000;
 constexpr std::int64_t second = 1000 * ms;
 
-// What the bench needs to know about each robot.
+// The data about each robot that the bench needs.
 struct ScoutKind {
     using Wire = frob::sim::ScoutWire;
     using Input = frob_scout_input;
@@ -71,8 +71,8 @@ class Bench
                          200 * ms);
     }
 
-    // Lets both ends act at the current time. The driver's bytes reach the robot at once; the
-    // robot's bytes take their time.
+    // Lets both ends act at the current time. The driver's bytes reach the robot
+    // immediately; the robot's bytes take their time.
     void act()
     {
         std::uint8_t bytes[256];

@@ -34,7 +34,7 @@ val param : Ir.ty -> Ir.rhs
 (** The parameter of {!params} with this type: Bool, Int or Float. *)
 
 val op : ?ty:Ir.ty -> node -> Ir.operator -> Ir.atom list -> Ir.atom
-(** A signal without a name that holds the result of an operation. *)
+(** A signal without a name for the result of an operation. *)
 
 val call :
   ?statics:Ir.atom list -> ?line:int -> node -> int -> Ir.atom list -> Ir.signal list -> unit

@@ -95,7 +95,7 @@ let unnamed_are_skipped () =
          Build.define b c (Copy right);
          [ ("", Signal a) ]))
 
-(* u reaches the first output at once; v reaches the second only after a delay. *)
+(* u reaches the first output in the same instant; v reaches the second only after a delay. *)
 let crossing p =
   Build.node p "crossing" (fun b ->
       let u = Build.input b "u" in

@@ -188,7 +188,7 @@ let known_constructors () =
     ]
     (Optimize.program (Build.program ~sums:[| Random_program.maybe |] p))
 
-(* Two delays, each of its own sum. *)
+(* Two delays, each with its own sum. *)
 let delays first second =
   let main b =
     let x = Build.input b "x" in

@@ -26,7 +26,7 @@ let maybe =
 
 let types : Ir.ty list = [ Bool; Int; Float; Float; Float; Sum 0 ]
 
-(* What a node can read. *)
+(* The values that a node can read. *)
 type scope = {
   rng : Random.State.t;
   node : Build.node;

@@ -1,4 +1,4 @@
-(* Tests the pages that explain the specializer's diagnostics: the faulty example must give
+(* Tests the pages that explain the specializer's diagnostics: the faulty example must have
    exactly the code of the page, and the corrected one none. *)
 
 open Basis

@@ -1,4 +1,4 @@
-(* Tests the pages that explain the parser's diagnostics: the faulty example must give exactly
+(* Tests the pages that explain the parser's diagnostics: the faulty example must have exactly
    the code of the page, and the corrected one must parse. (Later stages test its meaning.) *)
 
 open Programs

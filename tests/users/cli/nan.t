@@ -25,8 +25,8 @@ the origin: here an equation whose value was stored for an instant, and one with
   NaN: out.1, first at 4.000 s, from main.rate at rates.frob:4, NaN since 3.000 s
   NaN: out.2, first at 1.000 s, from main.other at rates.frob:6
 
-NaN that the input contains is not reported, because whoever made the input knows it. It is found as
-an origin:
+NaN in the input is not reported, because the author of the input can see it. `frobc view --why-nan`
+finds it as an origin:
 
   $ printf 'time,in\n0,1\n1,nan\n2,1\n3,1\n' > in.csv
   $ frobc trace rates.frob --input in.csv | tail -1

@@ -51,7 +51,7 @@ A knob is never outside its limits and never NaN, whatever the input contains.
   2.000000000,0,0.25
   $ frobc trace panel.frob --input odd.csv --engine interp | cmp - c.csv
 
-Omitted columns, of controls that nobody touches.
+Omitted columns, of controls that are not operated.
 
   $ printf 'time\n0\n1\n' | frobc trace panel.frob --input - | tee c.csv
   time,out.1,out.2,out.3,out.4,out.5,out.6.x,out.6.y
@@ -91,7 +91,8 @@ The console in C: after the robot's struct.
   $ frobc report drive.frob --robot scout --format json | sed 's/.*"console"/"console"/'
   "console":[{"label":"drive","kind":"hold","line":4},{"label":"speed","kind":"knob","least":0,"most":0.4,"first":0.2,"unit":"m/s","line":4}],"params":[],"params_bytes":0,"marks":0,"wire":{"robot":"scout","steps":[{"quantity":"each wheel","size":2.54,"unit":"mm/s"},{"quantity":"so turning","size":0.42158539966172975,"unit":"deg/s"}]},"assertions":0,"assertion_operations":0,"assertion_bytes":0}
 
-`Console` is the console that nobody touches; a robot without a console uses it.
+`Console` is the console that is never operated; a robot without a console uses
+it.
 
   $ cat > alone.frob <<'FROB'
   > import Robot

@@ -1,5 +1,5 @@
-(* Tests the pages that explain diagnostics: the faulty example of each page must give exactly
-   the code of the page, and the corrected one must give none. Each code that the compiler can
+(* Tests the pages that explain diagnostics: the faulty example of each page must have exactly
+   the code of the page, and the corrected one must have none. Each code that the compiler can
    emit must have a page. *)
 
 let read path =
@@ -78,7 +78,7 @@ let stage_of code =
 
 let main = "main.frob"
 
-(* A fence may give the name of the faulty file: ```frob-error main.test.frob. *)
+(* A fence may specify the name of the faulty file: ```frob-error main.test.frob. *)
 let faulty (info, text) =
   match String.split_on_char ' ' info with
   | [ "frob-error" ] -> Some (main, text)

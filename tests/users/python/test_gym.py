@@ -1,5 +1,6 @@
-"""Tests the Gymnasium environment: without an agent it gives the same run as `frob.simulate`. If
-gymnasium is not installed, tests the layer below it."""
+"""Tests the Gymnasium environment: without an agent it performs the same run as `frob.simulate`. If
+gymnasium is not installed, tests the layer below it.
+"""
 
 import os
 import threading
@@ -158,7 +159,7 @@ class Driven(unittest.TestCase):
             drive(write("half.frob", "main :: SF Float Float\nmain = proc x -> x / 2\n"))
 
     def test_threads(self):
-        """Closing while another thread drives gives an error, not a crash."""
+        """Closing while another thread drives raises an error and does not crash."""
         driven = drive(self.file)
         driven.start(1, {})
         sim = driven._sim

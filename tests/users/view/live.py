@@ -22,8 +22,8 @@ from viewer import check
 
 PATIENCE = 120  # seconds for anything that must happen, however busy the machine is
 
-# How the page is told that a command was not carried out because the run's process was frozen, or
-# had no processor, for longer than a command may wait. On a busy machine this is right.
+# The page's message that a command was not executed because the run's process was frozen, or had
+# no processor, for longer than a command may wait. On a busy machine this is right.
 LATE = (
     "the run does not answer, so the request was ignored",
     "the request came too late and was ignored",

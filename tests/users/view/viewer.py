@@ -96,7 +96,7 @@ def arguments_of(pid):
 
 
 def trace(frobc, recording, program, robot, *params):
-    """Returns what `frobc trace` prints for each instant: a dictionary by column."""
+    """Returns the output of `frobc trace` for each instant: a dictionary by column."""
     settings = [word for setting in params for word in ("--param", setting)]
     rows = subprocess.run(
         [

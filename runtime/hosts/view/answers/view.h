@@ -92,7 +92,7 @@ double view_start_time(const struct view *view);
 
 void view_end(struct view *view);
 
-/* What remains to be done when there is no request. */
+/* The work that remains when there is no request. */
 enum view_work {
     VIEW_GOES_ON, /* continue immediately */
     VIEW_LOOKS,   /* check again soon: the run is live */

@@ -218,7 +218,7 @@ export interface Why extends Place {
 
 export interface Found {
   readonly is: "found";
-  /** What is wrong with the condition; then the other members are missing. */
+  /** The error in the condition; then the other members are missing. */
   readonly why?: string;
   readonly count?: number;
   readonly first?: number | null;

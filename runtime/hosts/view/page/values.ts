@@ -31,7 +31,7 @@ function withUnit(signal: Signal, text: string): string {
   return signal.unit === "" ? text : `${text}[${signal.unit}]`;
 }
 
-/** Formats a number of its plot as the value that it represents. */
+/** Formats a number from a signal's plot as the value that it represents. */
 export function formatPoint(signal: Signal, x: number | null): string {
   if (x === null) return signal.kind === "event" ? "NoEvent" : "";
   if (signal.kind === "bool") return x === 0 ? "False" : "True";

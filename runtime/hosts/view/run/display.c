@@ -11,8 +11,8 @@ static int constructor_of(const struct frob_value *mark, const char *name)
     return -1;
 }
 
-/* Returns whether a signal is part of the probe `draw`, or of `draw.N` if the program has a `draw`
- * of its own. */
+/* Returns whether a signal is part of the probe `draw`, or of `draw.N` if the program defines its
+ * own `draw`. */
 static bool is_drawn(const struct signal *signal)
 {
     static const char name[] = "probe.draw";

@@ -186,8 +186,8 @@ static bool is_as_before(const struct reader *r, size_t i)
     return strcmp(csv_cell(&r->csv, i), r->before.text + r->before.starts[i]) == 0;
 }
 
-/* Stores the row as the previous one. If memory runs out, every cell of the next row is read
- * anew. */
+/* Stores the row as the previous one. If memory runs out, every cell of the next row is
+ * parsed again. */
 static void remember(struct reader *r)
 {
     const char *text = csv_cell(&r->csv, 0), *last = csv_cell(&r->csv, r->width - 1);
@@ -423,7 +423,7 @@ bool recording_add(struct recording *recording, int64_t time_ns, const void *inp
 }
 
 struct catching {
-    struct recording row; /* holds one row at a time */
+    struct recording row; /* contains one row at a time */
     struct reader reader;
     size_t k; /* instant of the next row */
 };

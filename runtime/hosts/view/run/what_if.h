@@ -7,7 +7,7 @@
 
 struct what_if {
     bool is_there;          /* an edited program was compiled; the rest describes it */
-    bool drives;            /* it ran in the simulator, and has inputs of its own */
+    bool drives;            /* it ran in the simulator, and has its own inputs */
     struct buffer settings; /* parameters in the form of a recording */
     struct signals signals;
     struct recording driven;

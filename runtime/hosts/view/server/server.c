@@ -362,7 +362,7 @@ static int write_message(struct lws *wsi, struct connection *connection)
     return status;
 }
 
-/* Distributes what the worker has finished: answers to the pages that asked, news to all pages. */
+/* Distributes the worker's results: answers to the pages that asked, news to all pages. */
 static void deliver(struct server *server)
 {
     struct buffer text;

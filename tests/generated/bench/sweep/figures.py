@@ -41,7 +41,7 @@ def used():
 
 
 def workers(sweep):
-    """The workers of a sweep that make runs: pid and command line of each."""
+    """The workers of a sweep that perform runs: pid and command line of each."""
     try:
         with open(f"/proc/{sweep}/task/{sweep}/children") as file:
             children = file.read().split()

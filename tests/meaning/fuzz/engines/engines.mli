@@ -26,7 +26,7 @@ type outcome =
     }
 
 val describe : outcome -> string
-(** What the program did, as a phrase that follows its name. *)
+(** The program's result, as a phrase that follows its name. *)
 
 type subject
 (** A program that is ready for both engines. *)

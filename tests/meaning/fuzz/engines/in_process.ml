@@ -46,8 +46,8 @@ let run program ~(real : Basis.Real.t) recording =
     Array.of_list (List.map (fun (p : Recording.param) -> p.cell) (Recording.params recording))
   in
   let dts = Array.of_list (Recording.seconds recording) in
-  (* If only its own code is in single precision, NAME_step rounds as a float what the recording has
-     as a double. *)
+  (* If only the program's own code is in single precision, NAME_step rounds to a float where the
+     recording contains a double. *)
   let in_seconds = singles || real = Double in
   match
     run_rows program (singles, in_seconds, params) dts (Array.of_list times) (Array.of_list cells)

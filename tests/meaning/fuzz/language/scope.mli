@@ -1,4 +1,4 @@
-(** The scope of random expressions: what they may use. *)
+(** The scope of random expressions: the names and features that they may use. *)
 
 type t = {
   random : Random.State.t;

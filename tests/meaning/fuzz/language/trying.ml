@@ -63,7 +63,7 @@ let outcome ~answer (s : Scope.t) =
   | 0 -> f "by 0.3[s] (holds (verdict %s))" condition
   | 1 -> f "atEnd (holds (verdict %s))" condition
   | 2 -> f "verdict (%s)" condition
-  (* conditions that are not true at once *)
+  (* conditions that are not immediately true *)
   | 3 -> f "respondsWithin 0.2[s] (%s, %s)" (Expression.expression s 2 Bool) answer
   | 4 -> f "implies (time () > 0.2[s]) (holds (verdict %s))" condition
   | _ -> condition

@@ -20,7 +20,7 @@ void fuzz_check(const uint8_t *bytes, size_t count);
  * size. */
 size_t fuzz_frame(uint64_t *seed, uint8_t bytes[FUZZ_FRAME]);
 
-/* Reports what is wrong and ends the process as a failure. */
+/* Reports the error and ends the process as a failure. */
 void fuzz_fail(const char *what);
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count);

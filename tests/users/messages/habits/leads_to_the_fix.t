@@ -678,7 +678,7 @@ One name with two equations:
   
   1 warning
 
-A command by the name that other tools give it:
+A command under its name in other tools:
 
   $ frobc fmt twice.frob
   frobc: unknown command 'fmt', did you mean 'format'?

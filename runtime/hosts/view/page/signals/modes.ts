@@ -7,8 +7,10 @@ import { lineColour, onTheme } from "../theme";
 const any = -1;
 const before = -2;
 
-/** Returns the signals that are running modes: the inner signals with known transitions, or the
- * modes that the host knows if there are more of these. */
+/**
+ * Returns the signals that are running modes: the inner signals with known transitions or, if
+ * there are more of them, the modes that the host reports.
+ */
 export function modeSignals({ signals }: Program): number[] {
   const numbers = signals.map((_, number) => number);
   const inside = numbers.filter((number) => signals[number]?.transitions);
