@@ -39,7 +39,8 @@ struct frob_transition {
     int at_once;                       /* it can happen at the first instant of the old mode */
     const char *file;                  /* source file, without folders */
     unsigned line, last;               /* first and last line of its source, from 1 */
-    const struct frob_source *sources; /* sources of its event, as in an origin */
+    const struct frob_source *sources; /* sources of its event, in the form of an origin's
+                                          sources */
 };
 
 struct frob_origin {

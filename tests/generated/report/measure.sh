@@ -1,7 +1,8 @@
 #!/bin/sh
-# measure.sh FILE...: compares what frobc report states about programs with the results of gcc for their
-# C: the size of the state, the functions of the C library that they call, and the stack. Prints the
-# differences; skips programs that frobc rejects. REAL, if set, is the floating-point type.
+# measure.sh FILE...: compares what frobc report states about programs with the results of gcc for
+# their C: the size of the state, the functions of the C library that they call, and the stack.
+# Prints the differences; skips programs that frobc rejects. REAL, if set, is the floating-point
+# type.
 
 here=$(dirname "$0")
 headers=$here/../../../runtime/include

@@ -127,7 +127,7 @@ Invalid types for foreign code:
   3 errors
   [1]
 
-Units may be polymorphic: C does not see them.
+Units may be polymorphic, because C does not see them.
 
   $ check <<'EOF'
   > foreign larger :: Float[u] -> Float[u] -> Float[u] = "larger"
