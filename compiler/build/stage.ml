@@ -5,7 +5,7 @@ let table =
     (Parse, "parse", "the module after parsing");
     (Resolve, "resolve", "all modules, with each name linked to its declaration");
     (Types, "types", "all modules with types and levels");
-    (Core, "core", "the small language that gives the program its meaning");
+    (Core, "core", "the small language that defines what the program means");
     (Specialize, "specialize", "first-order nodes of equations");
     (Passes, "passes", "flow and step after each pass that changes them");
     (Flow, "flow", "the nodes after all passes");

@@ -39,7 +39,8 @@ let rate = Arg.(value & opt float 50. & info [ "rate" ] ~docv:"HZ" ~doc:"Instant
 let check_rate =
   let doc =
     "Run each violation that is found again with this many instants per second, and report it only \
-     if the assertion is violated there too. Useful for programs that model something continuous."
+     if the assertion is violated then, too. This is useful for programs that model a continuous \
+     system."
   in
   Arg.(value & opt (some float) None & info [ "check-rate" ] ~docv:"HZ" ~doc)
 
@@ -49,7 +50,7 @@ let points =
 
 let linear =
   let doc =
-    "Interpolate each input linearly between these values instead of changing it in steps."
+    "Interpolate each input linearly between these values. By default, it changes in steps."
   in
   Arg.(value & flag & info [ "linear" ] ~doc)
 
@@ -104,16 +105,16 @@ let falsify =
       `S Manpage.s_description;
       `P
         "Searches given ranges of parameters and inputs for a run that violates an assertion of \
-         the program. The search is guided by how close a run comes to a violation: by the \
-         difference between both sides of a comparison, and for several comparisons by the one \
-         that determines the result.";
+         the program. The search prefers runs that come close to a violation. The margin of a \
+         comparison, the difference between its two sides, measures how close. If an assertion has \
+         several comparisons, the one that determines the result counts.";
       `P
         "Robot programs run in the simulator. For them, the search varies parameters, disturbances \
          and seeds, and also looks for collisions.";
       `P
-        "Prints a line for each assertion, and for each violated one the command that shows the \
-         run. The exit status is 1 if an assertion was violated. If no violation was found, that \
-         does not prove that there is none.";
+        "Prints a line for each assertion, and for each violated assertion the command that shows \
+         the run. The exit status is 1 if an assertion was violated. Finding no violation does not \
+         prove that there is none.";
       `P "Needs Python with the packages frob and numpy, and for $(b,--method cma) also cma.";
     ]
   in

@@ -31,8 +31,8 @@ let format =
       `S Manpage.s_description;
       `P
         "Formats spaces, indentation and empty lines in the style of the library and the examples. \
-         Existing line breaks stay, lines of more than 100 characters are broken, and columns that \
-         are aligned by spaces stay aligned. Nothing else changes: $(tname) checks that the result \
+         $(tname) keeps existing line breaks and columns that are aligned by spaces, and breaks \
+         lines of more than 100 characters. Nothing else changes: $(tname) checks that the result \
          is the same program with the same comments. A file with syntax errors is left unchanged.";
     ]
   in
@@ -46,8 +46,8 @@ let fix =
   in
   let all =
     let doc =
-      "Apply all fixes, including those that may not be what you meant. If there are several for \
-       one place, apply the first."
+      "Apply all fixes, including those that may not be what you meant. If there are several fixes \
+       for one place, apply the first."
     in
     Arg.(value & flag & info [ "all" ] ~doc)
   in
@@ -58,7 +58,7 @@ let fix =
         "Many compiler messages contain a fix. If there is only one likely fix, $(tname) applies \
          it and checks the program again, until no such fix is left. It prints each fix that it \
          applied, and then the remaining messages, as $(b,frobc check) does.";
-      `P "Editors offer all fixes at their places: see $(b,frobc lsp).";
+      `P "Editors offer each fix where it applies: see $(b,frobc lsp).";
     ]
   in
   command "fix" ~man ~doc:"apply the fixes that messages suggest, in place"
@@ -186,8 +186,8 @@ let selftest =
          does not follow IEEE 754 (contraction, $(b,-ffast-math), another rounding mode), code \
          that does not compile, outputs that differ, and compiler warnings.";
       `P
-        "The exit status is 0 if the compiler is fit for generated C, 1 if it is not, and 2 if it \
-         could not be tested.";
+        "The exit status is 0 if the compiler handles generated C correctly, 1 if it does not, and \
+         2 if $(tname) could not test it.";
       `P
         "A compiler for another machine needs an emulator that runs its programs. A compiler for a \
          board also needs a library that prints through the emulator:";
@@ -215,9 +215,9 @@ let new_project =
     [
       `S Manpage.s_description;
       `P
-        "Creates a project to start from: a program that drives around and touches nothing, trials \
-         that check this, a world, a README with the commands to use, and settings for editors. \
-         $(tname) does not change an existing folder.";
+        "Creates a project to start from: a program that drives around without touching anything, \
+         trials that check this, a world, a README with the commands to use, and settings for \
+         editors. $(tname) does not change an existing folder.";
     ]
   in
   command "new" ~man ~doc:"create a project with a program, its world and its trials"
@@ -252,7 +252,7 @@ let lsp =
 
 let help names =
   let topic =
-    let doc = "The command. Without it, the help of frobc itself." in
+    let doc = "The command. The default is the help of frobc itself." in
     Arg.(value & pos 0 (some string) None & info [] ~docv:"COMMAND" ~doc)
   in
   let show = function
@@ -263,7 +263,7 @@ let help names =
               (String.concat ", " names) )
     | topic -> `Help (`Auto, topic)
   in
-  command "help" ~doc:"show what a command does and its options" Term.(ret (const show $ topic))
+  command "help" ~doc:"describe a command and its options" Term.(ret (const show $ topic))
 
 let commands =
   let all =
@@ -299,8 +299,8 @@ let main =
       `S Manpage.s_description;
       `P
         "In Frob, time is implicit and behaviour is written as equations. $(tname) type-checks a \
-         program and translates it to C without heap or recursion, whose memory and time are known \
-         in advance.";
+         program and translates it to C without heap or recursion, with known bounds on memory and \
+         execution time.";
       `P
         "Every command writes only its results to standard output. Errors, warnings and progress \
          go to standard error.";
@@ -309,8 +309,8 @@ let main =
          describes a command, and $(b,frobc explain CODE) a message.";
       `S Manpage.s_see_also;
       `P
-        "The documentation is in share/doc/frobc of an installation: a tutorial, how-to pages and \
-         the language reference.";
+        "The documentation is installed in share/doc/frobc: a tutorial, how-to pages and the \
+         language reference.";
     ]
   in
   Cmd.group (Cmd.info "frobc" ~version:Build.Version.number ~doc ~man ~exits) commands

@@ -61,9 +61,9 @@ let general =
   let format =
     let doc =
       "The format of diagnostics and reports: $(b,text), or $(b,json) with one object per line. \
-       Text shows the first 100 errors and the first 100 warnings, JSON the first 1000 of each. If \
-       there are more, the last object has a field $(b,left_out), with the number of $(b,errors) \
-       and of $(b,warnings) that are not shown."
+       Text shows the first 100 errors and the first 100 warnings; JSON shows the first 1000 of \
+       each. If there are more, the last JSON object has a field $(b,left_out) with the number of \
+       $(b,errors) and of $(b,warnings) that are not shown."
     in
     Arg.(
       value
@@ -148,9 +148,10 @@ let judging general =
 let not_judging general =
   with_asserts general ~default:Common_options.Off
     ~doc:
-      "With $(b,count) or $(b,stop), the generated C includes the program's assertions, and its \
-       table for hosts their results; with $(b,margin) also the margin by which each holds. \
-       $(b,off), the default, leaves them out."
+      "With $(b,count) or $(b,stop), the generated C checks the program's assertions, and its \
+       table for hosts contains their results. With $(b,margin), the table also contains the \
+       margin by which each assertion holds. With $(b,off), the default, the generated C does not \
+       check them."
 
 (* For commands that run a program. *)
 let with_params general =
@@ -173,7 +174,9 @@ let dialect =
       match text with
       | "tab" | "\t" -> Ok '\t'
       | _ when String.length text = 1 && String.contains ",;|: ^~#&/" text.[0] -> Ok text.[0]
-      | _ -> Error (`Msg (Printf.sprintf "`%s` is not `tab`, nor a character such as `;`" text))
+      | _ ->
+          Error
+            (`Msg (Printf.sprintf "`%s` is neither `tab` nor a single character such as `;`" text))
     in
     let print ppf = function
       | '\t' -> Format.pp_print_string ppf "tab"

@@ -48,7 +48,7 @@ let trace =
         "The input is CSV. Its first line names the columns: $(b,time) for the time of each \
          instant in seconds, and one column for each part of the program's input: $(b,in) for a \
          single value, $(b,in.1) and $(b,in.2) for a pair, $(b,in.heading) for the field of a \
-         record. If the header is wrong, the message shows the right one.";
+         record. If the header is wrong, the error message shows the correct one.";
       `P
         "Numbers are in base units (m, s, rad); a Bool is $(b,true) or $(b,false); other data is \
          written as in a program, such as $(b,At 0.5). The cell of an event is empty when the \
@@ -76,18 +76,18 @@ let for_hosts =
            the simulator; on a robot, the run continues until you stop it.";
       one Arg.float ~print:(Printf.sprintf "%.9g") ~absent:"50." "rate" ~docv:"HZ"
         ~doc:"Steps of the controller per second.";
-      flag "exit-when-done" ~doc:"Stop when the program's task has ended, even if time is left.";
+      flag "exit-when-done"
+        ~doc:"Stop when the program's task ends, even if this is before the end of $(b,--for).";
       flag "console" ~doc:"Pass typed keys to the program, one at each instant.";
     ]
 
-let realtime =
-  Host_option.flag "realtime" ~doc:"Run the simulator in real time, as a robot always does."
+let realtime = Host_option.flag "realtime" ~doc:"Run the simulator in real time, like a robot."
 
 let for_simulator =
   Host_option.
     [
       one Arg.int ~absent:"1" "seed" ~docv:"N"
-        ~doc:"Seed of all noise: the same seed gives the same run.";
+        ~doc:"Seed of all noise: the same seed always leads to the same run.";
       flag "strict" ~doc:"End with status 4 when the robot hits something.";
     ]
 
@@ -97,9 +97,9 @@ let for_robots =
       time_span "patience" ~docv:"TIME"
         ~doc:
           "With $(b,--device): stop the robot if the newest reading is older than this or if a \
-           step takes longer (200ms).";
+           step takes longer. The default is 200ms.";
       time_span "reconnect" ~docv:"TIME"
-        ~doc:"With $(b,--device): how long to wait for a lost robot to come back (30s).";
+        ~doc:"With $(b,--device): how long to try to reconnect to a lost robot. The default is 30s.";
       many "set" ~docv:"NAME=VALUE"
         ~doc:
           "With $(b,--device): change a setting of the robot's driver or of a camera, as in \
@@ -250,11 +250,11 @@ let view =
     [
       `S Manpage.s_description;
       `P
-        "Runs the program again on the recorded inputs, so that you can see each of its signals at \
-         any instant, in plots and in the source. It compares the outputs with the recorded ones.";
+        "Runs the program again on the recorded inputs, and shows each of its signals at any \
+         instant, in plots and in the source. It compares the outputs with the recorded ones.";
       `P
-        "The page is only available on this computer and only at the printed address. To open it \
-         on another computer, run $(b,ssh -L PORT:127.0.0.1:PORT) there and use the same address.";
+        "The page is only available on this computer, at the printed address. To open it on \
+         another computer, run $(b,ssh -L PORT:127.0.0.1:PORT) there and use the same address.";
     ]
   in
   command "view" ~man ~doc:"show a recorded run on a page, at any instant"
@@ -292,7 +292,7 @@ let serve =
   in
   let log =
     some_string "log" ~docv:"FILE"
-      ~doc:"Write each received command with its time on the monotonic clock."
+      ~doc:"Log each received command to this file, with its time on the monotonic clock."
   in
   let link =
     some_string "link" ~docv:"PATH" ~doc:"Maintain a symbolic link to the device at this path."

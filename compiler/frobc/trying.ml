@@ -24,8 +24,8 @@ let test =
   in
   let seeds =
     let doc =
-      "Run each trial with this number of seeds, starting at its first seed, instead of the number \
-       that it declares."
+      "Run each trial with this number of seeds, starting at its first seed. The default is the \
+       number that the trial declares."
     in
     Arg.(value & opt (some int) None & info [ "seeds" ] ~docv:"N" ~doc)
   in
@@ -46,7 +46,7 @@ let test =
     Arg.(value & opt string "failed" & info [ "keep" ] ~docv:"DIR" ~doc)
   in
   let update =
-    let doc = "Update the output files of golden traces that have changed." in
+    let doc = "Update the output files of golden traces whose output has changed." in
     Arg.(value & flag & info [ "update" ] ~doc)
   in
   let run general sources pattern seeds jobs rate json junit update keep paths =
@@ -78,20 +78,23 @@ let test =
 
 let sweep =
   let plan =
-    let doc = "The plan of the sweep: what to vary, in TOML." in
+    let doc = "The plan of the sweep, a TOML file that says what to vary." in
     Arg.(required & pos 0 (some string) None & info [] ~docv:"PLAN.toml" ~doc)
   in
   let shard =
     let doc =
-      "Make only part K of N of the runs, as in $(b,3/100), so that a batch system can make each \
-       part on another machine. Then make the table with $(b,--merge)."
+      "Make only part K of N of the runs, as in $(b,3/100). A batch system can use this to \
+       distribute the runs over several machines. When all parts are done, make the table with \
+       $(b,--merge)."
     in
     let parse text =
       match List.map int_of_string_opt (String.split_on_char '/' text) with
       | [ Some number; Some of_ ] when number >= 1 && number <= of_ -> Ok { Tools.Runs.number; of_ }
       | _ ->
           Error
-            (`Msg (Printf.sprintf "`%s` is not a shard; write the third of a hundred as 3/100" text))
+            (`Msg
+               (Printf.sprintf "`%s` is not a shard; for the third of a hundred shards, write 3/100"
+                  text))
     in
     let print out { Tools.Runs.number; of_ } = Format.fprintf out "%d/%d" number of_ in
     Arg.(
@@ -100,13 +103,13 @@ let sweep =
       & info [ "shard" ] ~docv:"K/N" ~doc)
   in
   let merge =
-    let doc = "Make the table of the existing rows without making more runs." in
+    let doc = "Make the table from the existing rows, without any further runs." in
     Arg.(value & flag & info [ "merge" ] ~doc)
   in
   let dry =
     let doc =
-      "Make nothing. Check the plan, and print the number of runs, how many of them are done, and \
-       a digest, which is the same on each machine that would make the same runs."
+      "Make no runs. Check the plan, and print the number of runs, how many of them are done, and \
+       a digest. Machines that would make the same runs print the same digest."
     in
     Arg.(value & flag & info [ "dry-run" ] ~doc)
   in
@@ -124,7 +127,7 @@ let sweep =
   in
   let picture =
     let doc =
-      "Draw a heat map for two parameters, a line for one parameter, and histograms otherwise."
+      "Draw a heat map for two parameters, a line plot for one parameter, and histograms otherwise."
     in
     Arg.(value & opt (some string) None & info [ "picture" ] ~docv:"P.svg" ~doc)
   in
@@ -141,8 +144,9 @@ let sweep =
     [
       `S Manpage.s_description;
       `P
-        "Makes many runs of a trial with different worlds, robots, parameter values and seeds, and \
-         writes a table with a row for each run: its result and what the trial measures.";
+        "Makes many runs of a trial with different worlds, robots, parameter values and seeds. \
+         Writes a table with a row for each run: its result and the quantities that the trial \
+         measures.";
       `Pre
         "program = \"wall_follow.frob\"\n\
          seeds = [1, 20]\n\n\
@@ -150,7 +154,8 @@ let sweep =
          gap = \"0.2[m] to 0.6[m], 9 steps\"";
       `P
         "Each row is saved as soon as its run is done. If a sweep is interrupted, run the same \
-         command to continue. If you add runs to the plan, only the new ones are made.";
+         command to continue. If you add runs to the plan, the same command makes only the new \
+         ones.";
     ]
   in
   command "sweep" ~man ~doc:"make many runs of a trial and a table of the results"

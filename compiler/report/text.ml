@@ -160,10 +160,10 @@ let control_row (c : Core.Ir.control) =
     | Map -> ("map", "")
     | Camera -> ("camera", "")
     | Tags -> ("tags", "")
-    | Toggle { first } -> ("toggle", if first then "at first on" else "at first off")
+    | Toggle { first } -> ("toggle", if first then "initially on" else "initially off")
     | Knob { least; most; first } ->
         let unit_ = if c.unit_ = "" then "" else " " ^ c.unit_ in
-        ("knob", Printf.sprintf "%g to %g%s, at first %g" least most unit_ first)
+        ("knob", Printf.sprintf "%g to %g%s, initially %g" least most unit_ first)
   in
   { depth = 1; label = c.label; amount; note; place = Bounds.place ~file:c.span.file c.span }
 
@@ -191,8 +191,8 @@ let assertions = function
       [
         Printf.sprintf
           "\n\
-           assertions: %d; where they are judged, operations of a step: %d more (%.2f), bytes of \
-           state: %d more; otherwise none of them in the C\n"
+           assertions: %d; checking them adds %d operations to a step (%.2f of those without) and \
+           %d bytes to the state; without checking, the generated C does not contain them\n"
           j.count j.operations j.share j.bytes;
       ]
 
@@ -204,7 +204,8 @@ let on_the_wire = function
   | None -> []
   | Some (wire : Wire.t) ->
       [
-        Printf.sprintf "\nsteps of speed on the wire of a %s, averaged over commands\n" wire.robot;
+        Printf.sprintf "\nresolution of speed on the wire of a %s, averaged over commands\n"
+          wire.robot;
         table (wire_rows wire);
       ]
 
@@ -226,7 +227,7 @@ let to_string ?judged ?wire (t : Bounds.t) =
     | [] -> []
     | transitions ->
         [
-          "\nevents that switch, at the first instant of the mode they leave\n";
+          "\nswitching events, at the first instant of their mode\n";
           table (List.map transition_row transitions);
         ]
   in
@@ -238,15 +239,19 @@ let to_string ?judged ?wire (t : Bounds.t) =
   let marks =
     match t.program.marks with
     | 0 -> []
-    | n -> [ Printf.sprintf "\nmarks drawn in an instant, at most: %d; none of them in the C\n" n ]
+    | n ->
+        [
+          Printf.sprintf
+            "\nmarks drawn in an instant, at most: %d; the generated C does not draw them\n" n;
+        ]
   in
   let foreign =
     match State.foreign t.program with
     | [] -> ""
-    | structs -> Printf.sprintf ", without %s of the user's C" (String.concat ", " structs)
+    | structs -> Printf.sprintf ", without %s from the user's C code" (String.concat ", " structs)
   in
   let library =
-    match Bounds.library t with [] -> "" | _ :: _ -> ", without that of the elementary functions"
+    match Bounds.library t with [] -> "" | _ :: _ -> ", without the elementary functions"
   in
   String.concat ""
     ([

@@ -21,15 +21,17 @@ let check_seeds sink at first last =
   if first >= 1 && last >= first then Some ()
   else
     refuse sink at
-      "the seeds must start at 1 or more and must not decrease, but these are from %d to %d" first
-      last
+      "the first seed must be at least 1, and the last must not be less than the first, but these \
+       are from %d to %d"
+      first last
 
 let check_chance sink at ({ share; confidence } as chance : Chance.t) =
   let is_within low x = x > low && x < 1. in
   if is_within 0. share && is_within 0.5 confidence then Some chance
   else
     refuse sink at
-      "`holdsWith` needs a share between 0 and 1 and a confidence between 0.5 and 1, not %g and %g"
+      "`holdsWith` needs a proportion between 0 and 1 and a confidence between 0.5 and 1, not %g \
+       and %g"
       share confidence
 
 let demand = Interp.Thunk.demand
@@ -77,7 +79,7 @@ let of_value sink at ~name ~label (value : Interp.Value.t) =
   | _ -> bug ()
 
 let unknown sink at reason =
-  refuse sink at "a test must be known before it runs, but this one depends on %s" reason
+  refuse sink at "a test must be a constant, but this one depends on %s" reason
 
 let of_definition sink (core : Core.Ir.program) constants (d : Core.Ir.definition) =
   match Resolve.Labels.kind_of_check d.name.name with
@@ -89,7 +91,8 @@ let of_definition sink (core : Core.Ir.program) constants (d : Core.Ir.definitio
       match Result.bind (Interp.Constant.value constants d.name) read with
       | Ok check -> check
       | Error (Param p) ->
-          unknown sink d.span (Printf.sprintf "the parameter `%s`, which a run may set" p.label)
+          unknown sink d.span
+            (Printf.sprintf "the parameter `%s`, which can be set for each run" p.label)
       | Error (Foreign f) -> unknown sink d.span (Printf.sprintf "`%s`, which is written in C" f)
       | Error Too_much ->
           Diagnostic.error ~code:"E0413" ~at:d.span

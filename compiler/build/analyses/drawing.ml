@@ -17,8 +17,8 @@ let without_bound sink (written : Typing.Ir.definition) =
     "`%s` may draw more than %d marks in an instant" written.name.name Flow.Marks.limit
   |> Diagnostic.note "the maximum number of marks must be known before the program runs"
   |> Diagnostic.hint
-       "draw on a new output each time: an output that is kept, for example by `delay`, keeps its \
-        marks"
+       "draw on a new output in each instant: an output that is stored, for example by `delay`, \
+        keeps its marks"
   |> Diagnostic.emit sink;
   None
 

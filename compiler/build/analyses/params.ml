@@ -34,10 +34,13 @@ let value sink (places, constants) (p : Core.Ir.param) name : Interp.Value.t opt
   | Ok _ -> Diagnostic.bug ~stage:"Build.Params" "`%s` is not a number" p.label
   | Error (Param other) ->
       unknown p ~at
-        (Printf.sprintf "it depends on the parameter `%s`, which a run may set" other.label)
+        (Printf.sprintf "it depends on the parameter `%s`, which can be set for each run"
+           other.label)
         ~hint:
           (if name = p.param then Printf.sprintf "define it without `param`: `%s = …`" p.label
-           else "define a value that depends on a parameter without `param`")
+           else
+             "a value that depends on a parameter cannot be a parameter itself: define it without \
+              `param`")
       |> refuse
   | Error Too_much ->
       Diagnostic.error ~code:"E0413" ~at "the value of the parameter `%s` takes too long to compute"

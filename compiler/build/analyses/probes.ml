@@ -64,7 +64,7 @@ let warn_unwatched sink (p : Probe.Catalogue.probe) =
   Diagnostic.warning ~code:"W0311" ~at:p.span "this assertion is not checked"
   |> Diagnostic.note
        "it is inside a switch whose output is fed back to it, and showing an inner signal would \
-        make all outputs of the switch depend on it"
+        make all outputs of the switch depend on that signal"
   |> Diagnostic.hint "move the assertion to where the output of the switch is used"
   |> Diagnostic.emit sink
 
@@ -81,7 +81,7 @@ let refuse_hidden sink entry ~names (hidden : Probe.Catalogue.probe list) =
       Diagnostic.error ~code:unknown ~at:(name_of entry) "`%s` cannot be shown" name
       |> Diagnostic.note
            "it is inside a switch whose output is fed back to it, and showing an inner signal \
-            would make all outputs of the switch depend on it"
+            would make all outputs of the switch depend on that signal"
       |> refuse sink
   | _ -> Some ()
 

@@ -130,7 +130,7 @@ let may_be_replaced { path; content; asked } =
     | _ -> (
         match beginning content path with
         | Ok text when is_ours content text -> Ok ()
-        | Ok _ -> refuse (Printf.sprintf "an existing file but not %s" (kind content))
+        | Ok _ -> refuse (Printf.sprintf "an existing file, but not %s" (kind content))
         | Error reason ->
             refuse (Printf.sprintf "an existing file that frobc cannot check (%s)" reason)
         | exception Sys_error reason -> Error (Printf.sprintf "cannot replace %s" reason))
@@ -221,7 +221,7 @@ let write_into path text =
   | exception Sys_error reason ->
       close_out_noerr channel;
       Error
-        (Printf.sprintf "%s; the file is incomplete, its new content is in %s"
+        (Printf.sprintf "%s; the file is incomplete, but its new content is in %s"
            (as_error path reason) next)
 
 (* Also preserves the owner if possible. *)

@@ -25,7 +25,7 @@ let known = function
       | None ->
           Error
             (Printf.sprintf
-               "there is no robot `%s`; the robots are %s; for your own robot, write the file of \
+               "there is no robot `%s`; the robots are %s; for your own robot, give the file of \
                 its module"
                name (String.concat ", " names)))
 
@@ -62,7 +62,7 @@ let check_own sink (typed : Typing.Ir.program) (robot : t) =
     Printf.ksprintf
       (fun what ->
         Diagnostic.error ~code:unfit ~at:(Span.start_of_file file)
-          "the module `%s` does not describe a robot: it has no %s" robot.module_ what
+          "the module `%s` does not describe a robot: there is no %s" robot.module_ what
         |> Diagnostic.hint
              (Printf.sprintf
                 "define records `%s` and `%s`, and an instance for each capability of the robot"
@@ -156,7 +156,7 @@ let on_no_robot p candidates =
     | Some [] | None -> error
   in
   List.fold_left add error candidates
-  |> Diagnostic.note "for your own robot, write the file of its module: `--robot FILE.frob`"
+  |> Diagnostic.note "for your own robot, give the file of its module: `--robot FILE.frob`"
 
 let another p (robot : t) others =
   Diagnostic.error ~code:unfit ~at:(entry_span p) "`%s` is a program for %s, not for %s"

@@ -2,7 +2,7 @@ let units = [ ("ms", 0.001); ("min", 60.); ("s", 1.) ]
 
 let read ~least text =
   let wrong =
-    Error (Printf.sprintf "`%s` is not a length of time; write it as 60s, 500ms or 2min" text)
+    Error (Printf.sprintf "`%s` is not a duration; write it like 60s, 500ms or 2min" text)
   in
   let suffix (unit_, _) =
     String.length text > String.length unit_ && Filename.check_suffix text unit_

@@ -18,9 +18,9 @@ let check_same ~generated ~folders (headers : Flow.Ir.header list) file =
       let shown = Basis.Printable.name in
       Error
         (Printf.sprintf
-           "%s includes the program's generated header, which includes %s, but beside it there is \
-            another file of that name, %s: rename one of them"
-           (shown file) (shown chosen) (shown own))
+           "%s includes the program's generated header, which includes %s, but the folder of %s \
+            contains another file with that name, %s: rename one of them"
+           (shown file) (shown chosen) (shown file) (shown own))
   | Some _ | None -> Ok ()
 
 let checked ~name ~sources (files : Cgen.Emit.t) =

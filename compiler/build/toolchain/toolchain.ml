@@ -108,16 +108,16 @@ let not_found machine program =
   let is_path = String.contains program '/' in
   match words program with
   | _ when is_path && Sys.file_exists program && Sys.is_directory program ->
-      Printf.sprintf "`%s` is a folder and not a C compiler; %s" shown machine.cure
+      Printf.sprintf "`%s` is a folder, not a C compiler; %s" shown machine.cure
   | _ when is_path && Sys.file_exists program ->
       Printf.sprintf "the C compiler `%s` cannot be started: it is not executable (`chmod +x %s`)"
         shown (Basis.Printable.path program)
   | first :: _ when first <> program && not is_path ->
       Printf.sprintf
-        "there is no C compiler `%s` here: all of it is taken as the name of one program; name a \
-         program without options, or a script that adds them"
+        "there is no C compiler `%s`: frobc reads the whole text as the name of one program; name \
+         a program without options, or a script that adds them"
         shown
-  | _ -> Printf.sprintf "there is no C compiler `%s` here; %s" shown machine.cure
+  | _ -> Printf.sprintf "there is no C compiler `%s`; %s" shown machine.cure
 
 let explain machine = function
   | Process.Not_found program -> not_found machine program

@@ -16,7 +16,7 @@ let wheels mm_s ~separation_mm =
   let turning = mm_s /. separation_mm *. 180. /. Float.pi in
   [
     { quantity = "each wheel"; size = mm_s; unit_ = "mm/s" };
-    { quantity = "so turning"; size = turning; unit_ = "deg/s" };
+    { quantity = "resulting turn rate"; size = turning; unit_ = "deg/s" };
   ]
 
 (* The driver and the simulator use the same numbers, from runtime/drivers/ROBOT;

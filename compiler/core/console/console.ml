@@ -63,9 +63,9 @@ let camera c =
 let describe = function
   | Button -> "a button"
   | Hold -> "a button to hold down"
-  | Toggle { first } -> Printf.sprintf "a toggle, at first %s" (if first then "on" else "off")
+  | Toggle { first } -> Printf.sprintf "a toggle, initially %s" (if first then "on" else "off")
   | Map -> "clicks on the map"
   | Camera -> "a camera"
   | Tags -> "the tags that a camera sees"
   | Knob { least; most; first } ->
-      Printf.sprintf "a knob from %g to %g, at first %g" least most first
+      Printf.sprintf "a knob from %g to %g, initially %g" least most first

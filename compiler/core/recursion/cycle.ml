@@ -33,8 +33,8 @@ let diagnostic ~vertex ~use cycle =
   let is_value = not (vertex first).function_ in
   let message =
     match (is_value && not (vertex first).task, List.length steps = 1) with
-    | true, true -> "is defined by itself"
-    | true, false -> "is defined by itself through other definitions"
+    | true, true -> "is defined in terms of itself"
+    | true, false -> "is defined in terms of itself through other definitions"
     | false, true -> "calls itself"
     | false, false -> "calls itself through other definitions"
   in
@@ -55,5 +55,5 @@ let diagnostic ~vertex ~use cycle =
         else if List.for_all (fun v -> not (vertex v).function_) cycle then
           "a top-level definition is a constant, not a variable that you can assign to"
         else
-          "functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal \
+          "functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal \
            function may only restart itself in the continuation of a switch")

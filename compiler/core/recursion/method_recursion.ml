@@ -87,7 +87,7 @@ let report_many g v =
   let { core; _ } = v.definition in
   Diagnostic.error ~code:"E0413" ~at:core.span "`%s` is used at too many types" core.name.name
   |> Diagnostic.note
-       (Printf.sprintf "so far, definitions that use methods are needed at %d combinations of types"
+       (Printf.sprintf "definitions that use methods are already needed at %d combinations of types"
           (Instantiations.length g.numbers))
   |> Diagnostic.hint
        "use fewer levels of definitions: if each level calls the next one at two new types, every \

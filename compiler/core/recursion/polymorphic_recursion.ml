@@ -53,7 +53,7 @@ let report sink (definitions : Ir.definition array) uses i { index; by; types; a
       let text = Printf.sprintf "`%s` is defined here" d.name.name in
       Diagnostic.label ~at:d.span text diagnostic
   | way -> List.fold_left label diagnostic way)
-  |> Diagnostic.hint "restart it at the same types"
+  |> Diagnostic.hint "restart it with the same types"
   |> Diagnostic.emit sink
 
 let check sink { Uses.definitions; index; uses } =

@@ -31,8 +31,8 @@ async function start() {
         await client.start();
     } catch (error) {
         vscode.window.showErrorMessage(
-            `Frob: ${setting("compiler")} lsp cannot be started (${error.message}). ` +
-                "Install frobc, or say where it is in the setting frob.compiler.",
+            `Frob: ${setting("compiler")} lsp does not start (${error.message}). ` +
+                "Install frobc, or set frob.compiler to its path.",
         );
     }
 }

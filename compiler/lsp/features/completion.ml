@@ -147,7 +147,7 @@ let snippets =
       "proc ${1:x} -> ${2:y} where\n    ${2:y} = $0",
       "a signal function defined by equations" );
     ("if", "if ${1:condition} then ${2:a} else ${3:b}", "a choice");
-    ("case", "case ${1:x} of\n    ${2:pattern} -> $0", "a choice by pattern");
+    ("case", "case ${1:x} of\n    ${2:pattern} -> $0", "a choice by pattern matching");
     ( "switch",
       "switch (${1:sf} &&& ${2:event}) (\\\\${3:_} -> $0)",
       "a switch from one behaviour to another" );
@@ -157,7 +157,7 @@ let snippets =
       \    omega = ${2:0[rad/s]})$0",
       "a robot program" );
     ("do", "do\n    $0", "tasks in sequence");
-    ("let", "let ${1:x} = ${2:e}\nin $0", "a name for a value");
+    ("let", "let ${1:x} = ${2:e}\nin $0", "a local definition");
   ]
 
 let of_snippet (label, text, detail) =

@@ -92,9 +92,9 @@ let doc view g = Option.bind (find (View.program view) g) (fun d -> d.doc)
 
 let level : Facts.level -> string = function
   | Level Constant -> "constant"
-  | Level Static -> "static: known when the signal function around it starts"
+  | Level Static -> "static: known when the enclosing signal function starts"
   | Level Signal -> "signal"
-  | Parameter -> "parameter, or taken out of a value"
+  | Parameter -> "parameter, or part of a matched value"
 
 let is_operator name = match name.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
 let shown name = if is_operator name then "(" ^ name ^ ")" else name

@@ -11,8 +11,8 @@ let form path =
   | _ ->
       Error
         (Printf.sprintf
-           "%s must be a recording (.csv, .csv.gz, .csv.zst) or MCAP (.mcap), but its name ends in \
-            neither"
+           "the name of %s must end in .csv, .csv.gz or .csv.zst for a recording, or in .mcap for \
+            MCAP"
            (Basis.Printable.name path))
 
 let readable path =
@@ -116,8 +116,7 @@ let of_mcap from path =
   Mcap_reader.iter from take >>= fun () ->
   match !attached with
   | None ->
-      Error
-        (Printf.sprintf "cannot read %s: there is no recording in it" (Basis.Printable.name from))
+      Error (Printf.sprintf "cannot read %s: it contains no recording" (Basis.Printable.name from))
   | Some kept ->
       let is_as_it_was = Filename.extension kept = Filename.extension path in
       Output.stream path (fun at ->

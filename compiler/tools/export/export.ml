@@ -71,8 +71,8 @@ let copies_of_own ~into files =
         let shown = Basis.Printable.name in
         Error
           (Printf.sprintf
-             "%s and %s are different files that an export would put in one folder under one name: \
-              rename one of them"
+             "%s and %s have the same name, but an export puts both into one folder: rename one of \
+              them"
              (shown other) (shown path))
   in
   let* copies = List.fold_left add (Ok []) files in

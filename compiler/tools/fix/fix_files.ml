@@ -103,9 +103,11 @@ let one general ~diff choice ~library ~robot file =
       in
       let offers = List.filter_map (offered All sources) (Diagnostic.all sink) in
       if choice = Safe && offers <> [] && not diff then
-        Printf.printf "%d more may not be what you meant: apply %s with frobc fix --all\n"
-          (List.length offers)
-          (if List.compare_length_with offers 1 = 0 then "it" else "them");
+        Printf.printf "%s may not be what you meant; to apply %s, run frobc fix --all\n"
+          (match offers with
+          | [ _ ] -> "1 more fix"
+          | _ -> Printf.sprintf "%d more fixes" (List.length offers))
+          (match offers with [ _ ] -> "it" | _ -> "them");
       flush stdout;
       Reporting.print_diagnostics general.format sources sink;
       Reporting.status sink

@@ -25,7 +25,7 @@ let own (resources : Resources.t) =
 
 let find (resources : Resources.t) places name =
   let path = function Here -> name | Beside file -> beside file name in
-  let called = function Here -> "here" | Beside file -> "beside " ^ Basis.Printable.name file in
+  let called = function Here -> "here" | Beside file -> "next to " ^ Basis.Printable.name file in
   let is_relative = Filename.is_relative name in
   let candidates =
     if is_relative then List.map path places @ [ Filename.concat resources.worlds name ]
@@ -38,7 +38,7 @@ let find (resources : Resources.t) places name =
         (readable path)
   | None when is_relative ->
       Error
-        (Printf.sprintf "there is no world `%s` %s or among the worlds of frobc: %s"
+        (Printf.sprintf "there is no world `%s` %s or among the worlds that come with frobc: %s"
            (Basis.Printable.name name)
            (String.concat " or " (List.map called places))
            (own resources))

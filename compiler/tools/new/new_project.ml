@@ -94,10 +94,10 @@ let make path texts =
 (* {1 The command} *)
 
 let tell path ~program =
-  Printf.printf "made %s:\n" (Basis.Printable.name path);
+  Printf.printf "created %s:\n" (Basis.Printable.name path);
   List.iter (fun (file, _, what) -> Printf.printf "  %-24s%s\n" file what) (files ~program);
-  Printf.printf "\nnow:\n  cd %s\n  frobc run %s --view\n  frobc test\n" (Basis.Printable.path path)
-    program
+  Printf.printf "\nnext steps:\n  cd %s\n  frobc run %s --view\n  frobc test\n"
+    (Basis.Printable.path path) program
 
 let without_slash path =
   let rec last n = if n > 1 && path.[n - 1] = '/' then last (n - 1) else n in

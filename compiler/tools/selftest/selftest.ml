@@ -58,7 +58,7 @@ let compiled t arguments =
   match call (t.compile @ arguments) with
   | Ok said -> Ok (String.trim said)
   | Error (Not_found program) ->
-      Error (Untried (Printf.sprintf "there is no C compiler `%s` here" program))
+      Error (Untried (Printf.sprintf "there is no C compiler `%s`" program))
   | Error (Failed { status; errors }) ->
       Error
         (Unfit
@@ -81,7 +81,7 @@ let ran t program =
   | (Ok said | Error (Failed { status = _; errors = said })) when last said = "right" -> Ok ()
   | Ok said -> Error said
   | Error (Failed { status; errors }) ->
-      Error (if errors = "" then Printf.sprintf "it ends with status %d" status else errors)
+      Error (if errors = "" then Printf.sprintf "it ended with status %d" status else errors)
   | Error (Not_found program) -> Error (Printf.sprintf "`%s` was not found" program)
 
 let include_flags t =
@@ -97,7 +97,7 @@ let write path text =
 (* Compilers for boards have no operating system through which a program could print. *)
 let not_linked t text =
   Printf.sprintf
-    "`%s` compiles a program of one line but does not link it. If it is for a board, add a library \
+    "`%s` compiles a one-line program but does not link it. If it is for a board, add a library \
      that prints through an emulator, and name the emulator: for newlib --cflags \"%s \
      --specs=rdimon.specs\" --runner qemu-arm\n\
      %s"
@@ -117,7 +117,7 @@ let works t =
         | Unfit text -> (
             match compiled t [ "-c"; "-o"; program ^ ".o"; source ] with
             | Ok _ -> Untried (not_linked t text)
-            | Error _ -> Untried ("the C compiler does not compile a program of one line: " ^ text)))
+            | Error _ -> Untried ("the C compiler cannot compile a one-line program: " ^ text)))
       (compiled t [ "-o"; program; source ])
   in
   warn t said;
@@ -125,7 +125,7 @@ let works t =
     (fun said ->
       Untried
         (Printf.sprintf "a program compiled by `%s` does not run here%s: %s" (command t)
-           (if t.run = [] then "; with --runner, name a command that runs it"
+           (if t.run = [] then "; use --runner to name a command that runs it"
             else Printf.sprintf " with `%s`" (String.concat " " t.run))
            (beginning said)))
     (ran t program)
@@ -246,10 +246,10 @@ let groups_failed t objects =
     (fun failed group ->
       match tried t objects group with
       | Ok () ->
-          line group.name "right";
+          line group.name "correct";
           failed
       | Error (Untried text | Unfit text) ->
-          line group.name "wrong";
+          line group.name "incorrect";
           prerr_endline ("error: " ^ text);
           true)
     false groups
@@ -258,7 +258,7 @@ let judged t =
   line "compiler" (command t);
   let* () = works t in
   let* () = arithmetic t in
-  line "arithmetic" "right";
+  line "arithmetic" "correct";
   let* objects = objects t in
   Ok (groups_failed t objects)
 

@@ -264,8 +264,8 @@ let complete context (plan : Plan.t) path =
     else
       refuse
         (Printf.sprintf
-           "%s: these are %d runs, but a sweep can have at most %d: use fewer steps or seeds" path
-           total most_runs)
+           "%s: this plan has %d runs, but a sweep can have at most %d: use fewer steps or seeds"
+           path total most_runs)
   in
   let points =
     Points.all ~sampling:plan.sampling ~points:plan.points ~seed:plan.sampling_seed axes

@@ -105,7 +105,8 @@ let made (t : Setup.t) options resources rows ~folder =
             "%d of %s are missing: make their shards, or name their folder with `--also`" left
             (plural total "run")))
   else (
-    Printf.printf "%s%s done; %d are left to other shards; then make the table with `--merge`\n"
+    Printf.printf
+      "%s%s done; %d remain for other shards; when all are done, make the table with `--merge`\n"
       (plural count "run") (here options.shard) left;
     Ok `Shard)
 

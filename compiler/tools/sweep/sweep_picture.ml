@@ -30,7 +30,7 @@ let panels (t : Setup.t) rows =
   let measure (m : Measures.t) =
     of_run (m.name ^ in_brackets m.unit_) (fun cells -> Table.measured t cells m)
   in
-  (of_run ~bounds:(0., 1.) "share of runs that held" held, List.map measure t.measures)
+  (of_run ~bounds:(0., 1.) "fraction of runs that held" held, List.map measure t.measures)
 
 (* {1 Axes} *)
 

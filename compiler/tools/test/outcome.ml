@@ -78,10 +78,11 @@ let of_chance t (chance : Chance.t) =
     match fst (decision t chance) with
     | Holds -> "holds in at least"
     | Fails -> "does not hold in"
-    | Open -> "undecided whether it holds in"
+    | Open -> "undecided whether it holds in at least"
   in
-  Printf.sprintf "%s %g of runs, with confidence %g: held in %d of %s, so in %.4f to %.4f of all"
-    said chance.share chance.confidence held (plural total "run") least most
+  Printf.sprintf
+    "%s %g of runs, with confidence %g: held in %d of %s, so the true fraction is %.4f to %.4f" said
+    chance.share chance.confidence held (plural total "run") least most
 
 (* The failed runs; first the one with evidence. *)
 let told t =

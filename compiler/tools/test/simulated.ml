@@ -186,7 +186,8 @@ let simpler p run seed : Outcome.simpler option * string =
       let path = kept p.context p.file p.check (Printf.sprintf "-%d-simpler" seed) in
       let world = path ^ ".toml" in
       let head =
-        Printf.sprintf "# written by frobc: %s, reduced to what a run needs to fail\n"
+        Printf.sprintf
+          "# written by frobc: %s, reduced to the disturbances without which the run does not fail\n"
           (Filename.basename p.world)
       in
       let written =

@@ -68,7 +68,7 @@ let trace general engine ~dialect ~entry ~sources ~modes ~input ~output ~picture
   in
   match input with
   | _ when Probed.asks_for_list general -> Probed.print_list general ~entry file
-  | None -> wrong_use "there is no input: name a recording with `--input IN.csv`"
+  | None -> wrong_use "the input is missing: give a recording with `--input IN.csv`"
   | Some input -> (
       let outputs =
         List.map (Output.asked Table "--output") (Option.to_list output)

@@ -2,7 +2,7 @@ The report lists the events that switch: which of them cannot occur at the first
 instant of the mode that they end, and because of which signal function. Events
 of the library:
 
-  $ events() { frobc report "$1" | sed -n '/^events/,$p'; }
+  $ events() { frobc report "$1" | sed -n '/^switching events/,$p'; }
   $ cat > library.frob <<'FROB'
   > a, b, c, d, e, f :: SF (Float, Time) Float
   > a = switch (proc (x, _) -> (x, edge (x > 1))) (\_ -> b)
@@ -14,7 +14,7 @@ of the library:
   > main = a
   > FROB
   $ events library.frob
-  events that switch, at the first instant of the mode they leave
+  switching events, at the first instant of their mode
     from a to b    cannot occur: `edge`    library.frob:2
     from b to c    cannot occur: `after`   library.frob:3
     from c to d    cannot occur: `every`   library.frob:4
@@ -38,7 +38,7 @@ Events that a program builds from them, or only from `delay` and `time`:
   > main = a
   > FROB
   $ events own.frob
-  events that switch, at the first instant of the mode they leave
+  switching events, at the first instant of their mode
     from a to b    cannot occur: `later`  own.frob:8
     from b to c    cannot occur: `rest`   own.frob:9
     from c to a    cannot occur           own.frob:10
@@ -52,6 +52,6 @@ Events that depend on parameters: the range of a time that is passed on is known
   > main = wait 1[s]
   > FROB
   $ events parameters.frob
-  events that switch, at the first instant of the mode they leave
+  switching events, at the first instant of their mode
     from wait to hurry    cannot occur: `after`  parameters.frob:2
     from hurry to wait    may occur              parameters.frob:3

@@ -30,7 +30,7 @@ is known before the program runs, and the stack that they need.
     calls of frob_find_blobs  2  13120 pixels
     calls of frob_find_edges  1  200 pixels
     calls of frob_image_lens  1
-  stack, in bytes, at most, without that of the elementary functions
+  stack, in bytes, at most, without the elementary functions
     step   259216  main > found > findBlobs
   $ frobc report sees.frob --robot pioneer --format=json | tr -d ' \n' | grep -o '"kernels":{[^}]*}[^}]*}[^}]*}'
   "kernels":{"frob_find_blob":{"pixels":12800,"whole_images":1},"frob_find_blobs":{"pixels":13120,"whole_images":0},"frob_find_edges":{"pixels":200,"whole_images":0}

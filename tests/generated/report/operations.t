@@ -121,7 +121,7 @@ cosines in each step of far, one sine in a step of near.
   modes
     main, modes.frob:2: 2 modes (near, far), at most 3 stepped within one instant
   
-  events that switch, at the first instant of the mode they leave
+  switching events, at the first instant of their mode
     from near to far    may occur             modes.frob:5
     from far to near    cannot occur: `edge`  modes.frob:8
   $ operations modes.frob | grep calls

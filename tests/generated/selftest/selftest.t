@@ -3,19 +3,19 @@ correctly.
 
   $ frobc selftest --cc gcc
   compiler: gcc -std=c99 -O2 -ffp-contract=off
-  arithmetic: right
-  numbers: right
-  functions: right
-  time: right
-  data: right
-  arrays: right
-  switches: right
-  tasks: right
-  rounds: right
-  foreign: right
+  arithmetic: correct
+  numbers: correct
+  functions: correct
+  time: correct
+  data: correct
+  arrays: correct
+  switches: correct
+  tasks: correct
+  rounds: correct
+  foreign: correct
   verdict: fit
 
-  $ verdict () { frobc selftest "$@" 2> errors | grep -v ': right' && cat errors; }
+  $ verdict () { frobc selftest "$@" 2> errors | grep -v ': correct' && cat errors; }
   $ verdict --cc clang --cflags "-O3 -ffp-contract=off -march=native -Wno-unknown-warning-option -Wno-invalid-feature-combination"
   compiler: clang -O3 -ffp-contract=off -march=native -Wno-unknown-warning-option -Wno-invalid-feature-combination
   verdict: fit
@@ -50,9 +50,9 @@ Arithmetic that does not follow IEEE 754:
 A compiler with a bug, here in the square root: the test runs completely, and shows the first step
 that differs.
 
-  $ frobc selftest --cc gcc --cflags "-Dsqrt(x)=fabs(x)" 2>&1 | grep -v right
+  $ frobc selftest --cc gcc --cflags "-Dsqrt(x)=fabs(x)" 2>&1 | grep -v ': correct'
   compiler: gcc -Dsqrt(x)=fabs(x)
-  functions: wrong
+  functions: incorrect
   error: functions.frob, compiled by `gcc -Dsqrt(x)=fabs(x)`:
   step 1: out.1.1 is 1.127 and must be nan
   verdict: unfit
@@ -66,16 +66,16 @@ A compiler that rejects some of the code, and one that warns:
   > exec gcc "$@"
   > END
   $ chmod +x strict-cc
-  $ frobc selftest --cc ./strict-cc --cflags -O1 2>&1 | grep -v right
+  $ frobc selftest --cc ./strict-cc --cflags -O1 2>&1 | grep -v ': correct'
   compiler: ./strict-cc -O1
   warning: the compiler warns:
   time.c:2: mind the time
-  tasks: wrong
+  tasks: incorrect
   error: `./strict-cc -O1` fails with status 7:
   tasks.c:1: no such luck
   verdict: unfit
   $ sed -i /tasks/d strict-cc
-  $ frobc selftest --cc ./strict-cc --cflags -O1 2>&1 | grep -v right
+  $ frobc selftest --cc ./strict-cc --cflags -O1 2>&1 | grep -v ': correct'
   compiler: ./strict-cc -O1
   warning: the compiler warns:
   time.c:2: mind the time
@@ -86,11 +86,11 @@ nothing, or it is for another machine.
 
   $ frobc selftest --cc nocc
   compiler: nocc -std=c99 -O2 -ffp-contract=off
-  error: there is no C compiler `nocc` here
+  error: there is no C compiler `nocc`
   [2]
   $ frobc selftest --cc gcc --cflags --no-such-flag
   compiler: gcc --no-such-flag
-  error: the C compiler does not compile a program of one line: `gcc --no-such-flag` fails with status 1:
+  error: the C compiler cannot compile a one-line program: `gcc --no-such-flag` fails with status 1:
   gcc: error: unrecognized command-line option '--no-such-flag'; did you mean '--no-mudflap'?
   [2]
   $ cat > cross-cc <<'END'
@@ -101,7 +101,7 @@ nothing, or it is for another machine.
   $ chmod +x cross-cc
   $ frobc selftest --cc ./cross-cc
   compiler: ./cross-cc -std=c99 -O2 -ffp-contract=off
-  error: a program compiled by `./cross-cc -std=c99 -O2 -ffp-contract=off` does not run here; with --runner, name a command that runs it: Exec format error
+  error: a program compiled by `./cross-cc -std=c99 -O2 -ffp-contract=off` does not run here; use --runner to name a command that runs it: Exec format error
   [2]
   $ frobc selftest --cc gcc --runner no-emulator
   compiler: gcc -std=c99 -O2 -ffp-contract=off
@@ -119,7 +119,7 @@ linked.
   $ chmod +x board-cc
   $ frobc selftest --cc ./board-cc 2>&1 | head -3
   compiler: ./board-cc -std=c99 -O2 -ffp-contract=off
-  error: `./board-cc -std=c99 -O2 -ffp-contract=off` compiles a program of one line but does not link it. If it is for a board, add a library that prints through an emulator, and name the emulator: for newlib --cflags "-std=c99 -O2 -ffp-contract=off --specs=rdimon.specs" --runner qemu-arm
+  error: `./board-cc -std=c99 -O2 -ffp-contract=off` compiles a one-line program but does not link it. If it is for a board, add a library that prints through an emulator, and name the emulator: for newlib --cflags "-std=c99 -O2 -ffp-contract=off --specs=rdimon.specs" --runner qemu-arm
   `./board-cc -std=c99 -O2 -ffp-contract=off` fails with status 1:
 
 An emulator, or any other command that runs a program:

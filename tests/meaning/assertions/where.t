@@ -157,7 +157,7 @@ An assertion in a switch that depends on its own output:
   8 |     assert "not watched" (v < 10)
     |            ^^^^^^^^^^^^^
     |
-    = note: it is inside a switch whose output is fed back to it, and showing an inner signal would make all outputs of the switch depend on it
+    = note: it is inside a switch whose output is fed back to it, and showing an inner signal would make all outputs of the switch depend on that signal
     = hint: move the assertion to where the output of the switch is used
   
   1 warning

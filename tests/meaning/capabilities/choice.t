@@ -136,7 +136,7 @@ No robot has both a ring of sonars and light sensors:
     |                        |
     |                        `create` has no `HasSonarRing`, which `sonars` needs
     |
-    = note: for your own robot, write the file of its module: `--robot FILE.frob`
+    = note: for your own robot, give the file of its module: `--robot FILE.frob`
   
   1 error
   [1]
@@ -234,7 +234,7 @@ A missing or invalid world is reported before the robot that it would have named
   >     position2X i = (position i).x
   > FROB
   $ frobc run open.frob --world nowhere.toml
-  error: there is no world `nowhere.toml` here or beside open.frob or among the worlds of frobc: room.toml
+  error: there is no world `nowhere.toml` here or next to open.frob or among the worlds that come with frobc: room.toml
   [2]
   $ echo 'robot = "crate"' > wrong.toml
   $ frobc run open.frob --world wrong.toml

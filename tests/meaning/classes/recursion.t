@@ -25,7 +25,7 @@ neither.
   4 |     more x y = less y x
     |                ---- `more` uses `less` here
     |
-    = note: functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal function may only restart itself in the continuation of a switch
+    = note: functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal function may only restart itself in the continuation of a switch
     = note: this happens for the type `T`, because its instance of `Ordered` uses the default
     = hint: define one of the methods in the instance
   
@@ -58,7 +58,7 @@ The message about a cycle through an instance lists its steps, as for functions.
     |     |                 `level@T` uses `above` here
     |     `level@T → above → level@T`
     |
-    = note: functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal function may only restart itself in the continuation of a switch
+    = note: functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal function may only restart itself in the continuation of a switch
   
   1 error
   [1]

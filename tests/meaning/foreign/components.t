@@ -60,7 +60,7 @@ The state is part of the program's state. The report states what it cannot
 count:
 
   $ frobc report filters.frob | grep -e '^state' -e 'calls of'
-  state, in bytes, without struct filter_state of the user's C
+  state, in bytes, without struct filter_state from the user's C code
     calls of filter_reset     1
     calls of filter_step      7
 

@@ -33,7 +33,7 @@ If all files are copied into one folder, one header must be renamed.
   > F
   $ sed -i 's/ofA 0 + ofB 0/(ofA 0 + ofB 0) * 1[m\/s]/' drives.frob
   $ frobc export drives.frob --robot pioneer --platformio out --with a/of_a.c --with b/of_b.c
-  error: a/gain.h and b/gain.h are different files that an export would put in one folder under one name: rename one of them
+  error: a/gain.h and b/gain.h have the same name, but an export puts both into one folder: rename one of them
   [2]
   $ cp a/gain.h b/gain.h
   $ frobc export drives.frob --robot pioneer --platformio out --with a/of_a.c --with b/of_b.c && ls out/src/gain.h
@@ -55,7 +55,7 @@ header.
   0.000000000,97,98
   $ sed -i '1i #include "named.h"' b/of_b.c
   $ frobc trace named.frob --input in.csv --with a/gain.h --with b/of_b.c
-  error: b/of_b.c includes the program's generated header, which includes a/gain.h, but beside it there is another file of that name, b/gain.h: rename one of them
+  error: b/of_b.c includes the program's generated header, which includes a/gain.h, but the folder of b/of_b.c contains another file with that name, b/gain.h: rename one of them
   [2]
   $ rm b/gain.h && sed -i '1i #pragma once' a/gain.h
   $ frobc trace named.frob --input in.csv --with a/gain.h --with b/of_b.c

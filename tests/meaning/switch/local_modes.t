@@ -191,7 +191,7 @@ The rules for tail position are the same as at the top level.
   5 |     release n = up n
     |                 -- `release` uses `up` here
     |
-    = note: functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal function may only restart itself in the continuation of a switch
+    = note: functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal function may only restart itself in the continuation of a switch
     = hint: for a value that depends on its own past, write an equation in a `proc`, with `delay`, as in `n = delay 0 n + 1`
   
   1 error
@@ -208,7 +208,7 @@ The rules for tail position are the same as at the top level.
   3 |     f n = if n > 0 then f (n - 1) else 0
     |     ^                   - `f` uses `f` here
     |
-    = note: functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal function may only restart itself in the continuation of a switch
+    = note: functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal function may only restart itself in the continuation of a switch
     = hint: for a value that depends on its own past, write an equation in a `proc`, with `delay`, as in `n = delay 0 n + 1`
   
   1 error

@@ -57,7 +57,7 @@ The same for one that restarts itself at larger types.
     | |                                                            here its type variable becomes `(a, a)`
     | `go` is defined here
     |
-    = hint: restart it at the same types
+    = hint: restart it with the same types
   
   1 error
   [1]
@@ -77,7 +77,7 @@ A signal function that calls itself outside a continuation.
     |                |
     |                `main` uses `main` here
     |
-    = note: functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal function may only restart itself in the continuation of a switch
+    = note: functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal function may only restart itself in the continuation of a switch
     = hint: for a value that depends on its own past, write an equation in a `proc`, with `delay`, as in `n = delay 0 n + 1`
   
   1 error
@@ -167,7 +167,7 @@ cycle.
   5 | within v = switch (proc x -> (x, edge (x < 1))) (\_ -> with v)
     |                                                        ---- `within` starts `with` here
     |
-    = hint: restart it at the same types
+    = hint: restart it with the same types
   
   1 error
   [1]

@@ -82,7 +82,7 @@ The report states how many states can follow each other within an instant.
     main, bug.frob:21: 4 modes (driveTo, timeOut, ended, sleepT), at most 2 stepped within one instant
     circle, bug.frob:11: 3 modes (sleepT, circle, ended), at most 2 stepped within one instant
   
-  events that switch, at the first instant of the mode they leave
+  switching events, at the first instant of their mode
     from driveTo to ended      cannot occur: `edge`     bug.frob:2
     from driveTo to timeOut    cannot occur: `edge`     bug.frob:2
     from timeOut to sleepT     cannot occur: `elapsed`  Prelude.frob

@@ -30,15 +30,15 @@ The resolutions that `frobc report` states are those of the drivers and of the s
   $ for robot in pioneer scout create; do
   >   frobc report still.frob --robot $robot | sed -n '/on the wire/,$p'
   > done | tee told
-  steps of speed on the wire of a pioneer, averaged over commands
+  resolution of speed on the wire of a pioneer, averaged over commands
     ahead     1 mm/s
     turning  1 deg/s
-  steps of speed on the wire of a scout, averaged over commands
+  resolution of speed on the wire of a scout, averaged over commands
     each wheel    2.54 mm/s
-    so turning  0.422 deg/s
-  steps of speed on the wire of a create, averaged over commands
+    resulting turn rate  0.422 deg/s
+  resolution of speed on the wire of a create, averaged over commands
     each wheel       1 mm/s
-    so turning  0.244 deg/s
+    resulting turn rate  0.244 deg/s
   $ sed -n 's/^  [a-z ]*  *\([0-9.]* [a-z]*\/s\)$/\1/p' told | diff - drivers
   $ frobc report still.frob --robot scout --format=json | grep -o '"wire":.*]}'
-  "wire":{"robot":"scout","steps":[{"quantity":"each wheel","size":2.54,"unit":"mm/s"},{"quantity":"so turning","size":0.42158539966172975,"unit":"deg/s"}]}
+  "wire":{"robot":"scout","steps":[{"quantity":"each wheel","size":2.54,"unit":"mm/s"},{"quantity":"resulting turn rate","size":0.42158539966172975,"unit":"deg/s"}]}

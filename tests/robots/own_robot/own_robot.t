@@ -152,7 +152,7 @@ The comment at the top of the C names the robot's file, whose name cannot end th
   [1]
   $ printf 'data RoverInput = RoverInput { x :: Float }\n' > Little.frob
   $ frobc check bumping.frob --robot Little.frob
-  error[E0503]: the module `Little` does not describe a robot: it has no record `LittleInput`
+  error[E0503]: the module `Little` does not describe a robot: there is no record `LittleInput`
    --> Little.frob:1:1
     |
   1 | data RoverInput = RoverInput { x :: Float }

@@ -32,7 +32,7 @@ A world file that cannot be read or used is a usage error, and every mistake in 
 its place.
 
   $ frobc run ahead.frob --world missing.toml
-  error: there is no world `missing.toml` here or beside ahead.frob or among the worlds of frobc: room.toml
+  error: there is no world `missing.toml` here or next to ahead.frob or among the worlds that come with frobc: room.toml
   [2]
   $ cat > world.toml <<EOF
   > [start]

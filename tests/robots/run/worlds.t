@@ -25,7 +25,7 @@ worlds.
 A missing world and an unreadable one have different messages.
 
   $ run none.toml
-  error: there is no world `none.toml` here or beside prog/ahead.frob or among the worlds of frobc: room.toml
+  error: there is no world `none.toml` here or next to prog/ahead.frob or among the worlds that come with frobc: room.toml
   $ run folder
   error: cannot read the world `folder`: Is a directory
   $ run $PWD/none.toml | sed "s|$PWD|PWD|"
@@ -33,7 +33,7 @@ A missing world and an unreadable one have different messages.
   $ frobc test prog/ahead.frob --robot pioneer
   ok    own: 1 seed, 1 s
   ok    near: 1 seed, 1 s
-  FAIL  none: there is no world `none.toml` beside prog/ahead.frob or among the worlds of frobc: room.toml
+  FAIL  none: there is no world `none.toml` next to prog/ahead.frob or among the worlds that come with frobc: room.toml
   FAIL  folder: cannot read the world `prog/../folder`: Is a directory
   4 tests: 2 failed
   [1]

@@ -22,13 +22,13 @@ It also simulates a Scout and a Create.
 Errors in the command line are reported.
 
   $ frobc serve --robot pionier
-  error: there is no robot `pionier`; the robots are pioneer, scout, create; for your own robot, write the file of its module
+  error: there is no robot `pionier`; the robots are pioneer, scout, create; for your own robot, give the file of its module
   [2]
   $ frobc serve --model p9
   error: there is no model `p9`; use p3dx-sh, p3dx or p2dx
   [2]
   $ frobc serve --world nowhere.toml
-  error: there is no world `nowhere.toml` here or among the worlds of frobc: room.toml
+  error: there is no world `nowhere.toml` here or among the worlds that come with frobc: room.toml
   [2]
 
 With --link, a symbolic link leads to the device while it exists, and is removed

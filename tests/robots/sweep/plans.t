@@ -86,7 +86,7 @@ Mistakes in a plan are reported before the first run, with their places.
   error: plan.toml:4:7: the range of `gap` must be finite
   [2]
   $ plan 'worlds = ["room.toml", "rome.toml"]'
-  error: plan.toml:3:24: there is no world `rome.toml` beside follow.frob or among the worlds of frobc: room.toml
+  error: plan.toml:3:24: there is no world `rome.toml` next to follow.frob or among the worlds that come with frobc: room.toml
   [2]
   $ printf '[start]\nx = 0\ny = 0\nspeed = 1\n' > odd.toml
   $ plan 'worlds = ["odd.toml"]'
@@ -100,7 +100,7 @@ Mistakes in a plan are reported before the first run, with their places.
   error: plan.toml:3:9: follow.frob has no trial `keeps`; it has `keeps off`
   [2]
   $ plan 'seeds = [1, 900000000]'
-  error: plan.toml: these are 900000000 runs, but a sweep can have at most 10000000: use fewer steps or seeds
+  error: plan.toml: this plan has 900000000 runs, but a sweep can have at most 10000000: use fewer steps or seeds
   [2]
   $ printf 'program = "no.frob"\n' | try
   error: plan.toml:1:11: there is no file no.frob
@@ -117,7 +117,7 @@ Mistakes in a plan are reported before the first run, with their places.
   1 error
   [1]
   $ printf 'program = "follow.frob"\nrobots = ["rover"]\n' | try
-  error: plan.toml:2:11: there is no robot `rover`; the robots are pioneer, scout, create; for your own robot, write the file of its module
+  error: plan.toml:2:11: there is no robot `rover`; the robots are pioneer, scout, create; for your own robot, give the file of its module
   [2]
   $ printf 'program = "follow.frob"\nrobots = ["pioneer"]\n' | try --robot scout
   error: plan.toml:2:11: remove `robots` here, or the option --robot
@@ -139,8 +139,8 @@ Mistakes in a plan are reported before the first run, with their places.
   error: there is no file none.toml
   [2]
   $ frobc sweep plan.toml --shard 3/2
-  frobc: option '--shard': `3/2` is not a shard; write the third of a hundred
-         as 3/100
+  frobc: option '--shard': `3/2` is not a shard; for the third of a hundred
+         shards, write 3/100
   Usage: frobc sweep [OPTION]… PLAN.toml
   Try 'frobc sweep --help' or 'frobc --help' for more information.
   [2]
@@ -148,7 +148,7 @@ Mistakes in a plan are reported before the first run, with their places.
   error: p.png must end in .svg: a sweep is drawn as SVG
   [2]
   $ echo "notes" > plan.csv; printf 'program = "follow.frob"\nlasts = 0.1\nseeds = [1, 1]\n' | try --robot pioneer
-  error: --table would overwrite plan.csv, which is an existing file but not the table of a sweep: move it away, or use another file name
+  error: --table would overwrite plan.csv, which is an existing file, but not the table of a sweep: move it away, or use another file name
   [2]
   $ ls -I '*.t'
   bare.frob

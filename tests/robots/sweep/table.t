@@ -55,7 +55,7 @@ parameters, and seeds, which vary fastest.
   $ head -1 gaps.csv
   run,world,robot,gap,speed,seed,fate,at,by,x,y,heading,clearance,touches,driven,odometry_error,collisions,collision_at,collision_x,collision_y,collision_clearance,collision_with,error,way
   $ sed 's/<[^>]*>//g' gaps.svg | grep keeps
-  keeps, &quot;off&quot;: share of runs that held
+  keeps, &quot;off&quot;: fraction of runs that held
   keeps, &quot;off&quot;: error (m)
   keeps, &quot;off&quot;: way (m)
 
@@ -73,9 +73,9 @@ performed its runs.
 Shards, on separate machines or not, produce the same table together.
 
   $ frobc sweep gaps.toml --shard 1/3 --rows first
-  16 runs of shard 1/3 done; 32 are left to other shards; then make the table with `--merge`
+  16 runs of shard 1/3 done; 32 remain for other shards; when all are done, make the table with `--merge`
   $ frobc sweep gaps.toml --shard 2/3 --rows second
-  16 runs of shard 2/3 done; 32 are left to other shards; then make the table with `--merge`
+  16 runs of shard 2/3 done; 32 remain for other shards; when all are done, make the table with `--merge`
   $ frobc sweep gaps.toml --merge --rows first --also second --table shards.csv
   error: 16 of 48 runs are missing: make their shards, or name their folder with `--also`
   [2]

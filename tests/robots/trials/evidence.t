@@ -68,7 +68,7 @@ An existing file in the way is not changed. The report omits only what cannot be
           world: taken/runs-1-simpler.toml
           picture: taken/runs-1-simpler.png
           frobc view taken/runs-1-simpler.csv seeds.frob --robot pioneer --world taken/runs-1-simpler.toml --seed 1 --at 0.55s
-        --keep would overwrite taken/runs-1.csv, which is an existing file but not a trace or a recording: move it away, or use another file name
+        --keep would overwrite taken/runs-1.csv, which is an existing file, but not a trace or a recording: move it away, or use another file name
         frobc view taken/runs-1-seeds.csv seeds.frob --robot pioneer --entry 'judge test runs 1' --at 0s
   $ cat taken/runs-1.csv
   mine

@@ -53,7 +53,7 @@ Only a trace is overwritten, and never the input; an invalid input is reported.
 
   $ echo "# my notes" > here/driven.csv
   $ frobc test here --update
-  FAIL  drives on: --update would overwrite here/driven.csv, which is an existing file but not a trace or a recording: move it away, or use another file name
+  FAIL  drives on: --update would overwrite here/driven.csv, which is an existing file, but not a trace or a recording: move it away, or use another file name
   1 test: 1 failed
   [1]
   $ sed -i 's/driven.csv/drive.csv/' here/speed.frob

@@ -306,7 +306,7 @@ imports its own program, the message says that this is not necessary.
   1 warning
   $ frobc fix Gains.test.frob
   Gains.test.frob:1:1: remove it (W0306)
-  1 more may not be what you meant: apply it with frobc fix --all
+  1 more fix may not be what you meant; to apply it, run frobc fix --all
   warning[W0306]: `Sources` is imported but nothing from it is used
    --> Gains.frob:1:1
     |

@@ -224,13 +224,13 @@ Errors are reported before anything runs, or in place of a result.
   5 | test "backwards" = during (0 - 1[s]) (proc () -> True)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   
-  error[E0392]: a test must be known before it runs, but this one depends on the parameter `n`, which a run may set
+  error[E0392]: a test must be a constant, but this one depends on the parameter `n`, which can be set for each run
    --> wrong.frob:6:1
     |
   6 | test "whatever is set" = during n (proc () -> True)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   
-  error[E0392]: the seeds must start at 1 or more and must not decrease, but these are from 20 to 2
+  error[E0392]: the first seed must be at least 1, and the last must not be less than the first, but these are from 20 to 2
    --> wrong.frob:7:1
     |
   7 | trial "upside down" = Trial { world = "room.toml", lasts = 60[s], seeds = 20 `to` 2, judge = neverTouches }
@@ -245,7 +245,7 @@ Errors are reported before anything runs, or in place of a result.
   [1]
   $ sed -i 's/room/no_such_room/' wrong.frob
   $ frobc test wrong.frob
-  FAIL  upside down: there is no world `no_such_room.toml` beside wrong.frob or among the worlds of frobc: room.toml
+  FAIL  upside down: there is no world `no_such_room.toml` next to wrong.frob or among the worlds that come with frobc: room.toml
   1 test: 1 failed
   [1]
   $ printf 'import Trial\ntest "a" = 3\ntest "a" = during 1[s] (proc () -> True)\n' > twice.frob

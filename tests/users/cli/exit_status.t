@@ -104,7 +104,7 @@ A folder that does not exist is created, if possible:
 A missing tool:
 
   $ CC=no-such-cc frobc trace good.frob --input in.csv
-  error: there is no C compiler `no-such-cc` here; install one (on Debian: apt-get install gcc), or set the environment variable CC
+  error: there is no C compiler `no-such-cc`; install one (on Debian: apt-get install gcc), or set the environment variable CC
   [2]
 
 The variable CC names one program, with any name, without options:
@@ -113,15 +113,15 @@ The variable CC names one program, with any name, without options:
   $ chmod +x 'tools/my cc'
   $ for cc in tools ./tools /no/such/cc ./tools/plain 'gcc -O2' 'ccache gcc' ' gcc' './tools/no cc' ' '; do
   >   CC=$cc frobc trace good.frob --input in.csv; done
-  error: there is no C compiler `tools` here; install one (on Debian: apt-get install gcc), or set the environment variable CC
-  error: `./tools` is a folder and not a C compiler; install one (on Debian: apt-get install gcc), or set the environment variable CC
-  error: there is no C compiler `/no/such/cc` here; install one (on Debian: apt-get install gcc), or set the environment variable CC
+  error: there is no C compiler `tools`; install one (on Debian: apt-get install gcc), or set the environment variable CC
+  error: `./tools` is a folder, not a C compiler; install one (on Debian: apt-get install gcc), or set the environment variable CC
+  error: there is no C compiler `/no/such/cc`; install one (on Debian: apt-get install gcc), or set the environment variable CC
   error: the C compiler `./tools/plain` cannot be started: it is not executable (`chmod +x ./tools/plain`)
-  error: there is no C compiler `gcc -O2` here: all of it is taken as the name of one program; name a program without options, or a script that adds them
-  error: there is no C compiler `ccache gcc` here: all of it is taken as the name of one program; name a program without options, or a script that adds them
-  error: there is no C compiler ` gcc` here: all of it is taken as the name of one program; name a program without options, or a script that adds them
-  error: there is no C compiler `./tools/no cc` here; install one (on Debian: apt-get install gcc), or set the environment variable CC
-  error: there is no C compiler ` ` here; install one (on Debian: apt-get install gcc), or set the environment variable CC
+  error: there is no C compiler `gcc -O2`: frobc reads the whole text as the name of one program; name a program without options, or a script that adds them
+  error: there is no C compiler `ccache gcc`: frobc reads the whole text as the name of one program; name a program without options, or a script that adds them
+  error: there is no C compiler ` gcc`: frobc reads the whole text as the name of one program; name a program without options, or a script that adds them
+  error: there is no C compiler `./tools/no cc`; install one (on Debian: apt-get install gcc), or set the environment variable CC
+  error: there is no C compiler ` `; install one (on Debian: apt-get install gcc), or set the environment variable CC
   [2]
   $ printf 'time,in\n0,1\n' > in.csv
   $ CC="$PWD/tools/my cc" frobc trace good.frob --input in.csv
@@ -132,10 +132,10 @@ An unknown robot, and a program without a robot:
 
   $ frobc check good.frob --robot pioneer
   $ frobc check good.frob --robot roomba
-  error: there is no robot `roomba`; the robots are pioneer, scout, create; for your own robot, write the file of its module
+  error: there is no robot `roomba`; the robots are pioneer, scout, create; for your own robot, give the file of its module
   [2]
   $ frobc run good.frob --robot roomba
-  error: there is no robot `roomba`; the robots are pioneer, scout, create; for your own robot, write the file of its module
+  error: there is no robot `roomba`; the robots are pioneer, scout, create; for your own robot, give the file of its module
   [2]
   $ frobc run good.frob
   error: good is not a robot program; use `reactimateRobot` to make one

@@ -60,7 +60,7 @@ A message stays on one line, whatever the name of the file.
   error: `a\010b\009c` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter, such as a_b_c
   [2]
   $ mkdir folder && frobc new "$(printf 'folder/no\nfolder')/x"
-  made folder/no\010folder/x:
+  created folder/no\010folder/x:
     x.frob                  the program, with a trial that checks what it promises
     x.test.frob             more trials
     world.toml              the room in which the trials run
@@ -69,7 +69,7 @@ A message stays on one line, whatever the name of the file.
     .vscode/settings.json   settings for Visual Studio Code
     .gitignore              ignores the files that trials write
   
-  now:
+  next steps:
     cd $'folder/no\012folder/x'
     frobc run x.frob --view
     frobc test
@@ -77,7 +77,7 @@ A message stays on one line, whatever the name of the file.
   error: there is no file a\010b\009c.csv
   [2]
   $ frobc convert in.csv "$lines"
-  error: a\010b\009c must be a recording (.csv, .csv.gz, .csv.zst) or MCAP (.mcap), but its name ends in neither
+  error: the name of a\010b\009c must end in .csv, .csv.gz or .csv.zst for a recording, or in .mcap for MCAP
   [2]
   $ frobc convert in.csv "$lines/out.csv"
   error: cannot write a\010b\009c/out.csv: No such file or directory
@@ -98,7 +98,7 @@ A message stays on one line, whatever the name of the file.
   error: there is no file a\010b\009c.frob
   [2]
   $ frobc run add.frob --world "$lines.toml"
-  error: there is no world `a\010b\009c.toml` here or beside add.frob or among the worlds of frobc: room.toml
+  error: there is no world `a\010b\009c.toml` here or next to add.frob or among the worlds that come with frobc: room.toml
   [2]
   $ frobc trace add.frob --input "$lines.csv"
   error: cannot read a\010b\009c.csv: No such file or directory

@@ -1,7 +1,7 @@
 A new project immediately runs, checks, is formatted and passes its trials.
 
   $ frobc new rover
-  made rover:
+  created rover:
     rover.frob              the program, with a trial that checks what it promises
     rover.test.frob         more trials
     world.toml              the room in which the trials run
@@ -10,7 +10,7 @@ A new project immediately runs, checks, is formatted and passes its trials.
     .vscode/settings.json   settings for Visual Studio Code
     .gitignore              ignores the files that trials write
   
-  now:
+  next steps:
     cd rover
     frobc run rover.frob --view
     frobc test
@@ -37,13 +37,13 @@ A new project immediately runs, checks, is formatted and passes its trials.
   | --- | --- |
   | `frobc run rover.frob --picture run.png` | drive for a minute in the simulator |
   | `frobc run rover.frob --view` | show every signal while it drives |
-  | `frobc test` | run the trials, each with ten kinds of noise |
+  | `frobc test` | run the trials, each with ten seeds of the noise |
   | `frobc check rover.frob` | check the program for mistakes |
   | `frobc fix rover.frob` | apply the fixes that messages suggest |
   | `frobc format rover.frob` | format spaces, indentation and long lines |
   | `frobc report rover.frob` | show the memory and operations that a step needs |
   
-  On a robot, with its wheels off the ground at first:
+  To run it on a robot, at first with the wheels off the ground:
   
       frobc run rover.frob --device /dev/ttyUSB0 --robot pioneer
   root = true
@@ -86,7 +86,7 @@ A new project immediately runs, checks, is formatted and passes its trials.
 The project may be in other folders, which are created too; its name is that of the last one.
 
   $ frobc new robots/big-one/ | head -2 && frobc compile robots/big-one/big-one.frob -o robots && ls robots
-  made robots/big-one:
+  created robots/big-one:
     big-one.frob            the program, with a trial that checks what it promises
   big-one
   big-one.c

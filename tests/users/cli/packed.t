@@ -83,7 +83,7 @@ No file that is not a trace is overwritten, whether or not it can be read:
 
   $ printf 'my notes\n' | gzip > notes.csv.gz
   $ frobc trace way.frob --input in.csv --output notes.csv.gz
-  error: --output would overwrite notes.csv.gz, which is an existing file but not a trace or a recording: move it away, or use another file name
+  error: --output would overwrite notes.csv.gz, which is an existing file, but not a trace or a recording: move it away, or use another file name
   [2]
   $ frobc trace way.frob --input in.csv --output plain.csv.gz
   error: --output would overwrite plain.csv.gz, which is an existing file that frobc cannot check (cannot read plain.csv.gz: its name says that it is compressed by gzip, but it is not): move it away, or use another file name

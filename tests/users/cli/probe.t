@@ -94,7 +94,7 @@ Other names are errors, and so is a name that matches nothing.
   
   1 error
   $ frobc trace lap.frob
-  error: there is no input: name a recording with `--input IN.csv`
+  error: the input is missing: give a recording with `--input IN.csv`
   [2]
 
 The program's outputs do not change, and a recording with probes can be
@@ -186,7 +186,7 @@ requested by name.
   2 | main = proc _ -> v where
     | ^^^^
     |
-    = note: it is inside a switch whose output is fed back to it, and showing an inner signal would make all outputs of the switch depend on it
+    = note: it is inside a switch whose output is fed back to it, and showing an inner signal would make all outputs of the switch depend on that signal
   
   1 error
   [2]

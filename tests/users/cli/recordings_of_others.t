@@ -244,6 +244,6 @@ because `frobc` does not read that far:
 Invalid options:
 
   $ frobc trace speed.frob --input log.csv --separator ab 2>&1 | head -1
-  frobc: option '--separator': `ab` is not `tab`, nor a character such as `;`
+  frobc: option '--separator': `ab` is neither `tab` nor a single character
   $ frobc trace speed.frob --input log.csv --column in.speed 2>&1 | head -1
   frobc: option '--column': `in.speed` is not NAME=COLUMN, as

@@ -18,5 +18,5 @@ It is for this machine, and does not overwrite files that frobc did not create.
   [2]
   $ echo precious > mine.so
   $ frobc build --shared twice.frob -o mine.so
-  error: -o would overwrite mine.so, which is an existing file but not a program built by frobc: move it away, or use another file name
+  error: -o would overwrite mine.so, which is an existing file, but not a program built by frobc: move it away, or use another file name
   [2]

@@ -22,12 +22,12 @@ input, under their labels; both engines agree, whatever the operator does.
   > FROB
   $ frobc report panel.frob | sed -n '/console/,$p'
   the operator's console
-    go              button                               panel.frob:10
-    slow              knob  0 to 0.1 m/s, at first 0.05  panel.frob:6
-    top speed         knob  0 to 0.5 m/s, at first 0.25  panel.frob:6
-    map                map                               panel.frob:14
-    lights          toggle  at first on                  panel.frob:9
-    drive      button held                               panel.frob:9
+    go              button                                panel.frob:10
+    slow              knob  0 to 0.1 m/s, initially 0.05  panel.frob:6
+    top speed         knob  0 to 0.5 m/s, initially 0.25  panel.frob:6
+    map                map                                panel.frob:14
+    lights          toggle  initially on                  panel.frob:9
+    drive      button held                                panel.frob:9
   $ cat > in.csv <<'CSV'
   > time,in.go,in.slow,in.top speed,in.lights,in.drive,in.map
   > 0,,0.05,0.25,true,false,
@@ -89,7 +89,7 @@ The console in C: after the robot's struct.
       struct drive_console console;
   };
   $ frobc report drive.frob --robot scout --format json | sed 's/.*"console"/"console"/'
-  "console":[{"label":"drive","kind":"hold","line":4},{"label":"speed","kind":"knob","least":0,"most":0.4,"first":0.2,"unit":"m/s","line":4}],"params":[],"params_bytes":0,"marks":0,"wire":{"robot":"scout","steps":[{"quantity":"each wheel","size":2.54,"unit":"mm/s"},{"quantity":"so turning","size":0.42158539966172975,"unit":"deg/s"}]},"assertions":0,"assertion_operations":0,"assertion_bytes":0}
+  "console":[{"label":"drive","kind":"hold","line":4},{"label":"speed","kind":"knob","least":0,"most":0.4,"first":0.2,"unit":"m/s","line":4}],"params":[],"params_bytes":0,"marks":0,"wire":{"robot":"scout","steps":[{"quantity":"each wheel","size":2.54,"unit":"mm/s"},{"quantity":"resulting turn rate","size":0.42158539966172975,"unit":"deg/s"}]},"assertions":0,"assertion_operations":0,"assertion_bytes":0}
 
 `Console` is the console that is never operated; a robot without a console uses
 it.

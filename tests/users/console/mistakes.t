@@ -16,7 +16,7 @@ Two controls with the same label: both places are shown.
     |                                                        ----------------- a button to hold down
   4 |
   5 | speed i = knob "go" 0 0.4[m/s] 0.2[m/s] i
-    |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ a knob from 0 to 0.4, at first 0.2
+    |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ a knob from 0 to 0.4, initially 0.2
     |
     = hint: rename one of them
   
@@ -24,9 +24,9 @@ Two controls with the same label: both places are shown.
    --> kinds.frob:6:39
     |
   6 | turn i = knob "turn" 0 1[rad/s] 0 i + knob "turn" 0 2[rad/s] 0 i
-    |          --------------------------   ^^^^^^^^^^^^^^^^^^^^^^^^^^ a knob from 0 to 2, at first 0
+    |          --------------------------   ^^^^^^^^^^^^^^^^^^^^^^^^^^ a knob from 0 to 2, initially 0
     |          |
-    |          a knob from 0 to 1, at first 0
+    |          a knob from 0 to 1, initially 0
     |
     = hint: rename one of them
   
@@ -49,9 +49,9 @@ one knob.
    --> units.frob:6:10
     |
   5 | speed i = knob "gain" 0 1[m/s] 0 i
-    |           ------------------------ a knob from 0 to 1, at first 0, in m/s
+    |           ------------------------ a knob from 0 to 1, initially 0, in m/s
   6 | turn i = knob "gain" 0 1[rad/s] 0 i
-    |          ^^^^^^^^^^^^^^^^^^^^^^^^^^ a knob from 0 to 1, at first 0, in 1/s
+    |          ^^^^^^^^^^^^^^^^^^^^^^^^^^ a knob from 0 to 1, initially 0, in 1/s
     |
     = hint: rename one of them
   
@@ -206,10 +206,10 @@ function is not.
   > FROB
   $ frobc report parameters.frob --robot scout | sed -n '/console/,$p'
   the operator's console
-    next  button                               parameters.frob:13
-    fast    knob  0 to 0.3 m/s, at first 0.15  parameters.frob:14
-    slow    knob  0 to 0.2 m/s, at first 0.1   parameters.frob:14
+    next  button                                parameters.frob:13
+    fast    knob  0 to 0.3 m/s, initially 0.15  parameters.frob:14
+    slow    knob  0 to 0.2 m/s, initially 0.1   parameters.frob:14
   
-  steps of speed on the wire of a scout, averaged over commands
-    each wheel    2.54 mm/s
-    so turning  0.422 deg/s
+  resolution of speed on the wire of a scout, averaged over commands
+    each wheel             2.54 mm/s
+    resulting turn rate  0.422 deg/s

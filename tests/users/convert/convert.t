@@ -165,19 +165,19 @@ Only `frobc convert` writes and reads MCAP:
 Names that do not say what to do, or that ask for nothing:
 
   $ frobc convert run.csv run.bag
-  error: run.bag must be a recording (.csv, .csv.gz, .csv.zst) or MCAP (.mcap), but its name ends in neither
+  error: the name of run.bag must end in .csv, .csv.gz or .csv.zst for a recording, or in .mcap for MCAP
   [2]
   $ frobc convert run.txt run.mcap
   error: there is no file run.txt
   [2]
   $ cp run.csv run.txt; frobc convert run.txt run.mcap
-  error: run.txt must be a recording (.csv, .csv.gz, .csv.zst) or MCAP (.mcap), but its name ends in neither
+  error: the name of run.txt must end in .csv, .csv.gz or .csv.zst for a recording, or in .mcap for MCAP
   [2]
   $ frobc convert run.mcap other.mcap
   error: run.mcap is already an MCAP file
   [2]
   $ frobc convert run.csv run.mcap.gz
-  error: run.mcap.gz must be a recording (.csv, .csv.gz, .csv.zst) or MCAP (.mcap), but its name ends in neither
+  error: the name of run.mcap.gz must end in .csv, .csv.gz or .csv.zst for a recording, or in .mcap for MCAP
   [2]
   $ frobc convert run.csv
   frobc: required argument TO is missing
@@ -195,10 +195,10 @@ Existing files are not lost:
   [2]
   $ printf '\211MCAP0\r\n of somebody else' > theirs.mcap
   $ frobc convert run.csv theirs.mcap
-  error: convert would overwrite theirs.mcap, which is an existing file but not an MCAP file written by frobc: move it away, or use another file name
+  error: convert would overwrite theirs.mcap, which is an existing file, but not an MCAP file written by frobc: move it away, or use another file name
   [2]
   $ echo notes > notes.csv; frobc convert run.mcap notes.csv
-  error: convert would overwrite notes.csv, which is an existing file but not a trace or a recording: move it away, or use another file name
+  error: convert would overwrite notes.csv, which is an existing file, but not a trace or a recording: move it away, or use another file name
   [2]
   $ cp run.mcap kept.mcap; frobc convert ball.csv kept.mcap 2> /dev/null; frobc convert run.csv kept.mcap && cmp kept.mcap run.mcap
   $ ln -s /dev/full full.mcap; frobc convert run.csv full.mcap

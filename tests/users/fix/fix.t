@@ -32,7 +32,7 @@ messages.
   $ frobc fix drive.frob
   drive.frob:5:12: remove the space (E0110)
   drive.frob:8:36: put parentheses around it (E0113)
-  1 more may not be what you meant: apply it with frobc fix --all
+  1 more fix may not be what you meant; to apply it, run frobc fix --all
   error[E0320]: expected the unit `1/s`, found none
    --> drive.frob:7:54
     |
@@ -70,7 +70,7 @@ one place, the first.
   > main = reactimateRobot (proc _ -> roMake (setVelTR 0 30))
   > END
   $ frobc fix turn.frob
-  1 more may not be what you meant: apply it with frobc fix --all
+  1 more fix may not be what you meant; to apply it, run frobc fix --all
   error[E0320]: expected the unit `1/s`, found none
    --> turn.frob:2:54
     |

@@ -185,7 +185,7 @@ class Mistakes(unittest.TestCase):
         os.environ["CC"] = "no-such-compiler"
         try:
             with self.assertRaisesRegex(
-                frob.Error, "there is no C compiler `no-such-compiler` here"
+                frob.Error, "there is no C compiler `no-such-compiler`"
             ):
                 program(HALF + "-- another\n")
             os.environ["FROBC"] = "/nowhere/frobc"

@@ -85,7 +85,7 @@ class Sweep(unittest.TestCase):
         write("follow.frob", FOLLOW.replace("        error = meanOf (t.clearance - gap)\n", ""))
         write("any.toml", 'program = "follow.frob"\nseeds = [7, 8]\nlasts = 0.1\n')
         runs = frob.sweep("any.toml", robot="create", picture=True)
-        self.assertIn("share of runs that held", runs.attrs["picture"])
+        self.assertIn("fraction of runs that held", runs.attrs["picture"])
         self.assertEqual(list(runs["robot"]), ["create", "create"])
         self.assertEqual(list(runs["seed"]), [7, 8])
 

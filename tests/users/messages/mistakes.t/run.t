@@ -766,7 +766,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                         |
     |                                         `factorial` uses `factorial` here
     |
-    = note: functions cannot be recursive: use `foldl` or `scanl` to go through an array; a signal function may only restart itself in the continuation of a switch
+    = note: functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal function may only restart itself in the continuation of a switch
     = hint: for a value that depends on its own past, write an equation in a `proc`, with `delay`, as in `n = delay 0 n + 1`
   
   1 error

@@ -80,7 +80,7 @@ A parameter that follows from another:
   4 | param half :: Velocity = speed / 2
     |                          ^^^^^^^^^
     |
-    = note: it depends on the parameter `speed`, which a run may set
+    = note: it depends on the parameter `speed`, which can be set for each run
     = hint: define it without `param`: `half = …`
   
   1 error
