@@ -23,9 +23,9 @@ const char usage[] =
     "  --for SECONDS      how long to run (until interrupted)\n"
     "  --rate BITS        initial rate of the line, bits per second (the robot's usual rate)\n"
     "  --unpaced          transmit bytes without delay\n"
-    "  --log FILE         write each command, with the time of the monotonic clock\n"
-    "  --link PATH        keep a symbolic link to the device\n"
-    "  --target METRES    the wall distance to compare the robot's with\n"
+    "  --log FILE         log each command to this file, with its time on the monotonic clock\n"
+    "  --link PATH        maintain a symbolic link to the device\n"
+    "  --target METRES    the wall distance that the robot should keep\n"
     "\n"
     "SIGUSR1 unplugs the cable; SIGUSR2 plugs it in again, as another device.\n";
 
@@ -93,7 +93,7 @@ Options read_options(int argc, char **argv) {
         }
     }
     if (o.world.empty())
-        throw WrongUse("--world is missing; `frob-serve --help` says how to use it");
+        throw WrongUse("--world is missing; see `frob-serve --help`");
     // For a user-defined robot, its board determines the rate.
     if (!o.own.empty()) return o;
     const std::uint32_t usual = usual_rate(o.robot);

@@ -35,9 +35,9 @@ let text (Theirs name | Ours name) = name
 let separator_hint t names =
   let first = List.hd names in
   let has c = t.separator <> c && String.contains first c in
-  if has ';' then Some "; semicolons separate its columns: `--separator ';'` reads them"
-  else if has '\t' then Some "; tabs separate its columns: `--separator tab` reads them"
-  else if has ',' then Some "; commas separate its columns: remove `--separator`"
+  if has ';' then Some "; its columns are separated by semicolons: add `--separator ';'`"
+  else if has '\t' then Some "; its columns are separated by tabs: add `--separator tab`"
+  else if has ',' then Some "; its columns are separated by commas: remove `--separator`"
   else None
 
 let header t names =
@@ -111,9 +111,9 @@ let looks_like_time names =
 let time_hint t names =
   match (separator_hint t names, looks_like_time names) with
   | Some hint, _ -> hint
-  | None, None -> "; `--time-column NAME` reads the times from the column NAME"
+  | None, None -> "; to choose the column with the times, add `--time-column NAME`"
   | None, Some name ->
-      Printf.sprintf "; `--time-column %s` reads the times from that column"
+      Printf.sprintf "; to choose the column with the times, add `--time-column %s`"
         (Basis.Printable.word name)
 
 let column_hint ~missing ~unknown =
@@ -121,16 +121,17 @@ let column_hint ~missing ~unknown =
   | [] -> ""
   | _ ->
       let column = match unknown with [ one ] -> one | _ -> "NAME" in
-      Printf.sprintf "; `--column %s` reads it from the column %s"
+      Printf.sprintf "; to read it from another column, add `--column %s`"
         (Basis.Printable.word (missing ^ "=" ^ column))
-        column
 
 let width_hint t ~width ~cells =
   if cells <= width then ""
   else if t.decimal_comma && t.separator = ',' then
-    "; with `--decimal-comma`, put such numbers in double quotes, or separate the cells by `;` and \
-     add `--separator ';'`"
+    "; if numbers have a decimal comma, put them in double quotes, or separate the cells by `;` \
+     and add `--separator ';'`"
   else "; put a cell that contains a comma in double quotes"
 
 let number_hint t text =
-  if (not t.decimal_comma) && decimal_comma text <> None then "; `--decimal-comma` reads it" else ""
+  if (not t.decimal_comma) && decimal_comma text <> None then
+    "; for numbers with a decimal comma, add `--decimal-comma`"
+  else ""

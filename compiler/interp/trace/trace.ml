@@ -19,7 +19,7 @@ let complaint name (row : Csv.row) cell format =
 let on_blanks text =
   let blank i = text.[i] = ' ' || text.[i] = '\t' in
   if text <> "" && (blank 0 || blank (String.length text - 1)) then
-    "; remove the spaces beside the commas"
+    "; remove the spaces next to the commas"
   else ""
 
 let reject texts = raise_notrace (Rejected texts)
@@ -34,7 +34,7 @@ let next_row name csv =
         | Unclosed_quote -> (0, "a quoted cell that starts in this row is never closed")
         | Late_quote ->
             ( List.length row.cells - 1,
-              "a space before a quote; remove the spaces beside the commas" )
+              "a space before a quote; remove the spaces next to the commas" )
         | Zero_byte -> (0, "a zero byte: this is not a CSV file")
         | Too_long ->
             (0, "a row of more than 16 MB or more than a million cells: this is not a recording")
@@ -62,7 +62,7 @@ let shortened names =
       ~more:(List.length names - most + 1)
 
 let returns =
-  "the lines end with carriage returns alone: `tr '\\r' '\\n'` turns them into line feeds"
+  "the lines end with carriage returns only: convert them to line feeds with `tr '\\r' '\\n'`"
 
 let check_line_ends name (row : Csv.row) =
   if List.exists (fun (c : Csv.cell) -> String.contains c.text '\r') row.cells then

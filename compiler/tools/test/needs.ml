@@ -123,7 +123,7 @@ let contains text part =
 
 (* Must match the message in runtime/hosts/common/tag_finder.c. *)
 let library reason =
-  if contains reason "libapriltag" && contains reason "is not here" then
+  if contains reason "libapriltag" && contains reason "is not installed" then
     Some
       {
         what = "the library libapriltag, which is not installed";

@@ -381,9 +381,9 @@ static const struct frob_setting settings_table[FROB_CREATE_SETTING_COUNT] = {
     { "wheel-separation", 0.235, 0.1, 1, "distance between the wheels, m (0.258 for a Create 1)" },
     { "mode-pause", 0.05, 0.02, 1, "pause after a change of mode, s" },
     { "padding", 4, 0, MOST_PADDING,
-      "number of zeros before each drive command, to end an incomplete one" },
-    { "right-overcurrent", 3, 0, 7, "bit in packet 14 (2 according to pycreate2)" },
-    { "left-overcurrent", 4, 0, 7, "bit in packet 14 (3 according to pycreate2)" },
+      "number of zeros before each drive command, which complete a truncated command" },
+    { "right-overcurrent", 3, 0, 7, "bit in packet 14 (pycreate2 uses 2)" },
+    { "left-overcurrent", 4, 0, 7, "bit in packet 14 (pycreate2 uses 3)" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_create_output, forward),

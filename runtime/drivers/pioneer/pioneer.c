@@ -25,7 +25,7 @@ static const struct frob_setting settings[FROB_PIONEER_SETTING_COUNT] = {
     { "max-speed", FROB_PIONEER_MOST_M_S, 0.01, 2.2, "maximum commanded speed, m/s" },
     { "max-turn", FROB_PIONEER_MOST_RAD_S, 0.01, 9, "maximum commanded turn rate, rad/s" },
     { "wheels", 0, 0, 1, "1: command the wheels (VEL2) instead of speed and turn rate" },
-    { "no-echo", 5.0, 0.1, 30, "m; a range this long means that there was no echo" },
+    { "no-echo", 5.0, 0.1, 30, "m; a range of this length means that there was no echo" },
     { "motors-flag", NAN, 0, 1, "1: the flags say whether the motors are on" },
     { "hard-stop", 0, 0, 1, "1: stop without a ramp (E_STOP) in an emergency" },
     { "silence", 1.0, 0.1, 60, "s without a packet before the driver reconnects" },

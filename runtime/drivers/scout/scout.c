@@ -285,11 +285,10 @@ static double most(const void *device, size_t i)
 
 static const struct frob_setting settings_table[FROB_SCOUT_SETTING_COUNT] = {
     { "baud", 38400, 4800, 38400, "rate of the serial line, bits per second" },
-    { "watchdog", 1, 1, 255,
-      "the robot stops by itself after this many seconds without a command" },
+    { "watchdog", 1, 1, 255, "seconds without a command after which the robot stops" },
     { "left-first", 0, 0, 1, "1 if the first axis of commands is the left wheel" },
     { "wheel-separation", 0.3452, 0.1, 1,
-      "distance between the wheels, m (13.59 inches; some have measured 13.4)" },
+      "distance between the wheels, m (13.59 inches; others have measured 13.4)" },
     { "acceleration", NAN, 0.01, 10,
       "acceleration of the wheels, m/s^2 (default: the robot's own)" },
     { "sonar-period", 40, 4, 1020, "time between the pings of two transducers, ms" },

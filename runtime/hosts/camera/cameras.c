@@ -242,7 +242,7 @@ void cameras_print(const struct cameras *all)
         const struct pair *p = &all->stereo.pair;
         printf("pairs: %lu\n", (unsigned long)p->count);
         if (p->count > 0)
-            printf("pairs apart: %.1f ms on average, %.1f ms at most\n",
+            printf("time between the frames of a pair: %.1f ms on average, %.1f ms at most\n",
                    p->apart_ns / p->count * 1e-6, (double)p->most_ns * 1e-6);
         printf("pair failures: %lu\n", (unsigned long)all->stereo.failures);
     }

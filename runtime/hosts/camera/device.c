@@ -231,7 +231,7 @@ static bool open_device(struct source *s)
     }
     rate = set_rate(s, d);
     if (!map_buffers(d) || request(d, VIDIOC_STREAMON, &type) != 0) {
-        gone(s, "it does not start to deliver frames");
+        gone(s, "it does not start delivering frames");
         leave(d);
         return false;
     }
@@ -265,7 +265,7 @@ static enum source_result take(struct source *s, struct device *d, struct v4l2_b
         if (buffer.index >= d->count)
             return source_fail(s, SOURCE_FAULT, "its driver returned a buffer that does not exist");
         if (result == SOURCE_FRAME && !give_back(d, newest->index))
-            return gone(s, "it accepts no buffer");
+            return gone(s, "it does not accept buffers");
         if (d->has_sequence && buffer.sequence > d->sequence)
             s->lost += buffer.sequence - d->sequence - 1;
         if (result == SOURCE_FRAME)
@@ -331,7 +331,7 @@ static enum source_result next(struct source *s, struct captured *frame, int wai
     frame->captured_ns = time_of(&buffer);
     fault = decode(s, d, &buffer, frame, message);
     if (!give_back(d, buffer.index))
-        return gone(s, "it accepts no buffer");
+        return gone(s, "it does not accept buffers");
     return fault == NULL ? SOURCE_FRAME : source_fail(s, SOURCE_BROKEN, "%s", fault);
 }
 

@@ -122,5 +122,7 @@ static void close_folder(struct source *s)
     free(f);
 }
 
-const struct source_kind source_folder = { open_folder, next, close_folder, false,
-                                           "its pictures come too rarely: increase its rate" };
+const struct source_kind source_folder = {
+    open_folder, next, close_folder, false,
+    "its pictures are too far apart in time: increase its rate"
+};

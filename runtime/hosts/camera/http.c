@@ -138,8 +138,8 @@ static enum source_result judge(struct source *s, const struct answer *answer)
 {
     if (answer->status == 401 || answer->status == 403)
         return source_fail(s, SOURCE_FAULT,
-                           "the server answers with %d and needs a password: configure it to send "
-                           "its stream without one",
+                           "the server answers with %d and requires a password: configure it to "
+                           "send its stream without one",
                            answer->status);
     if (answer->status == 404)
         return source_fail(s, SOURCE_FAULT,
@@ -241,6 +241,7 @@ const struct source_kind source_http = {
     next,
     close_http,
     true,
-    "the server is connected but sends no complete picture; check the camera and the address of "
+    "the server accepts connections but sends no complete picture; check the camera and the "
+    "address of "
     "its stream",
 };

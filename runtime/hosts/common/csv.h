@@ -18,7 +18,7 @@ struct csv_dialect {
 
 /* Error message for CSV_RETURN. */
 #define CSV_RETURN_REASON \
-    "the lines end with carriage returns alone: `tr '\\r' '\\n'` turns them into line feeds"
+    "the lines end with carriage returns only: convert them to line feeds with `tr '\\r' '\\n'`"
 
 /* Maximum length of a row. It bounds the memory used, whatever a file contains. */
 #define CSV_LONGEST (16u << 20)

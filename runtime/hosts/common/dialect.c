@@ -232,11 +232,11 @@ const char *dialect_separator_hint(const struct csv *csv)
 {
     const char *first = csv_cell(csv, 0), separator = csv->dialect.separator;
     if (separator != ';' && strchr(first, ';') != NULL)
-        return "; semicolons separate its columns: `--separator ';'` reads them";
+        return "; its columns are separated by semicolons: add `--separator ';'`";
     if (separator != '\t' && strchr(first, '\t') != NULL)
-        return "; tabs separate its columns: `--separator tab` reads them";
+        return "; its columns are separated by tabs: add `--separator tab`";
     if (separator != ',' && strchr(first, ',') != NULL)
-        return "; commas separate its columns: remove `--separator`";
+        return "; its columns are separated by commas: remove `--separator`";
     return NULL;
 }
 
@@ -248,9 +248,9 @@ const char *dialect_time_hint(struct csv *csv)
     if (separator != NULL)
         return separator;
     if (i == csv->count)
-        return "; `--time-column NAME` reads the times from the column NAME";
+        return "; to choose the column with the times, add `--time-column NAME`";
     snprintf(csv->reason, sizeof csv->reason,
-             "; `--time-column %s` reads the times from that column",
+             "; to choose the column with the times, add `--time-column %s`",
              shell_word(csv_cell(csv, i), word, sizeof word));
     return csv->reason;
 }
@@ -263,15 +263,15 @@ const char *dialect_column_hint(struct csv *csv, const char *missing, size_t unk
     if (unknown == 0)
         return "";
     snprintf(setting, sizeof setting, "%s=%s", missing, column);
-    snprintf(csv->reason, sizeof csv->reason, "; `--column %s` reads it from the column %s",
-             shell_word(setting, word, sizeof word), column);
+    snprintf(csv->reason, sizeof csv->reason, "; to read it from another column, add `--column %s`",
+             shell_word(setting, word, sizeof word));
     return csv->reason;
 }
 
 const char *dialect_number_hint(const struct csv *csv, const char *cell)
 {
     return !csv->dialect.decimal_comma && decimal_comma(cell) != NULL
-               ? "; `--decimal-comma` reads it"
+               ? "; for numbers with a decimal comma, add `--decimal-comma`"
                : "";
 }
 
@@ -280,7 +280,7 @@ const char *dialect_width_hint(const struct csv *csv, size_t width)
     if (csv->count <= width)
         return "";
     if (csv->dialect.decimal_comma && csv->dialect.separator == ',')
-        return "; with `--decimal-comma`, put such numbers in double quotes, or separate the cells "
-               "by `;` and add `--separator ';'`";
+        return "; if numbers have a decimal comma, put them in double quotes, or separate the "
+               "cells by `;` and add `--separator ';'`";
     return "; put a cell that contains a comma in double quotes";
 }

@@ -34,8 +34,8 @@ static bool load(void)
     library.object = dlopen(APRILTAG_LIBRARY, RTLD_NOW | RTLD_LOCAL);
     if (library.object == NULL) {
         fprintf(stderr,
-                "error: this program detects tags, but the library for that, " APRILTAG_LIBRARY
-                ", is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); "
+                "error: this program detects tags, but the library " APRILTAG_LIBRARY
+                " is not installed: install it (Debian: `sudo apt-get install libapriltag-dev`); "
                 "replaying a recording does not need it\n");
         return false;
     }

@@ -36,7 +36,7 @@ static const char usage[] =
     "  --viewer COMMAND...\n"
     "                     start this viewer; takes the rest of the line\n"
     "\n"
-    "Exit status: 0 when the run is complete; 2 for wrong use or a device that cannot be\n"
+    "Exit status: 0 when the run is complete; 2 for a usage error or a device that cannot be\n"
     "opened; 4 when a signal or a fault ended the run and the robot was stopped.\n";
 
 /* Lists the parameters with their defaults. */
@@ -213,7 +213,7 @@ static bool patience(const char *text, double *result)
     if (!number("--patience", text, 0.0, 2.0, &x))
         return false;
     if (x < 0.01) {
-        fprintf(stderr, "error: on a robot the watchdog cannot be turned off: --patience takes a "
+        fprintf(stderr, "error: you cannot turn off the watchdog of a robot: --patience takes a "
                         "number from 0.01 to 2 seconds\n");
         return false;
     }

@@ -157,7 +157,8 @@ static void nobody_answers(struct supervisor *s)
     if (has_rate)
         snprintf(rate, sizeof rate, " at %.0f baud", baud != NULL ? *baud : s->driver->rate);
     if (s->line.port.heard)
-        end(s, FAULT, "a device sends on %s, but no %s answers%s: %s", device, robot, rate, its);
+        end(s, FAULT, "a device sends data on %s, but no %s answers%s: %s", device, robot, rate,
+            its);
     else
         end(s, FAULT, "no %s answers on %s%s: turn it on, plug in its cable, and %s", robot, device,
             rate, its);
@@ -168,7 +169,7 @@ static void robot_failed(struct supervisor *s)
     enum frob_status status = s->robot.status;
     if (status == FROB_REFUSED) {
         const char *who = s->driver->describe(s->device);
-        end(s, FAULT, "the robot cannot be driven%s%s", who[0] != '\0' ? ": " : "", who);
+        end(s, FAULT, "cannot drive the robot%s%s", who[0] != '\0' ? ": " : "", who);
     } else if (s->robot.connections == 0) {
         nobody_answers(s);
     } else {

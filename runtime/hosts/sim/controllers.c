@@ -63,7 +63,7 @@ static bool is_of_a_pair(const char *label)
  * there are none. */
 static bool tell_other_cameras(const struct frob_sim *sim)
 {
-    const char *name, *before = " none of this name; it has";
+    const char *name, *before = " no camera of this name; it has";
     for (size_t i = 0; (name = frob_sim_camera_name(sim, i)) != NULL; i++) {
         if (is_of_a_pair(name))
             continue;
@@ -87,9 +87,9 @@ static void tell_missing_camera(const struct frob_sim *sim, const char *label)
                 "each and add another one\n",
                 label);
     else if (is_pair || strcmp(label, "camera") == 0)
-        fprintf(stderr, " none: add a table %s to the world file\n", table);
+        fprintf(stderr, " no camera: add a table %s to the world file\n", table);
     else
-        fprintf(stderr, " none: add a table %s with name = \"%s\" to the world file\n", table,
+        fprintf(stderr, " no camera: add a table %s with name = \"%s\" to the world file\n", table,
                 label);
 }
 

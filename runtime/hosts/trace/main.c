@@ -167,7 +167,7 @@ static bool readable(const struct trace *t, enum csv_status status)
         break;
     case CSV_LATE_QUOTE:
         complain(t, t->csv.count - 1,
-                 "a space before a quote; remove the spaces beside the commas");
+                 "a space before a quote; remove the spaces next to the commas");
         break;
     case CSV_NUL: complain(t, 0, "a zero byte: this is not a CSV file"); break;
     case CSV_RETURN: complain(t, 0, "%s", CSV_RETURN_REASON); break;
@@ -188,7 +188,7 @@ static const char *on_blanks(const char *text)
     size_t length = strlen(text);
     bool blank = length > 0 && (text[0] == ' ' || text[0] == '\t' || text[length - 1] == ' ' ||
                                 text[length - 1] == '\t');
-    return blank ? "; remove the spaces beside the commas" : "";
+    return blank ? "; remove the spaces next to the commas" : "";
 }
 
 static bool is_output(const char *name)

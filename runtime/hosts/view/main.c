@@ -146,7 +146,7 @@ int main(int argc, char **argv)
     if (options.ring >= 0 && !ring_attach(&ring, options.ring)) {
         fprintf(stderr, "error: --ring %d: there is no run in progress\n", options.ring);
     } else if (!token_make(token)) {
-        fprintf(stderr, "error: this computer has no random numbers (/dev/urandom)\n");
+        fprintf(stderr, "error: cannot read random numbers from /dev/urandom\n");
     } else if (view_start(&view, program, frob_load_columns(), frob_load_origins(), &options.files,
                           options.ring >= 0 ? &ring : NULL)) {
         /* Work briefly first: a run of a few minutes is then complete before the page connects. */

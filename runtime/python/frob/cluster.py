@@ -72,7 +72,7 @@ class Made:
 def make(client: "Client", plan: str, options: Sequence[str], folder: str) -> None:
     """Performs the runs of the plan that have no row in the folder yet."""
     if client.asynchronous:
-        raise InputError("client: expected a synchronous one, found an asynchronous one")
+        raise InputError("client: expected a synchronous client, found an asynchronous one")
     told = look(plan, options, folder)
     left = int(told["runs"]) - int(told["done"])
     if left == 0:

@@ -35,7 +35,7 @@ class Data:
         object.__setattr__(self, "fields", fields)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError("a value of Frob is immutable")
+        raise AttributeError("a Frob value is immutable")
 
     def __getattr__(self, name: str) -> Any:
         try:

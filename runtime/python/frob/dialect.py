@@ -81,7 +81,7 @@ class Dialect:
             (",", "commas", '","'),
         ):
             if mark in first and mark != self.separator:
-                return f"; {many} separate its columns: `separator={argument}` reads them"
+                return f"; its columns are separated by {many}: pass `separator={argument}`"
         return ""
 
     def time_hint(self, names: Sequence[str]) -> str:
@@ -90,20 +90,20 @@ class Dialect:
         exact = [name for name in names if name.lower() == "time"]
         like = exact + [name for name in names if _LIKE_TIME.fullmatch(name)]
         column = f'"{like[0]}"' if like else "NAME"
-        return f"; `time_column={column}` reads the times from another column"
+        return f"; to choose the column with the times, pass `time_column={column}`"
 
     def width_hint(self, width: int, count: int) -> str:
         """Returns a hint for the error that a row does not have the `width` cells of the header."""
         if count > width and self.decimal_comma and self.separator == ",":
             return (
-                "; with `decimal_comma`, put such numbers in double quotes, or separate the cells "
-                'by `;` and add `separator=";"`'
+                "; if numbers have a decimal comma, put them in double quotes, or separate the cells "
+                'by `;` and pass `separator=";"`'
             )
         return "; the recording may be truncated"
 
     def number_hint(self, text: str) -> str:
         is_one = not self.decimal_comma and _DECIMAL_COMMA.fullmatch(text)
-        return "; `decimal_comma=True` reads it" if is_one else ""
+        return "; for numbers with a decimal comma, pass `decimal_comma=True`" if is_one else ""
 
 
 OURS = Dialect()

@@ -38,7 +38,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         looked.clear()
         print(
             f"internal error in falsify: {type(error).__name__}: {error}\n"
-            "This is a fault of frobc's own, not of your program.",
+            "This is a bug in frobc, not in your program.",
             file=sys.stderr,
         )
         return BUG
@@ -181,7 +181,9 @@ def _tell(search: Search, options: argparse.Namespace) -> None:
     if found is None:
         nearest = f"; the nearest margin is {search.nearest:.6g}" if search.nearest < FAR else ""
         blind = (
-            "" if search.has_margin else "; it compares no numbers, so nothing guided the search"
+            ""
+            if search.has_margin
+            else "; the assertion compares no numbers, so the search was not guided"
         )
         print(f"held      {label}: not violated in {runs}{nearest}{blind}")
         return

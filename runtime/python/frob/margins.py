@@ -69,7 +69,9 @@ def _over(f: Any, ns: "Times", values: "Mapping[str, NDArray[Any]]") -> "Series"
         return np.minimum.accumulate(given[0])  # type: ignore[no-any-return]
     if word == "since":
         return _since(*given)
-    raise ValueError(f"the compiler has a condition `{word}` that this package does not know")
+    raise ValueError(
+        f"the program contains a condition `{word}`, which this package does not support"
+    )
 
 
 def _column(values: "NDArray[Any]") -> "Series":

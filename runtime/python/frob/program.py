@@ -149,7 +149,7 @@ class Program:
         if there is one. If `inputs` is an array, `out` may be an array for the outputs.
         """
         if out is not None and (isinstance(inputs, list) or not hasattr(inputs, "dtype")):
-            raise InputError("out: use it only if the inputs are an array")
+            raise InputError("out: this is only supported if the inputs are an array")
         if isinstance(inputs, list):
             return self._run_list(inputs, dt, time)
         np = columns.numpy()
@@ -188,8 +188,8 @@ class Program:
             shape = (count,) if len(outs) == 1 else (count, len(outs))
             if not (are_floats and _takes(out, shape, apart_from=(memory,))):
                 raise InputError(
-                    f"out: expected a writable array of float64 of shape {shape}, row by row, "
-                    "that shares no memory with the inputs, for a program whose outputs "
+                    f"out: expected a writable array of float64 of shape {shape}, in row-major "
+                    "order, that shares no memory with the inputs, for a program whose outputs "
                     "are all Float"
                 )
             self._steps(count, dt_ns, memory, out)

@@ -54,7 +54,7 @@ class Assertion:
 
     label: str
     verdict: str
-    """`held`, `violated`, `undecided`, or `never asked`."""
+    """`held`, `violated`, `undecided`, or `never checked`."""
     first: Optional[float]
     """The time of the first violation, in seconds."""
     count: int
@@ -318,7 +318,7 @@ def _fate(label: str, column: List[Any], time: List[float]) -> Assertion:
     elif seen and seen[-1] == "Open":
         verdict = "undecided"
     else:
-        verdict = "held" if set(seen) - {"NotAsked"} else "never asked"
+        verdict = "held" if set(seen) - {"NotAsked"} else "never checked"
     return Assertion(label, verdict, failed[0] if failed else None, len(failed))
 
 

@@ -36,8 +36,7 @@ class World:
         self.varied = list(varied)
         if varied and re.search(r"^\s*picture\s*=", self._text, re.MULTILINE):
             raise InputError(
-                f"{path} names pictures, which a modified world file cannot find: "
-                "remove the disturbances"
+                f"{path} refers to pictures, which a modified copy of the file cannot find: remove the disturbances"
             )
 
     def text(self, values: Mapping[str, float]) -> str:
@@ -167,7 +166,9 @@ class Simulated(Subject):
         finally:
             sim.close()
         if not ran:
-            raise Error(f"the outage of {self.world.path} leaves the program no instant")
+            raise Error(
+                f"the program has no instant, because the outage of {self.world.path} covers the whole run"
+            )
         self.time, self.nanoseconds = time[ran], nanoseconds[ran]
         self._memory = memory[: len(ran) * table.output_size]
         return self._memory  # type: ignore[no-any-return]

@@ -34,10 +34,10 @@ An invalid header: all errors are reported.
 
   $ printf 'tim,in.2,in.2,speed\n' > header.csv
   $ both header.csv
-  error: header.csv:1:1: the first column must be `time`, but it is `tim`; `--time-column NAME` reads the times from the column NAME
+  error: header.csv:1:1: the first column must be `time`, but it is `tim`; to choose the column with the times, add `--time-column NAME`
   error: header.csv:1:10: the column `in.2` occurs twice
   error: header.csv:1:15: the program's input has no `speed`
-  error: header.csv:1:1: missing: `in.1.side`, `in.1.urgent`; the header for this program is `time,in.1.side,in.1.urgent,in.2`; `--column in.1.side=speed` reads it from the column speed
+  error: header.csv:1:1: missing: `in.1.side`, `in.1.urgent`; the header for this program is `time,in.1.side,in.1.urgent,in.2`; to read it from another column, add `--column in.1.side=speed`
   [2]
 
 Invalid rows; the rows before them are written.
@@ -58,9 +58,9 @@ Invalid rows; the rows before them are written.
   $ row '1,"LeftSide,true,\n'
   error: row.csv:3:1: a quoted cell that starts in this row is never closed
   $ row '1,LeftSide,true, \t"Just 3"\n'
-  error: row.csv:3:17: a space before a quote; remove the spaces beside the commas
+  error: row.csv:3:17: a space before a quote; remove the spaces next to the commas
   $ row '1, "LeftSide",true,\n'
-  error: row.csv:3:3: a space before a quote; remove the spaces beside the commas
+  error: row.csv:3:3: a space before a quote; remove the spaces next to the commas
   $ row '1,"  " ",true,\n'
   error: row.csv:3:4: column `in.1.side`: expected `LeftSide`, `RightSide` or `At`, found `   "`
 

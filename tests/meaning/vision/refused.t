@@ -83,7 +83,7 @@ A world without a camera, and hosts that do not support any.
   > y = 0
   > TOML
   $ frobc run sees.frob --world dark.toml --for 1s
-  error: the program uses a camera, `camera`, but the robot of this world has none: add a table [camera] to the world file
+  error: the program uses a camera, `camera`, but the robot of this world has no camera: add a table [camera] to the world file
   [2]
   $ cat > named.toml <<'TOML'
   > [start]
@@ -96,7 +96,7 @@ A world without a camera, and hosts that do not support any.
   > name = "rear"
   > TOML
   $ frobc run sees.frob --world named.toml --for 1s
-  error: the program uses a camera, `camera`, but the robot of this world has none of this name; it has `front`, `rear`: add `name = "camera"` to one of them in the world file, or write [[camera]] for each and add another one
+  error: the program uses a camera, `camera`, but the robot of this world has no camera of this name; it has `front`, `rear`: add `name = "camera"` to one of them in the world file, or write [[camera]] for each and add another one
   [2]
   $ cat > deep.frob <<'FROB'
   > import Robot
@@ -109,8 +109,8 @@ A world without a camera, and hosts that do not support any.
   >     middle = Region { x = 100[px], y = 60[px], width = 120[px], height = 60[px] }
   > FROB
   $ frobc run deep.frob --world dark.toml --robot pioneer --for 1s
-  error: the program uses a camera, `left`, but the robot of this world has none: add a table [stereo] to the world file
-  error: the program uses a camera, `right`, but the robot of this world has none: add a table [stereo] to the world file
+  error: the program uses a camera, `left`, but the robot of this world has no camera: add a table [stereo] to the world file
+  error: the program uses a camera, `right`, but the robot of this world has no camera: add a table [stereo] to the world file
   [2]
   $ frobc check deep.frob --robot create
   error[E0503]: `create` has no `HasStereo`

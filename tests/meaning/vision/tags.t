@@ -87,7 +87,7 @@ The tag finder is missing although it is needed; a program without tags does not
 need it.
 
   $ LD_LIBRARY_PATH=$PWD/broken frobc run sees.frob --world world.toml --for 1s
-  error: this program detects tags, but the library for that, libapriltag.so.3, is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
+  error: this program detects tags, but the library libapriltag.so.3 is not installed: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
   [2]
   $ cat > rests.frob <<'FROB'
   > import Pioneer
@@ -120,7 +120,7 @@ A program may examine the same frames itself. A world without a camera; a robot;
     camera tags    tags    both.frob:7
   $ sed '/^.camera/d; /^noise/d; /^rate/d' world.toml > dark.toml
   $ frobc run sees.frob --world dark.toml --for 1s
-  error: the program uses a camera, `camera`, but the robot of this world has none: add a table [camera] to the world file
+  error: the program uses a camera, `camera`, but the robot of this world has no camera: add a table [camera] to the world file
   [2]
   $ frobc build sees.frob --robot pioneer -o sees
   $ frobc build sees.frob --robot pioneer --target cortex-m -o sees

@@ -22,17 +22,17 @@ its rate, and a message gives the reason.
   >   see_warned 2 $address/$kind; sed -n 's/^late/late/p' summary; warnings
   > done
   late steps: 0
-  warning: camera `camera` (http://HOST/hangs) delivers no frames: the server is connected but sends no complete picture; check the camera and the address of its stream
+  warning: camera `camera` (http://HOST/hangs) delivers no frames: the server accepts connections but sends no complete picture; check the camera and the address of its stream
   late steps: 0
-  warning: camera `camera` (http://HOST/silent) delivers no frames: the server is connected but sends no complete picture; check the camera and the address of its stream
+  warning: camera `camera` (http://HOST/silent) delivers no frames: the server accepts connections but sends no complete picture; check the camera and the address of its stream
   late steps: 0
-  warning: camera `camera` (http://HOST/rubbish) delivers no frames: the server is connected but sends no complete picture; check the camera and the address of its stream
+  warning: camera `camera` (http://HOST/rubbish) delivers no frames: the server accepts connections but sends no complete picture; check the camera and the address of its stream
   late steps: 0
   warning: camera `camera` (http://HOST/noise) delivers no frames: the server does not speak HTTP; check the port
   late steps: 0
   warning: camera `camera` (http://HOST/page) delivers no frames: the server answers with text/html, which is not a stream of pictures; look up the path of the stream in the camera's manual
   late steps: 0
-  warning: camera `camera` (http://HOST/forbidden) delivers no frames: the server answers with 401 and needs a password: configure it to send its stream without one
+  warning: camera `camera` (http://HOST/forbidden) delivers no frames: the server answers with 401 and requires a password: configure it to send its stream without one
   late steps: 0
   warning: camera `camera` (http://HOST/missing) delivers no frames: the server answers with 404, so this path does not exist; look up the path of the stream in the camera's manual
   $ see_warned 2 http://127.0.0.1:1/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|'

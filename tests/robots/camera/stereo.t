@@ -28,7 +28,7 @@ are closest in time.
 Cameras without a common clock, one twice as fast as the other: all pairs are close in time, and
 frames without a partner are skipped and counted.
 
-  $ near () { awk -F '[ :]+' '/^pairs apart/ { print ($7 < 45 ? "near" : $0) }' summary; }
+  $ near () { awk -F '[ :]+' '/^time between the frames/ { print ($12 < 45 ? "near" : $0) }' summary; }
   $ feed="$(frames_of one 0.05 0) $(frames_of two 0.1 0.01)"
   $ wants="at_least pairs 20 | grep -q enough && near | grep -q near"
   $ both 5 --camera left=one --camera right=two

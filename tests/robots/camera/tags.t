@@ -88,6 +88,6 @@ Without the library, a program that uses tags is rejected before anything moves.
 
   $ mkdir none; printf 'no library' > none/libapriltag.so.3
   $ LD_LIBRARY_PATH=$PWD/none ./both --device $device --for 3 --camera still.frames
-  error: this program detects tags, but the library for that, libapriltag.so.3, is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
+  error: this program detects tags, but the library libapriltag.so.3 is not installed: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
   [2]
   $ end $robot

@@ -34,7 +34,7 @@ Settings are numbers within bounds; the watchdog cannot be disabled.
   [2]
   $ frobc build drive.frob -o drive
   $ ./drive --device ./line --patience 0
-  error: on a robot the watchdog cannot be turned off: --patience takes a number from 0.01 to 2 seconds
+  error: you cannot turn off the watchdog of a robot: --patience takes a number from 0.01 to 2 seconds
   [2]
   $ ./drive
   error: --device is missing: add the serial line of the pioneer; see --help

@@ -34,7 +34,7 @@ restore the mode.
 
   $ kind=create; start_robot --world hole.toml
   $ frobc run forward.frob --robot create --device ./line --for 20s > summary
-  error: the robot cannot be driven: iRobot Create 2, which left driving mode because of a cliff, a wheel drop or a charger; sent a stop command to the robot
+  error: cannot drive the robot: iRobot Create 2, which left driving mode because of a cliff, a wheel drop or a charger; sent a stop command to the robot
   [4]
   $ until_true 'tail -1 told | grep -q START'
   $ end_robot
@@ -111,6 +111,6 @@ message names the rate that was tried. If bytes arrive on the line, the cable is
   $ kind=pioneer; start_robot; start_driving
   $ kill -KILL $run $controller $guard $second_guard
   $ frobc run forward.frob --robot create --device ./line --for 1s > summary
-  error: a device sends on ./line, but no create answers at 115200 baud: check the line and its rate (`--set baud=...`); sent a stop command to the robot
+  error: a device sends data on ./line, but no create answers at 115200 baud: check the line and its rate (`--set baud=...`); sent a stop command to the robot
   [4]
   $ end_robot

@@ -15,7 +15,7 @@ they fail, for the same reason. The library's name in this test is not a real on
   $ frobc test dock_tag --seeds 1 | tail -n 1
   1 test: all hold; 2 skipped
   $ frobc test dock_tag/dock_tag.frob --seeds 1
-  FAIL  docks in time: this program detects tags, but the library for that, libapriltag.so.3, is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
-  FAIL  docks within 2 cm and 2 degrees: this program detects tags, but the library for that, libapriltag.so.3, is not here: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
+  FAIL  docks in time: this program detects tags, but the library libapriltag.so.3 is not installed: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
+  FAIL  docks within 2 cm and 2 degrees: this program detects tags, but the library libapriltag.so.3 is not installed: install it (Debian: `sudo apt-get install libapriltag-dev`); replaying a recording does not need it
   2 tests: 2 failed
   [1]

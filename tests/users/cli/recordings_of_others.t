@@ -23,17 +23,17 @@ whose differences count, to the nanosecond:
   > 1700000001,5;-Infinity;true;
   > CSV
   $ trace log.csv
-  error: log.csv:1:1: the first column must be `time`, but it is `Time;wheel_speed;flag;note`; semicolons separate its columns: `--separator ';'` reads them
+  error: log.csv:1:1: the first column must be `time`, but it is `Time;wheel_speed;flag;note`; its columns are separated by semicolons: add `--separator ';'`
   $ trace log.csv --separator ';'
-  error: log.csv:1:1: the first column must be `time`, but it is `Time`; `--time-column Time` reads the times from that column
+  error: log.csv:1:1: the first column must be `time`, but it is `Time`; to choose the column with the times, add `--time-column Time`
   error: log.csv:1:6: the program's input has no `wheel_speed`
   error: log.csv:1:18: the program's input has no `flag`
   error: log.csv:1:23: the program's input has no `note`
-  error: log.csv:1:1: missing: `in.speed`, `in.ok`; the header for this program is `time,in.speed,in.ok`; `--column in.speed=NAME` reads it from the column NAME
+  error: log.csv:1:1: missing: `in.speed`, `in.ok`; the header for this program is `time,in.speed,in.ok`; to read it from another column, add `--column in.speed=NAME`
   $ trace log.csv --separator ';' --time-column Time --column in.ok=flag
-  error: log.csv:1:1: missing: `in.speed`; the header for this program is `time,in.speed,in.ok`; `--column in.speed=NAME` reads it from the column NAME
+  error: log.csv:1:1: missing: `in.speed`; the header for this program is `time,in.speed,in.ok`; to read it from another column, add `--column in.speed=NAME`
   $ trace log.csv --separator ';' --time-column Time --column in.ok=flag --column in.speed=wheel_speed
-  error: log.csv:2:1: `1700000000,10` is not a time in seconds; `--decimal-comma` reads it
+  error: log.csv:2:1: `1700000000,10` is not a time in seconds; for numbers with a decimal comma, add `--decimal-comma`
   $ trace log.csv --separator ';' --time-column Time --column in.ok=flag --column in.speed=wheel_speed --decimal-comma
   time,out.1,out.2
   1700000000.100000000,0,0
@@ -49,24 +49,24 @@ A quote in a name is quoted as well:
 
   $ printf "it's time,in.speed,in.ok\n0,1,true\n" > quotes.csv
   $ trace quotes.csv
-  error: quotes.csv:1:1: the first column must be `time`, but it is `it's time`; `--time-column 'it'\''s time'` reads the times from that column
+  error: quotes.csv:1:1: the first column must be `time`, but it is `it's time`; to choose the column with the times, add `--time-column 'it'\''s time'`
   $ printf "time,in.speed,it's ok\n0,1,true\n" > quotes.csv
   $ trace quotes.csv
   error: quotes.csv:1:15: the program's input has no `it's ok`
-  error: quotes.csv:1:1: missing: `in.ok`; the header for this program is `time,in.speed,in.ok`; `--column 'in.ok=it'\''s ok'` reads it from the column it's ok
+  error: quotes.csv:1:1: missing: `in.ok`; the header for this program is `time,in.speed,in.ok`; to read it from another column, add `--column 'in.ok=it'\''s ok'`
 
 Tabs; a column whose name a shell would split:
 
   $ printf 'in.speed\tstamp [s]\tis ok\n1\t1.7e9\ttrue\n1\t1.7000000000000000014e9\ttrue\n' > tabs.csv
   $ trace tabs.csv
-  error: tabs.csv:1:1: the first column must be `time`, but it is `in.speed\009stamp [s]\009is ok`; tabs separate its columns: `--separator tab` reads them
+  error: tabs.csv:1:1: the first column must be `time`, but it is `in.speed\009stamp [s]\009is ok`; its columns are separated by tabs: add `--separator tab`
   $ trace tabs.csv --separator tab
-  error: tabs.csv:1:1: the first column must be `time`, but it is `in.speed`; `--time-column 'stamp [s]'` reads the times from that column
+  error: tabs.csv:1:1: the first column must be `time`, but it is `in.speed`; to choose the column with the times, add `--time-column 'stamp [s]'`
   error: tabs.csv:1:10: the program's input has no `stamp [s]`
   error: tabs.csv:1:20: the program's input has no `is ok`
-  error: tabs.csv:1:1: missing: `in.speed`, `in.ok`; the header for this program is `time,in.speed,in.ok`; `--column in.speed=NAME` reads it from the column NAME
+  error: tabs.csv:1:1: missing: `in.speed`, `in.ok`; the header for this program is `time,in.speed,in.ok`; to read it from another column, add `--column in.speed=NAME`
   $ trace tabs.csv --separator tab --time-column 'stamp [s]'
-  error: tabs.csv:1:1: missing: `in.ok`; the header for this program is `time,in.speed,in.ok`; `--column 'in.ok=is ok'` reads it from the column is ok
+  error: tabs.csv:1:1: missing: `in.ok`; the header for this program is `time,in.speed,in.ok`; to read it from another column, add `--column 'in.ok=is ok'`
   $ trace tabs.csv --separator tab --time-column 'stamp [s]' --column 'in.ok=is ok'
   time,out.1,out.2
   1700000000.000000000,0,0
@@ -100,7 +100,7 @@ Every spelling of NaN and infinity, with and without a sign:
 `convert` and `view` accept the same options; `view` shows late times relative to the first one:
 
   $ frobc convert log.csv again.csv --separator ';'
-  error: log.csv:1: not a recording: the first column must be `time`, not `Time`; `--time-column Time` reads the times from that column
+  error: log.csv:1: not a recording: the first column must be `time`, not `Time`; to choose the column with the times, add `--time-column Time`
   [2]
   $ frobc convert log.csv again.csv --separator ';' --time-column Time --column in.ok=flag --column in.speed=wheel_speed --decimal-comma
   $ cat again.csv
@@ -114,7 +114,7 @@ Every spelling of NaN and infinity, with and without a sign:
   1700000000.100000000,0,0
   1700000000.123456789,0.011728394499999999,0.023456788999999999
   $ frobc view log.csv speed.frob --print
-  error: cannot view log.csv: it is not a recording: the first column must be `time`; semicolons separate its columns: `--separator ';'` reads them
+  error: cannot view log.csv: it is not a recording: the first column must be `time`; its columns are separated by semicolons: add `--separator ';'`
   [2]
   $ (frobc view log.csv speed.frob --print --separator ';' --time-column Time --column in.ok=flag --column in.speed=wheel_speed --decimal-comma 2> told & echo $! > id; wait) > page &
   $ for i in $(seq 400); do grep -qs 'times are shown' told && break; sleep 0.05; done; kill $(cat id); cat told
@@ -184,43 +184,43 @@ Lines that end with carriage returns alone, as old spreadsheets wrote them:
 
   $ printf 'time,in\r0,1\r1,2\r' > returns.csv
   $ both returns.csv
-  error: returns.csv:1:1: the lines end with carriage returns alone: `tr '\r' '\n'` turns them into line feeds
+  error: returns.csv:1:1: the lines end with carriage returns only: convert them to line feeds with `tr '\r' '\n'`
   $ frobc convert returns.csv returns.mcap
-  error: returns.csv:1: the lines end with carriage returns alone: `tr '\r' '\n'` turns them into line feeds
+  error: returns.csv:1: the lines end with carriage returns only: convert them to line feeds with `tr '\r' '\n'`
   [2]
   $ frobc view returns.csv same.frob --print
-  error: cannot view returns.csv: the lines end with carriage returns alone: `tr '\r' '\n'` turns them into line feeds
+  error: cannot view returns.csv: the lines end with carriage returns only: convert them to line feeds with `tr '\r' '\n'`
   [2]
   $ tr '\r' '\n' < returns.csv > feeds.csv
   $ both feeds.csv
   $ printf '# param gain=2\rtime,in\r0,1\r' > returns.csv
   $ both returns.csv
-  error: returns.csv:1:1: the lines end with carriage returns alone: `tr '\r' '\n'` turns them into line feeds
+  error: returns.csv:1:1: the lines end with carriage returns only: convert them to line feeds with `tr '\r' '\n'`
 
 A decimal comma needs another separator, or quotes:
 
   $ printf 'time,in\n0,5,1,5\n' > commas.csv
   $ both commas.csv --decimal-comma
-  error: commas.csv:2:5: this row has the wrong number of cells: the header has 2 columns, found 4; with `--decimal-comma`, put such numbers in double quotes, or separate the cells by `;` and add `--separator ';'`
+  error: commas.csv:2:5: this row has the wrong number of cells: the header has 2 columns, found 4; if numbers have a decimal comma, put them in double quotes, or separate the cells by `;` and add `--separator ';'`
   $ frobc convert commas.csv commas.mcap --decimal-comma
-  error: commas.csv:2: this row has the wrong number of cells: the header has 2 columns, found 4; with `--decimal-comma`, put such numbers in double quotes, or separate the cells by `;` and add `--separator ';'`
+  error: commas.csv:2: this row has the wrong number of cells: the header has 2 columns, found 4; if numbers have a decimal comma, put them in double quotes, or separate the cells by `;` and add `--separator ';'`
   [2]
   $ printf 'time,in\n"0,5","1,5"\n' > commas.csv
   $ both commas.csv --decimal-comma
   $ printf 'Zeit;in\n0,5;1,5\n' > commas.csv
   $ both commas.csv --decimal-comma --time-column Zeit
-  error: commas.csv:1:1: there is no column `Zeit` for `--time-column`; the columns are `Zeit;in`; semicolons separate its columns: `--separator ';'` reads them
+  error: commas.csv:1:1: there is no column `Zeit` for `--time-column`; the columns are `Zeit;in`; its columns are separated by semicolons: add `--separator ';'`
 
 A control character in the name of a column is shown as a code, and quoted for the shell:
 
   $ printf 'time,"i\033n\n\tx"\n0,1\n' > names.csv
   $ both names.csv
   error: names.csv:1:7: the program's input has no `i\027n\010\009x`
-  error: names.csv:1:1: missing: `in`; the header for this program is `time,in`; `--column $'in=i\033n\012\011x'` reads it from the column i\027n\010\009x
+  error: names.csv:1:1: missing: `in`; the header for this program is `time,in`; to read it from another column, add `--column $'in=i\033n\012\011x'`
   $ printf 'time,i\033n\n0,1\n' > names.csv
   $ both names.csv
   error: names.csv:1:6: the program's input has no `i\027n`
-  error: names.csv:1:1: missing: `in`; the header for this program is `time,in`; `--column $'in=i\033n'` reads it from the column i\027n
+  error: names.csv:1:1: missing: `in`; the header for this program is `time,in`; to read it from another column, add `--column $'in=i\033n'`
   $ both names.csv --column "in=$(printf 'i\033n')"
   $ both names.csv --column "in=$(printf 'i\033m')"
   error: names.csv:1:1: there is no column `i\027m` for `--column`; the columns are `time`, `i\027n`

@@ -74,7 +74,7 @@ Mistakes in the input are reported with their places:
   error: wrong.csv:1:1: the file is empty: its first line must name the columns, `time` first
   [2]
   $ printf 't,in\n0,1\n' | trace
-  error: wrong.csv:1:1: the first column must be `time`, but it is `t`; `--time-column t` reads the times from that column
+  error: wrong.csv:1:1: the first column must be `time`, but it is `t`; to choose the column with the times, add `--time-column t`
   [2]
   $ printf 'time,in,inn\n0,1,1\n' | trace
   error: wrong.csv:1:9: the program's input has no `inn`

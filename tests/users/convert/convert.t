@@ -109,7 +109,7 @@ Not a recording:
   error: bad.csv: not a recording: the first line must name the columns, starting with `time`
   [2]
   $ bad 'a,b\n1,2\n'
-  error: bad.csv:1: not a recording: the first column must be `time`, not `a`; `--time-column NAME` reads the times from the column NAME
+  error: bad.csv:1: not a recording: the first column must be `time`, not `a`; to choose the column with the times, add `--time-column NAME`
   [2]
   $ bad 'time,in\n0,1\n0.1\n0.2,1\n'
   error: bad.csv:3: this row has the wrong number of cells: the header has 2 columns, found 1

@@ -60,12 +60,12 @@ class Others(unittest.TestCase):
 
     def test_told(self):
         for options, text in (
-            ({}, 'semicolons separate its columns: `separator=";"`'),
+            ({}, 'its columns are separated by semicolons: pass `separator=";"`'),
             ({"separator": ";"}, 'time_column="Time"'),
             ({"separator": ";", "time_column": "Time"}, "decimal_comma=True"),
             ({"separator": ";", "time_column": "Zeit"}, "there is no column `Zeit`"),
             ({**OPTIONS, "columns": {"in.speed": "x"}}, "there is no column `x`"),
-            ({"time_column": "Time"}, 'semicolons separate its columns: `separator=";"`'),
+            ({"time_column": "Time"}, 'its columns are separated by semicolons: pass `separator=";"`'),
             ({"separator": ";;"}, "separator: expected"),
             ({"decimal_comma": 1}, "decimal_comma: expected"),
             ({"time_column": 1}, "time_column: expected"),
@@ -98,7 +98,7 @@ class Others(unittest.TestCase):
 
     def test_decimal_comma_without_separator(self):
         put("comma.csv", "time,in\n0,5,1,5\n")
-        with self.assertRaisesRegex(frob.Error, 'comma.csv:2: .* add `separator=";"`'):
+        with self.assertRaisesRegex(frob.Error, 'comma.csv:2: .* pass `separator=";"`'):
             frob.read("comma.csv", decimal_comma=True)
 
     def test_smaller_units_of_time(self):

@@ -139,7 +139,9 @@ main = proc e -> either (const 0) (\\w -> w.speed) e
                 half.run(inputs, dt=1, out=wrong)
         with self.assertRaisesRegex(frob.InputError, "out: expected a writable array of float64"):
             program(ODD).run(np.zeros((2, 2)), dt=1, out=np.zeros((2, 2)))
-        with self.assertRaisesRegex(frob.InputError, "out: use it only if the inputs are an array"):
+        with self.assertRaisesRegex(
+            frob.InputError, "out: this is only supported if the inputs are an array"
+        ):
             half.run([1], dt=1, out=out)
 
     def test_long_runs(self):
@@ -184,9 +186,7 @@ class Mistakes(unittest.TestCase):
         before = dict(os.environ)
         os.environ["CC"] = "no-such-compiler"
         try:
-            with self.assertRaisesRegex(
-                frob.Error, "there is no C compiler `no-such-compiler`"
-            ):
+            with self.assertRaisesRegex(frob.Error, "there is no C compiler `no-such-compiler`"):
                 program(HALF + "-- another\n")
             os.environ["FROBC"] = "/nowhere/frobc"
             self.told(

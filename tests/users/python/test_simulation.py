@@ -155,7 +155,7 @@ class Read(unittest.TestCase):
         self.told(
             "a,b\n1,2\n",
             "log.csv:1: not a recording: its first column is `time`, found `a`; "
-            "`time_column=NAME` reads the times from another column",
+            "to choose the column with the times, pass `time_column=NAME`",
         )
         self.told("", "log.csv:1: not a recording: its first column is `time`")
         self.told(

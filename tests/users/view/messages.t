@@ -34,7 +34,7 @@ A missing recording, and a file that is not one:
   error: there is no file gone.csv
   [2]
   $ frobc view way.frob way.frob
-  error: cannot view way.frob: it is not a recording: the first column must be `time`; `--time-column NAME` reads the times from the column NAME
+  error: cannot view way.frob: it is not a recording: the first column must be `time`; to choose the column with the times, add `--time-column NAME`
   [2]
   $ : > empty.csv
   $ frobc view empty.csv way.frob
@@ -74,7 +74,7 @@ A recording of another program, or of another version of it, is shown as far as 
   $ sed 's/in.2/in.stop/' run.csv > other.csv
   $ view other.csv way.frob
   other.csv:1: the program has no `in.stop`: the recording is from another program, or from another version of it
-  other.csv:1: the recording has no column for the program's input `in.2`, so the program cannot be run on it, and only recorded signals are shown; use `--column NAME=COLUMN` to read one from a column of another name
+  other.csv:1: the recording has no column for the program's input `in.2`, so the viewer cannot run the program on it and only shows recorded signals; to read one from a column with another name, use `--column NAME=COLUMN`
   view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
   $ sed 's/0.30000000000000004/0.25/' run.csv > diverged.csv
@@ -95,7 +95,7 @@ A recording of another program, or of another version of it, is shown as far as 
   $ sed 's/time.*/time,a,b,c,d,e/; 1!s/$/,0,0/' run.csv > another.csv
   $ view another.csv way.frob
   another.csv:1: the program has no `a`, `b`, `c`, `d` and more: the recording is from another program, or from another version of it
-  another.csv:1: the recording has no column for the program's input `in.1`, `in.2`, so the program cannot be run on it, and only recorded signals are shown; use `--column NAME=COLUMN` to read one from a column of another name
+  another.csv:1: the recording has no column for the program's input `in.1`, `in.2`, so the viewer cannot run the program on it and only shows recorded signals; to read one from a column with another name, use `--column NAME=COLUMN`
   view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
 

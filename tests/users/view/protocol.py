@@ -266,7 +266,7 @@ async def conditions(v, rows):
         "x": None,
         "forward >": "the condition is incomplete",
         "(forward > 1": "a closing parenthesis is missing before",
-        "forward > 1[ell]": "this is not a unit: `[ell]`",
+        "forward > 1[ell]": "not a unit: `[ell]`",
         "forward ! 1": "the viewer does not understand `! 1`",
         "sonar": "there is no signal `sonar`",
         "mode.bug == drive": "there is no signal `drive`",

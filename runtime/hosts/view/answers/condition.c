@@ -123,7 +123,7 @@ static const struct signal *find_end(struct reader *r, const char *name, bool in
         if ((signal->side == PROBE) != inside || !ends_in(signal->name, name))
             continue;
         if (found != NULL) {
-            complain(r, "several signals are named", name);
+            complain(r, "several signals have names that end in", name);
             return NULL;
         }
         found = signal;
@@ -169,7 +169,7 @@ static void read_number(struct reader *r)
         const char *close = strchr(r->at, ']');
         double scale = 0;
         if (close == NULL || !unit_read(r->at + 1, (size_t)(close - r->at - 1), &scale)) {
-            complain(r, "this is not a unit:", r->at);
+            complain(r, "not a unit:", r->at);
             return;
         }
         number *= scale;

@@ -260,7 +260,7 @@ static void answer_what_if(struct view *view, const struct what_if_edit *edit,
         what_if_end(&view->other);
         buffer_text(answer, "{\"is\":\"what-if\",\"there\":false}");
     } else if (!can_try(view, drives)) {
-        answer_refusal(answer, drives ? "this run cannot be simulated again"
+        answer_refusal(answer, drives ? "the viewer cannot simulate this run again"
                                       : "this program cannot be rerun on the recording");
     } else if (!what_if_start(&view->other, &view->signals, &view->recording,
                               &view->files->commands, view->files->sources[0], edit, &why)) {

@@ -22,7 +22,8 @@ bool live_start(struct live *live, struct ring *ring, const char *file,
     live->recording = recording;
     live->host = (long)getppid();
     if (ring->sizes.input != program->input_size || ring->sizes.output > program->output_size) {
-        fprintf(stderr, "error: the running program is not the program to show\n");
+        fprintf(stderr,
+                "error: the running program is not the program that the viewer was started for\n");
         return false;
     }
     live->input = (unsigned char *)malloc(ring->sizes.input + 1);
@@ -84,7 +85,7 @@ static void add(struct live *live, int64_t time_ns)
         return;
     live->full = true;
     buffer_text(&live->recording->notes,
-                "not enough memory for more of this run: new instants are not kept\n");
+                "not enough memory for more of this run: new instants are not stored\n");
 }
 
 /* Adds some or all of the instants that were overwritten in the ring. */

@@ -93,11 +93,12 @@ static void look_for_inputs(struct reader *r, bool has_others)
     recording->has_all_inputs = missing.count == 0;
     if (missing.count > 0)
         note(r,
-             "the recording has no column for the program's input %s, so the program cannot be run "
-             "on it, and only recorded signals are shown%s",
+             "the recording has no column for the program's input %s, so the viewer cannot run the "
+             "program on it and only shows recorded signals%s",
              missing.text.data,
-             has_others ? "; use `--column NAME=COLUMN` to read one from a column of another name"
-                        : "");
+             has_others
+                 ? "; to read one from a column with another name, use `--column NAME=COLUMN`"
+                 : "");
     buffer_free(&missing.text);
 }
 

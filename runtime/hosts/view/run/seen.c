@@ -66,7 +66,7 @@ void seen_lose(struct recording *recording, size_t k, unsigned char *input,
                   is_there ? "the recorded frame: its file was changed" : "available ",
                   is_there ? "" : reason(recording));
     buffer_text(&recording->notes,
-                "; from this instant on, only recorded inputs and outputs are shown\n");
+                "; from this instant on, the viewer only shows recorded inputs and outputs\n");
 }
 
 struct look {

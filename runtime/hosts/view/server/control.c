@@ -91,7 +91,7 @@ static const char *touch(struct control *control, const char *request)
     }
     if (at == NULL || *at != '\0' || !isfinite(numbers[1]) || !isfinite(numbers[2]) ||
         !(numbers[0] >= 0.0 && numbers[0] <= 1e6 && numbers[0] == floor(numbers[0])))
-        return "this is not a part of a console";
+        return "this is not a console event";
     event.id = (uint32_t)numbers[0];
     event.x = numbers[1];
     event.y = holds ? now_s() : numbers[2];
