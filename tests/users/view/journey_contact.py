@@ -161,7 +161,7 @@ def lost_and_found(driver, frobc):
     page.all("#type")[0].send_keys("w")
     loses(page, "a host that is frozen", "the process that runs the program does not respond")
     page.press(Keys.ESCAPE, "p")
-    page.wait(lambda: any("not done: there is no contact" in text for text in said(page, "state")))
+    page.wait(lambda: any("not done: no contact" in text for text in said(page, "state")))
     os.kill(run.host_process, signal.SIGCONT)
     finds_back(page)
     page.wait(

@@ -193,7 +193,7 @@ export class Contact {
   }
 }
 
-const replaced = "Another viewer answers at this address. Open the address that it has printed.";
+const replaced = "Another viewer answers at this address. Open the address that it printed.";
 
 const reasons: Readonly<Record<Exclude<Silent, "nobody">, string>> = {
   viewer: "the viewer does not respond.",

@@ -252,7 +252,7 @@ function failed(what: string): void {
   if (what.startsWith("ResizeObserver loop")) return;
   element("failed").textContent =
     `This page has failed and may show wrong values: ${what}. ` +
-    "Reload it; the run continues without it.";
+    "Reload the page; the run continues without it.";
   element("failed").hidden = false;
 }
 

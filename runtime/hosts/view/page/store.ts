@@ -181,7 +181,7 @@ export class Store {
    *  page says so, and this returns false. */
   command(request: string): boolean {
     const isSent = !this.contact.isLost && this.connection.command(request);
-    if (!isSent) this.undone("not done: there is no contact with the run");
+    if (!isSent) this.undone("not done: no contact with the run");
     return isSent;
   }
 

@@ -180,7 +180,7 @@ export function startConsole(store: Store, host: HTMLElement): void {
     cells.length = 0;
   };
   const lookedAt = note(
-    "This page can only watch the robot. Use --view=control to operate it.",
+    "This page can only watch the robot. To operate it, start the run with --view=control.",
   ).host;
   const show = () => {
     const {

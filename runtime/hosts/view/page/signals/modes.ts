@@ -139,7 +139,7 @@ class Diagram {
     ];
     const note = document.createElement("small");
     note.textContent = waits.join(", ");
-    note.title = waits.length > 0 ? `Leaves this mode: ${waits.join(", ")}` : "";
+    note.title = waits.length > 0 ? `Events that end this mode: ${waits.join(", ")}` : "";
     row.append(pill, note);
     return row;
   }

@@ -89,7 +89,7 @@ export class WhatIfBar {
     if (!whatIf) return;
     const { there, drives, why, first, signal } = whatIf;
     this.said.classList.toggle("bad", why !== undefined);
-    const where = drives ? "It ran in the simulator. " : "";
+    const where = drives ? "The edited program ran in the simulator. " : "";
     if (why !== undefined) this.said.textContent = why.trim();
     else if (!there) this.said.textContent = "";
     else if (first === undefined)

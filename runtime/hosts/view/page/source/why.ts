@@ -234,5 +234,5 @@ function plainName(signal: Signal): string {
 function reasonForNone(signal: Signal): string {
   if (signal.side === "input") return "It is an input from the robot or the operator.";
   if (signal.side === "mode") return "Click the mode on its line in the source.";
-  return "It depends on no signal, only on constants, the time, or a mode that ran from the beginning.";
+  return "It does not depend on a signal, only on constants, the time, or a mode that has run since the start.";
 }
