@@ -81,7 +81,7 @@ def entry(module, comment, declaration, depth):
     ]
     methods = "\n".join(line[4:] for line in body)
     # a method without its own comment gets the comment of its class
-    methods = re.sub(r"(?<!\S\n)^(?=\w+ :: )", f"-- | {comment}\n", methods, flags=re.M)
+    methods = re.sub(r"(?<!\S\n)^(?=\w+ :: )", lambda _: f"-- | {comment}\n", methods, flags=re.M)
     for inner in entries(methods):
         out += entry(module, *inner, depth + 1)
     return out
