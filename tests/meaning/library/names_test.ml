@@ -99,7 +99,8 @@ let declared module_ (program : Resolve.Ir.program) =
 let names suits declared = List.filter_map (fun d -> if suits d then Some d.name else None) declared
 
 (* The modules of robots are tested with the robots, in the simulator. *)
-let general = [ "Prelude"; "Control"; "Geometry"; "Sources"; "Past" ]
+let general =
+  [ "Prelude"; "Control"; "Geometry"; "Sources"; "Past"; "Integration"; "Behaviour"; "Motion" ]
 
 let check module_ =
   let declared = declared module_ (load module_) in

@@ -18,6 +18,9 @@ let library =
     "Driving";
     "Sources";
     "Past";
+    "Integration";
+    "Behaviour";
+    "Motion";
     "TestRobot";
     "Trial";
     "WallFollow";
