@@ -64,7 +64,7 @@ let robot name =
 let examples =
   let example ?robot name = (root / "examples" / name / (name ^ ".frob"), robot) in
   let for_pioneer =
-    [ "bug"; "corridor"; "dock"; "explore"; "heading_hold"; "patrol"; "wall_follow" ]
+    [ "bug"; "corridor"; "dock"; "explore"; "heading_hold"; "patrol"; "subsumption"; "wall_follow" ]
   in
   List.map (fun name -> example name) for_pioneer
   @ [

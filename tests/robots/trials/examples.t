@@ -73,6 +73,16 @@ The trials of the examples hold, on each robot that they are for.
   ok    follows the obstacle on its left for eight seconds, 0.3 m away: 9 s
   ok    looks round at each end, and drives back: 55 s
   ok    drives on to the same place after it has gone round an obstacle: 40 s
+  ok    drives on for three minutes and touches nothing: 3 seeds, 180 s
+  ok    gets half a metre away from every place within a minute: 3 seeds, 180 s
+  ok    cruises at 0.3 m/s if nothing is near, and turns both ways: 20 s
+  ok    steers away from an object at a side, by 4 rad/s for each metre: 1 s
+  ok    dodges to the side with more room, and does not change the side: 2 s
+  ok    does not dodge an obstacle that is near for one instant only: 2 s
+  ok    dodges for at least half a second: 2 s
+  ok    an escape wins over everything else and lasts for 1.5 s: 3 s
+  ok    turns away from the side that was hit: 1 s
+  ok    commands what the layers decide: 1 s
   ok    drives up to the poster: 2 seeds, 16 s
   ok    drives round the room, 0.2 m from the wall, and touches nothing: 10 seeds, 60 s
   ok    limits a number on both sides: 1 s
@@ -80,9 +90,9 @@ The trials of the examples hold, on each robot that they are for.
   ok    turns by 8 rad/s for each m/s by which the distance changes too slowly: 1 s
   ok    approaches the wall at no more than 50 degrees: 1 s
   ok    slows down before an obstacle, and backs away if it is too near: 1 s
-  75 tests: all hold; 3 skipped
+  85 tests: all hold; 3 skipped
   $ for robot in pioneer scout create; do
-  >   for name in bug corridor dock explore patrol; do
+  >   for name in bug corridor dock explore patrol subsumption; do
   >     frobc test $examples/$name/$name.frob --robot $robot --seeds 2 | tail -1
   >   done
   > done
@@ -91,16 +101,19 @@ The trials of the examples hold, on each robot that they are for.
   11 tests: all hold
   10 tests: all hold
   6 tests: all hold
+  10 tests: all hold
   8 tests: all hold
   8 tests: all hold
   11 tests: all hold
   10 tests: all hold
   6 tests: all hold
+  10 tests: all hold
   8 tests: all hold
   8 tests: all hold
   11 tests: all hold
   10 tests: all hold
   6 tests: all hold
+  10 tests: all hold
 
 Examples that need C run if their files are given, as the message says.
 
