@@ -83,7 +83,7 @@ let sweep =
   in
   let shard =
     let doc =
-      "Make only part K of N of the runs, as in $(b,3/100). A batch system can use this to \
+      "Perform only part K of N of the runs, as in $(b,3/100). A batch system can use this to \
        distribute the runs over several machines. When all parts are done, make the table with \
        $(b,--merge)."
     in

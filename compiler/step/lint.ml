@@ -268,7 +268,7 @@ let loop c known (l : Ir.loop) =
   | Some { content = States_of { node; count }; _ }, _ :: _ when node = l.node && count = l.count ->
       ()
   | None, [] -> ()
-  | _, _ -> bug "a loop over `%s` has a wrong state" callee.name);
+  | _, _ -> bug "a loop over `%s` has the wrong state" callee.name);
   let accumulators = List.length l.initial in
   let outputs = List.map snd callee.outputs in
   let argument (p : Ir.variable) (argument : Ir.argument) =
@@ -326,7 +326,7 @@ let rec statement c depth known (s : Ir.statement) =
       (match (state, callee.state) with
       | Some { content = State_of k; _ }, _ :: _ when k = node -> ()
       | None, [] -> ()
-      | _, _ -> bug "a step of `%s` has a wrong state" callee.name);
+      | _, _ -> bug "a step of `%s` has the wrong state" callee.name);
       call c known callee.step.parameters arguments;
       results c variables (List.map snd callee.outputs);
       declare_all c known variables

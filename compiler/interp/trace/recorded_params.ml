@@ -27,8 +27,8 @@ let value core (p : param) text =
   | None -> wrong ()
   | Some (_, Some unit_) when not (String.equal unit_ p.unit_) ->
       Error
-        (Printf.sprintf "the parameter `%s` is %s, but `%s` has another unit" p.label (described p)
-           text)
+        (Printf.sprintf "the parameter `%s` is %s, but `%s` has a different unit" p.label
+           (described p) text)
   | Some (number, _) -> (
       match Cell.read (Shape.of_type core p.ty) number with
       | Ok (Float x) when Float.is_nan x -> wrong ()

@@ -3,7 +3,7 @@
     Products are compared part by part, and arrays element by element. Sums are compared by
     constructor, in declaration order, then by payload. Everything reduces to [==] and [<] on
     numbers. Therefore a product that contains NaN is neither equal to, less than nor greater than
-    another product, unless other parts decide. *)
+    another product, unless another component determines the result. *)
 
 type position := Evaluator.position
 

@@ -418,7 +418,7 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~insid
         Diagnostic.error ~code:"E0415" ~at:place "`%s` restarts itself inside itself" name
         |> Diagnostic.here
              (if by_itself then
-                Printf.sprintf "`%s` continues around the signal function that runs here" name
+                Printf.sprintf "`%s` keeps running while the signal function here runs" name
               else "here, inside " ^ String.concat ", inside " quoted)
       in
       let labels =

@@ -95,7 +95,7 @@ static enum params_result read_value(struct params *params, size_t i, const char
     bool ok = take_apart(text, number, sizeof number, &unit);
     describe(param, expected, sizeof expected);
     if (ok && !is_unit_of(param, unit)) {
-        snprintf(why, PARAMS_WHY, "the parameter `%s` is %s, but `%s` has another unit",
+        snprintf(why, PARAMS_WHY, "the parameter `%s` is %s, but `%s` has a different unit",
                  param->name, expected, text);
         return PARAMS_WRONG;
     }

@@ -28,7 +28,7 @@ enum params_result {
     PARAMS_SET,
     PARAMS_KEPT,    /* an option has set it to a value other than the recorded one */
     PARAMS_UNKNOWN, /* the program has no such parameter */
-    PARAMS_WRONG    /* the text is not a value of the parameter, or has another unit */
+    PARAMS_WRONG    /* the text is not a value of the parameter, or has a different unit */
 };
 
 /* Reads a recorded value, in the form of an option; `why` has room for PARAMS_WHY. */

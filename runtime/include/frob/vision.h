@@ -237,7 +237,7 @@ struct frob_stereo {
 };
 #endif
 
-/* Returns the bytes of memory that frob_match_stereo needs for a region of this width. */
+/* Returns the number of bytes of memory that frob_match_stereo needs for a region of this width. */
 size_t frob_stereo_room(int32_t width, const struct frob_stereo *how);
 
 /* Computes the disparity of each pixel of the region, in 1/16 pixels. It is -1 if unknown: the

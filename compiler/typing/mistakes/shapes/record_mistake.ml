@@ -58,7 +58,8 @@ let parts fact fields =
   match (bound_too_tightly fact.words fact.subject fields, fact.given) with
   | Some hint, _ -> hint
   | None, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ } ->
-      Printf.sprintf "for a part of the vector, write %s; for its length, write `norm %s`" all r
+      Printf.sprintf "for a component of the vector, write %s; for its length, write `norm %s`" all
+        r
   | None, _ -> "this is a record: choose one of its fields, " ^ all
 
 let in_place_of_a_number fact =

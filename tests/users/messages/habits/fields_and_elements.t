@@ -244,7 +244,7 @@ Records and arrays in the syntax of other languages.
     |         |
     |         argument 1 of `sqrt` is `Float[u]`
     |
-    = hint: for a part of the vector, write `(place i).x`, `(place i).y`; for its length, write `norm (place i)`
+    = hint: for a component of the vector, write `(place i).x`, `(place i).y`; for its length, write `norm (place i)`
   
   1 error
   [1]

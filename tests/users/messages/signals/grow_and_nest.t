@@ -85,7 +85,7 @@ A task of the library runs first; the growing one is the program's.
     |                                                                                                 ---- `turn` restarts here
   ...
   7 |     o = rSwitch cruise (i, tag e cruise)
-    |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ `turn` continues around the signal function that runs here
+    |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ `turn` keeps running while the signal function here runs
     |
     = note: a signal function may only restart itself as the whole result of a continuation; otherwise each restart would need more memory
     = hint: use `switch`, whose continuation replaces it; `rSwitch` never ends
