@@ -141,9 +141,9 @@ before, or 0.2 s:
   $ model controller '{
   >     most = usual > 0.1 ? 2 * usual : 0.2; step = usual > 0 && dt > most ? most : dt
   >     usual = start ? 0 : step
-  >     sum = start ? 0 : sum + step * counted
+  >     sum = start ? 0 : limit(5, sum + step * counted)
   >     slope = start ? 0 : dt > 0 ? (x - before) / dt : slope
-  >     wanted = 2 * x + 0.5 * sum + 0.1 * slope
-  >     counted = (wanted > 5 && x > 0 || wanted < -5 && x < 0) ? 0 : x
+  >     wanted = 2 * x + sum + 0.1 * slope
+  >     counted = (wanted > 5 && x > 0 || wanted < -5 && x < 0) ? 0 : 0.5 * x
   >     printf "%.9g\n", limit(5, wanted)
   >   }'

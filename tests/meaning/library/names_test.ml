@@ -100,7 +100,20 @@ let names suits declared = List.filter_map (fun d -> if suits d then Some d.name
 
 (* The modules of robots are tested with the robots, in the simulator. *)
 let general =
-  [ "Prelude"; "Control"; "Geometry"; "Sources"; "Past"; "Integration"; "Behaviour"; "Motion" ]
+  [
+    "Prelude";
+    "Control";
+    "Geometry";
+    "Sources";
+    "Past";
+    "Angles";
+    "Filters";
+    "Logic";
+    "Pid";
+    "Integration";
+    "Behaviour";
+    "Motion";
+  ]
 
 let check module_ =
   let declared = declared module_ (load module_) in

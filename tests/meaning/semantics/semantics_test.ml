@@ -21,6 +21,10 @@ let library =
     "Integration";
     "Behaviour";
     "Motion";
+    "Angles";
+    "Filters";
+    "Logic";
+    "Pid";
     "TestRobot";
     "Trial";
     "WallFollow";

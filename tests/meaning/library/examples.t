@@ -1,0 +1,35 @@
+The examples in the doc comments of the library: `Example: ` and Frob in backticks. Each runs in both
+engines, on an input with the names that the examples use.
+
+  $ cat > examples.awk << 'AWK'
+  > FNR == 1 { module = FILENAME; sub(/.*\//, "", module); sub(/\.frob/, "", module) }
+  > /^-- Example: `.*`\.$/ {
+  >     sub(/^-- Example: `/, ""); sub(/`\.$/, "")
+  >     if (!(module in imported)) imports = imports "import " module "\n"
+  >     imported[module]
+  >     n++
+  >     equations = equations "    example" n " = " $0 "\n"
+  >     outputs = outputs (n > 1 ? ", " : "") "example" n
+  > }
+  > END {
+  >     printf "import Control\n%s", imports
+  >     print "gains :: Pid[1, 1]"
+  >     print "gains = Pid { kp = 1, ki = 1[1/s], kd = 1[s], largest = 1 }"
+  >     print "inputs :: SF (Float, Float[1/s], Angle, Float, Bool) (Float, Float[1/s], Angle, Float, Bool)"
+  >     print "inputs = identity"
+  >     print "main = proc given -> (" outputs ") where"
+  >     print "    (reading, rate, heading, goal, pressed) = inputs given"
+  >     printf "%s", equations
+  > }
+  > AWK
+  $ awk -f examples.awk $(ls ../../../stdlib/*.frob) > examples.frob
+  $ test $(grep -c '^    example' examples.frob) -ge 45
+  $ cat > input.csv << ROWS
+  > time,in.1,in.2,in.3,in.4,in.5
+  > 0,1,0.1,3,0.5,false
+  > 0.1,2,0.1,-3,0.5,true
+  > 0.2,3,0.1,-2.9,1,true
+  > ROWS
+  $ for engine in c interp; do frobc trace examples.frob --engine $engine --input input.csv --output $engine.csv; done
+  $ cmp c.csv interp.csv
+  $ test $(tail -n 1 c.csv | tr , '\n' | grep -c .) -ge 46
