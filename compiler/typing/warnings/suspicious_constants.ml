@@ -40,7 +40,12 @@ let durations (g : Global.t) =
   match (g.module_, g.name) with
   | "Prelude", ("after" | "elapsed" | "every" | "sampleEvery" | "sleepT") -> [ 0 ]
   | "Prelude", "timeOut" -> [ 1 ]
-  | "Control", ("lowPass" | "debounce") -> [ 0 ]
+  | "Control", ("lowPass" | "debounce")
+  | "Filters", ("highPass" | "filteredDerivative" | "complementary")
+  | "Angles", ("lowPassAngle" | "complementaryAngle")
+  | "Logic", ("pulse" | "onDelay" | "offDelay") ->
+      [ 0 ]
+  | "Filters", "rejectJumps" -> [ 1 ]
   | "Sources", "chirp" -> [ 2 ]
   | "Sources", "colouredNoise" -> [ 0 ]
   | _ -> []

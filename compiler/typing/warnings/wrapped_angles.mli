@@ -1,0 +1,9 @@
+(** Warns of plain differences and plain filters of angles that wrap from pi to -pi.
+
+    Codes: [W0315]. *)
+
+val warn : Basis.Diagnostic.sink -> Resolve.Ir.program -> Ir.program -> unit
+(** Checks the definitions of the program's own modules. An angle wraps if it is the [heading] of a
+    [Pose], or a result of [angleDiff], [direction], [atan2] and similar functions, directly or
+    through equations. A difference in [sin], [angleDiff] and similar functions is fine, because
+    they accept any number of turns. *)

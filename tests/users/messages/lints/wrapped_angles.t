@@ -1,0 +1,138 @@
+A plain difference or filter of an angle that wraps is reported, with the function that takes the
+wrap into account.
+
+  $ cat > turns.frob <<'FROB'
+  > import Control
+  > import Filters
+  > import Geometry
+  > 
+  > gains, noDerivative :: Pid[1, 1/s]
+  > gains = Pid { kp = 2[1/s], ki = 0, kd = 0.1, largest = 1[rad/s] }
+  > noDerivative = Pid { kp = 2[1/s], ki = 0, kd = 0, largest = 1[rad/s] }
+  > 
+  > main :: SF (Pose, Point2) (Float, Array 3 AngularVelocity, Array 3 Angle)
+  > main = proc (pose, goal) -> (2 * wrong, [rate, turn, pid noDerivative error], [smooth, high, fused]) where
+  >     toGoal = direction (goal ^-^ pose.position)
+  >     error  = angleDiff toGoal pose.heading
+  >     wrong  = toGoal - pose.heading
+  >     rate   = derivative pose.heading
+  >     turn   = pid gains error
+  >     smooth = lowPass 0.2[s] (previous error)
+  >     high   = highPass 1[s] (atan2 1 (wrong - 1))
+  >     fused  = complementary 1[s] (turn, pose.heading)
+  > FROB
+  $ frobc check turns.frob
+  warning[W0315]: this difference of angles can be more than half a turn
+    --> turns.frob:13:14
+     |
+  13 |     wrong  = toGoal - pose.heading
+     |              ^^^^^^^^^^^^^^^^^^^^^
+     |
+     = note: from -179 degrees to 179 degrees, it is 358 degrees; the shortest rotation is -2 degrees
+     = hint: write `angleDiff a b` (module Geometry) instead of `a - b`
+  
+  warning[W0315]: `derivative` of an angle that wraps
+    --> turns.frob:14:14
+     |
+  14 |     rate   = derivative pose.heading
+     |              ^^^^^^^^^^ ------------ this angle is between -pi and pi
+     |
+     = note: where the angle jumps from pi to -pi, `derivative` sees a rotation by 360 degrees
+     = hint: write `angularRate` (module Angles)
+  
+  warning[W0315]: `pid` of an angle that wraps
+    --> turns.frob:15:14
+     |
+  15 |     turn   = pid gains error
+     |              ^^^       ----- this angle is between -pi and pi
+     |
+     = note: where the angle jumps from pi to -pi, `pid` sees a rotation by 360 degrees
+     = hint: make the angle continuous with `unwrap` (module Angles)
+  
+  warning[W0315]: `lowPass` of an angle that wraps
+    --> turns.frob:16:14
+     |
+  16 |     smooth = lowPass 0.2[s] (previous error)
+     |              ^^^^^^^         -------------- this angle is between -pi and pi
+     |
+     = note: where the angle jumps from pi to -pi, `lowPass` sees a rotation by 360 degrees
+     = hint: write `lowPassAngle` (module Angles)
+  
+  warning[W0315]: `highPass` of an angle that wraps
+    --> turns.frob:17:14
+     |
+  17 |     high   = highPass 1[s] (atan2 1 (wrong - 1))
+     |              ^^^^^^^^       ------------------- this angle is between -pi and pi
+     |
+     = note: where the angle jumps from pi to -pi, `highPass` sees a rotation by 360 degrees
+     = hint: make the angle continuous with `unwrap` (module Angles)
+  
+  warning[W0315]: `complementary` of an angle that wraps
+    --> turns.frob:18:14
+     |
+  18 |     fused  = complementary 1[s] (turn, pose.heading)
+     |              ^^^^^^^^^^^^^             ------------ this angle is between -pi and pi
+     |
+     = note: where the angle jumps from pi to -pi, `complementary` sees a rotation by 360 degrees
+     = hint: write `complementaryAngle` (module Angles)
+  
+  6 warnings
+
+The fixes compile, and nothing is left to report.
+
+  $ frobc fix --all turns.frob
+  turns.frob:13:14: use `angleDiff` (W0315)
+  turns.frob:14:14: write `angularRate` (W0315)
+  turns.frob:15:14: use `unwrap` (W0315)
+  turns.frob:16:14: write `lowPassAngle` (W0315)
+  turns.frob:17:14: use `unwrap` (W0315)
+  turns.frob:18:14: write `complementaryAngle` (W0315)
+  turns.frob:14:14: add `import Angles` (E0205)
+  $ frobc check turns.frob
+  $ tail -n 8 turns.frob
+      toGoal = direction (goal ^-^ pose.position)
+      error  = angleDiff toGoal pose.heading
+      wrong  = angleDiff toGoal pose.heading
+      rate   = angularRate pose.heading
+      turn   = pid gains (unwrap error)
+      smooth = lowPassAngle 0.2[s] (previous error)
+      high   = highPass 1[s] (unwrap (atan2 1 (wrong - 1)))
+      fused  = complementaryAngle 1[s] (turn, pose.heading)
+
+Where any number of turns is fine, nothing is reported: in the sine of a difference, directly or by
+an equation that is used nowhere else, in an argument of `angleDiff`, in the heading of a pose, and
+in a difference from a rotation.
+
+  $ cat > fine.frob <<'FROB'
+  > import Geometry
+  > 
+  > main :: SF (Pose, Angle) (Float, Float, Angle, Angle, Pose)
+  > main = proc (Pose { position, heading }, goal) -> (sin (goal - heading), cos off, near, left, there) where
+  >     off   = goal - heading
+  >     near  = angleDiff (goal - heading) 0.1
+  >     left  = angleDiff goal heading - 5[deg]
+  >     there = Pose { position, heading = goal - heading }
+  > FROB
+  $ frobc check fine.frob
+
+A heading that a pattern binds, and an equation that is also used elsewhere:
+
+  $ cat > both.frob <<'FROB'
+  > import Geometry
+  > 
+  > main :: SF (Pose, Angle) (Float, Angle, AngularVelocity)
+  > main = proc (Pose { heading }, goal) -> (sin off, 2 * off, derivative heading) where
+  >     off = goal - heading
+  > FROB
+  $ frobc check both.frob 2>&1 | grep -A 3 warning
+  warning[W0315]: `derivative` of an angle that wraps
+   --> both.frob:4:60
+    |
+  4 | main = proc (Pose { heading }, goal) -> (sin off, 2 * off, derivative heading) where
+  --
+  warning[W0315]: this difference of angles can be more than half a turn
+   --> both.frob:5:11
+    |
+  5 |     off = goal - heading
+  --
+  2 warnings
