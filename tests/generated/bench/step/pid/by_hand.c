@@ -7,8 +7,8 @@ static const double kp = 2.0, ki = 0.3, kd = 0.1, largest = 1.0;
 
 void by_hand_reset(struct by_hand *self)
 {
-    self->sum = 0.0;
-    self->counted = 0.0;
+    self->total = 0.0;
+    self->growth = 0.0;
     self->before = 0.0;
     self->usual = 0.0;
     self->slope = 0.0;
@@ -27,13 +27,13 @@ void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct p
         /* Limit the step, so that the integral does not grow by a whole outage. */
         const double most = fmax(0.2, 2.0 * self->usual);
         const double step = self->usual > 0 && dt > most ? most : dt;
-        self->sum += step * self->counted;
+        self->total = fmax(-largest, fmin(largest, self->total + self->growth * step));
         self->usual = step;
         self->slope = (error - self->before) / dt;
     }
     self->before = error;
-    wanted = kp * error + ki * self->sum + kd * self->slope;
-    self->counted = fabs(wanted) > largest && ki * error * wanted > 0 ? 0.0 : error;
+    wanted = kp * error + self->total + kd * self->slope;
+    self->growth = fabs(wanted) <= largest || ki * error * wanted <= 0 ? ki * error : 0.0;
     if (wanted > largest)
         out->value = largest;
     else if (wanted < -largest)

@@ -6,11 +6,11 @@
 #include "pid.h"
 
 struct by_hand {
-    double sum;     /* the integral of the error */
-    double counted; /* the error to integrate over the next step */
-    double before;  /* the error at the previous instant */
-    double usual;   /* the step counted at the previous instant */
-    double slope;   /* the last slope, kept while dt is 0 */
+    double total;  /* the integral part of the output */
+    double growth; /* how fast it grows over the next step */
+    double before; /* the error at the previous instant */
+    double usual;  /* the step counted at the previous instant */
+    double slope;  /* the last slope, kept while dt is 0 */
     bool started;
 };
 
