@@ -25,11 +25,10 @@ compiler warning, and a state that differs although the outputs are equal.
   once: recording 2: the output differs
   [1]
   $ cp whole.c runner.c
-  $ sed -i 's/frob_whole_ns(dt)/(int64_t)(dt * 1e9)/' runner.c && matrix waited.frob
+  $ sed -i 's/frob_whole_ns(dt)/(int64_t)(dt * 1e9)/' runner.c && matrix waited.frob | sed 's/recording [0-9]*/recording N/' | uniq
   FAIL gcc-O0
   gcc-O0, waited:
-  waited: recording 2: the output differs
-  [1]
+  waited: recording N: the output differs
   $ cp whole.c runner.c
   $ sed -i 's/(float)dt/2 * &/' runner.c && matrix waited.frob
   FAIL gcc-O0

@@ -162,7 +162,7 @@ Numbers that are out of range are reported.
   2 | main = proc x -> x + 1.0e39
     |                      ^^^^^^
     |
-    = note: with `--real float` the largest number is 3.4028234663852886e38
+    = note: with `--real float`, the largest number is 3.4028234663852886e38
   
   1 error
   [1]

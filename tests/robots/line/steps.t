@@ -34,10 +34,10 @@ The resolutions that `frobc report` states are those of the drivers and of the s
     ahead     1 mm/s
     turning  1 deg/s
   resolution of speed on the wire of a scout, averaged over commands
-    each wheel    2.54 mm/s
+    each wheel             2.54 mm/s
     resulting turn rate  0.422 deg/s
   resolution of speed on the wire of a create, averaged over commands
-    each wheel       1 mm/s
+    each wheel                1 mm/s
     resulting turn rate  0.244 deg/s
   $ sed -n 's/^  [a-z ]*  *\([0-9.]* [a-z]*\/s\)$/\1/p' told | diff - drivers
   $ frobc report still.frob --robot scout --format=json | grep -o '"wire":.*]}'
