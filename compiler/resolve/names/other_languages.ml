@@ -64,10 +64,6 @@ let data = function
       Some
         "the library cannot sort: write `minimumBy id xs` for the least element, `maximumBy id xs` \
          for the greatest"
-  | "median" ->
-      Some
-        "the library has no median of an array: write `mean xs`, or, for the median of three \
-         values, `max (min a b) (min (max a b) c)`"
   | "average" | "avg" -> Some "use `mean xs`"
   | "minimum" -> Some "use `minimumBy id xs` for the least element of an array"
   | "maximum" -> Some "use `maximumBy id xs` for the greatest element of an array"

@@ -239,6 +239,11 @@ let defined text at =
       Printf.sprintf "%s = %s" (String.lowercase_ascii name) value
   | _ -> "vMax = 0.4[m/s]"
 
+(* Whether only spaces precede this offset in its line. *)
+let begins_line text at =
+  let rec go i = i < 0 || text.[i] = '\n' || (text.[i] = ' ' && go (i - 1)) in
+  go (at - 1)
+
 let of_character ~text ~at character =
   let next = char_at text (at + String.length character) in
   let starts word =
@@ -265,6 +270,7 @@ let of_character ~text ~at character =
   | "~", None when next = '=' -> only "use `/=` to compare for inequality"
   | "~", None -> both "write `not b` for the opposite of `b`" "not "
   | "?", None -> only "use `if c then a else b`"
+  | "%", None when begins_line text at -> both "write `--` to start a comment" "--"
   | "%", None when char_at text (at - 1) = '[' ->
       only "percent is not a unit: write 20 percent of x as `0.2 * x`"
   | "%", None -> only "use ``x `mod` y`` for the remainder; 20 percent of x is `0.2 * x`"

@@ -104,6 +104,19 @@ let reserved found =
 
 (* {1 Brackets} *)
 
+(* The part of a text before the bracket that closes around it. *)
+let before_closing text =
+  let rec go i depth =
+    if i >= String.length text then None
+    else
+      match text.[i] with
+      | '[' | '(' -> go (i + 1) (depth + 1)
+      | (']' | ')') when depth > 0 -> go (i + 1) (depth - 1)
+      | ']' -> Some (String.sub text 0 i)
+      | _ -> go (i + 1) depth
+  in
+  go 0 0
+
 (* `[x * 2 for x in xs]`, a Python list comprehension. *)
 let for_each found =
   match found.context with
@@ -112,8 +125,8 @@ let for_each found =
       let rest =
         between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum)
       in
-      match (List.rev (String.split_on_char ' ' inside), String.split_on_char ']' rest) with
-      | x :: "for" :: element, xs :: _ ->
+      match (List.rev (String.split_on_char ' ' inside), before_closing rest) with
+      | x :: "for" :: element, Some xs ->
           Some (String.concat " " (List.rev element), x, String.trim xs)
       | _ -> None)
   | _ -> None

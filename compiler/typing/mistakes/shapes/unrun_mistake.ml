@@ -122,8 +122,28 @@ let message words ~subject ~at ~wanted ~input ~found =
       |> instead subject cure
   | None -> hint_to_run words subject input d
 
+(* A program is made from a signal function that is not applied. *)
+let is_program ty =
+  match Type.expand ty with
+  | Type.Data { tycon; _ } -> tycon = Environment.built_in "Program"
+  | _ -> false
+
+let program (fact : Shape_fact.t) =
+  let d =
+    error ~code:"E0301" ~at:fact.at "expected a program, found a signal function"
+    |> here (Printf.sprintf "this is %s" (Shape_fact.found_text fact))
+    |> note (Printf.sprintf "expected %s" (Shape_fact.expected_text fact))
+  in
+  let text = Option.bind fact.subject (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) in
+  match text with
+  | None -> hint "use `reactimateRobot` to turn a signal function into a program" d
+  | Some text ->
+      let made = "reactimateRobot " ^ Source.grouped text in
+      d |> hint (Printf.sprintf "write `%s`" made) |> instead fact.subject made
+
 let unrun (fact : Shape_fact.t) =
   match (fact.wanted, fact.given) with
+  | Data _, Signal_function _ when is_program fact.expected.ty -> Some (program fact)
   | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _) ->
       message fact.words ~subject:fact.subject ~at:fact.at ~wanted:fact.expected.ty ~input
         ~found:fact.found

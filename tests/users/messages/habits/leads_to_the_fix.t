@@ -383,12 +383,11 @@ Functions of arrays that the library does not have:
   2 | main = proc xs -> median xs
     |                   ^^^^^^
     |
-    = hint: the library has no median of an array: write `mean xs`, or, for the median of three values, `max (min a b) (min (max a b) c)`
+    = hint: `median` is in the library: `import Filters`
   
   1 error
   [1]
-  $ sed 's/median xs/mean xs/' median.frob > pasted.frob && frobc check pasted.frob
-  $ sed 's/median xs/max (min a b) (min (max a b) c) where [a, b, c] = xs/' median.frob > pasted.frob && frobc check pasted.frob
+  $ sed '1i import Filters' median.frob > pasted.frob && frobc check pasted.frob
 
 A signal as the initial value of `delay`:
 
@@ -685,3 +684,28 @@ A command under its name in other tools:
   Usage: frobc COMMAND …
   Try 'frobc --help' for more information.
   [2]
+
+A signal function in place of a program:
+
+  $ cat > drive.frob << 'END'
+  > import Robot
+  > 
+  > drive :: SF RobotInput RobotOutput
+  > drive = proc _ -> roMake (setVelTR 0.2[m/s] 0)
+  > 
+  > main :: Program RobotInput RobotOutput
+  > main = drive
+  > END
+  $ frobc check drive.frob 2>&1 | grep -e ^error -e hint
+  error[E0301]: expected a program, found a signal function
+    = hint: write `reactimateRobot drive`
+  $ sed -i 's/^main = drive/main = reactimateRobot drive/' drive.frob && frobc check drive.frob
+
+An array comprehension of Python, and a comment of MATLAB:
+
+  $ printf 'main :: SF Float Float\nmain = proc x -> sum [y * x for y in [1, 2, 3]]\n' > of.frob
+  $ frobc check of.frob 2>&1 | grep hint
+    = hint: use `map (\y -> y * x) [1, 2, 3]` to compute each element
+  $ printf '%% doubles\nmain :: SF Float Float\nmain = proc x -> 2 * x\n' > comment.frob
+  $ frobc check comment.frob 2>&1 | grep hint
+    = hint: write `--` to start a comment
