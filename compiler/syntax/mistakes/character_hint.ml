@@ -149,6 +149,9 @@ let types_a_parameter text start at =
   && String.contains line '('
   && not (String.exists (function '=' | '{' | '"' -> true | _ -> false) line)
 
+let is_constructor word =
+  word <> "" && Basis.Character.is_upper word.[0] && String.for_all Basis.Character.is_name word
+
 let of_colon text at =
   let start = line_start text at in
   let words = String.split_on_char ' ' (String.trim (String.sub text start (at - start))) in
@@ -184,6 +187,11 @@ let of_colon text at =
         | _ -> "x"
       in
       hint (Printf.sprintf "write an anonymous function as `\\%s -> …`" parameters)
+  | [ pattern ] when is_constructor pattern && not ends_line ->
+      {
+        hint = Some (Printf.sprintf "write `->` after a pattern of a `case`: `%s -> …`" pattern);
+        instead = Some " ->";
+      }
   | _ when ends_line && List.mem "case" words ->
       hint "end the line of a `case` with `of`: `case x of`"
   | _ when ends_line -> hint of_block

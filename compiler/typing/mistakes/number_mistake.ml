@@ -329,7 +329,6 @@ let signature_of_this words ~subject ~(expected : Expected.t) (wanted, given) di
         diagnostic
   | (Signature _ | Output (Signature _))
     when (not (Units.is_open wanted || Units.is_open given || Units.equal given Units.one))
-         && (not (Units.equal (Units.multiply wanted wanted) given))
          && is_whole given ->
       hint
         (Printf.sprintf "if this is the right result, write `Float[%s]` in the signature"

@@ -709,3 +709,20 @@ An array comprehension of Python, and a comment of MATLAB:
   $ printf '%% doubles\nmain :: SF Float Float\nmain = proc x -> 2 * x\n' > comment.frob
   $ frobc check comment.frob 2>&1 | grep hint
     = hint: write `--` to start a comment
+
+A `:` after the patterns of a `case`:
+
+  $ cat > case.frob << 'END'
+  > data Way = Idle | Forward
+  > 
+  > main :: SF Way Int
+  > main = arr (\w -> case w of
+  >     Idle: 0
+  >     Forward: 1)
+  > END
+  $ frobc check case.frob 2>&1 | grep -e ^error -e hint
+  error[E0103]: unexpected character `:`
+    = hint: write `->` after a pattern of a `case`: `Idle -> …`
+  error[E0103]: unexpected character `:`
+    = hint: write `->` after a pattern of a `case`: `Forward -> …`
+  $ frobc fix --all case.frob > /dev/null 2>&1; frobc check case.frob
