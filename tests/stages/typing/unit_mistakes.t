@@ -106,6 +106,7 @@ Units with their own names keep them; wrong roots and powers are shown.
     |             ^^^^^^^^ this is `Float[m^2]`
     |
     = hint: write `sqrt (area / 2)`, which has that unit
+    = hint: if this is the right result, write `Float[m^2]` in the signature
   
   2 errors
   [1]
@@ -140,6 +141,7 @@ or for a related one.
     |            ^^^^^ this is `Float[u^2]`
     |
     = hint: write `sqrt (x * x)`, which has that unit
+    = hint: if this is the right result, write `Float[u^2]` in the signature
   
   2 errors
   [1]
