@@ -92,8 +92,7 @@ Options read_options(int argc, char **argv) {
             set(o, option, argv[++i]);
         }
     }
-    if (o.world.empty())
-        throw WrongUse("--world is missing; see `frob-serve --help`");
+    if (o.world.empty()) throw WrongUse("--world is missing; see `frob-serve --help`");
     // For a user-defined robot, its board determines the rate.
     if (!o.own.empty()) return o;
     const std::uint32_t usual = usual_rate(o.robot);

@@ -256,9 +256,10 @@ let rec expr facts place (e : expr) =
   | Proc { equations; output; _ }, _ ->
       List.iter (binding facts) equations;
       plain output
-  | Record (c, fields), _ ->
-      let field (index, value) = expr facts (if is_heading c index then Turns else Plain) value in
-      List.iter field fields
+  | Record (c, fields), _ -> List.iter (field facts c) fields
+  | Update (record, c, fields), _ ->
+      plain record;
+      List.iter (field facts c) fields
   | Run (f, input), _ ->
       filter facts f input;
       plain f;
@@ -271,6 +272,9 @@ let rec expr facts place (e : expr) =
           List.iteri argument arguments
       | None -> Walk.parts plain e)
   | _ -> Walk.parts plain e
+
+(* The heading of a pose may be any number of turns away. *)
+and field facts c (index, value) = expr facts (if is_heading c index then Turns else Plain) value
 
 and binding facts (b : binding) =
   let place = match b.pattern.desc with Bound x -> Equation x | _ -> Plain in

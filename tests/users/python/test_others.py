@@ -65,7 +65,10 @@ class Others(unittest.TestCase):
             ({"separator": ";", "time_column": "Time"}, "decimal_comma=True"),
             ({"separator": ";", "time_column": "Zeit"}, "there is no column `Zeit`"),
             ({**OPTIONS, "columns": {"in.speed": "x"}}, "there is no column `x`"),
-            ({"time_column": "Time"}, 'its columns are separated by semicolons: pass `separator=";"`'),
+            (
+                {"time_column": "Time"},
+                'its columns are separated by semicolons: pass `separator=";"`',
+            ),
             ({"separator": ";;"}, "separator: expected"),
             ({"decimal_comma": 1}, "decimal_comma: expected"),
             ({"time_column": 1}, "time_column: expected"),

@@ -78,7 +78,7 @@ async def visit(v, recording, folder):
         )
         for setting, why in (
             ("speed=fast", "not `fast`"),
-            ("speed=1[m]", "another unit"),
+            ("speed=1[m]", "a different unit"),
             ("sped=1", "no parameter `sped`"),
             ("speed=nan", "not `nan`"),
         ):
