@@ -9,7 +9,7 @@ open Basis
 (** {1 From text to Core} *)
 
 type front = {
-  resolved : Resolve.Ir.program;  (** with all definitions of the library *)
+  resolved : Resolve.Ir.program;  (** includes all definitions of the library *)
   typed : Typing.Ir.program;
   core : Core.Ir.program;
   margin : Span.t -> Core.Formula.t option;

@@ -12,7 +12,7 @@ val trace :
 (** - [params]: the parameters that are set.
     - [dialect]: the dialect of the input.
     - [input]: a path, or [-] for standard input.
-    - [output]: a path; by default standard output.
+    - [output]: a path; the default is standard output.
 
     The errors are those of {!Interp.Trace.run}, and files that cannot be opened or written. *)
 

@@ -3,7 +3,7 @@
     values. *)
 
 type t = {
-  name : string;  (** for example [error]; with the path if the name is not unique *)
+  name : string;  (** for example [error]; preceded by its path if the name is not unique *)
   unit_ : string;  (** for example [m/s]; or empty *)
   probe : string;  (** the probe with which the judge shows it *)
 }

@@ -1,5 +1,4 @@
-(** The user's own headers that C files need: those they include in quotes, directly or indirectly.
-*)
+(** The user's own headers that C files include in quotes, directly or through other headers. *)
 
 val read : string -> (string, string) result
 (** Reads a file; the error contains the reason for a failure. *)

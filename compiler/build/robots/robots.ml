@@ -110,7 +110,7 @@ let not_said p robots =
           (match robots with [ _ ] -> "has" | _ -> "have")
           (Enumeration.one_of (List.map option robots)))
 
-(* Of the robots that the program's type allows, those that have this capability. *)
+(* Lists the robots that the program's type allows and that have this capability. *)
 let having p class_ diagnostic =
   let has robot =
     match lacks p robot with

@@ -34,8 +34,8 @@ val choose :
   at_every_instant:bool ->
   Typing.Ir.binding list ->
   lifted list * Typing.Ir.binding list
-(** Splits a list of bindings into those that are lifted and those that remain, both in order. Of a
-    proc's equations, only those that are not signals can be lifted. *)
+(** Splits a list of bindings into those that are lifted and those that remain, both in order. A
+    proc's equation can be lifted only if it does not define a signal. *)
 
 val definition : lifted -> Ir.expr -> Ir.definition
 (** The lifted definition, with its translated value. *)

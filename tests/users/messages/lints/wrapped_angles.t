@@ -106,8 +106,11 @@ in a difference from a rotation.
   $ cat > fine.frob <<'FROB'
   > import Geometry
   > 
+  > turned :: Pose -> Angle -> Pose
+  > turned p a = p { heading = p.heading - a }
+  > 
   > main :: SF (Pose, Angle) (Float, Float, Angle, Angle, Pose)
-  > main = proc (Pose { position, heading }, goal) -> (sin (goal - heading), cos off, near, left, there) where
+  > main = proc (Pose { position, heading }, goal) -> (sin (goal - heading), cos off, near, left, turned there goal) where
   >     off   = goal - heading
   >     near  = angleDiff (goal - heading) 0.1
   >     left  = angleDiff goal heading - 5[deg]
