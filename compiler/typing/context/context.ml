@@ -43,6 +43,7 @@ type t = {
   reader : Annotation.t;
   real : Real.t;
   globals : entry Resolve.Global_table.t;
+  bindings : Resolve.Ir.binding Resolve.Global_table.t;
   owners : (int, Signature_mistake.owned) Hashtbl.t;
   given : (int, Ir.class_ list) Hashtbl.t;
   needs : (constraint_, required) Hashtbl.t;
@@ -71,6 +72,7 @@ let start reader ~sources ~real =
     reader;
     real;
     globals = Resolve.Global_table.create 1024;
+    bindings = Resolve.Global_table.create 1024;
     owners = Hashtbl.create 64;
     given = Hashtbl.create 64;
     needs = Hashtbl.create 64;
@@ -153,6 +155,7 @@ let words t =
       (fun (entry : entry) -> entry.scheme.body)
       (Resolve.Global_table.find_opt t.globals g)
   in
+  let binding g = Resolve.Global_table.find_opt t.bindings g in
   let place : Show.place =
     {
       sources = t.sources;
@@ -162,6 +165,7 @@ let words t =
       fields;
       choices;
       declared;
+      binding;
       makers;
     }
   in

@@ -47,6 +47,7 @@ type t = {
   reader : Annotation.t;
   real : Real.t;
   globals : entry Resolve.Global_table.t;
+  bindings : Resolve.Ir.binding Resolve.Global_table.t;  (** all top-level definitions *)
   owners : (int, Signature_mistake.owned) Hashtbl.t;  (** see {!Signature_mistake.owner} *)
   given : (int, Ir.class_ list) Hashtbl.t;
       (** classes that the enclosing signatures promise for their variables, by variable id *)

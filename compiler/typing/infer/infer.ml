@@ -281,6 +281,10 @@ let program ?(sources = Source.create ()) sink ~real (program : Resolve.Ir.progr
   let classes = Class_declarations.classes ctx program in
   let instances = Class_declarations.instances ctx classes program in
   let declared = Global_table.create 1024 in
+  List.iter
+    (fun (g : Resolve.Ir.binding_group) ->
+      List.iter (fun b -> Global_table.replace ctx.bindings (fst (top b)) b) g.bindings)
+    program.groups;
   let left = ref most_steps in
   List.iter
     (fun (g : Resolve.Ir.binding_group) ->

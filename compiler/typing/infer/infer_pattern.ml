@@ -32,8 +32,17 @@ let rec check ctx (p : Resolve.Ir.pattern) (expected : Expected.t) : Ir.pattern 
             let before = errors ctx in
             expect ctx ~at:p.span expected (Tuple types);
             if types = [] && errors ctx > before then
-              Basis.Diagnostic.revise_last ctx.reader.sink
-                (Basis.Diagnostic.hint "use `_`, which matches every value");
+              Basis.Diagnostic.revise_last ctx.reader.sink (fun d ->
+                  Basis.Diagnostic.hint
+                    (match Type.expand expected.ty with
+                    | Tuple (_ :: _ :: _ as parts) ->
+                        Printf.sprintf
+                          "take the input apart, as in `(%s)`, or use `_`, which matches every \
+                           value"
+                          (String.concat ", " (Shape_fact.names (List.length parts)))
+                    | _ -> "use `_`, which matches every value")
+                    d
+                  |> Basis.Diagnostic.write p.span "_");
             types
       in
       let elements = List.map2 (fun p ty -> check ctx p { expected with ty }) elements types in

@@ -150,6 +150,93 @@ let output_with_an_event fact =
            "add the event that ends it, in a pair with the output: `(roMake (…), after 1[s] ())`")
   | _ -> None
 
+(* Numbers in place of a robot's output. *)
+let output_of_numbers fact =
+  let is_number t = match Type.expand t with Type.Number _ -> true | _ -> false in
+  let of_numbers =
+    match Type.expand fact.lack.culprit with
+    | Tuple (_ :: _ as ts) -> List.for_all is_number ts
+    | t -> is_number t
+  in
+  match fact.lack.lacking with
+  | Declared { name = "RobotOutput" | "DiffDrive"; _ } when of_numbers ->
+      Some
+        (Diagnostic.hint
+           (match fact.required.by with
+           | "`roMake`" | "`setVelTR`" ->
+               Printf.sprintf
+                 "%s returns the commands for a robot: the signature, or the other outputs here, \
+                  must be `RobotOutput` too, not %s"
+                 fact.required.by fact.culprit
+           | _ ->
+               "a robot takes commands, not numbers: make an output of the speed and the turn rate \
+                with `roMake (setVelTR v omega)`"))
+  | _ -> None
+
+(* Module of the library that declare records which are no robots. *)
+let is_of_the_library (t : Ir.Global.t) =
+  List.mem t.module_
+    [
+      "Prelude";
+      "Capability";
+      "Geometry";
+      "Pioneer";
+      "Scout";
+      "Create";
+      "Vision";
+      "Stereo";
+      "Display";
+      "Tags";
+      "Trial";
+      "Driving";
+    ]
+
+(* A record at rest, such as [Out { speed = 0 }]. *)
+let at_rest fact constructor tycon =
+  let value (t : Ir.ty) =
+    match t with
+    | Number _ -> "0"
+    | Bool -> "False"
+    | Data { tycon = { name = "Event"; _ }; _ } -> "NoEvent"
+    | _ -> "…"
+  in
+  Option.map
+    (fun (c : Environment.constructor) ->
+      Printf.sprintf "%s { %s }" constructor
+        (String.concat ", "
+           (List.map (fun (name, ty) -> Printf.sprintf "%s = %s" name (value ty)) c.ir.fields)))
+    (Environment.record_of fact.ctx.reader.environment tycon)
+
+(* A record of the program as a robot's output. *)
+let own_output fact =
+  match (fact.lack.lacking, Type.expand fact.lack.culprit) with
+  | Declared { name = ("RobotOutput" | "DiffDrive") as class_; _ }, Data { tycon; _ }
+    when is_asked_itself fact && not (is_of_the_library tycon) ->
+      let rest =
+        match Show.fields fact.words fact.lack.culprit with
+        | Some (constructor, _) -> at_rest fact constructor tycon
+        | None -> None
+      in
+      Some
+        (Diagnostic.hint
+           (match (class_, rest) with
+           | "RobotOutput", Some rest ->
+               Printf.sprintf
+                 "for a robot of your own, define its output at rest: `instance RobotOutput %s \
+                  where restingOutput = %s`; a Pioneer has the type `RobotOutput`"
+                 tycon.name rest
+           | "RobotOutput", None ->
+               Printf.sprintf
+                 "for a robot of your own, define its output at rest: `instance RobotOutput %s \
+                  where restingOutput = …`; a Pioneer has the type `RobotOutput`"
+                 tycon.name
+           | _ ->
+               Printf.sprintf
+                 "for a robot of your own, define how it drives: `instance DiffDrive %s where \
+                  setVelTR v omega o = o { … }`; a Pioneer has the type `RobotOutput`"
+                 tycon.name))
+  | _ -> None
+
 (* The outputs of two tasks side by side. *)
 let two_outputs fact =
   match fact.lack.lacking with
@@ -210,17 +297,50 @@ let composed_without_parentheses fact =
             (setVelTR v omega)`")
   | _ -> None
 
+(* The number of the parameters that a method or function of a class takes, the robot included. *)
+let parameters fact =
+  let rec count t =
+    match Type.expand t with
+    | Type.Function (_, result) -> 1 + count result
+    | Signal_function _ -> 1
+    | _ -> 0
+  in
+  let name = String.concat "" (String.split_on_char '`' fact.required.by) in
+  Option.map
+    (fun (entry : Context.entry) -> count entry.scheme.body)
+    (Resolve.Global_table.find_opt fact.ctx.globals { module_ = "Capability"; name })
+
+let is_of_an_output (class_ : Ir.class_) =
+  match class_ with
+  | Declared { name = "RobotOutput" | "DiffDrive" | "HasLight" | "HasSound" | "HasDisplay"; _ } ->
+      true
+  | Declared _ | Eq | Ord -> false
+
+let takes_a_robot fact =
+  let by = fact.required.by in
+  match (is_of_an_output fact.lack.lacking, parameters fact) with
+  | false, Some 1 ->
+      let name = String.concat "" (String.split_on_char '`' by) in
+      Printf.sprintf "%s takes the robot's input, not %s: in `proc i -> …`, write `%s i`" by
+        fact.culprit name
+  | false, Some _ ->
+      Printf.sprintf
+        "the last argument of %s is the robot's input, the `i` of `proc i -> …`, not %s" by
+        fact.culprit
+  | true, Some _ ->
+      Printf.sprintf "the last argument of %s is the robot's output, not %s: `roMake` supplies it"
+        by fact.culprit
+  | _, None ->
+      Printf.sprintf
+        "%s is for a robot's input or output, not for %s: is the robot the last argument?" by
+        fact.culprit
+
 (* Another value in place of a robot's input or output. *)
 let of_no_robot fact =
   match fact.lack.lacking with
   | Declared { module_ = "Capability"; _ }
     when is_asked_itself fact && is_no_robot fact.lack.culprit ->
-      Some
-        (Diagnostic.hint
-           (Printf.sprintf
-              "this needs a robot's input or output, but is applied to %s: perhaps two arguments \
-               are in the wrong order"
-              fact.culprit))
+      Some (Diagnostic.hint (takes_a_robot fact))
   | _ -> None
 
 (* A class or type of the program. *)
@@ -258,6 +378,8 @@ let rules =
   [
     several_outputs;
     output_with_an_event;
+    output_of_numbers;
+    own_output;
     two_outputs;
     task;
     signal_function;

@@ -128,8 +128,18 @@ let cure words ~name ~at ~(arguments : Resolve.Ir.expr list) order (d : Diagnost
     Option.map Source.grouped (Show.quote words e.span)
   in
   let texts = List.map text order in
-  let d = { d with hints = []; fixes = [] } in
+  let d =
+    {
+      d with
+      message = Printf.sprintf "the arguments of `%s` are in the wrong order" name;
+      at;
+      here = "";
+      labels = [];
+      hints = [];
+      fixes = [];
+    }
+  in
   let shown = List.map (Option.value ~default:"(…)") texts in
   let cure = String.concat " " (name :: shown) in
-  Diagnostic.hint (Printf.sprintf "swap the arguments of `%s`: `%s`" name cure) d
+  Diagnostic.hint (Printf.sprintf "write `%s`" cure) d
   |> if List.mem None texts then Fun.id else Diagnostic.write at cure

@@ -93,7 +93,13 @@ let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : U
       | Some (r, unit_) ->
           Signature_mistake.general_unit words owner ~at r unit_
           |> here (Printf.sprintf "this is %s" (Show.described words found))
-      | None -> finish (Number_mistake.units words ~subject ~at ~expected ~found (wanted, given)))
+      | None -> (
+          match
+            Shared_unit_mistake.of_an_earlier_number words ~expected ~found ~subject (wanted, given)
+          with
+          | Some diagnostic -> diagnostic
+          | None ->
+              finish (Number_mistake.units words ~subject ~at ~expected ~found (wanted, given))))
   | Different_representations (Rigid_representation r, other)
   | Different_representations (other, Rigid_representation r) ->
       Signature_mistake.general_representation words owner ~at r other

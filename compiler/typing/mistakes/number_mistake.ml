@@ -58,21 +58,36 @@ let chosen_by_name words (e : Resolve.Ir.expr option) =
 (* The number literal that an expression is, or that its name is defined as. *)
 let literal words (e : Resolve.Ir.expr) =
   match e.desc with
-  | Number { digits; unit_; _ } -> Some (digits, unit_, e.span, None)
   | Local x -> (
       match Option.fold (Show.definition words x) ~none:[] ~some:chosen with
-      | [ (digits, unit_, span) ] -> Some (digits, unit_, span, Some x)
+      | [ (digits, unit_, at) ] ->
+          Some
+            {
+              Bare_number.digits;
+              negative = false;
+              unit_;
+              at;
+              name = Some x.name;
+              signature = None;
+            }
       | _ -> None)
-  | _ -> None
+  | Negate _ -> None
+  | _ -> Bare_number.literal words e
 
 (* A number literal without a unit where a number with a unit is expected. *)
 let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, given) diagnostic =
+  let is_global (e : Resolve.Ir.expr option) =
+    match e with Some { desc = Global _; _ } -> true | Some _ | None -> false
+  in
   let write (e : Resolve.Ir.expr option) ~ty unit_ =
     match Option.bind e (literal words) with
-    | Some (digits, None, at, name)
+    | Some ({ unit_ = None; _ } as number)
+      when is_global e && Units.flexible_powers unit_ = [] && Units.rigid_powers unit_ = [] ->
+        Some (Bare_number.give words number (Show.measure words unit_), number.at, None)
+    | Some { digits; unit_ = None; at; name; _ }
       when Units.flexible_powers unit_ = [] && Units.rigid_powers unit_ = [] ->
         Some (with_unit words ~ty ~at digits unit_, at, name)
-    | Some (digits, written, at, name) when is_per_second words unit_ ->
+    | Some { digits; unit_ = written; at; name; _ } when is_per_second words unit_ ->
         let per_second angle =
           let text = Printf.sprintf "%s[%s/s]" digits angle in
           let cure d =
@@ -110,8 +125,8 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
       |> fix (Printf.sprintf "give the numbers the unit `%s`" unit_) cures
   | None -> diagnostic
   | Some (cure, _, None) -> cure diagnostic
-  | Some (cure, at, Some (x : Resolve.Ir.Local.t)) ->
-      label ~at (Printf.sprintf "`%s` is this number" x.name) diagnostic |> cure
+  | Some (cure, at, Some name) ->
+      label ~at (Printf.sprintf "`%s` is this number" name) diagnostic |> cure
 
 (* The unitless number literals among the arguments, which determine the unit of the function's
    result. *)
@@ -123,7 +138,7 @@ let numbers_without_units words (e : Resolve.Ir.expr option) =
   in
   let plain e =
     match literal words e with
-    | Some (digits, None, _, None) when float_of_string_opt digits <> Some 0. -> Some digits
+    | Some { digits; unit_ = None; name = None; _ } -> Some digits
     | Some _ | None -> None
   in
   match Option.map (arguments []) e with
@@ -316,8 +331,34 @@ let rec runs words (e : Resolve.Ir.expr option) =
       | _ -> None)
   | _ -> None
 
+(* The signature with this type in place of the type at its end, if that is the expected one. *)
+let corrected_signature words at (expected : Expected.t) found =
+  let wanted = Show.type_ words expected.ty and found = Show.type_ words found in
+  match Show.quote words at with
+  | Some text when String.ends_with ~suffix:(" " ^ wanted) text ->
+      Some (String.sub text 0 (String.length text - String.length wanted) ^ found)
+  | Some text when String.equal text wanted -> Some found
+  | Some _ | None -> None
+
+let hint_for_signature words ~(expected : Expected.t) ~found d =
+  match expected.because with
+  | Signature { at; name } | Output (Signature { at; name }) -> (
+      match corrected_signature words at expected found with
+      | Some text ->
+          hint
+            (Printf.sprintf "if this is the right result, write the signature as `%s :: %s`" name
+               text)
+            d
+          |> write at text
+      | None ->
+          hint
+            (Printf.sprintf "if this is the right result, write `%s` in the signature"
+               (Show.type_ words found))
+            d)
+  | _ -> d
+
 (* The result may be correct and the signature wrong. *)
-let signature_of_this words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
+let signature_of_this words ~subject ~(expected : Expected.t) ~found (wanted, given) diagnostic =
   match expected.because with
   | Signature { name; _ } when runs words subject <> None ->
       hint
@@ -330,11 +371,57 @@ let signature_of_this words ~subject ~(expected : Expected.t) (wanted, given) di
   | (Signature _ | Output (Signature _))
     when (not (Units.is_open wanted || Units.is_open given || Units.equal given Units.one))
          && is_whole given ->
-      hint
-        (Printf.sprintf "if this is the right result, write `Float[%s]` in the signature"
-           (Show.measure words given))
-        diagnostic
+      hint_for_signature words ~expected ~found diagnostic
   | _ -> diagnostic
+
+(* Does the expression apply named functions, and contain no number that could lack its unit? Then
+   its unit follows from the functions alone, so the signature is the likely mistake. *)
+let rec is_of_functions words (e : Resolve.Ir.expr) =
+  let rec has_no_number (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Local _ | Global _ -> Bare_number.literal words e = None
+    | Apply { head; argument; _ } -> has_no_number head && has_no_number argument
+    | Negate e | Field { record = e; _ } -> has_no_number e
+    | _ -> false
+  in
+  match e.desc with
+  | Apply { style = Juxtaposed; _ } -> has_no_number e
+  | Local x -> Option.fold (Show.definition words x) ~none:false ~some:(is_of_functions words)
+  | _ -> false
+
+(* [sqrt d], whose argument has the unit that the root should have. *)
+let root words ~(subject : Resolve.Ir.expr option) (wanted, given) d =
+  match subject with
+  | Some { desc = Apply { head = { desc = Global { name = "sqrt"; _ }; _ }; argument; _ }; _ }
+    when not (Units.equal wanted Units.one) ->
+      (match Show.quote words argument.span with
+      | Some text when not (is_whole given) ->
+          hint
+            (Printf.sprintf
+               "to take the root of the number alone, write `sqrt (%s / 1[%s]) * 1[%s]`"
+               (Source.grouped text)
+               (Show.measure words (Units.multiply given given))
+               (Show.measure words wanted))
+            d
+      | Some _ | None -> d)
+      |> note
+           (Printf.sprintf
+              "`sqrt` halves the exponents of the unit: for `%s`, its argument must be in `%s`"
+              (Show.measure words wanted)
+              (Show.measure words (Units.multiply wanted wanted)))
+  | _ -> d
+
+(* The signature is suggested first if the definition is consistent by itself. *)
+let against_signature words ~subject ~(expected : Expected.t) ~found (wanted, given) d =
+  match (expected.because, subject) with
+  | (Signature _ | Output (Signature _)), Some e
+    when d.hints = []
+         && runs words (match expected.because with Signature _ -> subject | _ -> None) = None
+         && is_of_functions words e
+         && not (Units.is_open wanted || Units.is_open given) ->
+      let d = if is_whole given then hint_for_signature words ~expected ~found d else d in
+      Some (root words ~subject (wanted, given) d)
+  | _ -> None
 
 (* A turn rate computed from another quantity without a gain. *)
 let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
@@ -354,7 +441,7 @@ let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
 (* `n > 50[px]`, where the other operand has no unit. *)
 let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, _) d =
   match (expected.because, Option.bind subject (literal words)) with
-  | Operand { other; _ }, Some (digits, Some _, at, _)
+  | Operand { other; _ }, Some { digits; unit_ = Some _; at; _ }
     when d.hints = [] && Units.equal wanted Units.one ->
       (match Show.quote words other.span with
       | Some other -> hint (Printf.sprintf "`%s` is a plain number: write `%s`" other digits) d
@@ -379,12 +466,27 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
     here (Printf.sprintf "this is %s" (Show.described words found)) diagnostic
     |> unit_of_literal words ~subject ~expected ~found (wanted, given)
   in
-  if is_number expected.ty && is_number found then
-    conversion words ~subject ~expected (wanted, given) diagnostic
+  let specific =
+    match Function_unit_mistake.complete words ~subject ~expected (wanted, given) with
+    | Some complete -> Some complete
+    | None when diagnostic.hints = [] ->
+        Lacking_unit_mistake.complete words ~subject ~expected (wanted, given)
+    | None -> None
+  in
+  if is_number expected.ty && is_number found && specific <> None then
+    (Option.get specific) { diagnostic with hints = []; fixes = [] }
+  else if is_number expected.ty && is_number found then
+    let first = against_signature words ~subject ~expected ~found (wanted, given) diagnostic in
+    let is_signature = first <> None in
+    let diagnostic = Option.value first ~default:diagnostic in
+    conversion words ~subject ~expected (wanted, given)
+      (if is_signature then { diagnostic with hints = [] } else diagnostic)
+    |> (fun d -> if is_signature then { d with hints = diagnostic.hints @ d.hints } else d)
     |> by_time ~expected
     |> gain words ~subject (wanted, given)
     |> factor_without_unit words ~subject (wanted, given)
-    |> signature_of_this words ~subject ~expected (wanted, given)
+    |> (if is_signature then Fun.id
+        else signature_of_this words ~subject ~expected ~found (wanted, given))
     |> turn words ~subject ~expected (wanted, given)
     |> plain_number words ~subject ~expected (wanted, given)
   else
@@ -464,7 +566,17 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
       (Show.described words expected.ty)
       (Show.described words found)
   in
+  let of_function =
+    match ((wanted : Type.representation), (given : Type.representation)) with
+    | Float, Int -> (
+        match Function_unit_mistake.power words ~expected () with
+        | Some complete -> Some complete
+        | None -> Function_unit_mistake.quotient words ~expected)
+    | Int, Float -> Function_unit_mistake.whole_numbers words ~expected ~found
+    | _ -> None
+  in
   match (expected.because, (wanted : Type.representation), (given : Type.representation)) with
+  | _ when of_function <> None -> (Option.get of_function) (plain ())
   | Operand { operator = "!"; _ }, _, Float -> plain () |> to_int ~found subject
   | Operand { operator; other; _ }, Float, Int | Operand { operator; other; _ }, Int, Float ->
       let number = if given = Int then subject else Some other in

@@ -114,6 +114,7 @@ type place = {
   fields : Type.t -> (string * string list) option;
   choices : Type.t -> string list;
   declared : Resolve.Ir.Global.t -> Type.t option;
+  binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;
   makers : Type.t -> of_:Type.t -> string list;
 }
 
@@ -126,6 +127,7 @@ let nowhere =
     fields = (fun _ -> None);
     choices = (fun _ -> []);
     declared = (fun _ -> None);
+    binding = (fun _ -> None);
     makers = (fun _ ~of_:_ -> []);
   }
 
@@ -149,6 +151,9 @@ let quote words (at : Span.t) =
 
 let needs_class words t = words.place.needs_class t
 let definition words x = words.place.definition x
+let binding words g = words.place.binding g
+let declared_type words g = words.place.declared g
+let inputs words = words.place.inputs
 let fields words t = words.place.fields t
 let choices words t = words.place.choices t
 let makers words t ~of_ = words.place.makers t ~of_

@@ -32,6 +32,7 @@ type place = {
   choices : Type.t -> string list;
       (** the constructors of an enumeration with few cases; otherwise the empty list *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)
+  binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;  (** a top-level definition *)
   makers : Type.t -> of_:Type.t -> string list;
       (** constructors of the first type that have a field of type [of_], shown with their fields *)
 }
@@ -44,6 +45,12 @@ val quote : words -> Span.t -> string option
 
 val needs_class : words -> Type.t -> bool
 val definition : words -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
+val binding : words -> Resolve.Ir.Global.t -> Resolve.Ir.binding option
+val declared_type : words -> Resolve.Ir.Global.t -> Type.t option
+
+val inputs : words -> (string * Type.t) list
+(** The input signals of the enclosing proc. *)
+
 val fields : words -> Type.t -> (string * string list) option
 val choices : words -> Type.t -> string list
 val makers : words -> Type.t -> of_:Type.t -> string list

@@ -255,23 +255,21 @@ Arguments in the wrong order: a time instead of a task, or the reverse.
   > e = retryT (mapT Just follow) 3
   > EOF
   $ frobc check order.frob
-  error[E0301]: expected `Task a b c`, found a number of `s`
-   --> order.frob:5:46
+  error[E0301]: the arguments of `timeOut` are in the wrong order
+   --> order.frob:5:38
     |
   5 | a = mapT (maybe False (const True)) (timeOut 3[s] follow)
-    |                                      ------- ^^^^
-    |                                      |
-    |                                      argument 1 of `timeOut` is `Task a b c`
+    |                                      ^^^^^^^^^^^^^^^^^^^
     |
-    = hint: swap the arguments of `timeOut`: `timeOut follow 3[s]`
+    = hint: write `timeOut follow 3[s]`
   
-  error[E0301]: expected `Task a b c`, found a number of `s`
+  error[E0301]: the arguments of `timeOut` are in the wrong order
    --> order.frob:6:38
     |
   6 | b = mapT (maybe False (const True)) (3[s] `timeOut` follow)
-    |                                      ^^^^ --------- argument 1 of `timeOut` is `Task a b c`
+    |                                      ^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: swap the arguments of `timeOut`: `timeOut follow 3[s]`
+    = hint: write `timeOut follow 3[s]`
   
   error[E0301]: expected `Task a b c`, found a number of `s`
    --> order.frob:7:46
@@ -293,15 +291,13 @@ Arguments in the wrong order: a time instead of a task, or the reverse.
     |
     = hint: this is argument 2: `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
   
-  error[E0301]: expected `Int`, found `Task Float Float (Maybe ())`
-    --> order.frob:11:13
+  error[E0301]: the arguments of `retryT` are in the wrong order
+    --> order.frob:11:5
      |
   11 | e = retryT (mapT Just follow) 3
-     |     ------  ^^^^^^^^^^^^^^^^
-     |     |
-     |     argument 1 of `retryT` is `Int`
+     |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^
      |
-     = hint: swap the arguments of `retryT`: `retryT 3 (mapT Just follow)`
+     = hint: write `retryT 3 (mapT Just follow)`
   
   5 errors
   [1]

@@ -143,7 +143,7 @@ Too many and too few arguments.
     |          |
     |          this is `Float`
     |
-    = hint: an argument is missing at the end: `hypot :: Float[u] -> Float[u] -> Float[u]`
+    = hint: the second argument of `hypot` is missing: `hypot :: Float[u] -> Float[u] -> Float[u]`
   
   error[E0302]: `two` has more than one parameter, but its type allows only one
    --> arguments.frob:8:7

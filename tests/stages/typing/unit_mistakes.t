@@ -72,7 +72,7 @@ its part of the signature.
     |                                 ^ this is `Velocity` (m/s)
     |
     = hint: multiply by a time, as in `1[s] * v`, or, for the sum over time, write `integral v`
-    = hint: if this is the right result, write `Float[m/s]` in the signature
+    = hint: if this is the right result, write `Velocity` in the signature
   
   2 errors
   [1]
@@ -106,7 +106,7 @@ Units with their own names keep them; wrong roots and powers are shown.
     |             ^^^^^^^^ this is `Float[m^2]`
     |
     = hint: write `sqrt (area / 2)`, which has that unit
-    = hint: if this is the right result, write `Float[m^2]` in the signature
+    = hint: if this is the right result, write the signature as `side :: Float[m^2] -> Float[m^2]`
   
   2 errors
   [1]
@@ -141,7 +141,7 @@ or for a related one.
     |            ^^^^^ this is `Float[u^2]`
     |
     = hint: write `sqrt (x * x)`, which has that unit
-    = hint: if this is the right result, write `Float[u^2]` in the signature
+    = hint: if this is the right result, write the signature as `square :: Float[u] -> Float[u^2]`
   
   2 errors
   [1]

@@ -72,6 +72,16 @@ let changed_field found =
            (record_before found before) field field)
   | _ -> None
 
+(* The source text of the right-hand side, up to the end of the line. *)
+let value_after found =
+  let at = found.token.stop.pos_cnum in
+  let text = String.trim (between found at (end_of_line found at)) in
+  if String.length text <= 60 then text else ""
+
+let is_a_word_part = function
+  | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true
+  | _ -> false
+
 let statement found =
   match (found.token.token, found.before) with
   | EQUAL, Some ({ token = LOWER _; _ } as name)
@@ -79,10 +89,24 @@ let statement found =
          && (not (in_brackets found.context))
          && not (of_a_proc found) ->
       let name = written found name in
+      let value = value_after found in
+      let is_word = value <> "" && String.for_all is_a_word_part value in
       Some
-        (Printf.sprintf
-           "use `%s <- t` to run the task `t` and name its result, or `let %s = e` to name a value"
-           name name)
+        (match value with
+        | "" ->
+            Printf.sprintf
+              "use `%s <- t` to run the task `t` and name its result, or `let %s = e` to name a \
+               value"
+              name name
+        | _ when is_word && value.[0] >= 'a' && value.[0] <= 'z' ->
+            Printf.sprintf
+              "for the result of a task, write `%s <- %s`; for the present value of a sensor or \
+               other signal function, `%s <- ask %s`; for a value, `let %s = %s`"
+              name value name value name value
+        | _ ->
+            Printf.sprintf
+              "for a value, write `let %s = %s`; for the result of a task `t`, write `%s <- t`" name
+              value name)
   | _ -> None
 
 let comparison found =

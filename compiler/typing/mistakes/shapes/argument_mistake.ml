@@ -98,16 +98,88 @@ let input_given fact =
       Some x.name
   | _ -> None
 
+let ordinal = function
+  | 1 -> "first"
+  | 2 -> "second"
+  | 3 -> "third"
+  | 4 -> "fourth"
+  | n -> Printf.sprintf "%dth" n
+
+(* The function that is applied, and the names of its parameters, if each is a plain name. *)
+let rec with_names words (e : Resolve.Ir.expr option) =
+  match e with
+  | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> with_names words (Some head)
+  | Some { desc = Global g; _ } ->
+      let name (p : Resolve.Ir.pattern) = match p.desc with Bound x -> Some x.name | _ -> None in
+      Option.bind (Show.binding words g) (fun (b : Resolve.Ir.binding) ->
+          Option.map (fun names -> (g.name, names)) (all (List.map name b.parameters)))
+  | _ -> None
+
+let rec parameters t =
+  match Type.expand t with
+  | Type.Function (parameter, result) -> parameter :: parameters result
+  | Signal_function (input, _) -> [ input ]
+  | _ -> []
+
+(* The declared types of the parameters of the function that is applied. *)
+let rec parameters_of words (e : Resolve.Ir.expr option) =
+  match e with
+  | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> parameters_of words (Some head)
+  | Some { desc = Global g; _ } ->
+      Option.fold (Show.declared_type words g) ~none:[] ~some:parameters
+  | _ -> []
+
+(* Says which parameters lack an argument, by their names in the definition. If the last argument is
+   a signal of the enclosing proc, it is probably meant for the last parameter. *)
+let missing_by_name fact ~missing d =
+  let given = Option.fold fact.subject ~none:[] ~some:arguments_of in
+  let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote fact.words e.span) in
+  match (with_names fact.words fact.subject, all (List.map quote given), List.rev given) with
+  | Some (f, names), Some texts, last :: _
+    when List.compare_length_with names (List.length given + missing) = 0 && missing <= 2 ->
+      let n = List.length given in
+      let is_signal =
+        match last.desc with Local x -> Show.is_input fact.words x.name | _ -> false
+      in
+      let kept = if is_signal then n - 1 else n in
+      let lacking = List.filteri (fun i _ -> i >= kept && i < kept + missing) names in
+      (* a text is a label, which must be written in quotes *)
+      let types = parameters_of fact.words fact.subject in
+      let written i name =
+        match Option.map Type.expand (List.nth_opt types (kept + i)) with
+        | Some Type.String -> Printf.sprintf "%S" name
+        | _ -> name
+      in
+      let shown =
+        List.filteri (fun i _ -> i < kept) texts
+        @ List.mapi written lacking
+        @ List.filteri (fun i _ -> i >= kept) texts
+      in
+      Some
+        (hint
+           (Printf.sprintf "`%s` takes %s, `%s`: %s missing here, as in `%s`" f
+              (count (List.length names))
+              (String.concat " " (f :: names))
+              (Enumeration.all (List.map (Printf.sprintf "`%s`") lacking)
+              ^ if missing = 1 then " is" else " are")
+              (String.concat " " (f :: shown)))
+           d)
+  | _ -> None
+
 let missing_by_signature fact ~missing d =
   Option.map
     (fun (name, ty) ->
       hint
-        (Printf.sprintf "%s missing %s `%s :: %s`"
-           (if missing = 1 then "an argument is" else count missing ^ " are")
-           (match input_given fact with
-           | Some x -> Printf.sprintf "before `%s`:" x
-           | None -> "at the end:")
-           name ty)
+        (match (input_given fact, Option.map arguments_of fact.subject) with
+        | None, Some (_ :: _ as given) when missing = 1 ->
+            Printf.sprintf "the %s argument of `%s` is missing: `%s :: %s`"
+              (ordinal (List.length given + 1))
+              name name ty
+        | x, _ ->
+            Printf.sprintf "%s missing %s `%s :: %s`"
+              (if missing = 1 then "an argument is" else count missing ^ " are")
+              (match x with Some x -> Printf.sprintf "before `%s`:" x | None -> "at the end:")
+              name ty)
         d)
     (declared fact.words fact.subject)
 
@@ -123,6 +195,7 @@ let hints_for_missing =
     missing_signal;
     missing_after_name;
     missing_output;
+    missing_by_name;
     missing_by_signature;
     missing_somewhere;
   ]
@@ -146,7 +219,13 @@ let more_missing_than_expected fact =
   | Function _, Function _, Some head when given > wanted ->
       error ~code:"E0301" ~at:fact.at "expected a function of %s, found one of %d: %s"
         (count wanted) given (found_text fact)
-      |> hint (Printf.sprintf "`%s` lacks %s" head (count (given - wanted)))
+      |> hint
+           (match (given - wanted, fact.given, Option.map arguments_of fact.subject) with
+           | 1, Function (parameter, _), Some (_ :: _ as written) ->
+               Printf.sprintf "`%s` lacks its %s argument, %s" head
+                 (ordinal (List.length written + 1))
+                 (Show.described fact.words parameter)
+           | lacking, _, _ -> Printf.sprintf "`%s` lacks %s" head (count lacking))
       |> Option.some
   | _ -> None
 
@@ -210,4 +289,30 @@ let one_too_many fact =
                   name text))
       | _ -> Some (different fact))
   | Function _, (Number _ | Bool | Data _ | Tuple _), _ -> Some (different fact)
+  | _ -> None
+
+(* {1 A value where the argument before it is expected} *)
+
+let fits_next fact head ~position =
+  match List.nth_opt (parameters_of fact.words (Some head)) position with
+  | Some next ->
+      (Environment.is_event next && Environment.is_event fact.found)
+      || (Type.expand next = Bool && fact.given = Bool)
+  | None -> false
+
+let missing_before fact =
+  match fact.expected.because with
+  | Parameter { callee = Some f; head = Some head; given; takes; position; _ }
+    when List.length given < takes && fits_next fact head ~position ->
+      let text (e : Resolve.Ir.expr) =
+        Option.fold (Show.quote fact.words e.span) ~none:"…" ~some:Source.grouped
+      in
+      let start = match fact.wanted with Number _ -> "0" | Bool -> "False" | _ -> "x0" in
+      let before = List.filteri (fun i _ -> i < position - 1) given in
+      let after = List.filteri (fun i _ -> i >= position - 1) given in
+      let whole = (f :: List.map text before) @ (start :: List.map text after) in
+      Some
+        (hinted fact
+           (Printf.sprintf "an argument is missing before this one, %s: write `%s`"
+              (expected_text fact) (String.concat " " whole)))
   | _ -> None

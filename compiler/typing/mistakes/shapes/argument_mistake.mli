@@ -21,3 +21,7 @@ val composed : Shape_fact.rule
 
 val one_too_many : Shape_fact.rule
 (** A value where a function is expected, for example the result of that function. *)
+
+val missing_before : Shape_fact.rule
+(** An event or a condition that fits the next parameter of the function: the argument before it is
+    missing. *)

@@ -107,6 +107,8 @@ let for_a_time words wanted found =
   | Some (Number (_, u)) -> String.equal (Show.measure words u) "s"
   | _ -> false
 
+let is_record words t = Show.fields words t <> None
+
 (* A record, tuple or other data that is neither an event, a task nor a `Maybe`. *)
 let is_thing t =
   match Type.expand t with
@@ -211,6 +213,70 @@ let truth_held_for_a_time fact =
            "to find out if a condition was True within the last 2 seconds, write `within 2[s] %s`, \
             with `import Past`; `hold x0 e` keeps the value of an event"
            (grouped fact "b"))
+  | _ -> None
+
+(* `hold e x` for an event [e] without a value: the arguments are exchanged, and [x] is no event. *)
+let held_after_its_event fact =
+  match (fact.expected.because, content fact.wanted) with
+  | ( Parameter { callee = Some (("hold" | "dHold") as hold); position = 2; given = e :: _; _ },
+      Some content )
+    when is_of_nothing content && is_plain fact.found && fact.given <> Bool ->
+      let start = match fact.given with Number _ -> "0" | _ -> "x0" in
+      let e = Option.fold (Show.quote fact.words e.span) ~none:"e" ~some:Source.grouped in
+      Some
+        (Printf.sprintf
+           "`%s` takes the initial value first, and then an event that carries the value: write \
+            `%s %s (tag %s %s)`"
+           hold hold start e (grouped fact "x"))
+  | _ -> None
+
+(* `Event e` or `tag e (Event x)`, where the content is an event already. *)
+let wrapped_twice fact =
+  let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote fact.words e.span) in
+  let is_event_constructor (e : Resolve.Ir.expr) =
+    match e.desc with Constructor { name = "Event"; module_ = "Prelude" } -> true | _ -> false
+  in
+  let inner (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Apply { head; argument; style = Juxtaposed } when is_event_constructor head -> Some argument
+    | _ -> None
+  in
+  let hint (e : Resolve.Ir.expr) =
+    match (e.desc, inner e) with
+    | _, Some argument ->
+        Option.map
+          (Printf.sprintf "the content is an event already: write `%s` without `Event`")
+          (Show.quote fact.words argument.span)
+    | ( Apply
+          {
+            head =
+              {
+                desc = Apply { head = { desc = Global { name = "tag"; _ }; _ }; argument = e; _ };
+                _;
+              };
+            argument;
+            _;
+          },
+        None ) ->
+        Option.bind (inner argument) (fun value ->
+            match (quote e, quote value) with
+            | Some e, Some value ->
+                Some
+                  (Printf.sprintf "`tag` makes the event: write the value alone, `tag %s %s`" e
+                     value)
+            | _ -> None)
+    | _ -> None
+  in
+  match content fact.found with
+  | Some found
+    when event_wanted fact && Environment.is_event found
+         && not (Option.fold (content fact.wanted) ~none:false ~some:Environment.is_event) -> (
+      match Option.bind fact.subject hint with
+      | Some text -> Some text
+      | None ->
+          Some
+            "the value of this event is an event itself: use a value, not an event, as the last \
+             argument of `tag` and as the result of the function of `mapE`")
   | _ -> None
 
 (* `hold` for a value that exists at every instant. *)
@@ -329,6 +395,8 @@ let hints =
     compared_with_content;
     without_function;
     truth_held_for_a_time;
+    wrapped_twice;
+    held_after_its_event;
     held_value;
     value_in_place_of_event;
     without_value;
@@ -369,8 +437,8 @@ let in_place_of_a_number fact =
       Some
         (hinted fact
            (Printf.sprintf
-              "an event has a value only when it occurs: write `hold x0 %s` for its latest value, \
-               which is `x0` at first%s"
+              "an event has a value only when it occurs: write `hold 0 %s` for its latest value, \
+               which is 0 at first%s"
               (grouped fact "e")
               (Option.fold (Array_mistake.with_each fact) ~none:""
                  ~some:(Printf.sprintf ", or `mapE %s` to compute with each value"))))
@@ -387,3 +455,23 @@ let of_a_truth fact =
             b b)
     |> Option.some
   else None
+
+let operand fact =
+  match (fact.expected.because, other_operand fact, fact.given) with
+  | Operand { operator; _ }, Some other, (Number _ | Bool)
+    when (Environment.is_event fact.wanted || is_maybe fact.wanted
+         || is_record fact.words fact.expected.ty)
+         && not (List.mem operator [ "=="; "/=" ] && not (is_record fact.words fact.expected.ty)) ->
+      let because : Expected.reason =
+        Operand
+          { operator; other = Option.value fact.subject ~default:other; other_type = fact.found }
+      in
+      let swapped =
+        Shape_fact.make fact.words ~subject:(Some other) ~at:other.span
+          ~expected:(Expected.make because fact.found)
+          ~found:fact.expected.ty
+      in
+      Option.map
+        (Diagnostic.label ~at:fact.at (Printf.sprintf "this is %s" (found_text fact)))
+        (first [ Record_mistake.in_place_of_a_number; in_place_of_a_number; in_a_maybe ] swapped)
+  | _ -> None

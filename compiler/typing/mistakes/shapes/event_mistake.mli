@@ -24,3 +24,7 @@ val accumulated :
   Basis.Diagnostic.t
 (** Rewrites the message about [accumHold x0 f e], which uses the argument order of other languages.
     The list contains the arguments with their types. *)
+
+val operand : Shape_fact.rule
+(** An event, a `Maybe` or a record as the left operand of a number: reports that operand, not the
+    number. *)

@@ -13,9 +13,12 @@ let of_activities =
     Task_mistake.function_of_the_input;
     Task_mistake.statement_without_task;
     Signal_function_mistake.in_place_of_a_test;
+    Unrun_mistake.program_without_input;
     Unrun_mistake.unrun;
     Unrun_mistake.unrun_operand;
     Switch_mistake.mode;
+    Switch_mistake.input_as_pair;
+    Switch_mistake.output_without_event;
     Signal_function_mistake.condition_of_an_event;
     Signal_function_mistake.function_not_lifted;
     Signal_function_mistake.in_place_of_a_function;
@@ -31,6 +34,7 @@ let of_functions =
     Tuple_mistake.of_all_arguments;
     Argument_mistake.missing;
     Argument_mistake.more_missing_than_expected;
+    Argument_mistake.missing_before;
   ]
 
 (* Rules for values where values of another shape are expected. An operator or parameter that
@@ -41,7 +45,9 @@ let of_values =
     Array_mistake.computed;
     Signal_function_mistake.constant;
     Tuple_mistake.selected;
+    Event_mistake.operand;
     Record_mistake.compared_with_a_number;
+    Tuple_mistake.of_an_input;
     Argument_mistake.lambda_with_too_few_parameters;
     Tuple_mistake.parameter;
     Tuple_mistake.of_another_length;

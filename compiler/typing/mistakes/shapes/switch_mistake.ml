@@ -45,9 +45,16 @@ let input words t =
   | _ -> "x"
 
 (* A signal function whose output is not a pair, or is a pair without an event. *)
-let hint_for_an_output wanted given =
+let hint_for_an_output fact wanted given =
   if is_pair wanted && not (is_pair given) then
-    Some "return the output and the event that ends it, as in `sf &&& e`"
+    Some
+      (let is_application =
+         match fact.subject with
+         | Some { desc = Apply { style = Juxtaposed; _ }; _ } -> true
+         | Some _ | None -> false
+       in
+       Printf.sprintf "return the output and the event that ends it, as in `(%s &&& after 1[s])`"
+         (if is_application then raw fact "sf" else grouped fact "sf"))
   else
     match in_place_of_the_event wanted given with
     | Some other when is_unrun_event other ->
@@ -71,10 +78,67 @@ let hint_for_a_pair fact =
 
 let hint_for_a_mode fact =
   match (fact.wanted, fact.given, of_a_local_function fact.subject) with
-  | Signal_function (_, wanted), Signal_function (_, given), _ -> hint_for_an_output wanted given
+  | Signal_function (_, wanted), Signal_function (_, given), _ ->
+      hint_for_an_output fact wanted given
   | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), Some f ->
       Some (hint_for_a_function fact f)
   | Signal_function _, Tuple [ _; _ ], None -> Some (hint_for_a_pair fact)
+  | _ -> None
+
+(* The output of a mode, without the event: how to write both. *)
+let with_an_event output = Printf.sprintf "(%s, after 1[s] ())" output
+
+let needs_an_event callee output =
+  Printf.sprintf
+    "the first argument of `%s` returns a pair: its output and the event that ends it, as in `%s`"
+    callee (with_an_event output)
+
+(* `switch (proc x -> x) …`, where the output was taken for the pair. *)
+let input_as_pair fact =
+  match (fact.wanted, fact.given, fact.subject) with
+  | ( Signal_function (wanted, _),
+      Signal_function (given, _),
+      Some
+        {
+          desc =
+            Apply
+              {
+                head =
+                  {
+                    desc =
+                      Apply
+                        {
+                          head = { desc = Global { name = ("switch" | "dSwitch") as name; _ }; _ };
+                          argument = { desc = Proc { body = { output; _ }; _ }; _ };
+                          _;
+                        };
+                    _;
+                  };
+                _;
+              };
+          _;
+        } )
+    when (not (is_pair wanted))
+         && is_pair given
+         && match Type.expand given with Tuple [ _; e ] -> Environment.is_event e | _ -> false ->
+      let text = Option.value (Show.quote fact.words output.span) ~default:"output" in
+      error ~code:"E0301" ~at:output.span "this mode of `%s` returns no event" name
+      |> hint (needs_an_event name text)
+      |> write output.span (with_an_event text)
+      |> Option.some
+  | _ -> None
+
+(* `switch (proc x -> x + 1) …` *)
+let output_without_event fact =
+  match (fact.expected.because, fact.wanted, fact.given) with
+  | ( Output
+        (Parameter { position = 1; callee = Some (("switch" | "dSwitch" | "mkTask") as name); _ }),
+      Tuple [ _; event ],
+      (Number _ | Bool | Data _) )
+    when Environment.is_event event
+         && not (Environment.is_event fact.found || Environment.is_task fact.found) ->
+      let text = raw fact "output" in
+      Some (hinted fact (needs_an_event name text) |> write fact.at (with_an_event text))
   | _ -> None
 
 let mode fact =

@@ -19,3 +19,9 @@ val three_arguments :
   Diagnostic.t
 (** Rewrites the message about [switch mode event next], which uses the argument order of other
     languages. The list contains the arguments with their types. *)
+
+val input_as_pair : Shape_fact.rule
+(** A switch whose first mode returns its input alone. *)
+
+val output_without_event : Shape_fact.rule
+(** The output of a mode without the event that ends it. *)

@@ -15,6 +15,18 @@ let selected fact =
               p p p))
   | _ -> None
 
+let of_an_input fact =
+  match (fact.wanted, fact.given, fact.subject) with
+  | (Number _ | Bool), Tuple (_ :: _ :: _ as parts), Some { desc = Local x; _ }
+    when Show.is_input fact.words x.name ->
+      Some
+        (hinted fact
+           (Printf.sprintf
+              "`%s` is the whole input: take it apart in the pattern, as in `proc (%s) -> …`" x.name
+              (String.concat ", " (names (List.length parts))))
+        |> label ~at:x.span "this is one name for the whole tuple")
+  | _ -> None
+
 (* The call in which the arguments from the mismatch onwards form one tuple of this length. If the
    call has that many arguments, uses their source texts, and otherwise generated names. *)
 let gathered fact length =
@@ -55,6 +67,13 @@ let taken_apart fact given =
   | Parameter { callee = Some ("fst" | "snd"); _ } ->
       hint (Printf.sprintf "for its parts, write an equation: `(%s) = %s`" names (raw fact "p"))
   | Pattern _ -> hint (Printf.sprintf "write the pattern as `(%s)`" names)
+  | (Signature _ | Annotation _ | Parameter _) when fact.subject = None ->
+      let names =
+        match fact.wanted with
+        | Tuple wanted -> String.concat ", " (Shape_fact.names (List.length wanted))
+        | _ -> names
+      in
+      hint (Printf.sprintf "write the pattern as `(%s)`" names)
   | _ -> Fun.id
 
 let of_another_length fact =

@@ -17,3 +17,6 @@ val of_all_arguments : Shape_fact.rule
 
 val separated_by_commas : Shape_fact.rule
 (** The C-style call [f(x, y)]. *)
+
+val of_an_input : Shape_fact.rule
+(** An input that is a tuple, used as a number. *)

@@ -110,6 +110,25 @@ let truth_of_event words ~(subject : Resolve.Ir.expr option) ~wanted ~found =
       | _ -> Some (Printf.sprintf "isEvent (%s %s)" text signal))
   | _ -> None
 
+(* A name for a signal function, as in `let x = frontSonar`, where there is no signal to run it on:
+   probably in a task. *)
+let sense_without_input words ~(subject : Resolve.Ir.expr option) input =
+  let is_robot = Show.needs_class words input in
+  match subject with
+  | Some { desc = Local x; _ } when Show.inputs words = [] && is_robot -> (
+      match Option.bind (Show.definition words x) Plain_name.of_expr with
+      | Some sf ->
+          Some
+            (Printf.sprintf
+               "in a task, read its present value first: `%s <- ask %s` in place of `let %s = %s`"
+               x.name sf x.name sf)
+      | None -> None)
+  | Some { desc = Global { name; _ }; _ } when Show.inputs words = [] && is_robot ->
+      Some
+        (Printf.sprintf
+           "in a task, read its present value first, with `x <- ask %s`, and write `x` here" name)
+  | _ -> None
+
 let message words ~subject ~at ~wanted ~input ~found =
   let d =
     error ~code:"E0303" ~at
@@ -120,7 +139,10 @@ let message words ~subject ~at ~wanted ~input ~found =
   | Some cure ->
       hint (Printf.sprintf "its output is an event: for a condition, write `%s`" cure) d
       |> instead subject cure
-  | None -> hint_to_run words subject input d
+  | None -> (
+      match sense_without_input words ~subject input with
+      | Some text -> hint text d
+      | None -> hint_to_run words subject input d)
 
 (* A program is made from a signal function that is not applied. *)
 let is_program ty =
@@ -140,6 +162,27 @@ let program (fact : Shape_fact.t) =
   | Some text ->
       let made = "reactimateRobot " ^ Source.grouped text in
       d |> hint (Printf.sprintf "write `%s`" made) |> instead fact.subject made
+
+(* A program whose `proc` has the input `()`, where the robot's input is something else. *)
+let program_without_input (fact : Shape_fact.t) =
+  let is_unit t = Type.expand t = Type.Tuple [] in
+  match (fact.wanted, fact.given, fact.subject) with
+  | ( Data { tycon; arguments = wanted :: _; _ },
+      Data { tycon = tycon'; arguments = given :: _; _ },
+      Some
+        {
+          desc =
+            Apply { argument = { desc = Proc { input = { desc = Tuple_of []; span }; _ }; _ }; _ };
+          _;
+        } )
+    when tycon = Environment.built_in "Program"
+         && tycon' = tycon && is_unit given
+         && not (is_unit wanted) ->
+      error ~code:"E0301" ~at:span "expected the input %s, found `()`"
+        (Show.described fact.words wanted)
+      |> hint "if the program does not use its input, write `proc _ -> …`"
+      |> write span "_" |> Option.some
+  | _ -> None
 
 let unrun (fact : Shape_fact.t) =
   match (fact.wanted, fact.given) with

@@ -19,3 +19,6 @@ val count : int -> string
 
 val instead : Resolve.Ir.expr option -> string -> Diagnostic.t -> Diagnostic.t
 (** Adds the fix that replaces the expression by this text. *)
+
+val program_without_input : Shape_fact.rule
+(** [reactimateRobot (proc () -> …)] where the program has an input. *)

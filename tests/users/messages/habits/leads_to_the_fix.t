@@ -453,7 +453,7 @@ A command with the wrong unit:
     |     ^^^^^^^^^^^^ this is `Distance` (m)
     |
     = hint: multiply by a gain, as in `returnA -< 0.5[1/s] * x`, or, for the rate of change, write `returnA -< derivative x`
-    = hint: if this is the right result, write `Float[m]` in the signature
+    = hint: if this is the right result, write the signature as `main :: SF Distance Distance`
   
   1 error
   [1]
@@ -477,7 +477,7 @@ A command with the wrong unit:
     |     ^^^^^^^^^^^^ this is `Distance` (m)
     |
     = hint: to get a plain number, divide by the unit: `returnA -< x / 1[m]`
-    = hint: if this is the right result, write `Float[m]` in the signature
+    = hint: if this is the right result, write the signature as `main :: SF Distance Distance`
   
   1 error
   [1]
@@ -499,7 +499,7 @@ A command with the wrong unit:
     |     ^^^^^^^^^^^^^ this is `Float[m s]`
     |
     = hint: to get a plain number, divide by the unit: `y <- integral -< x`, then `returnA -< y / 1[m s]`
-    = hint: if this is the right result, write `Float[m s]` in the signature
+    = hint: if this is the right result, write the signature as `main :: SF Distance Float[m s]`
   
   1 error
   [1]

@@ -38,15 +38,13 @@ Tuples, records and texts, used as in other languages.
   >     v = if (sonars i) ! 3 < 0.5[m] then 0 else 0.2[m/s])
   > FROB
   $ frobc check record.frob
-  error[E0301]: expected `Sonar`, found `Float[m]`
-   --> record.frob:3:29
+  error[E0301]: expected `Float[m]`, found `Sonar`
+   --> record.frob:3:12
     |
   3 |     v = if (sonars i) ! 3 < 0.5[m] then 0 else 0.2[m/s])
-    |            --------------   ^^^^^^
-    |            |
-    |            this is `Sonar`
+    |            ^^^^^^^^^^^^^^   ------ this is `Float[m]`
     |
-    = hint: the other operand is a record with the fields `seat`, `halfAngle`, `echo`: choose one, as in `r.seat`
+    = hint: this is a record: choose one of its fields, `((sonars i) ! 3).seat`, `((sonars i) ! 3).halfAngle`, `((sonars i) ! 3).echo`
   
   1 error
   [1]

@@ -102,7 +102,7 @@ An equation among the statements of a task:
   3 |     ok = forward 1[m]
     |        ^
     |
-    = hint: use `ok <- t` to run the task `t` and name its result, or `let ok = e` to name a value
+    = hint: for a value, write `let ok = forward 1[m]`; for the result of a task `t`, write `ok <- t`
   
   1 error
   [1]

@@ -8,15 +8,13 @@ A robot's speeds:
   > main = reactimateRobot (proc _ -> roMake (setVelTR 30[deg/s] 0.3[m/s]))
   > FROB
   $ frobc check speeds.frob
-  error[E0320]: expected the unit `m/s`, found `1/s`
-   --> speeds.frob:3:52
+  error[E0320]: the arguments of `setVelTR` are in the wrong order
+   --> speeds.frob:3:43
     |
   3 | main = reactimateRobot (proc _ -> roMake (setVelTR 30[deg/s] 0.3[m/s]))
-    |                                           -------- ^^^^^^^^^ this is `Float[1/s]`
-    |                                           |
-    |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
+    |                                           ^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: swap the arguments of `setVelTR`: `setVelTR 0.3[m/s] 30[deg/s]`
+    = hint: write `setVelTR 0.3[m/s] 30[deg/s]`
   
   1 error
   [1]
@@ -32,16 +30,13 @@ The event first:
   >     v = hold (tag (edge (bumped i)) 0) 0.3[m/s])
   > FROB
   $ frobc check hold.frob
-  error[E0301]: expected `Event (Event n[u])`, found `Float[m/s]`
-   --> hold.frob:4:40
+  error[E0301]: the arguments of `hold` are in the wrong order
+   --> hold.frob:4:9
     |
   4 |     v = hold (tag (edge (bumped i)) 0) 0.3[m/s])
-    |         ----  -----------------------  ^^^^^^^^
-    |         |     |
-    |         |     because this is `Event n[u]`
-    |         argument 2 of `hold` is `Event (Event n[u])`
+    |         ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: swap the arguments of `hold`: `hold 0.3[m/s] (tag (edge (bumped i)) 0)`
+    = hint: write `hold 0.3[m/s] (tag (edge (bumped i)) 0)`
   
   1 error
   [1]
@@ -57,15 +52,13 @@ A position and its label:
   > main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0 . draw (InWorld Red (label "here" (place i)))))
   > FROB
   $ frobc check label.frob
-  error[E0301]: expected `Vec2[u]`, found `String`
-   --> label.frob:4:90
+  error[E0301]: the arguments of `label` are in the wrong order
+   --> label.frob:4:84
     |
   4 | main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0 . draw (InWorld Red (label "here" (place i)))))
-    |                                                                                    ----- ^^^^^^
-    |                                                                                    |
-    |                                                                                    argument 1 of `label` is `Vec2[u]`
+    |                                                                                    ^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: swap the arguments of `label`: `label (place i) "here"`
+    = hint: write `label (place i) "here"`
   
   1 error
   [1]
@@ -113,7 +106,7 @@ Two arguments that both fit any type are not exchanged:
     |         |   because this is `Float[m/s]`
     |         argument 2 of `min` is `Float[m/s]`
     |
-    = hint: an event has a value only when it occurs: write `hold x0 (tag (edge (bumped i)) 0)` for its latest value, which is `x0` at first
+    = hint: an event has a value only when it occurs: write `hold 0 (tag (edge (bumped i)) 0)` for its latest value, which is 0 at first
   
   1 error
   [1]
@@ -127,4 +120,4 @@ Two arguments with the same unit are not exchanged: here the unit of the rate is
   >     v = rateLimit 0.5[m/s] (0.5[1/s] * frontSonar i))
   > FROB
   $ frobc check rate.frob 2>&1 | grep -e "^error" -e order
-  error[E0320]: expected the unit `m`, found `m/s`
+  error[E0320]: expected the unit `m/s^2`, found `m/s`

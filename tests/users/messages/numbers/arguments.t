@@ -123,7 +123,7 @@ A function passed as an argument lacks one of its own arguments.
     |                                   |
     |                                   argument 1 of `roMake` is `AngularVelocity -> AngularVelocity`
     |
-    = hint: `setVelTR` lacks one argument
+    = hint: `setVelTR` lacks its second argument, `AngularVelocity` (1/s)
   
   1 error
   [1]

@@ -118,15 +118,13 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
   > main = proc (a, k) -> at a k 0
   > FROB
   $ frobc check at_order.frob
-  error[E0301]: expected `Int`, found `Array 3 Float`
-   --> at_order.frob:2:26
+  error[E0301]: the arguments of `at` are in the wrong order
+   --> at_order.frob:2:23
     |
   2 | main = proc (a, k) -> at a k 0
-    |                       -- ^
-    |                       |
-    |                       argument 1 of `at` is `Int`
+    |                       ^^^^^^^^
     |
-    = hint: swap the arguments of `at`: `at k 0 a`
+    = hint: write `at k 0 a`
   
   1 error
   [1]
@@ -147,7 +145,7 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
     |          ^^^^^^^ this is `Float[m]`
     |
     = hint: to get a plain number, divide by the unit: `(d * 100) / 1[m]`
-    = hint: if this is the right result, write `Float[m]` in the signature
+    = hint: if this is the right result, write the signature as `toCm :: Distance -> Float[m]`
   
   1 error
   [1]

@@ -47,8 +47,7 @@ Int and Float in one operation: the message names both operands, and the convers
   2 | half n = n / 2
     |          ^ - argument 1 of `/` is `Float`
     |
-    = hint: to divide whole numbers, use `div`
-    = hint: write `toFloat n`
+    = hint: for a whole number, write `div n 2`, which rounds down; for a number with a fraction, write `toFloat n / 2`
   
   1 error
   [1]

@@ -120,7 +120,7 @@ Conversions from one quantity to another:
     |                  ^^^^^^^^^^^^^^^^^ this is `Float[m^2]`
     |
     = hint: write `sqrt (p.x ^ 2 + p.y ^ 2)`, which has that unit
-    = hint: if this is the right result, write `Float[m^2]` in the signature
+    = hint: if this is the right result, write the signature as `main :: SF Point2 Float[m^2]`
   
   1 error
   [1]

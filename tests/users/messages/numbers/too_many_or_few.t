@@ -63,7 +63,7 @@ syntax.
   3 |     v = if buttonHeld i then 0.2[m/s] else 0)
     |            ^^^^^^^^^^^^
     |
-    = hint: an argument is missing before `i`: `buttonHeld :: String -> i -> Bool`
+    = hint: `buttonHeld` takes two arguments, `buttonHeld label i`: `label` is missing here, as in `buttonHeld "label" i`
   
   1 error
   [1]
@@ -81,7 +81,7 @@ syntax.
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: two arguments are missing before `i`: `knob :: String -> Float[u] -> Float[u] -> Float[u] -> i -> Float[u]`
+    = hint: `knob` takes 5 arguments, `knob label least most first i`: `most` and `first` are missing here, as in `knob "speed" 0.4[m/s] most first i`
   
   1 error
   [1]
@@ -244,15 +244,13 @@ Tasks in sequence, under a condition, and with a time:
   >     turnBy 90[deg])
   > FROB
   $ frobc check time_out.frob
-  error[E0301]: expected `Task a b c`, found a number of `s`
-   --> time_out.frob:4:13
+  error[E0301]: the arguments of `timeOut` are in the wrong order
+   --> time_out.frob:4:5
     |
   4 |     timeOut 5[s] (forward 2[m])
-    |     ------- ^^^^
-    |     |
-    |     argument 1 of `timeOut` is `Task a b c`
+    |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: swap the arguments of `timeOut`: `timeOut (forward 2[m]) 5[s]`
+    = hint: write `timeOut (forward 2[m]) 5[s]`
   
   1 error
   [1]
@@ -265,18 +263,16 @@ Tasks in sequence, under a condition, and with a time:
   >     turnBy 90[deg]) 4)
   > FROB
   $ frobc check repeat.frob
-  error[E0301]: expected `Int`, found `Task a b c`
-   --> repeat.frob:3:33
+  error[E0301]: the arguments of `repeatT` are in the wrong order
+   --> repeat.frob:3:24
     |
   3 | main = reactimateTask (repeatT (do
-    |                        -------  ^^
-    |                        |
-    |                        argument 1 of `repeatT` is `Int`
+    |                        ^^^^^^^^^^^
   4 |     forward 1[m]
   5 |     turnBy 90[deg]) 4)
-    |     ^^^^^^^^^^^^^^
+    |     ^^^^^^^^^^^^^^^^^
     |
-    = hint: swap the arguments of `repeatT`: `repeatT 4 (…)`
+    = hint: write `repeatT 4 (…)`
   
   1 error
   [1]

@@ -72,15 +72,13 @@ The first and the last argument exchanged:
   > main = reactimateRobot (proc i -> roMake (setVelTR (knob i "speed" 0 0.4[m/s] 0.2[m/s]) 0))
   > FROB
   $ frobc check label.frob
-  error[E0301]: expected `Float[u]`, found `String`
-   --> label.frob:2:60
+  error[E0301]: the arguments of `knob` are in the wrong order
+   --> label.frob:2:53
     |
   2 | main = reactimateRobot (proc i -> roMake (setVelTR (knob i "speed" 0 0.4[m/s] 0.2[m/s]) 0))
-    |                                                     ----   ^^^^^^^
-    |                                                     |
-    |                                                     argument 2 of `knob` is `Float[u]`
+    |                                                     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: swap the arguments of `knob`: `knob "speed" 0 0.4[m/s] 0.2[m/s] i`
+    = hint: write `knob "speed" 0 0.4[m/s] 0.2[m/s] i`
   
   1 error
   [1]

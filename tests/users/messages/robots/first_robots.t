@@ -66,7 +66,7 @@ An event where a Bool or a number is expected.
   7 | more = proc e -> e + 1
     |                  ^ - argument 1 of `+` is a number
     |
-    = hint: an event has a value only when it occurs: write `hold x0 e` for its latest value, which is `x0` at first, or `mapE (\x -> x + 1) e` to compute with each value
+    = hint: an event has a value only when it occurs: write `hold 0 e` for its latest value, which is 0 at first, or `mapE (\x -> x + 1) e` to compute with each value
   
   2 errors
   [1]

@@ -38,7 +38,7 @@ what is missing.
   215 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
-      = hint: this needs a robot's input or output, but is applied to `Float[m/s]`: perhaps two arguments are in the wrong order
+      = hint: `roMake` returns the commands for a robot: the signature, or the other outputs here, must be `RobotOutput` too, not `Float[m/s]`
   
   1 error
   [1]

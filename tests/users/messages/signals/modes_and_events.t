@@ -273,7 +273,7 @@ Switches whose event is an argument, and events used as values.
   2 | main = proc e -> e + 1
     |                  ^ - argument 1 of `+` is a number
     |
-    = hint: an event has a value only when it occurs: write `hold x0 e` for its latest value, which is `x0` at first, or `mapE (\x -> x + 1) e` to compute with each value
+    = hint: an event has a value only when it occurs: write `hold 0 e` for its latest value, which is 0 at first, or `mapE (\x -> x + 1) e` to compute with each value
   
   1 error
   [1]

@@ -1,0 +1,105 @@
+open Basis
+
+type t = {
+  digits : string;
+  negative : bool;
+  unit_ : Resolve.Ir.unit_ option;
+  at : Span.t;
+  name : string option;
+  signature : Span.t option;
+}
+
+(* The definition of a name without parameters, and its signature. Constants of other files are left
+   out, because a fix edits one file. *)
+let definition words (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Local x -> Option.map (fun e -> (x.name, e, None)) (Show.definition words x)
+  | Global g -> (
+      match Show.binding words g with
+      | Some
+          {
+            parameters = [];
+            signature;
+            body = { guards = [ { condition = None; value } ]; where = { groups = []; _ } };
+            _;
+          }
+        when String.equal value.span.file e.span.file ->
+          Some (g.name, value, Option.map (fun (s : Resolve.Ir.scheme) -> s.span) signature)
+      | Some _ | None -> None)
+  | _ -> None
+
+let rec number (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Number { digits; _ } when float_of_string_opt digits = Some 0. -> None
+  | Number { digits; unit_; _ } -> Some (digits, false, unit_, e.span)
+  | Negate e ->
+      Option.map (fun (digits, negative, unit_, at) -> (digits, not negative, unit_, at)) (number e)
+  | _ -> None
+
+let literal words (e : Resolve.Ir.expr) =
+  match number e with
+  | Some (digits, negative, unit_, at) ->
+      Some { digits; negative; unit_; at; name = None; signature = None }
+  | None -> (
+      match definition words e with
+      | Some (name, value, signature) ->
+          Option.map
+            (fun (digits, negative, unit_, at) ->
+              { digits; negative; unit_; at; name = Some name; signature })
+            (number value)
+      | None -> None)
+
+(* Longest chain of names that is followed. *)
+let deepest = 6
+
+let factor words e =
+  let rec of_expr depth power (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Apply
+        {
+          head = { desc = Apply { head = { desc = Global { name; _ }; _ }; argument = a; _ }; _ };
+          argument = b;
+          style = Operator _;
+        } -> (
+        match name with
+        | "*" | "/" -> (
+            match of_expr depth power a with
+            | [] -> of_expr depth (if String.equal name "/" then -power else power) b
+            | found -> found)
+        | "+" | "-" -> (
+            match (of_expr depth power a, of_expr depth power b) with
+            | [], _ | _, [] -> []
+            | left, right -> left @ right)
+        | _ -> [])
+    | Negate e -> of_expr depth power e
+    | (Local _ | Global _) when depth < deepest -> (
+        match (literal words e, definition words e) with
+        | Some ({ unit_ = None; name = Some _; _ } as found), _ -> [ (found, power) ]
+        | None, Some (_, value, None) -> of_expr (depth + 1) power value
+        | _ -> [])
+    | _ -> []
+  in
+  of_expr 0 1 e
+
+let give words { digits; negative; at; name; signature; _ } unit_ d =
+  let literal = Printf.sprintf "%s[%s]" digits unit_ in
+  let text = if negative then "-" ^ literal else literal in
+  let float = Printf.sprintf "Float[%s]" unit_ in
+  match name with
+  | None ->
+      Diagnostic.hint (Printf.sprintf "write `%s` if that is its unit" text) d
+      |> Diagnostic.write at literal
+  | Some name ->
+      (* the signature of a parameter is in the line of its value *)
+      let cure, edits =
+        match signature with
+        | Some place when Show.quote words place <> None ->
+            ( (if Span.line place.start = Span.line at.start then
+                 Printf.sprintf "`param %s :: %s = %s`" name float text
+               else Printf.sprintf "`%s :: %s` and `%s = %s`" name float name text),
+              [ (place, float) ] )
+        | Some _ | None -> (Printf.sprintf "`%s = %s`" name text, [])
+      in
+      Diagnostic.label ~at (Printf.sprintf "`%s` is this number without a unit" name) d
+      |> Diagnostic.hint (Printf.sprintf "give `%s` its unit: %s" name cure)
+      |> Diagnostic.fix (Printf.sprintf "write `%s`" text) (edits @ [ (at, literal) ])

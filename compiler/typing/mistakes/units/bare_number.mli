@@ -1,0 +1,23 @@
+(** Numbers that the program writes without a unit, and the names that stand for them. *)
+
+open Basis
+
+type t = {
+  digits : string;  (** without the sign *)
+  negative : bool;
+  unit_ : Resolve.Ir.unit_ option;
+  at : Span.t;  (** the literal *)
+  name : string option;  (** the constant or local name that is defined as the literal *)
+  signature : Span.t option;  (** the signature of the constant *)
+}
+
+val literal : Show.words -> Resolve.Ir.expr -> t option
+(** The literal other than zero that this expression is, or that its name is defined as. *)
+
+val factor : Show.words -> Resolve.Ir.expr -> (t * int) list
+(** The named constants without a unit that scale this expression, each with its exponent, 1 or -1.
+    In a product, only the first one counts; in a sum, one for each operand. Empty if some operand
+    of the sum has none. Looks through the definitions of names. *)
+
+val give : Show.words -> t -> string -> Diagnostic.t -> Diagnostic.t
+(** Labels the literal, and suggests to give it this unit. *)

@@ -1,0 +1,131 @@
+open Basis
+open Diagnostic
+
+(* The exponent of the only unit variable in a parameter's declared type, which may be an event or
+   an array of numbers. *)
+let rec exponent (t : Type.t) =
+  match Type.expand t with
+  | Rigid _ | Flexible _ -> Some Rational.one
+  | Data { arguments = _ :: _ as arguments; _ } ->
+      exponent (List.nth arguments (List.length arguments - 1))
+  | Number (_, u) -> (
+      match Units.rigid_powers u with [ (_, power) ] -> Some power | _ :: _ :: _ | [] -> None)
+  | _ -> None
+
+let rec parameters (t : Type.t) =
+  match Type.expand t with
+  | Function (parameter, result) -> parameter :: parameters result
+  | Signal_function (input, _) -> [ input ]
+  | _ -> []
+
+(* The declared types of the parameters, if the function has one. *)
+let declared words (head : Resolve.Ir.expr option) =
+  match head with
+  | Some { desc = Global g; _ } ->
+      Option.fold (Show.declared_type words g) ~none:[] ~some:parameters
+  | Some _ | None -> []
+
+(* The unit that the argument at [place] must have so that the argument at [position], which has the
+   unit [given] instead of [wanted], is right. *)
+let unit_for words head ~place ~position ~current (wanted, given) =
+  let of_parameter i =
+    match declared words head with
+    | [] -> Some Rational.one
+    | types -> Option.bind (List.nth_opt types i) exponent
+  in
+  match (of_parameter place, of_parameter (position - 1)) with
+  | Some a, Some b when not (Rational.is_zero b) ->
+      let factor = Rational.multiply a (Rational.inverse b) in
+      Some (Units.multiply current (Units.power (Units.divide given wanted) factor))
+  | _ -> None
+
+type suspect = { number : Bare_number.t; position : int; current : Units.t; unit_ : Units.t }
+
+let is_earlier (decided : Expected.decider list) (e : Resolve.Ir.expr) =
+  List.exists (fun (d : Expected.decider) -> Span.compare d.place e.span = 0) decided
+
+let unit_of (t : Type.t) = match Type.expand t with Number (_, u) -> Some u | _ -> None
+
+(* The earlier arguments that are number literals and have a part in the unit. *)
+let suspects words ~head ~given ~decided ~position units =
+  let suspect i (e : Resolve.Ir.expr) =
+    let decider =
+      List.find_opt (fun (d : Expected.decider) -> Span.compare d.place e.span = 0) decided
+    in
+    match (Bare_number.literal words e, decider) with
+    | Some number, Some { decides; _ } when i < position - 1 -> (
+        match unit_of decides with
+        | Some current when not (Units.is_open current) ->
+            Option.map
+              (fun unit_ -> { number; position = i + 1; current; unit_ })
+              (unit_for words head ~place:i ~position ~current units)
+        | Some _ | None -> None)
+    | _ -> None
+  in
+  List.filter_map Fun.id (List.mapi suspect given)
+
+(* Is some other earlier argument a reason for the unit too? A zero is not. *)
+let has_other_reason words ~given ~decided =
+  let is_zero (e : Resolve.Ir.expr) =
+    match e.desc with Number { digits; _ } -> float_of_string_opt digits = Some 0. | _ -> false
+  in
+  List.exists
+    (fun e -> is_earlier decided e && Bare_number.literal words e = None && not (is_zero e))
+    given
+
+let give words { number; unit_; _ } d =
+  let unit_ = Show.measure words unit_ in
+  match number.unit_ with
+  | None -> Bare_number.give words number unit_ d
+  | Some _ when number.name = None ->
+      let text = Printf.sprintf "%s[%s]" number.digits unit_ in
+      hint (Printf.sprintf "write `%s` if you meant that unit" text) d |> write number.at text
+  | Some _ -> d
+
+let report words ~callee ~(subject : Resolve.Ir.expr) ~found ~at (first, rest) =
+  let wanted = Show.measure words first.unit_ in
+  let d =
+    if Units.equal first.current Units.one then
+      error ~code:"E0320" ~at "expected the unit `%s`, found none" wanted
+    else
+      error ~code:"E0320" ~at "expected the unit `%s`, found `%s`" wanted
+        (Show.measure words first.current)
+  in
+  d
+  |> here (Printf.sprintf "argument %d of `%s`" first.position callee)
+  |> label ~at:subject.span
+       (Printf.sprintf "because this is %s, and `%s` needs matching units"
+          (Show.described words found) callee)
+  |> fun d -> List.fold_left (fun d suspect -> give words suspect d) d (first :: rest)
+
+(* `delay 0.5[s] v`, meant as a delay by a time. *)
+let is_a_time words ~callee { number; current; _ } =
+  String.equal callee "delay" && number.unit_ <> None
+  && String.equal (Show.measure words current) "s"
+
+let of_an_earlier_number words ~(expected : Expected.t) ~found ~subject (wanted, given) =
+  match (expected.because, subject) with
+  | ( Parameter { callee = Some callee; head; given = arguments; position; decided_by; _ },
+      Some (subject : Resolve.Ir.expr) )
+    when decided_by <> []
+         && (not (Units.is_open wanted || Units.is_open given))
+         && not (has_other_reason words ~given:arguments ~decided:decided_by) -> (
+      let all =
+        suspects words ~head ~given:arguments ~decided:decided_by ~position (wanted, given)
+      in
+      let bare = List.filter (fun s -> s.number.unit_ = None) all in
+      let itself = Bare_number.literal words subject in
+      match ((if bare <> [] then bare else all), itself) with
+      | [], _ -> None
+      (* two numbers with units: either may be wrong *)
+      | _, Some { unit_ = None; _ } -> None
+      | _, Some _ when bare = [] -> None
+      | first :: _, _ when is_a_time words ~callee first -> None
+      | first :: rest, _ ->
+          let at =
+            match List.nth_opt arguments (first.position - 1) with
+            | Some e -> e.span
+            | None -> first.number.at
+          in
+          Some (report words ~callee ~subject ~found ~at (first, rest)))
+  | _ -> None

@@ -1,0 +1,444 @@
+Mistakes of newcomers with types and units. Every replacement that a message offers compiles when
+it is pasted.
+
+A number without a unit, as an argument beside a quantity:
+
+  $ cat > least.frob <<'FROB'
+  > f :: SF Velocity Velocity
+  > f = proc v -> min 0.3 v
+  > FROB
+  $ frobc check least.frob
+  error[E0320]: expected the unit `m/s`, found none
+   --> least.frob:2:19
+    |
+  2 | f = proc v -> min 0.3 v
+    |                   ^^^ - because this is `Velocity` (m/s), and `min` needs matching units
+    |                   |
+    |                   argument 1 of `min`
+    |
+    = hint: write `0.3[m/s]` if that is its unit
+  
+  1 error
+  [1]
+  $ sed 's:0.3:0.3[m/s]:' least.frob > pasted.frob && frobc check pasted.frob
+
+The function relates the units of its arguments, and the number is the mistake:
+
+  $ cat > limit.frob <<'FROB'
+  > import Control
+  > f :: SF Distance AngularVelocity
+  > f = proc e -> limit 1 (4[rad/(m s)] * e)
+  > FROB
+  $ frobc check limit.frob
+  error[E0320]: expected the unit `1/s`, found none
+   --> limit.frob:3:21
+    |
+  3 | f = proc e -> limit 1 (4[rad/(m s)] * e)
+    |                     ^  ---------------- because this is `Float[1/s]`, and `limit` needs matching units
+    |                     |
+    |                     argument 1 of `limit`
+    |
+    = hint: write `1[1/s]` if that is its unit
+  
+  1 error
+  [1]
+  $ sed 's:limit 1 :limit 1[1/s] :' limit.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > rate.frob <<'FROB'
+  > import Control
+  > f :: SF Velocity Velocity
+  > f = proc v -> rateLimit 0.3[m/s] v
+  > FROB
+  $ frobc check rate.frob
+  error[E0320]: expected the unit `m/s^2`, found `m/s`
+   --> rate.frob:3:25
+    |
+  3 | f = proc v -> rateLimit 0.3[m/s] v
+    |                         ^^^^^^^^ - because this is `Velocity` (m/s), and `rateLimit` needs matching units
+    |                         |
+    |                         argument 1 of `rateLimit`
+    |
+    = hint: write `0.3[m/s^2]` if you meant that unit
+  
+  1 error
+  [1]
+  $ sed 's:0.3\[m/s\]:0.3[m/s^2]:' rate.frob > pasted.frob && frobc check pasted.frob
+
+Two numbers without a unit, one of them negative; zero has any unit:
+
+  $ cat > clamp.frob <<'FROB'
+  > import Control
+  > f, g :: SF Velocity Velocity
+  > f = proc v -> clamp (-1) 1 v
+  > g = proc v -> clamp 0 1 v
+  > FROB
+  $ frobc check clamp.frob
+  error[E0320]: expected the unit `m/s`, found none
+   --> clamp.frob:3:22
+    |
+  3 | f = proc v -> clamp (-1) 1 v
+    |                      ^^    - because this is `Velocity` (m/s), and `clamp` needs matching units
+    |                      |
+    |                      argument 1 of `clamp`
+    |
+    = hint: write `-1[m/s]` if that is its unit
+    = hint: write `1[m/s]` if that is its unit
+  
+  error[E0320]: expected the unit `m/s`, found none
+   --> clamp.frob:4:23
+    |
+  4 | g = proc v -> clamp 0 1 v
+    |                       ^ - because this is `Velocity` (m/s), and `clamp` needs matching units
+    |                       |
+    |                       argument 2 of `clamp`
+    |
+    = hint: write `1[m/s]` if that is its unit
+  
+  2 errors
+  [1]
+  $ sed 's:(-1) 1 v:(-1[m/s]) 1[m/s] v:; s:0 1 v:0 1[m/s] v:' clamp.frob > pasted.frob && frobc check pasted.frob
+
+An initial value without the unit of the event:
+
+  $ cat > held.frob <<'FROB'
+  > f :: SF (Event (), Velocity) Velocity
+  > f = proc (e, v) -> hold 0.5 (tag e v)
+  > FROB
+  $ frobc check held.frob
+  error[E0320]: expected the unit `m/s`, found none
+   --> held.frob:2:25
+    |
+  2 | f = proc (e, v) -> hold 0.5 (tag e v)
+    |                         ^^^  ------- because this is `Event Velocity`, and `hold` needs matching units
+    |                         |
+    |                         argument 1 of `hold`
+    |
+    = hint: write `0.5[m/s]` if that is its unit
+  
+  1 error
+  [1]
+  $ sed 's:0.5:0.5[m/s]:' held.frob > pasted.frob && frobc check pasted.frob
+
+A constant that lacks its unit, far from the place where the unit is needed:
+
+  $ cat > constant.frob <<'FROB'
+  > import Robot
+  > kp = 0.8
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = kp * (frontSonar i - 0.5[m]))
+  > FROB
+  $ frobc check constant.frob
+  error[E0320]: expected the unit `m/s`, found `m`
+   --> constant.frob:3:52
+    |
+  2 | kp = 0.8
+    |      --- `kp` is this number without a unit
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+    |                                           -------- ^ this is `Float[m]`
+    |                                           |
+    |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
+    |
+    = hint: give `kp` its unit: `kp = 0.8[1/s]`
+  
+  1 error
+  [1]
+  $ sed 's:kp = 0.8:kp = 0.8[1/s]:' constant.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > divisor.frob <<'FROB'
+  > tau = 2.0
+  > f :: SF Distance Velocity
+  > f = proc d -> d / tau
+  > FROB
+  $ frobc check divisor.frob
+  error[E0320]: expected the unit `m/s`, found `m`
+   --> divisor.frob:3:15
+    |
+  1 | tau = 2.0
+    |       --- `tau` is this number without a unit
+  2 | f :: SF Distance Velocity
+    |      -------------------- the signature of `f` requires the output `Velocity` (m/s)
+  3 | f = proc d -> d / tau
+    |               ^^^^^^^ this is `Float[m]`
+    |
+    = hint: give `tau` its unit: `tau = 2.0[s]`
+  
+  1 error
+  [1]
+  $ sed 's:tau = 2.0:tau = 2.0[s]:' divisor.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > threshold.frob <<'FROB'
+  > near = 0.5
+  > f :: SF Distance Bool
+  > f = proc d -> d < near
+  > FROB
+  $ frobc check threshold.frob
+  error[E0320]: the operands of `<` have different units: `m` and `1`
+   --> threshold.frob:3:19
+    |
+  1 | near = 0.5
+    |        --- `near` is this number without a unit
+  2 | f :: SF Distance Bool
+  3 | f = proc d -> d < near
+    |               -   ^^^^ this is `Float`
+    |               |
+    |               this is `Distance` (m)
+    |
+    = hint: give `near` its unit: `near = 0.5[m]`
+  
+  1 error
+  [1]
+  $ sed 's:near = 0.5:near = 0.5[m]:' threshold.frob > pasted.frob && frobc check pasted.frob
+
+A constant with a signature:
+
+  $ cat > signed.frob <<'FROB'
+  > kp :: Float
+  > kp = 0.8
+  > f :: SF Distance Velocity
+  > f = proc d -> kp * d
+  > FROB
+  $ frobc check signed.frob
+  error[E0320]: expected the unit `m/s`, found `m`
+   --> signed.frob:4:15
+    |
+  2 | kp = 0.8
+    |      --- `kp` is this number without a unit
+  3 | f :: SF Distance Velocity
+    |      -------------------- the signature of `f` requires the output `Velocity` (m/s)
+  4 | f = proc d -> kp * d
+    |               ^^^^^^ this is `Float[m]`
+    |
+    = hint: give `kp` its unit: `kp :: Float[1/s]` and `kp = 0.8[1/s]`
+  
+  1 error
+  [1]
+  $ sed 's:kp \:\: Float:kp \:\: Float[1/s]:; s:kp = 0.8:kp = 0.8[1/s]:' signed.frob > pasted.frob && frobc check pasted.frob
+
+A parameter:
+
+  $ cat > parameter.frob <<'FROB'
+  > param kp :: Float = 0.8
+  > f :: SF Distance Velocity
+  > f = proc d -> kp * d
+  > FROB
+  $ frobc check parameter.frob
+  error[E0320]: expected the unit `m/s`, found `m`
+   --> parameter.frob:3:15
+    |
+  1 | param kp :: Float = 0.8
+    |                     --- `kp` is this number without a unit
+  2 | f :: SF Distance Velocity
+    |      -------------------- the signature of `f` requires the output `Velocity` (m/s)
+  3 | f = proc d -> kp * d
+    |               ^^^^^^ this is `Float[m]`
+    |
+    = hint: give `kp` its unit: `param kp :: Float[1/s] = 0.8[1/s]`
+  
+  1 error
+  [1]
+  $ sed 's:^param.*:param kp \:\: Float[1/s] = 0.8[1/s]:' parameter.frob > pasted.frob && frobc check pasted.frob
+
+A frequency as an angle:
+
+  $ cat > sine.frob <<'FROB'
+  > freq = 2[Hz]
+  > f :: SF () Float
+  > f = proc _ -> sin(2*pi*freq)
+  > FROB
+  $ frobc check sine.frob
+  error[E0320]: expected no unit, found `1/s`
+   --> sine.frob:3:19
+    |
+  3 | f = proc _ -> sin(2*pi*freq)
+    |               --- ^^^^^^^^^ this is `Float[1/s]`
+    |               |
+    |               argument 1 of `sin` is `Angle` (1)
+    |
+    = hint: an angle is a rate times a time: in a `proc`, write `sin (2*pi*freq * time ())`
+  
+  1 error
+  [1]
+  $ sed 's:sin(2\*pi\*freq):sin (2*pi*freq * time ()):' sine.frob > pasted.frob && frobc check pasted.frob
+
+A frequency that changes:
+
+  $ cat > phase.frob <<'FROB'
+  > f :: SF AngularVelocity Float
+  > f = proc w -> cos w
+  > FROB
+  $ frobc check phase.frob
+  error[E0320]: expected no unit, found `1/s`
+   --> phase.frob:2:19
+    |
+  2 | f = proc w -> cos w
+    |               --- ^ this is `AngularVelocity` (1/s)
+    |               |
+    |               argument 1 of `cos` is `Angle` (1)
+    |
+    = hint: an angle is a rate times a time: in a `proc`, write `cos (integral w)`
+  
+  1 error
+  [1]
+  $ sed 's:cos w:cos (integral w):' phase.frob > pasted.frob && frobc check pasted.frob
+
+A power of a quantity:
+
+  $ cat > power.frob <<'FROB'
+  > f :: SF (Distance, Distance) Distance
+  > f = proc (x, y) -> sqrt (x ** 2 + y ** 2.0)
+  > FROB
+  $ frobc check power.frob
+  error[E0320]: expected no unit, found `m`
+   --> power.frob:2:26
+    |
+  2 | f = proc (x, y) -> sqrt (x ** 2 + y ** 2.0)
+    |                          ^ -- argument 1 of `**` is `Float`
+    |                          |
+    |                          this is `Distance` (m)
+    |
+    = hint: for a power with a whole exponent, write `x ^ 2`
+  
+  error[E0320]: expected no unit, found `m`
+   --> power.frob:2:35
+    |
+  2 | f = proc (x, y) -> sqrt (x ** 2 + y ** 2.0)
+    |                                   ^ -- argument 1 of `**` is `Float`
+    |                                   |
+    |                                   this is `Distance` (m)
+    |
+    = hint: for a power with a whole exponent, write `y ^ 2`
+  
+  2 errors
+  [1]
+  $ sed 's:x \*\* 2 + y \*\* 2.0:x ^ 2 + y ^ 2:' power.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > root.frob <<'FROB'
+  > f :: SF Float[m^2] Distance
+  > f = proc a -> a ** 0.5
+  > FROB
+  $ frobc check root.frob
+  error[E0320]: expected no unit, found `m^2`
+   --> root.frob:2:15
+    |
+  2 | f = proc a -> a ** 0.5
+    |               ^ -- argument 1 of `**` is `Float`
+    |               |
+    |               this is `Float[m^2]`
+    |
+    = hint: for a square root, write `sqrt a`
+  
+  1 error
+  [1]
+  $ sed 's:a \*\* 0.5:sqrt a:' root.frob > pasted.frob && frobc check pasted.frob
+
+The remainder of an angle, and of a distance:
+
+  $ cat > modulus.frob <<'FROB'
+  > f :: SF Angle Angle
+  > f = proc a -> mod a (2 * pi)
+  > FROB
+  $ frobc check modulus.frob
+  error[E0312]: expected `Int`, found `Angle` (1)
+   --> modulus.frob:2:19
+    |
+  2 | f = proc a -> mod a (2 * pi)
+    |               --- ^
+    |               |
+    |               argument 1 of `mod` is `Int`
+    |
+    = hint: `mod` is for whole numbers: for an angle between -pi and pi, write `wrapAngle a`, with `import Geometry`
+  
+  1 error
+  [1]
+  $ sed 's:mod a (2 \* pi):wrapAngle a:; 1s:^:import Geometry\n:' modulus.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > remainder.frob <<'FROB'
+  > f :: SF Distance Distance
+  > f = proc d -> d `mod` 1[m]
+  > FROB
+  $ frobc check remainder.frob
+  error[E0312]: expected `Int`, found `Distance` (m)
+   --> remainder.frob:2:15
+    |
+  2 | f = proc d -> d `mod` 1[m]
+    |               ^ ----- argument 1 of `mod` is `Int`
+    |
+    = hint: `mod` is for whole numbers: for the remainder, write `d - 1[m] * floorFloat (d / 1[m])`
+  
+  1 error
+  [1]
+  $ sed 's:d `mod` 1\[m\]:d - 1[m] * floorFloat (d / 1[m]):' remainder.frob > pasted.frob && frobc check pasted.frob
+
+Half of a whole number:
+
+  $ cat > half.frob <<'FROB'
+  > f :: SF Int Int
+  > f = proc n -> n / 2
+  > FROB
+  $ frobc check half.frob
+  error[E0312]: expected `Float`, found `Int`
+   --> half.frob:2:15
+    |
+  2 | f = proc n -> n / 2
+    |               ^ - argument 1 of `/` is `Float`
+    |
+    = hint: for a whole number, write `div n 2`, which rounds down; for a number with a fraction, write `toFloat n / 2`
+  
+  1 error
+  [1]
+  $ sed 's:n / 2:div n 2:' half.frob > pasted.frob && frobc check pasted.frob
+  $ sed 's:n / 2:toFloat n / 2:; s:SF Int Int:SF Int Float:' half.frob > pasted.frob && frobc check pasted.frob
+
+A definition that fits together, and a signature that does not:
+
+  $ cat > against_signature.frob <<'FROB'
+  > f :: SF Velocity Velocity
+  > f = proc v -> integral v
+  > FROB
+  $ frobc check against_signature.frob
+  error[E0320]: expected the unit `m/s`, found `m`
+   --> against_signature.frob:2:15
+    |
+  1 | f :: SF Velocity Velocity
+    |      -------------------- the signature of `f` requires the output `Velocity` (m/s)
+  2 | f = proc v -> integral v
+    |               ^^^^^^^^^^ this is `Float[m]`
+    |
+    = hint: if this is the right result, write the signature as `f :: SF Velocity Float[m]`
+    = hint: multiply by a gain, as in `0.5[1/s] * (integral v)`, or, for the rate of change, write `derivative (integral v)`
+  
+  1 error
+  [1]
+  $ sed 's:SF Velocity Velocity:SF Velocity Float[m]:' against_signature.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > root_of_a_distance.frob <<'FROB'
+  > f :: SF Distance Distance
+  > f = proc d -> sqrt d
+  > FROB
+  $ frobc check root_of_a_distance.frob
+  error[E0320]: expected the unit `m`, found `m^(1/2)`
+   --> root_of_a_distance.frob:2:15
+    |
+  1 | f :: SF Distance Distance
+    |      -------------------- the signature of `f` requires the output `Distance` (m)
+  2 | f = proc d -> sqrt d
+    |               ^^^^^^ this is `Float[m^(1/2)]`
+    |
+    = note: `sqrt` halves the exponents of the unit: for `m`, its argument must be in `m^2`
+    = hint: to take the root of the number alone, write `sqrt (d / 1[m]) * 1[m]`
+  
+  1 error
+  [1]
+  $ sed 's:sqrt d:sqrt (d / 1[m]) * 1[m]:' root_of_a_distance.frob > pasted.frob && frobc check pasted.frob
