@@ -44,8 +44,10 @@ static enum reception take(struct client *client, const char *message)
         return GOES_ON;
     }
     copy = (char *)malloc(length);
-    if (copy == NULL)
-        return TOO_MANY;
+    if (copy == NULL) {
+        client->refused++;
+        return GOES_ON;
+    }
     memcpy(copy, message, length);
     if (control_is(message)) {
         free(client->command);
@@ -58,7 +60,8 @@ static enum reception take(struct client *client, const char *message)
         drop_older(client, is_for_picture);
     if (client->count == SERVER_PENDING) {
         free(copy);
-        return TOO_MANY;
+        client->refused++;
+        return GOES_ON;
     }
     client->pending[client->count++] = copy;
     return GOES_ON;

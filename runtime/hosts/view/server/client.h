@@ -14,6 +14,7 @@ struct client {
     struct buffer incoming; /* parts of an incomplete message */
     char *pending[SERVER_PENDING];
     size_t count;
+    size_t refused;       /* requests to refuse, because too many were pending */
     bool is_waiting;      /* an answer to a request is pending */
     struct buffer answer; /* an answer to send */
     char *command;        /* a command to the run, to execute immediately */
@@ -23,7 +24,7 @@ struct client {
 };
 
 /* How to react to a page's message. */
-enum reception { GOES_ON, COMMANDS, TOO_LONG, WRONG_TOKEN, TOO_MANY };
+enum reception { GOES_ON, COMMANDS, TOO_LONG, WRONG_TOKEN };
 
 /* Handles a piece of a message. */
 enum reception client_receive(struct client *client, const char *token, const char *piece,

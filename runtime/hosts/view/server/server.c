@@ -37,9 +37,8 @@ struct server {
 
 /* Data that libwebsockets keeps for each connection. */
 struct connection {
-    struct client *client;        /* of a WebSocket connection */
-    const struct page_file *file; /* of a request for a file */
-    size_t sent;                  /* number of its bytes already sent */
+    struct client *client;  /* of a WebSocket connection */
+    const char *rest, *end; /* of a request for a file: the bytes that remain to be sent */
 };
 
 static struct lws_context *serving;
@@ -90,6 +89,7 @@ static int begin_file(struct lws *wsi, struct connection *connection, const char
     unsigned char headers[LWS_PRE + 1024], *start = headers + LWS_PRE, *at = start;
     unsigned char *last = headers + sizeof headers - 1;
     const struct page_file *file = strlen(path) == length ? page_file(path) : NULL;
+    bool is_packed;
     if (!header_is(wsi, WSI_TOKEN_HOST, loopback_is_host))
         return refuse(
             wsi, HTTP_STATUS_FORBIDDEN,
@@ -99,10 +99,15 @@ static int begin_file(struct lws *wsi, struct connection *connection, const char
         return refuse(wsi, HTTP_STATUS_METHOD_NOT_ALLOWED, "Only GET requests are supported.");
     if (file == NULL)
         return refuse(wsi, HTTP_STATUS_NOT_FOUND, "This file does not exist.");
-    connection->file = file;
-    connection->sent = 0;
+    is_packed = header_is(wsi, WSI_TOKEN_HTTP_ACCEPT_ENCODING, page_file_may_be_packed);
+    connection->rest = is_packed ? file->packed : file->begin;
+    connection->end = is_packed ? file->packed_end : file->end;
     if (lws_add_http_common_headers(wsi, HTTP_STATUS_OK, file->type,
-                                    (lws_filepos_t)(file->end - file->begin), &at, last) != 0 ||
+                                    (lws_filepos_t)(connection->end - connection->rest), &at,
+                                    last) != 0 ||
+        (is_packed &&
+         lws_add_http_header_by_token(wsi, WSI_TOKEN_HTTP_CONTENT_ENCODING,
+                                      (const unsigned char *)"gzip", 4, &at, last) != 0) ||
         lws_finalize_write_http_header(wsi, start, &at, last) != 0)
         return -1;
     lws_callback_on_writable(wsi);
@@ -112,16 +117,15 @@ static int begin_file(struct lws *wsi, struct connection *connection, const char
 static int send_file(struct lws *wsi, struct connection *connection)
 {
     unsigned char block[LWS_PRE + 8192];
-    const size_t whole = (size_t)(connection->file->end - connection->file->begin);
-    size_t length = whole - connection->sent;
+    size_t length = (size_t)(connection->end - connection->rest);
     bool is_last = length <= sizeof block - LWS_PRE;
     if (!is_last)
         length = sizeof block - LWS_PRE;
-    memcpy(block + LWS_PRE, connection->file->begin + connection->sent, length);
+    memcpy(block + LWS_PRE, connection->rest, length);
     if (lws_write(wsi, block + LWS_PRE, length, is_last ? LWS_WRITE_HTTP_FINAL : LWS_WRITE_HTTP) <
         (int)length)
         return -1;
-    connection->sent += length;
+    connection->rest += length;
     if (is_last)
         return lws_http_transaction_completed(wsi) != 0 ? -1 : 0;
     lws_callback_on_writable(wsi);
@@ -139,7 +143,7 @@ static int on_http(struct lws *wsi, enum lws_callback_reasons reason, void *user
         return begin_file(wsi, connection, (const char *)in, length);
     case LWS_CALLBACK_HTTP_WRITEABLE:
         strangers_hear(&server_of(wsi)->strangers, wsi);
-        return connection == NULL || connection->file == NULL ? 0 : send_file(wsi, connection);
+        return connection == NULL || connection->rest == NULL ? 0 : send_file(wsi, connection);
     case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION:
         return -1; /* a WebSocket with an unknown protocol */
     default: return lws_callback_http_dummy(wsi, reason, user, in, length);
@@ -249,7 +253,6 @@ static int react(struct server *server, struct client *client, bool was_admitted
         return close_with(wsi, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE, "this request is too long");
     case WRONG_TOKEN:
         return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "the token is wrong");
-    case TOO_MANY: return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "too many requests");
     case COMMANDS: command(server, client); break;
     case GOES_ON: break;
     }
@@ -321,6 +324,9 @@ static bool next_message(struct server *server, struct client *client, struct bu
         buffer_string(text, client->refusal);
         buffer_text(text, "}");
         client->refusal = NULL;
+    } else if (client->refused > 0) {
+        client->refused--;
+        buffer_text(text, "{\"is\":\"refused\",\"why\":\"too many requests are pending\"}");
     } else if (client->is_to_be_told_beat) {
         client->is_to_be_told_beat = false;
         control_beat(&server->control, server->host_has_ended, text);
