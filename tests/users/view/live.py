@@ -19,6 +19,7 @@ import websockets
 
 import viewer
 from viewer import check
+from way import is_followed
 
 PATIENCE = 120  # seconds for anything that must happen, however busy the machine is
 
@@ -195,7 +196,18 @@ async def values(frobc, program, robot):
         )
         series = await page.ask("series 0 0 1e6 100000")
         check("a plot has all of it", len(series["times"]) == page.live["instants"])
-        check("and so has the way", len((await page.ask("way 0 100000"))["points"]) == 3001)
+        places = [
+            [instant["time"], *instant["truth"][0][:2]]
+            for k in range(0, page.live["instants"], 7)
+            for instant in [await page.ask(f"instant {k}")]
+        ]
+        way = await page.ask("way 0 100000")
+        check("and so has the way", is_followed(way["points"], places))
+        rest = await page.ask(f"way 0 100000 {way['next']}")
+        check(
+            "which is continued from its last corner",
+            rest["points"] == way["points"][-2:] and rest["next"] == way["next"],
+        )
         check(
             "when it is over nothing can be done to it",
             await page.send("pause") == ["this run is over"] and not page.state["paused"],

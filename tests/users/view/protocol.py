@@ -15,6 +15,7 @@ import websockets
 
 import viewer
 from viewer import check
+from way import is_followed
 
 
 def connect(v, **changes):
@@ -101,18 +102,38 @@ async def values(v, rows):
             and min(few["values"]) == min(whole)
             and max(few["values"]) == max(whole),
         )
-        path = await ask(client, "path %d %d 11" % (names.index("in.odometry.position.x"), heading))
+        x, y = (names.index(f"in.odometry.position.{c}") for c in "xy")
+        places = [[float(row[name]) for name in ("time", names[x], names[y])] for row in rows]
+        times = [time for time, _, _ in places]
+        path = await ask(client, f"path {x} {y} 100000")
         check(
-            "a path is evenly as traced",
-            path["points"]
-            == [
-                [
-                    float(row["time"]),
-                    float(row["in.odometry.position.x"]),
-                    float(row["in.odometry.heading"]),
-                ]
-                for row in rows[:: len(rows) // 10]
-            ],
+            "a path follows the robot",
+            is_followed(path["points"], places)
+            and path["points"][0] == places[0]
+            and path["points"][-1] == places[-1]
+            and all(point in places for point in path["points"]),
+        )
+        check("with few points", len(path["points"]) < len(rows) / 5)
+        first = times.index(path["points"][3][0])
+        rest = await ask(client, f"path {x} {y} 100000 {first}")
+        check("a path is continued from a corner", rest["points"] == path["points"][3:])
+        check("which is named", times[path["next"]] == path["points"][-2][0])
+        few = await ask(client, f"path {x} {y} 11")
+        check(
+            "a path has as many points as requested",
+            len(few["points"]) <= 11 and is_followed(few["points"], places, 5, 100),
+        )
+        late = await ask(client, f"instant {len(rows) - 1}")
+        echoes = {names[number]: value for number, value, *_ in late["recent"]}
+        check(
+            "an instant has the last echoes",
+            echoes
+            == {
+                name: float(row[name])
+                for row in rows[-20:]
+                for name in names
+                if name.startswith("in.sonar[") and row[name] != ""
+            },
         )
         after = await ask(client, "time 1.019")
         check("a time is the last instant not after it", after["k"] == 50)
@@ -397,18 +418,13 @@ async def drive_again(v, frobc, recording, program, robot, rows):
             differing += instant["others"] != [others[k].get(name) for name in names]
         check("all of it is as in a run of its own", differing == 0)
         x, y = (names.index(f"in.odometry.position.{c}") for c in "xy")
-        path = await ask(client, f"path {x} {y} 11")
+        path = await ask(client, f"path {x} {y} 100000")
         check(
             "both ways are on the map",
-            path["others"]
-            == [
-                [
-                    float(row["time"]),
-                    float(row["in.odometry.position.x"]),
-                    float(row["in.odometry.position.y"]),
-                ]
-                for row in others[:: len(others) // 10]
-            ],
+            is_followed(
+                path["others"],
+                [[float(row[name]) for name in ("time", names[x], names[y])] for row in others],
+            ),
         )
         wrong = await ask(client, f"drive {text.replace('13[m]', '13[s]')}")
         check(

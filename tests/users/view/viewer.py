@@ -6,6 +6,11 @@ import os
 import re
 import signal
 import subprocess
+import tempfile
+
+# What pages keep for the next run of a program must not reach other tests, or come from them.
+state = tempfile.TemporaryDirectory()
+os.environ["XDG_STATE_HOME"] = state.name
 
 
 def guard(group):

@@ -48,8 +48,16 @@ void answer_picture(struct view *view, size_t k, size_t width, size_t had, struc
 
 void answer_series(struct view *view, size_t number, double from, double to, size_t width,
                    struct buffer *answer);
-void answer_path(struct view *view, size_t x, size_t y, size_t count, struct buffer *answer);
-void answer_way(struct view *view, size_t robot, size_t count, struct buffer *answer);
+
+/* Returns the values of the edited program's signal of the same name; NULL if there are none. */
+const double *view_other_numbers(struct view *view, const struct signal *signal);
+
+/* ---- In path.c */
+
+/* Of at most about `count` instants from instant `first` on. */
+void answer_path(struct view *view, size_t x, size_t y, size_t count, size_t first,
+                 struct buffer *answer);
+void answer_way(struct view *view, size_t robot, size_t count, size_t first, struct buffer *answer);
 
 /* ---- In find.c */
 

@@ -2,6 +2,7 @@
 
 #include "../../common/truth.h"
 
+#include <math.h>
 #include <string.h>
 
 static void add_cell(const struct signals *signals, const struct signal *signal,
@@ -56,6 +57,75 @@ static void add_truth(const struct view *view, size_t k, struct buffer *answer)
     buffer_text(answer, "]");
 }
 
+/* For how long an event of the input stays visible, in ns: one round of all sonars takes 320 ms. */
+#define RECENT_NS 400000000
+
+/* Appends the position and heading of the first robot: the truth, or else by odometry. */
+static void add_pose(struct view *view, size_t k, struct buffer *answer)
+{
+    static const char *const names[] = { "in.odometry.position.x", "in.odometry.position.y",
+                                         "in.odometry.heading" };
+    const struct moment moment = { recording_input(&view->recording, k), NULL, NULL };
+    if (view->recording.truth_size > 0) {
+        struct truth truth;
+        memcpy(&truth, recording_truth(&view->recording, k), sizeof truth);
+        buffer_text(answer, ",");
+        buffer_number(answer, truth.x_m);
+        buffer_text(answer, ",");
+        buffer_number(answer, truth.y_m);
+        buffer_text(answer, ",");
+        buffer_number(answer, truth.heading_rad);
+        return;
+    }
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        const struct signal *signal = signals_find(&view->signals, names[i]);
+        buffer_text(answer, ",");
+        if (signal == NULL)
+            buffer_text(answer, "null");
+        else
+            buffer_number(answer, signal_number(&view->signals, signal, &moment));
+    }
+}
+
+/* Returns the last instant up to `k` at which an event of the input occurred, if it is recent. */
+static bool find_recent(const struct view *view, const struct signal *signal, size_t k,
+                        size_t *found)
+{
+    const struct recording *recording = &view->recording;
+    for (size_t i = k + 1; i-- > 0 && recording->times[k] - recording->times[i] < RECENT_NS;) {
+        const struct moment moment = { recording_input(recording, i), NULL, NULL };
+        if (!isnan(signal_number(&view->signals, signal, &moment))) {
+            *found = i;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Appends the recent events of the input that carry a number, such as echoes: the number of the
+ * signal, the value, and where the robot was. */
+static void add_recent(struct view *view, size_t k, struct buffer *answer)
+{
+    const char *comma = "";
+    buffer_text(answer, ",\"recent\":[");
+    for (size_t i = 0; i < view->signals.count; i++) {
+        const struct signal *signal = &view->signals.all[i];
+        size_t at;
+        if (signal->side != INPUT || signal->shown->kind != FROB_SUM || !signal->shown->is_event ||
+            !find_recent(view, signal, k, &at))
+            continue;
+        {
+            const struct moment moment = { recording_input(&view->recording, at), NULL, NULL };
+            buffer_format(answer, "%s[%lu,", comma, (unsigned long)i);
+            buffer_number(answer, signal_number(&view->signals, signal, &moment));
+            add_pose(view, at, answer);
+            buffer_text(answer, "]");
+            comma = ",";
+        }
+    }
+    buffer_text(answer, "]");
+}
+
 void answer_instant(struct view *view, size_t k, struct buffer *answer)
 {
     struct moment moment = replay_at(&view->replay, k);
@@ -77,5 +147,6 @@ void answer_instant(struct view *view, size_t k, struct buffer *answer)
         add_other_cells(view, k, answer);
     if (view->recording.truth_size > 0)
         add_truth(view, k, answer);
+    add_recent(view, k, answer);
     buffer_text(answer, "}");
 }

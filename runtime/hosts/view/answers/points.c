@@ -1,9 +1,6 @@
 #include "answers.h"
 
-#include "../../common/truth.h"
-
 #include <math.h>
-#include <string.h>
 
 struct points {
     const struct view *view;
@@ -27,7 +24,7 @@ static void add_point(void *context, size_t k)
     }
 }
 
-static const double *other_numbers(struct view *view, const struct signal *signal)
+const double *view_other_numbers(struct view *view, const struct signal *signal)
 {
     const struct signal *other =
         view->other.is_there ? signals_find(&view->other.signals, signal->name) : NULL;
@@ -48,7 +45,7 @@ void answer_series(struct view *view, size_t number, double from, double to, siz
             answer_refusal(answer, "not enough memory for this signal's numbers");
             return;
         }
-        points.other = other_numbers(view, signal);
+        points.other = view_other_numbers(view, signal);
         points.other_count = points.other == NULL ? 0 : view->other.replay.recording->count;
         series_visit(points.numbers, first, end, width, add_point, &points);
     }
@@ -68,66 +65,4 @@ void answer_series(struct view *view, size_t number, double from, double to, siz
     buffer_free(&others);
     buffer_free(&times);
     buffer_free(&values);
-}
-
-/* Appends the time and the values of two signals at up to `count` instants. */
-static void add_path(const struct recording *recording, const double *xs, const double *ys,
-                     size_t count, struct buffer *answer)
-{
-    const size_t instants = recording->count, points = instants < count ? instants : count;
-    buffer_text(answer, "[");
-    for (size_t i = 0; i < points; i++) {
-        const size_t k = points == 1 ? 0 : i * (instants - 1) / (points - 1);
-        buffer_text(answer, i > 0 ? ",[" : "[");
-        buffer_number(answer, (double)recording->times[k] / 1e9);
-        buffer_text(answer, ",");
-        buffer_number(answer, xs[k]);
-        buffer_text(answer, ",");
-        buffer_number(answer, ys[k]);
-        buffer_text(answer, "]");
-    }
-    buffer_text(answer, "]");
-}
-
-void answer_path(struct view *view, size_t x, size_t y, size_t count, struct buffer *answer)
-{
-    const struct signal *all = view->signals.all;
-    const bool known = view_knows(view, &all[x]) && view_knows(view, &all[y]);
-    const double *xs = !known ? NULL : series_of(&view->series, &all[x]);
-    const double *ys = !known ? NULL : series_of(&view->series, &all[y]);
-    if (xs == NULL || ys == NULL) {
-        answer_refusal(answer, "there are no values of these signals");
-        return;
-    }
-    buffer_format(answer, "{\"is\":\"path\",\"x\":%lu,\"y\":%lu,\"points\":", (unsigned long)x,
-                  (unsigned long)y);
-    add_path(&view->recording, xs, ys, count, answer);
-    xs = view->other.drives ? other_numbers(view, &all[x]) : NULL;
-    ys = xs == NULL ? NULL : other_numbers(view, &all[y]);
-    if (ys != NULL) {
-        buffer_text(answer, ",\"others\":");
-        add_path(&view->other.driven, xs, ys, count, answer);
-    }
-    buffer_text(answer, "}");
-}
-
-void answer_way(struct view *view, size_t robot, size_t count, struct buffer *answer)
-{
-    const struct recording *recording = &view->recording;
-    const size_t instants = recording->count, points = instants < count ? instants : count;
-    buffer_format(answer, "{\"is\":\"way\",\"robot\":%lu,\"points\":[", (unsigned long)robot);
-    for (size_t i = 0; i < points; i++) {
-        const size_t k = points == 1 ? 0 : i * (instants - 1) / (points - 1);
-        struct truth truth;
-        memcpy(&truth, (const unsigned char *)recording_truth(recording, k) + robot * sizeof truth,
-               sizeof truth);
-        buffer_text(answer, i > 0 ? ",[" : "[");
-        buffer_number(answer, view_seconds_at(view, k));
-        buffer_text(answer, ",");
-        buffer_number(answer, truth.x_m);
-        buffer_text(answer, ",");
-        buffer_number(answer, truth.y_m);
-        buffer_text(answer, "]");
-    }
-    buffer_text(answer, "]}");
 }

@@ -1,6 +1,7 @@
 #include "answers.h"
 
 #include "../console_kinds.h"
+#include "kept.h"
 
 static const char *kind_of(const struct signal *signal)
 {
@@ -207,6 +208,7 @@ static void add_params(const struct view *view, struct buffer *answer)
 
 void answer_program(struct view *view, struct buffer *answer)
 {
+    struct buffer kept = { 0 };
     buffer_text(answer, "{\"is\":\"program\",\"name\":");
     buffer_string(answer, view->program->name);
     buffer_text(answer, ",\"robot\":");
@@ -230,5 +232,9 @@ void answer_program(struct view *view, struct buffer *answer)
     }
     buffer_text(answer, "],\"world\":");
     add_source(&view->world, answer);
+    kept_read(view->files->own_count > 0 ? view->files->sources[0] : NULL, &kept);
+    buffer_text(answer, ",\"kept\":");
+    buffer_string(answer, kept.length > 0 ? kept.data : "");
+    buffer_free(&kept);
     buffer_text(answer, "}");
 }

@@ -1,4 +1,5 @@
 #include "answers.h"
+#include "kept.h"
 
 #include "../../common/truth.h"
 
@@ -279,6 +280,12 @@ static void answer_what_if(struct view *view, const struct what_if_edit *edit,
     buffer_free(&why);
 }
 
+static void answer_keep(const struct view *view, const char *text, struct buffer *answer)
+{
+    kept_write(view->files->own_count > 0 ? view->files->sources[0] : NULL, text);
+    buffer_text(answer, "{\"is\":\"keep\"}");
+}
+
 /* ---- Requests */
 
 /* Reads a space and a number below `limit` from a request. */
@@ -295,6 +302,13 @@ static bool take_number(const char **at, size_t limit, size_t *result)
     *at = end;
     *result = (size_t)number;
     return true;
+}
+
+/* Reads the instant from which a path is requested; without one, it is the first. */
+static bool take_first(const char **at, size_t count, size_t *first)
+{
+    *first = 0;
+    return **at == '\0' || take_number(at, count, first);
 }
 
 static bool take_word(const char **at, const char *word)
@@ -359,6 +373,8 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
     double seconds, from, to;
     if (take_word(&at, "program") && *at == '\0')
         answer_program(view, answer);
+    else if (take_word(&at, "keep") && *at == ' ')
+        answer_keep(view, at + 1, answer);
     else if (count == 0)
         answer_refusal(answer, "there is no instant yet");
     else if (take_word(&at, "instant") && take_number(&at, count, &k) && *at == '\0')
@@ -371,12 +387,12 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
         answer_series(view, signal, from, to, width, answer);
     else if (take_word(&at, "path") && take_number(&at, view->signals.count, &signal) &&
              take_number(&at, view->signals.count, &other) && take_number(&at, 100001, &width) &&
-             *at == '\0')
-        answer_path(view, signal, other, width, answer);
+             take_first(&at, count, &k) && *at == '\0')
+        answer_path(view, signal, other, width, k, answer);
     else if (take_word(&at, "way") &&
              take_number(&at, view->recording.truth_size / sizeof(struct truth), &signal) &&
-             take_number(&at, 100001, &width) && *at == '\0')
-        answer_way(view, signal, width, answer);
+             take_number(&at, 100001, &width) && take_first(&at, count, &k) && *at == '\0')
+        answer_way(view, signal, width, k, answer);
     else if (take_word(&at, "why") && take_number(&at, count, &k) &&
              take_number(&at, view->signals.count, &signal) && *at == '\0' &&
              view_knows(view, &view->signals.all[signal]))

@@ -9,7 +9,10 @@
  *   series SIGNAL FROM TO WIDTH
  *                              points for a plot of signal number SIGNAL from time FROM
  *                              to TO, on WIDTH columns
- *   path SIGNAL SIGNAL COUNT   two signals at up to COUNT instants, evenly over the run
+ *   path SIGNAL SIGNAL COUNT K a robot's way, of which two signals are the position: the first
+ *                              instant, the corners and the last instant, from instant K on (0 if
+ *                              K is missing); about COUNT of them at most. `next` is the last
+ *                              corner, from which the page can request the continuation
  *   why K SIGNAL               where the value of a signal at instant K came from (see why.h)
  *   find BEFORE CONDITION      instants at which CONDITION (see condition.h) becomes true:
  *                              the first, the last before instant BEFORE, the first after it,
@@ -24,13 +27,15 @@
  *   with NAME=VALUE … what-if TEXT, with NAME=VALUE … drive TEXT
  *                              the same, with other values of its parameters
  *
- *   way ROBOT COUNT            the true positions of a simulator's robot number ROBOT, at up to
- *                              COUNT instants, evenly over the run
+ *   way ROBOT COUNT K          the same for the true positions of a simulator's robot number
+ *                              ROBOT
  *
  *   picture K WIDTH HAS        the image shown at instant K, or else the camera's last image,
  *                              with up to WIDTH columns; if K is `newest`, the newest image.
  *                              HAS is one more than the instant of the image that the page
  *                              already has, which is then not sent again; or 0
+ *
+ *   keep TEXT                  keeps TEXT for the next page of this program (see kept.h)
  *
  *   more                       the page has drawn the last news and can take more
  *

@@ -1,0 +1,14 @@
+/* kept.h -- what a page keeps for the next run of the program: its plots, the sizes of its panels.
+ *
+ * It is a text of the page's own, in a file in $XDG_STATE_HOME or ~/.local/state. If that is not
+ * possible, nothing is kept. */
+#ifndef FROB_VIEW_KEPT_H
+#define FROB_VIEW_KEPT_H
+
+#include "../buffer.h"
+
+/* `source` is the path of the program's file; NULL: unknown. */
+void kept_read(const char *source, struct buffer *text);
+void kept_write(const char *source, const char *text);
+
+#endif
