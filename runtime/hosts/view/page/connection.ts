@@ -1,6 +1,7 @@
 // The WebSocket to the viewer. It presents the token in its address, and reconnects when it was
 // closed. A question waits for its answer, across several connections if necessary; a command is
 // sent immediately or not at all.
+import { token } from "./address";
 import type { Answer, Picture } from "./protocol";
 
 /** Parses JSON, a line feed, and pixels of one or three bytes. */
@@ -40,7 +41,8 @@ interface Question {
 }
 
 export interface Listener {
-  answered(answer: Answer): void;
+  /** `question` is the text of the answered question; empty if it was none. */
+  answered(answer: Answer, question: string): void;
   /** The connection was closed, for this reason; `final`: the page does not reconnect. */
   closed(why: string, final: boolean): void;
 }
@@ -63,8 +65,10 @@ export class Connection {
   }
 
   private open(): void {
-    const token = encodeURIComponent(location.hash.slice(1));
-    const socket = new WebSocket(`ws://${location.host}/?${token}`, "frob-view");
+    const socket = new WebSocket(
+      `ws://${location.host}/?${encodeURIComponent(token())}`,
+      "frob-view",
+    );
     socket.binaryType = "arraybuffer";
     socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) =>
       this.received(typeof data === "string" ? (JSON.parse(data) as Answer) : readPicture(data));
@@ -87,14 +91,15 @@ export class Connection {
         : this.questions.some(({ kind }) => kind === answer.is);
     if (answer.is === "beat") this.time = String(answer.time);
     this.delay = soon;
+    let question = "";
     if (isAnswer && this.sent > 0) {
       const at =
         answer.is === "refused" ? 0 : this.questions.findIndex(({ kind }) => kind === answer.is);
-      this.questions.splice(at, 1);
+      [{ text: question } = { text: "" }] = this.questions.splice(at, 1);
       this.sent--;
       this.send();
     }
-    this.listener.answered(answer);
+    this.listener.answered(answer, question);
   }
 
   private send(): void {

@@ -1,18 +1,22 @@
 // The page: connects to the viewer, and starts the panels.
+import { token } from "./address";
 import { startCamera } from "./camera/camera";
 import { Connection } from "./connection";
 import { Contact } from "./contact";
 import { startClaims } from "./signals/claims";
 import { startConsole } from "./operate/console";
+import { Kept } from "./kept";
 import { startKeys } from "./keys";
+import { Layout } from "./layout";
 import { startLive } from "./operate/live";
 import { Player } from "./time/player";
 import { startMap } from "./map/map";
-import { startPlots } from "./signals/plots";
+import { startPlots } from "./plots/plots";
 import type { Answer, Live, Program, Progress, Run } from "./protocol";
 import { startSearch } from "./time/search";
 import { startSignals } from "./signals/signals";
 import { startSource } from "./source/source";
+import { restore, restorePlots } from "./restore";
 import { Store } from "./store";
 import { startTheme, toggleTheme } from "./theme";
 import { startTimeline } from "./time/timeline";
@@ -88,12 +92,6 @@ function showProgress(): void {
   }
 }
 
-/** Returns the signals to plot first: the program's outputs. */
-function firstPlots(program: Program): number[] {
-  const numbers = program.signals.map((_, number) => number);
-  return numbers.filter((number) => program.signals[number]?.side === "output").slice(0, 4);
-}
-
 /** Selects the panel to show on a screen that has room for only one. */
 function choose(panel: string): void {
   document.body.dataset["panel"] = panel;
@@ -103,8 +101,7 @@ function choose(panel: string): void {
 
 function startPanels(): void {
   for (const button of element("panels").querySelectorAll("button"))
-    button.onclick = () => choose(button.dataset["panel"] ?? "plots");
-  choose("plots");
+    button.onclick = () => choose(button.dataset["panel"] ?? "map");
 }
 
 function start(program: Program): Store {
@@ -112,12 +109,13 @@ function start(program: Program): Store {
   const filter = element<HTMLInputElement>("filter");
   const help = element<HTMLDialogElement>("keys");
   describe(program);
-  store.plotted = firstPlots(program);
+  const kept = new Kept(program.name, program.kept, connection);
+  restorePlots(store, kept);
   const why = startSource(store, element("source"));
   startPlots(store, element("plots"));
   startSignals(store, element("list"), filter);
   startClaims(store, element("claims"), element<HTMLButtonElement>("claimed"), filter);
-  startMap(store, element("map"));
+  const view = startMap(store, element("map"));
   startCamera(store, element("camera"));
   startSearch(
     store,
@@ -138,10 +136,8 @@ function start(program: Program): Store {
   );
   startConsole(store, element("console"));
   element("help").onclick = () => help.showModal();
-  // The operator of a robot needs the map.
-  if (program.live && program.console.length > 0) choose("map");
-  if (program.live) store.follow();
-  else store.goToTime(program.at);
+  choose(view ? "map" : "plots");
+  restore(store, kept, new Layout(), view);
   return store;
 }
 
@@ -161,7 +157,7 @@ function extend(extent: Program | Live): void {
   contact.extent(extent, (newest?.dt ?? 0) / (run?.speed ?? 1));
 }
 
-function answered(answer: Answer): void {
+function answered(answer: Answer, question: string): void {
   contact.heard();
   switch (answer.is) {
     case "beat":
@@ -226,9 +222,11 @@ function answered(answer: Answer): void {
     case "what-if":
       store?.whatIfReceived(answer);
       break;
+    case "keep":
+      break;
     case "refused":
       if (answer.command && store) store.undone(answer.why);
-      else complain(answer.why);
+      else if (!store?.refused(question)) complain(answer.why);
       break;
   }
 }
@@ -259,7 +257,10 @@ function failed(what: string): void {
 window.addEventListener("error", (event) => failed(event.message));
 window.addEventListener("unhandledrejection", (event) => failed(String(event.reason)));
 // The user has opened the address of another viewer in this tab.
-window.addEventListener("hashchange", () => location.reload());
+const openedWith = token();
+window.addEventListener("hashchange", () => {
+  if (token() !== openedWith) location.reload();
+});
 startTheme();
 element("theme").onclick = toggleTheme;
 startPanels();

@@ -88,6 +88,8 @@ export interface Program {
   readonly sources: readonly Source[];
   /** The world that the robot may have driven in. */
   readonly world: Source | null;
+  /** What a page of an earlier run of this program has kept, as JSON; empty if there is nothing. */
+  readonly kept: string;
 }
 
 /**
@@ -149,6 +151,15 @@ export interface Instant {
   readonly cells: readonly string[];
   /** The edited program's values, if there is one; null for signals that it does not have. */
   readonly others?: readonly (string | null)[];
+  /** Events of the input in the last 0.4 s: the number of the signal, its value, and the position and
+   * heading of the first robot at that time, true or by odometry. */
+  readonly recent: readonly (readonly [
+    number,
+    number,
+    number | null,
+    number | null,
+    number | null,
+  ])[];
   /** The true state of each simulated robot: x, y, heading, and 1 if it touches something, else 0. */
   readonly truth?: readonly (readonly [number, number, number, number])[];
 }
@@ -165,6 +176,9 @@ export interface Series {
 
 export interface Path {
   readonly is: "path";
+  /** The instant of the first point, and the instant of the last corner. */
+  readonly from: number;
+  readonly next: number;
   readonly x: number;
   readonly y: number;
   /** Time, and the values of the two signals. */
@@ -177,6 +191,8 @@ export interface Path {
 export interface Way {
   readonly is: "way";
   readonly robot: number;
+  readonly from: number;
+  readonly next: number;
   readonly points: readonly (readonly [number, number, number])[];
 }
 
@@ -299,6 +315,11 @@ export interface Picture {
   readonly data?: Uint8ClampedArray<ArrayBuffer>;
 }
 
+/** The viewer has kept what the page sent. */
+export interface KeepDone {
+  readonly is: "keep";
+}
+
 export interface Refused {
   readonly is: "refused";
   /** True if a command was refused, rather than a question. */
@@ -321,4 +342,5 @@ export type Answer =
   | Found
   | WhatIf
   | Claims
+  | KeepDone
   | Refused;

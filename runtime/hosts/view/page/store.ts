@@ -1,6 +1,7 @@
 // The state of the page, and the listeners for its changes.
 import type { Connection } from "./connection";
 import type { Contact } from "./contact";
+import { axesOf, mostAxes, newPlot, type Plot } from "./plots/model";
 import type {
   Claim,
   Claims,
@@ -32,6 +33,12 @@ export type Change =
   | "why"
   | "place"
   | "claims"
+  /** The edited program's text has changed. */
+  | "edited"
+  /** Parts of the plots need other sizes. */
+  | "sizes"
+  /** The map shows another part of the world. */
+  | "view"
   /** "contact": contact was lost or is back; "resumed": contact is back, perhaps with much data. */
   | "contact"
   | "resumed"
@@ -40,6 +47,23 @@ export type Change =
 
 /** Seconds that plots show initially during a live run. */
 const recently = 20;
+
+interface SeriesWanted {
+  readonly signal: number;
+  readonly from: number;
+  readonly to: number;
+  /** Width of the plot in pixels: the number of columns. */
+  readonly width: number;
+}
+
+interface SeriesRequest {
+  readonly wanted: SeriesWanted;
+  readonly then: (series: Series) => void;
+}
+
+interface SeriesSlot extends SeriesRequest {
+  next: SeriesRequest | null;
+}
 
 function withoutOthers<T extends { readonly others?: unknown }>(answer: T): Omit<T, "others"> {
   const { others: _, ...rest } = answer;
@@ -52,8 +76,9 @@ export class Store {
   mark: Instant | null = null;
   /** The time range of plots, in seconds. */
   range: readonly [number, number];
-  /** The numbers of the signals that are plotted, in order. */
-  plotted: number[] = [];
+  plots: Plot[] = [];
+  /** The plot to which the next picked signal is added; null: it gets its own. */
+  target: Plot | null = null;
   playing = false;
   speed = 1;
 
@@ -65,8 +90,10 @@ export class Store {
 
   /** The edited program's result; null before any was requested. */
   whatIf: WhatIf | null = null;
-  /** Whether keys go to the program's editor. */
+  /** Whether keys go to the program's editor, and the edited text; null if it is the program's. */
   isEditing = false;
+  edited: string | null = null;
+  continueEditing: (text: string) => void = () => undefined;
 
   /** The explanation of the last explained value; null if there is none. */
   why: Why | null = null;
@@ -95,15 +122,16 @@ export class Store {
   /** For the current pixels: the requested width, and their instant. */
   private readonly picture: { width: number; at?: number | undefined } = { width: 0 };
   private finding: ((found: Found) => void)[] = [];
-  private readonly paths = new Map<string, (path: Path) => void>();
-  private readonly ways = new Map<number, (way: Way) => void>();
+  private readonly paths = new Map<string, (path: Path | null) => void>();
+  private readonly ways = new Map<number, (way: Way | null) => void>();
   private readonly listeners = new Map<Change, Listener[]>();
-  private readonly waiting = new Map<string, (series: Series) => void>();
+  private readonly waiting = new Map<string, SeriesSlot>();
   /** The instant that the cursor is moving to. */
-  private target: number | null = null;
+  private goal: number | null = null;
   private outstanding = false;
   private wanted: string | null = null;
   private readonly arrivals: Listener[] = [];
+  private readonly colours = new Map<number, number>();
 
   constructor(
     readonly program: Program,
@@ -202,19 +230,19 @@ export class Store {
     this.leave();
     if (this.program.instants === 0) return;
     const last = this.program.instants - 1;
-    this.target = Math.max(0, Math.min(last, Math.round(k)));
-    this.ask(`instant ${this.target}`, then);
+    this.goal = Math.max(0, Math.min(last, Math.round(k)));
+    this.ask(`instant ${this.goal}`, then);
   }
 
   goToTime(seconds: number, then?: Listener): void {
     this.leave();
     if (this.program.instants === 0) return;
-    this.target = null;
+    this.goal = null;
     this.ask(`time ${seconds}`, then);
   }
 
   stepBy(instants: number): void {
-    this.goTo((this.target ?? this.instant?.k ?? 0) + instants);
+    this.goTo((this.goal ?? this.instant?.k ?? 0) + instants);
   }
 
   private ask(request: string, then?: Listener): void {
@@ -236,7 +264,7 @@ export class Store {
       this.wanted = null;
       this.ask(request);
     } else {
-      this.target = null;
+      this.goal = null;
       for (const then of this.arrivals.splice(0)) then();
     }
     this.changed("instant");
@@ -267,11 +295,55 @@ export class Store {
     this.changed("range");
   }
 
-  toggle(signal: number): void {
-    const at = this.plotted.indexOf(signal);
-    if (at >= 0) this.plotted.splice(at, 1);
-    else this.plotted.push(signal);
+  // Changes the plots.
+
+  /** The numbers of the signals that are plotted, in order. */
+  get plotted(): number[] {
+    return this.plots.flatMap(({ signals }) => signals);
+  }
+
+  /** Returns the number of a signal's colour in plots: the lowest that was free when it was first
+   * plotted. */
+  colourOf(signal: number): number {
+    const known = this.colours.get(signal);
+    if (known !== undefined) return known;
+    const plotted = new Set(this.plotted);
+    for (const other of this.colours.keys()) if (!plotted.has(other)) this.colours.delete(other);
+    const used = new Set(this.colours.values());
+    let free = 0;
+    while (used.has(free)) free++;
+    this.colours.set(signal, free);
+    return free;
+  }
+
+  setPlots(plots: Plot[]): void {
+    this.plots = plots;
+    if (this.target && !plots.includes(this.target)) this.target = null;
     this.changed("plotted");
+  }
+
+  /** Plots a signal, or removes it from all plots. */
+  toggle(signal: number): void {
+    if (this.plotted.includes(signal)) {
+      for (const plot of this.plots) plot.signals = plot.signals.filter((each) => each !== signal);
+      for (const plot of this.plots) plot.isXy &&= plot.signals.length > 1;
+      this.setPlots(this.plots.filter(({ signals }) => signals.length > 0));
+    } else if (!this.target || !this.addTo(this.target, signal)) {
+      this.setPlots([...this.plots, newPlot([signal])]);
+    }
+  }
+
+  /** Adds a signal to a plot, unless that would need a third axis. */
+  addTo(plot: Plot, signal: number): boolean {
+    if (plot.signals.includes(signal)) return true;
+    const signals = [...plot.signals, signal];
+    if (axesOf(signals, this.program).length > mostAxes) {
+      this.complain("a plot has at most two axes, so two different units");
+      return false;
+    }
+    plot.signals = signals;
+    this.changed("plotted");
+    return true;
   }
 
   /** Handles a click on a signal. */
@@ -302,36 +374,75 @@ export class Store {
     this.changed("place");
   }
 
-  series(
-    signal: number,
-    from: number,
-    to: number,
-    width: number,
-    then: (series: Series) => void,
-  ): void {
-    this.waiting.set(`${signal} ${from} ${to}`, then);
+  /**
+   * Requests a series for a user, such as a plot. Each user has at most one pending request for a
+   * signal; of requests made meanwhile only the last is sent, and the others get no answer.
+   */
+  series(user: string, wanted: SeriesWanted, then: (series: Series) => void): void {
+    const key = `${user} ${wanted.signal}`;
+    const slot = this.waiting.get(key);
+    if (slot) slot.next = { wanted, then };
+    else this.sendSeries(key, wanted, then);
+  }
+
+  /** Whether a request of this user is pending. */
+  awaits(user: string, signal: number): boolean {
+    return this.waiting.has(`${user} ${signal}`);
+  }
+
+  private sendSeries(key: string, wanted: SeriesWanted, then: (series: Series) => void): void {
+    const { signal, from, to, width } = wanted;
+    this.waiting.set(key, { wanted, then, next: null });
     this.connection.ask(`series ${signal} ${from} ${to} ${Math.max(1, Math.round(width))}`);
   }
 
   received(series: Series): void {
-    const key = `${series.signal} ${series.from} ${series.to}`;
-    const then = this.waiting.get(key);
-    this.waiting.delete(key);
-    then?.(this.whatIf?.there ? series : withoutOthers(series));
+    const { signal, from, to } = series;
+    this.endSeries({ signal, from, to }, (request) =>
+      request.then(this.whatIf?.there ? series : withoutOthers(series)),
+    );
   }
 
-  way(robot: number, count: number, then: (way: Way) => void): void {
+  private endSeries(
+    answered: Omit<SeriesWanted, "width">,
+    act: (request: SeriesRequest) => void,
+  ): void {
+    const ended = [...this.waiting].filter(
+      ([, { wanted }]) =>
+        wanted.signal === answered.signal &&
+        wanted.from === answered.from &&
+        wanted.to === answered.to,
+    );
+    for (const [key, slot] of ended) {
+      this.waiting.delete(key);
+      if (slot.next) this.sendSeries(key, slot.next.wanted, slot.next.then);
+      act(slot);
+    }
+  }
+
+  /** Handles the refusal of a question. Returns false if the user should see it. */
+  refused(question: string): boolean {
+    const [word, ...numbers] = question.split(" ");
+    const [first = 0, second = 0, third = 0] = numbers.map(Number);
+    if (word === "series")
+      this.endSeries({ signal: first, from: second, to: third }, () => undefined);
+    else if (word === "path") this.paths.get(`${first} ${second}`)?.(null);
+    else if (word === "way") this.ways.get(first)?.(null);
+    return word === "series" || word === "path" || word === "way" || word === "keep";
+  }
+
+  way(robot: number, count: number, from: number, then: (way: Way | null) => void): void {
     this.ways.set(robot, then);
-    this.connection.ask(`way ${robot} ${count}`);
+    this.connection.ask(`way ${robot} ${count} ${from}`);
   }
 
   wayReceived(way: Way): void {
     this.ways.get(way.robot)?.(way);
   }
 
-  path(x: number, y: number, count: number, then: (path: Path) => void): void {
+  path(x: number, y: number, count: number, from: number, then: (path: Path | null) => void): void {
     this.paths.set(`${x} ${y}`, then);
-    this.connection.ask(`path ${x} ${y} ${count}`);
+    this.connection.ask(`path ${x} ${y} ${count} ${from}`);
   }
 
   pathReceived(path: Path): void {
@@ -394,6 +505,8 @@ export class Store {
   // Removes the edited program.
 
   dropWhatIf(): void {
+    this.edited = null;
+    this.changed("edited");
     this.connection.ask("what-if");
   }
 

@@ -40,9 +40,31 @@ function set(theme: string): void {
 
 export function toggleTheme(): void {
   set(isDark() ? "light" : "dark");
+  isChosen = true;
+  for (const listener of choices) listener();
+}
+
+/** Whether the user has chosen the theme, which then does not follow the desktop. */
+let isChosen = false;
+const choices: (() => void)[] = [];
+
+/** The theme that the user has chosen; null: the desktop's. */
+export function chosenTheme(): "dark" | "light" | null {
+  return !isChosen ? null : isDark() ? "dark" : "light";
+}
+
+export function chooseTheme(theme: "dark" | "light"): void {
+  isChosen = true;
+  set(theme);
+}
+
+export function onThemeChosen(listener: () => void): void {
+  choices.push(listener);
 }
 
 export function startTheme(): void {
   set(preferred.matches ? "dark" : "light");
-  preferred.addEventListener("change", () => set(preferred.matches ? "dark" : "light"));
+  preferred.addEventListener("change", () => {
+    if (!isChosen) set(preferred.matches ? "dark" : "light");
+  });
 }

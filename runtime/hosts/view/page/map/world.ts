@@ -1,13 +1,35 @@
 // World files: parses the part of TOML that they use, and extracts what the map shows.
 
+import { placed, type Pose } from "./pose";
+
 export type Point = readonly [number, number];
 
 export interface World {
-  readonly start: { readonly x: number; readonly y: number; readonly heading: number };
+  readonly start: Pose;
   readonly walls: readonly { readonly points: readonly Point[]; readonly thickness: number }[];
   readonly solids: readonly (readonly Point[])[];
-  readonly circles: readonly { readonly center: Point; readonly radius: number }[];
-  readonly lines: readonly { readonly points: readonly Point[]; readonly width: number }[];
+  readonly circles: readonly Disc[];
+  /** The start positions of boxes and balls, which robots can push. */
+  readonly boxes: readonly (readonly Point[])[];
+  readonly balls: readonly Disc[];
+  readonly cones: readonly Disc[];
+  readonly lamps: readonly Point[];
+  /** The two ends of each poster, and a point in front of it. */
+  readonly posters: readonly (readonly [Point, Point, Point, Point])[];
+  readonly holes: readonly (readonly Point[])[];
+  /** Reflectance of the floor: 0 is black, 1 white. */
+  readonly floor: number;
+  readonly patches: readonly { readonly points: readonly Point[]; readonly reflectance: number }[];
+  readonly lines: readonly {
+    readonly points: readonly Point[];
+    readonly width: number;
+    readonly reflectance: number;
+  }[];
+}
+
+export interface Disc {
+  readonly center: Point;
+  readonly radius: number;
 }
 
 type Value = string | number | boolean | Value[];
@@ -71,15 +93,40 @@ function points(table: Table): Point[] {
   return table.get("closed") === true && first ? [...all, first] : all;
 }
 
+const angle = (table: Table, key: string) => (number(table, key, 0) * Math.PI) / 180;
+
 function box(table: Table): Point[] {
   const [x, y] = point(table.get("center"));
   const [length, width] = point(table.get("size"));
-  const angle = (number(table, "angle_deg", 0) * Math.PI) / 180;
-  const corner = (along: number, across: number): Point => [
-    x + along * length * Math.cos(angle) - across * width * Math.sin(angle),
-    y + along * length * Math.sin(angle) + across * width * Math.cos(angle),
-  ];
+  const pose = { x, y, heading: angle(table, "angle_deg") };
+  const corner = (along: number, across: number): Point =>
+    placed(pose, [along * length, across * width]);
   return [corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+}
+
+/** Draws a poster or a tag as a line, with a tick on the side that it faces. */
+function poster(table: Table): [Point, Point, Point, Point] {
+  const [x, y] = point(table.get("center"));
+  const size = table.get("size");
+  const half = (typeof size === "number" ? size : point(size)[0]) / 2;
+  const pose = { x, y, heading: angle(table, "facing_deg") };
+  return [placed(pose, [0, half]), placed(pose, [0, -half]), [x, y], placed(pose, [0.08, 0])];
+}
+
+function disc(radius: number): (table: Table) => Disc {
+  return (table) => {
+    const [first] = points(table).length > 0 ? points(table) : wayOf(table);
+    return {
+      center: first ?? point(table.get("center")),
+      radius: number(table, "radius", radius),
+    };
+  };
+}
+
+/** Returns the path that a ball follows; empty if it has none. */
+function wayOf(table: Table): Point[] {
+  const way = table.get("way");
+  return Array.isArray(way) ? way.map(point) : [];
 }
 
 export function readWorld(text: string): World {
@@ -90,17 +137,44 @@ export function readWorld(text: string): World {
     start: {
       x: number(start, "x", 0),
       y: number(start, "y", 0),
-      heading: (number(start, "heading_deg", 0) * Math.PI) / 180,
+      heading: start ? angle(start, "heading_deg") : 0,
     },
     walls: of("wall").map((wall) => ({
       points: points(wall),
       thickness: number(wall, "thickness", 0.1),
     })),
-    solids: [...of("polygon").map(points), ...of("box").map(box)],
-    circles: of("circle").map((circle) => ({
-      center: point(circle.get("center")),
-      radius: number(circle, "radius", 0),
+    solids: of("polygon").map(points),
+    circles: of("circle").map(disc(0)),
+    boxes: of("box").map(box),
+    balls: of("ball").map(disc(0.1)),
+    cones: of("cone").map(disc(0.15)),
+    lamps: of("lamp").map((lamp) => point(lamp.get("position"))),
+    posters: [...of("poster"), ...of("tag")].map(poster),
+    holes: of("hole").map(points),
+    floor: number(of("floor")[0], "reflectance", 1),
+    patches: of("patch").map((patch) => ({
+      points: points(patch),
+      reflectance: number(patch, "reflectance", 0.5),
     })),
-    lines: of("tape").map((tape) => ({ points: points(tape), width: number(tape, "width", 0.05) })),
+    lines: of("tape").map((tape) => ({
+      points: points(tape),
+      width: number(tape, "width", 0.05),
+      reflectance: number(tape, "reflectance", 0.05),
+    })),
   };
+}
+
+/** Returns points that determine the bounding box of everything in a world. */
+export function worldPoints(world: World): Point[] {
+  const around = ({ center: [x, y], radius }: Disc): Point[] => [
+    [x - radius, y - radius],
+    [x + radius, y + radius],
+  ];
+  return [
+    ...[...world.walls, ...world.lines, ...world.patches].flatMap((each) => each.points),
+    ...[...world.solids, ...world.boxes, ...world.holes].flat(),
+    ...[...world.circles, ...world.balls, ...world.cones].flatMap(around),
+    ...world.lamps,
+    ...world.posters.flatMap(([a, b]) => [a, b]),
+  ];
 }

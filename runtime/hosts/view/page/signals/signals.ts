@@ -1,5 +1,6 @@
 // The list of all signals, with their values; a click plots one.
 import { machineName, modesOf, modeSignals } from "./modes";
+import { canBeDragged } from "../plots/drag";
 import type { Signal } from "../protocol";
 import type { Store } from "../store";
 import { formatCell, isNothing } from "../values";
@@ -33,6 +34,7 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
       value.append("");
       row.append(name, value);
       row.onclick = () => store.pick(number);
+      canBeDragged(row, number);
       rows[number] = { row, value, signal, cell: null };
       group.append(row);
       if (side === "mode") group.append(modesOf(store, signal, number));

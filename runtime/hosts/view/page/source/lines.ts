@@ -25,7 +25,7 @@ export interface LineValues {
   readonly runs: boolean;
 }
 
-const mostChips = 6;
+const mostChips = 12;
 
 /** The signals of a line, by instance. */
 type Instances = Map<string, number[]>;
@@ -100,7 +100,8 @@ export class Lines {
     );
   }
 
-  values(file: string, line: number): LineValues | null {
+  /** Returns the values on a line, as many as fit into `room` characters, but at least one. */
+  values(file: string, line: number, room: number): LineValues | null {
     const instances = this.files.get(file)?.get(line);
     if (!instances) return null;
     const instance = this.shown(instances);
@@ -122,15 +123,23 @@ export class Lines {
           ]
         : [];
     });
+    const shown = fitting(chips, room - (instances.size > 1 ? instanceName.length + 6 : 0));
     return {
-      chips,
-      more: numbers.length - chips.length,
+      chips: shown,
+      more: numbers.length - shown.length,
       instance,
       instances: instances.size,
       instanceName,
       runs: this.runs(instanceName),
     };
   }
+}
+
+function fitting(chips: readonly Chip[], room: number): Chip[] {
+  const width = ({ name, value, other }: Chip) =>
+    name.length + value.length + (other?.length ?? 0) + 4;
+  let used = 0;
+  return chips.filter((chip, i) => (used += width(chip)) <= room || i === 0);
 }
 
 /** Returns the sources that get a tab: the user's, and those of the library that have signals. */

@@ -18,6 +18,7 @@ import {
 import { tags } from "@lezer/highlight";
 import { history, historyKeymap, standardKeymap } from "@codemirror/commands";
 import { frob } from "./frob_language";
+import { canBeDragged } from "../plots/drag";
 import { Lines, shownSources, type Chip, type LineValues } from "./lines";
 import type { Source } from "../protocol";
 import type { Store } from "../store";
@@ -35,12 +36,23 @@ const colours = HighlightStyle.define([
 
 const look = EditorView.theme({
   "&": { height: "100%", color: "var(--text)", backgroundColor: "transparent", fontSize: "13px" },
-  ".cm-scroller": { fontFamily: "var(--mono)", lineHeight: "1.55" },
+  ".cm-scroller": { fontFamily: "var(--mono)", lineHeight: "1.55", overflowX: "hidden" },
   ".cm-gutters": { backgroundColor: "transparent", color: "var(--faint)", border: "none" },
   "&.cm-focused": { outline: "none" },
   ".idle": { opacity: "0.45" },
   ".asked": { backgroundColor: "var(--picked)", opacity: "1" },
-  ".values": { marginLeft: "1.5ch", whiteSpace: "normal" },
+  // The values never make a line wrap: they take no space. If there is no room for them after the
+  // text, they cover its end.
+  ".values": {
+    position: "sticky",
+    right: "6px",
+    display: "inline-block",
+    marginRight: "-100em",
+    padding: "0 0 0 1.5ch",
+    lineHeight: "1.4",
+    whiteSpace: "nowrap",
+    background: "linear-gradient(to right, transparent, var(--panel) 1.5ch)",
+  },
   ".values button": {
     font: "12px var(--mono)",
     color: "var(--text)",
@@ -65,12 +77,14 @@ const look = EditorView.theme({
   },
   "&.editing": { backgroundColor: "var(--edited)" },
   "&.editing .cm-cursor": { borderLeftColor: "var(--text)" },
-  ".values .more": { color: "var(--dim)", fontSize: "12px" },
+  ".values .more": { color: "var(--dim)" },
 });
 
 interface Act {
   pick(number: number): void;
   next(line: number): void;
+  /** Shows all values of a line, or as many as fit. */
+  expand(line: number): void;
 }
 
 /** The values at the end of a line. */
@@ -105,6 +119,8 @@ class Values extends WidgetType {
     button.ariaPressed = String(isPlotted);
     button.title = isPlotted ? `${name} is plotted` : `Plot ${name}`;
     button.onclick = () => this.act.pick(number);
+    button.tabIndex = -1;
+    canBeDragged(button, number);
     return button;
   }
 
@@ -118,13 +134,17 @@ class Values extends WidgetType {
       button.textContent = `${instanceName} ${instance + 1}/${instances}`;
       button.title = "Show the next instance";
       button.onclick = () => this.act.next(this.line);
+      button.tabIndex = -1;
       place.append(button);
     }
     place.append(...chips.map((chip) => this.chip(chip)));
     if (more > 0) {
-      const rest = document.createElement("span");
+      const rest = document.createElement("button");
       rest.className = "more";
       rest.textContent = `+${more}`;
+      rest.title = "Show all values of this line";
+      rest.tabIndex = -1;
+      rest.onclick = () => this.act.expand(this.line);
       place.append(rest);
     }
     return place;
@@ -171,7 +191,9 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     syntaxHighlighting(colours),
     look,
     shown,
-    EditorView.updateListener.of(({ viewportChanged }) => {
+    EditorView.updateListener.of(({ docChanged, viewportChanged }) => {
+      if (docChanged && store.isEditing) store.edited = view.state.doc.toString();
+      if (docChanged) store.changed("edited");
       if (viewportChanged) requestAnimationFrame(scrolled);
     }),
   ];
@@ -186,6 +208,19 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
       if (current) lines.next(current.name, line);
       update();
     },
+    expand: (line) => {
+      expanded = expanded === line ? 0 : line;
+      update();
+    },
+  };
+  /** The line of which all values are shown; 0: none. */
+  let expanded = 0;
+  /** Returns the room for values after a text, in characters: what it leaves, or else less than half
+   * of the line, whose end the values then cover. */
+  const roomAfter = (line: number, text: string) => {
+    const across = view.contentDOM.clientWidth / Math.max(1, view.defaultCharacterWidth) - 2;
+    const free = text.length < across ? across - text.length : 0;
+    return line === expanded ? Infinity : Math.max(free, 0.45 * across);
   };
   /** Returns the first and the last line that may be visible. */
   const inView = (): [number, number] => {
@@ -210,8 +245,8 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     const { doc } = view.state;
     covered = inView();
     const marks = lines.between(name, ...covered).flatMap((line) => {
-      const values = lines.values(name, line);
-      const { from, to } = doc.line(line);
+      const { from, to, text } = doc.line(line);
+      const values = lines.values(name, line, roomAfter(line, text));
       if (!values) return [];
       const widget = Decoration.widget({ widget: new Values(line, values, act), side: 1 });
       return [...(values.runs ? [] : [idle.range(from)]), widget.range(to)];
@@ -242,7 +277,7 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     });
   };
   const bar = new WhatIfBar(store, {
-    begin: () => {
+    begin: (text) => {
       select(sources[0]);
       const keys = keymap.of([
         {
@@ -269,7 +304,11 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
         ...standardKeymap,
         ...historyKeymap,
       ]);
-      view.dispatch({ effects: writing.reconfigure([keys, history(), tinted]) });
+      const { length } = view.state.doc;
+      view.dispatch({
+        effects: writing.reconfigure([keys, history(), tinted]),
+        ...(text === null ? {} : { changes: { from: 0, to: length, insert: text } }),
+      });
       view.focus();
     },
     text: () => view.state.doc.toString(),
@@ -292,6 +331,7 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
   head.append(tabs, why.button, bar.button);
   host.append(head, bar.element, editor, why.element);
   select(current);
+  store.continueEditing = (text) => bar.begin(text);
   store.on("instant", update);
   store.on("plotted", update);
   store.on("place", () => {

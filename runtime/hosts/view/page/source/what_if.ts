@@ -7,7 +7,8 @@ import type { Store } from "../store";
 const longest = 60_000;
 
 export interface Editor {
-  begin(): void;
+  /** `text`: an edited text to continue with; null: the program's own. */
+  begin(text: string | null): void;
   text(): string;
   end(): void;
 }
@@ -55,13 +56,14 @@ export class WhatIfBar {
     store.on("what-if", () => this.show());
   }
 
-  begin(): void {
+  /** Continues with a text that was edited before, or starts with the program's own. */
+  begin(text: string | null = null): void {
     this.store.isEditing = true;
     this.element.hidden = false;
     this.said.textContent = "";
     this.params.reset();
     this.button.ariaPressed = "true";
-    this.editor.begin();
+    this.editor.begin(text);
   }
 
   run(how: "what-if" | "drive"): void {

@@ -164,10 +164,14 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   const askForBands = () => {
     asked = performance.now();
     modes.forEach((number) =>
-      store.series(number, program.start, program.end, width, (series) => {
-        bands.set(number, series);
-        draw();
-      }),
+      store.series(
+        "band",
+        { signal: number, from: program.start, to: program.end, width },
+        (series) => {
+          bands.set(number, series);
+          draw();
+        },
+      ),
     );
   };
   new ResizeObserver(() => {

@@ -1,0 +1,65 @@
+// What the page keeps of a program: its plots, the sizes of the panels, the theme, the edited text.
+// A tab keeps it over a reload; the viewer keeps it for the next run of the program.
+import type { Connection } from "./connection";
+
+/** Time from a change until it is kept, in ms. */
+const soon = 500;
+/** Maximum length of a request to the viewer, less than its limit of 64 kB. */
+const longest = 60_000;
+
+export type Json =
+  | string
+  | number
+  | boolean
+  | null
+  | readonly Json[]
+  | { readonly [key: string]: Json };
+
+function parsed(text: string | null): Record<string, Json> | null {
+  try {
+    const value: unknown = JSON.parse(text ?? "null");
+    return typeof value === "object" && value !== null && !Array.isArray(value)
+      ? (value as Record<string, Json>)
+      : null;
+  } catch {
+    return null;
+  }
+}
+
+export class Kept {
+  private readonly all: Record<string, Json>;
+  private readonly key: string;
+  private timer: number | undefined;
+
+  constructor(
+    program: string,
+    /** What the viewer has kept, as JSON. */
+    before: string,
+    private readonly connection: Connection,
+  ) {
+    this.key = `frob ${program}`;
+    this.all = parsed(sessionStorage.getItem(this.key)) ?? parsed(before) ?? {};
+  }
+
+  get(name: string): Json | undefined {
+    return this.all[name];
+  }
+
+  set(name: string, value: Json): void {
+    if (JSON.stringify(this.all[name]) === JSON.stringify(value)) return;
+    this.all[name] = value;
+    this.timer ??= window.setTimeout(() => this.save(), soon);
+  }
+
+  private save(): void {
+    this.timer = undefined;
+    const text = JSON.stringify(this.all);
+    try {
+      sessionStorage.setItem(this.key, text);
+    } catch {
+      // The tab has no room for it; the viewer may.
+    }
+    const isShort = new TextEncoder().encode(text).length < longest;
+    this.connection.ask(`keep ${isShort ? text : JSON.stringify({ ...this.all, edited: null })}`);
+  }
+}

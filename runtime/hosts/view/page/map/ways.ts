@@ -1,0 +1,88 @@
+// The ways of all robots, and the requests for them: the way by odometry, and, in a live simulated
+// run, the true ways.
+import type { Store } from "../store";
+import { placed, type Pose } from "./pose";
+import { Track } from "./track";
+import type { Extent } from "./view";
+import type { Point } from "./world";
+
+/** Approximate maximum number of points of a way. */
+const mostPoints = 6000;
+
+export class Ways {
+  readonly believed: Track;
+  /** The true ways of simulated robots; empty if they are unknown. */
+  readonly true: Track[] = [];
+  /** The way of the edited program, if it ran in the simulator. */
+  other: Point[] = [];
+  private pending = 0;
+  private turn = 0;
+
+  constructor(
+    private readonly store: Store,
+    /** The numbers of the signals of the position by odometry. */
+    private readonly x: number,
+    private readonly y: number,
+    private readonly start: Pose,
+    private readonly extent: Extent,
+    private readonly changed: () => void,
+  ) {
+    this.believed = new Track(extent);
+    store.on("what-if", () => this.loadBelieved(0));
+    store.on("resumed", () => this.grow());
+    store.on("extent", () => this.grow());
+    this.loadBelieved(0);
+  }
+
+  /** The way of the first robot. */
+  get first(): Track {
+    return this.true[0] ?? this.believed;
+  }
+
+  private grow(): void {
+    const { newest } = this.store;
+    if (this.pending > 0 || !newest) return;
+    const robots = newest.truth?.length ?? 0;
+    while (this.true.length < robots) this.true.push(new Track(this.extent));
+    this.loadBelieved(this.believed.next);
+    if (robots > 0) this.loadTrue(0);
+    // One of the other robots at a time: there may be hundreds.
+    if (robots > 1) this.loadTrue(1 + (this.turn++ % (robots - 1)));
+  }
+
+  private received(): void {
+    this.pending--;
+    this.changed();
+  }
+
+  private loadBelieved(from: number): void {
+    const inWorld = (points: readonly (readonly [number, number | null, number | null])[]) =>
+      points.map(([, x, y]) => placed(this.start, [x ?? NaN, y ?? NaN]));
+    this.pending++;
+    this.store.path(this.x, this.y, mostPoints, from, (answer) => {
+      if (answer) {
+        const times = answer.points.map(([time]) => time);
+        this.believed.extend(answer.from, inWorld(answer.points), times, answer.next);
+        this.other = inWorld(answer.others ?? []);
+        this.extent.addAll(this.other);
+      }
+      this.received();
+    });
+  }
+
+  private loadTrue(robot: number): void {
+    const track = this.true[robot];
+    if (!track) return;
+    this.pending++;
+    this.store.way(robot, mostPoints, track.next, (answer) => {
+      if (answer)
+        track.extend(
+          answer.from,
+          answer.points.map(([, x, y]) => [x, y]),
+          answer.points.map(([time]) => time),
+          answer.next,
+        );
+      this.received();
+    });
+  }
+}

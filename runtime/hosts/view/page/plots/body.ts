@@ -1,0 +1,32 @@
+// What all kinds of plots have in common, and the size of their parts.
+import type { Trace } from "./trace";
+
+/** Width of an axis on the left or on the right. */
+export const axisWidth = 62;
+/** Space on the right of plots without an axis there. */
+export const rightSpace = 18;
+
+/** The value of a signal at the pointer. */
+export interface Pointed {
+  readonly time: number;
+  value(trace: Trace): number | null;
+}
+
+/** A plot without its header. */
+export interface Body {
+  readonly element: HTMLElement;
+  readonly traces: readonly Trace[];
+  /** Requests the data for the visible range. */
+  load(): void;
+  /** Requests the data that has arrived since, in a live run that is followed. */
+  grow(): void;
+  /** Draws the plot with another height, or with other colours. */
+  build(height: number): void;
+  /** The instant or the mark has changed. */
+  moved(): void;
+  /** Where the pointer is; null: elsewhere. */
+  readonly pointed: Pointed | null;
+  /** The drawn plot, for a picture. */
+  readonly picture: HTMLCanvasElement | null;
+  end(): void;
+}

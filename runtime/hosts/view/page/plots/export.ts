@@ -1,0 +1,88 @@
+// Saves a plot as a picture, or its values as a table.
+import type { Series } from "../protocol";
+import type { Store } from "../store";
+import { colour } from "../theme";
+import { formatPoint } from "../values";
+
+/** As many as the viewer sends: all instants, unless the range has more than 500,000. */
+const columns = 100_000;
+
+function save(name: string, content: Blob): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(content);
+  link.download = name.replace(/[^\w.-]+/g, "_");
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+export interface Title {
+  readonly text: string;
+  readonly colour: string;
+}
+
+/** Saves canvases, one below the other, with a line of titles above them. */
+export function savePicture(
+  name: string,
+  titles: readonly Title[],
+  parts: readonly HTMLCanvasElement[],
+): void {
+  const ratio = devicePixelRatio,
+    head = 26 * ratio;
+  const canvas = document.createElement("canvas");
+  canvas.width = Math.max(...parts.map(({ width }) => width));
+  canvas.height = head + parts.reduce((sum, { height }) => sum + height, 0);
+  const context = canvas.getContext("2d");
+  if (!context) return;
+  context.fillStyle = colour("panel");
+  context.fillRect(0, 0, canvas.width, canvas.height);
+  context.font = `600 ${13 * ratio}px monospace`;
+  let x = 12 * ratio,
+    y = head;
+  for (const title of titles) {
+    context.fillStyle = title.colour;
+    context.fillText(title.text, x, 18 * ratio);
+    x += context.measureText(title.text).width + 20 * ratio;
+  }
+  for (const part of parts) {
+    context.drawImage(part, 0, y);
+    y += part.height;
+  }
+  canvas.toBlob((content) => content && save(`${name}.png`, content));
+}
+
+/** The names of constructors and texts may contain commas. */
+function quoted(cell: string): string {
+  return /[",\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell;
+}
+
+/** Saves the values of signals at all instants of the visible range. */
+export function saveTable(store: Store, name: string, signals: readonly number[]): void {
+  const [from, to] = store.range;
+  const found = new Map<number, Series>();
+  const write = () => {
+    const times = found.get(signals[0] ?? 0)?.times ?? [];
+    const head = signals.map((number) => {
+      const { name = "", unit = "" } = store.program.signals[number] ?? {};
+      return quoted(unit === "" ? name : `${name} [${unit}]`);
+    });
+    const rows = times.map((time, i) =>
+      [
+        String(time),
+        ...signals.map((number) => {
+          const value = found.get(number)?.values[i] ?? null;
+          const signal = store.program.signals[number];
+          if (value === null || !signal) return "";
+          const isNamed = signal.kind === "bool" || signal.names.length > 0;
+          return isNamed ? quoted(formatPoint(signal, value)) : String(value);
+        }),
+      ].join(","),
+    );
+    const text = [["time", ...head].join(","), ...rows, ""].join("\n");
+    save(`${name}.csv`, new Blob([text], { type: "text/csv" }));
+  };
+  for (const signal of signals)
+    store.series("table", { signal, from, to, width: columns }, (series) => {
+      found.set(signal, series);
+      if (found.size === signals.length) write();
+    });
+}

@@ -1,0 +1,96 @@
+// The panel of plots, one below the other, which share the axis of time and fill the panel.
+import type { Store } from "../store";
+import { onTheme } from "../theme";
+import { takesSignals } from "./drag";
+import type { Plot } from "./model";
+import { Strip } from "./strip";
+import { drawTimeAxis, timeAxisHeight } from "./time_axis";
+
+/** Least height of a plot of numbers, and of one of truth values or names. */
+const leastHigh = 84,
+  leastLow = 56;
+/** Greatest height of the latter. */
+const mostLow = 90;
+/** Maximum number of plots at which there is room for a hint on how to add one. */
+const hinted = 1;
+
+export function startPlots(store: Store, host: HTMLElement): void {
+  const strips = new Map<Plot, Strip>();
+  const list = document.createElement("div");
+  const empty = document.createElement("p");
+  const axis = document.createElement("canvas");
+  list.className = "strips";
+  axis.className = "time-axis";
+  axis.style.height = `${timeAxisHeight}px`;
+  empty.className = "empty";
+  empty.textContent =
+    "Click a value in the source, or a signal in the list, to plot it; drag it onto a plot to add it.";
+  host.append(list, empty, axis);
+  takesSignals(host, (signal) => {
+    if (!store.plotted.includes(signal)) store.toggle(signal);
+  });
+
+  /** Shares the height of the panel among the plots. */
+  const layOut = () => {
+    if (host.clientWidth === 0) return;
+    const all = store.plots.flatMap((plot) => strips.get(plot) ?? []);
+    const heads = all.reduce((sum, strip) => sum + strip.headHeight, 0);
+    const hint = empty.hidden ? 0 : empty.offsetHeight;
+    const free = host.clientHeight - heads - hint - timeAxisHeight - 2;
+    const low = all.filter(({ isLow }) => isLow).length;
+    const even = free / Math.max(1, all.length - 0.5 * low);
+    const lowHeight = Math.round(Math.min(mostLow, Math.max(leastLow, even / 2)));
+    const highHeight = Math.max(
+      leastHigh,
+      Math.floor((free - low * lowHeight) / Math.max(1, all.length - low)),
+    );
+    for (const strip of all) strip.build(strip.isLow ? lowHeight : highHeight);
+    drawTimeAxis(store, axis);
+  };
+
+  /** A plot that is added is scrolled into view. */
+  let isStarted = false;
+  const arrange = () => {
+    for (const [plot, strip] of strips) {
+      if (store.plots.includes(plot)) continue;
+      strip.end();
+      strips.delete(plot);
+    }
+    const changed: Strip[] = [];
+    for (const plot of store.plots) {
+      const strip = strips.get(plot) ?? new Strip(store, plot, axis);
+      if (!strips.has(plot)) changed.push(strip);
+      else if (strip.update()) changed.push(strip);
+      strips.set(plot, strip);
+    }
+    list.append(...store.plots.flatMap((plot) => strips.get(plot)?.element ?? []));
+    empty.hidden = store.plots.length > hinted;
+    axis.hidden = store.plots.length === 0;
+    layOut();
+    for (const strip of changed) strip.load();
+    if (isStarted) changed.at(-1)?.element.scrollIntoView({ block: "nearest" });
+  };
+  const load = () => {
+    drawTimeAxis(store, axis);
+    strips.forEach((strip) => strip.load());
+  };
+  store.on("plotted", arrange);
+  store.on("sizes", layOut);
+  store.on("range", load);
+  store.on("what-if", load);
+  store.on("resumed", load);
+  store.on("instant", () => strips.forEach((strip) => strip.moved()));
+  store.on("mark", () => strips.forEach((strip) => strip.moved()));
+  store.on("extent", () => {
+    if (!store.following) return;
+    strips.forEach((strip) => strip.grow());
+    drawTimeAxis(store, axis);
+  });
+  onTheme(() => {
+    strips.forEach((strip) => strip.restyle());
+    layOut();
+  });
+  new ResizeObserver(layOut).observe(host);
+  arrange();
+  isStarted = true;
+}
