@@ -313,6 +313,28 @@ let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
             |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ])
   | _ -> ()
 
+(* `robotPose i.x`, where the result of the function has the field, or a part of it has. *)
+let tell_tighter_field ctx ~(head : Resolve.Ir.expr) arguments ~failed result =
+  let sink = ctx.reader.Annotation.sink in
+  match ((List.nth arguments (failed - 1)).value.desc, Diagnostic.last sink) with
+  | Field { record; field; _ }, Some d
+    when String.equal d.code "E0310" && Span.compare d.at field.span = 0 && failed = 1 -> (
+      let words = words ctx in
+      match
+        ( Infer_record.path ctx result field.text,
+          Show.quote words head.span,
+          Show.quote words record.span )
+      with
+      | Some path, Some f, Some x ->
+          let text = Printf.sprintf "(%s %s).%s" f x path in
+          Diagnostic.revise_last sink (fun d ->
+              Diagnostic.hint
+                (Printf.sprintf "a field binds tighter than application: write `%s`" text)
+                { d with hints = []; notes = []; fixes = [] });
+          true
+      | _ -> false)
+  | _ -> false
+
 (* The number of arguments that a function of this type takes. *)
 let rec arity t = match Type.expand t with Type.Function (_, result) -> 1 + arity result | _ -> 0
 
@@ -440,8 +462,14 @@ let infer expressions ctx e =
       (match failed with
       | Some failed when errors ctx = before + 1 ->
           let given = List.rev types in
+          let output =
+            match Type.expand start.ty with
+            | Function (_, output) | Signal_function (_, output) -> output
+            | _ -> Type.Erroneous
+          in
           let is_told =
-            tell_habit expressions ctx e ~head arguments
+            tell_tighter_field ctx ~head arguments ~failed output
+            || tell_habit expressions ctx e ~head arguments
             || tell_parentheses expressions ctx ~head arguments ~given ~parameters ~failed
           in
           if not is_told then tell_order expressions ctx e ~head arguments ~given ~failed

@@ -99,6 +99,19 @@ let field_within ctx ty name =
           Option.map fst (List.find_opt has constructor.ir.fields))
   | _ -> None
 
+let path ctx ty name =
+  let own =
+    match Type.expand ty with
+    | Data { tycon; _ } ->
+        Option.bind (Environment.record_of ctx.reader.environment tycon) (fun constructor ->
+            position constructor name)
+    | _ -> None
+  in
+  match (own, field_within ctx ty name) with
+  | Some _, _ -> Some name
+  | None, Some field -> Some (field ^ "." ^ name)
+  | None, None -> None
+
 (* Handles types that do not have fields but produce values that may have some, such as signal
    functions. *)
 let through ctx words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =

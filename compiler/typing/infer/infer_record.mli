@@ -9,6 +9,9 @@ open Context
 val is_of_arrays : t -> Syntax.Ir.name -> bool
 (** Is there a function of that name that takes an array? *)
 
+val path : t -> Type.t -> string -> string option
+(** The field of this name in a value of the type, or in a record that is one of its fields. *)
+
 val construct :
   expressions ->
   t ->

@@ -104,7 +104,7 @@ let report sink sources position obstacle (e : expr) ~head ~input =
   | Outside ->
       emit
         (run "outside of a `proc`" "E0341"
-        |> Diagnostic.here "an instance must be inside a `proc`"
+        |> Diagnostic.here "only a `proc` can run a signal function"
         |> Diagnostic.hint
              (Printf.sprintf
                 "run it in a `proc`, as in `f = proc x -> %s`; the type `a -> b` then becomes `SF \
@@ -128,7 +128,8 @@ let report sink sources position obstacle (e : expr) ~head ~input =
       match obstacle with
       | Depends_on_start | Own_definition | Lifted ->
           emit
-            (Diagnostic.here "a function cannot contain instances" d |> own_equation sources head e)
+            (Diagnostic.here "a function cannot run a signal function: its state needs a `proc`" d
+            |> own_equation sources head e)
       | Bound_here x ->
           emit
             (bound x d

@@ -104,8 +104,8 @@ let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : U
   | Different_representations (other, Rigid_representation r) ->
       Signature_mistake.general_representation words owner ~at r other
   | Different_representations (wanted, given) ->
-      let expected = Number_mistake.without_open_units expected in
-      Number_mistake.representations words ~subject ~at ~expected ~found (wanted, given)
+      let expected = Representation_mistake.without_open_units expected in
+      Representation_mistake.representations words ~subject ~at ~expected ~found (wanted, given)
       |> Expected.explain_all words ~subject expected
   | Different (Rigid r, other) | Different (other, Rigid r) -> (
       match (Type.expand expected.ty, Type.expand found) with

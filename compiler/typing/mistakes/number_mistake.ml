@@ -181,6 +181,13 @@ let operands words ~subject ~(expected : Expected.t) (wanted, given) d =
         d
   | _ -> d
 
+let rec is_of_time (e : Resolve.Ir.expr option) =
+  match e with
+  | Some { desc = Global { name = "time"; _ }; _ } -> true
+  | Some { desc = Apply { head; argument; _ }; _ } ->
+      is_of_time (Some head) || is_of_time (Some argument)
+  | Some _ | None -> false
+
 (* Suggests how to convert one quantity to the other. *)
 let conversion words ~subject ~expected (wanted, given) diagnostic =
   let factor = Show.measure words (Units.divide wanted given) in
@@ -220,7 +227,14 @@ let conversion words ~subject ~expected (wanted, given) diagnostic =
       diagnostic
   else if Units.equal given Units.one || Units.equal wanted Units.one then
     if diagnostic.hints = [] && written = None then
-      operands words ~subject ~expected (wanted, given) diagnostic
+      if Units.equal given Units.one && (not (is_operand expected)) && subject <> None then
+        hint
+          (Printf.sprintf "if it is a number of `%s`, multiply by the unit: `%s`"
+             (Show.measure words wanted)
+             (changed words subject (fun e ->
+                  Printf.sprintf "%s * 1[%s]" e (Show.measure words wanted))))
+          diagnostic
+      else operands words ~subject ~expected (wanted, given) diagnostic
     else diagnostic
   else if written <> None then
     let digits, at = Option.get written in
@@ -244,9 +258,13 @@ let conversion words ~subject ~expected (wanted, given) diagnostic =
   else if String.equal factor "s" then
     hint
       (Printf.sprintf "multiply by a time, as in `%s`, or, for the sum over time, write `%s`"
-         (with_e "1[s] * %s") (with_e "integral %s"))
+         (with_e (if is_of_time subject then "time () * %s" else "1[s] * %s"))
+         (with_e "integral %s"))
       diagnostic
-  else diagnostic
+  else
+    match Lacking_unit_mistake.of_operands words ~subject ~expected (wanted, given) with
+    | Some complete when diagnostic.hints = [] -> complete diagnostic
+    | Some _ | None -> diagnostic
 
 (* `Float` without brackets in a signature, where a quantity was meant. *)
 let without_brackets words (wanted, given) diagnostic =
@@ -288,37 +306,6 @@ let factor_without_unit words ~subject (wanted, given) diagnostic =
         (Printf.sprintf "perhaps a number lacks its unit: with `%s` as it is, the unit is `%s`"
            digits (Show.measure words given))
         diagnostic
-  | _ -> diagnostic
-
-(* `2 * e`, where the factor is meant as a gain and should have a unit. *)
-let gain words ~(subject : Resolve.Ir.expr option) (wanted, given) diagnostic =
-  let is_one u = Units.equal u Units.one in
-  match subject with
-  | Some
-      {
-        desc =
-          Apply
-            {
-              head =
-                {
-                  desc =
-                    Apply
-                      {
-                        head = { desc = Global { name = "*"; _ }; _ };
-                        argument = { desc = Number { digits; unit_ = None; _ }; span };
-                        _;
-                      };
-                  _;
-                };
-              _;
-            };
-        _;
-      }
-    when diagnostic.hints = []
-         && not (Units.is_open wanted || Units.is_open given || is_one given || is_one wanted) ->
-      let text = Printf.sprintf "%s[%s]" digits (Show.measure words (Units.divide wanted given)) in
-      hint (Printf.sprintf "if the factor is a gain, give it a unit: `%s`" text) diagnostic
-      |> write span text
   | _ -> diagnostic
 
 (* The name of the signal function that is applied, if the expression is such an application. *)
@@ -466,15 +453,28 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
     here (Printf.sprintf "this is %s" (Show.described words found)) diagnostic
     |> unit_of_literal words ~subject ~expected ~found (wanted, given)
   in
-  let specific =
-    match Function_unit_mistake.complete words ~subject ~expected (wanted, given) with
-    | Some complete -> Some complete
-    | None when diagnostic.hints = [] ->
-        Lacking_unit_mistake.complete words ~subject ~expected (wanted, given)
-    | None -> None
+  let is_of_numbers = is_number expected.ty && is_number found in
+  let of_a_literal likely =
+    Lacking_unit_mistake.of_a_literal words ~likely ~subject ~expected (wanted, given)
   in
-  if is_number expected.ty && is_number found && specific <> None then
-    (Option.get specific) { diagnostic with hints = []; fixes = [] }
+  let advice = of_a_literal true in
+  let certain =
+    List.find_map
+      (fun rule -> rule ())
+      [
+        (fun () -> Function_unit_mistake.complete words ~subject ~expected (wanted, given));
+        (fun () ->
+          if diagnostic.hints = [] then
+            Lacking_unit_mistake.complete words ~subject ~expected (wanted, given)
+          else None);
+        (fun () -> Lacking_unit_mistake.of_a_difference words ~subject (wanted, given));
+      ]
+  in
+  if is_of_numbers && certain <> None then
+    (Option.get certain) { diagnostic with hints = []; fixes = [] }
+  else if is_of_numbers && diagnostic.hints = [] && advice <> None then
+    (Option.get advice) diagnostic
+    |> signature_of_this words ~subject ~expected ~found (wanted, given)
   else if is_number expected.ty && is_number found then
     let first = against_signature words ~subject ~expected ~found (wanted, given) diagnostic in
     let is_signature = first <> None in
@@ -483,119 +483,18 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
       (if is_signature then { diagnostic with hints = [] } else diagnostic)
     |> (fun d -> if is_signature then { d with hints = diagnostic.hints @ d.hints } else d)
     |> by_time ~expected
-    |> gain words ~subject (wanted, given)
+    |> (fun d ->
+    match of_a_literal false with Some complete when d.hints = [] -> complete d | _ -> d)
     |> factor_without_unit words ~subject (wanted, given)
     |> (if is_signature then Fun.id
         else signature_of_this words ~subject ~expected ~found (wanted, given))
     |> turn words ~subject ~expected (wanted, given)
     |> plain_number words ~subject ~expected (wanted, given)
   else
-    without_brackets words (wanted, given) diagnostic
+    (match Lacking_unit_mistake.of_fields words ~subject ~expected (wanted, given) with
+    | Some complete -> complete diagnostic
+    | None -> without_brackets words (wanted, given) diagnostic)
     |> note
          (Printf.sprintf "expected %s, found %s"
             (Show.described words expected.ty)
             (Show.described words found))
-
-(* {1 Int and Float} *)
-
-(* In a mismatch between Int and Float, an undetermined unit is irrelevant, so it is not shown. *)
-let without_open_unit t =
-  match Type.expand t with
-  | Number (r, u)
-    when Units.flexible_powers u <> [] && Units.base_powers u = [] && Units.rigid_powers u = [] ->
-      Type.Number (r, Units.one)
-  | _ -> t
-
-let without_open_units (expected : Expected.t) =
-  let because : Expected.reason =
-    match expected.because with
-    | Operand o -> Operand { o with other_type = without_open_unit o.other_type }
-    | because -> because
-  in
-  Expected.make because (without_open_unit expected.ty)
-
-(* The prefix that applies a conversion to each number in a value of this type. *)
-let for_each t =
-  match Type.expand t with
-  | Data { tycon; _ } when tycon = Environment.array -> Some "map "
-  | _ when Environment.is_event t -> Some "mapE "
-  | Number _ -> Some ""
-  | _ -> None
-
-let to_float ~found (e : Resolve.Ir.expr option) =
-  match (Option.bind e Plain_name.of_expr, for_each found) with
-  | Some name, Some each ->
-      fun d ->
-        let text = Printf.sprintf "%stoFloat %s" each name in
-        hint (Printf.sprintf "write `%s`" text) d
-        |> fix (Printf.sprintf "write `%s`" text) [ ((Option.get e).span, "(" ^ text ^ ")") ]
-  | None, Some (("map " | "mapE ") as each) ->
-      hint (Printf.sprintf "use `%stoFloat` to convert each `Int` to a `Float`" each)
-  | _ -> hint "use `toFloat` to convert an `Int` to a `Float`"
-
-let to_int ~found (e : Resolve.Ir.expr option) =
-  let whole digits =
-    match String.index_opt digits '.' with
-    | Some point
-      when String.for_all
-             (fun c -> c = '0')
-             (String.sub digits (point + 1) (String.length digits - point - 1)) ->
-        Some (String.sub digits 0 point)
-    | Some _ | None -> None
-  in
-  match e with
-  | Some { desc = Number { digits; unit_ = None; _ }; span } when whole digits <> None ->
-      fun d ->
-        let text = Option.get (whole digits) in
-        hint (Printf.sprintf "write a whole number without a point: `%s`" text) d |> write span text
-  | _ -> (
-      match for_each found with
-      | Some (("map " | "mapE ") as each) ->
-          hint
-            (Printf.sprintf
-               "use `%sround` to convert each `Float` to an `Int`, or use `floor`, `ceiling` or \
-                `truncate` instead of `round`"
-               each)
-      | _ -> hint "use `round`, `floor`, `ceiling` or `truncate` to convert a `Float` to an `Int`")
-
-let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
-  let text = Show.representation words in
-  let found = without_open_unit found in
-  let plain () =
-    error ~code:"E0312" ~at "expected %s, found %s"
-      (Show.described words expected.ty)
-      (Show.described words found)
-  in
-  let of_function =
-    match ((wanted : Type.representation), (given : Type.representation)) with
-    | Float, Int -> (
-        match Function_unit_mistake.power words ~expected () with
-        | Some complete -> Some complete
-        | None -> Function_unit_mistake.quotient words ~expected)
-    | Int, Float -> Function_unit_mistake.whole_numbers words ~expected ~found
-    | _ -> None
-  in
-  match (expected.because, (wanted : Type.representation), (given : Type.representation)) with
-  | _ when of_function <> None -> (Option.get of_function) (plain ())
-  | Operand { operator = "!"; _ }, _, Float -> plain () |> to_int ~found subject
-  | Operand { operator; other; _ }, Float, Int | Operand { operator; other; _ }, Int, Float ->
-      let number = if given = Int then subject else Some other in
-      error ~code:"E0312" ~at "the operands of `%s` are %s and %s" operator
-        (Show.described words expected.ty)
-        (Show.described words found)
-      |> here (Printf.sprintf "this is %s" (Show.described words found))
-      |> to_float ~found number
-  | Parameter { callee = Some "/"; _ }, Float, Int ->
-      plain () |> hint "to divide whole numbers, use `div`" |> to_float ~found subject
-  | _, Float, Int -> plain () |> to_float ~found subject
-  | _, Int, Float -> plain () |> to_int ~found subject
-  | _ ->
-      plain ()
-      |> note
-           (Printf.sprintf "`%s` and `%s` are different representations" (text wanted) (text given))
-
-let makes name x =
-  match name with
-  | "Mark" -> Some (Printf.sprintf "use `number \"name\" %s` for the mark of a number" x)
-  | "Seeds" -> Some (Printf.sprintf "write a first and a last seed: ``1 `to` %s``" x)
-  | _ -> None

@@ -299,6 +299,8 @@ Invalid instances, and instances that lack definitions:
   ...
   37 |     base x = True
      |              ^^^^
+     |
+     = hint: a `Bool` is not a number: write `1`
   
   error[E0362]: the head of an instance must be a type constructor applied to distinct variables, not `a -> a`
     --> declared.frob:38:16
@@ -386,8 +388,8 @@ The definitions of a method have the types that the class declares.
   9 |     area s = 4 * s.side
     |              ^^^^^^^^^^ this is `Float[m]`
     |
-    = hint: if the factor is a gain, give it a unit: `4[m]`
-    = hint: if this is the right result, write `Float[m]` in the signature
+    = hint: if the factor `4` has a unit, write it: `4[m]`
+    = hint: if this is the right result, write the signature as `area :: a -> Float[m]`
   
   error[E0306]: the signature allows every type `b`, but the definition needs it to be `Square`
     --> bodies.frob:10:17
@@ -459,7 +461,7 @@ functions.
    --> levels.frob:6:13
     |
   6 |     far i = frontDistance i > 0
-    |             ^^^^^^^^^^^^^^^ an instance must be inside a `proc`
+    |             ^^^^^^^^^^^^^^^ only a `proc` can run a signal function
     |
     = hint: run it in a `proc`, as in `f = proc x -> frontDistance x`; the type `a -> b` then becomes `SF a b`
   

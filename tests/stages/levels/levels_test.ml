@@ -69,7 +69,7 @@ let local_functions () =
     ]
 
 let outside () =
-  check "E0341: `delay` is run outside of a `proc` [an instance must be inside a `proc`]"
+  check "E0341: `delay` is run outside of a `proc` [only a `proc` can run a signal function]"
     [ ("f", lambda [ bound x float ] (delay one vx)) ]
 
 let signal_function ty = Typing.Ir.Signal_function (ty, ty)

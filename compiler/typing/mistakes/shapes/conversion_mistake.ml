@@ -3,7 +3,7 @@ open Shape_fact
 let of_a_number fact =
   match (fact.wanted, fact.given) with
   | Data { tycon = { name; _ }; _ }, Number _ ->
-      Option.map (hinted fact) (Number_mistake.makes name (grouped fact "x"))
+      Option.map (hinted fact) (Representation_mistake.makes name (grouped fact "x"))
   | _ -> None
 
 let of_a_text fact =

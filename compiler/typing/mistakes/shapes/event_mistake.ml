@@ -427,8 +427,9 @@ let in_a_maybe fact =
     when is_maybe fact.found && not (is_maybe fact.wanted) ->
       Some
         (hinted fact
-           (Printf.sprintf "use `fromMaybe x0 %s`, where `x0` replaces a missing value"
-              (grouped fact "m")))
+           (let start = match fact.wanted with Number _ -> "0" | Bool -> "False" | _ -> "x0" in
+            Printf.sprintf "use `fromMaybe %s %s`, where `%s` replaces a missing value" start
+              (grouped fact "m") start))
   | _ -> None
 
 let in_place_of_a_number fact =

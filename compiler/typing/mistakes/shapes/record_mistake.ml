@@ -14,6 +14,20 @@ let before fact ~callee ~(next : Resolve.Ir.expr) whole =
 let how_to_build fact constructor fields =
   let whole = Printf.sprintf "%s { %s }" constructor (with_each fields) in
   match fact.expected.because with
+  | Parameter { callee = Some callee; position = 1; given = _ :: _ :: _ as given; _ }
+    when List.compare_lengths given fields <= 0
+         && List.for_all (fun e -> Bare_number.literal fact.words e <> None) given ->
+      let value i field =
+        let text =
+          Option.bind (List.nth_opt given i) (fun (e : Resolve.Ir.expr) ->
+              Show.quote fact.words e.span)
+        in
+        Printf.sprintf "%s = %s" field (Option.value text ~default:"…")
+      in
+      Some
+        (Printf.sprintf "`%s` takes one record in place of these numbers: write `%s (%s { %s })`"
+           callee callee constructor
+           (String.concat ", " (List.mapi value fields)))
   | Parameter { callee = Some callee; position = 1; takes = 2; given = [ next ]; _ } ->
       Some (before fact ~callee ~next whole)
   | Parameter _ -> Some (Printf.sprintf "write the record: `%s`" whole)
@@ -57,6 +71,8 @@ let parts fact fields =
   let all = String.concat ", " (List.map (fun f -> Printf.sprintf "`%s.%s`" r f) shown) in
   match (bound_too_tightly fact.words fact.subject fields, fact.given) with
   | Some hint, _ -> hint
+  | None, Data { tycon = { name = "Vec2"; _ }; _ } when String.equal (callee fact) "atan2" ->
+      Printf.sprintf "for the direction of a vector, write `direction %s`, with `import Geometry`" r
   | None, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ } ->
       Printf.sprintf "for a component of the vector, write %s; for its length, write `norm %s`" all
         r

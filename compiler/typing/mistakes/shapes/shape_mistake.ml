@@ -14,6 +14,7 @@ let of_activities =
     Task_mistake.statement_without_task;
     Signal_function_mistake.in_place_of_a_test;
     Unrun_mistake.program_without_input;
+    Unrun_mistake.program_in_place_of_a_signal_function;
     Unrun_mistake.unrun;
     Unrun_mistake.unrun_operand;
     Switch_mistake.mode;
@@ -91,6 +92,7 @@ let of_reasons =
     Truth_mistake.equal_to_a_truth;
     Truth_mistake.grouped_with_an_operand;
     Truth_mistake.compared;
+    Truth_mistake.in_place_of_a_number;
     Array_mistake.of_several_types;
     pattern_of_another_type;
   ]

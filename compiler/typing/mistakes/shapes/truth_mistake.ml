@@ -97,3 +97,33 @@ let compared fact =
   | Bool, (Parameter { before = None; _ } | Operand { other = { desc = Apply _; _ }; _ }) ->
       Option.map (no_truth fact) (comparison fact)
   | _ -> None
+
+(* `delay 0 b`, where the literal decides the type, and the value is a truth value. *)
+let after_a_number fact =
+  match fact.expected.because with
+  | Parameter
+      { callee = Some f; position = 2; given = [ { desc = Number _; span }; _ ]; decided_by; _ }
+    when List.exists (fun (d : Expected.decider) -> Span.compare d.place span = 0) decided_by ->
+      let number = Option.value (Show.quote fact.words span) ~default:"the number" in
+      Some (Printf.sprintf "`%s` is not a `Bool`: write `%s False %s`" number f (grouped fact "b"))
+  | _ -> None
+
+let in_place_of_a_number fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | Number _, Bool, Element _ -> None
+  | Number (_, u), Bool, _ -> (
+      match after_a_number fact with
+      | Some text -> Some (hinted fact text)
+      | None ->
+          let one =
+            if Units.is_open u || Units.equal u Units.one then "1"
+            else Printf.sprintf "1[%s]" (Show.measure fact.words u)
+          in
+          let text =
+            match raw fact "b" with
+            | "True" -> one
+            | "False" -> "0"
+            | b -> Printf.sprintf "(if %s then %s else 0)" b one
+          in
+          Some (hinted fact (Printf.sprintf "a `Bool` is not a number: write `%s`" text)))
+  | _ -> None

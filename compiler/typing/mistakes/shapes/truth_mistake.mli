@@ -17,3 +17,6 @@ val grouped_with_an_operand : Shape_fact.rule
 
 val compared : Shape_fact.rule
 (** A number where its comparison with another number was probably meant. *)
+
+val in_place_of_a_number : Shape_fact.rule
+(** A truth value where a number is expected. *)

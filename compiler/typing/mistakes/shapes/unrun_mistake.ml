@@ -203,3 +203,17 @@ let unrun_operand (fact : Shape_fact.t) =
       |> label ~at:fact.at (Printf.sprintf "this is %s" (Shape_fact.found_text fact))
       |> Option.some
   | _ -> None
+
+let program_in_place_of_a_signal_function (fact : Shape_fact.t) =
+  match (fact.wanted, Shape_fact.callee fact) with
+  | Signal_function _, _ when is_program fact.found ->
+      let maker =
+        match Option.bind fact.subject Plain_name.of_head with
+        | Some maker -> Printf.sprintf ", or remove `%s` for the signal function" maker
+        | None -> ""
+      in
+      Some
+        (Shape_fact.hinted fact
+           (Printf.sprintf "this is a program: write its type as `Program RobotInput RobotOutput`%s"
+              maker))
+  | _ -> None

@@ -22,3 +22,6 @@ val instead : Resolve.Ir.expr option -> string -> Diagnostic.t -> Diagnostic.t
 
 val program_without_input : Shape_fact.rule
 (** [reactimateRobot (proc () -> …)] where the program has an input. *)
+
+val program_in_place_of_a_signal_function : Shape_fact.rule
+(** A program with the type of a signal function. *)

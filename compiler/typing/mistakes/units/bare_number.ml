@@ -52,15 +52,19 @@ let literal words (e : Resolve.Ir.expr) =
 (* Longest chain of names that is followed. *)
 let deepest = 6
 
-let factor words e =
+(* The factors of a product that [select] accepts, each with its exponent: of a product only the first
+   one, of a sum one for each operand. *)
+let factors words ~select e =
   let rec of_expr depth power (e : Resolve.Ir.expr) =
-    match e.desc with
-    | Apply
-        {
-          head = { desc = Apply { head = { desc = Global { name; _ }; _ }; argument = a; _ }; _ };
-          argument = b;
-          style = Operator _;
-        } -> (
+    match (select words e, e.desc) with
+    | Some found, _ -> [ (found, power) ]
+    | ( None,
+        Apply
+          {
+            head = { desc = Apply { head = { desc = Global { name; _ }; _ }; argument = a; _ }; _ };
+            argument = b;
+            style = Operator _;
+          } ) -> (
         match name with
         | "*" | "/" -> (
             match of_expr depth power a with
@@ -71,15 +75,33 @@ let factor words e =
             | [], _ | _, [] -> []
             | left, right -> left @ right)
         | _ -> [])
-    | Negate e -> of_expr depth power e
-    | (Local _ | Global _) when depth < deepest -> (
-        match (literal words e, definition words e) with
-        | Some ({ unit_ = None; name = Some _; _ } as found), _ -> [ (found, power) ]
-        | None, Some (_, value, None) -> of_expr (depth + 1) power value
-        | _ -> [])
-    | _ -> []
+    | None, Negate e -> of_expr depth power e
+    | None, (Local _ | Global _) when depth < deepest -> (
+        match definition words e with
+        | Some (_, value, None) -> of_expr (depth + 1) power value
+        | Some (_, _, Some _) | None -> [])
+    | None, _ -> []
   in
   of_expr 0 1 e
+
+let factor words e =
+  let select words e =
+    match literal words e with
+    | Some ({ unit_ = None; name = Some _; _ } as found) -> Some found
+    | Some _ | None -> None
+  in
+  factors words ~select e
+
+let written_factor words e =
+  let select words (e : Resolve.Ir.expr) =
+    match literal words e with
+    | Some ({ name = None; _ } as found) -> Some found
+    | Some _ | None -> None
+  in
+  factors words ~select e
+
+let value words e =
+  match definition words e with Some (_, value, None) -> value | Some _ | None -> e
 
 let give words { digits; negative; at; name; signature; _ } unit_ d =
   let literal = Printf.sprintf "%s[%s]" digits unit_ in

@@ -19,5 +19,12 @@ val factor : Show.words -> Resolve.Ir.expr -> (t * int) list
     In a product, only the first one counts; in a sum, one for each operand. Empty if some operand
     of the sum has none. Looks through the definitions of names. *)
 
+val written_factor : Show.words -> Resolve.Ir.expr -> (t * int) list
+(** The same for number literals that are written in the expression itself, with or without a unit.
+*)
+
+val value : Show.words -> Resolve.Ir.expr -> Resolve.Ir.expr
+(** The definition of a name, or the expression itself. *)
+
 val give : Show.words -> t -> string -> Diagnostic.t -> Diagnostic.t
 (** Labels the literal, and suggests to give it this unit. *)

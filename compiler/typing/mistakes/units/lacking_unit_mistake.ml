@@ -1,11 +1,186 @@
+open Basis
+open Diagnostic
+
+let is_one u = Units.equal u Units.one
+
+let is_operand (expected : Expected.t) =
+  match expected.because with Operand _ -> true | _ -> false
+
+let needed (wanted, given) power = Units.power (Units.divide wanted given) (Rational.of_int power)
+
+let give words units d ((number : Bare_number.t), power) =
+  Bare_number.give words number (Show.measure words (needed units power)) d
+
+(* The operand whose constants would correct the units, with the units as they are for it. *)
+let sides ~subject ~(expected : Expected.t) (wanted, given) =
+  let this = Option.to_list (Option.map (fun e -> (e, (wanted, given))) subject) in
+  match expected.because with
+  | Operand { other; operator = "+" | "-" | "<" | "<=" | ">" | ">=" | "==" | "/="; _ } ->
+      this @ [ (other, (given, wanted)) ]
+  | Operand _ -> []
+  | _ -> this
+
 let complete words ~subject ~(expected : Expected.t) (wanted, given) =
-  let is_operand = match expected.because with Operand _ -> true | _ -> false in
-  match Option.map (Bare_number.factor words) subject with
-  | Some (_ :: _ as constants) when not (is_operand || Units.is_open wanted || Units.is_open given)
-    ->
-      let give d ((number : Bare_number.t), power) =
-        let unit_ = Units.power (Units.divide wanted given) (Rational.of_int power) in
-        Bare_number.give words number (Show.measure words unit_) d
+  let constants (e, units) =
+    match Bare_number.factor words e with
+    | [] -> None
+    | constants -> Some (fun d -> List.fold_left (give words units) d constants)
+  in
+  if Units.is_open wanted || Units.is_open given then None
+  else List.find_map constants (sides ~subject ~expected (wanted, given))
+
+let rec mentions names (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Global { name; _ } -> List.mem name names
+  | Apply { head; argument; _ } -> mentions names head || mentions names argument
+  | Negate e -> mentions names e
+  | _ -> false
+
+(* `0.5 * e` or `v / 0.3`: the unit that the literal should have. A half and a formula that contains
+   `pi` or `time` are left out, because there a number usually has no unit. *)
+let of_a_literal words ~likely ~subject ~expected (wanted, given) =
+  let cure (e, units) =
+    match Bare_number.written_factor words e with
+    | [ ((number : Bare_number.t), power) ]
+      when Bare_number.literal words e = None
+           && (number.unit_ <> None || String.contains number.digits '.' = likely)
+           && (not (mentions [ "pi"; "time"; "sqrt" ] (Bare_number.value words e)))
+           && not (power < 0 && String.equal number.digits "2") -> (
+        let unit_ = needed units power in
+        match number.unit_ with
+        | None when not (is_one wanted || is_one given) ->
+            let text = Printf.sprintf "%s[%s]" number.digits (Show.measure words unit_) in
+            Some
+              (fun d ->
+                hint
+                  (Printf.sprintf "if the %s `%s` has a unit, write it: `%s`"
+                     (if power > 0 then "factor" else "divisor")
+                     number.digits text)
+                  d
+                |> write number.at text)
+        | None -> None
+        | Some _ -> (
+            match Show.quote words number.at with
+            | Some text when not (is_operand expected) ->
+                let own =
+                  Units.divide
+                    (if power > 0 then given else wanted)
+                    (if power > 0 then wanted else given)
+                in
+                (* without its unit, the number fits *)
+                if String.ends_with ~suffix:(Printf.sprintf "[%s]" (Show.measure words own)) text
+                then
+                  Some
+                    (fun d ->
+                      hint
+                        (Printf.sprintf "write `%s`, without a unit, if it is a plain number"
+                           number.digits)
+                        d
+                      |> write number.at number.digits)
+                else None
+            | Some _ | None -> None))
+    | _ -> None
+  in
+  if Units.is_open wanted || Units.is_open given then None
+  else List.find_map cure (sides ~subject ~expected (wanted, given))
+
+(* `x - delay 0 x` in place of a rate. *)
+let of_a_difference words ~(subject : Resolve.Ir.expr option) (wanted, given) =
+  let text (e : Resolve.Ir.expr) = Show.quote words e.span in
+  match Option.map (Bare_number.value words) subject with
+  | Some
+      {
+        desc =
+          Apply
+            {
+              head =
+                {
+                  desc = Apply { head = { desc = Global { name = "-"; _ }; _ }; argument = x; _ };
+                  _;
+                };
+              argument = before;
+              _;
+            };
+        _;
+      }
+    when List.mem (Show.measure words (Units.divide wanted given)) [ "1/s"; "Hz" ] -> (
+      match ((Bare_number.value words before).desc, text x) with
+      | ( Apply
+            {
+              head = { desc = Apply { head = { desc = Global { name = "delay"; _ }; _ }; _ }; _ };
+              argument;
+              _;
+            },
+          Some x )
+        when text argument = Some x ->
+          let cure = "derivative " ^ Source.grouped x in
+          Some
+            (hint
+               (Printf.sprintf
+                  "for the rate of change, write `%s`, which divides the difference by the length \
+                   of the step"
+                  cure))
+      | _ -> None)
+  | _ -> None
+
+(* `v + t`, where the product of the operands is a plain quantity. *)
+let of_operands words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, given) =
+  let simple u =
+    match (Units.base_powers u, Units.is_open u, Units.rigid_powers u) with
+    | [ (_, power) ], false, [] -> Rational.equal power Rational.one
+    | _ -> false
+  in
+  match (expected.because, subject) with
+  | Operand { operator = ("+" | "-") as operator; other; _ }, Some (e : Resolve.Ir.expr)
+    when not (is_one wanted || is_one given) -> (
+      let product = Units.multiply wanted given in
+      match (Show.quote words other.span, Show.quote words e.span) with
+      | Some a, Some b when simple product ->
+          Some
+            (hint
+               (Printf.sprintf "`%s` needs equal units; the product `%s * %s` is in `%s`" operator
+                  (Source.grouped a) (Source.grouped b) (Show.measure words product)))
+      | _ -> None)
+  | _ -> None
+
+(* The number literals without a unit in a record, such as [Vec2 { x = 1, y = 2 }]. *)
+let fields words (e : Resolve.Ir.expr) =
+  match (Bare_number.value words e).desc with
+  | Record { fields; _ } ->
+      let bare ((name : Syntax.Ir.name), e) =
+        match Bare_number.literal words e with
+        | Some ({ unit_ = None; name = None; _ } as number) -> Some (name.text, number)
+        | Some _ | None -> None
       in
-      Some (fun d -> List.fold_left give d constants)
+      List.filter_map bare fields
+  | _ -> []
+
+let of_fields words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, given) =
+  let record =
+    match expected.because with
+    | Operand { other; _ } when is_one wanted -> Some (other, given)
+    | Parameter { given = arguments; position; _ } when is_one wanted && position > 1 ->
+        Option.map (fun e -> (e, given)) (List.nth_opt arguments (position - 2))
+    | _ when is_one given -> Option.map (fun e -> (e, wanted)) subject
+    | _ -> None
+  in
+  match record with
+  | Some (record, unit_) when not (Units.is_open unit_) -> (
+      match fields words record with
+      | [] -> None
+      | numbers ->
+          let unit_ = Show.measure words unit_ in
+          let literal (number : Bare_number.t) = Printf.sprintf "%s[%s]" number.digits unit_ in
+          let shown (name, (number : Bare_number.t)) =
+            Printf.sprintf "%s = %s%s" name (if number.negative then "-" else "") (literal number)
+          in
+          let edit (_, (number : Bare_number.t)) = (number.at, literal number) in
+          let first = snd (List.hd numbers) in
+          Some
+            (fun d ->
+              label ~at:first.at "this number has no unit" d
+              |> hint
+                   (Printf.sprintf "give the fields their unit: `%s`"
+                      (String.concat ", " (List.map shown numbers)))
+              |> fix "give the fields their unit" (List.map edit numbers)))
   | Some _ | None -> None

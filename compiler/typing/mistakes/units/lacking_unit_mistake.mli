@@ -1,4 +1,4 @@
-(** A constant without a unit that is a factor of a quantity, as in [kp * err] with [kp = 0.8]. *)
+(** Numbers and constants that lack their unit, as in [kp * err] with [kp = 0.8]. *)
 
 open Basis
 
@@ -10,3 +10,36 @@ val complete :
   (Diagnostic.t -> Diagnostic.t) option
 (** Points to the constants that would correct the expression's unit, and suggests their units. The
     units are the one that was expected and the one that was found. *)
+
+val of_a_literal :
+  Show.words ->
+  likely:bool ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** The same for a number literal that is a factor of the expression. [likely]: only literals with a
+    decimal point, which are rarely plain factors; otherwise only the others. *)
+
+val of_a_difference :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** The difference of a signal and its previous value, where its rate of change is needed. *)
+
+val of_operands :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A sum of quantities that should be a product. *)
+
+val of_fields :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A record whose numbers lack their unit, such as [Vec2 { x = 1, y = 2 }]. *)

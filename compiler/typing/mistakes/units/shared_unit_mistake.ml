@@ -8,6 +8,7 @@ let rec exponent (t : Type.t) =
   | Rigid _ | Flexible _ -> Some Rational.one
   | Data { arguments = _ :: _ as arguments; _ } ->
       exponent (List.nth arguments (List.length arguments - 1))
+  | Function (parameter, _) -> exponent parameter
   | Number (_, u) -> (
       match Units.rigid_powers u with [ (_, power) ] -> Some power | _ :: _ :: _ | [] -> None)
   | _ -> None
@@ -45,14 +46,54 @@ let is_earlier (decided : Expected.decider list) (e : Resolve.Ir.expr) =
   List.exists (fun (d : Expected.decider) -> Span.compare d.place e.span = 0) decided
 
 let unit_of (t : Type.t) = match Type.expand t with Number (_, u) -> Some u | _ -> None
+let is_function (t : Type.t) = match Type.expand t with Function _ -> true | _ -> false
+
+(* A function that accepts any unit, such as `min`. *)
+let is_general words (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Global g -> (
+      match Option.map Type.expand (Show.declared_type words g) with
+      | Some (Function (parameter, _)) -> exponent parameter <> None
+      | _ -> false)
+  | _ -> false
+
+(* The numbers without a unit in a function such as `(< 0.5)`. *)
+let rec within words (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Number { unit_ = None; _ } -> Option.to_list (Bare_number.literal words e)
+  | Apply { head; argument; style = Operator _ } -> within words head @ within words argument
+  | Apply { head; argument; _ } -> within words head @ within words argument
+  | Lambda { body; _ } -> within words body
+  | _ -> []
 
 (* The earlier arguments that are number literals and have a part in the unit. *)
 let suspects words ~head ~given ~decided ~position units =
+  let decided_by_a_function =
+    List.exists (fun e -> is_general words e && is_earlier decided e) given
+  in
   let suspect i (e : Resolve.Ir.expr) =
     let decider =
       List.find_opt (fun (d : Expected.decider) -> Span.compare d.place e.span = 0) decided
     in
-    match (Bare_number.literal words e, decider) with
+    let literal =
+      match Bare_number.literal words e with
+      | Some number -> Some number
+      | None -> ( match within words e with [ number ] -> Some number | _ -> None)
+    in
+    match (literal, decider) with
+    | Some ({ unit_ = None; _ } as number), None when i < position - 1 && decided_by_a_function ->
+        Some
+          {
+            number;
+            position = i + 1;
+            current = Units.one;
+            unit_ = Units.divide (snd units) (fst units);
+          }
+    | Some number, Some { decides; _ }
+      when number.unit_ = None && i < position - 1 && is_function decides ->
+        Option.map
+          (fun unit_ -> { number; position = i + 1; current = Units.one; unit_ })
+          (unit_for words head ~place:i ~position ~current:Units.one units)
     | Some number, Some { decides; _ } when i < position - 1 -> (
         match unit_of decides with
         | Some current when not (Units.is_open current) ->
@@ -70,7 +111,11 @@ let has_other_reason words ~given ~decided =
     match e.desc with Number { digits; _ } -> float_of_string_opt digits = Some 0. | _ -> false
   in
   List.exists
-    (fun e -> is_earlier decided e && Bare_number.literal words e = None && not (is_zero e))
+    (fun e ->
+      is_earlier decided e
+      && Bare_number.literal words e = None
+      && within words e = []
+      && not (is_zero e || is_general words e))
     given
 
 let give words { number; unit_; _ } d =
@@ -124,8 +169,8 @@ let of_an_earlier_number words ~(expected : Expected.t) ~found ~subject (wanted,
       | first :: rest, _ ->
           let at =
             match List.nth_opt arguments (first.position - 1) with
-            | Some e -> e.span
-            | None -> first.number.at
+            | Some e when Bare_number.literal words e <> None -> e.span
+            | Some _ | None -> first.number.at
           in
           Some (report words ~callee ~subject ~found ~at (first, rest)))
   | _ -> None

@@ -87,7 +87,7 @@ If an argument determines a type, the message shows it there:
     |                    |     because this is a number
     |                    argument 2 of `delay` is a number
     |
-    = hint: this is argument 2: `delay :: a -> SF a a`
+    = hint: `0` is not a `Bool`: write `delay False b`
   
   error[E0301]: expected `SF (Event Bool) Bool`, found `SF (Event n[u]) n[u]`
    --> decided.frob:5:8

@@ -800,7 +800,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 | main = proc i -> beaconSeen i + 1
     |                  ^^^^^^^^^^^^ - argument 1 of `+` is a number
     |
-    = hint: use `fromMaybe x0 (beaconSeen i)`, where `x0` replaces a missing value
+    = hint: use `fromMaybe 0 (beaconSeen i)`, where `0` replaces a missing value
   
   1 error
   # 070_operator_definition.frob

@@ -73,7 +73,7 @@ A number that is not an Int is not replaced by a 0:
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: if the factor is a gain, give it a unit: `2[1/m/s]`
+    = hint: if the factor `2` has a unit, write it: `2[1/m/s]`
   
   1 error
   [1]

@@ -442,3 +442,363 @@ A definition that fits together, and a signature that does not:
   1 error
   [1]
   $ sed 's:sqrt d:sqrt (d / 1[m]) * 1[m]:' root_of_a_distance.frob > pasted.frob && frobc check pasted.frob
+
+A number in a formula that lacks its unit:
+
+  $ cat > inline_gain.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] w) where
+  >     w = 0.5 * (sideSonar i - 0.4[m]))
+  > FROB
+  $ frobc check inline_gain.frob
+  error[E0320]: expected the unit `1/s`, found `m`
+   --> inline_gain.frob:2:61
+    |
+  2 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] w) where
+    |                                           --------          ^ this is `Float[m]`
+    |                                           |
+    |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
+    |
+    = hint: if the factor `0.5` has a unit, write it: `0.5[1/m/s]`
+  
+  1 error
+  [1]
+  $ sed 's:0.5:0.5[1/m/s]:' inline_gain.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > inline_divisor.frob <<'FROB'
+  > f :: SF (Velocity, Velocity) AngularVelocity
+  > f = proc (l, r) -> (r - l) / 0.3
+  > FROB
+  $ frobc check inline_divisor.frob
+  error[E0320]: expected the unit `1/s`, found `m/s`
+   --> inline_divisor.frob:2:20
+    |
+  1 | f :: SF (Velocity, Velocity) AngularVelocity
+    |      --------------------------------------- the signature of `f` requires the output `AngularVelocity` (1/s)
+  2 | f = proc (l, r) -> (r - l) / 0.3
+    |                    ^^^^^^^^^^^^^ this is `Float[m/s]`
+    |
+    = hint: if the divisor `0.3` has a unit, write it: `0.3[m]`
+    = hint: if this is the right result, write the signature as `f :: SF (Velocity, Velocity) Float[m/s]`
+  
+  1 error
+  [1]
+  $ sed 's:0.3:0.3[m]:' inline_divisor.frob > pasted.frob && frobc check pasted.frob
+
+A unit too many:
+
+  $ cat > mean.frob <<'FROB'
+  > f :: SF (Array 4 Distance) Distance
+  > f = proc ds -> sum ds / 4[m]
+  > FROB
+  $ frobc check mean.frob
+  error[E0320]: expected the unit `m`, found none
+   --> mean.frob:2:16
+    |
+  1 | f :: SF (Array 4 Distance) Distance
+    |      ------------------------------ the signature of `f` requires the output `Distance` (m)
+  2 | f = proc ds -> sum ds / 4[m]
+    |                ^^^^^^^^^^^^^ this is `Float`
+    |
+    = hint: write `4`, without a unit, if it is a plain number
+  
+  1 error
+  [1]
+  $ sed 's:4\[m\]:4:' mean.frob > pasted.frob && frobc check pasted.frob
+
+A constant that lacks its unit, in an operand:
+
+  $ cat > track.frob <<'FROB'
+  > f :: SF (Velocity, AngularVelocity) (Velocity, Velocity)
+  > f = proc (v, w) -> (v - w * l / 2, v + w * l / 2) where
+  >     l = 0.3
+  > FROB
+  $ frobc check track.frob
+  error[E0320]: the operands of `-` have different units: `m/s` and `1/s`
+   --> track.frob:2:25
+    |
+  2 | f = proc (v, w) -> (v - w * l / 2, v + w * l / 2) where
+    |                     -   ^^^^^^^^^ this is `Float[1/s]`
+    |                     |
+    |                     this is `Velocity` (m/s)
+  3 |     l = 0.3
+    |         --- `l` is this number without a unit
+    |
+    = hint: give `l` its unit: `l = 0.3[m]`
+  
+  error[E0320]: the operands of `+` have different units: `m/s` and `1/s`
+   --> track.frob:2:40
+    |
+  2 | f = proc (v, w) -> (v - w * l / 2, v + w * l / 2) where
+    |                                    -   ^^^^^^^^^ this is `Float[1/s]`
+    |                                    |
+    |                                    this is `Velocity` (m/s)
+  3 |     l = 0.3
+    |         --- `l` is this number without a unit
+    |
+    = hint: give `l` its unit: `l = 0.3[m]`
+  
+  2 errors
+  [1]
+  $ sed 's:l = 0.3:l = 0.3[m]:' track.frob > pasted.frob && frobc check pasted.frob
+
+A number in a function that is an argument:
+
+  $ cat > section.frob <<'FROB'
+  > f :: SF (Array 4 Distance) Bool
+  > f = proc ds -> any (< 0.5) ds
+  > FROB
+  $ frobc check section.frob
+  error[E0320]: expected the unit `m`, found none
+   --> section.frob:2:23
+    |
+  2 | f = proc ds -> any (< 0.5) ds
+    |                       ^^^  -- because this is `Array 4 Distance`, and `any` needs matching units
+    |                       |
+    |                       argument 1 of `any`
+    |
+    = hint: write `0.5[m]` if that is its unit
+  
+  1 error
+  [1]
+  $ sed 's:0.5:0.5[m]:' section.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > fold.frob <<'FROB'
+  > f :: SF (Array 4 Distance) Distance
+  > f = proc ds -> foldl min 10 ds
+  > FROB
+  $ frobc check fold.frob
+  error[E0320]: expected the unit `m`, found none
+   --> fold.frob:2:26
+    |
+  2 | f = proc ds -> foldl min 10 ds
+    |                          ^^ -- because this is `Array 4 Distance`, and `foldl` needs matching units
+    |                          |
+    |                          argument 2 of `foldl`
+    |
+    = hint: write `10[m]` if that is its unit
+  
+  1 error
+  [1]
+  $ sed 's:10:10[m]:' fold.frob > pasted.frob && frobc check pasted.frob
+
+A vector of plain numbers:
+
+  $ cat > goal.frob <<'FROB'
+  > import Geometry
+  > goal = Vec2 { x = 1, y = -2 }
+  > f :: SF Point2 Distance
+  > f = proc p -> norm (goal ^-^ p)
+  > FROB
+  $ frobc check goal.frob
+  error[E0320]: the operands of `^-^` have different units: `1` and `m`
+   --> goal.frob:4:30
+    |
+  2 | goal = Vec2 { x = 1, y = -2 }
+    |                   - this number has no unit
+  3 | f :: SF Point2 Distance
+  4 | f = proc p -> norm (goal ^-^ p)
+    |                     ----     ^ this is `Point2`
+    |                     |
+    |                     this is `Vec2[1]`
+    |
+    = note: expected `Vec2[1]`, found `Point2`
+    = hint: give the fields their unit: `x = 1[m], y = -2[m]`
+  
+  1 error
+  [1]
+  $ sed 's:x = 1, y = -2:x = 1[m], y = -2[m]:' goal.frob > pasted.frob && frobc check pasted.frob
+
+A sum that should be a product:
+
+  $ cat > sum.frob <<'FROB'
+  > f :: SF (Velocity, Time) Distance
+  > f = proc (v, t) -> v + t
+  > FROB
+  $ frobc check sum.frob
+  error[E0320]: the operands of `+` have different units: `m/s` and `s`
+   --> sum.frob:2:24
+    |
+  2 | f = proc (v, t) -> v + t
+    |                    -   ^ this is `Time` (s)
+    |                    |
+    |                    this is `Velocity` (m/s)
+    |
+    = hint: `+` needs equal units; the product `v * t` is in `m`
+  
+  1 error
+  [1]
+  $ sed 's:v + t:v * t:' sum.frob > pasted.frob && frobc check pasted.frob
+
+A difference that should be a rate:
+
+  $ cat > difference.frob <<'FROB'
+  > f :: SF Distance Velocity
+  > f = proc d -> d - delay 0 d
+  > FROB
+  $ frobc check difference.frob
+  error[E0320]: expected the unit `m/s`, found `m`
+   --> difference.frob:2:15
+    |
+  1 | f :: SF Distance Velocity
+    |      -------------------- the signature of `f` requires the output `Velocity` (m/s)
+  2 | f = proc d -> d - delay 0 d
+    |               ^^^^^^^^^^^^^ this is `Float[m]`
+    |
+    = hint: for the rate of change, write `derivative d`, which divides the difference by the length of the step
+  
+  1 error
+  [1]
+  $ sed 's:d - delay 0 d:derivative d:' difference.frob > pasted.frob && frobc check pasted.frob
+
+A plain number as a quantity:
+
+  $ cat > plain.frob <<'FROB'
+  > f :: SF Float Distance
+  > f = proc x -> x
+  > FROB
+  $ frobc check plain.frob
+  error[E0320]: expected the unit `m`, found none
+   --> plain.frob:2:15
+    |
+  1 | f :: SF Float Distance
+    |      ----------------- the signature of `f` requires the output `Distance` (m)
+  2 | f = proc x -> x
+    |               ^ this is `Float`
+    |
+    = hint: if it is a number of `m`, multiply by the unit: `x * 1[m]`
+  
+  1 error
+  [1]
+  $ sed 's:-> x:-> x * 1[m]:' plain.frob > pasted.frob && frobc check pasted.frob
+
+Numbers in place of a record of gains:
+
+  $ cat > gains.frob <<'FROB'
+  > import Control
+  > f :: SF Distance Velocity
+  > f = pid 1 0.1 0.01
+  > FROB
+  $ frobc check gains.frob
+  error[E0301]: expected `Pid[u, v]`, found a number
+   --> gains.frob:3:9
+    |
+  3 | f = pid 1 0.1 0.01
+    |     --- ^
+    |     |
+    |     argument 1 of `pid` is `Pid[u, v]`
+    |
+    = hint: `pid` takes one record in place of these numbers: write `pid (Pid { kp = 1, ki = 0.1, kd = 0.01, largest = … })`
+  
+  1 error
+  [1]
+  $ sed 's|pid 1 0.1 0.01|pid (Pid { kp = 1[1/s], ki = 0.1[1/s^2], kd = 0.01, largest = 1[m/s] })|' gains.frob > pasted.frob && frobc check pasted.frob
+
+A truth value as a number:
+
+  $ cat > truth.frob <<'FROB'
+  > f :: SF Bool Float
+  > f = proc b -> b * 2
+  > FROB
+  $ frobc check truth.frob
+  error[E0301]: expected a number, found `Bool`
+   --> truth.frob:2:15
+    |
+  2 | f = proc b -> b * 2
+    |               ^ - argument 1 of `*` is a number
+    |
+    = hint: a `Bool` is not a number: write `(if b then 1 else 0)`
+  
+  1 error
+  [1]
+  $ sed 's:-> b:-> (if b then 1 else 0):' truth.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > delayed_truth.frob <<'FROB'
+  > f :: SF Bool Bool
+  > f = proc b -> x where
+  >     x = delay 0 b
+  > FROB
+  $ frobc check delayed_truth.frob
+  error[E0301]: expected a number, found `Bool`
+   --> delayed_truth.frob:3:17
+    |
+  3 |     x = delay 0 b
+    |         ----- - ^
+    |         |     |
+    |         |     because this is a number
+    |         argument 2 of `delay` is a number
+    |
+    = hint: `0` is not a `Bool`: write `delay False b`
+  
+  1 error
+  [1]
+  $ sed 's:delay 0 b:delay False b:' delayed_truth.frob > pasted.frob && frobc check pasted.frob
+
+A value that may be missing:
+
+  $ cat > missing_value.frob <<'FROB'
+  > f :: SF (Maybe Int) Bool
+  > f = proc m -> m > 3
+  > FROB
+  $ frobc check missing_value.frob
+  error[E0301]: expected a number, found `Maybe Int`
+   --> missing_value.frob:2:15
+    |
+  2 | f = proc m -> m > 3
+    |               ^   - this is a number
+    |
+    = hint: use `fromMaybe 0 m`, where `0` replaces a missing value
+  
+  1 error
+  [1]
+  $ sed 's:m >:fromMaybe 0 m >:' missing_value.frob > pasted.frob && frobc check pasted.frob
+
+A vector as two numbers, and a field of a result:
+
+  $ cat > direction.frob <<'FROB'
+  > import Geometry
+  > f :: SF Point2 Angle
+  > f = proc p -> atan2 p
+  > FROB
+  $ frobc check direction.frob
+  error[E0301]: expected `Float[u]`, found `Point2`
+   --> direction.frob:3:21
+    |
+  3 | f = proc p -> atan2 p
+    |               ----- ^
+    |               |
+    |               argument 1 of `atan2` is `Float[u]`
+    |
+    = hint: for the direction of a vector, write `direction p`, with `import Geometry`
+  
+  1 error
+  [1]
+  $ sed 's:atan2 p:direction p:' direction.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > field.frob <<'FROB'
+  > import Robot
+  > f :: SF RobotInput Distance
+  > f = proc i -> robotPose i.x
+  > FROB
+  $ frobc check field.frob
+  error[E0310]: `PioneerInput` has no field `x`
+   --> field.frob:3:27
+    |
+  3 | f = proc i -> robotPose i.x
+    |                         - ^
+    |                         |
+    |                         this is `PioneerInput`
+    |
+    = hint: a field binds tighter than application: write `(robotPose i).position.x`
+  
+  1 error
+  [1]
+  $ sed 's:robotPose i.x:(robotPose i).position.x:' field.frob > pasted.frob && frobc check pasted.frob

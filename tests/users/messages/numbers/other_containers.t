@@ -82,7 +82,7 @@ reset.
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: multiply by a time, as in `1[s] * w`, or, for the sum over time, write `integral w`
+    = hint: write `0.5`, without a unit, if it is a plain number
   
   1 error
   [1]

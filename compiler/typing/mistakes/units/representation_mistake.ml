@@ -1,0 +1,104 @@
+open Basis
+open Diagnostic
+
+(* In a mismatch between Int and Float, an undetermined unit is irrelevant, so it is not shown. *)
+let without_open_unit t =
+  match Type.expand t with
+  | Number (r, u)
+    when Units.flexible_powers u <> [] && Units.base_powers u = [] && Units.rigid_powers u = [] ->
+      Type.Number (r, Units.one)
+  | _ -> t
+
+let without_open_units (expected : Expected.t) =
+  let because : Expected.reason =
+    match expected.because with
+    | Operand o -> Operand { o with other_type = without_open_unit o.other_type }
+    | because -> because
+  in
+  Expected.make because (without_open_unit expected.ty)
+
+(* The prefix that applies a conversion to each number in a value of this type. *)
+let for_each t =
+  match Type.expand t with
+  | Data { tycon; _ } when tycon = Environment.array -> Some "map "
+  | _ when Environment.is_event t -> Some "mapE "
+  | Number _ -> Some ""
+  | _ -> None
+
+let to_float ~found (e : Resolve.Ir.expr option) =
+  match (Option.bind e Plain_name.of_expr, for_each found) with
+  | Some name, Some each ->
+      fun d ->
+        let text = Printf.sprintf "%stoFloat %s" each name in
+        hint (Printf.sprintf "write `%s`" text) d
+        |> fix (Printf.sprintf "write `%s`" text) [ ((Option.get e).span, "(" ^ text ^ ")") ]
+  | None, Some (("map " | "mapE ") as each) ->
+      hint (Printf.sprintf "use `%stoFloat` to convert each `Int` to a `Float`" each)
+  | _ -> hint "use `toFloat` to convert an `Int` to a `Float`"
+
+let to_int ~found (e : Resolve.Ir.expr option) =
+  let whole digits =
+    match String.index_opt digits '.' with
+    | Some point
+      when String.for_all
+             (fun c -> c = '0')
+             (String.sub digits (point + 1) (String.length digits - point - 1)) ->
+        Some (String.sub digits 0 point)
+    | Some _ | None -> None
+  in
+  match e with
+  | Some { desc = Number { digits; unit_ = None; _ }; span } when whole digits <> None ->
+      fun d ->
+        let text = Option.get (whole digits) in
+        hint (Printf.sprintf "write a whole number without a point: `%s`" text) d |> write span text
+  | _ -> (
+      match for_each found with
+      | Some (("map " | "mapE ") as each) ->
+          hint
+            (Printf.sprintf
+               "use `%sround` to convert each `Float` to an `Int`, or use `floor`, `ceiling` or \
+                `truncate` instead of `round`"
+               each)
+      | _ -> hint "use `round`, `floor`, `ceiling` or `truncate` to convert a `Float` to an `Int`")
+
+let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
+  let text = Show.representation words in
+  let found = without_open_unit found in
+  let plain () =
+    error ~code:"E0312" ~at "expected %s, found %s"
+      (Show.described words expected.ty)
+      (Show.described words found)
+  in
+  let of_function =
+    match ((wanted : Type.representation), (given : Type.representation)) with
+    | Float, Int -> (
+        match Function_unit_mistake.power words ~expected () with
+        | Some complete -> Some complete
+        | None -> Function_unit_mistake.quotient words ~expected)
+    | Int, Float -> Function_unit_mistake.whole_numbers words ~expected ~found
+    | _ -> None
+  in
+  match (expected.because, (wanted : Type.representation), (given : Type.representation)) with
+  | _ when of_function <> None -> (Option.get of_function) (plain ())
+  | Operand { operator = "!"; _ }, _, Float -> plain () |> to_int ~found subject
+  | Operand { operator; other; _ }, Float, Int | Operand { operator; other; _ }, Int, Float ->
+      let number = if given = Int then subject else Some other in
+      error ~code:"E0312" ~at "the operands of `%s` are %s and %s" operator
+        (Show.described words expected.ty)
+        (Show.described words found)
+      |> here (Printf.sprintf "this is %s" (Show.described words found))
+      |> to_float ~found number
+  | Parameter { callee = Some "/"; _ }, Float, Int ->
+      plain () |> hint "to divide whole numbers, use `div`" |> to_float ~found subject
+  | _, Float, Int -> plain () |> to_float ~found subject
+  | _, Int, Float -> plain () |> to_int ~found subject
+  | _ ->
+      plain ()
+      |> note
+           (Printf.sprintf "`%s` and `%s` are different representations" (text wanted) (text given))
+
+let makes name x =
+  match name with
+  | "Mark" -> Some (Printf.sprintf "use `number \"name\" %s` for the mark of a number" x)
+  | "Seeds" -> Some (Printf.sprintf "write a first and a last seed: ``1 `to` %s``" x)
+  | _ -> None
