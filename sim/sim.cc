@@ -127,6 +127,35 @@ const frob_image *frob_sim_frame(frob_sim *sim, std::size_t robot, int camera,
     return sim->simulation.newest_frame(time_ns, static_cast<std::size_t>(camera), robot);
 }
 
+int frob_sim_open_lidar(frob_sim *sim, const char *lidar) {
+    const auto number = sim->simulation.open_lidar(lidar);
+    return number ? static_cast<int>(*number) : -1;
+}
+
+const char *frob_sim_lidar_name(const frob_sim *sim, std::size_t number) {
+    const auto &lidars = sim->simulation.scene().lidars;
+    return number < lidars.size() ? lidars[number].name.c_str() : nullptr;
+}
+
+const frob_scan *frob_sim_scan(frob_sim *sim, std::size_t robot, int lidar, std::int64_t time_ns) {
+    return sim->simulation.newest_scan(time_ns, static_cast<std::size_t>(lidar), robot);
+}
+
+int frob_sim_open_imu(frob_sim *sim, const char *imu) {
+    const auto number = sim->simulation.open_imu(imu);
+    return number ? static_cast<int>(*number) : -1;
+}
+
+const char *frob_sim_imu_name(const frob_sim *sim, std::size_t number) {
+    const auto &imus = sim->simulation.scene().imus;
+    return number < imus.size() ? imus[number].name.c_str() : nullptr;
+}
+
+const struct frob_imu *frob_sim_imu(frob_sim *sim, std::size_t robot, int imu,
+                                    std::int64_t time_ns) {
+    return sim->simulation.newest_imu(time_ns, static_cast<std::size_t>(imu), robot);
+}
+
 void frob_sim_command(frob_sim *sim, std::int64_t time_ns, const void *output) {
     frob_sim_command_robot(sim, 0, time_ns, output);
 }

@@ -28,6 +28,8 @@ extern "C" {
 struct frob_sim;
 struct frob_image; /* <frob/image.h> */
 struct frob_body;  /* <frob/body.h> */
+struct frob_scan;  /* <frob/lidar.h> */
+struct frob_imu;   /* <frob/imu.h> */
 
 struct frob_sim_settings {
     const char *robot; /* the robot that the host supports ("pioneer", …); NULL: any */
@@ -88,6 +90,18 @@ const char *frob_sim_camera_name(const struct frob_sim *sim, size_t number);
  * camera. */
 const struct frob_image *frob_sim_frame(struct frob_sim *sim, size_t robot, int camera,
                                         int64_t time_ns);
+
+/* The same for the world's lidars: opens one on all robots, its name, and its newest scan. */
+int frob_sim_open_lidar(struct frob_sim *sim, const char *lidar);
+const char *frob_sim_lidar_name(const struct frob_sim *sim, size_t number);
+const struct frob_scan *frob_sim_scan(struct frob_sim *sim, size_t robot, int lidar,
+                                      int64_t time_ns);
+
+/* The same for the world's inertial measurement units. A reading contains the means of all
+ * measurements that have arrived since the last call. */
+int frob_sim_open_imu(struct frob_sim *sim, const char *imu);
+const char *frob_sim_imu_name(const struct frob_sim *sim, size_t number);
+const struct frob_imu *frob_sim_imu(struct frob_sim *sim, size_t robot, int imu, int64_t time_ns);
 
 /* Commands the robot with its output struct until the next command. The simulator limits the
  * values to the robot's abilities, and stops the robot if any of them is NaN. `time_ns` is the

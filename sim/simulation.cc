@@ -37,6 +37,8 @@ Simulation::Simulation(Scene scene, std::uint64_t seed, bool keeps_samples, cons
                             std::nullopt,
                             {},
                             {},
+                            {},
+                            {},
                             false});
         if (!scene_.measure) continue;
         if (scene_.measure->what == MeasureSettings::What::tape)
@@ -60,6 +62,8 @@ void Simulation::advance(std::int64_t time_ns) {
         for (std::size_t k = 0; k < bodies.size(); ++k) {
             members_[k].robot->sense(time_ns_, bodies[k]);
             watch(members_[k], bodies[k]);
+            for (Lidar &lidar : members_[k].lidars) lidar.advance(time_ns_, bodies[k]);
+            for (Imu &imu : members_[k].imus) imu.advance(time_ns_, bodies[k]);
         }
         if (scenery_) take_frames();
     }
@@ -106,6 +110,31 @@ std::optional<std::size_t> Simulation::look_through(const std::string &name) {
         }
         take_frames();
         return members_.front().cameras.size() - 1;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::size_t> Simulation::open_lidar(const std::string &name) {
+    for (std::size_t i = 0; i < scene_.lidars.size(); ++i) {
+        if (scene_.lidars[i].name != name) continue;
+        for (std::size_t k = 0; k < members_.size(); ++k) {
+            const Noise noise(Noise::seed_of_robot(seed_, k), Robot::lidar_stream + i);
+            members_[k].lidars.emplace_back(scene_.lidars[i], noise);
+            members_[k].lidars.back().advance(time_ns_, body(k));
+        }
+        return members_.front().lidars.size() - 1;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::size_t> Simulation::open_imu(const std::string &name) {
+    for (std::size_t i = 0; i < scene_.imus.size(); ++i) {
+        if (scene_.imus[i].name != name) continue;
+        for (std::size_t k = 0; k < members_.size(); ++k) {
+            const Noise noise(Noise::seed_of_robot(seed_, k), Robot::imu_stream + i);
+            members_[k].imus.emplace_back(scene_.imus[i], scene_.magnets, noise, body(k));
+        }
+        return members_.front().imus.size() - 1;
     }
     return std::nullopt;
 }

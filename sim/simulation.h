@@ -8,6 +8,8 @@
 
 #include "ball_distance.h"
 #include "camera.h"
+#include "imu.h"
+#include "lidar.h"
 #include "recorder.h"
 #include "robot.h"
 #include "tape_distance.h"
@@ -32,6 +34,8 @@ struct Member {
     std::optional<TapeDistance> tape_distance;
     std::optional<BallDistance> ball_distance;
     std::vector<Camera> cameras;       // the opened cameras
+    std::vector<Lidar> lidars;         // the opened lidars
+    std::vector<Imu> imus;             // the opened inertial measurement units
     std::vector<Collision> collisions; // the first few
     bool touched = false;              // whether the robot touched anything during the last call of
                                        // `advance` that made a step
@@ -65,6 +69,16 @@ class Simulation {
     // has arrived since the last call. Valid until the next call for the same camera.
     const frob_image *newest_frame(std::int64_t now_ns, std::size_t camera, std::size_t robot = 0) {
         return members_[robot].cameras[camera].newest(now_ns);
+    }
+
+    // The same for lidars and inertial measurement units.
+    std::optional<std::size_t> open_lidar(const std::string &name);
+    const frob_scan *newest_scan(std::int64_t now_ns, std::size_t lidar, std::size_t robot = 0) {
+        return members_[robot].lidars[lidar].newest(now_ns);
+    }
+    std::optional<std::size_t> open_imu(const std::string &name);
+    const frob_imu *newest_imu(std::int64_t now_ns, std::size_t imu, std::size_t robot = 0) {
+        return members_[robot].imus[imu].newest(now_ns);
     }
 
     // Ground truth of the frame that `newest_frame` returned last for this camera; there must be

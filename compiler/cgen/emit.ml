@@ -5,6 +5,7 @@ type t = {
   robot : string option;
   robot_header : (string * string) option;
   cameras : string list;
+  simulated : string list;
   foreign : foreign;
 }
 
@@ -22,6 +23,7 @@ let program ?own ?units ?named ?batch ?banner (program : Step.Ir.program) =
     robot = Option.map (fun (robot : Robot.t) -> robot.name) (Host_table.robot ?own program);
     robot_header = None;
     cameras = List.sort_uniq String.compare (List.filter_map Core.Console.camera program.console);
+    simulated = List.filter_map Core.Console.simulated program.console;
     foreign =
       {
         calls =

@@ -11,6 +11,7 @@ type t = {
       (** name and text of the header of the user's own robot, which [header] includes. It is
           generated from the robot's module ({!Interface_header}), not here *)
   cameras : string list;  (** labels of the cameras that the program uses *)
+  simulated : string list;  (** sensors that only the simulator has, such as "the lidar `lidar`" *)
   foreign : foreign;
 }
 

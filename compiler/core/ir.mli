@@ -70,6 +70,8 @@ and control_kind =
   | Map  (** an event of the clicked place, in metres *)
   | Camera  (** an event of a camera frame *)
   | Tags  (** an event of the tags detected in a frame *)
+  | Lidar of { rays : int }  (** an event of a scan, resampled to this number of directions *)
+  | Imu  (** an event of an inertial measurement unit's reading *)
 
 and foreign = {
   headers : header list;

@@ -81,7 +81,7 @@ and elementary =
   | Atan
   | Atan2
 
-and console = Button | Hold | Knob | Toggle | Map | Camera | Tags
+and console = Button | Hold | Knob | Toggle | Map | Camera | Tags | Lidar | Imu
 and bitwise = Bit_and | Bit_or | Bit_xor | Shift_left | Shift_right
 
 and foreign = {
@@ -180,6 +180,8 @@ let table =
     ("consoleMap", Console Map, 1);
     ("consoleCamera", Console Camera, 2);
     ("consoleTags", Console Tags, 2);
+    ("consoleLidar", Console Lidar, 2);
+    ("consoleImu", Console Imu, 2);
     ("textOf", Text_of, 1);
     ("blank", Blank, 0);
     ("drawn", Drawn, 2);

@@ -107,7 +107,7 @@ and elementary =
 
 (** Arguments: a label, except for [Map], of which there is only one; for a knob its limits and
     initial value, for a toggle its initial position; and the console. *)
-and console = Button | Hold | Knob | Toggle | Map | Camera | Tags
+and console = Button | Hold | Knob | Toggle | Map | Camera | Tags | Lidar | Imu
 
 (** A shift by a negative number shifts in the other direction. A shift by 32 or more equals that
     many shifts by one. Shifting right preserves the sign. *)

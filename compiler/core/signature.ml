@@ -10,6 +10,8 @@ let either a b = prelude "Either" [ a; b ]
 let console = Data (({ module_ = "Capability"; name = "Console" } : Global.t), [])
 let frame = Data (({ module_ = "Vision"; name = "Frame" } : Global.t), [])
 let tag_frame = Data (({ module_ = "Tags"; name = "TagFrame" } : Global.t), [])
+let scan n = Data (({ module_ = "Lidar"; name = "Scan" } : Global.t), [ n ])
+let imu = Data (({ module_ = "Imu"; name = "Imu" } : Global.t), [])
 let task a b c = prelude "Task" [ a; b; c ]
 let display name = Data (({ module_ = "Display"; name } : Global.t), [])
 let drawing = display "Drawing"
@@ -81,6 +83,8 @@ let of_primitive (p : Primitive.t) types =
   | Console Map, [] -> Some (function_ [ console ] (event (Tuple [ Float; Float ])))
   | Console Camera, [] -> Some (function_ [ String; console ] (event frame))
   | Console Tags, [] -> Some (function_ [ String; console ] (event tag_frame))
+  | Console Lidar, [ n ] -> Some (function_ [ String; console ] (event (scan n)))
+  | Console Imu, [] -> Some (function_ [ String; console ] (event imu))
   | Ending, [ i; o; c ] ->
       Some (Function (Signal_function (i, Tuple [ o; event c ]), Signal_function (i, o)))
   | Text_of, [] -> Some (Function (String, text))

@@ -15,6 +15,12 @@ val frame : Ir.ty
 val tag_frame : Ir.ty
 (** [TagFrame] of the library's module Tags *)
 
+val scan : Ir.ty -> Ir.ty
+(** [Scan] of the library's module Lidar, with this size *)
+
+val imu : Ir.ty
+(** [Imu] of the library's module Imu *)
+
 (** {1 Types and functions of the library's module Display} *)
 
 val mark : Ir.ty

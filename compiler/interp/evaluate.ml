@@ -195,7 +195,8 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
       else
         match (Arrays.apply apply p ~size:(size env types) arguments, p) with
         | Some value, _ -> value
-        | None, Console kind -> Operator.apply env.program.console kind arguments
+        | None, Console kind ->
+            Operator.apply env.program.console kind ~size:(size env types) arguments
         | None, Foreign f when Kernels.is_known f.symbol ->
             Foreign.apply env.program.core f arguments
         | None, _ -> Primitive.apply env.program.real p arguments)

@@ -99,6 +99,8 @@ let control (c : Core.Ir.control) =
     | Map -> [ ("kind", string "map") ]
     | Camera -> [ ("kind", string "camera") ]
     | Tags -> [ ("kind", string "tags") ]
+    | Lidar { rays } -> [ ("kind", string "lidar"); ("rays", Json.Int rays) ]
+    | Imu -> [ ("kind", string "imu") ]
     | Toggle { first } -> [ ("kind", string "toggle"); ("first", Json.Bool first) ]
     | Knob { least; most; first } ->
         [

@@ -160,6 +160,8 @@ let control_row (c : Core.Ir.control) =
     | Map -> ("map", "")
     | Camera -> ("camera", "")
     | Tags -> ("tags", "")
+    | Lidar { rays } -> ("lidar", Printf.sprintf "%d directions" rays)
+    | Imu -> ("imu", "")
     | Toggle { first } -> ("toggle", if first then "initially on" else "initially off")
     | Knob { least; most; first } ->
         let unit_ = if c.unit_ = "" then "" else " " ^ c.unit_ in

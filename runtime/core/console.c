@@ -106,7 +106,9 @@ bool frob_console_touch(const struct frob_program *program, void *input, size_t 
         set_number(input, place[1].value, y);
         break;
     case FROB_CAMERA:
-    case FROB_TAGS: return false;
+    case FROB_TAGS:
+    case FROB_LIDAR:
+    case FROB_IMU: return false;
     }
     return true;
 }

@@ -54,7 +54,9 @@ class Robot {
         light_stream,
         floor_stream,
         photocell_stream,
-        camera_stream = 1u << 12 // the first of a range, one for each camera
+        camera_stream = 1u << 12, // the first of a range, one for each camera
+        lidar_stream = 1u << 13,  // the same for lidars
+        imu_stream = 1u << 14     // the same for inertial measurement units
     };
 
   protected:

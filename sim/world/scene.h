@@ -104,6 +104,49 @@ struct CameraSettings {
     std::optional<std::size_t> partner;
 };
 
+// A lidar, which each robot of the world has.
+struct LidarSettings {
+    std::string name = "lidar"; // the name that programs use
+    int rays = 360;             // of a scan
+    static constexpr int most_rays = 4096;
+    double field_of_view = radians(360.0);
+    double nearest = 0.1, farthest = 12.0; // m, its range
+    double rate = 10.0;                    // scans per second
+    double latency = 0.0;                  // s from a scan to its arrival at the program
+    double noise = 0.0;                    // m, standard deviation
+    double dropout = 0.0;                  // probability that a ray is lost
+    double ahead = 0.0, left = 0.0;        // m, its position on the robot
+    double yaw = 0.0;                      // rad, its rotation to the left
+    // Bearings relative to the robot's heading between which its own parts block the rays: from the
+    // first to the second, counter-clockwise.
+    std::vector<Vec> masks; // rad
+};
+
+// An inertial measurement unit, which each robot of the world has.
+struct ImuSettings {
+    std::string name = "imu"; // the name that programs use
+    double rate = 100.0;      // measurements per second
+    double latency = 0.0;     // s from a measurement to its arrival at the program
+    // The gyroscope. A bias is constant during a run; its standard deviation over all runs.
+    double gyro_noise = 0.0; // rad/s, standard deviation
+    double gyro_bias = 0.0;  // rad/s
+    double gyro_drift = 0.0; // rad/s per square root of a second: the bias walks at random
+    double gyro_scale = 0.0; // relative error
+    // The accelerometer.
+    double acceleration_noise = 0.0; // m/s^2
+    double acceleration_bias = 0.0;  // m/s^2
+    // The magnetometer.
+    bool compass = true;
+    double compass_noise = 0.0; // rad, standard deviation
+    double compass_error = 0.0; // rad, constant
+};
+
+// Something magnetic, which deflects compasses.
+struct Magnet {
+    Vec position;
+    double strength = 0.0; // its field at 1 m, relative to the Earth's horizontal field
+};
+
 // Where a robot starts.
 struct Start {
     Pose pose;
@@ -220,6 +263,9 @@ struct Scene {
     std::vector<Cone> cones;
     std::vector<Poster> posters;
     std::vector<CameraSettings> cameras;
+    std::vector<LidarSettings> lidars;
+    std::vector<ImuSettings> imus;
+    std::vector<Magnet> magnets;
     SkyLook sky;
     std::vector<Hole> holes;
     std::vector<Patch> patches;

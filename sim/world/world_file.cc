@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "bends.h"
+#include "devices_file.h"
 #include "robot.h"
 #include "toml_reader.h"
 #include "toml_syntax.h"
@@ -241,12 +242,22 @@ void read_stereo(TomlReader reader, std::vector<CameraSettings> &cameras) {
     cameras.push_back(right);
 }
 
-void look_at_cameras(TomlReader &reader, const std::vector<CameraSettings> &cameras) {
-    for (std::size_t i = 0; i < cameras.size(); ++i)
+Magnet read_magnet(TomlReader reader) {
+    Magnet magnet;
+    magnet.position = reader.needed_point("position", Range::any);
+    magnet.strength = reader.needed_number("strength", Range::any);
+    reader.finish();
+    return magnet;
+}
+
+// Checks that devices of one kind have different names.
+template <typename Settings>
+void look_at_names(TomlReader &reader, const char *kind, const std::vector<Settings> &devices) {
+    for (std::size_t i = 0; i < devices.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            if (cameras[i].name == cameras[j].name)
-                return reader.mistake("two cameras are named `" + cameras[i].name +
-                                      "`: give each one its own `name`");
+            if (devices[i].name == devices[j].name)
+                return reader.mistake("two " + std::string(kind) + " are named `" +
+                                      devices[i].name + "`: give each one its own `name`");
 }
 
 std::string shown(double x) {
@@ -499,7 +510,15 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root, const std::string 
         scene.cameras.push_back(read_camera(inside(table)));
     if (const toml::table *table = reader.table("stereo"))
         read_stereo(inside(table), scene.cameras);
-    look_at_cameras(reader, scene.cameras);
+    look_at_names(reader, "cameras", scene.cameras);
+    for (const toml::table *table : reader.table_or_tables("lidar"))
+        scene.lidars.push_back(read_lidar(inside(table)));
+    look_at_names(reader, "lidars", scene.lidars);
+    for (const toml::table *table : reader.table_or_tables("imu"))
+        scene.imus.push_back(read_imu(inside(table)));
+    look_at_names(reader, "inertial measurement units", scene.imus);
+    for (const toml::table *table : reader.tables("magnet"))
+        scene.magnets.push_back(read_magnet(inside(table)));
     if (const toml::table *table = reader.table("sky")) {
         TomlReader sky = inside(table);
         scene.sky.tint = read_tint(sky, "colour", scene.sky.tint);

@@ -17,7 +17,7 @@ let unit_of (typed : Typing.Ir.program) (place : Span.t) =
 let unit_of_control typed (c : Core.Ir.control) =
   match c.kind with
   | Knob _ -> unit_of typed c.span
-  | Button | Hold | Toggle _ | Map | Camera | Tags -> None
+  | Button | Hold | Toggle _ | Map | Camera | Tags | Lidar _ | Imu -> None
 
 let in_unit unit_ = if String.equal unit_ "" then "without a unit" else "in " ^ unit_
 

@@ -12,16 +12,22 @@ let host_table ~entry (files : Cgen.Emit.t) =
            entry)
 
 let for_robot ~name ~sees (files : Cgen.Emit.t) =
-  match (files.robot, files.cameras) with
-  | None, _ ->
+  match (files.robot, files.cameras, files.simulated) with
+  | None, _, _ ->
       Error (Printf.sprintf "%s is not a robot program; use `reactimateRobot` to make one" name)
-  | Some _, camera :: _ when not sees ->
+  | Some _, _, sensor :: _ ->
+      Error
+        (Printf.sprintf
+           "%s uses %s, but only the simulator has one; on your own robot, the driver can fill a \
+            field of the input, and an instance can read it"
+           name sensor)
+  | Some _, camera :: _, [] when not sees ->
       Error
         (Printf.sprintf
            "%s uses the camera `%s`, but only the simulator and Linux robots have cameras, not \
             boards"
            name camera)
-  | Some _, _ -> Ok ()
+  | Some _, _, [] -> Ok ()
 
 let own_driver general =
   match Robots.own_of general.robot with

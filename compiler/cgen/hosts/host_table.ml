@@ -187,6 +187,8 @@ let controls out (program : Step.Ir.program) values =
     | Map -> ("FROB_MAP", 0., 0., 0.)
     | Camera -> ("FROB_CAMERA", 0., 0., 0.)
     | Tags -> ("FROB_TAGS", 0., 0., 0.)
+    | Lidar _ -> ("FROB_LIDAR", 0., 0., 0.)
+    | Imu -> ("FROB_IMU", 0., 0., 0.)
   in
   let row (c : Core.Ir.control) value =
     let kind, least, most, first = bounds c.kind in

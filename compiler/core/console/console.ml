@@ -15,6 +15,8 @@ let type_of = function
   | Map -> Signature.event (Tuple [ Float; Float ])
   | Camera -> Signature.event Signature.frame
   | Tags -> Signature.event Signature.tag_frame
+  | Lidar { rays } -> Signature.event (Signature.scan (Size rays))
+  | Imu -> Signature.event Signature.imu
 
 let declare controls program =
   let fields = List.map (fun c -> (c.label, type_of c.kind)) controls in
@@ -24,11 +26,16 @@ let declare controls program =
   in
   let own = List.map data program.data in
   let data =
-    if not (List.exists (fun c -> c.kind = Camera || c.kind = Tags) controls) then own
+    let needs_types c =
+      match c.kind with
+      | Camera | Tags | Lidar _ | Imu -> true
+      | Button | Hold | Knob _ | Toggle _ | Map -> false
+    in
+    if not (List.exists needs_types controls) then own
     else
       (* The types used in the console's fields must be declared before the console. *)
       let is_seen (d : data) =
-        List.mem d.tycon.module_ [ "Prelude"; "Geometry"; "Vision"; "Tags" ]
+        List.mem d.tycon.module_ [ "Prelude"; "Geometry"; "Vision"; "Tags"; "Lidar"; "Imu" ]
       in
       let seen, others = List.partition is_seen own in
       seen @ others
@@ -45,7 +52,7 @@ let field controls label =
 type rest = No_event | Off of bool | At of float
 
 let at_rest = function
-  | Button | Map | Camera | Tags -> No_event
+  | Button | Map | Camera | Tags | Lidar _ | Imu -> No_event
   | Hold -> Off false
   | Toggle { first } -> Off first
   | Knob { first; _ } -> At first
@@ -53,12 +60,21 @@ let at_rest = function
 let map_label = "map"
 let tags_ending = " tags"
 let tags_label camera = camera ^ tags_ending
+let lidar_label lidar rays = Printf.sprintf "%s %d" lidar rays
 
 let camera c =
   match c.kind with
   | Camera -> Some c.label
   | Tags -> Some (String.sub c.label 0 (String.length c.label - String.length tags_ending))
-  | Button | Hold | Knob _ | Toggle _ | Map -> None
+  | Button | Hold | Knob _ | Toggle _ | Map | Lidar _ | Imu -> None
+
+let simulated c =
+  match c.kind with
+  | Lidar { rays } ->
+      let ending = String.length (lidar_label "" rays) in
+      Some (Printf.sprintf "the lidar `%s`" (String.sub c.label 0 (String.length c.label - ending)))
+  | Imu -> Some (Printf.sprintf "the inertial measurement unit `%s`" c.label)
+  | Button | Hold | Knob _ | Toggle _ | Map | Camera | Tags -> None
 
 let describe = function
   | Button -> "a button"
@@ -67,5 +83,7 @@ let describe = function
   | Map -> "clicks on the map"
   | Camera -> "a camera"
   | Tags -> "the tags that a camera sees"
+  | Lidar { rays } -> Printf.sprintf "a lidar with %d directions" rays
+  | Imu -> "an inertial measurement unit"
   | Knob { least; most; first } ->
       Printf.sprintf "a knob from %g to %g, initially %g" least most first

@@ -35,8 +35,16 @@ val map_label : string
 val tags_label : string -> string
 (** The label of the tags seen by the camera with this label. Hosts use it to find the camera. *)
 
+val lidar_label : string -> int -> string
+(** The label of the scans with this number of directions from the lidar with this label. Hosts use
+    it to find the lidar. *)
+
 val camera : Ir.control -> string option
 (** The label of the camera that supplies this control, if it is a camera or tags. *)
+
+val simulated : Ir.control -> string option
+(** A description of the control if it is a sensor that only the simulator provides: "the lidar
+    `lidar`" *)
 
 val describe : Ir.control_kind -> string
 (** A description for messages: "a knob from 0 to 1, at first 0.5" *)

@@ -5,20 +5,22 @@ let rec last = function
   | _ :: others -> last others
   | [] -> bug "a missing console"
 
-let label (kind : Core.Primitive.console) (arguments : Value.thunk list) =
+let label (kind : Core.Primitive.console) ~size (arguments : Value.thunk list) =
   match (kind, arguments) with
   | Map, _ -> Core.Console.map_label
-  | (Button | Hold | Knob | Toggle | Camera | Tags), first :: _ -> (
+  | (Button | Hold | Knob | Toggle | Camera | Tags | Lidar | Imu), first :: _ -> (
       match (Thunk.force first : Value.t) with
       | Text camera when kind = Tags -> Core.Console.tags_label camera
+      | Text lidar when kind = Lidar -> Core.Console.lidar_label lidar size
       | Text text -> text
       | _ -> bug "a label that is not a string")
-  | (Button | Hold | Knob | Toggle | Camera | Tags), [] -> bug "a console without a label"
+  | (Button | Hold | Knob | Toggle | Camera | Tags | Lidar | Imu), [] ->
+      bug "a console without a label"
 
-let apply controls kind arguments =
+let apply controls kind ~size arguments =
   match (last arguments : Value.t) with
   | Data { arguments = fields; _ } ->
-      Thunk.force fields.(Core.Console.field controls (label kind arguments))
+      Thunk.force fields.(Core.Console.field controls (label kind ~size arguments))
   | _ -> bug "a console that is not a record"
 
 let control_at_rest (c : Core.Ir.control) : Value.t =

@@ -81,7 +81,12 @@ let numbers p values =
             d
           |> Diagnostic.hint "give the knob a fixed range, and scale its value")
 
-let control p (kind : Core.Primitive.console) (arguments : Value.argument list) =
+(* The number of directions of a scan, from its type. *)
+let rays : Ir.ty -> int = function
+  | Data (_, [ Data (_, [ Size n ]) ]) -> n
+  | _ -> Diagnostic.bug ~stage:"Specialize.Operator" "a scan without a size"
+
+let control p (kind : Core.Primitive.console) ~result (arguments : Value.argument list) =
   let open Basis.Let_syntax.Option in
   match (kind, List.map (fun (a : Value.argument) -> a.value) arguments) with
   | Button, text :: _ ->
@@ -108,8 +113,15 @@ let control p (kind : Core.Primitive.console) (arguments : Value.argument list) 
   | Tags, text :: _ ->
       let* camera = label p text in
       Some (Core.Console.tags_label camera, Ir.Tags)
+  | Lidar, text :: _ ->
+      let* lidar = label p text in
+      let rays = rays result in
+      Some (Core.Console.lidar_label lidar rays, Ir.Lidar { rays })
+  | Imu, text :: _ ->
+      let* label = label p text in
+      Some (label, Ir.Imu)
   | Map, _ -> Some (Core.Console.map_label, Ir.Map)
-  | (Button | Hold | Knob | Toggle | Camera | Tags), _ ->
+  | (Button | Hold | Knob | Toggle | Camera | Tags | Lidar | Imu), _ ->
       Diagnostic.bug ~stage:"Specialize.Operator" "a console without a label"
 
 let note (p : position) (found : Ir.control list) (label, kind) =
@@ -143,10 +155,10 @@ let apply (p : position) kind ~result (arguments : Value.argument list) =
   | Sought sought, _ ->
       Option.iter
         (fun found -> sought.found <- note p sought.found found)
-        (control p kind arguments);
+        (control p kind ~result arguments);
       unknown p result
   | Declared controls, _ -> (
-      match control p kind arguments with
+      match control p kind ~result arguments with
       | None -> Unspecified
       | Some (label, _) ->
           let console = (List.nth arguments (List.length arguments - 1)).value in

@@ -10,6 +10,19 @@ let keys =
     ("ambient", [ "noise" ]);
     ("light", [ "noise" ]);
     ("camera", [ "noise"; "dropout" ]);
+    ("lidar", [ "noise"; "dropout" ]);
+    ( "imu",
+      [
+        "gyro_noise_deg";
+        "gyro_bias_deg";
+        "gyro_drift_deg";
+        "gyro_scale_error";
+        "acceleration_noise";
+        "acceleration_bias";
+        "compass_noise_deg";
+        "compass_error_deg";
+      ] );
+    ("magnet", [ "strength" ]);
     ("battery", [ "drain" ]);
     ("outage", [ "lasts" ]);
   ]

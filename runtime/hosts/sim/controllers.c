@@ -160,7 +160,7 @@ bool controllers_open(struct controllers *c, const struct params *params, struct
     for (size_t k = 0; k < c->count; k++)
         if (!open_one(c, k, record))
             return false;
-    return open_cameras(c);
+    return devices_open(&c->devices, c->program, sim) && open_cameras(c);
 }
 
 /* Passes each new frame once to all controls that use its camera. */
@@ -211,6 +211,7 @@ bool controllers_step(struct controllers *c, int64_t now_ns, const struct touche
         struct controller *one = &c->each[k];
         frob_sim_read_robot(c->sim, k, one->input);
         frob_console_clear(program, one->input);
+        devices_give(&c->devices, k, now_ns, one->input);
         ok = look(c, k, now_ns) && ok;
         touches_apply(touches, one->input);
         memset(one->output, 0, program->output_size);
@@ -260,5 +261,6 @@ bool controllers_close(struct controllers *c)
     free(c->cameras);
     free(c->frames);
     tag_finder_close(&c->finder);
+    devices_close(&c->devices);
     return ok;
 }

@@ -9,6 +9,7 @@
 #include "../common/record.h"
 #include "../common/tag_finder.h"
 #include "../common/touches.h"
+#include "devices.h"
 
 #include <frob/program.h>
 #include <sim.h>
@@ -37,6 +38,7 @@ struct controllers {
     int *cameras;
     const struct frob_image **frames; /* their new frames at this instant, or NULL */
     struct tag_finder finder;         /* if the program uses tags */
+    struct devices devices;           /* lidars and inertial measurement units */
     bool has_stepped;                 /* false before the first instant */
     int64_t stepped_ns;               /* time of the last instant */
     bool is_away;                     /* during an outage of the world: no instants */
@@ -51,7 +53,7 @@ struct controllers {
  * valid. `record` is the recording's file name if there is one robot; if there are several, robot k
  * (from 1) records to NAME-k.csv instead of NAME.csv. NULL: no recording. Prints a line on standard
  * error and returns false if memory runs out, if a file cannot be written, if the world lacks a
- * camera that the program uses, or if the tag finder is not installed; call controllers_close in
+ * camera or another device that the program uses, or if the tag finder is not installed; call controllers_close in
  * this case too. */
 bool controllers_open(struct controllers *c, const struct params *params, struct frob_sim *sim,
                       const char *record);

@@ -13,6 +13,8 @@
     KIND(FROB_TOGGLE, "toggle") \
     KIND(FROB_MAP, "map")       \
     KIND(FROB_CAMERA, "camera") \
-    KIND(FROB_TAGS, "tags")
+    KIND(FROB_TAGS, "tags")     \
+    KIND(FROB_LIDAR, "lidar")   \
+    KIND(FROB_IMU, "imu")
 
 #endif

@@ -19,6 +19,7 @@ engines, on an input with the names that the examples use.
   >     print "inputs = identity"
   >     print "main = proc given -> (" outputs ") where"
   >     print "    (reading, rate, heading, goal, pressed) = inputs given"
+  >     print "    scan = (scanOf 0.1[m] 9[m] (generate (\\k -> toFloat k * reading * 1[m]) :: Array 36 Distance) :: Scan 36)"
   >     printf "%s", equations
   > }
   > AWK

@@ -29,6 +29,8 @@ let library =
     "Trial";
     "WallFollow";
     "Display";
+    "Imu";
+    "Lidar";
     "Vision";
     "Stereo";
     "Tags";

@@ -20,6 +20,7 @@ each patrol collisions 0 0 distance_driven 30 45 squares 8 20 -- --for 3min
 each dock collisions 0 0 odometry_error_at_the_end 0 0.2 finished_after 20 40 -- --for 2min --exit-when-done
 each explore longest_stay 0 60 squares 15 70 -- --for 5min
 each subsumption collisions 0 0 distance_driven 20 60 -- --for 3min
+each vfh collisions 0 0 distance_driven 17 22 finished_after 45 80 -- --for 90s --exit-when-done
 each follow_ball collisions 0 0 mean_ball_distance_error 0 0.03 largest_ball_distance_error 0 0.05 -- --for 60s
 robots=create # with sensors that look down
 each line_follow collisions 0 0 mean_distance_from_the_tape 0 0.01 largest_distance_from_the_tape 0 0.04 distance_along_the_tape 45 50 -- --for 220s

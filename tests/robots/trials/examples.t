@@ -92,7 +92,7 @@ The trials of the examples hold, on each robot that they are for.
   ok    slows down before an obstacle, and backs away if it is too near: 1 s
   85 tests: all hold; 3 skipped
   $ for robot in pioneer scout create; do
-  >   for name in bug corridor dock explore patrol subsumption; do
+  >   for name in bug corridor dock explore patrol subsumption vfh; do
   >     frobc test $examples/$name/$name.frob --robot $robot --seeds 2 | tail -1
   >   done
   > done

@@ -148,6 +148,8 @@ function make(store: Store, control: Control, number: number): Shown | null {
       return note("The program receives clicks on the map.");
     case "camera":
     case "tags":
+    case "lidar":
+    case "imu":
       return null;
     default: {
       const unknown: never = control.kind;

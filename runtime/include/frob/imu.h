@@ -1,0 +1,35 @@
+/* frob/imu.h -- readings of an inertial measurement unit as part of a program's input.
+ *
+ * The program's table lists the units that it uses (`console`, with the kind FROB_IMU) under their
+ * names. */
+#ifndef FROB_IMU_H
+#define FROB_IMU_H
+
+#include <frob/program.h>
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A reading, in the robot's axes: x ahead, y to the left, z up. If the device measures more often
+ * than the program reads, rates and accelerations are the means of all measurements since the
+ * previous reading. */
+struct frob_imu {
+    double rate_radps[3];        /* turn rate around each axis */
+    double acceleration_mps2[3]; /* including gravity: 9.81 upwards at rest */
+    double heading_rad;          /* from a magnetometer; NaN if there is none */
+    int64_t taken_ns;            /* time of the last measurement */
+    uint32_t number;             /* counts the measurements */
+};
+
+/* Sets the event of this instant: the reading, and its age at the time `now_ns`; no event if
+ * `reading` is NULL. */
+void frob_imu_give(const struct frob_control *imu, void *input, const struct frob_imu *reading,
+                   int64_t now_ns);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

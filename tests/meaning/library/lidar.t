@@ -1,0 +1,68 @@
+The functions on scans of the module Lidar.
+
+  $ . ./trace.sh
+
+A scan of eight directions from eight numbers: an object ahead, one at 45 degrees, something nearer
+than the range of the lidar, nothing in range, an unknown distance, and objects behind and at the
+right side.
+
+  $ cat > scan.frob << 'FROB'
+  > import Geometry
+  > import Lidar
+  > main :: SF (Array 8 Distance) ((Array 8 (Maybe Distance), Array 4 (Maybe Distance), Array 16 (Maybe Distance)), (Array 6 (Maybe Distance), Array 5 (Maybe Distance)), Array 8 (Maybe Point2))
+  > main = proc ds ->
+  >     ( (scan.ranges, (scanOf 0.1[m] 5[m] ds :: Scan 4).ranges, (scanOf 0.1[m] 5[m] ds :: Scan 16).ranges)
+  >     , ( map (`rangeAt` scan) [0, 45[deg], 67[deg], 68[deg], -90[deg], 270[deg]]
+  >       , [ nearestWithin 0 0 scan, nearestWithin 100[deg] 0 scan, nearestWithin 100[deg] 180[deg] scan
+  >         , nearestWithin 0 90[deg] scan, nearestWithin 700[deg] 0 scan] )
+  >     , objects scan ) where
+  >     scan = (scanOf 0.1[m] 5[m] ds :: Scan 8)
+  > FROB
+  $ echo 2,1,0.05,inf,nan,4,3,7 | rows 'in[0],in[1],in[2],in[3],in[4],in[5],in[6],in[7]' | trace scan | cells | sed 's/Nothing/-/g; s/Just //g; s/Vec2 //g'
+
+The bearings of directions, and the direction of a bearing:
+
+  $ cat > bearings.frob << 'FROB'
+  > import Lidar
+  > main :: SF Float (Array 4 Float, Array 5 Int)
+  > main = proc x -> (map (\a -> a / 1[deg]) bearings, map (directionOf 36) [x * 1[deg], 4.9[deg], -4.9[deg], -5.1[deg], 180[deg]])
+  > FROB
+  $ printf '%s\n' 0 354.9 355.1 726 | rows in | trace bearings | cells
+
+The newest scan counts for half a second, with the age that it had on arrival:
+
+  $ cat > latest.frob << 'FROB'
+  > import Lidar
+  > data Robot = Robot { seen :: Event Distance }
+  > instance HasLidar Robot where
+  >     lidar i = mapE (\d -> (scanOf 0 5[m] [d]) { age = 0.1[s] }) i.seen
+  > main :: SF Robot (Maybe Distance)
+  > main = proc i -> maybe Nothing (rangeAt 0) (latestScan 0.5[s] i :: Maybe (Scan 1))
+  > FROB
+  $ printf 'time,in.seen\n0,\n0.1,2\n0.2,\n0.4,\n0.5,\n0.6,3\n0.9,\n1.1,\n' | trace latest | cells
+
+The distances that `byLidar` computes, before and after scans. The robot stands still; the pillar
+ahead is 0.5 m from the lidar, which is 0.1 m ahead of the middle, and walls are 1 m away on the left
+and 0.7 m on the right. Objects disappear after half a second:
+
+  $ cat > senses.frob << 'FROB'
+  > import Capability
+  > import Geometry
+  > import Lidar
+  > data Robot = Robot { seen :: Event () }
+  > instance HasOdometry Robot where
+  >     robotPose _ = Pose { position = zeroVec, heading = 0 }
+  >     velocity = constant 0
+  >     turnRate = constant 0
+  > instance HasLidar Robot where
+  >     lidar i = tag i.seen ((scanOf 0 9[m] room) { seat = Vec2 { x = 0.1[m], y = 0 } })
+  > room :: Array 360 Distance
+  > room = generate (\k -> wall (toFloat k * 1[deg])) where
+  >     wall a = if abs (angleDiff a 0) < 4[deg] then 0.5[m] else across a
+  >     across a = if sin a > 0.01 then 1[m] / sin a else if sin a < -0.01 then -0.7[m] / sin a else 8[m]
+  > main :: SF Robot (Distance, Distance, Distance, Int)
+  > main = byLidar 0.2[m] (proc w -> (frontSonar w, sideSonar w, rightSonar w, echoes (sonars w)))
+  > echoes :: Array 16 Sonar -> Int
+  > echoes = foldl (\n s -> if isEvent s.echo then n + 1 else n) 0
+  > FROB
+  $ printf 'time,in.seen\n0,\n0.1,()\n0.2,\n0.3,()\n0.6,\n0.9,\n3,\n' | trace senses | cells | rounded
