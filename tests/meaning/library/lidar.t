@@ -19,6 +19,7 @@ right side.
   >     scan = (scanOf 0.1[m] 5[m] ds :: Scan 8)
   > FROB
   $ echo 2,1,0.05,inf,nan,4,3,7 | rows 'in[0],in[1],in[2],in[3],in[4],in[5],in[6],in[7]' | trace scan | cells | sed 's/Nothing/-/g; s/Just //g; s/Vec2 //g'
+  2,1,-,5,-,4,3,5,1,1,4,3,2,1,1,1,-,5,5,5,-,4,4,3,3,3,5,2,2,1,1,-,3,3,2,1,4,-,1,"{x = 2, y = 0}","{x = 0.70710678118654757, y = 0.70710678118654746}",-,-,-,"{x = -2.8284271247461898, y = -2.8284271247461903}","{x = 1.8369701987210297e-16, y = -3}",-
 
 The bearings of directions, and the direction of a bearing:
 
@@ -28,6 +29,10 @@ The bearings of directions, and the direction of a bearing:
   > main = proc x -> (map (\a -> a / 1[deg]) bearings, map (directionOf 36) [x * 1[deg], 4.9[deg], -4.9[deg], -5.1[deg], 180[deg]])
   > FROB
   $ printf '%s\n' 0 354.9 355.1 726 | rows in | trace bearings | cells
+  0,90,180,-90,0,0,0,35,18
+  0,90,180,-90,35,0,0,35,18
+  0,90,180,-90,0,0,0,35,18
+  0,90,180,-90,1,0,0,35,18
 
 The newest scan counts for half a second, with the age that it had on arrival:
 
@@ -40,6 +45,14 @@ The newest scan counts for half a second, with the age that it had on arrival:
   > main = proc i -> maybe Nothing (rangeAt 0) (latestScan 0.5[s] i :: Maybe (Scan 1))
   > FROB
   $ printf 'time,in.seen\n0,\n0.1,2\n0.2,\n0.4,\n0.5,\n0.6,3\n0.9,\n1.1,\n' | trace latest | cells
+  Nothing
+  Just 2
+  Just 2
+  Just 2
+  Nothing
+  Just 3
+  Just 3
+  Nothing
 
 The distances that `byLidar` computes, before and after scans. The robot stands still; the pillar
 ahead is 0.5 m from the lidar, which is 0.1 m ahead of the middle, and walls are 1 m away on the left
@@ -66,3 +79,10 @@ and 0.7 m on the right. Objects disappear after half a second:
   > echoes = foldl (\n s -> if isEvent s.echo then n + 1 else n) 0
   > FROB
   $ printf 'time,in.seen\n0,\n0.1,()\n0.2,\n0.3,()\n0.6,\n0.9,\n3,\n' | trace senses | cells | rounded
+  5,5,5,0
+  0.4,0.800008805,0.500135178,16
+  0.4,0.800008805,0.500135178,0
+  0.4,0.800008805,0.500135178,16
+  0.4,0.800008805,0.500135178,0
+  2.9875,3.16250385,3.03130914,0
+  4.85862603,4.87091969,4.86170353,0

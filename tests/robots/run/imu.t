@@ -76,7 +76,7 @@ Something magnetic deflects the compass near it:
   $ frobc run turn.frob --world room.toml --for 60s --record run.csv > /dev/null
   $ python3 devices.py imu run.csv
   turned 35.899, odometry 35.898; speed 0.32; up 9.807; rates around x: mean 0.0000, deviation 0.0000
-  compass: mean error 0.031, deviation 0.024
+  compass: mean error 0.015, deviation 0.013
 
 The gyroscope has a bias and the compass noise: `imuHeading` has the drift of neither.
 
