@@ -363,7 +363,7 @@ let signature_of_this words ~subject ~(expected : Expected.t) ~found (wanted, gi
 
 (* Does the expression apply named functions, and contain no number that could lack its unit? Then
    its unit follows from the functions alone, so the signature is the likely mistake. *)
-let rec is_of_functions words (e : Resolve.Ir.expr) =
+let is_of_functions words e =
   let rec has_no_number (e : Resolve.Ir.expr) =
     match e.desc with
     | Local _ | Global _ -> Bare_number.literal words e = None
@@ -371,10 +371,14 @@ let rec is_of_functions words (e : Resolve.Ir.expr) =
     | Negate e | Field { record = e; _ } -> has_no_number e
     | _ -> false
   in
-  match e.desc with
-  | Apply { style = Juxtaposed; _ } -> has_no_number e
-  | Local x -> Option.fold (Show.definition words x) ~none:false ~some:(is_of_functions words)
-  | _ -> false
+  let rec go followed (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Apply { style = Juxtaposed; _ } -> has_no_number e
+    | Local x when not (List.mem x.id followed) ->
+        Option.fold (Show.definition words x) ~none:false ~some:(go (x.id :: followed))
+    | _ -> false
+  in
+  go [] e
 
 (* [sqrt d], whose argument has the unit that the root should have. *)
 let root words ~(subject : Resolve.Ir.expr option) (wanted, given) d =

@@ -4,15 +4,20 @@ open Diagnostic
 let text words (e : Resolve.Ir.expr) = Show.quote words e.span
 let grouped words e = Option.map Source.grouped (text words e)
 
-(* Is the value the same at every instant? *)
-let rec is_fixed words (e : Resolve.Ir.expr) =
-  match e.desc with
-  | Number _ | Global _ -> true
-  | Local x -> Option.fold (Show.definition words x) ~none:false ~some:(is_fixed words)
-  | Negate e -> is_fixed words e
-  | Power { base; _ } -> is_fixed words base
-  | Apply { head; argument; style = Operator _ } -> is_fixed words head && is_fixed words argument
-  | _ -> false
+(* Is the value the same at every instant? Equations may be recursive, so the names that are being
+   followed are remembered. *)
+let is_fixed words e =
+  let rec go followed (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Number _ | Global _ -> true
+    | Local x when List.mem x.id followed -> false
+    | Local x -> Option.fold (Show.definition words x) ~none:false ~some:(go (x.id :: followed))
+    | Negate e -> go followed e
+    | Power { base; _ } -> go followed base
+    | Apply { head; argument; style = Operator _ } -> go followed head && go followed argument
+    | _ -> false
+  in
+  go [] e
 
 (* The source text as a factor of a product. *)
 let as_factor words (e : Resolve.Ir.expr) =
