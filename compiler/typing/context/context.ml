@@ -118,6 +118,18 @@ let words t =
           (Environment.record_of t.reader.environment tycon)
     | _ -> None
   in
+  let field_of ty ~of_ =
+    match (Type.expand ty, Type.expand of_) with
+    | Data { tycon; _ }, Data { tycon = part; _ } ->
+        let is_part (_, (field : Ir.ty)) =
+          match field with Data { tycon; _ } -> tycon = part | _ -> false
+        in
+        Option.bind (Environment.record_of t.reader.environment tycon) (fun constructor ->
+            match List.filter is_part constructor.ir.fields with
+            | [ (name, _) ] -> Some name
+            | _ -> None)
+    | _ -> None
+  in
   let choices ty =
     match Type.expand ty with
     | Data { tycon; _ } -> (
@@ -163,6 +175,7 @@ let words t =
       needs_class;
       definition;
       fields;
+      field_of;
       choices;
       declared;
       binding;

@@ -202,8 +202,20 @@ let local fact =
 
 (* The first rule that applies is used. The rules for a kind of head come first, then those for
    functions of the prelude, then those for any task, local name or definition. *)
+(* `Event x when c` *)
+let event_when fact =
+  match fact.head.desc with
+  | Constructor { name = "Event"; module_ = "Prelude" }
+    when List.mem (Show.quote fact.words fact.at) [ Some "when"; Some "edge" ] ->
+      Some
+        (hint
+           "for an event with the value `x` that occurs under a condition, write `tag (when \
+            condition) x`")
+  | _ -> None
+
 let rules =
   [
+    event_when;
     after_a_number;
     after_a_field;
     of_three;

@@ -181,6 +181,10 @@ let operands words ~subject ~(expected : Expected.t) (wanted, given) d =
         d
   | _ -> d
 
+(* Is it the signal of a `delay`? Then its initial value is the likely mistake. *)
+let is_delayed (expected : Expected.t) =
+  match expected.because with Parameter { callee = Some "delay"; _ } -> true | _ -> false
+
 let rec is_of_time (e : Resolve.Ir.expr option) =
   match e with
   | Some { desc = Global { name = "time"; _ }; _ } -> true
@@ -213,8 +217,8 @@ let conversion words ~subject ~expected (wanted, given) diagnostic =
     hint (Printf.sprintf "give its numbers the unit, as in `%s[%s]`" digits unit_) diagnostic
   else if Units.equal given Units.one && String.equal factor "1/s" && diagnostic.hints = [] then
     hint
-      (Printf.sprintf "multiply the plain number by a gain in `1/s`, as in `%s`"
-         (with_e "2[1/s] * %s"))
+      (Printf.sprintf "multiply the plain number by a unit or a gain in `1/s`, as in `%s`"
+         (with_e "1[1/s] * %s"))
       diagnostic
   else if
     Units.equal wanted Units.one && diagnostic.hints = [] && written = None
@@ -227,7 +231,11 @@ let conversion words ~subject ~expected (wanted, given) diagnostic =
       diagnostic
   else if Units.equal given Units.one || Units.equal wanted Units.one then
     if diagnostic.hints = [] && written = None then
-      if Units.equal given Units.one && (not (is_operand expected)) && subject <> None then
+      if
+        Units.equal given Units.one
+        && (not (is_operand expected || is_delayed expected))
+        && subject <> None
+      then
         hint
           (Printf.sprintf "if it is a number of `%s`, multiply by the unit: `%s`"
              (Show.measure words wanted)
@@ -472,6 +480,9 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
             Lacking_unit_mistake.complete words ~subject ~expected (wanted, given)
           else None);
         (fun () -> Lacking_unit_mistake.of_a_difference words ~subject (wanted, given));
+        (fun () ->
+          if is_operand expected then None
+          else Lacking_unit_mistake.of_the_inverse words ~subject (wanted, given));
       ]
   in
   if is_of_numbers && certain <> None then
@@ -497,7 +508,10 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   else
     (match Lacking_unit_mistake.of_fields words ~subject ~expected (wanted, given) with
     | Some complete -> complete diagnostic
-    | None -> without_brackets words (wanted, given) diagnostic)
+    | None -> (
+        match Lacking_unit_mistake.of_an_argument words ~subject (wanted, given) with
+        | Some complete -> complete diagnostic
+        | None -> without_brackets words (wanted, given) diagnostic))
     |> note
          (Printf.sprintf "expected %s, found %s"
             (Show.described words expected.ty)

@@ -112,6 +112,7 @@ type place = {
   needs_class : Type.t -> bool;
   definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
   fields : Type.t -> (string * string list) option;
+  field_of : Type.t -> of_:Type.t -> string option;
   choices : Type.t -> string list;
   declared : Resolve.Ir.Global.t -> Type.t option;
   binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;
@@ -125,6 +126,7 @@ let nowhere =
     needs_class = (fun _ -> false);
     definition = (fun _ -> None);
     fields = (fun _ -> None);
+    field_of = (fun _ ~of_:_ -> None);
     choices = (fun _ -> []);
     declared = (fun _ -> None);
     binding = (fun _ -> None);
@@ -155,6 +157,7 @@ let binding words g = words.place.binding g
 let declared_type words g = words.place.declared g
 let inputs words = words.place.inputs
 let fields words t = words.place.fields t
+let field_of words t ~of_ = words.place.field_of t ~of_
 let choices words t = words.place.choices t
 let makers words t ~of_ = words.place.makers t ~of_
 let is_input words name = List.mem_assoc name words.place.inputs

@@ -29,6 +29,8 @@ type place = {
       (** the value of a local variable without parameters *)
   fields : Type.t -> (string * string list) option;
       (** the constructor and the fields of a record type *)
+  field_of : Type.t -> of_:Type.t -> string option;
+      (** the only field of the record that has a data type like the second one *)
   choices : Type.t -> string list;
       (** the constructors of an enumeration with few cases; otherwise the empty list *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)
@@ -52,6 +54,7 @@ val inputs : words -> (string * Type.t) list
 (** The input signals of the enclosing proc. *)
 
 val fields : words -> Type.t -> (string * string list) option
+val field_of : words -> Type.t -> of_:Type.t -> string option
 val choices : words -> Type.t -> string list
 val makers : words -> Type.t -> of_:Type.t -> string list
 

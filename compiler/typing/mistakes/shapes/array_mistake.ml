@@ -148,3 +148,19 @@ let of_several_types fact =
            "all elements of an array must have the same type: for values of several types, use a \
             tuple, `(a, b)`, or a record")
   | _ -> None
+
+let of_one_number fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | Data _, Number _, Parameter { callee = Some (("sum" | "mean" | "length") as f); _ }
+    when is_array fact.expected.ty ->
+      let x = grouped fact "x" in
+      Some
+        (hinted fact
+           (match f with
+           | "sum" ->
+               Printf.sprintf
+                 "`sum` adds the elements of an array: for the sum of a signal over time, write \
+                  `integral %s`"
+                 x
+           | _ -> Printf.sprintf "`%s` takes an array, as in `%s [a, b, c]`" f f))
+  | _ -> None

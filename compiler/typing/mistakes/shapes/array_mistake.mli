@@ -28,3 +28,6 @@ val is_array : Type.t -> bool
 
 val with_each : Shape_fact.t -> string option
 (** The function that applies the operator to each element, and its left operand. *)
+
+val of_one_number : Shape_fact.rule
+(** A number in place of an array of numbers, as in [sum v]. *)

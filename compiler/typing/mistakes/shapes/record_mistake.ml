@@ -98,3 +98,17 @@ let compared_with_a_number fact =
                (List.hd fields)))
         (Show.fields fact.words fact.expected.ty)
   | _ -> None
+
+let in_place_of_a_part fact =
+  match (fact.wanted, fact.given, source fact) with
+  | Data _, Data _, Some text ->
+      Option.map
+        (fun field ->
+          let cure = Printf.sprintf "%s.%s" (Source.grouped text) field in
+          let d = hinted fact (Printf.sprintf "use its field: `%s`" cure) in
+          match fact.subject with
+          | Some e ->
+              Diagnostic.fix (Printf.sprintf "write `%s`" cure) [ (e.span, "(" ^ cure ^ ")") ] d
+          | None -> d)
+        (Show.field_of fact.words fact.found ~of_:fact.expected.ty)
+  | _ -> None

@@ -8,3 +8,6 @@ val in_place_of_a_number : Shape_fact.rule
 
 val compared_with_a_number : Shape_fact.rule
 (** A number as the operand of an operator whose other operand is a record. *)
+
+val in_place_of_a_part : Shape_fact.rule
+(** A record in place of one of its fields, such as a pose in place of its position. *)

@@ -65,6 +65,10 @@ let of_values =
     Conversion_mistake.by_a_constructor;
     Vector_mistake.of_a_number;
     Record_mistake.built;
+    Record_mistake.in_place_of_a_part;
+    Array_mistake.of_one_number;
+    Tuple_mistake.of_a_function_and_its_argument;
+    Switch_mistake.next_mode;
     Array_mistake.of_records;
     Vector_mistake.of_a_tuple;
     Argument_mistake.composed;

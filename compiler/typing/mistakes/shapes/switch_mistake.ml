@@ -71,10 +71,48 @@ let hint_for_a_function fact (name, argument) =
 
 (* A pair of an output and an event in place of the mode that returns them. *)
 let hint_for_a_pair fact =
-  let callee = callee fact.expected and x = input fact.words fact.expected.ty in
-  Printf.sprintf "`%s` needs a signal function: write `%s (proc %s -> %s) …`, and run that on `%s`"
-    (if callee = "mkTask" then "made a task" else "switched")
-    callee x (raw fact "(output, event)") x
+  let callee = callee fact.expected in
+  let x = input fact.words fact.expected.ty in
+  let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+  (* `(proc i -> output, event)`, where the pair belongs into the `proc` *)
+  let x, pair, run =
+    match fact.subject with
+    | Some
+        {
+          desc =
+            Tuple
+              [
+                { desc = Proc { input; body = { output; equations = { groups = []; _ } } }; _ };
+                event;
+              ];
+          _;
+        } ->
+        let text e = Option.value (quote e) ~default:"…" in
+        ( Option.value (Show.quote fact.words input.span) ~default:x,
+          Printf.sprintf "(%s, %s)" (text output) (text event),
+          "" )
+    | _ -> (x, raw fact "(output, event)", Printf.sprintf ", and run that on `%s`" x)
+  in
+  Printf.sprintf
+    "`%s` needs a signal function that returns the pair: write `%s (proc %s -> %s) …`%s" callee
+    callee x pair run
+
+let next_mode fact =
+  match (fact.expected.because, fact.wanted, fact.given) with
+  | ( Parameter { callee = Some (("switch" | "dSwitch") as name); position = 2; _ },
+      Function (_, next),
+      Function (_, other) )
+    when match (Type.expand next, Type.expand other) with
+         | Signal_function _, (Number _ | Bool | Data _ | Tuple _) -> true
+         | _ -> false ->
+      Some
+        (hinted fact
+           (Printf.sprintf
+              "the second argument of `%s` takes the value of the event and returns the next mode: \
+               `\\_ -> …`; the event itself is in the output of the first argument, as in \
+               `(output, edge b)`"
+              name))
+  | _ -> None
 
 let hint_for_a_mode fact =
   match (fact.wanted, fact.given, of_a_local_function fact.subject) with

@@ -25,3 +25,6 @@ val input_as_pair : Shape_fact.rule
 
 val output_without_event : Shape_fact.rule
 (** The output of a mode without the event that ends it. *)
+
+val next_mode : Shape_fact.rule
+(** A condition or another function in place of the function that returns the next mode. *)

@@ -166,3 +166,21 @@ let separated_by_commas fact =
                  arguments)
       |> Option.some
   | _ -> None
+
+let of_a_function_and_its_argument fact =
+  match (fact.wanted, fact.given, fact.subject) with
+  | Function _, Tuple (first :: others), Some { desc = Tuple (head :: arguments); span }
+    when not
+           (List.exists
+              (fun t -> match Type.expand t with Type.Function _ -> true | _ -> false)
+              others) -> (
+      let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+      match (Type.expand first, quote head, all (List.map quote arguments)) with
+      | Function _, Some head, Some arguments ->
+          let text = String.concat " " (head :: List.map Source.grouped arguments) in
+          Some
+            (hinted fact
+               (Printf.sprintf "a comma makes a tuple: write the arguments without it, `(%s)`" text)
+            |> write span ("(" ^ text ^ ")"))
+      | _ -> None)
+  | _ -> None

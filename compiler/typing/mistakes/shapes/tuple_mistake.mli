@@ -20,3 +20,6 @@ val separated_by_commas : Shape_fact.rule
 
 val of_an_input : Shape_fact.rule
 (** An input that is a tuple, used as a number. *)
+
+val of_a_function_and_its_argument : Shape_fact.rule
+(** [(f x, y)] in place of [f x y]. *)

@@ -66,6 +66,12 @@ let meant words (subject : Resolve.Ir.expr option) =
       | _ -> subject)
   | _ -> subject
 
+(* An input of the enclosing proc that is not an event. *)
+let is_no_event words (x : Resolve.Ir.Local.t) =
+  match List.assoc_opt x.name (Show.inputs words) with
+  | Some t -> ( match Type.expand t with Number _ | Bool | Tuple _ -> true | _ -> false)
+  | None -> false
+
 let hint_to_run words subject input d =
   let subject = meant words subject in
   let signal = signal_for words input in
@@ -76,9 +82,16 @@ let hint_to_run words subject input d =
   in
   hint
     (match (Option.bind subject Plain_name.of_head, arguments) with
+    | Some (("hold" | "dHold") as name), [ ({ desc = Local x; _ } as only) ]
+      when is_no_event words x ->
+        Printf.sprintf
+          "`%s` keeps the value of an event, as in `%s x0 e`, but `%s` has a value at every \
+           instant: write `%s` alone"
+          name name x.name (argument only)
     | Some name, [ only ] when has_initial_value name ->
-        Printf.sprintf "`%s` takes an initial value before its signal: write `%s x0 %s`" name name
-          (argument only)
+        let start = match Type.expand input with Number _ -> "0" | Bool -> "False" | _ -> "x0" in
+        Printf.sprintf "`%s` takes an initial value before its signal: write `%s %s %s`" name name
+          start (argument only)
     | Some name, _ :: _ -> (
         match signal_in_place_of_an_argument words name arguments with
         | Some text -> text

@@ -3,11 +3,24 @@ open Shape_fact
 
 (* An expression that builds the vector, from these elements if given. *)
 let vector words ?(elements = []) wanted =
+  let unit_ =
+    match Type.expand wanted with
+    | Type.Data { units = [ u ]; _ } when not (Units.is_open u || Units.equal u Units.one) ->
+        Printf.sprintf "[%s]" (Show.measure words u)
+    | _ -> ""
+  in
   let built name fields =
     let value i field =
       let element = List.nth_opt elements i in
       let text = Option.bind element (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
-      Printf.sprintf "%s = %s" field (Option.value text ~default:"…")
+      let is_bare =
+        match Option.bind element (Bare_number.literal words) with
+        | Some { unit_ = None; name = None; _ } -> true
+        | Some _ | None -> false
+      in
+      Printf.sprintf "%s = %s%s" field
+        (Option.value text ~default:"…")
+        (if is_bare then unit_ else "")
     in
     Some
       (Printf.sprintf "`%s { %s }`, with `import Geometry`" name
@@ -23,7 +36,11 @@ let by_name text = "write a vector with the names of its fields: " ^ text
 let of_a_number fact =
   match fact.given with
   | Number _ when is_a_parameter fact ->
-      let elements = Option.to_list fact.subject in
+      let elements =
+        match fact.expected.because with
+        | Parameter { given; position; _ } -> List.filteri (fun i _ -> i >= position - 1) given
+        | _ -> Option.to_list fact.subject
+      in
       Option.map (fun text -> hinted fact (by_name text)) (vector fact.words ~elements fact.wanted)
   | _ -> None
 

@@ -184,3 +184,65 @@ let of_fields words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
                       (String.concat ", " (List.map shown numbers)))
               |> fix "give the fields their unit" (List.map edit numbers)))
   | Some _ | None -> None
+
+(* The number literals without a unit in the arguments of an application. *)
+let rec literals words (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Number _ -> Option.to_list (Bare_number.literal words e)
+  | Negate e | Lambda { body = e; _ } -> literals words e
+  | Tuple es | Array es -> List.concat_map (literals words) es
+  | Apply { head; argument; style = Juxtaposed } -> (
+      match head.desc with
+      | Apply _ -> literals words head @ literals words argument
+      | _ -> literals words argument)
+  | _ -> []
+
+let of_an_argument words ~(subject : Resolve.Ir.expr option) (wanted, given) =
+  match Option.map (literals words) subject with
+  | Some [ ({ unit_ = None; name = None; _ } as number) ]
+    when is_one given && not (Units.is_open wanted) ->
+      Some (Bare_number.give words number (Show.measure words wanted))
+  | Some _ | None -> None
+
+(* `v * r` in place of `v / r`, for an input [r]. *)
+let of_the_inverse words ~(subject : Resolve.Ir.expr option) (wanted, given) =
+  match subject with
+  | Some
+      {
+        desc =
+          Apply
+            {
+              head =
+                {
+                  desc =
+                    Apply
+                      {
+                        head = { desc = Global { name = ("*" | "/") as operator; _ }; _ };
+                        argument = a;
+                        _;
+                      };
+                  _;
+                };
+              argument = { desc = Local b; _ };
+              style = Operator _;
+            };
+        _;
+      } -> (
+      let unit_ =
+        match Option.map Type.expand (List.assoc_opt b.name (Show.inputs words)) with
+        | Some (Number (_, u)) when not (is_one u) -> Some u
+        | Some _ | None -> None
+      in
+      let squared u = Units.multiply u u in
+      let inverse u =
+        if String.equal operator "*" then Units.divide given (squared u)
+        else Units.multiply given (squared u)
+      in
+      match (unit_, Show.quote words a.span) with
+      | Some u, Some a when Units.equal (inverse u) wanted ->
+          let text =
+            Printf.sprintf "%s %s %s" a (if String.equal operator "*" then "/" else "*") b.name
+          in
+          Some (hint (Printf.sprintf "write `%s`, which has that unit" text))
+      | _ -> None)
+  | _ -> None

@@ -43,3 +43,17 @@ val of_fields :
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** A record whose numbers lack their unit, such as [Vec2 { x = 1, y = 2 }]. *)
+
+val of_an_argument :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** An event or another container of a number without a unit, as in [tag e 0.5]. *)
+
+val of_the_inverse :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A product that should be a quotient, or the reverse. *)

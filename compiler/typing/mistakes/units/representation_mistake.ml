@@ -25,11 +25,12 @@ let for_each t =
   | Number _ -> Some ""
   | _ -> None
 
-let to_float ~found (e : Resolve.Ir.expr option) =
-  match (Option.bind e Plain_name.of_expr, for_each found) with
-  | Some name, Some each ->
+let to_float words ~found (e : Resolve.Ir.expr option) =
+  let text = Option.bind e (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
+  match (text, for_each found) with
+  | Some text, Some each ->
       fun d ->
-        let text = Printf.sprintf "%stoFloat %s" each name in
+        let text = Printf.sprintf "%stoFloat %s" each (Source.grouped text) in
         hint (Printf.sprintf "write `%s`" text) d
         |> fix (Printf.sprintf "write `%s`" text) [ ((Option.get e).span, "(" ^ text ^ ")") ]
   | None, Some (("map " | "mapE ") as each) ->
@@ -87,10 +88,10 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
         (Show.described words expected.ty)
         (Show.described words found)
       |> here (Printf.sprintf "this is %s" (Show.described words found))
-      |> to_float ~found number
+      |> to_float words ~found number
   | Parameter { callee = Some "/"; _ }, Float, Int ->
-      plain () |> hint "to divide whole numbers, use `div`" |> to_float ~found subject
-  | _, Float, Int -> plain () |> to_float ~found subject
+      plain () |> hint "to divide whole numbers, use `div`" |> to_float words ~found subject
+  | _, Float, Int -> plain () |> to_float words ~found subject
   | _, Int, Float -> plain () |> to_int ~found subject
   | _ ->
       plain ()

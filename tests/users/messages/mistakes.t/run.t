@@ -162,7 +162,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                  this is `Float`
     |
     = note: expected `Float`
-    = hint: `delay` takes an initial value before its signal: write `delay x0 x`
+    = hint: `delay` takes an initial value before its signal: write `delay 0 x`
   
   1 error
   # 015_delay_arguments_swapped.frob
@@ -348,7 +348,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 1[m], y = … }`, with `import Geometry`
+    = hint: write a vector with the names of its fields: `Vec2 { x = 1[m], y = 2[m] }`, with `import Geometry`
   
   error[E0301]: expected `Point2`, found a number
    --> 030_place_as_two_numbers.frob:5:13
@@ -358,7 +358,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 0, y = … }`, with `import Geometry`
+    = hint: write a vector with the names of its fields: `Vec2 { x = 0, y = 0 }`, with `import Geometry`
   
   2 errors
   # 031_task_if_without_else.frob

@@ -36,7 +36,7 @@ Arguments:
     |                  this is `Float`
     |
     = note: expected `Float`
-    = hint: `delay` takes an initial value before its signal: write `delay x0 x`
+    = hint: `delay` takes an initial value before its signal: write `delay 0 x`
   
   1 error
   [1]

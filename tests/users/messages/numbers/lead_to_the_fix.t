@@ -802,3 +802,66 @@ A vector as two numbers, and a field of a result:
   1 error
   [1]
   $ sed 's:robotPose i.x:(robotPose i).position.x:' field.frob > pasted.frob && frobc check pasted.frob
+
+The sum of a signal, and of an array:
+
+  $ cat > sum_over_time.frob <<'FROB'
+  > f :: SF Velocity Distance
+  > f = proc v -> sum v
+  > FROB
+  $ frobc check sum_over_time.frob
+  error[E0301]: expected `Array m n[u]`, found `Velocity` (m/s)
+   --> sum_over_time.frob:2:19
+    |
+  2 | f = proc v -> sum v
+    |               --- ^
+    |               |
+    |               argument 1 of `sum` is `Array m n[u]`
+    |
+    = hint: `sum` adds the elements of an array: for the sum of a signal over time, write `integral v`
+  
+  1 error
+  [1]
+  $ sed 's:sum v:integral v:' sum_over_time.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > mean_of_an_array.frob <<'FROB'
+  > f :: SF (Array 3 Float) Float
+  > f = proc xs -> sum xs / length xs
+  > FROB
+  $ frobc check mean_of_an_array.frob
+  error[E0312]: the operands of `/` are `Float` and `Int`
+   --> mean_of_an_array.frob:2:25
+    |
+  2 | f = proc xs -> sum xs / length xs
+    |                ------   ^^^^^^^^^ this is `Int`
+    |                |
+    |                this is `Float`
+    |
+    = hint: write `toFloat (length xs)`
+  
+  1 error
+  [1]
+  $ sed 's:length xs:toFloat (length xs):' mean_of_an_array.frob > pasted.frob && frobc check pasted.frob
+
+A product that should be a quotient:
+
+  $ cat > quotient.frob <<'FROB'
+  > f :: SF (Velocity, Distance) AngularVelocity
+  > f = proc (v, r) -> v * r
+  > FROB
+  $ frobc check quotient.frob
+  error[E0320]: expected the unit `1/s`, found `m^2/s`
+   --> quotient.frob:2:20
+    |
+  1 | f :: SF (Velocity, Distance) AngularVelocity
+    |      --------------------------------------- the signature of `f` requires the output `AngularVelocity` (1/s)
+  2 | f = proc (v, r) -> v * r
+    |                    ^^^^^ this is `Float[m^2/s]`
+    |
+    = hint: write `v / r`, which has that unit
+  
+  1 error
+  [1]
+  $ sed 's:v \* r:v / r:' quotient.frob > pasted.frob && frobc check pasted.frob

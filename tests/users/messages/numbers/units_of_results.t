@@ -70,7 +70,7 @@ An angular velocity is an angle divided by a time:
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: multiply the plain number by a gain in `1/s`, as in `2[1/s] * omega`
+    = hint: multiply the plain number by a unit or a gain in `1/s`, as in `1[1/s] * omega`
   
   1 error
   [1]

@@ -86,7 +86,7 @@ A position written as a pair.
     |                        |
     |                        argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 3, y = 4 }`, with `import Geometry`
+    = hint: write a vector with the names of its fields: `Vec2 { x = 3[m], y = 4[m] }`, with `import Geometry`
   
   1 error
   [1]

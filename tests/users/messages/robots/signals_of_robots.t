@@ -156,7 +156,7 @@ A result that is not an output, or that takes time:
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 1[m], y = … }`, with `import Geometry`
+    = hint: write a vector with the names of its fields: `Vec2 { x = 1[m], y = 2[m] }`, with `import Geometry`
   
   error[E0301]: expected `Point2`, found a number
    --> place_as_two_numbers.frob:5:13
@@ -166,7 +166,7 @@ A result that is not an output, or that takes time:
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 0, y = … }`, with `import Geometry`
+    = hint: write a vector with the names of its fields: `Vec2 { x = 0, y = 0 }`, with `import Geometry`
   
   2 errors
   [1]

@@ -404,7 +404,7 @@ Arguments of a switch, components of a program, computations with arrays, and a 
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 1, y = … }`, with `import Geometry`
+    = hint: write a vector with the names of its fields: `Vec2 { x = 1[m], y = 2[m] }`, with `import Geometry`
   
   1 error
   [1]

@@ -482,3 +482,204 @@ A mode without an event:
   1 error
   [1]
   $ sed 's:(constant 1):(constant 1 \&\&\& after 1[s]):' no_event_constant.frob > pasted.frob && frobc check pasted.frob
+
+A signal that is held:
+
+  $ cat > held_signal.frob <<'FROB'
+  > f :: SF Distance Distance
+  > f = proc d -> hold d
+  > FROB
+  $ frobc check held_signal.frob
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
+   --> held_signal.frob:2:15
+    |
+  1 | f :: SF Distance Distance
+    |      -------------------- the signature of `f` requires the output `Distance` (m)
+  2 | f = proc d -> hold d
+    |               ^^^^^^ this is `SF (Event Distance) Distance`
+    |
+    = note: expected `Distance` (m)
+    = hint: `hold` keeps the value of an event, as in `hold x0 e`, but `d` has a value at every instant: write `d` alone
+  
+  1 error
+  [1]
+  $ sed 's:hold d:d:' held_signal.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > delayed.frob <<'FROB'
+  > f :: SF Float Float
+  > f = proc x -> delay x
+  > FROB
+  $ frobc check delayed.frob
+  error[E0303]: expected a value, found a signal function that is not applied to a signal
+   --> delayed.frob:2:15
+    |
+  1 | f :: SF Float Float
+    |      -------------- the signature of `f` requires the output `Float`
+  2 | f = proc x -> delay x
+    |               ^^^^^^^ this is `SF Float Float`
+    |
+    = note: expected `Float`
+    = hint: `delay` takes an initial value before its signal: write `delay 0 x`
+  
+  1 error
+  [1]
+  $ sed 's:delay x:delay 0 x:' delayed.frob > pasted.frob && frobc check pasted.frob
+
+A pose in place of a position:
+
+  $ cat > pose.frob <<'FROB'
+  > import Robot
+  > import Geometry
+  > f :: SF RobotInput Bool
+  > f = proc i -> distance (robotPose i) goal < 0.1[m] where
+  >     goal = Vec2 { x = 1[m], y = 0 }
+  > FROB
+  $ frobc check pose.frob
+  error[E0301]: expected `Vec2[u]`, found `Pose`
+   --> pose.frob:4:25
+    |
+  4 | f = proc i -> distance (robotPose i) goal < 0.1[m] where
+    |               --------  ^^^^^^^^^^^
+    |               |
+    |               argument 1 of `distance` is `Vec2[u]`
+    |
+    = hint: use its field: `(robotPose i).position`
+  
+  1 error
+  [1]
+  $ sed 's:(robotPose i):(robotPose i).position:' pose.frob > pasted.frob && frobc check pasted.frob
+
+Numbers in place of a position:
+
+  $ cat > two_numbers.frob <<'FROB'
+  > import Robot
+  > go :: Task RobotInput RobotOutput Bool
+  > go = driveTo (1, 2)
+  > FROB
+  $ frobc check two_numbers.frob
+  error[E0301]: expected `Point2`, found a tuple of 2
+   --> two_numbers.frob:3:14
+    |
+  3 | go = driveTo (1, 2)
+    |      ------- ^^^^^^
+    |      |
+    |      argument 1 of `driveTo` is `Point2`
+    |
+    = hint: write a vector with the names of its fields: `Vec2 { x = 1[m], y = 2[m] }`, with `import Geometry`
+  
+  1 error
+  [1]
+  $ sed 's:(1, 2):(Vec2 { x = 1[m], y = 2[m] }):; s:^import.*:import Robot\nimport Geometry:' two_numbers.frob > pasted.frob && frobc check pasted.frob
+
+A comma between arguments:
+
+  $ cat > comma.frob <<'FROB'
+  > import Robot
+  > f :: SF RobotInput RobotOutput
+  > f = proc _ -> roMake (setVelTR 0.3[m/s], 0)
+  > FROB
+  $ frobc check comma.frob
+  error[E0301]: expected `a -> a`, found `(AngularVelocity -> b -> b, n[u])`
+   --> comma.frob:3:22
+    |
+  3 | f = proc _ -> roMake (setVelTR 0.3[m/s], 0)
+    |               ------ ^^^^^^^^^^^^^^^^^^^^^^
+    |               |
+    |               argument 1 of `roMake` is `a -> a`
+    |
+    = hint: a comma makes a tuple: write the arguments without it, `(setVelTR 0.3[m/s] 0)`
+  
+  1 error
+  [1]
+  $ sed 's:(setVelTR 0.3\[m/s\], 0):(setVelTR 0.3[m/s] 0):' comma.frob > pasted.frob && frobc check pasted.frob
+
+An event beside the mode that it ends:
+
+  $ cat > pair_of_a_mode.frob <<'FROB'
+  > import Robot
+  > f :: SF RobotInput RobotOutput
+  > f = switch (proc _ -> roMake (setVelTR 0.3[m/s] 0), after 1[s] ()) (\_ -> constant restingOutput)
+  > FROB
+  $ frobc check pair_of_a_mode.frob
+  error[E0301]: expected `SF a (b, Event c)`, found `(SF d e, Event ())`
+   --> pair_of_a_mode.frob:3:12
+    |
+  3 | f = switch (proc _ -> roMake (setVelTR 0.3[m/s] 0), after 1[s] ()) (\_ -> constant restingOutput)
+    |     ------ ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |     |
+    |     argument 1 of `switch` is `SF a (b, Event c)`
+    |
+    = hint: `switch` needs a signal function that returns the pair: write `switch (proc _ -> (roMake (setVelTR 0.3[m/s] 0), after 1[s] ())) …`
+  
+  1 error
+  [1]
+  $ sed 's:(proc _ -> roMake (setVelTR 0.3\[m/s\] 0), after 1\[s\] ()):(proc _ -> (roMake (setVelTR 0.3[m/s] 0), after 1[s] ())):' pair_of_a_mode.frob > pasted.frob && frobc check pasted.frob
+
+A condition in place of the next mode:
+
+  $ cat > next_mode.frob <<'FROB'
+  > import Robot
+  > f :: SF RobotInput RobotOutput
+  > f = switch cruise bumped where
+  >     cruise = proc i -> (roMake (setVelTR 0.3[m/s] 0), edge (bumped i))
+  > FROB
+  $ frobc check next_mode.frob
+  error[E0301]: expected `() -> SF a b`, found `() -> Bool`
+   --> next_mode.frob:3:19
+    |
+  3 | f = switch cruise bumped where
+    |     ------ ------ ^^^^^^
+    |     |      |
+    |     |      because this is `SF a (b, Event ())`
+    |     argument 2 of `switch` is `() -> SF a b`
+    |
+    = hint: the second argument of `switch` takes the value of the event and returns the next mode: `\_ -> …`; the event itself is in the output of the first argument, as in `(output, edge b)`
+  
+  1 error
+  [1]
+  $ sed 's:cruise bumped:cruise (\\_ -> constant restingOutput):' next_mode.frob > pasted.frob && frobc check pasted.frob
+
+A value of an event that lacks its unit:
+
+  $ cat > value_of_an_event.frob <<'FROB'
+  > f :: SF Bool (Event Velocity)
+  > f = proc b -> tag (edge b) 0.5
+  > FROB
+  $ frobc check value_of_an_event.frob
+  error[E0320]: expected the unit `m/s`, found none
+   --> value_of_an_event.frob:2:15
+    |
+  1 | f :: SF Bool (Event Velocity)
+    |      ------------------------ the signature of `f` requires the output `Event Velocity`
+  2 | f = proc b -> tag (edge b) 0.5
+    |               ^^^^^^^^^^^^^^^^ this is `Event Float`
+    |
+    = note: expected `Event Velocity`, found `Event Float`
+    = hint: write `0.5[m/s]` if that is its unit
+  
+  1 error
+  [1]
+  $ sed 's:0.5:0.5[m/s]:' value_of_an_event.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > event_when.frob <<'FROB'
+  > f :: SF Float (Event Float)
+  > f = proc x -> Event x when (x > 1)
+  > FROB
+  $ frobc check event_when.frob
+  error[E0302]: `Event` takes 1 argument, but is applied to more
+   --> event_when.frob:2:23
+    |
+  2 | f = proc x -> Event x when (x > 1)
+    |               -----   ^^^^ one too many
+    |               |
+    |               with one argument, its result is `Event Float`
+    |
+    = hint: for an event with the value `x` that occurs under a condition, write `tag (when condition) x`
+  
+  1 error
+  [1]
+  $ sed 's:Event x when (x > 1):tag (when (x > 1)) x:' event_when.frob > pasted.frob && frobc check pasted.frob

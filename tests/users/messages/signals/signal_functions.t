@@ -114,7 +114,7 @@ A missing initial value.
     |     elsewhere `y` is used as `Float`
     |
     = note: expected `Float`
-    = hint: `delay` takes an initial value before its signal: write `delay x0 (y + x)`
+    = hint: `delay` takes an initial value before its signal: write `delay 0 (y + x)`
   
   1 error
   [1]
