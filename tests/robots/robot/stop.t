@@ -7,7 +7,7 @@ SIGINT and SIGTERM:
 
   $ start_driving; mark; kill -INT $run; wait $run
   [4]
-  $ until_stopped; sed -n '1p; $p' messages
+  $ until_stopped; grep -m 1 ^connected messages; tail -1 messages
   last speed: 0
   connected: Pioneer p3dx-sh, FrobSim
   error: the run was ended by an interrupt; sent a stop command to the robot
@@ -41,7 +41,7 @@ and the run is given up after two seconds.
 
   $ start_driving; mark; kill -STOP $controller; wait $run
   [4]
-  $ until_stopped; tail -2 messages
+  $ until_stopped; grep 'a step' messages | tail -2
   last speed: 0
   a step takes longer than 0.2 s: stopping the robot
   error: the controller has not finished a step for 2 s; sent a stop command to the robot
@@ -114,7 +114,7 @@ the robot. There are two guards, so that one of them may be killed together with
 owns the line.
 
   $ start_driving; kill -KILL $guard; kill -STOP $second_guard
-  $ until_true 'grep -q signal messages && grep -q hangs messages'; grep -v connected messages
+  $ until_true 'grep -q signal messages && grep -q hangs messages'; grep guard messages
   warning: a guard process was killed by signal 9 (Killed); starting another one
   warning: a guard process hangs; starting another one
   $ ! [ -e /proc/$guard ] && ! [ -e /proc/$second_guard ]

@@ -18,6 +18,7 @@ ROOT, FROBC = (os.path.abspath(path) for path in sys.argv[1:3])
 BUG = os.path.join(ROOT, "examples/bug/bug.frob")
 DOCK = os.path.join(ROOT, "examples/dock_tag")
 PATIENCE = 60  # seconds, for a busy machine; a process that is left behind never ends
+ATTEMPTS = 3
 
 failures = 0
 
@@ -55,16 +56,20 @@ class Started:
         self.name, self.how, self.awaited = name, how, list(awaited)
         self.mark = f"{os.getpid()}-{how.name}-{name.replace(' ', '-')}"
         self.folder = os.path.join(os.getcwd(), self.mark)
+        self.command, self.environment = command, environment
         os.mkdir(self.folder)
+        self.start()
+
+    def start(self):
         with open(os.path.join(self.folder, "said"), "w") as said:
             self.process = subprocess.Popen(
-                command,
+                self.command,
                 cwd=self.folder,
                 stdin=subprocess.DEVNULL,
                 stdout=said,
                 stderr=said,
                 start_new_session=True,
-                env={**os.environ, **environment, "FROB_MARK": self.mark},
+                env={**os.environ, **self.environment, "FROB_MARK": self.mark},
             )
 
     def runs(self):
@@ -75,8 +80,20 @@ class Started:
         with open(os.path.join(self.folder, "said")) as file:
             return file.read()
 
+    def until_it_runs(self):
+        """Whether all its processes run at some time. A run may end before that, because the
+        robot or the controller is too slow on a busy machine: then the command starts again."""
+        for _ in range(ATTEMPTS):
+            if until(lambda: self.runs() or self.process.poll() is not None) and self.runs():
+                return True
+            if self.process.poll() is None:
+                return False
+            print(self.name, "ended by itself:", self.said())
+            self.start()
+        return False
+
     def judge(self):
-        it_ran = until(self.runs)
+        it_ran = self.until_it_runs()
         if not it_ran:
             print(self.name, "ran not:", marked(self.mark), self.said())
         self.process.send_signal(self.how)
@@ -232,7 +249,18 @@ def robots(how):
                 f"run on the {robot}",
                 how,
                 [],
-                [FROBC, "run", drives, "--robot", robot, "--device", device, "--view=print"],
+                [
+                    FROBC,
+                    "run",
+                    drives,
+                    "--robot",
+                    robot,
+                    "--device",
+                    device,
+                    "--view=print",
+                    "--patience",
+                    "2s",
+                ],
             ),
             served,
             log,
