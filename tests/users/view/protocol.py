@@ -268,25 +268,32 @@ async def conditions(v, rows):
 
     wanted = {
         "out.forward < 0.1[m/s]": lambda row: x(row, "out.forward") < 0.1,
-        "forward * 100 < 10 || turn > 0.5": lambda row: x(row, "out.forward") * 100 < 10
+        "forward * 100 < 10[m/s] || turn > 0.5[rad/s]": lambda row: x(row, "out.forward") * 100 < 10
         or x(row, "out.turn") > 0.5,
         "sonar[3] <= 150[cm]": lambda row: x(row, "in.sonar[3]") <= 1.5,
-        "not (sonar[3] <= 1.5)": lambda row: not x(row, "in.sonar[3]") <= 1.5,
+        "not (sonar[3] <= 1.5[m])": lambda row: not x(row, "in.sonar[3]") <= 1.5,
         "abs heading > 10[deg] && motorsOn": lambda row: abs(x(row, "in.odometry.heading"))
         > math.radians(10)
         and row["in.motorsOn"] == "true",
         "mode.bug == driveTo": lambda row: row["mode.bug"] == "driveTo",
         "mode.bug /= driveTo": lambda row: row["mode.bug"] not in ("driveTo", ""),
-        "-forward - 0.1 >= -(0.2 + 0.1) / 2 * 2": lambda row: -x(row, "out.forward") - 0.1
+        "-forward - 0.1[m/s] >= -(0.2[m] + 10[cm]) / 2 * 2[1/s]": lambda row: -x(row, "out.forward")
+        - 0.1
         >= -(0.2 + 0.1) / 2 * 2,
+        "forward > 0 && 5[s] * forward < 30[cm]": lambda row: 0 < x(row, "out.forward") < 0.06,
         "True": lambda row: True,
         "False": lambda row: False,
     }
     wrong = {
+        "forward > 10[s]": "cannot compare m/s and s: their units differ",
+        "forward * turn > 1[m/s]": "cannot compare m/s^2 and m/s: their units differ",
+        "1[m] + 2[s] > 0": "cannot add or subtract m and s: their units differ",
+        "heading > 2[m]": "cannot compare a plain number and m: write the number with its unit, such as 0.3[m/s]",
+        "turn < 0.3": "cannot compare 1/s and a plain number: write the number with its unit, such as 0.3[m/s]",
         "foo > 1": "there is no signal `foo`",
         "x": None,
         "forward >": "the condition is incomplete",
-        "(forward > 1": "a closing parenthesis is missing before",
+        "(forward > 1[m/s]": "a closing parenthesis is missing before",
         "forward > 1[ell]": "not a unit: `[ell]`",
         "forward ! 1": "the viewer does not understand `! 1`",
         "sonar": "there is no signal `sonar`",

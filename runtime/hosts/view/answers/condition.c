@@ -43,6 +43,9 @@ struct reader {
     struct buffer *why;
     unsigned depth, signals;
     bool wrong;
+    /* The dimensions of the operands that are not used yet. */
+    struct dimension dimensions[CONDITION_SIZE];
+    size_t dimension_count;
 };
 
 static void complain(struct reader *r, const char *what, const char *name)
@@ -51,6 +54,51 @@ static void complain(struct reader *r, const char *what, const char *name)
         buffer_format(r->why, "%s%s%s%s", what, *name != '\0' ? " `" : "", name,
                       *name != '\0' ? "`" : "");
     r->wrong = true;
+}
+
+/* Checks the dimensions of the two operands of an operation, as the language does. */
+static void match(struct reader *r, enum operator operator, const struct dimension * a,
+                  const struct dimension *b)
+{
+    if (r->wrong || dimensions_match(a, b))
+        return;
+    buffer_text(r->why, operator== PLUS || operator== MINUS ? "cannot add or subtract "
+                                                            : "cannot compare ");
+    dimension_write(a, r->why);
+    buffer_text(r->why, " and ");
+    dimension_write(b, r->why);
+    buffer_text(r->why, a->count > 0 && b->count > 0
+                            ? ": their units differ"
+                            : ": write the number with its unit, such as 0.3[m/s]");
+    r->wrong = true;
+}
+
+/* Replaces the dimensions of an operation's operands by that of its result. */
+static void measure(struct reader *r, enum operator operator)
+{
+    static const struct dimension none;
+    struct dimension *a, *b;
+    if (operator== NEGATE || operator== ABSOLUTE)
+        return;
+    if (operator== NOT) {
+        r->dimensions[r->dimension_count - 1] = none;
+        return;
+    }
+    b = &r->dimensions[--r->dimension_count];
+    a = b - 1;
+    switch (operator) {
+    case TIMES: *a = dimension_product(a, b, 1); return;
+    case OVER: *a = dimension_product(a, b, -1); return;
+    case PLUS:
+    case MINUS:
+        match(r, operator, a, b);
+        if (a->is_open)
+            *a = *b;
+        return;
+    case OR:
+    case AND: *a = none; return;
+    default: match(r, operator, a, b); *a = none;
+    }
 }
 
 static struct operation *add(struct reader *r, enum operator operator, double number)
@@ -64,7 +112,34 @@ static struct operation *add(struct reader *r, enum operator operator, double nu
     operation->operator= operator;
     operation->number = number;
     r->condition->count++;
+    if (operator== NUMBER || operator== SIGNAL)
+        memset(&r->dimensions[r->dimension_count++], 0, sizeof *r->dimensions);
+    else if (!r->wrong)
+        measure(r, operator);
     return operation;
+}
+
+/* Adds an operand of a dimension. */
+static struct operation *add_operand(struct reader *r, enum operator operator, double number,
+                                     const struct dimension *dimension)
+{
+    struct operation *operation = add(r, operator, number);
+    if (!r->wrong)
+        r->dimensions[r->dimension_count - 1] = *dimension;
+    return operation;
+}
+
+/* Returns the dimension of a signal. The unit of an inner signal without one may be unknown. */
+static struct dimension dimension_of(const struct signal *signal)
+{
+    struct dimension dimension = { 0 };
+    const char *unit = signal->column == NULL ? "" : signal->column->unit;
+    double scale;
+    if (*unit == '\0')
+        dimension.is_open = signal->side == PROBE;
+    else if (!unit_read(unit, strlen(unit), true, &dimension, &scale))
+        dimension.is_open = true;
+    return dimension;
 }
 
 static void skip_blanks(struct reader *r)
@@ -150,7 +225,8 @@ static void add_signal(struct reader *r, const char *name)
     } else if (++r->signals > SERIES_KEPT / 2) {
         complain(r, "the condition has too many signals", "");
     } else {
-        operation = add(r, SIGNAL, 0);
+        const struct dimension dimension = dimension_of(signal);
+        operation = add_operand(r, SIGNAL, 0, &dimension);
         operation->signal = signal;
         operation->numbers = series_of(r->series, signal);
         if (operation->numbers == NULL)
@@ -164,18 +240,22 @@ static void read_number(struct reader *r)
 {
     char *end;
     double number = strtod(r->at, &end);
+    struct dimension dimension = { 0 };
     r->at = end;
     if (*r->at == '[') {
         const char *close = strchr(r->at, ']');
         double scale = 0;
-        if (close == NULL || !unit_read(r->at + 1, (size_t)(close - r->at - 1), &scale)) {
+        if (close == NULL ||
+            !unit_read(r->at + 1, (size_t)(close - r->at - 1), false, &dimension, &scale)) {
             complain(r, "not a unit:", r->at);
             return;
         }
         number *= scale;
         r->at = close + 1;
+    } else {
+        dimension.is_open = number == 0;
     }
-    add(r, NUMBER, number);
+    add_operand(r, NUMBER, number, &dimension);
 }
 
 static void read_primary(struct reader *r)
@@ -313,7 +393,7 @@ static void read_or(struct reader *r)
 bool condition_read(struct condition *condition, struct series *series, const char *text,
                     struct buffer *why)
 {
-    struct reader reader = { condition, series, text, why, 0, 0, false };
+    struct reader reader = { .condition = condition, .series = series, .at = text, .why = why };
     condition->count = 0;
     condition->operations =
         (struct operation *)calloc(CONDITION_SIZE, sizeof *condition->operations);

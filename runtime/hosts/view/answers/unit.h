@@ -1,12 +1,35 @@
-/* unit.h -- the scales of the library's units of measure. */
+/* unit.h -- units of measure: their scales, and the dimensions that they belong to. */
 #ifndef FROB_VIEW_UNIT_H
 #define FROB_VIEW_UNIT_H
+
+#include "../buffer.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Computes the scale of a unit such as `cm/s^2`, relative to the base units (m, s, rad). Returns
- * false if there is no such unit. */
-bool unit_read(const char *text, size_t length, double *scale);
+#define UNIT_FACTORS 10
+
+/* A product of powers of base units, such as m^1 s^-2. */
+struct dimension {
+    bool is_open; /* it fits any other one: unknown, or that of the number 0 */
+    struct {
+        char name[28];
+        double power;
+    } factors[UNIT_FACTORS];
+    size_t count;
+};
+
+/* Reads a unit such as `cm/s^2`: its dimension, and its scale relative to the base units (m, s,
+ * rad). A name that is not a unit of the library counts as a base unit of the program if
+ * `takes_any`. Returns false if there is no such unit. */
+bool unit_read(const char *text, size_t length, bool takes_any, struct dimension *dimension,
+               double *scale);
+
+struct dimension dimension_product(const struct dimension *a, const struct dimension *b,
+                                   double power_of_b);
+bool dimensions_match(const struct dimension *a, const struct dimension *b);
+
+/* Appends a dimension as the language writes units; `a plain number` if it has none. */
+void dimension_write(const struct dimension *dimension, struct buffer *text);
 
 #endif
