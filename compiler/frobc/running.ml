@@ -72,8 +72,8 @@ let for_hosts =
     [
       time_span "for" ~docv:"TIME"
         ~doc:
-          "How long to run, as in $(b,60s), $(b,500ms) or $(b,2min). The default is one minute in \
-           the simulator; on a robot, the run continues until you stop it.";
+          "How long to run, as in $(b,60s), $(b,500ms), $(b,2min) or $(b,1h). The default is one \
+           minute in the simulator; on a robot, the run continues until you stop it.";
       one Arg.float ~print:(Printf.sprintf "%.9g") ~absent:"50." "rate" ~docv:"HZ"
         ~doc:"Steps of the controller per second.";
       flag "exit-when-done"
@@ -117,25 +117,35 @@ let for_robots =
         ~doc:"With $(b,--device): keep the program's memory from being swapped out.";
     ]
 
+(* [frobc view] and [frobc run --view] have it. *)
+let print_address =
+  let doc = "Print the address of the page and do not open a browser." in
+  Arg.(value & flag & info [ "print" ] ~doc)
+
+(* `--view=print` is the older spelling of `--view --print`. *)
 let look =
   let parts = [ ("print", `Print); ("control", `Control) ] in
   let doc =
     "Show the run live on a page with all signals, in real time; without $(b,--for), the run \
      continues until you stop it. Prints the address of the page, and opens a browser if there is \
-     a desktop. $(b,--view=print) does not open a browser. $(b,--view=control) lets viewers send \
-     events to a real robot; otherwise they can only stop it. $(b,--view=print,control) does both."
+     a desktop, unless you add $(b,--print). $(b,--view=control) lets viewers send events to a \
+     real robot; otherwise they can only stop it."
   in
-  let make = function
-    | None -> None
+  let make view print =
+    match view with
+    | None when print -> Error "--print only works with --view: add it"
+    | None -> Ok None
     | Some parts ->
-        Some { Viewing.browser = not (List.mem `Print parts); control = List.mem `Control parts }
+        let browser = not (print || List.mem `Print parts) in
+        Ok (Some { Viewing.browser; control = List.mem `Control parts })
   in
   Term.(
     const make
     $ Arg.(
         value
         & opt ~vopt:(Some []) (some (list (enum parts))) None
-        & info [ "view" ] ~docv:"HOW" ~doc))
+        & info [ "view" ] ~docv:"HOW" ~doc)
+    $ print_address)
 
 let run =
   let world =
@@ -163,6 +173,8 @@ let run =
   in
   let make general entry sources device world record picture look host realtime simulator robot file
       =
+    let ( let* ) = Reporting.( let* ) in
+    let* look = look in
     match (device, robot) with
     | None, option :: _ ->
         let other =
@@ -200,10 +212,6 @@ let view =
   let file =
     let doc = "The $(b,.frob) program that was recorded." in
     Arg.(required & pos 1 (some string) None & info [] ~docv:"FILE" ~doc)
-  in
-  let print =
-    let doc = "Print the address of the page and do not open a browser." in
-    Arg.(value & flag & info [ "print" ] ~doc)
   in
   let port =
     let doc = "The port of the page. The default is any free port." in
@@ -259,8 +267,8 @@ let view =
   in
   command "view" ~man ~doc:"show a recorded run on a page, at any instant"
     Term.(
-      const run $ with_params general $ dialect $ entry $ sources $ print $ port $ world $ seed $ at
-      $ only_build $ why_nan $ recording $ file)
+      const run $ with_params general $ dialect $ entry $ sources $ print_address $ port $ world
+      $ seed $ at $ only_build $ why_nan $ recording $ file)
 
 let serve =
   let robot =

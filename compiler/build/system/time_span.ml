@@ -1,8 +1,8 @@
-let units = [ ("ms", 0.001); ("min", 60.); ("s", 1.) ]
+let units = [ ("ms", 0.001); ("min", 60.); ("s", 1.); ("hour", 3600.); ("h", 3600.) ]
 
 let read ~least text =
   let wrong =
-    Error (Printf.sprintf "`%s` is not a duration; write it like 60s, 500ms or 2min" text)
+    Error (Printf.sprintf "`%s` is not a duration; write it like 60s, 500ms, 2min or 1h" text)
   in
   let suffix (unit_, _) =
     String.length text > String.length unit_ && Filename.check_suffix text unit_

@@ -1,4 +1,4 @@
-(** Time spans on the command line: [60s], [500ms], [2min]. *)
+(** Time spans on the command line: [60s], [500ms], [2min], [1h]. *)
 
 val parse : string -> (float, string) result
 (** Converts a span to seconds, which must be positive and finite. The error is a text for the user.

@@ -1,12 +1,16 @@
 """usage: interrupted.py FROBC RUN.csv FILE ROBOT
 
-Checks that a test of the page leaves no process running when it is killed."""
+Checks that a test of the page leaves no process running when it is killed, and that the address of
+a live run that nobody opens in time stays valid if somebody can read it in a terminal."""
 
 import os
+import pty
+import re
 import signal
 import subprocess
 import sys
 import time
+import urllib.request
 
 import viewer
 from viewer import check
@@ -46,9 +50,35 @@ def main():
         check(f"a test that gets {how.name} leaves no viewer", there and not is_running(pid))
 
 
+def forgotten():
+    """A run that ends before anybody opens its page, in a terminal."""
+    frobc, _, program, robot = sys.argv[1:5]
+    ours, theirs = pty.openpty()
+    run = subprocess.Popen(
+        [frobc, "run", "--robot", robot, "--view", "--print", "--for", "100ms", program],
+        stdout=theirs,
+        stderr=theirs,
+        start_new_session=True,
+    )
+    keeper = viewer.guard(run.pid)
+    os.close(theirs)
+    text = ""
+    while "The run is over." not in text:
+        text += os.read(ours, 1000).decode()
+    address = re.search(r"view: (http://[^#]*)", text)[1]
+    time.sleep(6)  # longer than a viewer waits without a terminal
+    with urllib.request.urlopen(address) as page:
+        check("a page that nobody opened in time can be opened later", page.status == 200)
+    run.send_signal(signal.SIGINT)
+    run.wait()
+    check("until the run is interrupted", not is_running(run.pid))
+    viewer.dismiss(keeper)
+
+
 if __name__ == "__main__":
     if sys.argv[5:] == ["start"]:
         started()
     else:
         main()
+        forgotten()
         sys.exit(viewer.failures > 0)

@@ -111,6 +111,12 @@ A port that is in use, and an invalid one:
   error: --port takes a number from 1 to 65535
   [2]
 
+`--print` has the same meaning for a live run:
+
+  $ frobc run --print way.frob
+  error: --print only works with --view: add it
+  [2]
+
 If the address cannot be printed:
 
   $ frobc view --print run.csv way.frob > /dev/full

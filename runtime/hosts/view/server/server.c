@@ -30,7 +30,8 @@ struct server {
     unsigned long operator; /* number of the page that took control */
     pid_t host;             /* process id of the run's host */
     bool host_has_ended, was_visited;
-    long leaving; /* beats since the request to end */
+    bool has_terminal; /* somebody can read the address, and end the run with Ctrl-C */
+    long leaving;      /* beats since the request to end */
     lws_sorted_usec_list_t again;
     long idle; /* beats since the last page was closed, or the run ended */
 };
@@ -455,7 +456,10 @@ static bool is_to_end(struct server *server, bool is_over)
     const long patience_s = server->was_visited ? SERVER_RELOADS : SERVER_LINGERS;
     const bool is_visited = pages(server) > 0;
     server->was_visited |= is_visited;
-    server->idle = is_visited || (!server->was_visited && !is_over) ? 0 : server->idle + 1;
+    /* Somebody who reads the address in a terminal may open it later. */
+    server->idle = is_visited || (!server->was_visited && (!is_over || server->has_terminal))
+                       ? 0
+                       : server->idle + 1;
     if (asked_to_end || server->host_has_ended)
         server->leaving++;
     if (is_over && server->leaving > 0 && !is_visited)
@@ -548,6 +552,7 @@ bool server_run(struct view *view, int port, const char *token, server_ready *re
         fprintf(stderr, "error: not enough memory to serve the page\n");
     } else {
         control_start(&server.control, view->live.ring);
+        server.has_terminal = isatty(STDERR_FILENO) == 1;
         /* Leave SIGINT to a live run, whose page stays open after it. Ignore Ctrl-Z, which cannot
          * suspend the robot and must not suspend its Stop button. */
         signal(SIGINT, view->live.ring != NULL ? SIG_IGN : end);
