@@ -156,7 +156,7 @@ def visit(page, rows):
     page.at(found)
     page.wait(lambda: "running" in pill.get_attribute("class"))
     check("a mode that is clicked is gone to", True)
-    diagram = page.all(".modes")[2]
+    diagram = next(each for each in page.all(".modes") if "driveTo" in each.text)
     check(
         "the modes of a machine are drawn with what leads from one to the other",
         [b.text for b in diagram.find_elements(By.CSS_SELECTOR, "button")]
@@ -176,7 +176,7 @@ def visit(page, rows):
         "values stand on the lines of their signals",
         line.startswith("bug goal = do") and line.endswith("13[m]"),
     )
-    page.wait(lambda: any(".goal.x" in h.text for h in page.all("#plots h3")))
+    page.wait(lambda: any(".goal.x" in h.text for h in page.all("#plots h2")))
     check("a value that is clicked is plotted", True)
     page.press("w")
     page.wait(lambda: page.text(".why .name") == "out.forward")
@@ -240,6 +240,7 @@ def main():
         stranger = Page(driver, v.address[:-1] + ("0" if v.address[-1] != "0" else "1"))
         stranger.wait(lambda: "the token is wrong" in stranger.text("#state"))
         check("a page with another token shows nothing", stranger.text("#list") == "")
+        check("but what to do", "address that frobc printed" in stranger.text("#opening"))
         page = Page(driver, v.address)
         page.at(0)
         v.end()

@@ -80,6 +80,15 @@ static void add_transitions(const struct view *view, const struct signal *signal
     buffer_text(answer, "]");
 }
 
+/* Returns whether no other signal influences an inner signal: it is constant, unless it depends on
+ * the time or a mode. */
+static bool is_fixed(const struct view *view, const struct signal *signal)
+{
+    const struct frob_origin *origin = why_origin(view->origins, signal);
+    return signal->side == PROBE && origin != NULL && origin->transitions == NULL &&
+           (origin->sources == NULL || origin->sources->column == NULL);
+}
+
 static void add_signals(const struct view *view, struct buffer *answer)
 {
     static const char *const sides[] = { "input", "output", "probe", "mode" };
@@ -92,6 +101,7 @@ static void add_signals(const struct view *view, struct buffer *answer)
                       kind_of(signal));
         add_names(view, signal, answer);
         add_column(signal, answer);
+        buffer_format(answer, ",\"fixed\":%s", is_fixed(view, signal) ? "true" : "false");
         add_transitions(view, signal, answer);
         buffer_text(answer, "}");
     }

@@ -197,7 +197,9 @@ const replaced = "Another viewer answers at this address. Open the address that 
 
 const reasons: Readonly<Record<Exclude<Silent, "nobody">, string>> = {
   viewer: "the viewer does not respond.",
-  connection: "the page cannot reach the viewer and keeps trying.",
+  connection:
+    "the page cannot reach the viewer and keeps trying. If the viewer has ended, start it again and " +
+    "open the address that it prints.",
   host: "the process that runs the program does not respond.",
   instants: "the program has not taken a step.",
 };

@@ -25,10 +25,10 @@ export function startKeys(
         store.stepBy(event.shiftKey ? 10 : 1);
         break;
       case "PageUp":
-        store.goToTime((instant?.time ?? 0) - 1);
+        store.stepSeconds(-1);
         break;
       case "PageDown":
-        store.goToTime((instant?.time ?? 0) + 1);
+        store.stepSeconds(1);
         break;
       case "Home":
         store.goTo(0);
@@ -58,6 +58,12 @@ export function startKeys(
         break;
       case "m":
         store.setMark(store.mark ? null : instant);
+        break;
+      case "i":
+        store.zoom(0.5);
+        break;
+      case "o":
+        store.zoom(2);
         break;
       case "z":
         store.showAll();

@@ -92,6 +92,56 @@ function showProgress(): void {
   }
 }
 
+/** Says what is the case while there is no run to show, and what to do. */
+function say(title: string, text: string): void {
+  const head = document.createElement("h2"),
+    body = document.createElement("p");
+  head.textContent = title;
+  body.textContent = text;
+  element("opening").replaceChildren(head, body);
+}
+
+/** The reasons for which the viewer refuses a page. */
+function sayRefusal(why: string): void {
+  if (token() === "")
+    say(
+      "This address is incomplete",
+      "It must end in # and a token of 32 letters and digits. Copy the whole address that frobc " +
+        "printed.",
+    );
+  else if (/token/.test(why))
+    say(
+      "The token of this address is wrong",
+      "The address is incomplete, or it belongs to another viewer, which has ended. Open the address " +
+        "that frobc printed last.",
+    );
+  else if (/too many pages/.test(why))
+    say(
+      "Too many pages are open",
+      "The viewer serves four pages. Close one of them; this one waits.",
+    );
+  else
+    say(
+      "The viewer does not answer",
+      "This page keeps trying. If the viewer has ended, start it again (frobc view RUN.csv FILE, or " +
+        "frobc run FILE --view) and open the address that it prints.",
+    );
+}
+
+/** Hides the panels until there is an instant to show. */
+function showOpening(): void {
+  const isWaiting = !store || store.program.instants === 0;
+  document.body.classList.toggle("opening", isWaiting);
+  element("opening").hidden = !isWaiting;
+  if (store && isWaiting)
+    say(
+      store.program.live ? "Waiting for the first instant" : "This recording has no instants",
+      store.program.live
+        ? "The program has not taken a step yet. With a robot, check that it is connected and turned on."
+        : "Record a run with frobc run FILE --record RUN.csv.",
+    );
+}
+
 /** Selects the panel to show on a screen that has room for only one. */
 function choose(panel: string): void {
   document.body.dataset["panel"] = panel;
@@ -165,10 +215,13 @@ function answered(answer: Answer, question: string): void {
       break;
     case "program":
       progress = answer;
+      // The panels need their sizes.
+      if (answer.instants > 0) document.body.classList.remove("opening");
       if (store) reconnected(store, answer);
       else store = start(answer);
       extend(answer);
       if (run) store.runsOn(run);
+      showOpening();
       showProgress();
       break;
     case "progress":
@@ -188,6 +241,7 @@ function answered(answer: Answer, question: string): void {
       extend(answer);
       describeRun(store.program);
       progress = answer;
+      showOpening();
       showProgress();
       break;
     case "run":
@@ -271,6 +325,7 @@ const connection = new Connection({
     if (isFinal) refusal = why || "the viewer does not answer this page";
     else if (why !== "" && !store) complain(why);
     contact.closed(isFinal);
+    if (!store) sayRefusal(why);
     showProgress();
   },
 });

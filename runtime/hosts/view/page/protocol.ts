@@ -15,6 +15,8 @@ export interface Signal {
   readonly own: string;
   readonly file: string;
   readonly line: number;
+  /** It depends on no other signal: a constant, unless it depends on the time or a mode. */
+  readonly fixed: boolean;
   /** For the running mode of a machine: the transitions between its modes. */
   readonly transitions?: readonly Transition[];
 }

@@ -126,8 +126,9 @@ export class Store {
   private readonly ways = new Map<number, (way: Way | null) => void>();
   private readonly listeners = new Map<Change, Listener[]>();
   private readonly waiting = new Map<string, SeriesSlot>();
-  /** The instant that the cursor is moving to. */
+  /** The instant or the time that the cursor is moving to. */
   private goal: number | null = null;
+  private goalTime: number | null = null;
   private outstanding = false;
   private wanted: string | null = null;
   private readonly arrivals: Listener[] = [];
@@ -230,6 +231,7 @@ export class Store {
     this.leave();
     if (this.program.instants === 0) return;
     const last = this.program.instants - 1;
+    this.goalTime = null;
     this.goal = Math.max(0, Math.min(last, Math.round(k)));
     this.ask(`instant ${this.goal}`, then);
   }
@@ -238,11 +240,18 @@ export class Store {
     this.leave();
     if (this.program.instants === 0) return;
     this.goal = null;
+    this.goalTime = seconds;
     this.ask(`time ${seconds}`, then);
   }
 
   stepBy(instants: number): void {
     this.goTo((this.goal ?? this.instant?.k ?? 0) + instants);
+  }
+
+  stepSeconds(seconds: number): void {
+    const { start, end } = this.program;
+    const from = this.goalTime ?? this.instant?.time ?? start;
+    this.goToTime(Math.max(start, Math.min(end, from + seconds)));
   }
 
   private ask(request: string, then?: Listener): void {
@@ -264,7 +273,7 @@ export class Store {
       this.wanted = null;
       this.ask(request);
     } else {
-      this.goal = null;
+      this.goal = this.goalTime = null;
       for (const then of this.arrivals.splice(0)) then();
     }
     this.changed("instant");
@@ -281,6 +290,13 @@ export class Store {
     this.leave();
     this.range = [Math.max(this.program.start, from), Math.min(this.program.end, to)];
     this.changed("range");
+  }
+
+  /** Shows a longer or shorter part of the run in the plots, around the instant. */
+  zoom(factor: number): void {
+    const [from, to] = this.range;
+    const middle = Math.max(from, Math.min(to, this.instant?.time ?? from));
+    this.setRange(middle - (middle - from) * factor, middle + (to - middle) * factor);
   }
 
   /** Shows the whole run; while the run is followed, toggles between the whole run and the last

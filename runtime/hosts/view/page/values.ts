@@ -1,14 +1,61 @@
 // Formats values in Frob's syntax, shortened so that they can be read at a glance.
 import type { Signal } from "./protocol";
 
+/** Number of digits of the largest value of a signal that are shown. */
+const digits = 4;
+/** Values below this are shown with an exponent, and those above the other one. */
+const small = 1e-4,
+  large = 1e7;
+
+function special(x: number): string {
+  return Number.isNaN(x) ? "nan" : x > 0 ? "inf" : "-inf";
+}
+
+function withExponent(x: number, places: number): string {
+  return x
+    .toExponential(places)
+    .replace(/\.?0+e/, "e")
+    .replace("e+", "e");
+}
+
 export function formatNumber(x: number): string {
-  if (!Number.isFinite(x)) return Number.isNaN(x) ? "nan" : x > 0 ? "inf" : "-inf";
-  if (x !== 0 && (Math.abs(x) < 1e-4 || Math.abs(x) >= 1e7))
-    return x
-      .toExponential(4)
-      .replace(/\.?0+e/, "e")
-      .replace("e+", "e");
+  if (!Number.isFinite(x)) return special(x);
+  if (x !== 0 && (Math.abs(x) < small || Math.abs(x) >= large)) return withExponent(x, 4);
   return String(Number(x.toPrecision(6)));
+}
+
+/** What has been shown of a signal: its largest value, and its decimals. */
+interface Look {
+  largest: number;
+  decimals: number;
+}
+
+const looks = new WeakMap<Signal, Look>();
+
+/** Returns the decimals of a number with a given precision: 2 for 0.25. */
+function decimalsOf(x: number, most: number): number {
+  let places = most;
+  const text = x.toFixed(most);
+  while (places > 0 && text[text.length - 1 - (most - places)] === "0") places--;
+  return places;
+}
+
+/**
+ * Formats a number of a signal. The number of decimals does not jump from one instant to the next: a
+ * signal keeps the most that any of its values needed, as far as its largest value has few digits.
+ */
+function steady(signal: Signal, x: number): string {
+  if (!Number.isFinite(x)) return special(x);
+  if (signal.kind === "int") return String(x);
+  const look = looks.get(signal) ?? { largest: 0, decimals: 0 };
+  looks.set(signal, look);
+  look.largest = Math.max(look.largest, Math.abs(x));
+  if (look.largest === 0) return "0";
+  if (look.largest < small || look.largest >= large) return x === 0 ? "0" : withExponent(x, 3);
+  const most = Math.max(0, digits - 1 - Math.floor(Math.log10(look.largest)));
+  look.decimals = Math.max(look.decimals, decimalsOf(x, most));
+  const text = x.toFixed(Math.min(most, look.decimals));
+  return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text;
 }
 
 const numbers = /-?\d+(\.\d+)?(e[-+]?\d+)?/g;
@@ -22,7 +69,7 @@ export function formatCell(signal: Signal, cell: string): string {
   return withUnit(
     signal,
     cell.replace(numbers, (digits, _fraction, _exponent, at: number) =>
-      /[\w']/.test(cell[at - 1] ?? "") ? digits : formatNumber(Number(digits)),
+      /[\w']/.test(cell[at - 1] ?? "") ? digits : steady(signal, Number(digits)),
     ),
   );
 }
@@ -35,7 +82,7 @@ function withUnit(signal: Signal, text: string): string {
 export function formatPoint(signal: Signal, x: number | null): string {
   if (x === null) return signal.kind === "event" ? "NoEvent" : "";
   if (signal.kind === "bool") return x === 0 ? "False" : "True";
-  return signal.names[x] ?? withUnit(signal, formatNumber(x));
+  return signal.names[x] ?? withUnit(signal, steady(signal, x));
 }
 
 export function isNothing(signal: Signal, cell: string): boolean {
@@ -51,5 +98,5 @@ export function difference(signal: Signal, from: string, to: string): string | n
   if ((signal.kind !== "float" && signal.kind !== "int") || from === "" || to === "") return null;
   const x = Number(to) - Number(from);
   const sign = x < 0 ? "−" : "+";
-  return Number.isNaN(x) ? null : sign + withUnit(signal, formatNumber(Math.abs(x)));
+  return Number.isNaN(x) ? null : sign + withUnit(signal, steady(signal, Math.abs(x)));
 }

@@ -182,7 +182,7 @@ export function startMap(store: Store, host: HTMLElement): View | null {
 
   const note = document.createElement("p");
   const place = world && worldFile ? ` in ${worldFile.name}` : "";
-  note.textContent = `by odometry${place}`;
+  note.textContent = `by odometry${place}; click the path to go there`;
   store.on("extent", () => {
     if (store.newest?.truth) note.textContent = `simulated${place}; dotted: by odometry`;
   });

@@ -30,6 +30,13 @@ export function startPlots(store: Store, host: HTMLElement): void {
     if (!store.plotted.includes(signal)) store.toggle(signal);
   });
 
+  /** The width of the panel for which data was loaded last. */
+  let loadedWidth = host.clientWidth;
+  const load = () => {
+    loadedWidth = host.clientWidth;
+    drawTimeAxis(store, axis);
+    strips.forEach((strip) => strip.load());
+  };
   /** Shares the height of the panel among the plots. */
   const layOut = () => {
     if (host.clientWidth === 0) return;
@@ -46,6 +53,8 @@ export function startPlots(store: Store, host: HTMLElement): void {
     );
     for (const strip of all) strip.build(strip.isLow ? lowHeight : highHeight);
     drawTimeAxis(store, axis);
+    const { clientWidth } = host;
+    if (Math.abs(clientWidth - loadedWidth) > 0.1 * loadedWidth) load();
   };
 
   /** A plot that is added is scrolled into view. */
@@ -69,10 +78,6 @@ export function startPlots(store: Store, host: HTMLElement): void {
     layOut();
     for (const strip of changed) strip.load();
     if (isStarted) changed.at(-1)?.element.scrollIntoView({ block: "nearest" });
-  };
-  const load = () => {
-    drawTimeAxis(store, axis);
-    strips.forEach((strip) => strip.load());
   };
   store.on("plotted", arrange);
   store.on("sizes", layOut);

@@ -14,7 +14,9 @@ import { XyPlot } from "./xy_plot";
 function button(text: string, title: string, act: () => void): HTMLButtonElement {
   const made = document.createElement("button");
   made.textContent = text;
-  made.title = made.ariaLabel = title;
+  made.title = title;
+  // A word is its own label.
+  if (!/\w/.test(text)) made.ariaLabel = title;
   made.onclick = act;
   return made;
 }
@@ -136,7 +138,7 @@ export class Strip {
     const buttons = document.createElement("span");
     buttons.className = "buttons";
     buttons.append(this.add, more, end);
-    const entries = document.createElement("h3");
+    const entries = document.createElement("h2");
     entries.append(...this.entries.map(({ element }) => element), this.pointedAt);
     this.head.replaceChildren(entries, buttons);
     this.showTools();

@@ -39,6 +39,10 @@ export class TimePlot implements Body {
     private readonly readOut: () => void,
   ) {
     this.element.className = "plot";
+    this.element.role = "img";
+    this.element.ariaLabel = `Plot of ${model.signals
+      .map((number) => store.program.signals[number]?.name ?? "")
+      .join(", ")}`;
     this.lines = new Lines(store);
     this.traces = model.signals.map(
       (number) => new Trace(store, number, `plot ${model.id}`, () => this.show()),
@@ -212,7 +216,12 @@ export class TimePlot implements Body {
       ],
       series: [{}, ...this.series()],
       hooks: {
-        draw: [(plot) => this.drawBeyond(plot)],
+        draw: [
+          (plot) => {
+            this.drawBeyond(plot);
+            this.lines.move(plot);
+          },
+        ],
         setCursor: [() => this.readOut()],
         setSelect: [(plot) => this.zoom(plot)],
         ready: [(plot) => this.listen(plot)],

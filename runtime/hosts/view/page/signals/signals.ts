@@ -1,80 +1,154 @@
-// The list of all signals, with their values; a click plots one.
-import { machineName, modesOf, modeSignals } from "./modes";
+// The list of all signals with their values; a click plots one.
+import { grouped, groupNames, type GroupName } from "./groups";
+import { machineName, modesOf } from "./modes";
 import { canBeDragged } from "../plots/drag";
 import type { Signal } from "../protocol";
+import { startRoving } from "../roving";
 import type { Store } from "../store";
 import { formatCell, isNothing } from "../values";
 
-const titles = { input: "Input", output: "Output", probe: "Inside", mode: "Modes" } as const;
+interface Row {
+  readonly row: HTMLButtonElement;
+  readonly value: HTMLElement;
+  readonly signal: Signal;
+  cell: string | null;
+}
+
+const titles: Readonly<Partial<Record<GroupName, string>>> = {
+  Inside: "Values of the program's equations",
+  Constants: "Values that have been the same since the start and depend on no signal",
+  Library: "Values inside signal functions of the library",
+};
+
+/** A part of the list, with its title. */
+class Group {
+  readonly element = document.createElement("section");
+  readonly rows: Row[] = [];
+  private readonly title = document.createElement("h2");
+  private readonly fold = document.createElement("button");
+  private isOpen: boolean;
+
+  constructor(
+    readonly name: GroupName,
+    isFolded: boolean,
+  ) {
+    this.isOpen = !isFolded;
+    this.title.title = titles[name] ?? "";
+    if (isFolded) {
+      this.fold.onclick = () => {
+        this.isOpen = !this.isOpen;
+        this.show();
+      };
+      this.title.append(this.fold);
+    }
+    this.element.append(this.title);
+    this.show();
+  }
+
+  add(row: Row, ...more: HTMLElement[]): void {
+    this.rows.push(row);
+    this.element.append(row.row, ...more);
+    this.show();
+  }
+
+  remove(row: Row): void {
+    this.rows.splice(this.rows.indexOf(row), 1);
+    this.show();
+  }
+
+  /** Shows the rows whose signals match, also in a folded group. */
+  filter(wanted: string): void {
+    let count = 0;
+    for (const { row, signal } of this.rows) {
+      row.hidden = !signal.name.toLowerCase().includes(wanted);
+      if (!row.hidden) count++;
+      const { nextElementSibling: diagram } = row;
+      if (diagram?.classList.contains("modes")) (diagram as HTMLElement).hidden = row.hidden;
+    }
+    this.element.hidden = count === 0;
+    this.element.classList.toggle("found", wanted !== "");
+  }
+
+  private show(): void {
+    const { name, rows, fold, element, title } = this;
+    element.classList.toggle("folded", !this.isOpen);
+    element.hidden = rows.length === 0;
+    if (title.contains(fold)) {
+      fold.textContent = `${this.isOpen ? "▾" : "▸"} ${name} (${rows.length})`;
+      fold.ariaExpanded = String(this.isOpen);
+    } else title.textContent = name;
+  }
+}
+
+function makeRow(store: Store, signal: Signal, number: number, name: string): Row {
+  const row = document.createElement("button");
+  const label = document.createElement("span");
+  const value = document.createElement("output");
+  label.textContent = name;
+  row.title = signal.name;
+  value.append("");
+  row.append(label, value);
+  row.onclick = () => store.pick(number);
+  canBeDragged(row, number);
+  return { row, value, signal, cell: null };
+}
 
 export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputElement): void {
-  const rows: {
-    row: HTMLButtonElement;
-    value: HTMLElement;
-    signal: Signal;
-    cell: string | null;
-  }[] = [];
-  const groups: HTMLElement[] = [];
-  const modes = new Set(modeSignals(store.program));
-  const sideOf = (signal: Signal, number: number) =>
-    modes.has(number) ? "mode" : signal.side === "mode" ? null : signal.side;
-  for (const side of ["output", "mode", "probe", "input"] as const) {
-    const group = document.createElement("section");
-    const title = document.createElement("h2");
-    title.textContent = titles[side];
-    group.append(title);
-    store.program.signals.forEach((signal, number) => {
-      if (sideOf(signal, number) !== side) return;
-      const row = document.createElement("button");
-      const name = document.createElement("span");
-      const value = document.createElement("output");
-      name.textContent =
-        side === "mode" ? machineName(signal) : signal.name.replace(/^(in|out|probe)\./, "");
-      row.title = signal.name;
-      value.append("");
-      row.append(name, value);
-      row.onclick = () => store.pick(number);
-      canBeDragged(row, number);
-      rows[number] = { row, value, signal, cell: null };
-      group.append(row);
-      if (side === "mode") group.append(modesOf(store, signal, number));
-    });
-    if (group.childElementCount > 1) groups.push(group);
-  }
-  list.append(...groups);
+  const groups = new Map(groupNames.map((name) => [name, new Group(name, name === "Library")]));
+  const rows: (Row | undefined)[] = [];
+  const groupOf = grouped(store.program);
+  groupOf.forEach((name, number) => {
+    const signal = store.program.signals[number];
+    const group = name && groups.get(name);
+    if (!signal || !group) return;
+    const isMode = signal.side === "mode" || signal.transitions !== undefined;
+    const label = isMode ? machineName(signal) : signal.name.replace(/^(in|out|probe)\./, "");
+    const row = makeRow(store, signal, number, label);
+    rows[number] = row;
+    group.add(row, ...(isMode ? [modesOf(store, signal, number)] : []));
+  });
+  list.append(...[...groups.values()].map(({ element }) => element));
+  startRoving(list);
 
+  const matching = () => filter.value.trim().toLowerCase();
+  /** A value that changes is not a constant. */
+  const unfix = (row: Row) => {
+    groups.get("Constants")?.remove(row);
+    groups.get("Inside")?.add(row);
+    groups.get("Inside")?.filter(matching());
+  };
   const showValues = () =>
     rows.forEach((shown, number) => {
+      if (!shown) return;
       const { row, value, signal } = shown;
       const cell = store.instant?.cells[number] ?? "";
       if (cell === shown.cell) return;
-      shown.cell = cell;
+      const hadValue = shown.cell !== null && shown.cell !== "";
+      if (groupOf[number] === "Constants" && hadValue && cell !== "") {
+        groupOf[number] = "Inside";
+        unfix(shown);
+      }
+      if (cell !== "" || groupOf[number] !== "Constants") shown.cell = cell;
       // Change the existing text node: new nodes many times a second would leave a lot of garbage.
       (value.firstChild as Text).data = formatCell(signal, cell);
       value.title = cell;
       row.classList.toggle("nothing", isNothing(signal, cell));
     });
-  const showPlotted = () =>
-    rows.forEach(({ row }, number) => {
-      row.ariaPressed = String(store.plotted.includes(number));
+  const showPlotted = () => {
+    const plotted = new Set(store.plotted);
+    rows.forEach((shown, number) => {
+      if (shown) shown.row.ariaPressed = String(plotted.has(number));
     });
-  const matching = () =>
-    rows.filter(({ signal }) =>
-      signal.name.toLowerCase().includes(filter.value.trim().toLowerCase()),
-    );
+  };
   filter.oninput = () => {
-    const shown = new Set(matching().map(({ row }) => row));
-    rows.forEach(({ row }, number) => {
-      row.hidden = !shown.has(row);
-      if (modes.has(number) && row.nextElementSibling instanceof HTMLElement)
-        row.nextElementSibling.hidden = row.hidden;
-    });
-    for (const group of groups)
-      group.hidden = !group.querySelector(":scope > button:not([hidden])");
+    for (const group of groups.values()) group.filter(matching());
   };
   filter.onkeydown = (event) => {
-    const [first] = matching();
+    const first = [...groups.values()]
+      .flatMap(({ rows }) => rows)
+      .find(({ signal }) => signal.name.toLowerCase().includes(matching()));
     if (event.key === "Enter" && first) first.row.click();
+    if (event.key === "ArrowDown") list.querySelector<HTMLElement>("[tabindex='0']")?.focus();
     if (event.key === "Escape") {
       filter.value = "";
       filter.dispatchEvent(new Event("input"));

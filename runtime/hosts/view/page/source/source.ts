@@ -37,10 +37,10 @@ const colours = HighlightStyle.define([
 const look = EditorView.theme({
   "&": { height: "100%", color: "var(--text)", backgroundColor: "transparent", fontSize: "13px" },
   ".cm-scroller": { fontFamily: "var(--mono)", lineHeight: "1.55", overflowX: "hidden" },
-  ".cm-gutters": { backgroundColor: "transparent", color: "var(--faint)", border: "none" },
+  ".cm-gutters": { backgroundColor: "transparent", color: "var(--dim)", border: "none" },
   "&.cm-focused": { outline: "none" },
-  ".idle": { opacity: "0.45" },
-  ".asked": { backgroundColor: "var(--picked)", opacity: "1" },
+  ".idle, .idle span": { color: "var(--dim) !important", fontWeight: "400 !important" },
+  ".asked": { backgroundColor: "var(--picked)" },
   // The values never make a line wrap: they take no space. If there is no room for them after the
   // text, they cover its end.
   ".values": {

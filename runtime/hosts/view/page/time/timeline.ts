@@ -1,13 +1,18 @@
 // The time line of the whole run: modes as bands, the cursor, the mark, and the range of the plots.
 import { clear } from "../canvas";
-import { machineName, modeSignals } from "../signals/modes";
+import { around } from "../plots/scales";
+import { machineName } from "../signals/modes";
 import type { Claim, Series } from "../protocol";
 import type { Store } from "../store";
 import { colour, isDark, lineColour, onTheme } from "../theme";
+import { timeTicks } from "../ticks";
 import { formatNumber, formatTime } from "../values";
+import { rowsOf } from "./rows";
 
 const bandHeight = 16;
 const axisHeight = 20;
+/** How near the pointer must be to an end of the plots' range to drag it, in pixels. */
+const handle = 6;
 /** Maximum number of bands that leaves room for the rest of the page. */
 const mostBands = () => (innerHeight < 800 ? 4 : 6);
 /** Interval at which the bands of a live run are requested, in ms. */
@@ -23,7 +28,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   const { program } = store;
   const { signals } = program;
   const span = () => Math.max(program.end - program.start, 1e-9);
-  const modes = modeSignals(store.program).slice(0, mostBands());
+  const rows = rowsOf(store.program, mostBands());
   const bands = new Map<number, Series>();
   let width = 0;
 
@@ -63,14 +68,60 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     }
   };
 
+  /** Draws the occurrences of an event. */
+  const drawEvents = (series: Series, y: number) => {
+    context.fillStyle = colour("accent");
+    series.times.forEach((time, i) => {
+      if (series.values[i] !== null) context.fillRect(place(time) - 1, y, 2, bandHeight - 3);
+    });
+  };
+
+  /** Draws the course of a value. */
+  const drawCourse = (series: Series, y: number) => {
+    const [low, high] = around(series.values);
+    const at = (x: number) =>
+      y +
+      bandHeight -
+      3 -
+      ((Math.min(high, Math.max(low, x)) - low) / (high - low)) * (bandHeight - 4);
+    context.strokeStyle = colour("accent");
+    context.lineWidth = 1;
+    context.beginPath();
+    series.times.forEach((time, i) => {
+      const value = series.values[i];
+      if (typeof value === "number") context.lineTo(place(time), at(value));
+    });
+    context.stroke();
+  };
+
+  const drawName = (number: number, y: number) => {
+    const name = signals[number]?.name.replace(/^(out|probe)\./, "") ?? "";
+    context.lineWidth = 3;
+    context.strokeStyle = colour("panel");
+    context.strokeText(name, 4, y + bandHeight / 2);
+    context.lineWidth = 1;
+    context.fillStyle = colour("text");
+    context.fillText(name, 4, y + bandHeight / 2);
+  };
+
+  const drawRows = () =>
+    rows.forEach(({ kind, number }, i) => {
+      const series = bands.get(number);
+      const y = 10 + i * bandHeight;
+      if (!series) return;
+      if (kind === "modes") drawBand(number, series, y);
+      else {
+        if (kind === "events") drawEvents(series, y);
+        else drawCourse(series, y);
+        drawName(number, y);
+      }
+    });
+
   const drawAxis = (y: number) => {
     const { start, end } = program;
-    const least = span() / Math.max(1, width / 80);
-    const power = 10 ** Math.floor(Math.log10(least));
-    const step = [1, 2, 5, 10].map((x) => x * power).find((x) => x >= least) ?? 10 * power;
     context.fillStyle = colour("dim");
     context.strokeStyle = colour("grid");
-    for (let t = Math.ceil(start / step) * step; t <= end + step * 1e-6; t += step) {
+    for (const t of timeTicks(start, end, width)) {
       const x = place(t);
       context.beginPath();
       context.moveTo(x, 0);
@@ -112,6 +163,9 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     if (from > start || to < end) {
       context.fillStyle = colour("range");
       context.fillRect(place(from), 0, place(to) - place(from), bottom);
+      // Handles, to drag the ends of the range.
+      context.fillStyle = colour("accent");
+      for (const end of [from, to]) context.fillRect(place(end) - 1.5, 0, 3, bottom);
     }
     context.fillStyle = colour("found");
     for (let i = 0; i < store.spans.length; i += 2) {
@@ -120,10 +174,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     }
     drawAxis(bottom);
     for (const claim of store.claims) drawViolations(claim, bottom);
-    modes.forEach((number, i) => {
-      const series = bands.get(number);
-      if (series) drawBand(number, series, 10 + i * bandHeight);
-    });
+    drawRows();
   };
 
   const drawMoving = () => {
@@ -150,20 +201,36 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   };
   host.ariaValueMin = "0";
 
-  canvas.style.height = `${Math.max(1, modes.length) * bandHeight + 12 + axisHeight}px`;
-  const scrub = (event: PointerEvent) =>
-    store.goToTime(program.start + (event.offsetX / Math.max(1, width)) * span());
+  canvas.style.height = `${Math.max(1, rows.length) * bandHeight + 12 + axisHeight}px`;
+  const timeAt = (event: PointerEvent) =>
+    program.start + (event.offsetX / Math.max(1, width)) * span();
+  /** Returns which end of the plots' range is under the pointer: 0, 1, or -1 for none. */
+  const endAt = (event: PointerEvent) => {
+    const [from, to] = store.range;
+    if (from <= program.start && to >= program.end) return -1;
+    return [from, to].findIndex((end) => Math.abs(place(end) - event.offsetX) <= handle);
+  };
+  let held = -1;
+  const drag = (event: PointerEvent) => {
+    const [from, to] = store.range;
+    const at = timeAt(event);
+    if (held < 0) store.goToTime(at);
+    else if (held === 0 && at < to) store.setRange(at, to);
+    else if (held === 1 && at > from) store.setRange(from, at);
+  };
   canvas.onpointerdown = (event) => {
     canvas.setPointerCapture(event.pointerId);
-    scrub(event);
+    held = endAt(event);
+    if (held < 0) drag(event);
   };
   canvas.onpointermove = (event) => {
-    if (canvas.hasPointerCapture(event.pointerId)) scrub(event);
+    if (canvas.hasPointerCapture(event.pointerId)) drag(event);
+    else canvas.classList.toggle("on-end", endAt(event) >= 0);
   };
   let asked = 0;
   const askForBands = () => {
     asked = performance.now();
-    modes.forEach((number) =>
+    rows.forEach(({ number }) =>
       store.series(
         "band",
         { signal: number, from: program.start, to: program.end, width },

@@ -1,0 +1,36 @@
+// The rows of the time line: the modes of machines; and for a program with few of them, its events and
+// its first outputs, so that there is something to recognize.
+import { grouped } from "../signals/groups";
+import { modeSignals } from "../signals/modes";
+import type { Program } from "../protocol";
+
+export interface Row {
+  readonly kind: "modes" | "events" | "line";
+  /** The number of its signal. */
+  readonly number: number;
+}
+
+/** Number of rows of modes from which a time line needs nothing else. */
+const enough = 2;
+const mostEvents = 2;
+const mostLines = 2;
+
+export function rowsOf(program: Program, most: number): Row[] {
+  const modes = modeSignals(program).slice(0, most);
+  const rows = (kind: Row["kind"], numbers: readonly number[]) =>
+    numbers.map((number): Row => ({ kind, number }));
+  if (modes.length >= enough) return rows("modes", modes);
+  const groups = grouped(program);
+  const own = program.signals.flatMap((signal, number) =>
+    groups[number] === "Output" || groups[number] === "Inside" ? [{ signal, number }] : [],
+  );
+  const events = own.filter(({ signal }) => signal.kind === "event");
+  const lines = own.filter(({ signal }) => signal.side === "output" && signal.kind === "float");
+  const numbers = (all: typeof own, count: number) =>
+    all.slice(0, count).map(({ number }) => number);
+  return [
+    ...rows("modes", modes),
+    ...rows("line", numbers(lines, mostLines)),
+    ...rows("events", numbers(events, mostEvents)),
+  ].slice(0, most);
+}
