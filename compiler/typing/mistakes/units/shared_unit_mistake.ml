@@ -118,23 +118,56 @@ let has_other_reason words ~given ~decided =
       && not (is_zero e || is_general words e))
     given
 
+(* The unit as the program would write it: an angle keeps its unit. The empty text is no unit. *)
+let written words (number : Bare_number.t) unit_ =
+  let angle =
+    match number.unit_ with
+    | Some { factors = (Declared { name = ("deg" | "rad") as name; _ }, _) :: _; _ } -> Some name
+    | Some _ | None -> None
+  in
+  match (angle, Show.measure words unit_) with
+  | Some angle, "1" -> angle
+  | Some angle, "1/s" -> angle ^ "/s"
+  | None, "1" -> ""
+  | _, measure -> measure
+
 let give words { number; unit_; _ } d =
-  let unit_ = Show.measure words unit_ in
-  match number.unit_ with
-  | None -> Bare_number.give words number unit_ d
-  | Some _ when number.name = None ->
-      let text = Printf.sprintf "%s[%s]" number.digits unit_ in
-      hint (Printf.sprintf "write `%s` if you meant that unit" text) d |> write number.at text
-  | Some _ -> d
+  match (number.unit_, number.name) with
+  | None, _ -> Bare_number.give words number (Show.measure words unit_) d
+  | Some _, name -> (
+      let sign = if number.negative then "-" else "" in
+      let text =
+        match written words number unit_ with
+        | "" -> number.digits
+        | unit_ -> Printf.sprintf "%s[%s]" number.digits unit_
+      in
+      match name with
+      | None ->
+          hint
+            (if String.equal text number.digits then
+               Printf.sprintf "write `%s%s`, without a unit" sign text
+             else Printf.sprintf "write `%s%s` if you meant that unit" sign text)
+            d
+          |> write number.at text
+      | Some name ->
+          label ~at:number.at (Printf.sprintf "`%s` is this number" name) d
+          |>
+          if number.signature = None then fun d ->
+            hint
+              (Printf.sprintf "if `%s` has the wrong unit, write `%s = %s%s`" name name sign text)
+              d
+            |> write number.at text
+          else Fun.id)
 
 let report words ~callee ~(subject : Resolve.Ir.expr) ~found ~at (first, rest) =
-  let wanted = Show.measure words first.unit_ in
+  let text = Show.measure words in
+  let error format = error ~code:"E0320" ~at format in
   let d =
     if Units.equal first.current Units.one then
-      error ~code:"E0320" ~at "expected the unit `%s`, found none" wanted
-    else
-      error ~code:"E0320" ~at "expected the unit `%s`, found `%s`" wanted
-        (Show.measure words first.current)
+      error "expected the unit `%s`, found none" (text first.unit_)
+    else if Units.equal first.unit_ Units.one then
+      error "expected no unit, found `%s`" (text first.current)
+    else error "expected the unit `%s`, found `%s`" (text first.unit_) (text first.current)
   in
   d
   |> here (Printf.sprintf "argument %d of `%s`" first.position callee)
@@ -142,6 +175,20 @@ let report words ~callee ~(subject : Resolve.Ir.expr) ~found ~at (first, rest) =
        (Printf.sprintf "because this is %s, and `%s` needs matching units"
           (Show.described words found) callee)
   |> fun d -> List.fold_left (fun d suspect -> give words suspect d) d (first :: rest)
+
+(* Does an input among the later arguments have this unit too? *)
+let agrees_with_a_later words ~given ~position unit_ =
+  let agrees i (e : Resolve.Ir.expr) =
+    i >= position
+    &&
+    match e.desc with
+    | Local x -> (
+        match Option.bind (List.assoc_opt x.name (Show.inputs words)) unit_of with
+        | Some u -> Units.equal u unit_
+        | None -> false)
+    | _ -> false
+  in
+  List.exists Fun.id (List.mapi agrees given)
 
 (* `delay 0.5[s] v`, meant as a delay by a time. *)
 let is_a_time words ~callee { number; current; _ } =
@@ -164,7 +211,9 @@ let of_an_earlier_number words ~(expected : Expected.t) ~found ~subject (wanted,
       | [], _ -> None
       (* two numbers with units: either may be wrong *)
       | _, Some { unit_ = None; _ } -> None
-      | _, Some _ when bare = [] -> None
+      | _, Some _ when bare = [] && not (agrees_with_a_later words ~given:arguments ~position given)
+        ->
+          None
       | first :: _, _ when is_a_time words ~callee first -> None
       | first :: rest, _ ->
           let at =

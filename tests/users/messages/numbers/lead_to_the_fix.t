@@ -865,3 +865,86 @@ A product that should be a quotient:
   1 error
   [1]
   $ sed 's:v \* r:v / r:' quotient.frob > pasted.frob && frobc check pasted.frob
+
+An angle for a turn rate, a turn rate for an angle, and a unit for a plain number:
+
+  $ cat > angles.frob <<'FROB'
+  > import Control
+  > f :: SF AngularVelocity AngularVelocity
+  > f = proc w -> limit 30[deg] w
+  > g :: SF Angle Angle
+  > g = proc a -> limit 20[deg/s] a
+  > h :: SF Float Float
+  > h = proc x -> limit 1[m/s] x
+  > FROB
+  $ frobc check angles.frob
+  error[E0320]: expected the unit `1/s`, found none
+   --> angles.frob:3:21
+    |
+  3 | f = proc w -> limit 30[deg] w
+    |                     ^^^^^^^ - because this is `AngularVelocity` (1/s), and `limit` needs matching units
+    |                     |
+    |                     argument 1 of `limit`
+    |
+    = hint: write `30[deg/s]` if you meant that unit
+  
+  error[E0320]: expected no unit, found `1/s`
+   --> angles.frob:5:21
+    |
+  5 | g = proc a -> limit 20[deg/s] a
+    |                     ^^^^^^^^^ - because this is `Angle` (1), and `limit` needs matching units
+    |                     |
+    |                     argument 1 of `limit`
+    |
+    = hint: write `20[deg]` if you meant that unit
+  
+  error[E0320]: expected no unit, found `m/s`
+   --> angles.frob:7:21
+    |
+  7 | h = proc x -> limit 1[m/s] x
+    |                     ^^^^^^ - because this is `Float`, and `limit` needs matching units
+    |                     |
+    |                     argument 1 of `limit`
+    |
+    = hint: write `1`, without a unit
+  
+  3 errors
+  [1]
+  $ sed 's:30\[deg\]:30[deg/s]:; s:20\[deg/s\]:20[deg]:; s:1\[m/s\]:1:' angles.frob > pasted.frob && frobc check pasted.frob
+
+A constant with another unit, and the first of two numbers:
+
+  $ cat > fastest.frob <<'FROB'
+  > import Control
+  > fastest = 0.4[m]
+  > f, g :: SF Velocity Velocity
+  > f = proc v -> limit fastest v
+  > g = proc v -> clamp 0.1[s] 0.5[m/s] v
+  > FROB
+  $ frobc check fastest.frob
+  error[E0320]: expected the unit `m/s`, found `m`
+   --> fastest.frob:4:21
+    |
+  2 | fastest = 0.4[m]
+    |           ------ `fastest` is this number
+  3 | f, g :: SF Velocity Velocity
+  4 | f = proc v -> limit fastest v
+    |                     ^^^^^^^ - because this is `Velocity` (m/s), and `limit` needs matching units
+    |                     |
+    |                     argument 1 of `limit`
+    |
+    = hint: if `fastest` has the wrong unit, write `fastest = 0.4[m/s]`
+  
+  error[E0320]: expected the unit `m/s`, found `s`
+   --> fastest.frob:5:21
+    |
+  5 | g = proc v -> clamp 0.1[s] 0.5[m/s] v
+    |                     ^^^^^^ -------- because this is `Float[m/s]`, and `clamp` needs matching units
+    |                     |
+    |                     argument 1 of `clamp`
+    |
+    = hint: write `0.1[m/s]` if you meant that unit
+  
+  2 errors
+  [1]
+  $ sed 's:0.4\[m\]:0.4[m/s]:; s:0.1\[s\]:0.1[m/s]:' fastest.frob > pasted.frob && frobc check pasted.frob
