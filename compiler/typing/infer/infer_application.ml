@@ -394,6 +394,20 @@ let tell_parentheses expressions ctx ~(head : Resolve.Ir.expr) arguments ~given 
       | _ -> false)
   | _ -> false
 
+(* Improves the message about the argument that failed. *)
+let tell expressions ctx e ~head arguments ~given ~parameters ~failed ty =
+  let output =
+    match Type.expand ty with
+    | Function (_, output) | Signal_function (_, output) -> output
+    | _ -> Type.Erroneous
+  in
+  let is_told =
+    tell_tighter_field ctx ~head arguments ~failed output
+    || tell_habit expressions ctx e ~head arguments
+    || tell_parentheses expressions ctx ~head arguments ~given ~parameters ~failed
+  in
+  if not is_told then tell_order expressions ctx e ~head arguments ~given ~failed
+
 let infer expressions ctx e =
   let head, arguments = spine e in
   let negative = looks_negative head arguments in
@@ -462,16 +476,6 @@ let infer expressions ctx e =
       (match failed with
       | Some failed when errors ctx = before + 1 ->
           let given = List.rev types in
-          let output =
-            match Type.expand start.ty with
-            | Function (_, output) | Signal_function (_, output) -> output
-            | _ -> Type.Erroneous
-          in
-          let is_told =
-            tell_tighter_field ctx ~head arguments ~failed output
-            || tell_habit expressions ctx e ~head arguments
-            || tell_parentheses expressions ctx ~head arguments ~given ~parameters ~failed
-          in
-          if not is_told then tell_order expressions ctx e ~head arguments ~given ~failed
+          tell expressions ctx e ~head arguments ~given ~parameters ~failed start.ty
       | _ -> ());
       result)

@@ -185,6 +185,20 @@ let operands words ~subject ~(expected : Expected.t) (wanted, given) d =
 let is_delayed (expected : Expected.t) =
   match expected.because with Parameter { callee = Some "delay"; _ } -> true | _ -> false
 
+(* One of the units is 1, and the expression is not a literal. *)
+let with_a_unit words ~subject ~expected (wanted, given) diagnostic =
+  if
+    Units.equal given Units.one
+    && (not (is_operand expected || is_delayed expected))
+    && subject <> None
+  then
+    let unit_ = Show.measure words wanted in
+    hint
+      (Printf.sprintf "if it is a number of `%s`, multiply by the unit: `%s`" unit_
+         (changed words subject (fun e -> Printf.sprintf "%s * 1[%s]" e unit_)))
+      diagnostic
+  else operands words ~subject ~expected (wanted, given) diagnostic
+
 let rec is_of_time (e : Resolve.Ir.expr option) =
   match e with
   | Some { desc = Global { name = "time"; _ }; _ } -> true
@@ -231,18 +245,7 @@ let conversion words ~subject ~expected (wanted, given) diagnostic =
       diagnostic
   else if Units.equal given Units.one || Units.equal wanted Units.one then
     if diagnostic.hints = [] && written = None then
-      if
-        Units.equal given Units.one
-        && (not (is_operand expected || is_delayed expected))
-        && subject <> None
-      then
-        hint
-          (Printf.sprintf "if it is a number of `%s`, multiply by the unit: `%s`"
-             (Show.measure words wanted)
-             (changed words subject (fun e ->
-                  Printf.sprintf "%s * 1[%s]" e (Show.measure words wanted))))
-          diagnostic
-      else operands words ~subject ~expected (wanted, given) diagnostic
+      with_a_unit words ~subject ~expected (wanted, given) diagnostic
     else diagnostic
   else if written <> None then
     let digits, at = Option.get written in
