@@ -107,8 +107,8 @@ let resolve context ~elsewhere exports scopes (m : Modules.t) =
     let complete =
       m.complete && Option.fold program ~none:true ~some:(fun (p : Scope.t) -> p.complete)
     in
-    Scope.create context ~module_:m.name ~library:m.library ~own ~imports ~complete ~elsewhere
-      ~syntax:m.syntax
+    Scope.create context ~text:m.text ~module_:m.name ~library:m.library ~own ~imports ~complete
+      ~elsewhere ~syntax:m.syntax
   in
   let exported = Exports.of_module scope m.syntax.header in
   let units = Declarations.units scope m.syntax in

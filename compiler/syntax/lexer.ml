@@ -277,6 +277,11 @@ let rec take_rest_of_unit t =
   | '^' -> part Basis.Character.is_digit
   | _ -> ""
 
+(* The `.` in `5. * x` or `(5.)`, which cannot be an operator. *)
+let lacks_fraction t =
+  peek t 0 = '.'
+  && match peek t 1 with ' ' | '\n' | ')' | ',' | ']' | '[' | '\000' -> true | _ -> false
+
 let number t =
   let start = position t in
   let first = t.at in
@@ -325,6 +330,13 @@ let number t =
       | _ -> None
     in
     report t ~code:"E0105" ~start ~hint ?write (Printf.sprintf "the number `%s` %s" text problem);
+    BAD)
+  else if base = 10 && (not point) && exponent = 0 && lacks_fraction t then (
+    t.at <- t.at + 1;
+    let written = text ^ ".0" in
+    report t ~code:"E0105" ~start ~write:written
+      ~hint:(Printf.sprintf "write a digit after the point: `%s`" written)
+      (Printf.sprintf "the number `%s.` has no digit after its point" text);
     BAD)
   else if String.length text > most_digits then (
     report t ~code:"E0105" ~start
@@ -409,7 +421,7 @@ let unexpected t =
   if t.bad_line <> t.line && not (character = ":" && List.mem hint t.colons) then
     report t ~code:"E0103" ~start ?hint ?write:instead
       (Printf.sprintf "unexpected character %s" shown);
-  if character = ":" && Character_hint.is_of_each_line hint then t.colons <- hint :: t.colons;
+  if character = ":" then t.colons <- Character_hint.of_each_line hint @ t.colons;
   t.bad_line <- t.line;
   BAD
 

@@ -25,6 +25,9 @@ val copy : t -> t
 val text_follows : t -> bool
 (** Is the next token a string? *)
 
+val is_unit : string -> bool
+(** Is this the symbol of a unit of the prelude? *)
+
 val next : t -> token
 (** The next token. At the end of the text, returns [END] repeatedly. *)
 

@@ -87,24 +87,28 @@ let written_in_words (operand : term) =
     match t.desc with
     | Variable { qualifier = None; name = { text = "and"; _ }; _ } -> Some ("and", "&&", t.span)
     | Variable { qualifier = None; name = { text = "or"; _ }; _ } -> Some ("or", "||", t.span)
+    | Constructor { qualifier = None; name = { text = "AND"; _ }; _ } -> Some ("AND", "&&", t.span)
+    | Constructor { qualifier = None; name = { text = "OR"; _ }; _ } -> Some ("OR", "||", t.span)
     | _ -> None
   in
   match operand.desc with Application { arguments; _ } -> List.find_map word arguments | _ -> None
 
 let reject_two (first : Ir.qualified) operand (second : Ir.qualified) =
-  Reject.diagnostic
-    (Diagnostic.error ~code:"E0113" ~at:second.span
-       "`%s` and `%s` cannot be combined without parentheses" (shown first) (shown second)
-    |> Diagnostic.label ~at:first.span "after this one"
-    |>
-    match written_in_words operand with
-    | Some (word, symbol, at) ->
-        fun d ->
-          Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol word) d
-          |> Diagnostic.write at symbol
-    | None when fst (precedence second) = comparison_level ->
-        Diagnostic.hint "compare two at a time: `a < b && b < c`"
-    | None -> Diagnostic.hint "put parentheses around the part to compute first")
+  match written_in_words operand with
+  | Some (word, symbol, at) ->
+      Reject.diagnostic
+        (Diagnostic.error ~code:"E0110" ~at "Frob has no `%s`" word
+        |> Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol word)
+        |> Diagnostic.write at symbol)
+  | None ->
+      Reject.diagnostic
+        (Diagnostic.error ~code:"E0113" ~at:second.span
+           "`%s` and `%s` cannot be combined without parentheses" (shown first) (shown second)
+        |> Diagnostic.label ~at:first.span "after this one"
+        |> Diagnostic.hint
+             (if fst (precedence second) = comparison_level then
+                "compare two at a time: `a < b && b < c`"
+              else "put parentheses around the part to compute first"))
 
 let in_parentheses (first : Span.t) (last : Span.t) =
   let place at = Span.make ~file:first.file ~start:at ~stop:at in

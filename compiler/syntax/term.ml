@@ -1,6 +1,24 @@
 open Basis
 open Surface
 
+(* The unit in the brackets after a space, if it is made of names, `*` and `/`. *)
+let rec unit_text (t : term) =
+  let rec of_expr : Ir.expr_desc -> string option = function
+    | Variable { qualifier = None; name; _ } -> Some name.text
+    | Binary { operator = { name = { text = ("*" | "/") as op; _ }; _ }; left; right } -> (
+        match (of_expr left.desc, of_expr right.desc) with
+        | Some left, Some right -> Some (left ^ op ^ right)
+        | _ -> None)
+    | Power { base; exponent } ->
+        Option.map (fun b -> Printf.sprintf "%s^%d" b exponent) (of_expr base.desc)
+    | _ -> None
+  in
+  match t.desc with
+  | Variable { qualifier = None; name; _ } -> Some name.text
+  | Expression desc -> of_expr desc
+  | Parenthesized t -> unit_text t
+  | _ -> None
+
 let rec to_expr (t : term) : Ir.expr =
   let make desc : Ir.expr = { desc; span = t.span } in
   match t.desc with
@@ -12,12 +30,20 @@ let rec to_expr (t : term) : Ir.expr =
   | Tuple ts -> make (Tuple (Long_list.map to_expr ts))
   | Array ts -> make (Array (Long_list.map to_expr ts))
   | Parenthesized t -> make (Parenthesized (to_expr t))
-  | Application { head = { desc = Number _; _ } as head; arguments = { desc = Array _; span } :: _ }
-    ->
+  | Application
+      {
+        head = { desc = Number { digits; _ }; _ } as head;
+        arguments = { desc = Array elements; span } :: _;
+      } ->
+      let hint =
+        match List.map unit_text elements with
+        | [ Some measure ] -> Printf.sprintf "remove the space: `%s[%s]`" digits measure
+        | _ -> Printf.sprintf "remove the space between `%s` and its unit" digits
+      in
       Reject.diagnostic
         (Diagnostic.error ~code:"E0110" ~at:span
            "a unit must directly follow its number, without a space"
-        |> Diagnostic.hint "remove the space, as in `0.4[m/s]`"
+        |> Diagnostic.hint hint
         |> Diagnostic.fix ~safe:true "remove the space"
              [ (Span.make ~file:span.file ~start:head.span.stop ~stop:span.start, "") ])
   | Application { head; arguments } ->

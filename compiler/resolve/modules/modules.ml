@@ -6,6 +6,7 @@ type import = { declaration : Syntax.Ir.import option; module_ : string }
 type t = {
   name : string;
   file : string;
+  text : string;
   library : bool;
   syntax : Syntax.Ir.program;
   imports : import list;
@@ -209,6 +210,7 @@ and add_loaded loader ~name ~imports ?program found syntax =
     {
       name;
       file = found.shown;
+      text = found.text;
       library = found.in_library;
       syntax;
       imports = List.filter_map Fun.id imports;
@@ -238,7 +240,8 @@ and load_imports loader ~way ~name ~prelude:implicit found (syntax : Syntax.Ir.p
     let at = Span.start_of_file found.shown in
     if implicit then [ import ~declaration:None { text = prelude; span = at } at ] else []
   in
-  implied @ Long_list.map written syntax.imports
+  let of_tests = List.map written (Option.to_list (Labels.import syntax)) in
+  implied @ of_tests @ Long_list.map written syntax.imports
 
 (* Finds the module and loads it if it is new. Returns whether it exists. *)
 and import_module loader ~way ~directory ~importer_in_library (target : Syntax.Ir.name) =

@@ -12,6 +12,7 @@ type t = {
   name : string;
   file : string;
       (** the name shown in diagnostics; library files are shown under the library folder's name *)
+  text : string;  (** the source text *)
   library : bool;
   syntax : Syntax.Ir.program;
   imports : import list;  (** the imports whose modules were found *)

@@ -1,3 +1,5 @@
+open Basis
+
 let verdict : Ir.Global.t = { module_ = "Prelude"; name = "verdict" }
 let word : Syntax.Ir.claim -> string = function Assert -> "assert" | Assume -> "assume"
 let name kind label = word kind ^ " " ^ label
@@ -20,6 +22,31 @@ let judge name = judge_of ^ name
 let is_measuring (g : Ir.Global.t) =
   g.module_ = "Trial" && List.mem g.name [ "meanOf"; "largestOf"; "smallestOf"; "lastOf" ]
 
+let of_tests = "Trial"
+let holding : Ir.Global.t = { module_ = of_tests; name = "holding" }
+
+(* A qualifier that cannot occur in source code, so no name of the program hides these. *)
+let qualifier = "library " ^ of_tests
+
+let of_library text (span : Span.t) : Syntax.Ir.qualified =
+  { qualifier = Some { text = qualifier; span }; name = { text; span }; span }
+
+let is_check (d : Syntax.Ir.declaration) = match d.desc with Check _ -> true | _ -> false
+
+let import (program : Syntax.Ir.program) : Syntax.Ir.import option =
+  if List.exists is_check program.declarations then
+    let span = Span.start_of_file program.file in
+    let named text : Syntax.Ir.name = { text; span } in
+    Some
+      {
+        module_ = named of_tests;
+        qualified = true;
+        alias = Some (named qualifier);
+        items = None;
+        span;
+      }
+  else None
+
 let kind_of_check text =
   let of_kind kind =
     let prefix = check_name kind "" in
@@ -38,15 +65,21 @@ let checked (d : Syntax.Ir.declaration) : (Syntax.Ir.name * Syntax.Ir.expr) list
       let whole : Syntax.Ir.qualified = { qualifier = None; name = named name; span } in
       let record : Syntax.Ir.expr = { desc = Variable whole; span } in
       let field : Syntax.Ir.expr = { desc = Field { record; field = named "judge" }; span } in
+      let value : Syntax.Ir.expr =
+        match kind with
+        | Trial -> value
+        | Test ->
+            let function_ = of_library holding.name span in
+            let head : Syntax.Ir.expr = { desc = Variable function_; span } in
+            { desc = Apply (head, value); span = value.span }
+      in
       [ (named name, value); (named (judge name), field) ]
   | _ -> []
 
 let check_signature (d : Syntax.Ir.declaration) : (Syntax.Ir.name * Syntax.Ir.qualified_type) list =
   match d.desc with
   | Check { kind; label = { text; span }; _ } ->
-      let name : Syntax.Ir.qualified =
-        { qualifier = None; name = { text = check_type kind; span }; span }
-      in
+      let name = of_library (check_type kind) span in
       let ty : Syntax.Ir.ty = { desc = Type { name; units = None; arguments = [] }; span } in
       [ ({ text = check_name kind text; span }, { context = []; ty }) ]
   | _ -> []

@@ -37,6 +37,16 @@ val is_measuring : Ir.Global.t -> bool
 val kind_of_check : string -> (Syntax.Ir.check * string) option
 (** The kind and label of a test, if this is the name of one. *)
 
+val holding : Ir.Global.t
+(** The library function that turns a condition into a test. It is applied to the value of each
+    [test]; type inference removes it from values that are tests already. *)
+
+val qualifier : string
+(** The qualifier of the names in {!import}. *)
+
+val import : Syntax.Ir.program -> Syntax.Ir.import option
+(** The import that the tests of a program imply. The program cannot use its names. *)
+
 val checked : Syntax.Ir.declaration -> (Syntax.Ir.name * Syntax.Ir.expr) list
 (** The definitions that a test declaration creates; empty for other declarations. *)
 

@@ -54,7 +54,8 @@ let number = function
 
 let data = function
   | "null" | "nil" | "none" | "nullptr" ->
-      Some "use a `Maybe` for a value that may be missing, and `Nothing` for the missing value"
+      Some
+        "write `Nothing` for a missing value; the type of a value that may be missing is `Maybe a`"
   | "fromJust" -> Some "use `fromMaybe x m`, where `x` replaces a missing value"
   | "isJust" | "isNothing" ->
       Some "use `maybe False (const True) m`, which is True if `m` contains a value"

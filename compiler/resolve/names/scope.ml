@@ -13,6 +13,7 @@ type of_library = { module_ : string; names : Interface.names; gathers : bool }
 
 type t = {
   context : Context.t;
+  text : string;
   syntax : Syntax.Ir.program;
   module_ : string;
   library : bool;
@@ -89,6 +90,9 @@ let visible_names t space locals =
   in
   List.fold_left add (names_of (space.table t.own) (Lazy.force locals)) t.imports
 
+(* Is this the import that the tests of the module imply? *)
+let is_implied (i : import) = i.qualifiers = [ Labels.qualifier ]
+
 (* The number that a type such as `type N = 5` represents. *)
 let size_named t name =
   List.find_map
@@ -145,9 +149,9 @@ let other_writing t space name =
 (* Words that are operators in other languages. *)
 let operator_word space name =
   match (space.noun, name) with
-  | "name", ("and" | "AND") -> Some "a && b"
-  | "name", ("or" | "OR") -> Some "a || b"
-  | "name", "xor" -> Some "a /= b"
+  | ("name" | "constructor"), ("and" | "AND") -> Some "&&"
+  | ("name" | "constructor"), ("or" | "OR") -> Some "||"
+  | "name", "xor" -> Some "/="
   | _ -> None
 
 (* The name in a hint such as "write `return`", which suggests only another name. *)
@@ -191,6 +195,9 @@ let of_c_declaration (d : Proc_signals.c_declaration) =
   | Some value ->
       Printf.sprintf "declare it as `%s :: %s` and, on the next line, `%s = %s`" name type_ name
         value
+  | None when List.mem d.head.text [ "var"; "let"; "auto"; "val"; "const" ] && d.type_ = d.head.text
+    ->
+      Printf.sprintf "remove `%s` before `%s`" d.head.text text
   | None ->
       Printf.sprintf
         "remove the words before `%s`, and write its type on the line above: `%s :: %s`" text name
@@ -208,7 +215,25 @@ let report_class t (name : Syntax.Ir.name) =
     Diagnostic.error ~code:"E0207" ~at:name.span "`%s` is a class, not a type" name.text
     |> Diagnostic.hint is_no_type |> Context.emit t.context
 
-let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
+(* `0.5 m/s`, a unit without brackets. Only its first name is reported. *)
+let report_unit t (name : Syntax.Ir.name)
+    ({ number; measure; whole; is_first } : Name_in_text.unit_) =
+  let text = Printf.sprintf "%s[%s]" number measure in
+  if is_first then
+    Diagnostic.error ~code:"E0205" ~at:name.span "the unit `%s` needs brackets" measure
+    |> Diagnostic.hint (Printf.sprintf "write it directly after its number: `%s`" text)
+    |> Diagnostic.fix ~safe:true (Printf.sprintf "write `%s`" text) [ (whole, text) ]
+    |> Context.emit t.context
+
+let unit_in_text t space (name : Syntax.Ir.name) =
+  if String.equal space.noun "name" && is_known t units name.text then
+    Name_in_text.unit_after_number ~text:t.text ~is_unit:(is_known t units) name.span
+  else None
+
+let call_in_text t space (name : Syntax.Ir.name) =
+  if String.equal space.noun "name" then Name_in_text.call ~text:t.text name.span else None
+
+let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
     |> if c_type_before t name = None then other_meaning t space name else Fun.id
@@ -225,7 +250,9 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
   in
   let by_qualifier =
     let has (i : import) =
-      (not i.unqualified) && String_table.mem (space.table i.names) name.text
+      (not i.unqualified)
+      && (not (is_implied i))
+      && String_table.mem (space.table i.names) name.text
     in
     match List.find_opt has t.imports with
     | Some { qualifiers = q :: _; _ } -> Some (q ^ "." ^ name.text)
@@ -257,9 +284,14 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
         Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
         |> Diagnostic.write name.span other
     | [], None when Option.is_some (operator_word space name.text) ->
-        Diagnostic.hint
-          (Printf.sprintf "write `%s`" (Option.get (operator_word space name.text)))
-          diagnostic
+        let symbol = Option.get (operator_word space name.text) in
+        Diagnostic.error ~code:space.unknown ~at:name.span "Frob has no `%s`" name.text
+        |> Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol name.text)
+        |> Diagnostic.write name.span symbol
+    | [], None when call_in_text t space name <> None ->
+        let whole, text = Option.get (call_in_text t space name) in
+        Diagnostic.hint (Printf.sprintf "write `%s`" text) diagnostic
+        |> Diagnostic.write whole (Source.grouped text)
     | [], None when Option.is_some (from_elsewhere space name.text) ->
         let text = Option.get (from_elsewhere space name.text) in
         Diagnostic.hint text diagnostic
@@ -308,6 +340,11 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     Context.not_imported t.context { imports; code = space.unknown; noun = space.noun; name }
   else Context.emit t.context diagnostic
 
+let report_unknown t space ~locals ~signals name =
+  match unit_in_text t space name with
+  | Some measure -> report_unit t name measure
+  | None -> report_unknown_name t space ~locals ~signals name
+
 (* `Mode.Drive`, where `Mode` is a type and not a module. *)
 let is_of_a_type t (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) =
   is_known t tycons qualifier.text && is_known t constructors name.text
@@ -333,7 +370,11 @@ let report_unknown_module t (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name)
      match Other_languages.module_ qualifier.text with
      | Some hint -> Diagnostic.hint hint diagnostic
      | None ->
-         let imported = lazy (List.concat_map (fun (i : import) -> i.qualifiers) t.imports) in
+         let imported =
+           lazy
+             (List.filter (fun i -> not (is_implied i)) t.imports
+             |> List.concat_map (fun (i : import) -> i.qualifiers))
+         in
          Context.suggest t.context qualifier.text imported diagnostic)
   |> Context.emit t.context
 
@@ -420,13 +461,14 @@ let records_by_field own (imports : import list) =
   in
   String_map.map (List.sort_uniq compare_records) (add all own)
 
-let create context ~module_ ~library ~own ~imports ~complete ~elsewhere ~syntax =
+let create context ~text ~module_ ~library ~own ~imports ~complete ~elsewhere ~syntax =
   let records = lazy (records_by_field own imports) in
   let names = Long_list.map (fun (record : tycon) -> record.global) in
   let records_of = lazy (String_map.map names (Lazy.force records)) in
   let used = String_table.create 16 in
   {
     context;
+    text;
     syntax;
     module_;
     library;

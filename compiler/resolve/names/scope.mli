@@ -20,6 +20,7 @@ type of_library = {
 
 type t = {
   context : Context.t;
+  text : string;  (** the source text of the module, for messages *)
   syntax : Syntax.Ir.program;
   module_ : string;
   library : bool;
@@ -44,6 +45,7 @@ type t = {
 
 val create :
   Context.t ->
+  text:string ->
   module_:string ->
   library:bool ->
   own:Interface.names ->

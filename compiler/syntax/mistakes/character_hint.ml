@@ -23,6 +23,13 @@ let of_def words =
   let is_name w = String.for_all Basis.Character.is_name w in
   if names <> [] && List.for_all is_name names then String.concat " " names else "f x"
 
+let of_choice = "choose the value in one equation: "
+
+(* The equation for the choice on the line that starts at this offset. *)
+let chosen text start =
+  let rec first i = if char_at text i = ' ' then first (i + 1) else i in
+  Option.map (Printf.sprintf "`%s`") (Other_definition.choice text (first start))
+
 let of_block = "remove the colon: indentation makes the block; a choice is `if c then a else b`"
 
 (* Does the line begin like a record declaration in another language? *)
@@ -160,7 +167,12 @@ let of_colon text at =
   match words with
   | "class" :: _ -> hint of_class
   | "def" :: _ when is_a_method text start -> hint of_class
-  | "def" :: _ -> hint (Printf.sprintf "define a function by an equation: `%s = …`" (of_def words))
+  | "def" :: _ ->
+      hint
+        (match Other_definition.of_python text start with
+        | Some d -> Other_definition.advice d
+        | None -> Printf.sprintf "define a function by an equation: `%s = …`" (of_def words))
+  | "if" :: _ when chosen text start <> None -> hint (of_choice ^ Option.get (chosen text start))
   | ("assert" | "assume") :: _ ->
       hint
         (Printf.sprintf "add a label in quotes: `%s \"keeps off the wall\" (x > 0)`" (List.hd words))
@@ -180,13 +192,22 @@ let of_colon text at =
            "write the types in a signature on the line above, with the result last: `%s :: Float \
             -> Float`"
            (List.hd (String.split_on_char '(' name)))
-  | _ when List.exists (fun word -> word = "lambda" || word = "(lambda") words ->
-      let parameters =
-        match List.rev words with
-        | x :: ("lambda" | "(lambda") :: _ when String.for_all Basis.Character.is_name x -> x
-        | _ -> "x"
+  | _ when List.exists (fun w -> w = "lambda" || String.ends_with ~suffix:"(lambda" w) words ->
+      let rec after = function
+        | word :: rest when word = "lambda" || String.ends_with ~suffix:"(lambda" word -> rest
+        | _ :: rest -> after rest
+        | [] -> []
       in
-      hint (Printf.sprintf "write an anonymous function as `\\%s -> …`" parameters)
+      let name word = String.concat "" (String.split_on_char ',' word) in
+      let names = List.map name (after words) in
+      let is_name w = w <> "" && String.for_all Basis.Character.is_name w in
+      let parameters =
+        if names <> [] && List.for_all is_name names then String.concat " " names else "x"
+      in
+      let body = Other_definition.body_of_lambda text (at + 1) in
+      hint
+        (Printf.sprintf "write an anonymous function as `\\%s -> %s`" parameters
+           (Option.value body ~default:"…"))
   | [ pattern ] when is_constructor pattern && not ends_line ->
       {
         hint = Some (Printf.sprintf "write `->` after a pattern of a `case`: `%s -> …`" pattern);
@@ -228,16 +249,43 @@ let symbol text at = function
   | "\u{2018}" | "\u{2019}" -> Some ("'", "write a prime as `'`; put an infix name in backticks")
   | _ -> None
 
-(* The module `Robot` for `#include "Robot.h"`. *)
-let included text at =
+(* The hint for `#include <math.h>` or `#include "motor.h"`. *)
+let of_include text at =
   let stop = Option.value (String.index_from_opt text at '\n') ~default:(String.length text) in
-  let line = String.sub text at (stop - at) in
-  match String.split_on_char ' ' line with
-  | [ _; file ] when String.length file > 2 ->
-      let inner = String.sub file 1 (String.length file - 2) in
-      let stem = String.capitalize_ascii (Filename.remove_extension inner) in
-      if stem <> "" && String.for_all Basis.Character.is_name stem then stem else "Control"
-  | _ -> "Control"
+  let line = String.trim (String.sub text at (stop - at)) in
+  match String.split_on_char '"' line with
+  | [ _; file; "" ] when file <> "" ->
+      let stem = Filename.remove_extension file in
+      let is_module =
+        stem <> ""
+        && Basis.Character.is_upper stem.[0]
+        && String.for_all Basis.Character.is_name stem
+      in
+      Printf.sprintf
+        "to import a Frob module, write its name%s; for your own C code write `foreign include \
+         \"%s\"`"
+        (if is_module then Printf.sprintf ": `import %s`" stem else ", as in `import Robot`")
+        file
+  | _ ->
+      "remove it: functions such as `sqrt` and `sin` are built in; other modules are imported by \
+       name, as in `import Robot`"
+
+(* The text between this quote and the next one on the line. *)
+let in_quotes text at =
+  match String.index_from_opt text (at + 1) '\'' with
+  | Some stop ->
+      let inside = String.sub text (at + 1) (stop - at - 1) in
+      let rec skip step i = if char_at text i = ' ' then skip step (i + step) else char_at text i in
+      let is_operand c = Basis.Character.is_name c || c = ')' || c = '(' in
+      let is_infix =
+        is_operand (skip (-1) (at - 1))
+        && is_operand (skip 1 (stop + 1))
+        && String.for_all Basis.Character.is_name inside
+      in
+      if is_infix || inside = "" || String.exists (fun c -> c = '\n' || c = '"' || c = '(') inside
+      then None
+      else Some inside
+  | None -> None
 
 (* The definition `speed = 0.3` for `#define SPEED 0.3`. *)
 let defined text at =
@@ -262,6 +310,8 @@ let of_character ~text ~at character =
   let both hint instead = { hint = Some hint; instead = Some instead } in
   match (character, symbol text at character) with
   | _, Some (instead, hint) -> both hint instead
+  | "'", None when in_quotes text at <> None ->
+      only (Printf.sprintf "put a text in double quotes: `\"%s\"`" (Option.get (in_quotes text at)))
   | "'", None when char_at text (at + 2) = '\'' -> only "put a text in double quotes"
   | "'", None when Basis.Character.is_lower next || Basis.Character.is_upper next ->
       only "put a text in double quotes, an infix name in backticks, as in ``x `mod` 2``"
@@ -272,8 +322,7 @@ let of_character ~text ~at character =
   | "&", None -> only "write `&&`, or `.&.` for bits"
   | "#", None when starts "#define" ->
       only (Printf.sprintf "define a constant by an equation: `%s`" (defined text at))
-  | "#", None when starts "#include" ->
-      only (Printf.sprintf "import a module: `import %s`" (included text at))
+  | "#", None when starts "#include" -> only (of_include text at)
   | "#", None -> both "write `--` to start a comment" "--"
   | "~", None when next = '=' -> only "use `/=` to compare for inequality"
   | "~", None -> both "write `not b` for the opposite of `b`" "not "
@@ -287,6 +336,8 @@ let of_character ~text ~at character =
       only "use only `a`–`z`, `A`–`Z`, digits, `_` and `'` in names"
   | _, None -> { hint = None; instead = None }
 
-let is_of_each_line hint =
-  List.mem hint [ Some of_block; Some of_class ]
-  || Option.fold hint ~none:false ~some:(String.starts_with ~prefix:is_switch)
+let of_each_line hint =
+  let starts prefix = Option.fold hint ~none:false ~some:(String.starts_with ~prefix) in
+  if starts of_choice then [ hint; Some of_block ]
+  else if List.mem hint [ Some of_block; Some of_class ] || starts is_switch then [ hint ]
+  else []

@@ -11,5 +11,5 @@ val of_character : text:string -> at:int -> string -> t
 val of_elements : string
 (** The hint that suggests a replacement for a function that takes a list apart. *)
 
-val is_of_each_line : string option -> bool
-(** Is this the hint for a colon that probably occurs in many lines? It is then reported once. *)
+val of_each_line : string option -> string option list
+(** The hints for the following colons that this hint for a colon makes superfluous. *)

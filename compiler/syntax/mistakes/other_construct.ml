@@ -56,11 +56,25 @@ let ends_a_signature found =
   in
   has_type && not (String.exists (function '=' | '{' | '(' | '\\' -> true | _ -> false) line)
 
+(* The name in `y :: Float`. *)
+let part_name line =
+  match String.split_on_char ' ' (String.trim line) with
+  | name :: "::" :: _ -> Some name
+  | _ -> None
+
 let value_after_type found =
   match (found.token.token, found.before) with
   | EQUAL, Some _ when ends_a_signature found ->
+      let bol = found.token.start.pos_bol in
+      let name = part_name (between found bol found.token.start.pos_cnum) in
+      let value = between found found.token.stop.pos_cnum (end_of_line found bol) in
       error found "expected `->`, or the end of the type, found `=`"
-      |> Diagnostic.hint "write the definition on its own line, below its type"
+      |> Diagnostic.hint
+           (match name with
+           | Some name when value <> "" && String.length value < 60 ->
+               Printf.sprintf "write the definition on its own line, below its type: `%s = %s`" name
+                 value
+           | _ -> "write the definition on its own line, below its type")
       |> Option.some
   | _ -> None
 
@@ -167,11 +181,37 @@ let index_in_brackets found =
       |> Option.some
   | _ -> None
 
-(* Does this bracket contain a letter? Then it is probably not an index. *)
+(* The text in the brackets, if they close on this line. *)
+let in_brackets found =
+  let start = found.token.stop.pos_cnum in
+  let stop = end_of_line found start in
+  match String.index_from_opt found.text start ']' with
+  | Some last when last < stop -> Some (String.sub found.text start (last - start))
+  | _ -> None
+
+(* Is the text in this bracket a unit rather than an index? *)
 let holds_a_unit found =
-  let i = found.token.stop.pos_cnum in
-  i < String.length found.text
-  && match found.text.[i] with 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
+  match in_brackets found with
+  | None -> false
+  | Some text ->
+      let between_units = function
+        | ' ' | '*' | '/' | '^' | '0' .. '9' | '(' | ')' -> ' '
+        | c -> c
+      in
+      let words =
+        List.filter (( <> ) "") (String.split_on_char ' ' (String.map between_units text))
+      in
+      words <> [] && List.for_all Lexer.is_unit words
+
+(* `a[i + 1]`, with an index that is not a literal number. *)
+let computed_index found =
+  match (found.before, in_brackets found) with
+  | Some name, Some text when is_a_name found.before && text <> "" && not (holds_a_unit found) -> (
+      let name = word_before found name.stop.pos_cnum in
+      match Other_notation.expression text with
+      | Some index -> Some (Printf.sprintf "(at %s 0 %s)" (Basis.Source.grouped index) name)
+      | None -> None)
+  | _ -> None
 
 let bracket_after_name found =
   match found.token.token with
@@ -182,6 +222,13 @@ let bracket_after_name found =
            |> Diagnostic.hint
                 "remove the unit if the value has one already; to give a plain number a unit, \
                  multiply: `x * 1[m]`"
+         else if computed_index found <> None then
+           no_index found
+           |> Diagnostic.hint
+                (Printf.sprintf
+                   "write `%s` for the element at a computed index; 0 is the value if there is no \
+                    such element"
+                   (Option.get (computed_index found)))
          else
            no_index found
            |> Diagnostic.hint

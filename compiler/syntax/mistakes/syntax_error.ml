@@ -92,10 +92,36 @@ let awaits_arrow expected =
     (fun prefix -> String.starts_with ~prefix expected)
     [ "expected `->` after the input"; "expected `->` or another parameter" ]
 
+let rec trimmed found last =
+  if last > 0 && is_blank (char_at found (last - 1)) then trimmed found (last - 1) else last
+
 let lacks_else found =
   match (found.token.token, found.context) with
   | (END | SEMICOLON | CLOSE | RPAREN), (Layout.Then, _) :: _ -> true
   | _ -> false
+
+(* `whenT ok (t)` for the statement `if ok then t`, if it is on one line. *)
+let task_without_else found =
+  let stop = trimmed found found.token.start.pos_cnum in
+  let bol =
+    Option.fold (String.rindex_from_opt found.text (max 0 (stop - 1)) '\n') ~none:0 ~some:succ
+  in
+  let line = between found bol stop in
+  let words = String.split_on_char ' ' line in
+  match words with
+  | "if" :: rest when innermost_block found.context = Do && String.length line < 80 -> (
+      let rec split before = function
+        | "then" :: after -> Some (List.rev before, after)
+        | word :: after -> split (word :: before) after
+        | [] -> None
+      in
+      match split [] rest with
+      | Some ((_ :: _ as condition), (_ :: _ as task))
+        when not (List.exists (fun w -> List.mem w [ "return"; "do"; "else"; "=" ]) task) ->
+          let text words = Source.grouped (String.concat " " words) in
+          Some (Printf.sprintf "whenT %s %s" (text condition) (text task))
+      | _ -> None)
+  | _ -> None
 
 (* Adds the fix that replaces the token, if only one replacement makes sense. *)
 let cured found =
@@ -107,6 +133,9 @@ let cured found =
   | EQUAL, Some _
     when compares found.context && is_blank (char_at found (found.token.start.pos_cnum - 1)) ->
       Diagnostic.write (span found.token) "=="
+  | OPERATOR "!", _ when Operator_hint.negation found <> None ->
+      Diagnostic.write (span found.token) "not "
+  | BAR, _ when Operator_hint.disjunction found <> None -> Diagnostic.write (span found.token) "||"
   | SLASH, _ when Operator_hint.starts_a_comment found ->
       let stop = { found.token.stop with pos_cnum = found.token.stop.pos_cnum + 1 } in
       Diagnostic.write (Build.span (found.token.start, stop)) "--"
@@ -117,6 +146,10 @@ let plain found =
   let d =
     match foreign found with
     | Some (text, at) -> Diagnostic.error ~code:"E0110" ~at "Frob has no `%s`" text
+    | None when found.token.token = OPERATOR "!" && Operator_hint.negation found <> None ->
+        Diagnostic.error ~code:"E0110" ~at:(span found.token) "Frob has no `!` before a condition"
+    | None when Operator_hint.disjunction found <> None ->
+        Diagnostic.error ~code:"E0110" ~at:(span found.token) "Frob has no `|` between conditions"
     | None ->
         Diagnostic.error ~code:"E0110" ~at:(span found.token) "%s, found %s" expected
           (describe found)
@@ -135,6 +168,12 @@ let plain found =
         [
           "`return` does not end the task early: put the remaining statements into the other \
            branch, below `else do`";
+        ]
+    | _ when lacks_else found && task_without_else found <> None ->
+        [
+          Printf.sprintf
+            "to run a task only if a condition holds, write `%s`; for a choice, add an `else`"
+            (Option.get (task_without_else found));
         ]
     | hints when lacks_else found && innermost_block found.context <> Do ->
         List.map (fun _ -> "add an `else`: every `if` has a value") hints
@@ -172,7 +211,132 @@ let holds_others found (opener : Lexer.token) =
   String.exists (function '(' | '[' | '{' -> true | _ -> false) text
   && not (String.contains (String.trim text) '\n')
 
-let unclosed found ((opener, closer), by) =
+(* `P { a = x; b = 1 }`: the fix replaces each `;` in the braces. *)
+let separated_by_semicolons found by =
+  let open_brace = by.Layout.by.start.pos_cnum in
+  let start = found.token.start in
+  let comma offset =
+    let at = { start with pos_cnum = offset } in
+    (Build.span (at, { at with pos_cnum = offset + 1 }), ",")
+  in
+  let on_this_line last =
+    String.contains (String.sub found.text open_brace (last - open_brace)) '\n'
+  in
+  let d =
+    Diagnostic.error ~code:"E0111"
+      ~at:(fst (comma start.pos_cnum))
+      "fields are separated by `,`, not by `;`"
+  in
+  match Other_definition.in_braces found.text open_brace with
+  | Some (inside, last) when (not (on_this_line last)) && last - open_brace < 80 ->
+      let offsets =
+        List.filter
+          (fun i -> found.text.[i] = ';')
+          (List.init (last - start.pos_cnum) (fun i -> start.pos_cnum + i))
+      in
+      let commas = String.map (function ';' -> ',' | c -> c) inside in
+      Diagnostic.hint (Printf.sprintf "write `{ %s }`" commas) d
+      |> Diagnostic.fix "write commas" (List.map comma offsets)
+  | Some _ | None -> Diagnostic.hint "write a `,` between two fields" d |> Diagnostic.write d.at ","
+
+(* {2 The likely place of a missing bracket} *)
+
+(* Is there an arithmetic operator between these offsets, outside other brackets? *)
+let has_operator text first last =
+  let rec go i depth =
+    i < last
+    &&
+    match text.[i] with
+    | '(' | '[' -> go (i + 1) (depth + 1)
+    | ')' | ']' -> go (i + 1) (depth - 1)
+    | ('+' | '-' | '*' | '/') when depth = 0 && text.[i - 1] = ' ' && text.[i + 1] = ' ' -> true
+    | _ -> go (i + 1) depth
+  in
+  go first 0
+
+(* The offset after the `)` of a formula that is followed by an argument, as in `(a - b) 0`, and the
+   bracket that is open there. *)
+let applied_formula text first last =
+  let starts_argument i =
+    i + 1 < last
+    && text.[i] = ' '
+    &&
+    match text.[i + 1] with
+    | '0' .. '9' | '(' -> true
+    | 'a' .. 'z' ->
+        let rec stop k = if k < last && Basis.Character.is_name text.[k] then stop (k + 1) else k in
+        let word = String.sub text (i + 1) (stop (i + 1) - i - 1) in
+        not (List.mem word [ "then"; "else"; "where"; "of"; "in"; "do"; "mod"; "div" ])
+    | _ -> false
+  in
+  let rec go i opened =
+    if i >= last then None
+    else
+      match (text.[i], opened) with
+      | '(', _ -> go (i + 1) (i :: opened)
+      | ')', inner :: (around :: _ as rest) ->
+          if has_operator text (inner + 1) i && starts_argument (i + 1) then Some (i + 1, around)
+          else go (i + 1) rest
+      | ')', [ _ ] | ')', [] -> go (i + 1) []
+      | _ -> go (i + 1) opened
+  in
+  go first []
+
+let trimmed_end text last =
+  let rec go last = if last > 0 && is_blank text.[last - 1] then go (last - 1) else last in
+  go last
+
+(* Where to write the missing `)`: the offset, and the bracket that it closes. Only within one
+   line. *)
+let likely_place found (by : Layout.origin) =
+  let text = found.text and first = by.by.start.pos_cnum in
+  let last = trimmed_end text found.token.start.pos_cnum in
+  if last <= first || String.contains (String.sub text first (last - first)) '\n' then None
+  else Some (Option.value (applied_formula text first last) ~default:(last, first))
+
+let at_offset (by : Layout.origin) first last =
+  let place offset = { by.by.start with pos_cnum = offset } in
+  Build.span (place first, place last)
+
+(* The line's code with the bracket, from the word before the opening bracket onwards. *)
+let with_bracket found place opening =
+  let text = found.text in
+  let rec word i =
+    if i > 0 && not (is_blank text.[i - 1] || text.[i - 1] = '(') then word (i - 1) else i
+  in
+  let before = if opening > 1 && text.[opening - 1] = ' ' then word (opening - 1) else opening in
+  let before =
+    if before < opening && Basis.Character.is_lower text.[before] then before else opening
+  in
+  let last = trimmed_end text found.token.start.pos_cnum in
+  let rec closing i depth =
+    if i >= last then last
+    else
+      match text.[i] with
+      | '(' -> closing (i + 1) (depth + 1)
+      | ')' -> if depth = 0 then i else closing (i + 1) (depth - 1)
+      | _ -> closing (i + 1) depth
+  in
+  let stop = if place = last then last else closing place 0 in
+  let part first last = String.sub text first (last - first) in
+  part before place ^ ")" ^ part place stop
+
+let unclosed_parenthesis found (by : Layout.origin) =
+  match likely_place found by with
+  | None -> None
+  | Some (place, opening) ->
+      let written = with_bracket found place opening in
+      if String.length written > 90 then None
+      else
+        Some
+          (Diagnostic.error ~code:"E0111"
+             ~at:(at_offset by opening (opening + 1))
+             "this `(` is never closed"
+          |> Diagnostic.label ~at:(at_offset by place (place + 1)) "a `)` is probably missing here"
+          |> Diagnostic.hint (Printf.sprintf "write `%s`" written)
+          |> Diagnostic.fix "write the `)`" [ (at_offset by place place, ")") ])
+
+let unclosed_bracket found ((opener, closer), by) =
   Diagnostic.error ~code:"E0111" ~at:(opener_span by) "this `%s` is never closed" opener
   |> Diagnostic.label ~at:(span found.token) (Printf.sprintf "a `%s` is missing before this" closer)
   |> (if holds_others found by.Layout.by && char_at found found.token.start.pos_cnum <> ';' then
@@ -187,13 +351,28 @@ let unclosed found ((opener, closer), by) =
   if at < String.length found.text && found.text.[at] = ';' then
     match opener with
     | "(" -> Diagnostic.hint "a `;` ends a definition: write tasks below each other in a `do`"
-    | "{" -> Diagnostic.hint "a `;` ends a definition: write a `,` between two fields"
     | "[" ->
         Diagnostic.hint
           "a `;` ends a definition: write a `,` between two elements, and rows as arrays, `[[1, \
            2], [3, 4]]`"
     | _ -> Fun.id
   else Fun.id
+
+let unclosed found (((opener, _), by) as open_) =
+  match opener with
+  | "{" when char_at found found.token.start.pos_cnum = ';' -> separated_by_semicolons found by
+  | "(" when char_at found found.token.start.pos_cnum <> ';' -> (
+      match unclosed_parenthesis found by with Some d -> d | None -> unclosed_bracket found open_)
+  | _ -> unclosed_bracket found open_
+
+let closes_nothing found closer =
+  let opener = match closer with ")" -> "(" | "]" -> "[" | _ -> "{" in
+  Diagnostic.error ~code:"E0111" ~at:(span found.token) "this `%s` has no opening bracket" closer
+  |> Diagnostic.hint
+       (Printf.sprintf
+          "remove it, or add a `%s` before it: the other brackets of this definition are all closed"
+          opener)
+  |> Diagnostic.fix "remove it" [ (span found.token, "") ]
 
 let bracket found =
   match found.token.token with
@@ -213,10 +392,7 @@ let bracket found =
               (fun (o, _) -> match opening o with Some (_, c) -> c = closer | None -> false)
               found.context
           then None
-          else
-            Some
-              (Diagnostic.error ~code:"E0111" ~at:(span found.token)
-                 "this `%s` has no opening bracket" closer))
+          else Some (closes_nothing found closer))
   | END when not (expects_more found.before) ->
       Option.map (unclosed found) (bracket_of_item found.context)
   | END | SEMICOLON | CLOSE | WHERE | IN | THEN | ELSE | OF ->
@@ -327,6 +503,48 @@ let command sink ~text ~command ~(block : Lexing.position) token =
             "for a signal function, write all statements in one `do` after `proc x ->`; a task \
              needs no `-<`")
 
+(* {1 Functions of other languages} *)
+
+let first_position found bol =
+  {
+    found.token.start with
+    pos_bol = bol;
+    pos_cnum = bol;
+    pos_lnum = found.token.start.pos_lnum - lines_between found bol found.token.start.pos_cnum;
+  }
+
+(* `float f(float x) { return x; }` *)
+let function_of_c found =
+  let bol = start_of_definition found in
+  Option.map
+    (fun (d : Other_definition.t) ->
+      let start = first_position found bol in
+      let at = Build.span (start, { start with pos_cnum = snd d.head }) in
+      Diagnostic.error ~code:"E0110" ~at "this defines a function as in C"
+      |> Diagnostic.hint (Other_definition.advice d))
+    (Other_definition.of_c found.text bol)
+
+(* Is this the `{` below the first line of such a function? *)
+let is_body_of_c found =
+  match (found.token.token, found.before) with
+  | LBRACE, None ->
+      (* the last line before this offset that is not empty *)
+      let rec line_above stop =
+        if stop <= 1 then (0, "")
+        else
+          let last = stop - 1 in
+          let bol =
+            Option.fold (String.rindex_from_opt found.text (last - 1) '\n') ~none:0 ~some:succ
+          in
+          match between found bol last with "" -> line_above bol | line -> (bol, line)
+      in
+      let start = found.token.start.pos_bol in
+      start > 0
+      &&
+      let bol, line = line_above start in
+      String.starts_with ~prefix:"void " line || Other_definition.of_c found.text bol <> None
+  | _ -> false
+
 (* {1 Waiting} *)
 
 (* `delay(1000)` on a separate line. *)
@@ -354,13 +572,19 @@ let said_once =
     no_effect;
   ]
 
-let report sink ~text ~state ~before token =
-  let found = { text; state; before; token; context = Layout.context token } in
+let report_found sink found =
   let first_of list = List.find_map (fun explain -> explain found) list in
   let d =
     match
       first_of
-        [ choice_of_commands; Lacking.diagnostic; Other_construct.diagnostic; bracket; waiting ]
+        [
+          function_of_c;
+          choice_of_commands;
+          Lacking.diagnostic;
+          Other_construct.diagnostic;
+          bracket;
+          waiting;
+        ]
     with
     | Some d -> d
     | None -> plain found
@@ -369,9 +593,20 @@ let report sink ~text ~state ~before token =
   let told (other : Diagnostic.t) = other.code = d.code && other.hints = d.hints in
   let once = List.exists (fun hint -> List.mem hint said_once) d.hints in
   (* The lines of a block in braces are not definitions, so they are not reported separately. *)
-  let in_braces (other : Diagnostic.t) = List.mem Indentation_hint.by_indentation other.hints in
+  let in_braces (other : Diagnostic.t) =
+    List.exists Indentation_hint.is_by_indentation other.hints
+  in
   let is_a_call =
     List.exists (fun hint -> List.mem hint [ no_effect; Beginnings.waiting ]) d.hints
   in
   let of_block = is_a_call && List.exists in_braces (Diagnostic.all sink) in
-  if not (of_block || (once && List.exists told (Diagnostic.all sink))) then Diagnostic.emit sink d
+  let ends_function =
+    let is_function (other : Diagnostic.t) = other.message = "Frob has no `function`" in
+    d.hints = [ Beginnings.by_equation ] && List.exists is_function (Diagnostic.all sink)
+  in
+  if not (of_block || ends_function || (once && List.exists told (Diagnostic.all sink))) then
+    Diagnostic.emit sink d
+
+let report sink ~text ~state ~before token =
+  let found = { text; state; before; token; context = Layout.context token } in
+  if not (is_body_of_c found) then report_found sink found

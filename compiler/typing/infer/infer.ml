@@ -57,9 +57,31 @@ let expectation ctx declared ~recursive (b : Resolve.Ir.binding) : Context.t * E
       let because = if recursive then Expected.Uses { name = name.name; at } else Unknown in
       (ctx, { ty; because })
 
+(* The value of a `test`, to which resolution has applied the function [holding]: a condition remains
+   its argument, and any other value must be a test itself. *)
+let test ctx ~(holding : Resolve.Ir.expr) (value : Resolve.Ir.expr) (expected : Expected.t) =
+  let typed = Infer_expression.expressions.infer ctx value in
+  match Type.expand typed.ty with
+  | Bool ->
+      let function_ = Infer_expression.expressions.infer ctx holding in
+      fun () -> node value.span expected.ty (Apply (function_.build (), typed.build ()))
+  | _ ->
+      expect ctx ~subject:value ~at:value.span expected typed.ty;
+      typed.build
+
 let check ~name (b : Resolve.Ir.binding) (inner, expected) =
-  Infer_binding.abstraction inner ~at:b.span ~name:(Some name) b.parameters expected
-    (fun expected -> Infer_binding.right Infer_expression.expressions inner b.body expected)
+  match b.body.guards with
+  | [
+   {
+     condition = None;
+     value = { desc = Apply { head = { desc = Global g; _ } as holding; argument; _ }; _ };
+   };
+  ]
+    when g = Resolve.Labels.holding && Resolve.Labels.kind_of_check name <> None ->
+      test inner ~holding argument expected
+  | _ ->
+      Infer_binding.abstraction inner ~at:b.span ~name:(Some name) b.parameters expected
+        (fun expected -> Infer_binding.right Infer_expression.expressions inner b.body expected)
 
 (* Generalizes the definitions without a signature. Each of them quantifies the variables that they
    share. *)

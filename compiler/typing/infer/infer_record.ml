@@ -156,6 +156,9 @@ let through ctx words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
                missing value"
               name.text grouped)
            d)
+  | Data { tycon; _ }
+    when tycon = Environment.array && List.mem name.text [ "size"; "length"; "count"; "len" ] ->
+      Some (Diagnostic.hint (Printf.sprintf "`length` is a function: write `length %s`" grouped) d)
   | Data { tycon; _ } when tycon = Environment.array && not (is_of_arrays ctx name) ->
       Some
         (Diagnostic.hint

@@ -409,11 +409,23 @@ let report_no_condition ctx ~at culprit =
               "use `isEvent e`, which is True when the event occurs"
             else "assert a condition, such as `x > 0`, or a `Verdict`"))
 
+(* The order or equality of a tuple with a function in it, as in `max(0, min(a, b))`, whose arguments
+   have been reported already. *)
+let follows_from_a_tuple ctx (required : required) (lack : lack) =
+  let is_function_type t = match Type.expand t with Function _ -> true | _ -> false in
+  let rec holds_a_function t =
+    match Type.expand t with
+    | Tuple parts -> List.exists (fun t -> is_function_type t || holds_a_function t) parts
+    | _ -> false
+  in
+  errors ctx > 0 && (lack.lacking = Eq || lack.lacking = Ord) && holds_a_function required.argument
+
 let lacking ctx required (lack : lack) =
-  match (lack.lacking, lack.through) with
-  | Declared class_, [] when class_ = Environment.built_in "Claim" && required.by = "`verdict`" ->
-      report_no_condition ctx ~at:required.at lack.culprit
-  | _ -> no_instance ctx required lack
+  if not (follows_from_a_tuple ctx required lack) then
+    match (lack.lacking, lack.through) with
+    | Declared class_, [] when class_ = Environment.built_in "Claim" && required.by = "`verdict`" ->
+        report_no_condition ctx ~at:required.at lack.culprit
+    | _ -> no_instance ctx required lack
 
 let undecided ctx (required : required) class_ =
   report ctx (fun words ->

@@ -54,12 +54,20 @@ let not_taken fact =
 (* `[1 2]`. *)
 let after_a_number fact =
   match fact.head.desc with
-  | Number { digits; _ } when fact.position = 1 ->
+  | Number { digits; unit_; _ } when fact.position = 1 ->
+      let factor = if unit_ = None then Show.quote fact.words fact.at else None in
       Some
         (hint
-           (Printf.sprintf
-              "write commas between the elements of an array, `[%s, …]`, or `*` between factors"
-              digits))
+           (match factor with
+           | Some text ->
+               Printf.sprintf
+                 "for a product write `%s * %s`; between the elements of an array write commas, \
+                  `[%s, %s]`"
+                 digits (Source.grouped text) digits text
+           | None ->
+               Printf.sprintf
+                 "write commas between the elements of an array, `[%s, …]`, or `*` between factors"
+                 digits))
   | _ -> None
 
 (* `r.speed 1`, meant to set the field. *)
@@ -159,11 +167,33 @@ let started_afresh fact =
               (if name = "delay" then "(delay x0)" else name)))
   | _ -> None
 
-(* Two tasks, one below the other, without a `do`. *)
+(* Two tasks, one below the other, without a `do`, or with the second one indented further. *)
 let without_do fact =
+  let column (span : Span.t) = Span.column span.start in
   if Environment.is_task fact.left && Span.line fact.at.start > Span.line fact.head.span.stop then
-    Some (hint "put `do` before several tasks below each other")
+    Some
+      (hint
+         (match (Show.quote fact.words fact.head.span, Show.quote fact.words fact.at) with
+         | Some head, Some next when column fact.at > column fact.head.span ->
+             Printf.sprintf
+               "this line is indented further than the one above, so it continues it: start `%s` \
+                at column %d, below `%s`; tasks one below the other need a `do`"
+               next (column fact.head.span) head
+         | _ -> "put `do` before several tasks below each other"))
   else None
+
+(* `(x + 1)(x - 1)`, a product without its operator. *)
+let after_a_formula fact =
+  match (fact.head.desc, Type.expand fact.left) with
+  | Global { name = "+" | "-" | "*" | "/"; _ }, Number _ when fact.position = 3 ->
+      Option.map
+        (fun text ->
+          hint
+            (Printf.sprintf
+               "a formula in parentheses is not a function: for a product write `* %s` after it"
+               (Source.grouped text)))
+        (Show.quote fact.words fact.at)
+  | _ -> None
 
 (* Shows the signature of a definition that is applied to too many arguments. *)
 let signature fact =
@@ -182,19 +212,20 @@ let task fact =
     Some (hint "use `runTask t` to turn a task into a signal function")
   else None
 
-let is_digit c = c >= '0' && c <= '9'
-
 (* A local name, which may hide the function that was meant. *)
 let local fact =
   match fact.head.desc with
   | Local x when fact.position = 1 ->
       let pair =
         match (Type.expand fact.left, Show.quote fact.words fact.at) with
-        | (Number _ | Bool), Some text when not (is_digit text.[0]) ->
+        | ((Number _ | Bool) as left), Some text when not (String.contains text '[') ->
+            let operator = if left = Bool then "&&" else "*" in
+            let text = Source.grouped text in
             hint
               (Printf.sprintf
-                 "put two values in a tuple, `(%s, %s)`, or write an operator between them" x.name
-                 text)
+                 "write an operator between the two values, as in `%s %s %s`; for a tuple, `(%s, \
+                  %s)`"
+                 x.name operator text x.name text)
         | _ -> Fun.id
       in
       Some (fun d -> label ~at:x.span (Printf.sprintf "it means this local `%s`" x.name) d |> pair)
@@ -218,6 +249,7 @@ let rules =
     event_when;
     after_a_number;
     after_a_field;
+    after_a_formula;
     of_three;
     event_as_choice;
     element;

@@ -53,7 +53,20 @@ let in_braces found =
   match (found.token.token, found.before) with
   | (NUMBER _ | LOWER _ | UPPER _ | LPAREN), Some { token = LBRACE; _ }
     when List.exists (fun (opener, _) -> opener = Layout.If) found.context ->
-      Some "use `if c then a else b`, without braces"
+      let bol = found.token.start.pos_bol in
+      let rec first i =
+        if i < bol then None
+        else if part found (word_from found i) = "if" then Some i
+        else first (i - 1)
+      in
+      let written =
+        Option.bind
+          (first found.token.start.pos_cnum)
+          (Other_definition.choice_in_braces found.text)
+      in
+      Some
+        (Printf.sprintf "use `%s`, without braces"
+           (Option.value written ~default:"if c then a else b"))
   | _ -> None
 
 let otherwise found =
@@ -87,3 +100,9 @@ let equation_before_guards found =
 
 let without_of found =
   match (found.token.token, found.before) with ARROW, _ -> lacks_of found | _ -> None
+
+let of_assignments found =
+  let first, _ = first_word_from found found.token.start.pos_bol in
+  Option.map
+    (Printf.sprintf "choose the value in one equation: `%s`")
+    (Other_definition.choice found.text first)

@@ -52,3 +52,36 @@ let pattern_of_proc found =
 
 let list_comprehension found =
   match (found.token.token, found.before) with BAR, _ -> comprehension found | _ -> None
+
+(* The parameters before the arrow, `x` or `(x, y)`, after the innermost `(` or `=`. *)
+let parameters_before found =
+  let stop = found.token.start.pos_cnum in
+  let bol = found.token.start.pos_bol in
+  let rec start i depth =
+    if i <= bol then bol
+    else
+      match found.text.[i - 1] with
+      | ')' -> start (i - 1) (depth + 1)
+      | '(' when depth > 0 -> start (i - 1) (depth - 1)
+      | ('(' | '=' | ',') when depth = 0 -> i
+      | _ -> start (i - 1) depth
+  in
+  let text = between found (start stop 0) stop in
+  let blank = function '(' | ')' | ',' -> ' ' | c -> c in
+  let names = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank text)) in
+  let is_name w = String.for_all Character.is_name w && w <> "" && Character.is_lower w.[0] in
+  if names <> [] && List.for_all is_name names then Some (String.concat " " names) else None
+
+let arrow_function found =
+  let general = "write an anonymous function as `\\x -> …`, a signal function as `proc x -> …`" in
+  match parameters_before found with
+  | None -> general
+  | Some parameters ->
+      let body =
+        match Other_definition.body_of_lambda found.text found.token.stop.pos_cnum with
+        | Some body when String.length body <= 60 -> body
+        | Some _ | None -> "…"
+      in
+      Printf.sprintf "write an anonymous function as `\\%s -> %s`%s" parameters body
+        (if String.contains parameters ' ' then ""
+         else Printf.sprintf ", a signal function as `proc %s -> …`" parameters)

@@ -11,3 +11,6 @@ val pattern_of_proc : Found.rule
 
 val list_comprehension : Found.rule
 (** [2 * x | x <- xs], as in Haskell. *)
+
+val arrow_function : Found.t -> string
+(** The hint for [x -> e] or [x => e] without the backslash. *)

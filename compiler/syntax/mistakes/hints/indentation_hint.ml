@@ -38,11 +38,18 @@ let misplaced_line found =
   match innermost found.context with
   | Some (Let, { column; _ })
     when found.token.first && found.token.column > 1 && found.token.column < column ->
+      let line =
+        between found found.token.start.pos_cnum (end_of_line found found.token.start.pos_cnum)
+      in
+      let example =
+        if String.length line > 60 then "as in `let x = 1 in x + x`"
+        else Printf.sprintf "`in %s`" line
+      in
       Some
         (Printf.sprintf
-           "put `in` before the expression, as in `let x = 1 in x + x`; if this is another \
-            definition, start it at column %d"
-           column)
+           "put `in` before the expression, %s; if this is another definition, start it at column \
+            %d"
+           example column)
   | Some (((Where | Do | Of | Rec) as block), { column; _ })
     when found.token.first && found.token.column > 1 && found.token.column < column ->
       Some
@@ -79,6 +86,23 @@ let misplaced_line found =
   | Some _ | None -> None
 
 let by_indentation = "indent the block instead: braces are only for records"
+let on_lines = "write it without braces, each part on a line of its own: "
+let is_by_indentation hint = hint = by_indentation || String.starts_with ~prefix:on_lines hint
+
+let without_braces found =
+  match Other_definition.in_braces found.text found.token.start.pos_cnum with
+  | Some (inside, _)
+    when (not (String.contains inside '{')) && String.length inside < 80 && inside <> "" -> (
+      let parts = String.split_on_char ';' inside in
+      let lines = List.concat_map (String.split_on_char '\n') parts in
+      let lines = List.filter (( <> ) "") (List.map String.trim lines) in
+      match lines with
+      | [ first; second ] -> Printf.sprintf "%s`%s`, and below it `%s`" on_lines first second
+      | first :: second :: _ ->
+          Printf.sprintf "%s`%s`, below it `%s`, and so on" on_lines first second
+      | [ line ] -> Printf.sprintf "remove the braces, which are only for records: `%s`" line
+      | [] -> by_indentation)
+  | Some _ | None -> by_indentation
 
 let of_where found =
   match (found.token.token, found.before) with

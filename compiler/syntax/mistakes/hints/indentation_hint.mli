@@ -11,3 +11,9 @@ val misplaced_line : Found.rule
 
 val by_indentation : string
 (** The hint for blocks in braces. *)
+
+val is_by_indentation : string -> bool
+(** Is this {!by_indentation}, or a hint from {!without_braces} for several lines? *)
+
+val without_braces : Found.t -> string
+(** The hint for the opening brace of a block. *)

@@ -1,13 +1,29 @@
 open Grammar
 open Found
 
+let an_equation = "Frob has no assignments: write an equation that holds at every instant"
+
+(* The rest of the line after this offset, without a `;`. *)
+let rest_of_line found offset =
+  let rest = between found offset (end_of_line found offset) in
+  let n = String.length rest in
+  if n > 0 && rest.[n - 1] = ';' then String.trim (String.sub rest 0 (n - 1)) else rest
+
+(* `y = delay 0 y + x` for `y += x`. *)
+let accumulated found (operator : Layout.token) =
+  let line = between found found.token.start.pos_bol operator.start.pos_cnum in
+  let value = Other_notation.expression (rest_of_line found found.token.stop.pos_cnum) in
+  match value with
+  | Some value when line <> "" && String.for_all Basis.Character.is_name line ->
+      Printf.sprintf "%s: `%s = delay 0 %s %s %s`, where 0 is the initial value" an_equation line
+        line (written found operator) (Basis.Source.grouped value)
+  | _ -> an_equation ^ ", as in `n = delay 0 n + 1`"
+
 let assigns found =
   match found.before with
   | Some { token = OPERATOR "!"; _ } -> Some "use `/=` to compare for inequality"
-  | Some { token = OPERATOR "+" | MINUS | STAR | SLASH; _ } ->
-      Some
-        "Frob has no assignments: write an equation that holds at every instant, as in `n = delay \
-         0 n + 1`"
+  | Some ({ token = OPERATOR "+" | MINUS | STAR | SLASH; _ } as operator) ->
+      Some (accumulated found operator)
   | Some _ | None -> None
 
 (* A `//` at the start of a line. *)
@@ -37,10 +53,13 @@ let foreign_operator found (before : Layout.token) =
     | ">>" | ">>=" -> Some "write the tasks below each other in a `do`"
     | "++" when after found = ' ' ->
         Some "texts and arrays cannot be joined: a text is a label, and an array has a fixed size"
-    | "++" ->
+    | ("++" | "--") as text ->
+        let name = word_before found before.start.pos_cnum in
+        let name = if name = "" then "n" else name in
         Some
-          "Frob has no assignments: to count, write an equation that holds at every instant, as in \
-           `n = delay 0 n + 1`"
+          (Printf.sprintf "%s: `%s = delay 0 %s %c 1`, where 0 is the initial value" an_equation
+             name name text.[0])
+    | "===" -> Some "use `==` to compare"
     | "!!" ->
         Some
           "use `xs ! 0` for an element at a constant index, `at i x xs` for any index, where `x` \
@@ -71,10 +90,28 @@ let member found =
          i`"
   | _ -> None
 
+(* The name or the expression in parentheses that begins at this offset. *)
+let operand found first =
+  let rec name i = if Basis.Character.is_name (char_at found i) then name (i + 1) else i in
+  let rec close i depth =
+    match char_at found i with
+    | '\n' -> first
+    | '(' -> close (i + 1) (depth + 1)
+    | ')' -> if depth = 1 then i + 1 else close (i + 1) (depth - 1)
+    | _ -> close (i + 1) depth
+  in
+  let last = if char_at found first = '(' then close first 0 else name first in
+  String.sub found.text first (last - first)
+
 let negation found =
   match (found.token.token, found.before) with
   | OPERATOR "!", Some { token = OPERATOR "!"; _ } -> None
-  | OPERATOR "!", _ -> Some "use `not b` for the opposite of `b`"
+  | OPERATOR "!", _ when after found <> '=' -> (
+      match operand found found.token.stop.pos_cnum with
+      | "" -> Some "use `not b` for the opposite of `b`"
+      | text ->
+          let text = Option.value (Other_notation.expression text) ~default:text in
+          Some (Printf.sprintf "write `not %s`" text))
   | _ -> None
 
 let before_point found =
@@ -103,4 +140,23 @@ let own found =
 let pipe found =
   match found.token.token with
   | BAR when after found = '>' -> Some "write the function before its argument: `f x`"
+  | _ -> None
+
+(* `a | b`, a disjunction. *)
+let disjunction found =
+  let is_operand : Layout.token option -> bool = function
+    | Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | FIELD _; _ } -> true
+    | Some _ | None -> false
+  in
+  match found.token.token with
+  | BAR
+    when is_blank (after found)
+         && is_operand found.before && (not found.token.first)
+         && (not
+               (List.mem (first_word found)
+                  [ "data"; "type"; "class"; "instance"; "foreign"; "param" ]))
+         && (not (names_before found "::"))
+         && (not (opens_with Layout.Bracket found.context))
+         && not (List.mem (first_word_of_line found) [ "match"; "with" ]) ->
+      Some "write `||` between two conditions"
   | _ -> None

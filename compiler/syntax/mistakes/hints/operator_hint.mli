@@ -12,6 +12,9 @@ val member : Found.rule
 val negation : Found.rule
 (** [!b], as in C. *)
 
+val disjunction : Found.rule
+(** [a | b], as in C. *)
+
 val before_point : Found.rule
 (** [.5], without a digit before the point. *)
 

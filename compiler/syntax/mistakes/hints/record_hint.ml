@@ -38,7 +38,7 @@ let typed found =
 
 let block_in_braces found =
   match (found.token.token, found.before) with
-  | LBRACE, Some { token = OPEN; _ } -> Some Indentation_hint.by_indentation
+  | LBRACE, Some { token = OPEN; _ } -> Some (Indentation_hint.without_braces found)
   | _ -> None
 
 let without_equation found =

@@ -33,7 +33,19 @@ let beginning found =
   in
   match part found (word_from found bol) with
   | "void" -> Some (definition, Beginnings.no_procedures)
-  | "function" -> Some (definition, Beginnings.by_equation)
+  | "function" ->
+      let hint =
+        match Other_definition.of_matlab found.text bol with
+        | Some d -> Other_definition.advice d ^ "; a block ends where its indentation ends"
+        | None -> Beginnings.by_equation
+      in
+      Some (definition, hint)
+  | "struct" when Other_definition.record found.text bol <> None ->
+      let text = Option.get (Other_definition.record found.text bol) in
+      Some (definition, Printf.sprintf "declare a record with `data` and a constructor: `%s`" text)
+  | "enum" when Other_definition.enumeration found.text bol <> None ->
+      let text = Option.get (Other_definition.enumeration found.text bol) in
+      Some (definition, Printf.sprintf "declare an enumeration with `data`: `%s`" text)
   | "from" when found.token.token = IMPORT ->
       Some (start, Printf.sprintf "use `import %s`" (python_import found))
   | _ ->
@@ -50,7 +62,12 @@ let beginning found =
      rule for that token in any context.
    - The indentation rules come last: they apply only if nothing else explains the token. *)
 
-let habits = [ (fun found -> Option.map snd (beginning found)); Operator_hint.foreign ]
+let habits =
+  [
+    Choice_hint.of_assignments;
+    (fun found -> Option.map snd (beginning found));
+    Operator_hint.foreign;
+  ]
 
 let imports =
   Import_hint.
@@ -125,6 +142,7 @@ let general =
     Operator_hint.comment;
     Operator_hint.own;
     Operator_hint.pipe;
+    Operator_hint.disjunction;
     Declaration_hint.word_as_name;
     Indentation_hint.not_indented;
     Indentation_hint.misplaced_line;
@@ -153,15 +171,16 @@ let usual found =
   match found.token.token with
   | ARROW -> (
       match found.context with
-      | ((Block (Top | Let | Where) | Paren), _) :: _ ->
-          Some "write an anonymous function as `\\x -> …`, a signal function as `proc x -> …`"
+      | ((Block (Top | Let | Where) | Paren), _) :: _ -> Some (Expression_hint.arrow_function found)
       | _ -> None)
+  | DOUBLE_ARROW when opens_with Layout.Paren found.context && not (names_before found "::") ->
+      Some (Expression_hint.arrow_function found)
   | LBRACE when opens_fields found "=" ->
       Some "write the constructor before the braces, as in `Pose { heading = 0 }`"
   | LBRACE when opens_fields found "::" && first_word found = "type" ->
       Some "declare a record with `data` and a constructor: `data Pose = Pose { heading :: Angle }`"
-  | LBRACE -> Some Indentation_hint.by_indentation
-  | DOUBLE_COLON -> Some "put the expression and its type in parentheses: `(e :: T)`"
+  | LBRACE -> Some (Indentation_hint.without_braces found)
+  | DOUBLE_COLON -> Some (Type_hint.misplaced found)
   | _ -> None
 
 let hint found ~state_hints =

@@ -55,3 +55,31 @@ let size found =
         "sizes cannot be computed: use a variable for any size, as in `Array m Float`, or a name \
          for a number, as in `type Twice = 16`"
   | _ -> None
+
+let misplaced found =
+  let general = "put the expression and its type in parentheses: `(e :: T)`" in
+  let at = found.token.start.pos_cnum in
+  let line = between found found.token.start.pos_bol at in
+  let ty = between found found.token.stop.pos_cnum (end_of_line found at) in
+  let words = List.filter (( <> ) "") (String.split_on_char ' ' line) in
+  if String.length line + String.length ty > 70 || String.contains ty '=' then
+    match words with
+    | name :: _ when (not (List.mem "=" words)) && Basis.Character.is_lower name.[0] ->
+        "write the type in a signature on the line above, with the name only: `f :: Float -> Float`"
+    | _ -> general
+  else
+    match (words, found.before) with
+    | [ name; "=" ], Some { token = EQUAL; _ } ->
+        Printf.sprintf "remove the `=`: `%s :: %s`" name ty
+    | name :: _ :: _, _
+      when String.for_all Basis.Character.is_name name
+           && Basis.Character.is_lower name.[0]
+           && not (List.mem "=" words || List.mem "->" words) ->
+        Printf.sprintf "write only the name before the `::` of a signature: `%s :: %s`" name ty
+    | _, Some { token = LOWER _ | NUMBER _ | RPAREN | RBRACKET | FIELD _; _ } -> (
+        match List.rev (String.split_on_char '=' line) with
+        | value :: _ :: _ when not (List.mem "->" words || String.contains value '(') ->
+            Printf.sprintf "put the expression and its type in parentheses: `(%s :: %s)`"
+              (String.trim value) ty
+        | _ -> general)
+    | _ -> general

@@ -14,3 +14,6 @@ val pointer : Found.rule
 
 val size : Found.rule
 (** A computed array size. *)
+
+val misplaced : Found.t -> string
+(** The hint for a [::] where neither a signature nor an annotation can be. *)

@@ -44,6 +44,7 @@ let of_values =
   [
     Vector_mistake.of_an_operator;
     Array_mistake.computed;
+    Signal_function_mistake.conditions;
     Signal_function_mistake.constant;
     Tuple_mistake.selected;
     Event_mistake.operand;

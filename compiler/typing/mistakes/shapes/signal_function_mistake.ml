@@ -4,11 +4,10 @@ open Shape_fact
 
 let in_place_of_a_test fact =
   match (fact.wanted, fact.given) with
-  | Data { tycon = { name = "Test"; _ }; _ }, Bool ->
-      let text = Printf.sprintf "during 1[s] (proc () -> %s)" (raw fact "True") in
-      error ~code:"E0301" ~at:fact.at "expected a `Test`, found a condition (`Bool`)"
-      |> hint (Printf.sprintf "say how long it must hold: `%s`" text)
-      |> write fact.at text |> Option.some
+  | Data { tycon = { name = "Test"; _ }; _ }, (Number _ | String | Tuple _) ->
+      Some
+        (hinted fact
+           "write a condition, such as `f 2 == 5`, or `during 1[s] sf` for a signal function")
   | Data { tycon = { name = "Test"; _ }; _ }, Signal_function (input, _) ->
       let sf = grouped fact "sf" in
       error ~code:"E0301" ~at:fact.at
@@ -94,6 +93,16 @@ let in_place_of_a_function fact =
            hint (Printf.sprintf "write a function that ignores its argument: `%s`" text) d
            |> if source fact = None then Fun.id else Unrun_mistake.instead fact.subject text
          else Option.fold (by_its_use fact) ~none:d ~some:(fun text -> hint text d))
+  | _ -> None
+
+(* `x > 0 &&& x < 1` *)
+let conditions fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | Signal_function _, Bool, Parameter { callee = Some (("&&&" | "***") as operator); _ } ->
+      Some
+        (error ~code:"E0301" ~at:fact.at "`%s` combines signal functions, but this is a condition"
+           operator
+        |> hint "to combine two conditions, write `&&`")
   | _ -> None
 
 let constant fact =

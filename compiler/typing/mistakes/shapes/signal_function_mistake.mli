@@ -13,5 +13,8 @@ val function_not_lifted : Shape_fact.rule
 val in_place_of_a_function : Shape_fact.rule
 (** A signal function where a function is expected. *)
 
+val conditions : Shape_fact.rule
+(** A condition as an operand of an operator on signal functions, as in [x > 0 &&& y > 0]. *)
+
 val constant : Shape_fact.rule
 (** A value where a signal function is expected. *)

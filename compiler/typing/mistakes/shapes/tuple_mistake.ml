@@ -2,6 +2,10 @@ open Basis
 open Diagnostic
 open Shape_fact
 
+(* An argument without the parentheses and commas of calls in it. *)
+let argument_of text =
+  Source.grouped (Option.value (Syntax.Other_notation.expression text) ~default:text)
+
 let selected fact =
   match (fact.wanted, fact.given, fact.expected.because) with
   | Function _, Tuple (_ :: _), (Parameter { callee = Some "."; _ } | Operand { operator = "."; _ })
@@ -104,7 +108,7 @@ let side_by_side fact components =
   let written = elements fact in
   let argument i _ =
     match List.nth_opt written i with
-    | Some (Some text) -> Source.grouped text
+    | Some (Some text) -> argument_of text
     | _ -> Variable_name.nth Variable_name.Type i
   in
   String.concat " " (List.mapi argument components)
@@ -140,7 +144,7 @@ let of_all_arguments fact =
       Some
         (match all (List.map quote es) with
         | Some texts ->
-            let text = String.concat " " (name :: List.map Source.grouped texts) in
+            let text = String.concat " " (name :: List.map argument_of texts) in
             hint (Printf.sprintf "write the arguments without parentheses and commas: `%s`" text) d
             |> fix (Printf.sprintf "write `%s`" text) [ (span, "(" ^ text ^ ")") ]
         | None -> hint "write the arguments without parentheses and commas, as in `f x y`" d)

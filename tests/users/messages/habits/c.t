@@ -21,13 +21,13 @@ Syntax that C and Python write differently: the message shows Frob's syntax.
   > f x = !x
   > FROB
   $ frobc check not.frob
-  error[E0110]: expected the value of the definition after `=`, found `!`
+  error[E0110]: Frob has no `!` before a condition
    --> not.frob:2:7
     |
   2 | f x = !x
     |       ^
     |
-    = hint: use `not b` for the opposite of `b`
+    = hint: write `not x`
   
   1 error
   [1]
@@ -110,7 +110,7 @@ Syntax that C and Python write differently: the message shows Frob's syntax.
   3 |     n += x
     |       ^^
     |
-    = hint: Frob has no assignments: write an equation that holds at every instant, as in `n = delay 0 n + 1`
+    = hint: Frob has no assignments: write an equation that holds at every instant: `n = delay 0 n + x`, where 0 is the initial value
   
   1 error
   [1]
@@ -130,7 +130,7 @@ Braces have one message, not one for each.
   2 | main = proc x -> y where {
     |                          ^
     |
-    = hint: indent the block instead: braces are only for records
+    = hint: remove the braces, which are only for records: `y = x`
   
   1 error
   [1]
@@ -140,13 +140,11 @@ Braces have one message, not one for each.
   > inside x = x > 0 and x < 1
   > FROB
   $ frobc check words.frob
-  error[E0113]: `>` and `<` cannot be combined without parentheses
-   --> words.frob:2:24
+  error[E0110]: Frob has no `and`
+   --> words.frob:2:18
     |
   2 | inside x = x > 0 and x < 1
-    |              -         ^
-    |              |
-    |              after this one
+    |                  ^^^
     |
     = hint: write `&&` instead of `and`
   
@@ -189,7 +187,7 @@ An `if` without `else` among the statements of a task.
   3 |     if True then sleepT 1[s] 2
     |                               ^
     |
-    = hint: add an `else`: every `if` has a value; in the `do` of a task, write `else return ()`, or `whenT` instead of `if`
+    = hint: to run a task only if a condition holds, write `whenT True (sleepT 1[s] 2)`; for a choice, add an `else`
   
   1 error
   [1]
@@ -226,7 +224,7 @@ Comments and counting as in C.
   3 |     n = x++
     |          ^^
     |
-    = hint: Frob has no assignments: to count, write an equation that holds at every instant, as in `n = delay 0 n + 1`
+    = hint: Frob has no assignments: write an equation that holds at every instant: `x = delay 0 x + 1`, where 0 is the initial value
   
   1 error
   [1]

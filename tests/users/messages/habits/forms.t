@@ -170,9 +170,9 @@ A bracket that is closed too late: the outer one stays open.
    --> late.frob:1:10
     |
   1 | half x = (0.5 * (x - 1)
-    |          ^             - a `)` is missing before this
+    |          ^             - a `)` is probably missing here
     |
-    = hint: each `)` closes the last open bracket, so perhaps a bracket inside this one is not closed
+    = hint: write `(0.5 * (x - 1))`
   
   1 error
   [1]

@@ -259,18 +259,6 @@ A condition as a test:
   > test "x" = 1 + 1 == 2
   > FROB
   $ frobc check test.frob
-  error[E0301]: expected a `Test`, found a condition (`Bool`)
-   --> test.frob:4:12
-    |
-  4 | test "x" = 1 + 1 == 2
-    |      ---   ^^^^^^^^^^
-    |      |
-    |      the value after this name must be `Test`
-    |
-    = hint: say how long it must hold: `during 1[s] (proc () -> 1 + 1 == 2)`
-  
-  1 error
-  [1]
   $ sed 's/= 1 + 1 == 2/= during 1[s] (proc () -> 1 + 1 == 2)/' test.frob > pasted.frob && frobc check pasted.frob
 
 A function of the robot's input among the statements of a task:

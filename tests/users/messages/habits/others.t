@@ -166,7 +166,7 @@ MATLAB:
   1 | function y = twice(x)
     | ^^^^^^^^
     |
-    = hint: define a function by an equation, `f x = …`; a block ends where its indentation ends
+    = hint: define a function by an equation: `twice x = 2 * x`; a block ends where its indentation ends
   
   1 error
   [1]

@@ -11,7 +11,7 @@ Python's constructs, and their equivalents in Frob.
   1 | def twice(x):
     |             ^
     |
-    = hint: define a function by an equation: `twice x = …`
+    = hint: define a function by an equation: `twice x = x * 2`
   
   1 error
   [1]
@@ -27,7 +27,7 @@ Python's constructs, and their equivalents in Frob.
   2 | main = arr (lambda x: x + 1)
     |                     ^
     |
-    = hint: write an anonymous function as `\x -> …`
+    = hint: write an anonymous function as `\x -> x + 1`
   
   1 error
   [1]

@@ -127,7 +127,7 @@ A class with a method: reported once.
   > main = proc x -> x
   > FROB
   $ frobc check strict.frob
-  error[E0110]: expected a type, `|` and another constructor, or the end of the declaration, found `!`
+  error[E0110]: Frob has no `!` before a condition
    --> strict.frob:1:12
     |
   1 | data P = P !Float !Float

@@ -16,7 +16,7 @@ A block in braces has one message, whatever it contains:
   2 | main = reactimateRobot (proc i -> {
     |                                   ^
     |
-    = hint: indent the block instead: braces are only for records
+    = hint: write it without braces, each part on a line of its own: `v = 0.2[m/s]`, and below it `return roMake (setVelTR v 0)`
   
   1 error
   [1]
@@ -65,7 +65,7 @@ A block in braces has one message, whatever it contains:
   1 | #include "Robot.h"
     | ^
     |
-    = hint: import a module: `import Robot`
+    = hint: to import a Frob module, write its name: `import Robot`; for your own C code write `foreign include "Robot.h"`
   
   1 error
   [1]

@@ -30,7 +30,7 @@ Keywords and symbols of other languages around a definition.
   3 | main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
     |                                                    ^^^^^
     |
-    = hint: remove the words before `speed`, and write its type on the line above: `speed :: Float`
+    = hint: remove `const` before `speed`
   
   1 error
   [1]
@@ -64,7 +64,7 @@ Keywords and symbols of other languages around a definition.
   3 |     v = if frontSonar i < 0.5[m] { 0 } else { 0.3[m/s] })
     |                                    ^
     |
-    = hint: use `if c then a else b`, without braces
+    = hint: use `if frontSonar i < 0.5[m] then 0 else 0.3[m/s]`, without braces
   
   1 error
   [1]

@@ -564,7 +564,9 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 048_bracket_forgotten.frob:3:42
     |
   3 | main = reactimateRobot (proc i -> roMake (setVelTR v 0 where
-    |                                          ^             ----- a `)` is missing before this
+    |                                          ^            - a `)` is probably missing here
+    |
+    = hint: write `roMake (setVelTR v 0)`
   
   1 error
   # 049_where_not_indented.frob
@@ -877,7 +879,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |         k * x
     |         ^
     |
-    = hint: put `in` before the expression, as in `let x = 1 in x + x`; if this is another definition, start it at column 13
+    = hint: put `in` before the expression, `in k * x`; if this is another definition, start it at column 13
   
   1 error
   # 077_def_function.frob
@@ -887,7 +889,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | def limit(x, low, high):
     |                        ^
     |
-    = hint: define a function by an equation: `limit x low high = …`
+    = hint: define a function by an equation: `limit x low high = max low (min x high)`
   
   1 error
   # 078_plus_equals.frob
@@ -911,13 +913,13 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 080_and_word.frob
-  error[E0205]: unknown name `and`
+  error[E0205]: Frob has no `and`
    --> 080_and_word.frob:2:25
     |
   2 | main = proc (b, x) -> b and x > 1
     |                         ^^^
     |
-    = hint: write `a && b`
+    = hint: write `&&` instead of `and`
   
   1 error
   # 081_single_equals.frob
@@ -979,7 +981,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc xs -> map (lambda x: 2 * x) xs
     |                                ^
     |
-    = hint: write an anonymous function as `\x -> …`
+    = hint: write an anonymous function as `\x -> 2 * x`
   
   1 error
   # 087_arduino_loop.frob
@@ -1057,13 +1059,13 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 093_exclamation_mark.frob
-  error[E0110]: expected an operand after the operator, found `!`
+  error[E0110]: Frob has no `!` before a condition
    --> 093_exclamation_mark.frob:2:28
     |
   2 | main = proc (a, b) -> a && !b
     |                            ^
     |
-    = hint: use `not b` for the opposite of `b`
+    = hint: write `not b`
   
   1 error
   # 094_define.frob
@@ -1093,7 +1095,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | function y = twice(x)
     | ^^^^^^^^
     |
-    = hint: define a function by an equation, `f x = …`; a block ends where its indentation ends
+    = hint: define a function by an equation: `twice x = 2 * x`; a block ends where its indentation ends
   
   1 error
   # 097_element_powers.frob
@@ -1113,7 +1115,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | weights = [0.25 0.5 0.25]
     |            ^^^^ --- it is applied to an argument here
     |
-    = hint: write commas between the elements of an array, `[0.25, …]`, or `*` between factors
+    = hint: for a product write `0.25 * 0.5`; between the elements of an array write commas, `[0.25, 0.5]`
   
   1 error
   # 099_index_in_parentheses.frob

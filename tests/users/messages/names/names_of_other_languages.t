@@ -72,7 +72,7 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   enumerate: use `imap (\i x -> (i, x)) xs` to pair each element with its index
   zeros: use `generate (const 0)`: its type gives the number of elements
   append: the size of an array is fixed; to change the element at i, write `replace i x xs`
-  null: use a `Maybe` for a value that may be missing, and `Nothing` for the missing value
+  null: write `Nothing` for a missing value; the type of a value that may be missing is `Maybe a`
   TRUE: write `True`
   $ hint millis micros delayMicroseconds digitalWrite analogRead for undefined
   millis: use `time ()` for the time since the start, in seconds

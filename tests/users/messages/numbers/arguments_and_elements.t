@@ -132,7 +132,7 @@ Elements and fields:
   2 | weights = [0.25 0.5 0.25]
     |            ^^^^ --- it is applied to an argument here
     |
-    = hint: write commas between the elements of an array, `[0.25, …]`, or `*` between factors
+    = hint: for a product write `0.25 * 0.5`; between the elements of an array write commas, `[0.25, 0.5]`
   
   1 error
   [1]

@@ -13,13 +13,13 @@ Numbers and units in other notations.
     |
     = hint: write a digit before the point: `0.5`
   
-  error[E0110]: expected an operand after the operator, found `+`
-   --> point.frob:2:8
+  error[E0105]: the number `5.` has no digit after its point
+   --> point.frob:2:5
     |
   2 | y = 5. + 2
-    |        ^
+    |     ^^
     |
-    = hint: write a digit after the point, as in `5.0`
+    = hint: write a digit after the point: `5.0`
   
   2 errors
   [1]
@@ -111,7 +111,7 @@ A unit follows a literal or a type, never a name, without a space.
   1 | x = 5 [m]
     |       ^^^
     |
-    = hint: remove the space, as in `0.4[m/s]`
+    = hint: remove the space: `5[m]`
   
   1 error
   [1]

@@ -185,7 +185,7 @@ syntax.
   6 |     returnA -< a b
     |                ^ - it is applied to an argument here
     |
-    = hint: put two values in a tuple, `(a, b)`, or write an operator between them
+    = hint: write an operator between the two values, as in `a * b`; for a tuple, `(a, b)`
   
   1 error
   [1]

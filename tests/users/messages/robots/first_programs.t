@@ -15,7 +15,7 @@ languages:
   1 | avoid = proc i -> {
     |                   ^
     |
-    = hint: indent the block instead: braces are only for records
+    = hint: remove the braces, which are only for records: `x = i`
   
   1 error
   [1]
@@ -29,7 +29,7 @@ languages:
   1 | halve x = do { return x / 2 }
     |              ^
     |
-    = hint: indent the block instead: braces are only for records
+    = hint: remove the braces, which are only for records: `return x / 2`
   
   1 error
   [1]

@@ -293,13 +293,13 @@ Words that are operators.
   > f x y = x and y
   > FROB
   $ frobc check words.frob
-  error[E0205]: unknown name `and`
+  error[E0205]: Frob has no `and`
    --> words.frob:2:11
     |
   2 | f x y = x and y
     |           ^^^
     |
-    = hint: write `a && b`
+    = hint: write `&&` instead of `and`
   
   1 error
   [1]

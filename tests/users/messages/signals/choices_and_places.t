@@ -168,13 +168,13 @@ Records require constructors, and commas:
   > main = proc p -> p
   > FROB
   $ frobc check semicolon.frob
-  error[E0111]: this `{` is never closed
-   --> semicolon.frob:1:12
+  error[E0111]: fields are separated by `,`, not by `;`
+   --> semicolon.frob:1:29
     |
   1 | data P = P { pos :: Distance; vel :: Velocity }
-    |            ^                - a `}` is missing before this
+    |                             ^
     |
-    = hint: a `;` ends a definition: write a `,` between two fields
+    = hint: write `{ pos :: Distance, vel :: Velocity }`
   
   1 error
   [1]
@@ -192,13 +192,13 @@ With any number of such mistakes; other mistakes are still reported:
   > main = proc p -> p
   > FROB
   $ frobc check semicolons.frob 2>&1 | grep -A 3 '^error'
-  error[E0111]: this `{` is never closed
-   --> semicolons.frob:2:5
+  error[E0111]: fields are separated by `,`, not by `;`
+   --> semicolons.frob:2:22
     |
   2 |     { pos :: Distance;
   --
-  error[E0111]: this `{` is never closed
-   --> semicolons.frob:5:12
+  error[E0111]: fields are separated by `,`, not by `;`
+   --> semicolons.frob:5:23
     |
   5 | data Q = Q { a :: Bool; b : Bool }
   --
@@ -278,7 +278,7 @@ A type annotation belongs to its expression; names are not hidden; an hour:
   5 |     xs = window 0 x :: Array 4 Float
     |                     ^^
     |
-    = hint: put the expression and its type in parentheses: `(e :: T)`
+    = hint: put the expression and its type in parentheses: `(window 0 x :: Array 4 Float)`
   
   1 error
   [1]

@@ -1,0 +1,64 @@
+open Basis
+
+type unit_ = { number : string; measure : string; whole : Span.t; is_first : bool }
+
+let line_of text (span : Span.t) =
+  Option.value
+    (List.nth_opt (String.split_on_char '\n' text) (Span.line span.start - 1))
+    ~default:""
+
+let on_line (span : Span.t) first last =
+  let line = Span.line span.start in
+  Span.make ~file:span.file
+    ~start:(Span.position ~line ~column:(first + 1))
+    ~stop:(Span.position ~line ~column:(last + 1))
+
+let char_at text i = if i >= 0 && i < String.length text then text.[i] else '\000'
+
+(* The end of the run of such characters that begins at this index, and the start of the one that
+   ends there. *)
+let rec forward is text i = if is (char_at text i) then forward is text (i + 1) else i
+let rec backward is text i = if is (char_at text (i - 1)) then backward is text (i - 1) else i
+let is_of_a_unit c = Character.is_name c || c = '/' || c = '*' || c = '^'
+let is_of_a_number c = Character.is_digit c || c = '.'
+
+let words_of measure =
+  let separate = function '/' | '*' | '^' | '0' .. '9' -> ' ' | c -> c in
+  List.filter (( <> ) "") (String.split_on_char ' ' (String.map separate measure))
+
+let unit_after_number ~text ~is_unit (span : Span.t) =
+  let line = line_of text span in
+  let at = Span.column span.start - 1 in
+  let first = backward is_of_a_unit line at in
+  let last = forward is_of_a_unit line first in
+  let blank = backward (Char.equal ' ') line first in
+  let start = backward is_of_a_number line blank in
+  let measure = String.sub line first (max 0 (last - first)) in
+  if
+    blank < first && start < blank
+    && (not (Character.is_name (char_at line (start - 1))))
+    && Character.is_name (char_at line (last - 1))
+    && List.for_all is_unit (words_of measure)
+  then
+    let number = String.sub line start (blank - start) in
+    Some { number; measure; whole = on_line span start last; is_first = first = at }
+  else None
+
+let call ~text (span : Span.t) =
+  let line = line_of text span in
+  let first = Span.column span.start - 1 and opening = Span.column span.stop - 1 in
+  let rec close i depth =
+    match char_at line i with
+    | '\000' -> None
+    | '(' -> close (i + 1) (depth + 1)
+    | ')' -> if depth = 1 then Some (i + 1) else close (i + 1) (depth - 1)
+    | _ -> close (i + 1) depth
+  in
+  if char_at line opening <> '(' then None
+  else
+    let open Basis.Let_syntax.Option in
+    let* stop = close opening 0 in
+    let* written = Syntax.Other_notation.expression (String.sub line first (stop - first)) in
+    let name = String.sub line first (opening - first) in
+    if String.equal written name || String.starts_with ~prefix:(name ^ " ") written then None
+    else Some (on_line span first stop, written)

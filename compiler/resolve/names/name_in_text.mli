@@ -1,0 +1,18 @@
+(** How the source text goes on after an unknown name, and what precedes it. For messages. *)
+
+open Basis
+
+type unit_ = {
+  number : string;  (** the number before the unit *)
+  measure : string;  (** the unit, such as [m/s] *)
+  whole : Span.t;  (** the number and the unit *)
+  is_first : bool;  (** is the name the first one in the unit? *)
+}
+
+val unit_after_number : text:string -> is_unit:(string -> bool) -> Span.t -> unit_ option
+(** The unit after a number that contains the name, if it is written without brackets, as in
+    [0.5 m/s]. *)
+
+val call : text:string -> Span.t -> (Span.t * string) option
+(** The call with parentheses that begins with the name, as in [pow(x, 2)], and the same call in
+    Frob, if that does not begin with the name. *)

@@ -1,0 +1,39 @@
+(** Definitions of functions and choices in the notation of C, Python or MATLAB, and their
+    equivalents in Frob. The texts are guessed from a few lines of source text. *)
+
+type t = {
+  head : int * int;  (** the offsets of the first line, or of its part before the body *)
+  signature : string option;  (** [f :: Float -> Float] *)
+  equation : string;  (** [f x = x * 2], or [f x = …] if the body is not a single expression *)
+}
+
+val of_c : string -> int -> t option
+(** The function of C that begins at this offset: [float f(float x) { return x; }]. *)
+
+val of_python : string -> int -> t option
+(** The function of Python that begins at this offset: [def f(x): return x]. *)
+
+val of_matlab : string -> int -> t option
+(** The function of MATLAB that begins at this offset: [function y = f(x)]. *)
+
+val advice : t -> string
+(** The hint to write the signature, if there is one, and the equation. *)
+
+val choice : string -> int -> string option
+(** The equation [y = if c then a else b] for the choice at this offset, whose branches each assign
+    to the same name: [if c:] with lines below it, or [if (c) { y = a; }]. *)
+
+val choice_in_braces : string -> int -> string option
+(** [if c then a else b] for [if (c) { a } else { b }] at this offset. *)
+
+val in_braces : string -> int -> (string * int) option
+(** The text in the braces at or after this offset, and the offset after them. *)
+
+val record : string -> int -> string option
+(** [data P = P { x :: Float }] for [struct P { float x; }] at this offset. *)
+
+val enumeration : string -> int -> string option
+(** [data Side = Left | Right] for [enum Side { Left, Right }] at this offset. *)
+
+val body_of_lambda : string -> int -> string option
+(** The expression at this offset, up to a comma or the closing bracket, in Frob. *)
