@@ -93,6 +93,14 @@ let written_in_words (operand : term) =
   in
   match operand.desc with Application { arguments; _ } -> List.find_map word arguments | _ -> None
 
+(* `x < 1` and `0 < x` for a chain with a simple operand in its middle *)
+let compared_twice first (operand : term) second =
+  match operand.desc with
+  | Variable { qualifier = None; name; _ } ->
+      Printf.sprintf "compare two at a time, joined by `&&`: `… %s %s && %s %s …`" (shown first)
+        name.text name.text (shown second)
+  | _ -> "compare two at a time: `a < b && b < c`"
+
 let reject_two (first : Ir.qualified) operand (second : Ir.qualified) =
   match written_in_words operand with
   | Some (word, symbol, at) ->
@@ -106,8 +114,7 @@ let reject_two (first : Ir.qualified) operand (second : Ir.qualified) =
            "`%s` and `%s` cannot be combined without parentheses" (shown first) (shown second)
         |> Diagnostic.label ~at:first.span "after this one"
         |> Diagnostic.hint
-             (if fst (precedence second) = comparison_level then
-                "compare two at a time: `a < b && b < c`"
+             (if fst (precedence second) = comparison_level then compared_twice first operand second
               else "put parentheses around the part to compute first"))
 
 let in_parentheses (first : Span.t) (last : Span.t) =

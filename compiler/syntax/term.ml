@@ -131,6 +131,10 @@ and no_expression span (desc : Ir.expr_desc) =
   | Tuple_section _ -> no_pattern span "a tuple without some of its elements"
   | Proc _ -> no_pattern span "a `proc`"
   | Sequence _ -> no_pattern span "a `do`"
+  | Field { record = { desc = Variable { name = { text = "self" | "this"; _ }; _ }; _ }; field } ->
+      Reject.at ~code:"E0114" span
+        ~hint:(Printf.sprintf "Frob has no objects: write only the name, `%s`" field.text)
+        "a field access cannot be part of a pattern"
   | Field _ ->
       Reject.at ~code:"E0114" span
         ~hint:"Frob has no assignments: give a changed copy a new name, as in `q = p { x = 1 }`"

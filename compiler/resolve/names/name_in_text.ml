@@ -44,6 +44,13 @@ let unit_after_number ~text ~is_unit (span : Span.t) =
     Some { number; measure; whole = on_line span start last; is_first = first = at }
   else None
 
+let before ~text (span : Span.t) = char_at (line_of text span) (Span.column span.start - 2)
+let after ~text (span : Span.t) = char_at (line_of text span) (Span.column span.stop - 1)
+
+let starts_an_equation ~text name =
+  let is_it line = String.starts_with ~prefix:(name ^ " = ") (String.trim line) in
+  List.exists is_it (String.split_on_char '\n' text)
+
 let call ~text (span : Span.t) =
   let line = line_of text span in
   let first = Span.column span.start - 1 and opening = Span.column span.stop - 1 in

@@ -13,6 +13,15 @@ val unit_after_number : text:string -> is_unit:(string -> bool) -> Span.t -> uni
 (** The unit after a number that contains the name, if it is written without brackets, as in
     [0.5 m/s]. *)
 
+val before : text:string -> Span.t -> char
+(** The character before the name. *)
+
+val after : text:string -> Span.t -> char
+(** The character after the name. *)
+
+val starts_an_equation : text:string -> string -> bool
+(** Does a line of the text begin with this name and [=]? *)
+
 val call : text:string -> Span.t -> (Span.t * string) option
 (** The call with parentheses that begins with the name, as in [pow(x, 2)], and the same call in
     Frob, if that does not begin with the name. *)

@@ -152,6 +152,7 @@ let operator_word space name =
   | ("name" | "constructor"), ("and" | "AND") -> Some "&&"
   | ("name" | "constructor"), ("or" | "OR") -> Some "||"
   | "name", "xor" -> Some "/="
+  | "name", "is" -> Some "=="
   | _ -> None
 
 (* The name in a hint such as "write `return`", which suggests only another name. *)
@@ -161,8 +162,13 @@ let only_a_name hint =
   | [ "write "; name; "" ] when String.for_all is_inner name -> Some name
   | _ -> None
 
-let from_elsewhere space name =
+let of_last_element =
+  "to get the last element of an array, write its index, as in `xs ! 2` for the third: the first \
+   is `xs ! 0`"
+
+let from_elsewhere ?(after = ' ') space name =
   match space.noun with
+  | "name" when String.equal name "end" && after = '(' -> Some of_last_element
   | "name" -> Other_languages.value name
   | "constructor" -> Other_languages.constructor name
   | "type class" -> Other_languages.class_ name
@@ -288,12 +294,30 @@ let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
         Diagnostic.error ~code:space.unknown ~at:name.span "Frob has no `%s`" name.text
         |> Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol name.text)
         |> Diagnostic.write name.span symbol
+    | [], None
+      when String.equal space.noun "constructor"
+           && Name_in_text.starts_an_equation ~text:t.text name.text ->
+        Diagnostic.hint
+          (Printf.sprintf "start the name of a value with a lower-case letter: `%s`"
+             (String.uncapitalize_ascii name.text))
+          diagnostic
+    | [], None
+      when String.equal space.noun "name" && Name_in_text.after ~text:t.text name.span = '"' ->
+        Diagnostic.hint
+          (Printf.sprintf
+             "remove `%s`: a text is only a label, so it cannot contain values; make the value an \
+              output"
+             name.text)
+          diagnostic
     | [], None when call_in_text t space name <> None ->
         let whole, text = Option.get (call_in_text t space name) in
         Diagnostic.hint (Printf.sprintf "write `%s`" text) diagnostic
         |> Diagnostic.write whole (Source.grouped text)
-    | [], None when Option.is_some (from_elsewhere space name.text) ->
-        let text = Option.get (from_elsewhere space name.text) in
+    | [], None
+      when Option.is_some
+             (from_elsewhere ~after:(Name_in_text.before ~text:t.text name.span) space name.text) ->
+        let after = Name_in_text.before ~text:t.text name.span in
+        let text = Option.get (from_elsewhere ~after space name.text) in
         Diagnostic.hint text diagnostic
         |> Option.fold (only_a_name text) ~none:Fun.id ~some:(Diagnostic.write name.span)
     | [], None when c_type_before t name <> None ->

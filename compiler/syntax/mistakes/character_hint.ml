@@ -149,6 +149,14 @@ let is_a_slice text at =
   let digits = ending text at Basis.Character.is_name in
   char_at text (at - String.length digits - 1) = '['
 
+(* `[1:10]` after a space, a MATLAB range *)
+let is_a_range text at =
+  let digits = ending text at Basis.Character.is_digit in
+  let bracket = at - String.length digits - 1 in
+  digits <> ""
+  && char_at text bracket = '['
+  && not (Basis.Character.is_name (char_at text (bracket - 1)) || char_at text (bracket - 1) = ')')
+
 (* `f (x: Float) = …`, a parameter with a type. *)
 let types_a_parameter text start at =
   let line = String.sub text start (at - start) in
@@ -180,6 +188,10 @@ let of_colon text at =
       hint
         "to repeat a task, write `forever t`, or `whileT c t` while a signal function returns True"
   | _ when List.mem "for" words || List.mem "(for" words -> hint of_for
+  | _ when is_a_range text at ->
+      hint
+        "Frob has no ranges: write the elements, `[1, 2, 3]`, or compute them from their index, \
+         `generate (\\i -> i + 1)`; the type gives their number"
   | _ when is_a_slice text at ->
       hint "for a part of an array write `take xs` or `drop xs`; its type gives its size"
   | _ when char_at text (at - 1) = '"' && line_of_brace text at <> None ->
@@ -275,13 +287,7 @@ let in_quotes text at =
   match String.index_from_opt text (at + 1) '\'' with
   | Some stop ->
       let inside = String.sub text (at + 1) (stop - at - 1) in
-      let rec skip step i = if char_at text i = ' ' then skip step (i + step) else char_at text i in
-      let is_operand c = Basis.Character.is_name c || c = ')' || c = '(' in
-      let is_infix =
-        is_operand (skip (-1) (at - 1))
-        && is_operand (skip 1 (stop + 1))
-        && String.for_all Basis.Character.is_name inside
-      in
+      let is_infix = List.mem inside [ "mod"; "div"; "rem"; "quot"; "min"; "max"; "to"; "about" ] in
       if is_infix || inside = "" || String.exists (fun c -> c = '\n' || c = '"' || c = '(') inside
       then None
       else Some inside
@@ -294,6 +300,41 @@ let defined text at =
   | [ _; name; value ] when name <> "" && String.for_all Basis.Character.is_name name ->
       Printf.sprintf "%s = %s" (String.lowercase_ascii name) value
   | _ -> "vMax = 0.4[m/s]"
+
+(* The expression of `x > 0 ? 1 : 2`, from the last `=`, `->` or bracket before the `?`. *)
+let ternary text at =
+  let bol = line_start text at in
+  let rec start i depth =
+    if i <= bol then bol
+    else
+      match text.[i - 1] with
+      | ')' -> start (i - 1) (depth + 1)
+      | '(' when depth > 0 -> start (i - 1) (depth - 1)
+      | ('(' | ',') when depth = 0 -> i
+      | '=' when char_at text i = ' ' && char_at text (i - 2) = ' ' -> i
+      | '>' when char_at text (i - 2) = '-' -> i
+      | _ -> start (i - 1) depth
+  in
+  let stop = Option.value (String.index_from_opt text at '\n') ~default:(String.length text) in
+  let rec last i depth =
+    if i >= stop then stop
+    else
+      match text.[i] with
+      | '(' -> last (i + 1) (depth + 1)
+      | ')' -> if depth = 0 then i else last (i + 1) (depth - 1)
+      | ';' -> i
+      | _ -> last (i + 1) depth
+  in
+  let first = start at 0 in
+  Other_notation.expression (String.sub text first (last at 0 - first))
+
+(* Is the rest of the line a phrase of two words or more, without any sign or digit? *)
+let ends_in_words text at =
+  let stop = Option.value (String.index_from_opt text at '\n') ~default:(String.length text) in
+  let rest = String.trim (String.sub text (at + 1) (stop - at - 1)) in
+  let is_letter = function 'a' .. 'z' | 'A' .. 'Z' | ' ' | ',' | '.' -> true | _ -> false in
+  String.contains rest ' ' && String.for_all is_letter rest
+  && not (List.exists (fun w -> List.mem w [ "then"; "else" ]) (String.split_on_char ' ' rest))
 
 (* Whether only spaces precede this offset in its line. *)
 let begins_line text at =
@@ -326,10 +367,13 @@ let of_character ~text ~at character =
   | "#", None -> both "write `--` to start a comment" "--"
   | "~", None when next = '=' -> only "use `/=` to compare for inequality"
   | "~", None -> both "write `not b` for the opposite of `b`" "not "
-  | "?", None -> only "use `if c then a else b`"
+  | "?", None ->
+      only
+        (Printf.sprintf "use `%s`" (Option.value (ternary text at) ~default:"if c then a else b"))
   | "%", None when begins_line text at -> both "write `--` to start a comment" "--"
   | "%", None when char_at text (at - 1) = '[' ->
       only "percent is not a unit: write 20 percent of x as `0.2 * x`"
+  | "%", None when ends_in_words text at -> both "write `--` to start a comment" "--"
   | "%", None -> only "use ``x `mod` y`` for the remainder; 20 percent of x is `0.2 * x`"
   | ("\u{201c}" | "\u{201d}"), None -> only "put a text in double quotes"
   | _, None when String.length character > 1 ->

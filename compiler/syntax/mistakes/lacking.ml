@@ -41,10 +41,11 @@ let code_between found first last =
 let claim found =
   match first_word_of_line found with
   | ("assert" | "assume") as word
-    when match found.token.token with END | SEMICOLON | CLOSE | EQUAL -> true | _ -> false -> (
+    when match found.token.token with END | SEMICOLON | CLOSE | EQUAL | COMMA -> true | _ -> false
+    -> (
       let ((_, stop) as at) = first_word_from found (fst (line found)) in
       let ends = found.token.start.pos_cnum in
-      let last = if found.token.token = EQUAL then snd (line found) else ends in
+      let last = match found.token.token with EQUAL | COMMA -> snd (line found) | _ -> ends in
       let text, (_, behind) = code_between found stop last in
       let whole = (fst at, behind) in
       let written condition label =
@@ -77,6 +78,10 @@ let claim found =
             |> cured found (written (without_sign behind) label))
       | Some ("", _, _) -> None
       | Some (condition, label, "") ->
+          let condition =
+            let n = String.length condition in
+            if n > 0 && condition.[n - 1] = ',' then String.sub condition 0 (n - 1) else condition
+          in
           Some
             (error found ~at "the label of an `%s` must come first" word
             |> cured found (written (String.trim (without_sign condition)) label))

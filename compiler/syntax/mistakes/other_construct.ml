@@ -166,6 +166,15 @@ let index found =
       else None
   | None -> None
 
+let array_of_c found =
+  match found.token.token with
+  | UNIT_BRACKET ->
+      let first, _ = first_word_from found found.token.start.pos_bol in
+      Option.map
+        (fun hint -> error found "this declares an array as in C" |> Diagnostic.hint hint)
+        (Other_definition.array found.text first)
+  | _ -> None
+
 let index_in_brackets found =
   match (found.token.token, found.before, index found) with
   | UNIT_BRACKET, Some name, Some (digits, stop) when is_a_name found.before ->
@@ -257,6 +266,7 @@ let rules =
     top_let;
     word_in_backticks;
     list_comprehension;
+    array_of_c;
     index_in_brackets;
     value_after_type;
     reserved;

@@ -211,9 +211,14 @@ let condition text at =
     | Some colon when colon < stop -> Some (sub text at colon, colon + 1)
     | _ -> None
   in
+  let line = sub text at stop in
   match in_parentheses text at with
   | Some (inside, after) when char_at text (skip_blanks text after) = '{' ->
       Some (inside, skip_blanks text after + 1)
+  | Some (inside, after) when Character.is_lower (char_at text (skip_blanks text after)) ->
+      Some (inside, after)
+  | _ when of_python = None && not (List.mem "then" (words line) || String.contains line '=') ->
+      Some (line, stop)
   | _ -> of_python
 
 (* The assignment at this offset, and the offset after it. *)
@@ -251,6 +256,8 @@ let rec branches text at =
   | Some next ->
       let* others, last = branches text next in
       Some ((given, assigned) :: others, last)
+  | None when keyword text next [ "else" ] = None ->
+      Some ([ (given, assigned) ], (fst assigned, "…"))
   | None ->
       let* next = keyword text next [ "else" ] in
       let next = if List.mem (char_at text next) [ ':'; '{' ] then next + 1 else next in
@@ -319,6 +326,21 @@ let enumeration text at =
   else
     let names = List.map String.capitalize_ascii names in
     Some (Printf.sprintf "data %s = %s" (String.capitalize_ascii name) (String.concat " | " names))
+
+let array text at =
+  let open Basis.Let_syntax.Option in
+  let stop = end_of_line text at in
+  let* bracket = String.index_from_opt text at '[' in
+  let* closing = String.index_from_opt text bracket ']' in
+  if closing > stop then None
+  else
+    let* type_, name = typed (sub text at bracket) in
+    let* equals = String.index_from_opt text closing '=' in
+    let* inside, _ = if equals < stop then in_braces text (equals + 1) else None in
+    let values = non_empty (String.split_on_char ',' (lines_joined inside)) in
+    Some
+      (Printf.sprintf "write `%s :: Array %d %s`, and below it `%s = [%s]`" name
+         (List.length values) type_ name (String.concat ", " values))
 
 (* {1 Lambdas} *)
 

@@ -26,6 +26,9 @@ val choice : string -> int -> string option
 val choice_in_braces : string -> int -> string option
 (** [if c then a else b] for [if (c) { a } else { b }] at this offset. *)
 
+val without_semicolon : string -> string
+(** The text without blanks around it and without a semicolon at its end. *)
+
 val in_braces : string -> int -> (string * int) option
 (** The text in the braces at or after this offset, and the offset after them. *)
 
@@ -34,6 +37,9 @@ val record : string -> int -> string option
 
 val enumeration : string -> int -> string option
 (** [data Side = Left | Right] for [enum Side { Left, Right }] at this offset. *)
+
+val array : string -> int -> string option
+(** The hint for [float gains[2] = {1.0, 0.5};] at this offset. *)
 
 val body_of_lambda : string -> int -> string option
 (** The expression at this offset, up to a comma or the closing bracket, in Frob. *)

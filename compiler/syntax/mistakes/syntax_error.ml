@@ -75,7 +75,8 @@ let compares_instead found =
 
 let starts_with_a_text found =
   let bol = found.token.start.pos_bol in
-  bol < String.length found.text && found.text.[bol] = '"'
+  let line = between found bol (end_of_line found bol) in
+  line <> "" && line.[0] = '"'
 
 (* `"drives ahead"` at the left margin. *)
 let text_alone found =
@@ -222,6 +223,12 @@ let separated_by_semicolons found by =
   let on_this_line last =
     String.contains (String.sub found.text open_brace (last - open_brace)) '\n'
   in
+  (* a semicolon before the closing brace is superfluous *)
+  let separator offset =
+    let at, text = comma offset in
+    let rec next i = if is_blank (char_at found i) then next (i + 1) else char_at found i in
+    (at, if next (offset + 1) = '}' then "" else text)
+  in
   let d =
     Diagnostic.error ~code:"E0111"
       ~at:(fst (comma start.pos_cnum))
@@ -234,9 +241,10 @@ let separated_by_semicolons found by =
           (fun i -> found.text.[i] = ';')
           (List.init (last - start.pos_cnum) (fun i -> start.pos_cnum + i))
       in
+      let inside = Other_definition.without_semicolon inside in
       let commas = String.map (function ';' -> ',' | c -> c) inside in
       Diagnostic.hint (Printf.sprintf "write `{ %s }`" commas) d
-      |> Diagnostic.fix "write commas" (List.map comma offsets)
+      |> Diagnostic.fix "write commas" (List.map separator offsets)
   | Some _ | None -> Diagnostic.hint "write a `,` between two fields" d |> Diagnostic.write d.at ","
 
 (* {2 The likely place of a missing bracket} *)
@@ -291,7 +299,7 @@ let trimmed_end text last =
 let likely_place found (by : Layout.origin) =
   let text = found.text and first = by.by.start.pos_cnum in
   let last = trimmed_end text found.token.start.pos_cnum in
-  if last <= first || String.contains (String.sub text first (last - first)) '\n' then None
+  if last <= first + 1 || String.contains (String.sub text first (last - first)) '\n' then None
   else Some (Option.value (applied_formula text first last) ~default:(last, first))
 
 let at_offset (by : Layout.origin) first last =
@@ -358,9 +366,18 @@ let unclosed_bracket found ((opener, closer), by) =
     | _ -> Fun.id
   else Fun.id
 
+(* Is the word before the brace a constructor? *)
+let is_a_record found (by : Layout.origin) =
+  let word = word_before found by.by.start.pos_cnum in
+  word <> "" && Basis.Character.is_upper word.[0]
+
 let unclosed found (((opener, _), by) as open_) =
   match opener with
-  | "{" when char_at found found.token.start.pos_cnum = ';' -> separated_by_semicolons found by
+  | "{" when char_at found found.token.start.pos_cnum = ';' && is_a_record found by ->
+      separated_by_semicolons found by
+  | "{" when Choice_hint.of_assignments found <> None ->
+      Diagnostic.error ~code:"E0111" ~at:(opener_span by) "an equation cannot be in braces"
+      |> Diagnostic.hint (Option.get (Choice_hint.of_assignments found))
   | "(" when char_at found found.token.start.pos_cnum <> ';' -> (
       match unclosed_parenthesis found by with Some d -> d | None -> unclosed_bracket found open_)
   | _ -> unclosed_bracket found open_

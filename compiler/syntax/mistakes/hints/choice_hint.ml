@@ -28,10 +28,47 @@ let matched found =
       Some "use `case x of`, and each branch as `pattern -> value`"
   | _ -> None
 
+(* The rest of the line from the last `=`, `->`, `(` or `,` before the token. *)
+let expression_around found =
+  let bol = found.token.start.pos_bol in
+  let rec start i depth =
+    if i <= bol then bol
+    else
+      match found.text.[i - 1] with
+      | ')' -> start (i - 1) (depth + 1)
+      | '(' when depth > 0 -> start (i - 1) (depth - 1)
+      | ('(' | ',') when depth = 0 -> i
+      | '=' when is_blank (char_at found i) && is_blank (char_at found (i - 2)) -> i
+      | '>' when char_at found (i - 2) = '-' -> i
+      | _ -> start (i - 1) depth
+  in
+  let first = start found.token.start.pos_cnum 0 in
+  between found first (end_of_line found first)
+
 let after_value found =
   match (found.token.token, found.before) with
   | IF, Some before when (not (expects_more (Some before))) && not found.token.first ->
-      Some "use `if c then a else b`"
+      let written = Other_notation.expression (expression_around found) in
+      Some (Printf.sprintf "use `%s`" (Option.value written ~default:"if c then a else b"))
+  | _ -> None
+
+(* `x in [1, 2, 3]`, as in Python. *)
+let membership found =
+  match (found.token.token, found.before) with
+  | IN, Some ({ token = LOWER _; _ } as before)
+    when not (List.exists (fun (o, _) -> o = Layout.Block Let) found.context) ->
+      let name = written found before in
+      let rest =
+        between found found.token.stop.pos_cnum (end_of_line found found.token.start.pos_cnum)
+      in
+      let array =
+        match Other_notation.expression rest with
+        | Some array -> Basis.Source.grouped array
+        | None -> "xs"
+      in
+      Some
+        (Printf.sprintf "to test whether an array contains a value, write `any (\\e -> e == %s) %s`"
+           name array)
   | _ -> None
 
 let double_arrow found =
@@ -103,6 +140,13 @@ let without_of found =
 
 let of_assignments found =
   let first, _ = first_word_from found found.token.start.pos_bol in
-  Option.map
-    (Printf.sprintf "choose the value in one equation: `%s`")
-    (Other_definition.choice found.text first)
+  let opener =
+    List.find_map
+      (function
+        | (Layout.If | Layout.Then), ({ by; _ } : Layout.origin) -> Some by.start.pos_cnum
+        | _ -> None)
+      found.context
+  in
+  first :: Option.to_list opener
+  |> List.find_map (Other_definition.choice found.text)
+  |> Option.map (Printf.sprintf "choose the value in one equation: `%s`")

@@ -33,5 +33,8 @@ val equation_before_guards : Found.rule
 val without_of : Found.rule
 (** A `case` whose line ends without `of`. *)
 
+val membership : Found.rule
+(** [x in xs], as in Python. *)
+
 val of_assignments : Found.rule
 (** [if (c) { y = a; } else { y = b; }], as in C. *)

@@ -58,8 +58,19 @@ let in_a_choice found =
         "Frob has no assignments: choose the value in one equation, as in `x = if c then a else b`"
   | _ -> None
 
+(* Is this in the parentheses of a left-hand side, as in `f(x, k=2) = …`? *)
+let is_a_default_value found =
+  let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
+  not (List.exists (fun c -> String.contains line c) [ '='; '>'; '<' ])
+
 let keyword_argument found =
   match (found.token.token, found.before) with
+  | EQUAL, Some ({ token = LOWER _; _ } as name)
+    when is_a_keyword_argument found name && is_a_default_value found ->
+      Some
+        (Printf.sprintf
+           "a parameter has no default value: write only `%s`, and give the value in each call"
+           (written found name))
   | EQUAL, Some ({ token = LOWER _; _ } as name) when is_a_keyword_argument found name ->
       Some "arguments have no names: write them in order, as in `f 1 2`"
   | _ -> None
@@ -107,6 +118,36 @@ let statement found =
             Printf.sprintf
               "for a value, write `let %s = %s`; for the result of a task `t`, write `%s <- t`" name
               value name)
+  | _ -> None
+
+(* `a, b = p`, as in Python *)
+let without_parentheses found =
+  let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
+  let names = List.map String.trim (String.split_on_char ',' line) in
+  let is_name n = n <> "" && String.for_all Basis.Character.is_name n in
+  match (found.token.token, names) with
+  | EQUAL, _ :: _ :: _ when List.for_all is_name names ->
+      let value = Operator_hint.rest_of_line found found.token.stop.pos_cnum in
+      Some
+        (Printf.sprintf "put the pattern of a tuple in parentheses: `(%s) = %s`" line
+           (if value = "" || String.length value > 50 then "…" else value))
+  | _ -> None
+
+(* `y = z = x` *)
+let two_names found =
+  let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
+  let value = Operator_hint.rest_of_line found found.token.stop.pos_cnum in
+  match (found.token.token, List.map String.trim (String.split_on_char '=' line)) with
+  | EQUAL, [ first; second ]
+    when List.for_all
+           (fun n -> n <> "" && String.for_all Basis.Character.is_name n)
+           [ first; second ]
+         && value <> "" ->
+      Some
+        (Printf.sprintf
+           "write an equation for each name, `%s = %s` and below it `%s = %s`; to compare, write \
+            `==`"
+           second value first second)
   | _ -> None
 
 let comparison found =

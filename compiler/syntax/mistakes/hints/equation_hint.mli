@@ -24,6 +24,12 @@ val changed_field : Found.rule
 val statement : Found.rule
 (** An equation among the statements of a task. *)
 
+val without_parentheses : Found.rule
+(** [a, b = p], as in Python. *)
+
+val two_names : Found.rule
+(** [y = z = x], as in C. *)
+
 val comparison : Found.rule
 (** A `=` used as a comparison. *)
 

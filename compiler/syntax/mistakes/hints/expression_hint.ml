@@ -50,6 +50,24 @@ let pattern_of_proc found =
       Some "put parentheses around a pattern such as `(Just x)`"
   | _ -> None
 
+(* `@(x) x * 2`, as in MATLAB *)
+let function_handle found =
+  let first = found.token.stop.pos_cnum in
+  match found.token.token with
+  | AT when after found = '(' -> (
+      match String.index_from_opt found.text first ')' with
+      | Some closing when closing < end_of_line found first ->
+          let names =
+            String.split_on_char ',' (String.sub found.text (first + 1) (closing - first - 1))
+          in
+          let body = Other_definition.body_of_lambda found.text (closing + 1) in
+          Some
+            (Printf.sprintf "write an anonymous function as `\\%s -> %s`"
+               (String.concat " " (List.map String.trim names))
+               (Option.value body ~default:"…"))
+      | _ -> None)
+  | _ -> None
+
 let list_comprehension found =
   match (found.token.token, found.before) with BAR, _ -> comprehension found | _ -> None
 

@@ -9,6 +9,9 @@ val lambda_argument : Found.rule
 val pattern_of_proc : Found.rule
 (** A pattern with an argument as the input of a `proc`. *)
 
+val function_handle : Found.rule
+(** [@(x) x * 2], as in MATLAB. *)
+
 val list_comprehension : Found.rule
 (** [2 * x | x <- xs], as in Haskell. *)
 

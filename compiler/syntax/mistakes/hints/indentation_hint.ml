@@ -30,7 +30,11 @@ let where_above found =
   let is_open = List.mem (List.hd (List.rev words)) [ "where"; "do"; "of"; "="; "->" ] in
   let count c = List.length (String.split_on_char c line) in
   let is_closed = count '(' = count ')' && count '[' = count ']' in
-  if is_definition && is_closed && (not is_open) && String.length line <= 50 then
+  let last = List.hd (List.rev words) in
+  if is_definition && last <> "where" && Basis.Suggest.closest last [ "where" ] <> None then
+    let n = String.length line - String.length last in
+    Some (String.sub line 0 n ^ "where")
+  else if is_definition && is_closed && (not is_open) && String.length line <= 50 then
     Some (line ^ " where")
   else None
 

@@ -35,6 +35,21 @@ let starts_a_comment found =
 let own_operator =
   "programs cannot define operators: define a function, and use it infix in backticks, ``a `f` b``"
 
+(* `map (\x -> x * 2) xs` for `xs .* 2`, `zipWith (\x y -> x * y) xs ys` for `xs .* ys` *)
+let element_by_element found (point : Layout.token) operator =
+  let left = word_before found point.start.pos_cnum in
+  let right = rest_of_line found found.token.stop.pos_cnum in
+  let is_word text = text <> "" && String.for_all Basis.Character.is_name text in
+  if not (is_word left && is_word right) then None
+  else
+    let text =
+      if Basis.Character.is_digit right.[0] then
+        Printf.sprintf "map (\\x -> x %c %s) %s" operator right left
+      else if operator = '^' then Printf.sprintf "zipWith (\\x y -> x ** y) %s %s" left right
+      else Printf.sprintf "zipWith (\\x y -> x %c y) %s %s" operator left right
+    in
+    Some (Printf.sprintf "operators take numbers, not arrays: write `%s`" text)
+
 (* An operator of another language that starts with a Frob operator. *)
 let foreign_operator found (before : Layout.token) =
   if not (is_adjacent found before) then None
@@ -44,6 +59,8 @@ let foreign_operator found (before : Layout.token) =
         Some
           "use `mapE f e` to apply a function to an event's value, `map f xs` to apply it to the \
            elements of an array"
+    | (".^" | ".*" | "./") as text when element_by_element found before text.[1] <> None ->
+        element_by_element found before text.[1]
     | ".^" | ".*" | "./" ->
         Some
           "operators take numbers, not arrays: write `map (\\x -> x ^ 2) xs` for one array, \
@@ -100,7 +117,12 @@ let operand found first =
     | ')' -> if depth = 1 then i + 1 else close (i + 1) (depth - 1)
     | _ -> close (i + 1) depth
   in
-  let last = if char_at found first = '(' then close first 0 else name first in
+  let last =
+    if char_at found first = '(' then close first 0
+    else
+      let stop = name first in
+      if char_at found stop = '(' && stop > first then close stop 0 else stop
+  in
   String.sub found.text first (last - first)
 
 let negation found =
@@ -111,7 +133,7 @@ let negation found =
       | "" -> Some "use `not b` for the opposite of `b`"
       | text ->
           let text = Option.value (Other_notation.expression text) ~default:text in
-          Some (Printf.sprintf "write `not %s`" text))
+          Some (Printf.sprintf "write `not %s`" (Basis.Source.grouped text)))
   | _ -> None
 
 let before_point found =
@@ -129,6 +151,8 @@ let after_point found =
 
 let comment found =
   match found.token.token with
+  | SLASH when after found = '*' && found.before = None ->
+      Some "write a comment as `{- … -}`, or as `--` up to the end of the line"
   | SLASH when starts_a_comment found -> Some "write `--` to start a comment"
   | _ -> None
 

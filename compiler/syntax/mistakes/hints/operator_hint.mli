@@ -32,6 +32,9 @@ val pipe : Found.rule
 
 (** {1 Functions used by other hints} *)
 
+val rest_of_line : Found.t -> int -> string
+(** The rest of the line after this offset, without a semicolon at its end. *)
+
 val assigns : Found.t -> string option
 (** The hint for an operator directly followed by `=`. *)
 

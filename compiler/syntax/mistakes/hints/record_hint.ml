@@ -17,6 +17,13 @@ let without_names found =
       Some "write the name of the field before each value: `Pose { heading = 0 }`"
   | _ -> None
 
+(* `P { .a = x }`, as in C *)
+let with_points found =
+  match (found.token.token, found.before) with
+  | OPERATOR ".", Some { token = LBRACE | COMMA; _ } when opens_with Layout.Brace found.context ->
+      Some "write only the name of a field before its `=`, without the point"
+  | _ -> None
+
 let in_a_unit found =
   match (found.token.token, found.before) with
   | FIELD _, Some _ when is_a_unit found.context ->

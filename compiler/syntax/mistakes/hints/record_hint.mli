@@ -3,6 +3,9 @@
 val without_names : Found.rule
 (** A record's values without the field names. *)
 
+val with_points : Found.rule
+(** [P { .x = 1 }], as in C. *)
+
 val in_a_unit : Found.rule
 (** [kg.m], meaning a product of units. *)
 

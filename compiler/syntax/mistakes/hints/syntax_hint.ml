@@ -22,6 +22,9 @@ let python_import found =
     let module_ = String.capitalize_ascii module_ in
     if names = "" || not (is_name names) then module_ else Printf.sprintf "%s (%s)" module_ names
 
+(* `math` in `from math import sqrt` *)
+let first_module found bol = part found (first_word_from found (snd (word_from found bol)))
+
 (* The position and hint for a definition, or the current line, that begins like code in another
    language. *)
 let beginning found =
@@ -47,7 +50,11 @@ let beginning found =
       let text = Option.get (Other_definition.enumeration found.text bol) in
       Some (definition, Printf.sprintf "declare an enumeration with `data`: `%s`" text)
   | "from" when found.token.token = IMPORT ->
-      Some (start, Printf.sprintf "use `import %s`" (python_import found))
+      Some
+        ( start,
+          if List.mem (first_module found bol) [ "math"; "cmath"; "numpy" ] then
+            "remove the import: mathematical functions are built in, as in `sin x` and `sqrt x`"
+          else Printf.sprintf "use `import %s`" (python_import found) )
   | _ ->
       let word = part found (first_word_from found start.pos_bol) in
       Option.map (fun hint -> (start, hint)) (Beginnings.of_word word)
@@ -79,6 +86,7 @@ let declarations =
       Choice_hint.matched;
       Choice_hint.after_value;
       Choice_hint.double_arrow;
+      Choice_hint.membership;
       Equation_hint.split_by_value;
       Equation_hint.outside_do;
       Equation_hint.outside_proc;
@@ -90,6 +98,7 @@ let declarations =
       without_value;
       capital;
       Choice_hint.branch;
+      Type_hint.with_parameters;
       Type_hint.split_arrow;
       Type_hint.parameters;
       Choice_hint.in_braces;
@@ -103,7 +112,10 @@ let equations_and_fields =
     Equation_hint.changed_field;
     Equation_hint.statement;
     Record_hint.without_names;
+    Record_hint.with_points;
     Record_hint.in_a_unit;
+    Equation_hint.without_parentheses;
+    Equation_hint.two_names;
     Equation_hint.comparison;
     Type_hint.capital;
     Record_hint.without_comma;
@@ -120,6 +132,7 @@ let expressions =
     Choice_hint.otherwise;
     Choice_hint.without_then;
     Choice_hint.chain;
+    Expression_hint.function_handle;
     Expression_hint.list_comprehension;
     Operator_hint.member;
     Record_hint.changed;
@@ -196,6 +209,7 @@ let foreign_operator_around found =
     match (found.token.token, found.before) with
     | BAR, _ -> is_symbol (after found)
     | SLASH, _ when Operator_hint.starts_a_comment found -> true
+    | EQUAL, Some { token = OPERATOR "=="; _ } -> Operator_hint.foreign found <> None
     | EQUAL, Some _ -> Equation_hint.changed found <> None
     | _ -> Operator_hint.foreign found <> None
   in

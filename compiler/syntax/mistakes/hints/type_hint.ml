@@ -23,6 +23,13 @@ let is_in_a_size found =
   && (not (List.mem "=" words))
   && match List.filter (( <> ) "") (List.rev words) with _ :: "Array" :: _ -> true | _ -> false
 
+(* `vector<float>`, as in C++ *)
+let with_parameters found =
+  match (found.token.token, found.before) with
+  | OPERATOR "<", Some { token = LOWER ("vector" | "array" | "list" | "deque"); _ } ->
+      Some "write the size and the type of the elements of an array, as in `Array 4 Float`"
+  | _ -> None
+
 let split_arrow found =
   match (found.token.token, found.before) with
   | MINUS, Some { token = UPPER _ | LOWER _ | RPAREN | RBRACKET; _ } when splits_an_arrow found ->
@@ -62,24 +69,30 @@ let misplaced found =
   let line = between found found.token.start.pos_bol at in
   let ty = between found found.token.stop.pos_cnum (end_of_line found at) in
   let words = List.filter (( <> ) "") (String.split_on_char ' ' line) in
-  if String.length line + String.length ty > 70 || String.contains ty '=' then
-    match words with
-    | name :: _ when (not (List.mem "=" words)) && Basis.Character.is_lower name.[0] ->
-        "write the type in a signature on the line above, with the name only: `f :: Float -> Float`"
-    | _ -> general
-  else
-    match (words, found.before) with
-    | [ name; "=" ], Some { token = EQUAL; _ } ->
-        Printf.sprintf "remove the `=`: `%s :: %s`" name ty
-    | name :: _ :: _, _
-      when String.for_all Basis.Character.is_name name
-           && Basis.Character.is_lower name.[0]
-           && not (List.mem "=" words || List.mem "->" words) ->
-        Printf.sprintf "write only the name before the `::` of a signature: `%s :: %s`" name ty
-    | _, Some { token = LOWER _ | NUMBER _ | RPAREN | RBRACKET | FIELD _; _ } -> (
-        match List.rev (String.split_on_char '=' line) with
-        | value :: _ :: _ when not (List.mem "->" words || String.contains value '(') ->
-            Printf.sprintf "put the expression and its type in parentheses: `(%s :: %s)`"
-              (String.trim value) ty
-        | _ -> general)
-    | _ -> general
+  match found.before with
+  | Some ({ token = LOWER _; _ } as before)
+    when is_adjacent found before && Basis.Character.is_lower (after found) ->
+      Printf.sprintf "remove `%s::`: a name in a module is written as `Module.name`"
+        (written found before)
+  | _ when String.length line + String.length ty > 70 || String.contains ty '=' -> (
+      match words with
+      | name :: _ when (not (List.mem "=" words)) && Basis.Character.is_lower name.[0] ->
+          "write the type in a signature on the line above, with the name only: `f :: Float -> \
+           Float`"
+      | _ -> general)
+  | _ -> (
+      match (words, found.before) with
+      | [ name; "=" ], Some { token = EQUAL; _ } ->
+          Printf.sprintf "remove the `=`: `%s :: %s`" name ty
+      | name :: _ :: _, _
+        when String.for_all Basis.Character.is_name name
+             && Basis.Character.is_lower name.[0]
+             && not (List.mem "=" words || List.mem "->" words) ->
+          Printf.sprintf "write only the name before the `::` of a signature: `%s :: %s`" name ty
+      | _, Some { token = LOWER _ | NUMBER _ | RPAREN | RBRACKET | FIELD _; _ } -> (
+          match List.rev (String.split_on_char '=' line) with
+          | value :: _ :: _ when not (List.mem "->" words || String.contains value '(') ->
+              Printf.sprintf "put the expression and its type in parentheses: `(%s :: %s)`"
+                (String.trim value) ty
+          | _ -> general)
+      | _ -> general)

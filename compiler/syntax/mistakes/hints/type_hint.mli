@@ -1,5 +1,8 @@
 (** Hints about signatures and types. *)
 
+val with_parameters : Found.rule
+(** [vector<float>], as in C++. *)
+
 val split_arrow : Found.rule
 (** [Float - > Float], with a space inside the arrow. *)
 

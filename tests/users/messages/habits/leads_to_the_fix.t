@@ -259,7 +259,13 @@ A condition as a test:
   > test "x" = 1 + 1 == 2
   > FROB
   $ frobc check test.frob
+  $ sed 1d test.frob > pasted.frob && frobc test pasted.frob
+  $ sed 's/== 2/== 3/' test.frob > pasted.frob && frobc test pasted.frob
   $ sed 's/= 1 + 1 == 2/= during 1[s] (proc () -> 1 + 1 == 2)/' test.frob > pasted.frob && frobc check pasted.frob
+
+A test that is neither a condition nor a `Test`:
+
+  $ sed 's/= 1 + 1 == 2/= 5/' test.frob > wrong.frob && frobc check wrong.frob
 
 A function of the robot's input among the statements of a task:
 
