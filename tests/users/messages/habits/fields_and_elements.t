@@ -156,7 +156,7 @@ Records and arrays in the syntax of other languages.
     |         |
     |         the first element is a number
     |
-    = hint: write a number in place of `True`, such as `1`
+    = hint: all elements of an array must have the same type: for values of several types, use a tuple, `(a, b)`, or a record
   
   1 error
   [1]

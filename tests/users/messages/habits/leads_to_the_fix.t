@@ -260,12 +260,30 @@ A condition as a test:
   > FROB
   $ frobc check test.frob
   $ sed 1d test.frob > pasted.frob && frobc test pasted.frob
+  ok    x: 0.001 s
+  1 test: all hold
   $ sed 's/== 2/== 3/' test.frob > pasted.frob && frobc test pasted.frob
+  FAIL  x: failed at 0.000 s
+        frobc view failed/x.csv pasted.frob --entry 'judge test x' --at 0s
+  1 test: 1 failed
+  [1]
   $ sed 's/= 1 + 1 == 2/= during 1[s] (proc () -> 1 + 1 == 2)/' test.frob > pasted.frob && frobc check pasted.frob
 
 A test that is neither a condition nor a `Test`:
 
   $ sed 's/= 1 + 1 == 2/= 5/' test.frob > wrong.frob && frobc check wrong.frob
+  error[E0301]: expected `Test`, found a number
+   --> wrong.frob:4:12
+    |
+  4 | test "x" = 5
+    |      ---   ^
+    |      |
+    |      the value after this name must be `Test`
+    |
+    = hint: write a condition, such as `f 2 == 5`, or `during 1[s] sf` for a signal function
+  
+  1 error
+  [1]
 
 A function of the robot's input among the statements of a task:
 

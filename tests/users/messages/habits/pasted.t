@@ -98,7 +98,7 @@ Conditions:
     = hint: write `||` instead of `OR`
   error[E0110]: Frob has no `!` before a condition
     = hint: write `not (x > 0)`
-  error[E0110]: expected an operand after the operator, found `=`
+  error[E0110]: Frob has no `===`
     = hint: use `==` to compare
   error[E0301]: `&&&` combines signal functions, but this is a condition
     = hint: to combine two conditions, write `&&`
@@ -128,7 +128,7 @@ Choices:
   >   printf 'main :: SF Float Float\nmain = proc x -> y where\n    %s\n' "$f" > choice.frob
   >   frobc check choice.frob 2>&1 | grep hint
   > done
-    = hint: write `{ y = 1, }`
+    = hint: choose the value in one equation: `y = if x > 1 then 1 else 0`
     = hint: use `if (x > 1) then 1 else 0`, without braces
     = hint: use `if x > 1 then 1 else 0`
     = hint: use `if x > 1 then 1 else 0`
@@ -144,7 +144,7 @@ Assignments and declarations:
     = hint: Frob has no assignments: write an equation that holds at every instant: `y = delay 0 y + 1`, where 0 is the initial value
     = hint: write the definition on its own line, below its type: `y = x`
     = hint: write an equation for each name, `z = x` and below it `y = z`; to compare, write `==`
-    = hint: put the pattern of a tuple in parentheses: `(a, y) = …`
+    = hint: put the pattern of a tuple in parentheses: `(a, y) = (x, x)`
     = hint: remove `var` before `y`
     = hint: write `y :: Array 2 Float`, and below it `y = [1, 0.5]`
   $ printf 'main :: SF Float Float\nmain = proc x -> y where\n    y = delay 0 y + x\n' > pasted.frob && frobc check pasted.frob

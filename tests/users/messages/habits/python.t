@@ -44,7 +44,7 @@ Python's constructs, and their equivalents in Frob.
   3 |     y = x ** 2 if x > 0 else 0
     |                ^^
     |
-    = hint: use `if c then a else b`
+    = hint: use `if x > 0 then x ** 2 else 0`
   
   1 error
   [1]

@@ -1055,7 +1055,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc x -> x > 0 ? x : 0
     |                        ^
     |
-    = hint: use `if c then a else b`
+    = hint: use `if x > 0 then x else 0`
   
   1 error
   # 093_exclamation_mark.frob
@@ -1105,7 +1105,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc xs -> xs .^ 2
     |                      ^^
     |
-    = hint: operators take numbers, not arrays: write `map (\x -> x ^ 2) xs` for one array, `zipWith (*) xs ys` for two
+    = hint: operators take numbers, not arrays: write `map (\x -> x ^ 2) xs`
   
   1 error
   # 098_array_without_commas.frob

@@ -78,8 +78,6 @@ what is missing.
     |     ------- it means this local `forward`
   4 |     forward 1[m])
     |     ^^^^^^^ ---- it is applied to an argument here
-    |
-    = hint: write an operator between the two values, as in `forward * 1[m]`; for a tuple, `(forward, 1[m])`
   
   1 error
   [1]
