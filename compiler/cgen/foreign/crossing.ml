@@ -55,7 +55,7 @@ let rec without_arrays steps (ty : M.ty) =
   | Element _ :: _, _ -> bug "an element of a value that is not an array"
 
 let elements names direction ty steps ~c ~own =
-  let ty = without_arrays steps ty and depth = Access.dimensions steps in
+  let ty = without_arrays steps ty and depth = Interface.dimensions steps in
   Access.for_each names steps (fun indices ->
       let c = c indices and own = List.fold_left Array_type.element own indices in
       let to_, from = match direction with To_c -> (c, own) | From_c -> (own, c) in

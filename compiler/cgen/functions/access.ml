@@ -42,6 +42,3 @@ let copy names steps ~from_interface from own =
     [ plain (if from_interface then Ir.Assign (own, outside) else Ir.Assign (outside, own)) ]
   in
   match for_each names steps element with [ loop ] -> loop | _ -> no_path ()
-
-let dimensions steps =
-  List.length (List.filter (function Interface.Element _ -> true | Member _ -> false) steps)

@@ -12,8 +12,6 @@ val for_each :
 (** Generates loops over all enclosing arrays. The function generates their body from the indices.
 *)
 
-val dimensions : Interface.step list -> int
-
 val clear : Expression.names -> Interface.step list -> Ir.expr -> Ir.statement list
 (** Sets the place to 0, in all elements of the enclosing arrays. *)
 

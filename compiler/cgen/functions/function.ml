@@ -197,6 +197,10 @@ let read_member (v : V.t) names read (variable : M.variable) steps =
     [ plain (Ir.Constant { ty; name; value = place }) ]
   else []
 
+(* An array of the input of which only elements are read. *)
+let read_elements names variable steps =
+  Expression.read_elements_as names variable (Access.path (Name "in") steps)
+
 let input (v : V.t) : Ir.ty = Pointer_to_const (Struct v.input.struct_name)
 
 (* Maximum number of operations of a function that is marked inline. *)
@@ -215,9 +219,13 @@ let own_step (v : V.t) k : Ir.function_ =
       node.step.parameters
   in
   let given = Expression.parameters names by_value in
-  let taken =
-    List.concat_map (fun (variable, steps) -> read_member v names read variable steps) by_pointer
+  let take (variable, steps) =
+    if Interface.is_in_array steps then (
+      read_elements names variable steps;
+      [])
+    else read_member v names read variable steps
   in
+  let taken = List.concat_map take by_pointer in
   let input = if Program_input.is_given v.by_pointer k then [ (input v, "in") ] else [] in
   let single, results =
     match node.outputs with
@@ -259,39 +267,15 @@ let limit_times c (node : M.node) =
   limit node.nanoseconds "dt_ns" "frob_span"
   @ limit node.seconds "dt" (V.in_precision c.v "frob_dt")
 
-(* Whether an array is read only element by element, never as a whole. *)
-let only_elements_read body (variable : M.variable) ~dimensions =
-  let rec is_chain depth (e : M.expr) =
-    match e with
-    | Variable v -> depth = 0 && v.id = variable.id
-    | Index { array; _ } -> is_chain (depth - 1) array
-    | _ -> false
-  in
-  let reads = ref 0 and of_elements = ref 0 in
-  Step.Walk.expressions
-    (fun e ->
-      (match e with M.Variable v when v.id = variable.id -> incr reads | _ -> ());
-      if is_chain dimensions e then incr of_elements)
-    body;
-  Step.Walk.statements
-    (function
-      | M.Loop l ->
-          List.iter
-            (function
-              | M.Each e -> if is_chain (dimensions - 1) e then incr of_elements
-              | Accumulated _ | Same _ | Counted _ -> ())
-            l.arguments
-      | _ -> ())
-    body;
-  !reads = !of_elements
-
 let inputs c (node : M.node) =
+  let by_pointer =
+    Program_input.variables_by_pointer c.v.by_pointer c.v.program node node.step.body
+  in
   let take (variable : M.variable) members =
     if Interface.is_in_array members then
       if not (Int_table.mem c.read variable.id) then []
-      else if only_elements_read node.step.body variable ~dimensions:(Access.dimensions members)
-      then (
-        Expression.read_elements_as c.names variable (Access.path (Name "in") members);
+      else if Program_input.reads_only_elements node.step.body variable members ~by_pointer then (
+        read_elements c.names variable members;
         [])
       else
         let name = Expression.variable c.names variable in

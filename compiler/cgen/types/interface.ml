@@ -16,7 +16,9 @@ type types = {
 type t = { struct_name : string; leaves : step list list; unused : step list list }
 and step = Member of string | Element of int
 
-let is_in_array = List.exists (function Element _ -> true | Member _ -> false)
+let is_element = function Element _ -> true | Member _ -> false
+let is_in_array = List.exists is_element
+let dimensions steps = List.length (List.filter is_element steps)
 
 let types scope ~real ~prefix ~sum ~foreign ~(units : Units.t) =
   let of_record = units.record and known = Hashtbl.create 8 in

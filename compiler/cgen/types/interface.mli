@@ -27,6 +27,10 @@ type t = {
 and step = Member of string | Element of int  (** any element of an array of this size *)
 
 val is_in_array : step list -> bool
+
+val dimensions : step list -> int
+(** The number of arrays on the path. *)
+
 val leaf_type : types -> Flow.Ir.ty -> Ir.ty
 
 val of_shape : types -> units:Units.value -> name:string -> Flow.Ir.shape -> t

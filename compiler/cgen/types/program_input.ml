@@ -32,9 +32,47 @@ let is_leaf t k (v : M.variable) =
   | Some (Leaf _) -> true
   | Some Different | None -> false
 
+let reads_only_elements body (variable : M.variable) steps ~by_pointer =
+  let dimensions = Interface.dimensions steps in
+  let rec is_chain depth (e : M.expr) =
+    match e with
+    | Variable v -> depth = 0 && v.id = variable.id
+    | Index { array; _ } -> is_chain (depth - 1) array
+    | _ -> false
+  in
+  let is_variable (v : M.variable) = v.id = variable.id in
+  let reads = ref 0 and apart = ref (List.length (List.filter is_variable by_pointer)) in
+  Step.Walk.expressions
+    (fun e ->
+      (match e with M.Variable v when is_variable v -> incr reads | _ -> ());
+      if is_chain dimensions e then incr apart)
+    body;
+  Step.Walk.statements
+    (function
+      | M.Loop l ->
+          List.iter
+            (function
+              | M.Each e -> if is_chain (dimensions - 1) e then incr apart
+              | Accumulated _ | Same _ | Counted _ -> ())
+            l.arguments
+      | _ -> ())
+    body;
+  !reads = !apart
+
 (* Call this after all callers have been processed. *)
 let decide t k (node : M.node) =
   let own = t.nodes.(k) in
+  (* An array can only be read through the pointer if the node never needs it as a whole, because
+     its C type differs from that of local arrays. *)
+  let check (v : M.variable) =
+    match Hashtbl.find_opt own.passed v.id with
+    | Some (Leaf leaf)
+      when Interface.is_in_array t.leaves.(leaf)
+           && not (reads_only_elements node.step.body v t.leaves.(leaf) ~by_pointer:[]) ->
+        Hashtbl.replace own.passed v.id Different
+    | Some (Leaf _ | Different) | None -> ()
+  in
+  List.iter check node.step.parameters;
   let leaves = List.filter (is_leaf t k) node.step.parameters in
   let different = Hashtbl.create 8 in
   let note (v : M.variable) = Hashtbl.replace different (Hashtbl.find own.passed v.id) () in
@@ -96,19 +134,13 @@ let note_calls t (program : M.program) k =
   Step.Walk.expressions (function M.Call { node; _ } -> refuse node | _ -> ()) node.step.body
 
 let of_program (program : M.program) (input : Interface.t) =
-  let members = List.filter (fun steps -> not (Interface.is_in_array steps)) input.leaves in
-  if List.compare_length_with members few < 0 then none program
+  if List.compare_length_with input.leaves few < 0 then none program
   else
     let node _ = { passed = Hashtbl.create 8; refused = false; given = false } in
     let t = { leaves = Array.of_list input.leaves; nodes = Array.map node program.nodes } in
     let root = Array.length program.nodes - 1 in
-    let own (leaf, steps) (v : M.variable) =
-      let passed = if Interface.is_in_array steps then Different else Leaf leaf in
-      Hashtbl.replace t.nodes.(root).passed v.id passed
-    in
-    List.iter2 own
-      (List.mapi (fun leaf steps -> (leaf, steps)) input.leaves)
-      program.nodes.(root).step.parameters;
+    let own leaf (v : M.variable) = Hashtbl.replace t.nodes.(root).passed v.id (Leaf leaf) in
+    List.iteri own program.nodes.(root).step.parameters;
     t.nodes.(root).given <- true;
     note_calls t program root;
     for k = root - 1 downto 0 do

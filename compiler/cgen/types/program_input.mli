@@ -18,6 +18,16 @@ val member : t -> int -> Step.Ir.variable -> Interface.step list option
 (** The path from the pointer to a parameter of this node's step, if the step reads it through the
     pointer. *)
 
+val reads_only_elements :
+  Step.Ir.statement list ->
+  Step.Ir.variable ->
+  Interface.step list ->
+  by_pointer:Step.Ir.variable list ->
+  bool
+(** Whether a body reads an array with this path only element by element, never as a whole.
+    [by_pointer] are the variables that it passes through the pointer; see {!variables_by_pointer}.
+*)
+
 val variables_by_pointer :
   t -> Step.Ir.program -> Step.Ir.node -> Step.Ir.statement list -> Step.Ir.variable list
 (** The variables that a body of this node passes through the pointer, once for each call that reads

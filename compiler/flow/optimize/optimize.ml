@@ -38,6 +38,10 @@ let inline =
     "after the nodes are simplified, so that their sizes are final and repeated calls are inlined \
      once"
 
+let hoisting =
+  Pass.make "hoisting" Hoisting.program
+    "after inlining, because what callers and their nodes compute together is then in one node"
+
 let inline_machines =
   Pass.make "inline-machines" Inline_machines.program
     "late, because a node that contains an inlined machine is not inlined any more"
@@ -54,6 +58,8 @@ let steps =
     Tidy;
     Pass loop_fusion;
     Pass inline;
+    Tidy;
+    Pass hoisting;
     Tidy;
     Pass inline_machines;
     Pass simplify;

@@ -73,6 +73,7 @@ let random_tests =
       (keeps_outputs Constant_propagation.program Evaluate.by_demand);
     random "inline keeps every bit and leaves a schedule" 400
       (keeps_outputs Inline.program Evaluate.by_schedule);
+    random "hoisting keeps every bit" 400 (keeps_outputs Hoisting.program Evaluate.by_demand);
     random "dead code is dead at once" 400 (stays Dead_code.program);
     random "all together keep every bit, run by schedule" 1000
       (keeps_outputs (fun p -> Optimize.program p) Evaluate.by_schedule);
@@ -299,6 +300,56 @@ let inlined_names () =
     ]
     (Optimize.program (Build.program p))
 
+(* A node that computes the cosine of its input [a] and keeps state, so that a call is not free. *)
+let turned p name =
+  Build.node p name (fun b ->
+      let a = Build.input b "a" and x = Build.input b "x" in
+      let c = Build.let_ b "c" (Ir.Op (Elementary Cos, [ a ])) in
+      let sum = Build.let_ b "sum" (Integral x) in
+      [ ("", Build.op b Multiply [ c; sum ]) ])
+
+let hoisted_cosines () =
+  let p = Build.create () in
+  let one = turned p "one" in
+  let other = turned p "other" in
+  ignore
+    (Build.node p "main" (fun b ->
+         let a = Build.input b "a" and x = Build.input b "x" in
+         let y = Build.run b one [ a; x ] "y" in
+         [ ("", y); ("", Build.run b other [ a; y ] "z") ]));
+  let program = Hoisting.program (Build.program p) in
+  Lint.program program;
+  check
+    [
+      "signal function one (a : Float, x : Float, c : Float)";
+      "c_2 : Float = c";
+      "sum : Float = integral x";
+      "_1 : Float = c_2 * sum";
+      "-> ( = _1)";
+      "signal function other (a : Float, x : Float, c : Float)";
+      "c_2 : Float = c";
+      "sum : Float = integral x";
+      "_1 : Float = c_2 * sum";
+      "-> ( = _1)";
+      "signal function main (a : Float, x : Float)";
+      "c : Float = cos(a)";
+      "(y : Float) = one as one(a, x, c)";
+      "(z : Float) = other as other(a, y, c)";
+      "-> ( = y,  = z)";
+    ]
+    program
+
+let hoisted_only_to_share () =
+  let p = Build.create () in
+  let one = turned p "one" in
+  ignore
+    (Build.node p "main" (fun b ->
+         let a = Build.input b "a" and x = Build.input b "x" in
+         let y = Build.run b one [ a; x ] "y" in
+         [ ("", y); ("", Build.run b one [ x; y ] "z") ]));
+  let program = Build.program p in
+  Alcotest.(check bool) "unchanged" true (Hoisting.program program == program)
+
 let chain n =
   build (fun b ->
       let x = Build.input b "x" in
@@ -328,6 +379,8 @@ let example_tests =
     case "common subexpressions and constants: instances, literals, unread outputs" shared_instances;
     case "inline: what feeds back through its delay is opened, no more" inlined_for_feedback;
     case "inline: names stay, and tell instances apart where they clash" inlined_names;
+    case "hoisting: two nodes share a cosine that their caller computes" hoisted_cosines;
+    case "hoisting: functions of different arguments stay where they are" hoisted_only_to_share;
     case "nodes of 100,000 equations" large;
   ]
 
