@@ -93,6 +93,13 @@ let is_a_word_part = function
   | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true
   | _ -> false
 
+(* The function in `frontSonar i`. *)
+let applied_to_a_name text =
+  let is_a_word text = text <> "" && String.for_all is_a_word_part text in
+  match String.split_on_char ' ' text with
+  | [ f; x ] when is_a_word f && is_a_word x && x.[0] >= 'a' && x.[0] <= 'z' -> Some f
+  | _ -> None
+
 let statement found =
   match (found.token.token, found.before) with
   | EQUAL, Some ({ token = LOWER _; _ } as name)
@@ -114,6 +121,11 @@ let statement found =
               "for the result of a task, write `%s <- %s`; for the present value of a sensor or \
                other signal function, `%s <- ask %s`; for a value, `let %s = %s`"
               name value name value name value
+        | _ when applied_to_a_name value <> None ->
+            Printf.sprintf
+              "for a value, write `let %s = %s`; for the present value of a sensor, `%s <- ask %s`"
+              name value name
+              (Option.get (applied_to_a_name value))
         | _ ->
             Printf.sprintf
               "for a value, write `let %s = %s`; for the result of a task `t`, write `%s <- t`" name

@@ -683,3 +683,25 @@ A value of an event that lacks its unit:
   1 error
   [1]
   $ sed 's:Event x when (x > 1):tag (when (x > 1)) x:' event_when.frob > pasted.frob && frobc check pasted.frob
+
+
+
+  $ cat > sonar_of_an_input.frob <<'FROB'
+  > import Robot
+  > t :: Task RobotInput RobotOutput Bool
+  > t = do
+  >     d = frontSonar i
+  >     forward d
+  > FROB
+  $ frobc check sonar_of_an_input.frob
+  error[E0110]: expected `<-`, `-<`, or the end of this statement, found `=`
+   --> sonar_of_an_input.frob:4:7
+    |
+  4 |     d = frontSonar i
+    |       ^
+    |
+    = hint: for a value, write `let d = frontSonar i`; for the present value of a sensor, `d <- ask frontSonar`
+  
+  1 error
+  [1]
+  $ sed 's:d = frontSonar i:d <- ask frontSonar:' sonar_of_an_input.frob > pasted.frob && frobc check pasted.frob
