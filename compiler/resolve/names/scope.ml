@@ -239,6 +239,53 @@ let unit_in_text t space (name : Syntax.Ir.name) =
 let call_in_text t space (name : Syntax.Ir.name) =
   if String.equal space.noun "name" then Name_in_text.call ~text:t.text name.span else None
 
+(* The message for a word or a notation of another language. *)
+let of_another_language t space (name : Syntax.Ir.name) diagnostic =
+  let preceding = Name_in_text.before ~text:t.text name.span in
+  let following = Name_in_text.after ~text:t.text name.span in
+  match operator_word space name.text with
+  | Some symbol ->
+      Diagnostic.error ~code:space.unknown ~at:name.span "Frob has no `%s`" name.text
+      |> Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol name.text)
+      |> Diagnostic.write name.span symbol |> Option.some
+  | None
+    when String.equal space.noun "constructor"
+         && Name_in_text.starts_an_equation ~text:t.text name.text ->
+      Diagnostic.hint
+        (Printf.sprintf "start the name of a value with a lower-case letter: `%s`"
+           (String.uncapitalize_ascii name.text))
+        diagnostic
+      |> Option.some
+  | None when String.equal space.noun "name" && following = '"' ->
+      Diagnostic.hint
+        (Printf.sprintf
+           "remove `%s`: a text is only a label, so it cannot contain values; make the value an \
+            output"
+           name.text)
+        diagnostic
+      |> Option.some
+  | None -> (
+      match
+        ( call_in_text t space name,
+          from_elsewhere ~after:preceding space name.text,
+          c_type_before t name )
+      with
+      | Some (whole, text), _, _ ->
+          Diagnostic.hint (Printf.sprintf "write `%s`" text) diagnostic
+          |> Diagnostic.write whole (Source.grouped text)
+          |> Option.some
+      | None, Some text, _ ->
+          Diagnostic.hint text diagnostic
+          |> Option.fold (only_a_name text) ~none:Fun.id ~some:(Diagnostic.write name.span)
+          |> Option.some
+      | None, None, Some declaration ->
+          Diagnostic.label ~at:declaration.head.span
+            (Printf.sprintf "this defines a function `%s`" declaration.head.text)
+            diagnostic
+          |> Diagnostic.hint (of_c_declaration declaration)
+          |> Option.some
+      | None, None, None -> None)
+
 let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
@@ -289,43 +336,8 @@ let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
     | [], Some other ->
         Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
         |> Diagnostic.write name.span other
-    | [], None when Option.is_some (operator_word space name.text) ->
-        let symbol = Option.get (operator_word space name.text) in
-        Diagnostic.error ~code:space.unknown ~at:name.span "Frob has no `%s`" name.text
-        |> Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol name.text)
-        |> Diagnostic.write name.span symbol
-    | [], None
-      when String.equal space.noun "constructor"
-           && Name_in_text.starts_an_equation ~text:t.text name.text ->
-        Diagnostic.hint
-          (Printf.sprintf "start the name of a value with a lower-case letter: `%s`"
-             (String.uncapitalize_ascii name.text))
-          diagnostic
-    | [], None
-      when String.equal space.noun "name" && Name_in_text.after ~text:t.text name.span = '"' ->
-        Diagnostic.hint
-          (Printf.sprintf
-             "remove `%s`: a text is only a label, so it cannot contain values; make the value an \
-              output"
-             name.text)
-          diagnostic
-    | [], None when call_in_text t space name <> None ->
-        let whole, text = Option.get (call_in_text t space name) in
-        Diagnostic.hint (Printf.sprintf "write `%s`" text) diagnostic
-        |> Diagnostic.write whole (Source.grouped text)
-    | [], None
-      when Option.is_some
-             (from_elsewhere ~after:(Name_in_text.before ~text:t.text name.span) space name.text) ->
-        let after = Name_in_text.before ~text:t.text name.span in
-        let text = Option.get (from_elsewhere ~after space name.text) in
-        Diagnostic.hint text diagnostic
-        |> Option.fold (only_a_name text) ~none:Fun.id ~some:(Diagnostic.write name.span)
-    | [], None when c_type_before t name <> None ->
-        let declaration = Option.get (c_type_before t name) in
-        Diagnostic.label ~at:declaration.head.span
-          (Printf.sprintf "this defines a function `%s`" declaration.head.text)
-          diagnostic
-        |> Diagnostic.hint (of_c_declaration declaration)
+    | [], None when Option.is_some (of_another_language t space name diagnostic) ->
+        Option.get (of_another_language t space name diagnostic)
     | [], None when Lazy.force elsewhere_in_module <> None ->
         let signal = Option.get (Lazy.force elsewhere_in_module) in
         Diagnostic.label ~at:signal.name.span
