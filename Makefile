@@ -44,6 +44,9 @@ PROVE_PACKAGES = cppcheck
 # Packages that only `make wheel` and `make python` need; they get everything else from PyPI.
 WHEEL_PACKAGES = python3 python3-venv
 
+# Packages that only `make install-check` needs.
+BARE_PACKAGES = debootstrap
+
 # Packages that only `make slurm` needs.
 SLURM_PACKAGES = slurmctld slurmd slurm-client
 
@@ -108,7 +111,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: number of bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test fmt targets test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install kills deb clean rtamt falsify mcap wheel python slurm
+.PHONY: all setup run test fmt targets test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install kills deb clean rtamt falsify mcap wheel python install-check slurm
 
 all: setup
 	dune build @install
@@ -245,6 +248,14 @@ wheel: all
 
 python: wheel
 	@sh tests/users/python/venv.sh $(CURDIR)/_build
+
+# Installs the wheel in bare Debian 12 and 13, which have only Python and pip, and drives a simulated
+# robot there. Must run as root; gets the systems from Debian.
+BARE_SUITES ?= bookworm trixie
+
+install-check: wheel
+	@sh tests/setup.sh $(BARE_PACKAGES)
+	@sh tests/users/install/bare.sh $(CURDIR)/_build $(BARE_SUITES)
 
 # Runs a sweep as an array of jobs under Slurm, whose daemons run on this machine meanwhile.
 slurm: all

@@ -40,6 +40,7 @@ falsify TRIES=1
 mcap
 wheel
 python
+install-check BARE_SUITES=bookworm
 photographs
 END
 }

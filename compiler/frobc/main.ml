@@ -162,8 +162,9 @@ let selftest =
   let cc =
     some [ "cc" ] ~docv:"CC"
       ~doc:
-        "The command of the C compiler, with options if you like. The default is the environment \
-         variable $(b,CC), or $(b,cc)."
+        "The command of the C compiler, with options if you like. The default is the one that the \
+         other commands use: the environment variable $(b,CC), or $(b,cc), $(b,gcc) or $(b,clang), \
+         or the compiler that comes with frobc."
   in
   let cflags =
     some [ "cflags" ] ~docv:"FLAGS"
@@ -269,6 +270,7 @@ let commands =
   let all =
     [
       new_project;
+      Running.demo;
       check;
       fix;
       format;
@@ -305,8 +307,9 @@ let main =
         "Every command writes only its results to standard output. Errors, warnings and progress \
          go to standard error.";
       `P
-        "Start with $(b,frobc new rover), which creates a project. $(b,frobc help COMMAND) \
-         describes a command, and $(b,frobc explain CODE) a message.";
+        "Start with $(b,frobc demo), which drives an example in the simulator, and $(b,frobc new \
+         rover), which creates a project. $(b,frobc help COMMAND) describes a command, and \
+         $(b,frobc explain CODE) a message.";
       `S Manpage.s_see_also;
       `P
         "The documentation is installed in share/doc/frobc: a tutorial, how-to pages and the \

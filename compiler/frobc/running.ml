@@ -204,6 +204,19 @@ let run =
       $ entry $ sources $ device $ world $ record $ picture $ look $ Host_option.all for_hosts
       $ realtime $ Host_option.all for_simulator $ Host_option.all for_robots $ file)
 
+let demo =
+  let make look = Tools.Demo.run { world = None; record = None; picture = None; look; host = [] } in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Creates the folder $(b,frob-demo) with a program that follows walls, its tests and its \
+         world, and drives it for a minute in the simulator. If the folder exists, $(tname) uses \
+         its files, so that you can change them and run $(tname) again.";
+    ]
+  in
+  command "demo" ~man ~doc:"drive an example in the simulator" Term.(const make $ look)
+
 let view =
   let recording =
     let doc = "The recording, written by $(b,frobc run --record)." in

@@ -2,7 +2,7 @@
 # usage: wheel.sh BUILD : builds the wheel in BUILD/wheel, with frobc and the hosts that dune has
 # installed below BUILD. Run it in the top folder of the project. It installs the build tools from
 # PyPI into a virtual environment. The wheel includes the libraries that the hosts are linked with,
-# except those that every Linux system has.
+# except those that every Linux system has, and the licences of what it includes.
 set -eu
 build=$1
 tools=$build/wheel-tools
@@ -15,12 +15,19 @@ test -x "$tools/bin/auditwheel" || {
 }
 rm -rf "$source" "$build/wheel"
 cp -R runtime/python "$source"
-cp dune-project "$source"
+cp dune-project LICENSE "$source"
 dune install --prefix "$source/frob/tools" frobc 2>"$build/wheel.log" || { cat "$build/wheel.log" >&2; exit 1; }
 rm -rf "$source/frob/tools/man" "$source/frob/tools/doc"
+cp "$source/frob/tools/share/frobc/tcc/copyright" "$source/LICENSE.tcc"
+# The licences of the libraries.
+ldd "$source"/frob/tools/lib/frobc/frob-* | sed -n 's|.*=> .*/\([^/ ]*\) (.*|\1|p' | sort -u |
+    while read -r library; do
+        package=$(dpkg -S "*/$library" 2>/dev/null | sed -n '1s/:.*//p')
+        [ -z "$package" ] || cp "/usr/share/doc/$package/copyright" "$source/LICENSE.$package"
+    done
 strip "$source/frob/tools/bin/frobc" "$source"/frob/tools/lib/frobc/frob-*
 "$tools/bin/pip" wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation \
     --wheel-dir "$build/wheel-source/whole" "$source"
-PATH=$tools/bin:$PATH "$tools/bin/auditwheel" --verbose repair --wheel-dir "$build/wheel" \
+PATH=$tools/bin:$PATH "$tools/bin/python" -B runtime/python/repair.py --verbose repair --wheel-dir "$build/wheel" \
     "$source"/whole/frobc-*.whl >"$build/wheel.log" 2>&1 || { tail -n 20 "$build/wheel.log" >&2; exit 1; }
 echo "the wheel: $(ls "$build"/wheel/frobc-*.whl)"

@@ -6,6 +6,7 @@ type t = {
   robot_host : string;
   runtime_sources : string;
   elementary : string;
+  own_compiler : string;
   trace_host : string;
   viewer : string;
   simulator : string;
@@ -13,6 +14,7 @@ type t = {
   worlds : string;
   selftest : string;
   template : string;
+  demo : string;
 }
 
 let ( / ) = Filename.concat
@@ -26,6 +28,7 @@ let under prefix =
     robot_host = prefix / "lib" / "frobc" / "libfrob-robot.a";
     runtime_sources = prefix / "share" / "frobc" / "runtime";
     elementary = prefix / "share" / "frobc" / "elementary";
+    own_compiler = prefix / "lib" / "frobc" / "frob-tcc";
     trace_host = prefix / "lib" / "frobc" / "frob-trace";
     viewer = prefix / "lib" / "frobc" / "frob-view";
     simulator = prefix / "lib" / "frobc" / "frob-sim";
@@ -33,6 +36,7 @@ let under prefix =
     worlds = prefix / "share" / "frobc" / "worlds";
     selftest = prefix / "share" / "frobc" / "selftest";
     template = prefix / "share" / "frobc" / "template";
+    demo = prefix / "share" / "frobc" / "demo";
   }
 
 let is_complete t = Sys.file_exists (t.library / "Prelude.frob")

@@ -10,6 +10,7 @@ type t = {
       (** archive [libfrob-robot.a]: the host that drives a robot, without a program *)
   runtime_sources : string;  (** sources of the robot hosts, with their drivers and ports *)
   elementary : string;  (** folder with the sources of [runtime] *)
+  own_compiler : string;  (** executable [frob-tcc], for computers without a C compiler *)
   trace_host : string;  (** executable [frob-trace] *)
   viewer : string;  (** executable [frob-view] *)
   simulator : string;  (** executable [frob-sim] *)
@@ -17,6 +18,7 @@ type t = {
   worlds : string;  (** folder of the worlds that come with the simulator *)
   selftest : string;  (** folder of the programs and C files of {!Selftest} *)
   template : string;  (** folder of the templates of {!New_project} *)
+  demo : string;  (** folder of the example that {!Demo} copies *)
 }
 
 val find : unit -> (t, string) result

@@ -4,10 +4,30 @@ let flags = [ "-std=c99"; "-O2"; "-ffp-contract=off" ]
 type foreign = { sources : string list; folders : string list; allowed : string list }
 type machine = { compiler : string; cure : string; options : string list }
 
+let install_one = "install one (on Debian: apt-get install gcc), or set the environment variable CC"
+
+let is_on_path name =
+  let folders = String.split_on_char ':' (Option.value (Sys.getenv_opt "PATH") ~default:"") in
+  let is_program path =
+    match Unix.access path [ X_OK ] with
+    | () -> not (Sys.is_directory path)
+    | exception (Unix.Unix_error _ | Sys_error _) -> false
+  in
+  List.exists (fun folder -> is_program (Filename.concat folder name)) folders
+
+let default_compiler () =
+  match List.find_opt is_on_path [ "cc"; "gcc"; "clang" ] with
+  | Some name -> name
+  | None -> (
+      match Resources.find () with
+      | Ok { own_compiler; _ } when Sys.file_exists own_compiler -> own_compiler
+      | Ok _ | Error _ -> "cc")
+
 let this_machine () =
   {
-    compiler = (match Sys.getenv_opt "CC" with Some cc when cc <> "" -> cc | _ -> "cc");
-    cure = "install one (on Debian: apt-get install gcc), or set the environment variable CC";
+    compiler =
+      (match Sys.getenv_opt "CC" with Some cc when cc <> "" -> cc | _ -> default_compiler ());
+    cure = install_one;
     options = [];
   }
 
@@ -90,12 +110,17 @@ let compile_flags = function
 
 let link_flags = function Shared_object -> [ "-shared" ] | Executable -> []
 
+(* frob-tcc has the same path in every version of frobc. *)
+let own_compiler machine =
+  if Tcc.is_own machine.compiler && Sys.file_exists machine.compiler then [ machine.compiler ]
+  else []
+
 let key machine ~headers ~inputs ~includes ~foreign ~name kind files =
   Digest.to_hex
     (Digest.string
        (String.concat "\000"
           (name :: suffix kind :: machine.compiler :: headers_digest headers
-           :: List.map Digest.file (inputs @ includes)
+           :: List.map Digest.file (own_compiler machine @ inputs @ includes)
           @ flags @ machine.options
           @ Option.fold foreign ~none:[] ~some:(fun f -> f.sources @ ("" :: f.folders))
           @ List.concat_map (fun (file, content) -> [ file; content ]) files)))
@@ -168,8 +193,10 @@ let compile_own machine ~headers ~folder kind foreign =
         (Ok ())
         (List.mapi (fun number file -> (number, file)) sources)
 
+let adapted machine text = if Tcc.is_named machine.compiler then Tcc.adapted text else text
+
 let compile machine ~headers ~inputs ~foreign ~folder ~result kind files =
-  List.iter (fun (file, content) -> write (folder / file) content) files;
+  List.iter (fun (file, content) -> write (folder / file) (adapted machine content)) files;
   let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
   let link () =
     compile_allowed machine ~lists:(sources <> []) foreign
@@ -188,8 +215,22 @@ let compile machine ~headers ~inputs ~foreign ~folder ~result kind files =
       (Printf.sprintf "the C compiler `%s` reported no error but produced no program; %s"
          machine.compiler machine.cure)
 
+(* [frob-tcc] cannot list the files that it includes. A program that only calls vision kernels
+   includes none of the user's. *)
+let without_own_files machine foreign =
+  match foreign with
+  | Some { sources = []; allowed = []; _ } when Tcc.is_own machine.compiler -> Ok None
+  | Some _ when Tcc.is_own machine.compiler ->
+      Error
+        ("the program uses C files, but the only C compiler here is the one inside frobc, which \
+          compiles only what frobc generates; " ^ install_one)
+  | _ -> Ok foreign
+
 let build ?machine kind ~headers ~inputs ?(includes = []) ~foreign ~name files =
   let machine = match machine with Some machine -> machine | None -> this_machine () in
+  let open Basis.Let_syntax.Result in
+  let* foreign = without_own_files machine foreign in
+  let inputs = if Tcc.is_named machine.compiler then List.map Tcc.archive inputs else inputs in
   (* The files that the user's files include are not known, so these are always compiled again. *)
   Cache.entry ~name ~suffix:(suffix kind) ~reuse:(foreign = None)
     ~key:(key machine ~headers ~inputs ~includes ~foreign ~name kind files) (fun ~folder result ->

@@ -220,9 +220,10 @@ let recording real output =
 let tried t objects group =
   let files, table, output = made t group in
   let path suffix = t.folder / (group.name ^ suffix) in
-  let* () = write (path ".h") files.header in
-  let* () = write (path ".c") files.source in
-  let* () = write (path "_host.c") table in
+  let adapted = if List.exists Tcc.is_named t.compile then Tcc.adapted else Fun.id in
+  let* () = write (path ".h") (adapted files.header) in
+  let* () = write (path ".c") (adapted files.source) in
+  let* () = write (path "_host.c") (adapted table) in
   let* () = write (path "_recording.c") (recording t.real output) in
   let sources =
     List.map path [ ".c"; "_host.c"; "_recording.c" ]

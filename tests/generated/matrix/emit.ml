@@ -143,7 +143,7 @@ let emit ?robot ?(many = false) s tools ~name ~seed file =
       Unix.mkdir (folder / "for_tcc") 0o755;
       let write_file (file, text) =
         write (folder / file) text;
-        write (folder / "for_tcc" / file) (In_process.for_tcc text)
+        write (folder / "for_tcc" / file) (Build.Tcc.adapted text)
       in
       List.iter write_file (Engines.files subject);
       write_file ("state.c", State.text program);

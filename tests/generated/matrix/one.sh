@@ -9,7 +9,7 @@ exec >"$work/wrong/$(basename "$folder")"
 made=$work/$name/$(basename "$folder")
 mkdir -p "$made"
 cp -L "$folder"/*.[ch] "$made"
-[ "$name" != tcc ] || cp -L "$folder"/for_tcc/*.[ch] "$made"
+case $name in *tcc) cp -L "$folder"/for_tcc/*.[ch] "$made" ;; esac
 # shellcheck disable=SC2086
 if ! { $compiler -I "$here" -I "$work/include" -I "$made" -o "$made/run" \
     "$made"/*.c "$work/$name"/*.o -lm && $runner "$made/run"; } >"$made/said" 2>&1; then

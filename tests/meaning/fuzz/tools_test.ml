@@ -108,7 +108,7 @@ let tables_of_the_file_stay_constant () =
      const struct s t = {2};\n\
      }"
   in
-  Alcotest.(check string) "for tcc" adapted (In_process.for_tcc c)
+  Alcotest.(check string) "for tcc" adapted (Build.Tcc.adapted c)
 
 (* The type error is the Bool in an addition; the rest of the program is not needed for it. *)
 let mistaken =

@@ -4,7 +4,7 @@ lintian reports no errors and no warnings about the Debian package.
   $ [ $deb = $PWD/packages/frobc_$(frobc --version)_$(dpkg --print-architecture).deb ] || echo $deb
   $ [ $(dpkg-deb -f $deb Version) = $(frobc --version) ] || dpkg-deb -f $deb Version
   $ if command -v lintian > /dev/null; then lintian --fail-on error,warning $deb 2>&1 | grep -v 'root privileges' || true; fi
-  $ dpkg-deb -f $deb Depends | grep -o -e '^libbox2d' -e 'libcairo2 ' -e 'gcc | c-compiler'
+  $ dpkg-deb -f $deb Depends Recommends | grep -o -e 'libbox2d' -e 'libcairo2 ' -e 'gcc | c-compiler'
   libbox2d
   libcairo2 
   gcc | c-compiler
@@ -58,6 +58,7 @@ sources.
   frobc-check.1.gz
   frobc-compile.1.gz
   frobc-convert.1.gz
+  frobc-demo.1.gz
   frobc-explain.1.gz
   frobc-export.1.gz
   frobc-falsify.1.gz

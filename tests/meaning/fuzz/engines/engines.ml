@@ -225,9 +225,7 @@ let write path text =
   Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel text)
 
 let in_process tools subject recordings =
-  List.iter
-    (fun (file, text) -> write (tools.folder / file) (In_process.for_tcc text))
-    subject.files;
+  List.iter (fun (file, text) -> write (tools.folder / file) (Build.Tcc.adapted text)) subject.files;
   let sources =
     List.filter_map
       (fun (file, _) ->

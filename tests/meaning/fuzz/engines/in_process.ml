@@ -8,30 +8,6 @@ external run_rows :
 
 external release : t -> unit = "in_process_release"
 
-(* Works around two bugs of tcc 0.9.27. When it receives a struct that a function returns in
-   registers, it writes whole registers; if the struct's size is not a multiple of theirs, this
-   overwrites the variable after it. So all structs are padded to a multiple. And it does not
-   recognize a sum that contains NaN or infinity as a constant, so local tables become variables. *)
-let for_tcc text =
-  let starts_struct line =
-    String.starts_with ~prefix:"struct " line && String.ends_with ~suffix:"{" line
-  in
-  let table = "static const " in
-  let adapted after_start line =
-    let indented = String.trim line in
-    let is_local = String.length indented < String.length line in
-    let from = String.length table in
-    if after_start then "_Alignas(8) " ^ indented
-    else if is_local && String.starts_with ~prefix:table indented then
-      "const " ^ String.sub indented from (String.length indented - from)
-    else line
-  in
-  let rec go after_start = function
-    | [] -> []
-    | line :: lines -> adapted after_start line :: go (starts_struct line) lines
-  in
-  String.concat "\n" (go false (String.split_on_char '\n' text))
-
 let compile ~headers ~folder files =
   match compile_files [| headers; folder |] (Array.of_list files) with
   | program -> Ok program

@@ -2,9 +2,6 @@
 
 type t
 
-val for_tcc : string -> string
-(** Adapts generated C to avoid bugs of tcc. *)
-
 val compile : headers:string -> folder:string -> string list -> (t, string) result
 (** Compiles C files of the folder. The error is the C compiler's message. *)
 

@@ -1,0 +1,14 @@
+(** The C compiler tcc, which comes with frobc as [frob-tcc] for computers without another one. *)
+
+val is_named : string -> bool
+(** Whether a C compiler is tcc, by the name of its program. *)
+
+val is_own : string -> bool
+(** Whether a C compiler is [frob-tcc]. It compiles what frobc generates, but not the user's files.
+*)
+
+val adapted : string -> string
+(** Adapts generated C to avoid two bugs of tcc 0.9.27. *)
+
+val archive : string -> string
+(** Replaces the path of [libfrob.a] by the archive that tcc can link. *)

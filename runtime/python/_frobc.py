@@ -1,0 +1,20 @@
+"""The command `frobc` of the wheel. It does not import the package frob, so that it starts fast."""
+
+import os
+import sys
+from pathlib import Path
+
+
+def main() -> None:
+    """Replaces this process by frobc, and tells it which Python it was installed for."""
+    frobc = str(Path(__file__).resolve().parent / "frob" / "tools" / "bin" / "frobc")
+    os.environ.setdefault("FROB_PYTHON", sys.executable)
+    try:
+        os.execv(frobc, [frobc, *sys.argv[1:]])
+    except OSError as error:
+        print(
+            f"frobc: cannot start {frobc}: {error.strerror}; install it again: "
+            f"{sys.executable} -m pip install --force-reinstall frobc",
+            file=sys.stderr,
+        )
+        sys.exit(2)

@@ -1,0 +1,31 @@
+# Runs in a bare system as an ordinary user: the two commands of README.md, then others that should
+# work without a C compiler.
+set -eu
+cd
+LANG=C.UTF-8
+export LANG
+pip_options="--quiet --disable-pip-version-check --no-index --find-links /index"
+
+began=$(date +%s)
+python3 -m venv frob && frob/bin/pip install $pip_options frobc
+frob/bin/frobc demo >demo.txt
+seconds=$(($(date +%s) - began))
+grep -q '^collisions: 0$' demo.txt
+grep '^distance driven' demo.txt
+echo "from nothing to a driven robot: $seconds s, with Python $(python3 -c 'import platform; print(platform.python_version())')"
+[ "$seconds" -lt 60 ]
+
+PATH=$HOME/frob/bin:$PATH
+frobc selftest >selftest.txt
+tail -n 1 selftest.txt
+frobc test frob-demo | tail -n 1
+frobc trace frob-demo/wall_follow.frob --input frob-demo/run.csv --output trace.csv
+cut -d , -f 1 frob-demo/run.csv | cmp - "$(cut -d , -f 1 trace.csv >times && echo times)"
+frobc view --print frob-demo/run.csv frob-demo/wall_follow.frob >view.txt &
+viewer=$!
+python3 /page.py view.txt
+kill "$viewer"
+python -c '
+import frob
+program = frob.compile("frob-demo/wall_follow.frob")
+print("from Python:", type(program).__name__)'
