@@ -250,6 +250,12 @@ let view =
     in
     Arg.(value & flag & info [ "why-nan" ] ~doc)
   in
+  let compare =
+    let doc =
+      "A second recording to show over the first one, of this program or of another version of it."
+    in
+    Arg.(value & opt (some string) None & info [ "compare" ] ~docv:"OTHER.csv" ~doc)
+  in
   let seed =
     let doc = "The seed of the run in the simulator, to drive the same run again." in
     Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc)
@@ -261,10 +267,22 @@ let view =
     let time = Arg.conv (parse, print) in
     Arg.(value & opt (some time) None & info [ "at" ] ~docv:"TIME" ~doc)
   in
-  let run general dialect entry sources print port world seed at only_build why_nan recording file =
+  let run general dialect entry sources print port world compare seed at only_build why_nan
+      recording file =
     let recording = if only_build && recording = "-" then None else Some recording in
     Viewing.view general ~entry ~sources
-      { recording; dialect; browser = not print; port; world; seed; at; only_build; why_nan }
+      {
+        recording;
+        dialect;
+        browser = not print;
+        port;
+        world;
+        compare;
+        seed;
+        at;
+        only_build;
+        why_nan;
+      }
       file
   in
   let man =
@@ -281,7 +299,7 @@ let view =
   command "view" ~man ~doc:"show a recorded run on a page, at any instant"
     Term.(
       const run $ with_params general $ dialect $ entry $ sources $ print_address $ port $ world
-      $ seed $ at $ only_build $ why_nan $ recording $ file)
+      $ compare $ seed $ at $ only_build $ why_nan $ recording $ file)
 
 let serve =
   let robot =

@@ -72,6 +72,7 @@ type view = {
   browser : bool;
   port : int option;
   world : string option;
+  compare : string option;
   seed : int;
   at : float option;
   only_build : bool;
@@ -89,7 +90,7 @@ let view general ~entry ~sources view file =
   in
   let* resources = Resources.find () in
   let* () = Program_file.check file in
-  let* () = Program_file.all_exist (Option.to_list view.recording) in
+  let* () = Program_file.all_exist (Option.to_list view.recording @ Option.to_list view.compare) in
   let* world = Where.world_of view.world resources file in
   let* general = Where.for_world general resources world in
   Compiled.with_params general resources ~entry file @@ fun params ->
@@ -104,6 +105,7 @@ let view general ~entry ~sources view file =
           Params.host_options params @ print_only view.browser
           @ Interp.Dialect.arguments view.dialect
           @ (if view.why_nan then [ "--why-nan" ] else [])
+          @ Option.fold ~none:[] ~some:(fun other -> [ "--compare"; other ]) view.compare
           @ Option.fold ~none:[] ~some:(fun n -> [ "--port"; string_of_int n ]) view.port
           @ Option.fold ~none:[] ~some:(fun at -> [ "--at"; Printf.sprintf "%.9f" at ]) view.at
         in

@@ -1,7 +1,7 @@
 /* frob-view -- shows a recorded or live run of a program on a page.
  *
  *   frob-view [--why-nan] [--print] [--port N] [--source FILE]... [--library FILE]... [--world FILE]
- *             [--param NAME=VALUE]... [--at SECONDS] [--ring N] PROGRAM.so RUN.csv [COMMAND...]
+ *             [--param NAME=VALUE]... [--at SECONDS] [--compare OTHER.csv] [--ring N] PROGRAM.so RUN.csv [COMMAND...]
  *
  * With --ring, the number of an open file descriptor, it shows the run of its parent process
  * (../common/ring.h); RUN.csv is then the file that the run is recorded in, or `-`. COMMAND, whose
@@ -87,6 +87,8 @@ static bool read_options(struct options *o, int argc, char **argv)
             o->files.params[o->files.param_count++] = argv[++i];
         else if (strcmp(argv[i], "--world") == 0 && i + 1 < argc)
             o->files.world = argv[++i];
+        else if (strcmp(argv[i], "--compare") == 0 && i + 1 < argc)
+            o->files.other = argv[++i];
         else if (strcmp(argv[i], "--at") == 0 && i + 1 < argc)
             o->files.at = strtod(argv[++i], NULL);
         else if (!dialect_option(&o->files.dialect, argc, argv, &i))

@@ -5,6 +5,8 @@
 
 #include "view.h"
 
+#include "../run/compare.h"
+
 /* ---- In view.c */
 
 /* Returns the file name at the end of a path. */
@@ -58,6 +60,15 @@ const double *view_other_numbers(struct view *view, const struct signal *signal)
 void answer_path(struct view *view, size_t x, size_t y, size_t count, size_t first,
                  struct buffer *answer);
 void answer_way(struct view *view, size_t robot, size_t count, size_t first, struct buffer *answer);
+
+/* ---- In align.c */
+
+/* Shifts the recording to compare with so that the first instants at which a condition holds have
+ * the same time; an empty condition: the starts. */
+void answer_align(struct view *view, const char *condition, struct buffer *answer);
+
+/* Appends the member `other`: the recording to compare with; nothing if there is none. */
+void answer_other(const struct view *view, struct buffer *answer);
 
 /* ---- In find.c */
 

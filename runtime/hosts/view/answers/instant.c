@@ -19,10 +19,11 @@ static void add_cell(const struct signals *signals, const struct signal *signal,
 static void add_other_cells(struct view *view, size_t k, struct buffer *answer)
 {
     const struct signals *signals = &view->other.signals;
-    const bool is_there = k < view->other.replay.recording->count;
+    size_t there;
+    const bool is_there = compare_instant(&view->other, &view->recording, k, &there);
     struct moment moment = { NULL, NULL, NULL };
     if (is_there)
-        moment = replay_at(&view->other.replay, k);
+        moment = replay_at(&view->other.replay, there);
     buffer_text(answer, ",\"others\":[");
     for (size_t i = 0; i < view->signals.count; i++) {
         const struct signal *signal = signals_find(signals, view->signals.all[i].name);

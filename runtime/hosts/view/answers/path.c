@@ -15,6 +15,7 @@ struct way {
     const struct recording *recording;
     const double *xs, *ys; /* the positions; NULL: the truth about `robot` */
     size_t robot;
+    double shift_s; /* subtracted from times */
 };
 
 struct place {
@@ -31,7 +32,7 @@ struct cone {
 
 static struct place place_at(const struct way *way, size_t k)
 {
-    struct place place = { 0.0, 0.0, (double)way->recording->times[k] / 1e9 };
+    struct place place = { 0.0, 0.0, (double)way->recording->times[k] / 1e9 - way->shift_s };
     if (way->xs != NULL) {
         place.x_m = way->xs[k];
         place.y_m = way->ys[k];
@@ -162,7 +163,7 @@ void answer_path(struct view *view, size_t x, size_t y, size_t count, size_t fir
 {
     const struct signal *all = view->signals.all;
     const bool known = view_knows(view, &all[x]) && view_knows(view, &all[y]);
-    struct way way = { &view->recording, NULL, NULL, 0 };
+    struct way way = { &view->recording, NULL, NULL, 0, 0.0 };
     size_t next;
     way.xs = !known ? NULL : series_of(&view->series, &all[x]);
     way.ys = !known ? NULL : series_of(&view->series, &all[y]);
@@ -176,6 +177,7 @@ void answer_path(struct view *view, size_t x, size_t y, size_t count, size_t fir
     next = add_way(&way, first, count, answer);
     buffer_format(answer, ",\"next\":%lu", (unsigned long)next);
     way.recording = &view->other.driven;
+    way.shift_s = (double)view->other.shift_ns / 1e9;
     way.xs = view->other.drives ? view_other_numbers(view, &all[x]) : NULL;
     way.ys = way.xs == NULL ? NULL : view_other_numbers(view, &all[y]);
     if (way.ys != NULL) {
@@ -187,7 +189,7 @@ void answer_path(struct view *view, size_t x, size_t y, size_t count, size_t fir
 
 void answer_way(struct view *view, size_t robot, size_t count, size_t first, struct buffer *answer)
 {
-    const struct way way = { &view->recording, NULL, NULL, robot };
+    const struct way way = { &view->recording, NULL, NULL, robot, 0.0 };
     size_t next;
     buffer_format(answer,
                   "{\"is\":\"way\",\"robot\":%lu,\"from\":%lu,\"points\":", (unsigned long)robot,

@@ -6,7 +6,6 @@ struct points {
     const struct view *view;
     const double *numbers;
     const double *other; /* values of the edited program's signal; NULL if it has none */
-    size_t other_count;  /* number of these values */
     struct buffer *times, *values, *others;
 };
 
@@ -19,8 +18,10 @@ static void add_point(void *context, size_t k)
     buffer_text(p->values, comma);
     buffer_number(p->values, p->numbers[k]);
     if (p->other != NULL) {
+        size_t there;
+        const bool is_there = compare_instant(&p->view->other, &p->view->recording, k, &there);
         buffer_text(p->others, comma);
-        buffer_number(p->others, k < p->other_count ? p->other[k] : (double)NAN);
+        buffer_number(p->others, is_there ? p->other[there] : (double)NAN);
     }
 }
 
@@ -38,7 +39,7 @@ void answer_series(struct view *view, size_t number, double from, double to, siz
     const size_t end = last + 1 < view->recording.count ? last + 2 : last + 1;
     const struct signal *signal = &view->signals.all[number];
     struct buffer times = { 0 }, values = { 0 }, others = { 0 };
-    struct points points = { view, NULL, NULL, 0, &times, &values, &others };
+    struct points points = { view, NULL, NULL, &times, &values, &others };
     if (view_knows(view, signal)) {
         points.numbers = series_of(&view->series, signal);
         if (points.numbers == NULL) {
@@ -46,7 +47,6 @@ void answer_series(struct view *view, size_t number, double from, double to, siz
             return;
         }
         points.other = view_other_numbers(view, signal);
-        points.other_count = points.other == NULL ? 0 : view->other.replay.recording->count;
         series_visit(points.numbers, first, end, width, add_point, &points);
     }
     buffer_format(answer, "{\"is\":\"series\",\"signal\":%lu,\"from\":", (unsigned long)number);

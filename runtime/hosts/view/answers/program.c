@@ -243,6 +243,7 @@ void answer_program(struct view *view, struct buffer *answer)
     buffer_text(answer, "],\"world\":");
     add_source(&view->world, answer);
     kept_read(view->files->own_count > 0 ? view->files->sources[0] : NULL, &kept);
+    answer_other(view, answer);
     buffer_text(answer, ",\"kept\":");
     buffer_string(answer, kept.length > 0 ? kept.data : "");
     buffer_free(&kept);

@@ -44,6 +44,17 @@ static bool read_source(struct source *source, const char *path)
     return source->text != NULL;
 }
 
+/* Reads the recording to compare with, if there is one. */
+static bool view_compare(struct view *view)
+{
+    if (view->files->other == NULL)
+        return true;
+    if (!compare_start(&view->other, &view->signals, view->files->other, &view->files->dialect))
+        return false;
+    compare_find_difference(&view->other, &view->recording);
+    return true;
+}
+
 bool view_start(struct view *view, const struct frob_program *program,
                 const struct frob_column *columns, const struct frob_origin *origins,
                 const struct view_files *files, struct ring *ring)
@@ -76,6 +87,12 @@ bool view_start(struct view *view, const struct frob_program *program,
         return false;
     }
     series_start(&view->series, &view->replay);
+    if (files->other != NULL) {
+        /* To compare, all of this recording must be there. */
+        while (recording_read_on(&view->recording))
+            continue;
+        return view_compare(view);
+    }
     return true;
 }
 
@@ -259,6 +276,7 @@ static void answer_what_if(struct view *view, const struct what_if_edit *edit,
     struct buffer why = { 0 };
     if (*edit->text == '\0') {
         what_if_end(&view->other);
+        view_compare(view);
         buffer_text(answer, "{\"is\":\"what-if\",\"there\":false}");
     } else if (!can_try(view, drives)) {
         answer_refusal(answer, drives ? "the viewer cannot simulate this run again"
@@ -406,6 +424,8 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
         answer_claims(view, answer);
     else if (take_word(&at, "find") && take_number(&at, count, &k) && *at == ' ')
         answer_find(view, k, at + 1, answer);
+    else if (take_word(&at, "align") && (*at == '\0' || *at == ' '))
+        answer_align(view, *at == ' ' ? at + 1 : at, answer);
     else if (take_edit(request, &edit))
         answer_what_if(view, &edit, answer);
     else

@@ -35,11 +35,15 @@
  *                              HAS is one more than the instant of the image that the page
  *                              already has, which is then not sent again; or 0
  *
+ *   align CONDITION            shifts the recording to compare with so that CONDITION holds in both
+ *                              for the first time at the same time; without CONDITION, aligns
+ *                              the starts
+ *
  *   keep TEXT                  keeps TEXT for the next page of this program (see kept.h)
  *
  *   more                       the page has drawn the last news and can take more
  *
- * While there is an edited program, instants and series contain its values as `others`, and each
+ * While there is an edited program or another recording, instants and series contain its values as `others`, and each
  * assertion has the edited program's fate as `other`. Any other request is answered by
  * `{"is":"refused",…}` and has no effect. */
 #ifndef FROB_VIEW_VIEW_H
@@ -58,6 +62,7 @@ struct source {
 
 struct view_files {
     const char *recording; /* of a live run: the file it is recorded in, or NULL */
+    const char *other;     /* a recording to compare with; NULL: none */
     const char **sources;  /* the user's source files, then those of the library */
     size_t source_count;
     size_t own_count;           /* number of the user's source files */

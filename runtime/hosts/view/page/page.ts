@@ -2,6 +2,7 @@
 import { token } from "./address";
 import { startCamera } from "./camera/camera";
 import { Connection } from "./connection";
+import { startComparison } from "./compare";
 import { Contact } from "./contact";
 import { startClaims } from "./signals/claims";
 import { startConsole } from "./operate/console";
@@ -12,7 +13,7 @@ import { startLive } from "./operate/live";
 import { Player } from "./time/player";
 import { startMap } from "./map/map";
 import { startPlots } from "./plots/plots";
-import type { Answer, Live, Program, Progress, Run } from "./protocol";
+import type { Align, Answer, Live, Program, Progress, Run } from "./protocol";
 import { startSearch } from "./time/search";
 import { startSignals } from "./signals/signals";
 import { startSource } from "./source/source";
@@ -61,6 +62,8 @@ function describeRun(program: Program): void {
     .filter((part) => part !== "")
     .join("  ·  ");
 }
+
+let showAlignment: ((answer: Align) => void) | null = null;
 
 /** The latest status message of the viewer. */
 let progress: Program | Progress | Live | null = null;
@@ -185,6 +188,7 @@ function start(program: Program): Store {
     startLive(store),
   );
   startConsole(store, element("console"));
+  showAlignment = startComparison(store, element("compare"));
   element("help").onclick = () => help.showModal();
   choose(view ? "map" : "plots");
   restore(store, kept, new Layout(), view);
@@ -277,6 +281,9 @@ function answered(answer: Answer, question: string): void {
       store?.whatIfReceived(answer);
       break;
     case "keep":
+      break;
+    case "align":
+      showAlignment?.(answer);
       break;
     case "refused":
       if (answer.command && store) store.undone(answer.why);

@@ -90,6 +90,8 @@ export interface Program {
   readonly sources: readonly Source[];
   /** The world that the robot may have driven in. */
   readonly world: Source | null;
+  /** The recording to compare with, if there is one. */
+  readonly other?: Other;
   /** What a page of an earlier run of this program has kept, as JSON; empty if there is nothing. */
   readonly kept: string;
 }
@@ -317,6 +319,25 @@ export interface Picture {
   readonly data?: Uint8ClampedArray<ArrayBuffer>;
 }
 
+/** A recording to compare with. */
+export interface Other {
+  readonly name: string;
+  /** Whether it is from this version of the program, so that its inner signals are known. */
+  readonly runs: boolean;
+  /** Its time at time 0 of the shown recording, in seconds. */
+  readonly shift: number;
+  /** The first instant at which the outputs differ, and the output; missing if they do not. */
+  readonly first?: number;
+  readonly signal?: string;
+}
+
+/** The recording to compare with has another shift, unless there is a reason why not. */
+export interface Align {
+  readonly is: "align";
+  readonly why?: string;
+  readonly other?: Other;
+}
+
 /** The viewer has kept what the page sent. */
 export interface KeepDone {
   readonly is: "keep";
@@ -345,4 +366,5 @@ export type Answer =
   | WhatIf
   | Claims
   | KeepDone
+  | Align
   | Refused;

@@ -3,11 +3,13 @@ import type { Connection } from "./connection";
 import type { Contact } from "./contact";
 import { axesOf, mostAxes, newPlot, type Plot } from "./plots/model";
 import type {
+  Align,
   Claim,
   Claims,
   Found,
   Instant,
   Live,
+  Other,
   Path,
   Picture,
   Place,
@@ -90,6 +92,8 @@ export class Store {
 
   /** The edited program's result; null before any was requested. */
   whatIf: WhatIf | null = null;
+  /** The recording to compare with; null if there is none. */
+  other: Other | null;
   /** Whether keys go to the program's editor, and the edited text; null if it is the program's. */
   isEditing = false;
   edited: string | null = null;
@@ -142,6 +146,7 @@ export class Store {
     private readonly complain: (what: string) => void,
   ) {
     this.range = [program.start, program.end];
+    this.other = program.other ?? null;
   }
 
   on(change: Change, listener: Listener): void {
@@ -266,7 +271,7 @@ export class Store {
 
   arrived(instant: Instant): void {
     // Another page may have an edited program where this one has none.
-    if (!this.following) this.instant = this.whatIf?.there ? instant : withoutOthers(instant);
+    if (!this.following) this.instant = this.hasOthers ? instant : withoutOthers(instant);
     this.outstanding = false;
     if (this.wanted !== null) {
       const request = this.wanted;
@@ -277,6 +282,27 @@ export class Store {
       for (const then of this.arrivals.splice(0)) then();
     }
     this.changed("instant");
+  }
+
+  /** Whether this page shows values of an edited program or of another recording. */
+  private get hasOthers(): boolean {
+    return this.other !== null || (this.whatIf?.there ?? false);
+  }
+
+  /** The word for these values. */
+  get otherWord(): string {
+    return this.whatIf?.there ? "what if" : "other";
+  }
+
+  /** Aligns the other recording by a condition; an empty one: by the start. */
+  align(condition: string): void {
+    this.connection.ask(condition === "" ? "align" : `align ${condition}`);
+  }
+
+  aligned({ other }: Align): void {
+    this.other = other ?? null;
+    this.changed("what-if");
+    this.goTo(this.instant?.k ?? 0);
   }
 
   setMark(mark: Instant | null): void {
@@ -415,7 +441,7 @@ export class Store {
   received(series: Series): void {
     const { signal, from, to } = series;
     this.endSeries({ signal, from, to }, (request) =>
-      request.then(this.whatIf?.there ? series : withoutOthers(series)),
+      request.then(this.hasOthers ? series : withoutOthers(series)),
     );
   }
 
@@ -462,7 +488,7 @@ export class Store {
   }
 
   pathReceived(path: Path): void {
-    this.paths.get(`${path.x} ${path.y}`)?.(this.whatIf?.there ? path : withoutOthers(path));
+    this.paths.get(`${path.x} ${path.y}`)?.(this.hasOthers ? path : withoutOthers(path));
   }
 
   // Requests the picture of the current instant. Only one request is pending at a time.

@@ -133,7 +133,7 @@ export function startMap(store: Store, host: HTMLElement): View | null {
     if (ways.other.length > 0) {
       pen.line(ways.other, colour("mark"), 1.5);
       if (instant.others && instant.others[x] !== null)
-        drawRobot(pen, robot, poseAt(instant.others), colour("mark"), colour("robot-edge"));
+        drawRobot(pen, robot, poseAt(instant.others), colour("floor"), colour("mark"));
     }
     robots.forEach((pose, i) => {
       const touches = instant.truth?.[i]?.[3] === 1;

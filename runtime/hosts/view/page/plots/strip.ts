@@ -64,7 +64,8 @@ class Entry {
     const marked = store.mark?.cells[number];
     const apart = marked === undefined ? null : difference(signal, marked, cell);
     this.value.textContent = formatCell(signal, cell);
-    this.other.textContent = other === cell ? "" : `what if: ${formatCell(signal, other)}`;
+    this.other.textContent =
+      other === cell ? "" : `${store.otherWord}: ${formatCell(signal, other)}`;
     this.apart.textContent = apart === null ? "" : `Δ ${apart}`;
   }
 }

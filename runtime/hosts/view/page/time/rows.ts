@@ -16,11 +16,13 @@ const mostEvents = 2;
 const mostLines = 2;
 
 export function rowsOf(program: Program, most: number): Row[] {
-  const modes = modeSignals(program).slice(0, most);
+  const groups = grouped(program);
+  const all = modeSignals(program);
+  const isOwn = (number: number) => groups[number] === "Modes";
+  const modes = [...all.filter(isOwn), ...all.filter((number) => !isOwn(number))].slice(0, most);
   const rows = (kind: Row["kind"], numbers: readonly number[]) =>
     numbers.map((number): Row => ({ kind, number }));
   if (modes.length >= enough) return rows("modes", modes);
-  const groups = grouped(program);
   const own = program.signals.flatMap((signal, number) =>
     groups[number] === "Output" || groups[number] === "Inside" ? [{ signal, number }] : [],
   );

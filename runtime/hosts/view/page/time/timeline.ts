@@ -4,7 +4,7 @@ import { around } from "../plots/scales";
 import { machineName } from "../signals/modes";
 import type { Claim, Series } from "../protocol";
 import type { Store } from "../store";
-import { colour, isDark, lineColour, onTheme } from "../theme";
+import { colour, isDark, modeColour, onTheme } from "../theme";
 import { timeTicks } from "../ticks";
 import { formatNumber, formatTime } from "../values";
 import { rowsOf } from "./rows";
@@ -45,7 +45,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
       const from = place(series.times[i] ?? start);
       const to = place(next < series.times.length ? (series.times[next] ?? end) : end);
       if (mode !== null) {
-        context.fillStyle = `${lineColour(mode)}${isDark() ? "66" : "55"}`;
+        context.fillStyle = `${modeColour(mode)}${isDark() ? "77" : "aa"}`;
         context.fillRect(from, y, Math.max(1, to - from - 0.5), bandHeight - 2);
         const text = `${title}: ${names[mode] ?? ""}`;
         const short = names[mode] ?? "";
@@ -94,6 +94,23 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     context.stroke();
   };
 
+  /** Marks where the other program or recording differs: in a mode at all, in a value by more than a
+   * twentieth of its range. */
+  const drawDifferences = ({ times, values, others }: Series, kind: string, y: number) => {
+    if (!others) return;
+    const [low, high] = around([...values, ...others]);
+    const much = kind === "line" ? (high - low) / 20 : 0;
+    context.fillStyle = colour("mark");
+    times.forEach((time, i) => {
+      const a = values[i] ?? NaN,
+        b = others[i] ?? NaN;
+      const differs = Number.isNaN(a) !== Number.isNaN(b) || Math.abs(a - b) > much;
+      if (!differs) return;
+      const x = place(time);
+      context.fillRect(x, y + bandHeight - 4, Math.max(1, place(times[i + 1] ?? time) - x), 2);
+    });
+  };
+
   const drawName = (number: number, y: number) => {
     const name = signals[number]?.name.replace(/^(out|probe)\./, "") ?? "";
     context.lineWidth = 3;
@@ -109,6 +126,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
       const series = bands.get(number);
       const y = 10 + i * bandHeight;
       if (!series) return;
+      drawDifferences(series, kind, y);
       if (kind === "modes") drawBand(number, series, y);
       else {
         if (kind === "events") drawEvents(series, y);
@@ -250,6 +268,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     if (performance.now() > asked + bandsEvery || !program.live) askForBands();
     if (!store.following) draw();
   });
+  store.on("what-if", askForBands);
   store.on("instant", tell);
   store.on("mark", drawMoving);
   store.on("range", draw);

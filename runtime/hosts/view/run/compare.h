@@ -1,0 +1,22 @@
+/* compare.h -- a second recording to compare with, in the place of an edited program. It may be of
+ * another version of the program; then only its inputs and outputs are known. */
+#ifndef FROB_VIEW_COMPARE_H
+#define FROB_VIEW_COMPARE_H
+
+#include "what_if.h"
+
+/* Reads a recording, and runs the program over it. The previous edited program or recording is
+ * removed. On failure prints a line on standard error and returns false. */
+bool compare_start(struct what_if *other, const struct signals *recorded, const char *file,
+                   const struct csv_dialect *dialect);
+
+/* Finds the instant of the other one at the time of instant `k` of this recording. Returns false if
+ * it has none. */
+bool compare_instant(const struct what_if *other, const struct recording *recording, size_t k,
+                     size_t *there);
+
+/* Finds the first instant of this recording at which the outputs differ, and stores it in
+ * `other`. */
+void compare_find_difference(struct what_if *other, const struct recording *recording);
+
+#endif
