@@ -5,6 +5,18 @@
 const light = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
 const dark = ["#56b4e9", "#e69f00", "#00c08b", "#e69ac4", "#f0e442", "#ff8552"];
 
+/** Paul Tol's light colours for modes: none of them is the colour of a plot. Text on them is dark. */
+const modes = [
+  "#77aadd",
+  "#44bb99",
+  "#ee8866",
+  "#bbcc33",
+  "#ffaabb",
+  "#99ddff",
+  "#eedd88",
+  "#aaaa00",
+];
+
 const preferred = matchMedia("(prefers-color-scheme: dark)");
 const listeners: (() => void)[] = [];
 
@@ -15,6 +27,10 @@ export function isDark(): boolean {
 export function lineColour(index: number): string {
   const colours = isDark() ? dark : light;
   return colours[index % colours.length] ?? "gray";
+}
+
+export function modeColour(index: number): string {
+  return modes[index % modes.length] ?? "gray";
 }
 
 /** Caches colours, because computing a style makes the browser lay out pending changes. */

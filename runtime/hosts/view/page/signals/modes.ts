@@ -2,7 +2,7 @@
 // mode moves to the next instant at which it begins.
 import type { Program, Signal, Transition } from "../protocol";
 import type { Store } from "../store";
-import { lineColour, onTheme } from "../theme";
+import { modeColour, onTheme } from "../theme";
 
 const any = -1;
 const before = -2;
@@ -44,8 +44,12 @@ function inOrder(signal: Signal, transitions: readonly Transition[]): number[] {
 // The modes are arranged in a column. A transition to the next mode is a short line between them, a
 // transition further down is a curve on the right, and one further up a curve on the left.
 
-const step = 27;
-const height = 20;
+/** Distance of the modes, and their height. On a phone they are large enough for a finger. */
+const narrow = matchMedia("(max-width: 820px)");
+const step = () => (narrow.matches ? 52 : 27);
+const height = () => (narrow.matches ? 44 : 20);
+/** Least width of the events beside the modes. */
+const leastNote = 48;
 const lane = 9;
 const head = 4;
 
@@ -111,6 +115,7 @@ class Diagram {
     this.colour();
     onTheme(() => this.colour());
     store.on("instant", () => this.light());
+    narrow.addEventListener("change", () => this.draw());
     new ResizeObserver(() => this.draw()).observe(this.element);
   }
 
@@ -123,7 +128,6 @@ class Diagram {
     const row = document.createElement("div");
     const pill = document.createElement("button");
     pill.textContent = name;
-    pill.title = `Go to the next start of ${name}`;
     pill.onclick = () =>
       this.store.find(`${this.signal.name} == ${name}`, (found) => {
         const to = found.after ?? found.first;
@@ -137,6 +141,8 @@ class Diagram {
           .map(({ label }) => label),
       ),
     ];
+    const ends = waits.length > 0 ? `; it ends with ${waits.join(" or ")}` : "";
+    pill.title = `Go to the next start of ${name}${ends}`;
     const note = document.createElement("small");
     note.textContent = waits.join(", ");
     note.title = waits.length > 0 ? `Events that end this mode: ${waits.join(", ")}` : "";
@@ -145,7 +151,7 @@ class Diagram {
   }
 
   private colour(): void {
-    this.pills.forEach((pill, mode) => pill.style.setProperty("--line", lineColour(mode)));
+    this.pills.forEach((pill, mode) => pill.style.setProperty("--line", modeColour(mode)));
   }
 
   private light(): void {
@@ -156,7 +162,7 @@ class Diagram {
   }
 
   private middle(place: number): number {
-    return place * step + height / 2 + 2;
+    return place * step() + height() / 2 + 2;
   }
 
   private draw(): void {
@@ -164,11 +170,17 @@ class Diagram {
     if (width === 0) return;
     const left = parseFloat(this.element.style.paddingLeft);
     const pill = (place: number) => this.pills.get(this.order[place] ?? 0);
+    // Lines and events are beside all modes, so that they cross none.
+    const most = width - this.margin(this.down) - left - 8;
+    for (const pill of this.pills.values()) pill.style.maxWidth = `${Math.max(30, most)}px`;
     const right = (place: number) =>
       Math.min(left + (pill(place)?.offsetWidth ?? 0), width - this.margin(this.down));
     const outer = Math.max(...this.order.map((_, place) => right(place))) + 4;
     const beside = outer + this.margin(this.down) + 4;
-    for (const note of this.element.querySelectorAll("small")) note.style.left = `${beside}px`;
+    for (const note of this.element.querySelectorAll("small")) {
+      note.style.left = `${beside}px`;
+      note.hidden = beside > width - leastNote;
+    }
     const tip = (x: number, y: number, dx: number, dy: number) =>
       dx !== 0
         ? `M${x + dx * head},${y - head}L${x},${y}L${x + dx * head},${y + head}`
@@ -180,8 +192,8 @@ class Diagram {
         b = this.order.indexOf(to);
       if (from >= 0 && b === a + 1) {
         const x = left + 14,
-          y = this.middle(b) - height / 2 - 1;
-        draw(`M${x},${this.middle(a) + height / 2}V${y}`, tip(x, y, 0, -1));
+          y = this.middle(b) - height() / 2 - 1;
+        draw(`M${x},${this.middle(a) + height() / 2}V${y}`, tip(x, y, 0, -1));
       } else if (from === before || from === any) {
         const x = left - 1,
           y = this.middle(b) + (from === any ? 5 : -4);
