@@ -205,7 +205,11 @@ let run =
       $ realtime $ Host_option.all for_simulator $ Host_option.all for_robots $ file)
 
 let demo =
-  let make look = Tools.Demo.run { world = None; record = None; picture = None; look; host = [] } in
+  let make look =
+    Reporting.(
+      let* look = look in
+      Tools.Demo.run { world = None; record = None; picture = None; look; host = [] })
+  in
   let man =
     [
       `S Manpage.s_description;
