@@ -66,14 +66,17 @@ let suggest t name candidates diagnostic =
 
 let not_imported t absent = t.absent <- absent :: t.absent
 
-(* Inserts the import on a separate line, below the existing imports. *)
-let add_import (program : Syntax.Ir.program) declaration =
+(* A separate line, below the existing imports. *)
+let import_place (program : Syntax.Ir.program) : Ir.import_place =
   let below (span : Span.t) = Span.make ~file:span.file ~start:span.stop ~stop:span.stop in
-  let title = Printf.sprintf "add `%s`" declaration in
   match (List.rev program.imports, program.header) with
-  | last :: _, _ -> Diagnostic.fix title [ (below last.span, "\n" ^ declaration) ]
-  | [], Some header -> Diagnostic.fix title [ (below header.span, "\n\n" ^ declaration) ]
-  | [], None -> Diagnostic.fix title [ (Span.start_of_file program.file, declaration ^ "\n\n") ]
+  | last :: _, _ -> { place = below last.span; before = "\n"; after = "" }
+  | [], Some header -> { place = below header.span; before = "\n\n"; after = "" }
+  | [], None -> { place = Span.start_of_file program.file; before = ""; after = "\n\n" }
+
+let add_import program declaration =
+  let { Ir.place; before; after } = import_place program in
+  Diagnostic.fix (Printf.sprintf "add `%s`" declaration) [ (place, before ^ declaration ^ after) ]
 
 (* Reports each missing import once, with all the names that need it. *)
 let tell_imports t program =

@@ -25,6 +25,7 @@ type absent = { imports : string list; code : string; noun : string; name : Synt
     scope. *)
 
 val not_imported : t -> absent -> unit
+val import_place : Syntax.Ir.program -> Ir.import_place
 
 val add_import : Syntax.Ir.program -> string -> Diagnostic.t -> Diagnostic.t
 (** Adds the fix that inserts this import below the module's imports. *)

@@ -46,7 +46,12 @@ and module_ = {
   library : bool;  (** from the standard library *)
   includes : string list;  (** the C headers that its foreign declarations refer to *)
   idle_imports : idle list;
+  imported : string list;  (** the modules whose names can all be used without a qualifier *)
+  import_place : import_place;
 }
+
+and import_place = { place : Span.t; before : string; after : string }
+(** Where to insert a new import, with the text before and after it. *)
 
 and idle = {
   of_module : string;

@@ -129,6 +129,9 @@ let resolve context ~elsewhere exports scopes (m : Modules.t) =
   let idle ((i : Modules.import), names) =
     Exports.idle scope i.declaration ~module_:i.module_ names
   in
+  let whole (i : Syntax.Ir.import) =
+    if i.qualified || i.items <> None then None else Some i.module_.text
+  in
   let info : Ir.module_ =
     {
       name = m.name;
@@ -136,6 +139,8 @@ let resolve context ~elsewhere exports scopes (m : Modules.t) =
       library = m.library;
       includes = includes scope m.syntax;
       idle_imports = List.concat_map idle imports;
+      imported = List.filter_map whole m.syntax.imports;
+      import_place = Context.import_place m.syntax;
     }
   in
   (scope, exported, { info; types; units; primitives; groups; classes; instances })

@@ -15,6 +15,9 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   match e.desc with
   | Parenthesized inner -> (expr env inner).desc
   | Variable name -> Option.value (Env.variable env name) ~default:missing
+  | Constructor name when Scope.find_size scope name <> None ->
+      let size = Option.get (Scope.find_size scope name) in
+      Number (Patterns.number scope { digits = string_of_int size; decimal = false; unit_ = None })
   | Constructor name -> (
       match Scope.find scope Interface.constructors name with
       | Some constructor -> Constructor constructor.global

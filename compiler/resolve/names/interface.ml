@@ -18,6 +18,7 @@ type tycon = {
   units_optional : bool;
   type_arity : int;
   record_fields : string list;
+  size : int option;
   span : Span.t;
 }
 
@@ -102,7 +103,7 @@ let builtin_types ~file =
   let builtin name ?(unit_arity = 0) type_arity =
     let global : Ir.Global.t = { module_ = prelude; name } in
     let units_optional = unit_arity > 0 in
-    (name, { global; unit_arity; units_optional; type_arity; record_fields = []; span })
+    (name, { global; unit_arity; units_optional; type_arity; record_fields = []; size = None; span })
   in
   [
     builtin "Bool" 0;
@@ -188,6 +189,30 @@ let names_a_number (parameters : Syntax.Ir.type_parameters) (body : Syntax.Ir.ty
       String.equal u.text v.text && List.mem name.name.text [ "Float"; "Int" ]
   | _ -> false
 
+(* The numbers that the module's own aliases represent, such as `type N = 25` and `type M = N`. *)
+let sizes (program : Syntax.Ir.program) =
+  let aliases =
+    lazy
+      (let table = String_table.create 16 in
+       let add (d : Syntax.Ir.declaration) =
+         match d.desc with
+         | Type_alias { name; parameters = { units = []; types = [] }; body } ->
+             String_table.replace table name.text body
+         | _ -> ()
+       in
+       List.iter add program.declarations;
+       table)
+  in
+  (* The limit ends a cycle of aliases, which is reported elsewhere. *)
+  let rec size limit (t : Syntax.Ir.ty) =
+    match t.desc with
+    | Size n -> Some n
+    | Type { name = { qualifier = None; name; _ }; units = None; arguments = [] } when limit > 0 ->
+        Option.bind (String_table.find_opt (Lazy.force aliases) name.text) (size (limit - 1))
+    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ -> None
+  in
+  size 100
+
 let method_names members =
   let names (d : Syntax.Ir.declaration) =
     match d.desc with
@@ -220,7 +245,8 @@ let declared context ~module_ ?after (program : Syntax.Ir.program) =
     add context values ?hint names name
       { global = global name.text; signed; class_; span = name.span }
   in
-  let tycon ?(units_optional = false) (name : Syntax.Ir.name)
+  let size_of = sizes program in
+  let tycon ?(units_optional = false) ?size (name : Syntax.Ir.name)
       (parameters : Syntax.Ir.type_parameters) record_fields =
     add context tycons names name
       {
@@ -229,6 +255,7 @@ let declared context ~module_ ?after (program : Syntax.Ir.program) =
         units_optional;
         type_arity = List.length parameters.types;
         record_fields;
+        size;
         span = name.span;
       }
   in
@@ -259,7 +286,8 @@ let declared context ~module_ ?after (program : Syntax.Ir.program) =
     | Foreign (Foreign_type { name; _ }) -> tycon name { units = []; types = [] } []
     | Foreign (Foreign_include _) -> ()
     | Type_alias { name; parameters; body } ->
-        tycon ~units_optional:(names_a_number parameters body) name parameters []
+        tycon ~units_optional:(names_a_number parameters body) ?size:(size_of body) name parameters
+          []
     | Data { name; parameters; constructors } ->
         let fields =
           match constructors with

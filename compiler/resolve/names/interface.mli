@@ -29,6 +29,7 @@ type tycon = {
           with one unit *)
   type_arity : int;
   record_fields : string list;
+  size : int option;  (** the number, for an alias such as [type N = 25] *)
   span : Span.t;
 }
 

@@ -61,10 +61,12 @@ let data = function
       Some "use `maybe False (const True) m`, which is True if `m` contains a value"
   | "fmap" -> Some "use `map` for arrays, `mapE` for events, `mapT` for the results of tasks"
   | "product" -> Some "use `foldl (*) 1 xs` to multiply the elements of an array"
-  | "sort" | "sorted" | "sortBy" | "sortOn" ->
-      Some
-        "the library cannot sort: write `minimumBy id xs` for the least element, `maximumBy id xs` \
-         for the greatest"
+  | "sorted" -> Some "use `sort xs`, with `import Arrays`"
+  | "sortOn" -> Some "use `sortBy key xs`, with `import Arrays`"
+  | "elemIndex" -> Some "use `indexOf x xs`, with `import Arrays`"
+  | "findIndex" -> Some "use `indexWhere holds xs`, with `import Arrays`"
+  | "inv" -> Some "use `matInverse a`, with `import Matrix`"
+  | "matmul" | "matrixMultiply" -> Some "use `matMul a b`, with `import Matrix`"
   | "average" | "avg" -> Some "use `mean xs`"
   | "minimum" -> Some "use `minimumBy id xs` for the least element of an array"
   | "maximum" -> Some "use `maximumBy id xs` for the greatest element of an array"

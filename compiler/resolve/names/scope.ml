@@ -93,27 +93,18 @@ let visible_names t space locals =
 (* Is this the import that the tests of the module imply? *)
 let is_implied (i : import) = i.qualifiers = [ Labels.qualifier ]
 
-(* The number that a type such as `type N = 5` represents. *)
-let size_named t name =
-  List.find_map
-    (fun (d : Syntax.Ir.declaration) ->
-      match d.desc with
-      | Type_alias { name = { text; _ }; body = { desc = Size n; _ }; _ }
-        when String.equal text name ->
-          Some n
-      | _ -> None)
-    t.syntax.declarations
+let size_named t (name : Syntax.Ir.name) =
+  if is_known t constructors name.text || not (is_known t tycons name.text) then None
+  else Option.bind (look t tycons name) (fun (alias : tycon) -> alias.size)
 
 (* Explains a name that exists in another namespace: `Velocity 3` uses a type as a constructor. *)
 let other_meaning t space (name : Syntax.Ir.name) diagnostic =
-  if String.equal space.noun "constructor" && size_named t name.text <> None then
-    let n = Option.get (size_named t name.text) in
-    let value = String.uncapitalize_ascii name.text in
+  if String.equal space.noun "constructor" && size_named t name <> None then
+    let n = Option.get (size_named t name) in
     Diagnostic.note
-      (Printf.sprintf "`%s` is a size, which can only be used in types" name.text)
+      (Printf.sprintf "`%s` is a size: use it in types and expressions, not in patterns" name.text)
       diagnostic
-    |> Diagnostic.hint
-         (Printf.sprintf "define the number as a value too, and use that: `%s = %d`" value n)
+    |> Diagnostic.hint (Printf.sprintf "write the number: `%d`" n)
   else if String.equal space.noun "constructor" && is_known t tycons name.text then
     Diagnostic.note (Printf.sprintf "`%s` is a type, not a constructor" name.text) diagnostic
   else if String.equal space.noun "type" && is_known t constructors name.text then
@@ -458,6 +449,15 @@ let find_value t ~locals ~signals q = find_with t values ~locals ~signals q
 let use_records t records =
   List.iter (fun (g : Ir.Global.t) -> String_table.replace t.used g.name ()) records;
   records
+
+let find_size t (q : Syntax.Ir.qualified) =
+  match q.qualifier with
+  | None -> size_named t q.name
+  | Some qualifier -> (
+      let meant (import : import) = List.mem qualifier.text import.qualifiers in
+      match (imported t constructors meant q.name.text, imported t tycons meant q.name.text) with
+      | [], [ (_, alias) ] -> alias.size
+      | _ -> None)
 
 let records_with t fields =
   use_records t

@@ -67,6 +67,10 @@ val find_value :
 (** Like {!find}, for values. Suggestions include the local names. [signals]: the signals of [proc]s
     in the definition; the ones in scope are also among the locals. *)
 
+val find_size : t -> Syntax.Ir.qualified -> int option
+(** The number that a name in capitals represents in an expression, if it is not a constructor but a
+    size: [N], after [type N = 25]. *)
+
 val look : t -> 'a Interface.space -> Syntax.Ir.name -> 'a option
 (** Looks up an unqualified name. Reports it only if it is ambiguous, not if it is unknown. *)
 

@@ -14,7 +14,12 @@ let applied sources ~file fixes =
   let ends = Line_ends.of_text text in
   let take (edits, taken) (fix : Diagnostic.fix) =
     let is_here (e : Diagnostic.edit) = String.equal e.span.file file in
-    let is_free (at, _) = not (List.exists (fun (other, _) -> overlap at other) edits) in
+    (* Two fixes can add the same import. *)
+    let adds_import text = String.starts_with ~prefix:"import " (String.trim text) in
+    let is_free ((at, text) as edit) =
+      (adds_import text && List.mem edit edits)
+      || not (List.exists (fun (other, _) -> overlap at other) edits)
+    in
     match Kept_comments.fix sources fix with
     | Some { edits = made; _ } ->
         let written (e : Diagnostic.edit) = (offsets e, Line_ends.write ends e.text) in
@@ -30,7 +35,7 @@ let applied sources ~file fixes =
     Buffer.add_string buffer replacement;
     stop
   in
-  let from = List.fold_left add 0 (List.sort compare edits) in
+  let from = List.fold_left add 0 (List.sort_uniq compare edits) in
   Buffer.add_string buffer (String.sub text from (String.length text - from));
   (Buffer.contents buffer, List.rev taken)
 

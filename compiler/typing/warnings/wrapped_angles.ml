@@ -3,6 +3,7 @@ open Ir
 
 type facts = {
   sink : Diagnostic.sink;
+  resolved : Resolve.Ir.program;
   constants : Constant.t;
   program : program;
   values : expr Int_table.t;  (** of the variables that equations bind *)
@@ -99,6 +100,15 @@ let is_atom (e : expr) =
 let after (e : expr) = Span.make ~file:e.span.file ~start:e.span.stop ~stop:e.span.stop
 let before (e : expr) = Span.make ~file:e.span.file ~start:e.span.start ~stop:e.span.start
 
+(* Adds the import of a library module to a fix at this place, unless the module is imported. *)
+let with_import facts (at : Span.t) library_module edits =
+  let is_here (m : Resolve.Ir.module_) = String.equal m.file at.file in
+  match List.find_opt is_here facts.resolved.modules with
+  | Some m when not (List.mem library_module m.imported) ->
+      let { Resolve.Ir.place; before; after } = m.import_place in
+      (place, before ^ "import " ^ library_module ^ after) :: edits
+  | Some _ | None -> edits
+
 let difference facts (e : expr) (a : expr) (b : expr) =
   let opening e = if is_atom e then "" else "(" and closing e = if is_atom e then "" else ")" in
   let between = Span.make ~file:e.span.file ~start:a.span.stop ~stop:b.span.start in
@@ -108,11 +118,12 @@ let difference facts (e : expr) (a : expr) (b : expr) =
          "from -179 degrees to 179 degrees, it is 358 degrees; the shortest rotation is -2 degrees"
     |> hint "write `angleDiff a b` (module Geometry) instead of `a - b`"
     |> fix "use `angleDiff`"
-         [
-           (before e, "angleDiff " ^ opening a);
-           (between, closing a ^ " " ^ opening b);
-           (after e, closing b);
-         ]
+         (with_import facts e.span "Geometry"
+            [
+              (before e, "angleDiff " ^ opening a);
+              (between, closing a ^ " " ^ opening b);
+              (after e, closing b);
+            ])
     |> emit facts.sink)
 
 let jumps name =
@@ -124,7 +135,10 @@ let replaced facts (head : expr) (input : expr) name other =
     |> label ~at:input.span "this angle is between -pi and pi"
     |> note (jumps name)
     |> hint (Printf.sprintf "write `%s` (module Angles)" other)
-    |> write head.span other |> emit facts.sink)
+    |> fix
+         (Printf.sprintf "write `%s`" other)
+         (with_import facts head.span "Angles" [ (head.span, other) ])
+    |> emit facts.sink)
 
 let unwrapped facts (head : expr) (input : expr) name =
   (* other arguments have parentheses already, outside their span *)
@@ -134,7 +148,8 @@ let unwrapped facts (head : expr) (input : expr) name =
     |> label ~at:input.span "this angle is between -pi and pi"
     |> note (jumps name)
     |> hint "make the angle continuous with `unwrap` (module Angles)"
-    |> fix "use `unwrap`" [ (before input, opening); (after input, closing) ]
+    |> fix "use `unwrap`"
+         (with_import facts head.span "Angles" [ (before input, opening); (after input, closing) ])
     |> emit facts.sink)
 
 (* {1 Filters} *)
@@ -285,6 +300,7 @@ let warn sink resolved program =
   let facts =
     {
       sink;
+      resolved;
       constants = Constant.of_program program;
       program;
       values = table ();

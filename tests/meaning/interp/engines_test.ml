@@ -71,6 +71,7 @@ let examples =
       example ?robot:(robot "create") "line_follow";
       example ?robot:(robot "pioneer") "safe_stick";
       example ?robot:(robot "create") "vfh";
+      example ?robot:(robot "pioneer") "gyro_bias";
       example ?robot:(robot (root / "examples/light_seek/Moth.frob")) "light_seek";
     ]
 

@@ -84,6 +84,7 @@ Other edges: the frequency 0, a width of 0, limits of 0 or less, arrays with NaN
 numbers that are as large as a Float can be.
 
   $ cat > edges.frob << 'FROB'
+  > import Control
   > import Filters
   > main :: SF Float ((Float, Float, Float, Float, Float), (Float, Float, Float, Float), (Bool, Maybe Float, Time))
   > main = proc x ->

@@ -113,6 +113,9 @@ let general =
     "Integration";
     "Behaviour";
     "Motion";
+    "Arrays";
+    "Matrix";
+    "Kalman";
   ]
 
 let check module_ =

@@ -22,6 +22,9 @@ let library =
     "Behaviour";
     "Motion";
     "Angles";
+    "Arrays";
+    "Kalman";
+    "Matrix";
     "Filters";
     "Logic";
     "Pid";

@@ -364,25 +364,24 @@ A constant of C with a capital:
   [1]
   $ sed '1s/.*/k :: Float\nk = 3/; s/K \*/k */' const.frob > pasted.frob && frobc check pasted.frob
 
-Functions of arrays that the library does not have:
+Functions of arrays that have another name in the library:
 
   $ cat > sort.frob <<'FROB'
   > main :: SF (Array 3 Float) Float
-  > main = proc xs -> sort xs ! 0
+  > main = proc xs -> sorted xs ! 0
   > FROB
   $ frobc check sort.frob
-  error[E0205]: unknown name `sort`
+  error[E0205]: unknown name `sorted`
    --> sort.frob:2:19
     |
-  2 | main = proc xs -> sort xs ! 0
-    |                   ^^^^
+  2 | main = proc xs -> sorted xs ! 0
+    |                   ^^^^^^
     |
-    = hint: the library cannot sort: write `minimumBy id xs` for the least element, `maximumBy id xs` for the greatest
+    = hint: use `sort xs`, with `import Arrays`
   
   1 error
   [1]
-  $ sed 's/sort xs ! 0/minimumBy id xs/' sort.frob > pasted.frob && frobc check pasted.frob
-  $ sed 's/sort xs ! 0/maximumBy id xs/' sort.frob > pasted.frob && frobc check pasted.frob
+  $ sed 's/sorted xs/sort xs/; 1i import Arrays' sort.frob > pasted.frob && frobc check pasted.frob
 
   $ cat > median.frob <<'FROB'
   > main :: SF (Array 3 Float) Float
@@ -562,26 +561,28 @@ A type without its unit:
   $ sed 's/Float Vec2/Float Vec2[1]/' vector.frob > pasted.frob && frobc check pasted.frob
   $ sed 's/Float Vec2/Distance Vec2[m]/' vector.frob > pasted.frob && frobc check pasted.frob
 
-A size as a value:
+A size in a pattern:
 
   $ cat > size.frob <<'FROB'
   > type N = 5
-  > main :: SF (Array N Float) Float
-  > main = proc xs -> xs ! (N - 1)
+  > main :: SF Int Bool
+  > main = proc k -> case k of
+  >     N -> True
+  >     _ -> k == N - 1
   > FROB
   $ frobc check size.frob
   error[E0206]: unknown constructor `N`
-   --> size.frob:3:25
+   --> size.frob:4:5
     |
-  3 | main = proc xs -> xs ! (N - 1)
-    |                         ^
+  4 |     N -> True
+    |     ^
     |
-    = note: `N` is a size, which can only be used in types
-    = hint: define the number as a value too, and use that: `n = 5`
+    = note: `N` is a size: use it in types and expressions, not in patterns
+    = hint: write the number: `5`
   
   1 error
   [1]
-  $ sed -e '1a n = 5' -e 's/(N - 1)/(n - 1)/' size.frob > pasted.frob && frobc check pasted.frob
+  $ sed -e 's/N ->/5 ->/' size.frob > pasted.frob && frobc check pasted.frob
 
 A plain number plus a distance:
 

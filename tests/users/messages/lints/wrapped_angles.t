@@ -87,7 +87,6 @@ The fixes compile, and nothing is left to report.
   turns.frob:16:14: write `lowPassAngle` (W0315)
   turns.frob:17:14: use `unwrap` (W0315)
   turns.frob:18:14: write `complementaryAngle` (W0315)
-  turns.frob:14:14: add `import Angles` (E0205)
   $ frobc check turns.frob
   $ tail -n 8 turns.frob
       toGoal = direction (goal ^-^ pose.position)
