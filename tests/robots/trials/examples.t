@@ -47,6 +47,7 @@ The trials of the examples hold, on each robot that they are for.
   ok    follows the ball and touches nothing: 1 seed, 45 s
   ok    keeps a metre away from the ball and never loses sight of it: 2 seeds, 45 s
   ok    reaches its speed within 3 s, and says so: 4 s
+  ok    drives squares for four minutes, at the same place: 5 seeds, 240 s
   ok    holds its course and touches nothing: 10 seeds, 25 s
   ok    stops half a metre before the wall: 10 seeds, 25 s
   ok    turns by 2 rad/s for each radian off course, and by 0.3 rad/s more for each second of that: 3 s
@@ -97,7 +98,7 @@ The trials of the examples hold, on each robot that they are for.
   ok    turns by 8 rad/s for each m/s by which the distance changes too slowly: 1 s
   ok    approaches the wall at no more than 50 degrees: 1 s
   ok    slows down before an obstacle, and backs away if it is too near: 1 s
-  92 tests: all hold; 3 skipped
+  93 tests: all hold; 3 skipped
   $ for robot in pioneer scout create; do
   >   for name in bug corridor dock explore patrol subsumption vfh; do
   >     frobc test $examples/$name/$name.frob --robot $robot --seeds 2 | tail -1
