@@ -18,7 +18,7 @@ program's own module.
 
 Removes the line number in the library, which does not matter here.
 
-  $ sed 's/Control.frob:[0-9]*/Control.frob:N/; s/^  [0-9]* | previous/   N | previous/' said
+  $ sed 's/Control.frob:[0-9]*/Control.frob:N/; s/^[0-9]* | previous/ N | previous/' said
   error[E0401]: the signal `y` needs its own value in the same instant
     --> Filters.frob:5:5
      |
