@@ -115,7 +115,7 @@ let falsify =
         "Prints a line for each assertion, and for each violated assertion the command that shows \
          the run. The exit status is 1 if an assertion was violated. Finding no violation does not \
          prove that there is none.";
-      `P "Needs Python with the packages frob and numpy, and for $(b,--method cma) also cma.";
+      `P "Needs Python packages, which $(b,frobc extras install search) installs.";
     ]
   in
   command "falsify" ~man ~doc:"search for a run that violates an assertion"

@@ -234,6 +234,60 @@ let explain =
   command "explain" ~doc:"explain a diagnostic, with an example and its fix"
     Term.(const Commands.explain $ code)
 
+let extras =
+  let action =
+    let actions = [ ("install", `Install); ("list", `List) ] in
+    let doc = "$(b,install) installs groups of packages; $(b,list) shows what is installed." in
+    Arg.(required & pos 0 (some (enum actions)) None & info [] ~docv:"ACTION" ~doc)
+  in
+  let chosen =
+    let describe (g : Tools.Extras.group) =
+      Printf.sprintf "$(b,%s) (%s: %s)" g.name g.purpose
+        (String.concat ", " (List.map fst g.packages))
+    in
+    let doc =
+      "The groups to install: "
+      ^ String.concat "; " (List.map describe Tools.Extras.groups)
+      ^ ". Without a group, $(b,install) installs the groups of the last time again."
+    in
+    Arg.(value & pos_right 0 string [] & info [] ~docv:"GROUP" ~doc)
+  in
+  let run action groups =
+    match (action, groups) with
+    | `Install, groups -> Tools.Extras.install groups
+    | `List, [] -> Tools.Extras.list ()
+    | `List, _ -> Reporting.wrong_use "`frobc extras list` takes no groups"
+  in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Some commands use Python packages of others. $(tname) installs them from the Python \
+         package index in a virtual environment in $(b,~/.local/share/frobc) (or \
+         $(b,XDG_DATA_HOME)), and frobc then uses that environment. A new environment replaces the \
+         old one when it is complete.";
+      `P
+        "If you have activated a virtual environment of your own, frobc uses that one instead: \
+         install the packages there with $(b,pip).";
+    ]
+  in
+  command "extras" ~man ~doc:"install the Python packages that some commands use"
+    Term.(const run $ action $ chosen)
+
+let doctor =
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Looks at everything that a command may need, and prints a line for each: $(b,ok); \
+         $(b,note) if something is missing that only some commands need, with the command to type; \
+         or $(b,FAIL) if frobc does not work on this computer.";
+      `P "The exit status is 1 if there is a $(b,FAIL), otherwise 0.";
+    ]
+  in
+  command "doctor" ~man ~doc:"check this computer for everything that frobc uses"
+    Term.(const Tools.Doctor.run $ const ())
+
 let lsp =
   let stdio =
     let doc = "Use standard input and output. This is the default; some editors pass the option." in
@@ -289,6 +343,8 @@ let commands =
       selftest;
       header;
       explain;
+      extras;
+      doctor;
       lsp;
     ]
   in

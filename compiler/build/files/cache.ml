@@ -17,18 +17,24 @@ let is_trusted path =
   | _ | (exception (Unix.Unix_error _ | Sys_error _)) -> false
 
 (* The XDG base directory specification requires relative paths to be ignored. *)
-let folder () =
+let wanted () =
   let absolute variable =
     Option.bind (Sys.getenv_opt variable) (fun path ->
         if Filename.is_relative path then None else Some path)
   in
-  let wanted =
-    match (absolute "XDG_CACHE_HOME", absolute "HOME") with
-    | Some cache, _ -> Some (cache / "frobc")
-    | None, Some home -> Some (home / ".cache" / "frobc")
-    | None, None -> None
-  in
-  match wanted with Some path when is_trusted path -> path | _ -> Temporary.folder ()
+  match (absolute "XDG_CACHE_HOME", absolute "HOME") with
+  | Some cache, _ -> Some (cache / "frobc")
+  | None, Some home -> Some (home / ".cache" / "frobc")
+  | None, None -> None
+
+let folder () =
+  match wanted () with Some path when is_trusted path -> path | _ -> Temporary.folder ()
+
+let is_kept () =
+  match wanted () with
+  | Some path when is_trusted path -> Ok path
+  | Some path -> Error path
+  | None -> Error "the home folder, because HOME is not set"
 
 (* {1 Entries} *)
 

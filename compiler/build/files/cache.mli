@@ -15,3 +15,6 @@ val entry :
     complete entry is reused. Otherwise, [make ~folder path] must create it at [path]; it may use
     [folder] for temporary files. The error is a text for the user: the one of [make], or the reason
     why nothing could be written. *)
+
+val is_kept : unit -> (string, string) result
+(** The folder of the cache, or the folder that cannot be used, so that results are deleted. *)

@@ -15,6 +15,7 @@ type t = {
   selftest : string;
   template : string;
   demo : string;
+  python : string;
 }
 
 let ( / ) = Filename.concat
@@ -37,6 +38,7 @@ let under prefix =
     selftest = prefix / "share" / "frobc" / "selftest";
     template = prefix / "share" / "frobc" / "template";
     demo = prefix / "share" / "frobc" / "demo";
+    python = prefix / "share" / "frobc" / "python";
   }
 
 let is_complete t = Sys.file_exists (t.library / "Prelude.frob")

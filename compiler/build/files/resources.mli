@@ -19,6 +19,7 @@ type t = {
   selftest : string;  (** folder of the programs and C files of {!Selftest} *)
   template : string;  (** folder of the templates of {!New_project} *)
   demo : string;  (** folder of the example that {!Demo} copies *)
+  python : string;  (** folder of the Python package [frob], for [PYTHONPATH] *)
 }
 
 val find : unit -> (t, string) result

@@ -129,6 +129,31 @@ let of_mcap from path =
                 Packed.with_input ~damaged kept (fun channel -> Ok (copy channel out))
                 |> Result.map_error (String.concat "\n")))
 
+(* {1 MCAP of another program to recording} *)
+
+(* The package frob writes the table, and this writes it as a recording: compressed, if its name says
+   so. *)
+let of_others from path =
+  let name = Basis.Printable.name from in
+  let cannot reason = Error (Printf.sprintf "cannot read %s: %s" name reason) in
+  let table = Filename.concat (Temporary.folder ()) "table.csv" in
+  let other = "it was written by another program" in
+  match Extras.python ~modules:[ "mcap" ] with
+  | None ->
+      cannot
+        (other
+       ^ ", and reading it needs Python: on Debian, `sudo apt-get install python3-venv`, then \
+          `frobc extras install mcap`")
+  | Some python -> (
+      match Process.result python [ "-m"; "frob.mcap_command"; from; table ] with
+      | Ok _ ->
+          Output.stream path (fun at ->
+              writing path at (fun out ->
+                  Packed.with_input table (fun channel -> Ok (copy channel out))
+                  |> Result.map_error (String.concat "\n")))
+      | Error (Failed { errors; _ }) -> cannot (other ^ ", and " ^ String.trim errors)
+      | Error (Not_found _) -> cannot (python ^ " is missing"))
+
 (* {1 The command} *)
 
 let content = function Recording -> Output.Table | Mcap -> Output.Mcap
@@ -142,6 +167,7 @@ let convert resources ~dialect from path =
   match (of_what, to_what) with
   | Recording, Recording -> again ~dialect from path
   | Recording, Mcap -> to_mcap resources ~dialect from path
+  | Mcap, Recording when not (Mcap_reader.is_ours from) -> of_others from path
   | Mcap, Recording -> of_mcap from path
   | Mcap, Mcap -> Error (Printf.sprintf "%s is already an MCAP file" (Basis.Printable.name from))
 

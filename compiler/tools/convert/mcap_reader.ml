@@ -111,6 +111,22 @@ let rec records channel topics run ~size at =
   (* The records after the end of the data section repeat its contents. *)
   if head.[0] = '\x0f' then Ok () else records channel topics run ~size (start + length)
 
+let is_ours path =
+  let channel = open_in_bin path in
+  let finally () = close_in_noerr channel in
+  Fun.protect ~finally (fun () ->
+      match
+        let start = really_input_string channel (String.length magic + head_size) in
+        let header =
+          really_input_string channel (min 4096 (long start (String.length magic + 1)))
+        in
+        let _, at = string header 0 in
+        fst (string header at)
+      with
+      | library -> library = "frobc"
+      (* [iter] says what is wrong with the file. *)
+      | exception (End_of_file | Invalid_argument _) -> true)
+
 let iter path run =
   let channel = open_in_bin path in
   let finally () = close_in_noerr channel in

@@ -8,3 +8,7 @@ type record =
 val iter : string -> (record -> (unit, string) result) -> (unit, string) result
 (** Calls the function for each record until it returns an error. The errors name the file. Raises
     [Sys_error]. *)
+
+val is_ours : string -> bool
+(** Whether frobc has written the MCAP file, by its header. Also true of files that are no MCAP
+    files. Raises [Sys_error]. *)

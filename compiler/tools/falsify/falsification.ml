@@ -16,7 +16,6 @@ type search = {
   keep : string;
 }
 
-let python = "python3"
 let package = "frob.falsify_command"
 
 (* While Python loads its modules, Ctrl-C should end it without a traceback, like other programs. *)
@@ -66,14 +65,21 @@ let run general ~entry ~sources search file =
     if Sys.getenv_opt "FROBC" = None then Unix.putenv "FROBC" Sys.executable_name;
     if Sys.getenv_opt "FROB_HOME" = None then
       Result.iter (fun (r : Resources.t) -> Unix.putenv "FROB_HOME" r.prefix) (Resources.find ());
-    match Process.result python [ "-c"; "import " ^ package ] with
-    | Error (Not_found _) ->
-        missing "frobc falsify needs python3, which is not installed: `apt install python3`"
-    | Error (Failed _) ->
+    let modules = if search.method_ = "cma" then [ "numpy"; "cma" ] else [ "numpy" ] in
+    match Extras.python ~modules with
+    | None ->
         missing
-          "frobc falsify needs the Python package frob, which python3 cannot find: install its \
-           wheel (`make wheel`, then `pip install`), or set PYTHONPATH to runtime/python"
-    | Ok _ -> (
-        let arguments = arguments general ~entry ~sources search file in
-        match Process.become python ("-c" :: program :: arguments) with
-        | Not_found _ | Failed _ -> missing "frobc cannot start python3"))
+          "frobc falsify needs Python 3: on Debian, `sudo apt-get install python3-venv`, then \
+           `frobc extras install search`"
+    | Some python -> (
+        match Process.result python [ "-c"; "import " ^ package ] with
+        | Error (Not_found _) | Error (Failed _) ->
+            missing
+              (Printf.sprintf
+                 "frobc falsify cannot use the Python package frob, which %s does not find: \
+                  reinstall frobc"
+                 (Basis.Printable.name python))
+        | Ok _ -> (
+            let arguments = arguments general ~entry ~sources search file in
+            match Process.become python ("-c" :: program :: arguments) with
+            | Not_found _ | Failed _ -> missing "frobc cannot start Python")))

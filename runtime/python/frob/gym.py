@@ -19,7 +19,7 @@ try:
     import numpy as np
     from numpy.typing import NDArray
 except ImportError as error:
-    raise Error(f"frob.gym needs gymnasium and numpy: {error}; pip install gymnasium") from None
+    raise Error(f"frob.gym needs gymnasium and numpy: {error}; `pip install gymnasium`") from None
 
 Floats = NDArray[np.float64]
 

@@ -250,16 +250,13 @@ def need_packages(method: str) -> None:
     if not missing:
         return
     which = " and ".join(missing) + (", which is" if len(missing) == 1 else ", which are")
-    apt = "`apt install python3-numpy` or " if missing == ["numpy"] else ""
     blind = (
         "; or search at random (`--method random`), which takes more runs"
         + ("" if missing == ["cma"] else " and needs numpy only")
         if "cma" in missing
         else ""
     )
-    raise Error(
-        f"falsify needs {which} not installed: {apt}`pip install {' '.join(missing)}`{blind}"
-    )
+    raise Error(f"falsify needs {which} not installed: `frobc extras install search`{blind}")
 
 
 def cma() -> Any:
@@ -270,6 +267,6 @@ def cma() -> Any:
     except ImportError:
         raise Error(
             "the search by CMA-ES needs the package cma, which is not installed: "
-            "`pip install cma`, or search at random, which takes more runs (method random)"
+            "`frobc extras install search`, or search at random, which takes more runs (method random)"
         ) from None
     return cma

@@ -21,10 +21,18 @@ INSTALLED = Path(__file__).parent / "tools"
 """The folder in which a wheel contains frobc and its hosts, with the layout of `make install`."""
 
 
+BESIDE = Path(__file__).resolve().parents[4]
+"""The folder of the installation if this file is in its share/frobc/python/frob."""
+
+
 def frobc() -> str:
-    """Finds frobc: the path in FROBC if it is set, else the one in the wheel, else that on PATH."""
+    """Finds frobc: the path in FROBC if it is set, else the one in the wheel or the installation
+    that contains this package, else that on PATH.
+    """
     named = os.environ.get("FROBC")
     found = named or str(INSTALLED / "bin" / "frobc")
+    if not named and not os.access(found, os.X_OK):
+        found = str(BESIDE / "bin" / "frobc")
     if not named and not os.access(found, os.X_OK):
         found = shutil.which("frobc") or ""
     if not found or not os.access(found, os.X_OK):

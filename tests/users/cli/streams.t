@@ -140,4 +140,4 @@ The other commands do not take a program that could have a warning; the list bel
 commands.
 
   $ frobc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z]*\) .*/\1/p' | xargs
-  build check compile convert demo explain export falsify fix format header help lsp new report run selftest serve sweep test trace view
+  build check compile convert demo doctor explain export extras falsify fix format header help lsp new report run selftest serve sweep test trace view

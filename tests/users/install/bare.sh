@@ -30,9 +30,12 @@ create() { # SUITE
 
 for suite in "$@"; do
     create "$suite"
+    version=$(chroot "$bare/$suite" python3 -c 'import sys; print("%d.%d" % sys.version_info[:2])')
+    python3 -m pip download --quiet --disable-pip-version-check --only-binary=:all: \
+        --python-version "$version" --dest "$bare/index" numpy cma mcap
     rm -rf "$bare/$suite/home/user" "$bare/$suite/index"
     cp -R "$bare/index" "$bare/$suite/index"
-    cp "$here/inside.sh" "$here/page.py" "$bare/$suite/"
+    cp "$here/inside.sh" "$here/page.py" "$here/foreign.py" "$bare/$suite/"
     chroot "$bare/$suite" sh -c 'mkdir /home/user && chown user: /home/user && chmod -R a+rX /index'
     # shellcheck disable=SC2016 # the inner shell expands $0
     unshare --mount --pid --net --fork sh -c '

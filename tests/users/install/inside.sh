@@ -29,3 +29,20 @@ python -c '
 import frob
 program = frob.compile("frob-demo/wall_follow.frob")
 print("from Python:", type(program).__name__)'
+
+# Commands that use Python packages, outside of the virtual environment.
+PIP_NO_INDEX=1 PIP_FIND_LINKS=/index
+export PIP_NO_INDEX PIP_FIND_LINKS
+cat >cruise.frob <<'END'
+main :: SF Float Float
+main = proc x -> x where
+    assert "small" (x < 2)
+END
+! frobc falsify cruise.frob --input "in=0 to 3" --for 1s 2>told
+grep -q 'frobc extras install search' told
+frobc extras install search mcap
+frobc falsify cruise.frob --input "in=0 to 3" --for 1s | head -n 1
+python3 /foreign.py foreign.mcap
+frobc convert foreign.mcap foreign.csv
+cat foreign.csv
+frobc doctor

@@ -262,13 +262,12 @@ main = proc x -> y where
 
         self.assertEqual(
             told("numpy", "random"),
-            "error: falsify needs numpy, which is not installed: "
-            "`apt install python3-numpy` or `pip install numpy`\n",
+            "error: falsify needs numpy, which is not installed: `frobc extras install search`\n",
         )
         self.assertEqual(
             told("cma", "cma"),
-            "error: falsify needs cma, which is not installed: `pip install cma`; or search "
-            "at random (`--method random`), which takes more runs\n",
+            "error: falsify needs cma, which is not installed: `frobc extras install search`; or "
+            "search at random (`--method random`), which takes more runs\n",
         )
 
     def test_a_sketch_is_a_signal_of_few_parts(self):
