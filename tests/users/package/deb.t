@@ -59,8 +59,10 @@ sources.
   frobc-compile.1.gz
   frobc-convert.1.gz
   frobc-demo.1.gz
+  frobc-doctor.1.gz
   frobc-explain.1.gz
   frobc-export.1.gz
+  frobc-extras.1.gz
   frobc-falsify.1.gz
   frobc-fix.1.gz
   frobc-format.1.gz
