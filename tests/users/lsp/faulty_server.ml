@@ -1,6 +1,6 @@
 (* A language server whose compiler fails. On the module Bug it reports an internal error, on
    Crash it raises an unexpected exception, on Deep it overflows the stack, and on Slow it never
-   terminates; its time limit is 1 s, or its argument. Each of these fails as long as a file of
+   terminates; its argument is the time limit in seconds. Each of these fails as long as a file of
    that name with the extension [.fault] exists. *)
 
 let rec deep n = 1 + deep (n + 1)
@@ -18,6 +18,5 @@ let disk path =
   else on_disk.read path
 
 let () =
-  Language_server.Analysis.patience :=
-    if Array.length Sys.argv > 1 then float_of_string Sys.argv.(1) else 1.;
+  Language_server.Analysis.patience := float_of_string Sys.argv.(1);
   exit (Language_server.Server.run ~disk ())

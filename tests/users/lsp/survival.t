@@ -9,7 +9,7 @@ disappears.
   > done
   $ OCAMLRUNPARAM=l=1M python3 - <<'END'    # a small stack, for OCaml 5: it is full in time
   > from client import *
-  > c = Client(".", command=["./faulty_server.exe"])
+  > c = Client(".", command=["./faulty_server.exe", "8"])
   > right = c.open("right.frob", "main :: SF Float Float\nmain = proc x -> y where\n    y = 2 * x\n")
   > print(c.told(right))
   > for module in ["Bug", "Crash", "Deep", "Slow"]:
@@ -34,10 +34,10 @@ disappears.
   ('2:0-2:25', 'the program is too large, or nested too deeply, for the stack of frobc\nnote: this is its largest definition, of 26 characters\nhint: split it into several definitions\nhint: or run `ulimit -s unlimited` for a larger stack')
   None y :: Float
   [] gain :: n[1/s]
-  ('0:0-0:0', 'frobc gave up after 1 s')
+  ('0:0-0:0', 'frobc gave up after 8 s')
   None y :: Float
   [] gain :: n[1/s]
-  ['frobc gave up after 1 s', 'internal error in Files: nobody knows why', 'internal error in frobc: Not_found']
+  ['frobc gave up after 8 s', 'internal error in Files: nobody knows why', 'internal error in frobc: Not_found']
   0
 
 A server that is killed at any time leaves nothing behind that affects another one.
