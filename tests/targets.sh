@@ -38,6 +38,7 @@ pictures PAGES=docs/tutorial/first-drive.md PICTURES=$out/pictures
 rtamt N=50
 falsify TRIES=1
 mcap
+ros
 wheel
 python
 install-check BARE_SUITES=bookworm

@@ -113,14 +113,25 @@ let build =
     in
     Arg.(value & opt string "host" & info [ "target" ] ~docv:"TARGET" ~doc)
   in
-  command "build" ~doc:"build the executable that $(b,run --device) would start"
+  let ros2 =
+    let doc =
+      "Build a ROS 2 node for the robot $(b,ros). Source the setup script of ROS 2 first."
+    in
+    Arg.(value & flag & info [ "ros2" ] ~doc)
+  in
+  command "build"
+    ~doc:"build the executable that $(b,run --device) or $(b,run --ros2) would start"
     Term.(
-      const (fun general entry sources target shared output file ->
-          if shared && target <> "host" then
+      const (fun general entry sources target shared ros2 output file ->
+          if ros2 && (shared || target <> "host") then
+            Reporting.wrong_use
+              "--ros2 builds an executable for this machine: remove --shared and --target"
+          else if ros2 then Tools.Real_robot.build_node general ~entry ~sources ~output file
+          else if shared && target <> "host" then
             Reporting.wrong_use "--shared only works for this machine: remove --target"
           else if shared then Tools.Real_robot.library general ~entry ~sources ~output file
           else Tools.Real_robot.build general ~entry ~sources ~target ~output file)
-      $ not_judging general $ entry $ sources $ target $ shared $ output $ file)
+      $ not_judging general $ entry $ sources $ target $ shared $ ros2 $ output $ file)
 
 let export =
   let folder =
@@ -400,10 +411,17 @@ let collect_seldom () =
       custom_major_ratio = 1_000_000;
     }
 
-(* The flags of a C compiler look like options: `--cflags -O2`. *)
+(* The flags of a C compiler look like options (`--cflags -O2`), and so do the arguments for ROS 2,
+   which end at `--` as for every node (`--ros-args -r odom:=base/odom --`). *)
 let rec with_flags = function
   | "--cflags" :: flags :: rest -> ("--cflags=" ^ flags) :: with_flags rest
+  | "--ros-args" :: rest -> with_ros_arguments rest
   | argument :: rest -> argument :: with_flags rest
+  | [] -> []
+
+and with_ros_arguments = function
+  | "--" :: rest -> with_flags rest
+  | argument :: rest -> ("--ros-args=" ^ argument) :: with_ros_arguments rest
   | [] -> []
 
 let argv = Array.of_list (with_flags (Array.to_list Sys.argv))

@@ -96,25 +96,27 @@ let for_robots =
     [
       time_span "patience" ~docv:"TIME"
         ~doc:
-          "With $(b,--device): stop the robot if the newest reading is older than this or if a \
-           step takes longer. The default is 200ms.";
+          "With $(b,--device) or $(b,--ros2): stop the robot if the newest reading is older than \
+           this or if a step takes longer. The default is 200ms.";
       time_span "reconnect" ~docv:"TIME"
-        ~doc:"With $(b,--device): how long to try to reconnect to a lost robot. The default is 30s.";
+        ~doc:
+          "With $(b,--device) or $(b,--ros2): how long to try to reconnect to a lost robot. The \
+           default is 30s.";
       many "set" ~docv:"NAME=VALUE"
         ~doc:
-          "With $(b,--device): change a setting of the robot's driver or of a camera, as in \
-           $(b,camera.up=0.3). An unknown setting lists all settings.";
+          "With $(b,--device) or $(b,--ros2): change a setting of the robot's driver or of a \
+           camera, as in $(b,camera.up=0.3). An unknown setting lists all settings.";
       many "camera" ~docv:"SOURCE"
         ~doc:
-          "With $(b,--device): the source of the camera's frames. This is a device \
+          "With $(b,--device) or $(b,--ros2): the source of the camera's frames. This is a device \
            ($(b,/dev/video0)); an MJPEG stream ($(b,http://HOST:PORT/PATH)); a folder of pictures; \
            or a pipe or file of pictures (PPM, PGM, JPEG) or of raw frames, whose \
            $(b,camera.width) and $(b,camera.height) you set by $(b,--set). If the program has \
            several cameras, give $(b,LABEL=SOURCE) for each.";
       one Arg.int "priority" ~docv:"N"
-        ~doc:"With $(b,--device): run with this real-time priority, 1 to 99.";
+        ~doc:"With $(b,--device) or $(b,--ros2): run with this real-time priority, 1 to 99.";
       flag "lock-memory"
-        ~doc:"With $(b,--device): keep the program's memory from being swapped out.";
+        ~doc:"With $(b,--device) or $(b,--ros2): keep the program's memory from being swapped out.";
     ]
 
 (* [frobc view] and [frobc run --view] have it. *)
@@ -171,38 +173,64 @@ let run =
         "Run on the robot at this serial port (a path, preferably in $(b,/dev/serial/by-id)) or \
          this address ($(b,tcp:HOST:PORT)) instead of in the simulator."
   in
-  let make general entry sources device world record picture look host realtime simulator robot file
-      =
-    let ( let* ) = Reporting.( let* ) in
+  let ros2 =
+    let doc =
+      "Run as a ROS 2 node, for the robot $(b,ros), instead of in the simulator. Source the setup \
+       script of ROS 2 first."
+    in
+    Arg.(value & flag & info [ "ros2" ] ~doc)
+  in
+  let ros_arguments =
+    let doc =
+      "With $(b,--ros2): arguments for ROS 2, up to $(b,--) or the end, as in $(b,--ros-args -r \
+       odom:=base/odom -r __node:=follower)."
+    in
+    Arg.(value & opt_all string [] & info [ "ros-args" ] ~docv:"ARG" ~doc)
+  in
+  let way device ros2 ros_arguments =
+    let open Tools.Real_robot in
+    match (device, ros2, ros_arguments) with
+    | Some _, true, _ ->
+        Error "the robot is either on a serial line or in ROS 2: remove --device or --ros2"
+    | _, false, _ :: _ -> Error "--ros-args only works with --ros2: add it"
+    | _, true, arguments -> Ok (Some (Ros2 arguments, "--ros2"))
+    | Some device, false, [] -> Ok (Some (Device device, "--device"))
+    | None, false, [] -> Ok None
+  in
+  let ( let* ) = Reporting.( let* ) in
+  let make general entry sources device ros2 ros_arguments world record picture look host realtime
+      simulator robot file =
     let* look = look in
-    match (device, robot) with
+    let* way = way device ros2 ros_arguments in
+    match (way, robot) with
     | None, option :: _ ->
         let other =
           if option = "--set" then "; to set a parameter of the program, use --param" else ""
         in
         Reporting.wrong_use
-          (Printf.sprintf "%s only works on a robot: use it with --device%s" option other)
+          (Printf.sprintf "%s only works on a robot: use it with --device or --ros2%s" option other)
     | None, [] ->
         Simulating.run general ~entry ~sources
           { world; record; picture; look; host = host @ realtime @ simulator }
           file
-    | Some device, _ -> (
+    | Some (way, named), _ -> (
         let given name = Option.fold ~none:[] ~some:(fun _ -> [ name ]) in
         match given "--world" world @ given "--picture" picture @ simulator with
         | option :: _ ->
             Reporting.wrong_use
-              (Printf.sprintf "%s only works in the simulator: remove it, or remove --device" option)
+              (Printf.sprintf "%s only works in the simulator: remove it, or remove %s" option named)
         | [] ->
             Tools.Real_robot.run general ~entry ~sources
-              { device; record; look; host = host @ robot }
+              { way; record; look; host = host @ robot }
               file)
   in
   command "run" ~doc:"run a robot program in the simulator or on a robot"
     Term.(
       const make
       $ judging (with_params probed)
-      $ entry $ sources $ device $ world $ record $ picture $ look $ Host_option.all for_hosts
-      $ realtime $ Host_option.all for_simulator $ Host_option.all for_robots $ file)
+      $ entry $ sources $ device $ ros2 $ ros_arguments $ world $ record $ picture $ look
+      $ Host_option.all for_hosts $ realtime $ Host_option.all for_simulator
+      $ Host_option.all for_robots $ file)
 
 let demo =
   let make look =

@@ -6,8 +6,10 @@
 #include "create2.h"
 #include "p3dx.h"
 #include "pioneer.h"
+#include "ros.h"
 #include "scout.h"
 #include "super_scout.h"
+#include "turtlebot4.h"
 
 namespace frob::sim {
 namespace {
@@ -43,6 +45,7 @@ const std::vector<RobotKind> &robot_kinds() {
          make<Scout>},
         {"create", sizeof(frob_create_input), sizeof(frob_create_output), create2::chassis,
          make<Create>},
+        {"ros", sizeof(frob_ros_input), sizeof(frob_ros_output), turtlebot4::chassis, make<Ros>},
     };
     return kinds;
 }

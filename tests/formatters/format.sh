@@ -15,7 +15,7 @@ failed=0
 sources() {
     if [ -e .git ]; then git ls-files "$@"; else
         for pattern in "$@"; do find . -path ./_build -prune -o -name "$pattern" -print; done
-    fi | grep -v -e '/golden/' -e '/bundle/' -e 'include/frob/\(pioneer\|scout\|create\).h$'
+    fi | grep -v -e '/golden/' -e '/bundle/' -e 'include/frob/\(pioneer\|scout\|create\|ros\).h$'
 }
 
 # format NAME VERSION 'WRITE COMMAND' 'CHECK COMMAND' PATTERN...

@@ -11,10 +11,16 @@ let host_table ~entry (files : Cgen.Emit.t) =
             and call it from C"
            entry)
 
-let for_robot ~name ~sees (files : Cgen.Emit.t) =
+let for_robot ~name ~sees ?(ros2 = false) (files : Cgen.Emit.t) =
   match (files.robot, files.cameras, files.simulated) with
   | None, _, _ ->
       Error (Printf.sprintf "%s is not a robot program; use `reactimateRobot` to make one" name)
+  | Some "ros", _, _ when not ros2 ->
+      Error
+        (Printf.sprintf
+           "%s is compiled for `ros`, a robot that has no serial line: use `frobc run --ros2` or \
+            `frobc build --ros2`"
+           name)
   | Some _, _, sensor :: _ ->
       Error
         (Printf.sprintf
@@ -61,6 +67,7 @@ type linked = {
   includes : string list;
   generated : (string * string) list;
   sees : bool;
+  ros2 : bool;
 }
 
 let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
@@ -71,7 +78,7 @@ let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
       let linked = linked resources ~name in
       let* () =
         match (kind : Toolchain.kind) with
-        | Executable -> for_robot ~name ~sees:linked.sees files
+        | Executable -> for_robot ~name ~sees:linked.sees ~ros2:linked.ros2 files
         | Shared_object -> Ok ()
       in
       let* host_table = host_table ~entry files in
@@ -96,7 +103,14 @@ let with_runtime general (resources : Resources.t) ~name:_ =
       (fun _ -> { (Toolchain.this_machine ()) with options = [ "-I"; resources.runtime_sources ] })
       (Robots.own_of general.robot)
   in
-  { machine; inputs = [ resources.runtime ]; includes = []; generated = []; sees = true }
+  {
+    machine;
+    inputs = [ resources.runtime ];
+    includes = [];
+    generated = [];
+    sees = true;
+    ros2 = false;
+  }
 
 let missing_host host = wrong_use (Printf.sprintf "the host %s is missing: reinstall frobc" host)
 

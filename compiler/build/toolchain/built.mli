@@ -7,15 +7,17 @@ type linked = {
   includes : string list;
   generated : (string * string) list;  (** additional files, with names and contents *)
   sees : bool;  (** whether its hosts support cameras *)
+  ros2 : bool;  (** whether its host is a ROS 2 node *)
 }
 (** The files that generated C is linked with, and the target machine; see {!Toolchain.build}. *)
 
 val host_table : entry:string -> Cgen.Emit.t -> (string, string) result
 (** The table with which hosts read and write the program's values. *)
 
-val for_robot : name:string -> sees:bool -> Cgen.Emit.t -> (unit, string) result
-(** Checks that the program [name] is for a robot, because executables and boards drive one, and
-    that it has no cameras if the host does not support them. *)
+val for_robot : name:string -> sees:bool -> ?ros2:bool -> Cgen.Emit.t -> (unit, string) result
+(** Checks that the program [name] is for a robot, because executables and boards drive one; that it
+    has no cameras if the host does not support them; and that it is not for the robot [ros] if the
+    host is not a ROS 2 node. *)
 
 val built :
   ?quiet:bool ->

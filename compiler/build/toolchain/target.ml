@@ -123,6 +123,7 @@ let linked ?own t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
         includes = [];
         generated = [ driver ];
         sees = true;
+        ros2 = false;
       }
   | Linux options ->
       let inputs, includes =
@@ -136,6 +137,7 @@ let linked ?own t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
         includes;
         generated = [ driver ];
         sees = true;
+        ros2 = false;
       }
   | Board { port; script; options; single } ->
       let inputs, includes =
@@ -154,7 +156,22 @@ let linked ?own t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
         includes = script :: includes;
         generated = [ state_of name; driver ];
         sees = false;
+        ros2 = false;
       }
+
+let ros2 (ros2 : Ros2.t) (resources : Resources.t) ~name:_ =
+  let runtime = resources.runtime_sources in
+  let host = files (runtime / "hosts" / "ros") in
+  {
+    Built.machine =
+      Some { (Toolchain.this_machine ()) with options = "-I" :: runtime :: ros2.options };
+    (* The archive contains another main function, which is not needed. *)
+    inputs = with_suffix ".c" host @ [ resources.robot_host; resources.runtime ] @ ros2.libraries;
+    includes = with_suffix ".h" host;
+    generated = [];
+    sees = true;
+    ros2 = true;
+  }
 
 let size_tool t =
   match (t.kind, t.compiler) with

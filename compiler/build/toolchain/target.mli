@@ -16,6 +16,9 @@ val linked :
   ?own:Cgen.Robot.t -> t -> real:Basis.Real.t -> Resources.t -> name:string -> Built.linked
 (** [own]: the user-defined robot, whose driver is among the user's C files. *)
 
+val ros2 : Ros2.t -> Resources.t -> name:string -> Built.linked
+(** An executable for this machine that is a ROS 2 node. *)
+
 val size_tool : t -> string option
 (** The program that prints the memory use of an executable, for targets where this matters. *)
 

@@ -33,6 +33,8 @@ let all =
     default;
     robot "Scout" "scout" (wheels 2.54 ~separation_mm:345.2);
     robot "Create" "create" (wheels 1. ~separation_mm:235.);
+    (* Messages contain doubles. *)
+    robot "Ros" "ros" [];
   ]
 
 let of_name name = List.find_opt (fun robot -> String.equal robot.name name) all

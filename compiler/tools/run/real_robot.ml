@@ -58,12 +58,8 @@ let serve ~robot ~sources serve =
     @ option "--robot" robot @ option "--own" own @ option "--log" serve.log
     @ option "--link" serve.link)
 
-type run = {
-  device : string;
-  record : string option;
-  look : Viewing.look option;
-  host : string list;
-}
+type way = Device of string | Ros2 of string list
+type run = { way : way; record : string option; look : Viewing.look option; host : string list }
 
 let executable (general : Common_options.t) target ~entry ~sources file continue =
   let own = Robots.own_of general.robot in
@@ -72,8 +68,40 @@ let executable (general : Common_options.t) target ~entry ~sources file continue
 
 let this_machine = Option.get (Target.of_name "host")
 
+(* {1 ROS 2} *)
+
+(* The options for a program that is a ROS 2 node. *)
+let as_node (general : Common_options.t) =
+  match general.robot with
+  | None | Some "ros" -> Ok { general with robot = Some "ros" }
+  | Some other ->
+      Error
+        (Printf.sprintf "--ros2 is for the robot `ros`, not for `%s`: remove --robot"
+           (Basis.Printable.name other))
+
+let node general ~entry ~sources file continue =
+  let* ros2 = Ros2.find () in
+  Option.iter (fun text -> prerr_endline ("warning: " ^ text)) (Ros2.untried ());
+  Built.built general Executable ~entry ~sources ~linked:(Target.ros2 ros2) file (fun _ program ->
+      continue program)
+
+(* {1 Commands} *)
+
+let executable_for way general ~entry ~sources file continue =
+  match way with
+  | Device _ -> executable general this_machine ~entry ~sources file continue
+  | Ros2 _ -> node general ~entry ~sources file continue
+
+(* The arguments for the host that lead it to its robot, and those that must come last. *)
+let leading = function
+  | Device device -> ([ "--device"; device ], [])
+  | Ros2 [] -> ([], [])
+  | Ros2 arguments -> ([], ("--ros-args" :: arguments) @ [ "--" ])
+
+let for_way general = function Device _ -> Ok general | Ros2 _ -> as_node general
+
 let run general ~entry ~sources run file =
-  let general = Probed.with_claims general in
+  let* general = for_way (Probed.with_claims general) run.way in
   let outputs = List.map (Output.asked Table "--record") (Option.to_list run.record) in
   let* () = Output.check ~reads:(file :: sources) outputs in
   let* resources = Resources.find () in
@@ -81,12 +109,12 @@ let run general ~entry ~sources run file =
   let control = match run.look with Some { control; _ } -> control | None -> false in
   Viewing.shown general ~params ~entry ~sources run.look ~record:run.record ~world:None file
   @@ fun viewer ->
-  executable general this_machine ~entry ~sources file (fun program ->
+  executable_for run.way general ~entry ~sources file (fun program ->
+      let first, last = leading run.way in
       become program
-        (("--device" :: run.device :: run.host)
-        @ option "--record" run.record @ Params.host_options params
+        (first @ run.host @ option "--record" run.record @ Params.host_options params
         @ Common_options.assert_options general
-        @ flag "--control" control
+        @ flag "--control" control @ last
         @ if viewer = [] then [] else "--viewer" :: viewer))
 
 (* [-fno-semantic-interposition] lets calls within the object be direct, because no other object
@@ -118,3 +146,12 @@ let build general ~entry ~sources ~target ~output file =
           | Some tool -> (
               match Process.hand_over tool [ path ] with Ok status -> status | Error _ -> 0)
           | None -> Exit_status.ok)
+
+let build_node general ~entry ~sources ~output file =
+  let* general = as_node general in
+  let path = Option.value output ~default:(C_file.name file) in
+  let asked = if output = None then "the program" else "-o" in
+  let* () = Output.check ~reads:(file :: sources) [ Output.asked Program asked path ] in
+  node general ~entry ~sources file (fun program ->
+      let* () = Output.copy program path in
+      Exit_status.ok)

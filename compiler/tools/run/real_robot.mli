@@ -1,5 +1,5 @@
-(** Commands for robots on a serial line: simulated robots, and programs that drive real robots.
-    Each returns the exit status, like {!Commands}. *)
+(** Commands for real robots, on a serial line or in ROS 2: simulated robots on a serial line, and
+    programs that drive real robots. Each returns the exit status, like {!Commands}. *)
 
 type serve = {
   world : string option;
@@ -12,8 +12,12 @@ val serve : robot:string option -> sources:string list -> serve -> int
 (** Replaces this process by the simulated robot. [sources] are the C files of a user-defined robot.
 *)
 
+type way =
+  | Device of string  (** a serial device, or [tcp:HOST:PORT] *)
+  | Ros2 of string list  (** as a ROS 2 node, with arguments for ROS 2 *)
+
 type run = {
-  device : string;  (** a serial device, or [tcp:HOST:PORT] *)
+  way : way;  (** how the program reaches its robot *)
   record : string option;
   look : Viewing.look option;  (** how the run is shown live *)
   host : string list;  (** additional arguments for the program that drives the robot *)
@@ -31,6 +35,10 @@ val build :
   string ->
   int
 (** Builds that program for a {!Target}. [sources] are the user's own C files. *)
+
+val build_node :
+  Common_options.t -> entry:string -> sources:string list -> output:string option -> string -> int
+(** Builds the program as a ROS 2 node, for this machine. *)
 
 val library :
   Common_options.t -> entry:string -> sources:string list -> output:string option -> string -> int

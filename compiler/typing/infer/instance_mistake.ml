@@ -183,6 +183,7 @@ let is_of_the_library (t : Ir.Global.t) =
       "Pioneer";
       "Scout";
       "Create";
+      "Ros";
       "Vision";
       "Stereo";
       "Display";

@@ -129,6 +129,14 @@ enum frob_status frob_posix_open(struct frob_posix_line *line, const char *devic
     return error == 0 ? FROB_OK : explain(error, device, message, room);
 }
 
+void frob_posix_adopt(struct frob_posix_line *line, int socket)
+{
+    const int flags = fcntl(socket, F_GETFL);
+    memset(line, 0, sizeof *line);
+    line->fd = socket;
+    fcntl(socket, F_SETFL, flags | O_NONBLOCK);
+}
+
 enum frob_status frob_posix_reopen(struct frob_posix_line *line, const char *device,
                                    uint32_t bits_per_s)
 {

@@ -31,6 +31,9 @@ struct frob_posix_line {
 enum frob_status frob_posix_open(struct frob_posix_line *line, const char *device,
                                  uint32_t bits_per_s, char *message, size_t room);
 
+/* Uses an open socket as the line. */
+void frob_posix_adopt(struct frob_posix_line *line, int socket);
+
 /* Reopens a line that was open, at `device`, whose path may have changed. For TCP it connects to
  * the previous address: it looks up no name, and waits for at most half a second. */
 enum frob_status frob_posix_reopen(struct frob_posix_line *line, const char *device,

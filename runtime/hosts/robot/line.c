@@ -13,9 +13,22 @@ void line_init(struct line *line, const char *device, uint32_t rate)
     line->port.fd = -1;
 }
 
+void line_init_opening(struct line *line, const struct line_opening *opening,
+                       const char *const *arguments, size_t argument_count, const double *settings)
+{
+    line_init(line, NULL, 0);
+    line->opening = opening;
+    line->arguments = arguments;
+    line->argument_count = argument_count;
+    line->settings = settings;
+}
+
 enum frob_status line_open(struct line *line, char *message, size_t room)
 {
-    enum frob_status status = frob_posix_open(&line->port, line->device, line->rate, message, room);
+    enum frob_status status;
+    if (line->opening != NULL)
+        return line->opening->open(line, line->settings, message, room);
+    status = frob_posix_open(&line->port, line->device, line->rate, message, room);
     if (status == FROB_OK &&
         !frob_posix_lasting_name(BY_ID, line->device, line->lasting, sizeof line->lasting))
         line->lasting[0] = '\0';
@@ -28,6 +41,10 @@ bool line_reopen(struct line *line, int64_t now_ns)
     if (now_ns < line->retry_ns)
         return false;
     line->retry_ns = now_ns + RETRY_NS;
+    if (line->opening != NULL) {
+        char message[512];
+        return line->opening->open(line, line->settings, message, sizeof message) == FROB_OK;
+    }
     /* Prefer the lasting name, because the old path may now belong to another device. */
     return frob_posix_reopen(&line->port, device, line->rate) == FROB_OK;
 }
@@ -35,6 +52,8 @@ bool line_reopen(struct line *line, int64_t now_ns)
 void line_close(struct line *line)
 {
     frob_posix_close(&line->port);
+    if (line->opening != NULL)
+        line->opening->close(line);
     line->retry_ns = 0;
 }
 

@@ -1,14 +1,39 @@
-/* line.h -- the robot's line, which is reopened after it was lost. */
+/* line.h -- the robot's line, which is reopened after it was lost: a serial line, or the socket of
+ * another process that reaches the robot. */
 #ifndef FROB_HOST_ROBOT_LINE_H
 #define FROB_HOST_ROBOT_LINE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <sys/types.h>
 
 #include "hal/posix/serial.h"
 
+struct line;
+
+/* How to open a line that is not a serial line. It takes its own arguments from the command
+ * line. */
+struct line_opening {
+    const char *option; /* its arguments follow this option, up to `--` or the end */
+    const char *usage;  /* describes them, for --help */
+    const char *lost;   /* tells the user that the line was lost */
+
+    /* Opens line->port. `settings` are those of the driver. On failure nothing is open, and
+     * `message`, of size `room`, explains the problem in one line. */
+    enum frob_status (*open)(struct line *line, const double *settings, char *message, size_t room);
+
+    /* Waits until the process at the other end has ended. The port is closed. */
+    void (*close)(struct line *line);
+};
+
 struct line {
+    const struct line_opening *opening; /* NULL: a serial line */
+    const char *const *arguments;
+    size_t argument_count;
+    const double *settings;
+    pid_t process; /* at the other end; 0: none */
+
     const char *device; /* as the user named it */
     char lasting[512];  /* the adapter's persistent name; "" if none */
     uint32_t rate;
@@ -16,8 +41,12 @@ struct line {
     int64_t retry_ns;
 };
 
-/* Initializes a line without opening it. */
+/* Initializes a serial line without opening it. */
 void line_init(struct line *line, const char *device, uint32_t rate);
+
+/* Initializes another line without opening it. The arguments and settings must stay valid. */
+void line_init_opening(struct line *line, const struct line_opening *opening,
+                       const char *const *arguments, size_t argument_count, const double *settings);
 
 /* Opens the line. The message uses the device name that the user gave. */
 enum frob_status line_open(struct line *line, char *message, size_t room);

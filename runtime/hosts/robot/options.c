@@ -8,9 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char usage[] =
+static const char device_usage[] =
     "  --device DEV       the serial line, such as /dev/ttyUSB0 or a path below\n"
-    "                     /dev/serial/by-id; or tcp:HOST:PORT\n"
+    "                     /dev/serial/by-id; or tcp:HOST:PORT\n";
+
+static const char usage[] =
     "  --for SECONDS      how long to run (until interrupted)\n"
     "  --rate HZ          how often the controller runs (50)\n"
     "  --record FILE.csv  record the inputs and outputs of the program (FILE.csv.gz: compressed)\n"
@@ -69,11 +71,17 @@ static void show_cameras(const struct frob_program *program)
     }
 }
 
-static void show_usage(const struct frob_program *program, const struct frob_driver *driver)
+static void show_usage(const struct frob_program *program, const struct frob_driver *driver,
+                       const struct line_opening *opening)
 {
     const char *name = program->name;
-    printf("usage: %s --device DEV [OPTION]...\n\nRuns the program %s on a %s.\n\n%s\nSettings:\n",
-           name, name, driver->robot, usage);
+    if (opening == NULL)
+        printf("usage: %s --device DEV [OPTION]...\n\nRuns the program %s on a %s.\n\n%s", name,
+               name, driver->robot, device_usage);
+    else
+        printf("usage: %s [OPTION]... [%s ARG...]\n\nRuns the program %s.\n\n%s", name,
+               opening->option, name, opening->usage);
+    printf("%s\nSettings:\n", usage);
     for (size_t i = 0; i < driver->setting_count; i++) {
         const struct frob_setting *s = &driver->settings[i];
         printf("  %-18s %s, %g to %g", s->name, s->meaning, s->least, s->greatest);
@@ -225,7 +233,7 @@ static bool valued(const struct frob_driver *driver, const struct frob_program *
                    struct options *o, const char *name, const char *value)
 {
     double x;
-    if (strcmp(name, "--device") == 0)
+    if (strcmp(name, "--device") == 0 && o->opening == NULL)
         o->device = value;
     else if (strcmp(name, "--record") == 0)
         o->record = value;
@@ -254,10 +262,24 @@ static bool valued(const struct frob_driver *driver, const struct frob_program *
     return true;
 }
 
+/* Takes the arguments for the opening, from number `first` on. Returns the number of the last one,
+ * which may be a `--`. */
+static int pass_on(struct options *o, int argc, char **argv, int first)
+{
+    int end = first;
+    while (end < argc && strcmp(argv[end], "--") != 0)
+        end++;
+    o->arguments = (const char *const *)(argv + first);
+    o->argument_count = (size_t)(end - first);
+    return end;
+}
+
 enum options_result read_options(int argc, char **argv, const struct frob_program *program,
-                                 const struct frob_driver *driver, struct options *o)
+                                 const struct frob_driver *driver,
+                                 const struct line_opening *opening, struct options *o)
 {
     memset(o, 0, sizeof *o);
+    o->opening = opening;
     o->rate_hz = 50.0;
     o->patience_s = 0.2;
     o->reconnect_s = 30.0;
@@ -268,10 +290,12 @@ enum options_result read_options(int argc, char **argv, const struct frob_progra
         o->settings[i] = driver->settings[i].initial;
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0) {
-            show_usage(program, driver);
+            show_usage(program, driver, opening);
             return OPTIONS_SHOWN;
         }
-        if (strcmp(argv[i], "--lock-memory") == 0) {
+        if (opening != NULL && strcmp(argv[i], opening->option) == 0) {
+            i = pass_on(o, argc, argv, i + 1);
+        } else if (strcmp(argv[i], "--lock-memory") == 0) {
             o->lock_memory = true;
         } else if (strcmp(argv[i], "--console") == 0) {
             o->console = true;
@@ -296,7 +320,7 @@ enum options_result read_options(int argc, char **argv, const struct frob_progra
             i++;
         }
     }
-    if (o->device == NULL) {
+    if (o->device == NULL && opening == NULL) {
         fprintf(stderr, "error: --device is missing: add the serial line of the %s; see --help\n",
                 driver->robot);
         return OPTIONS_WRONG;

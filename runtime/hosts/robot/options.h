@@ -9,12 +9,16 @@
 #include <frob/program.h>
 
 #include "drivers/driver.h"
+#include "line.h"
 #include "hosts/camera/cameras.h"
 
 enum { SETTINGS_MOST = 64 };
 
 struct options {
-    const char *device;
+    const char *device;                 /* the serial line, or */
+    const struct line_opening *opening; /* another line; NULL: a serial line */
+    const char *const *arguments;       /* for the opening */
+    size_t argument_count;
     double duration_s;  /* 0: until it is ended */
     double rate_hz;     /* rate of the controller */
     double patience_s;  /* maximum age of a reading, and maximum duration of a step */
@@ -38,10 +42,12 @@ struct options {
 
 enum options_result { OPTIONS_RUN, OPTIONS_SHOWN, OPTIONS_WRONG };
 
-/* Reads the command line of a program for the driver's robot; the caller frees `params`.
+/* Reads the command line of a program for the driver's robot; the caller frees `params`. `opening`:
+ * how to open its line; NULL: a serial line.
  * OPTIONS_SHOWN: the help was requested and printed. OPTIONS_WRONG: a line on standard error
  * describes the mistake. */
 enum options_result read_options(int argc, char **argv, const struct frob_program *program,
-                                 const struct frob_driver *driver, struct options *options);
+                                 const struct frob_driver *driver,
+                                 const struct line_opening *opening, struct options *options);
 
 #endif

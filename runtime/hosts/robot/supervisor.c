@@ -139,9 +139,11 @@ static void leave_line(struct supervisor *s)
         s->lost_ns = now_ns();
 }
 
-static const char *reason(enum frob_status status)
+static const char *reason(const struct supervisor *s, enum frob_status status)
 {
-    return status == FROB_TIMEOUT ? "it does not answer" : "its line was disconnected";
+    if (status == FROB_TIMEOUT)
+        return "it does not answer";
+    return s->line.opening != NULL ? s->line.opening->lost : "its line was disconnected";
 }
 
 /* Reports what was tried and the likely cause. Bytes that are not an answer suggest a wrong rate or
@@ -170,12 +172,12 @@ static void robot_failed(struct supervisor *s)
     if (status == FROB_REFUSED) {
         const char *who = s->driver->describe(s->device);
         end(s, FAULT, "cannot drive the robot%s%s", who[0] != '\0' ? ": " : "", who);
-    } else if (s->robot.connections == 0) {
+    } else if (s->robot.connections == 0 && s->line.opening == NULL) {
         nobody_answers(s);
     } else {
-        tell(s, "lost the connection to the robot: %s", reason(status));
+        tell(s, "lost the connection to the robot: %s", reason(s, status));
         if (s->options->reconnect_s <= 0.0)
-            end(s, FAULT, "lost the connection to the robot: %s", reason(status));
+            end(s, FAULT, "lost the connection to the robot: %s", reason(s, status));
         leave_line(s);
     }
 }
@@ -486,7 +488,11 @@ int supervise(const struct params *params, const struct frob_driver *driver,
     s.period_ns = (int64_t)llround(1e9 / options->rate_hz);
     s.tells = options->progress || isatty(STDERR_FILENO) != 0;
     s.record.file.file = -1;
-    line_init(&s.line, options->device, driver->rate);
+    if (options->opening != NULL)
+        line_init_opening(&s.line, options->opening, options->arguments, options->argument_count,
+                          options->settings);
+    else
+        line_init(&s.line, options->device, driver->rate);
     /* Start the viewer before signals are changed and the robot's line is opened. */
     publisher_start(&s.publisher, s.program, 0, options->control ? RING_SENDS : 0, options->viewer);
     catch_signals(&s);

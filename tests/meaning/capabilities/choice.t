@@ -135,6 +135,7 @@ No robot has both a ring of sonars and light sensors:
     |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |                        |
     |                        `create` has no `HasSonarRing`, which `sonars` needs
+    |                        `ros` has no `HasSonarRing`, which `sonars` needs
     |
     = note: for your own robot, give the file of its module: `--robot FILE.frob`
   
@@ -239,5 +240,5 @@ A missing or invalid world is reported before the robot that it would have named
   $ echo 'robot = "crate"' > wrong.toml
   $ frobc run open.frob --world wrong.toml
   error: wrong.toml:1:1: a world needs a table [start] with `x` and `y`, the position at which the robot starts
-  error: wrong.toml:1:9: there is no robot `crate`; the robots are pioneer, scout, create; remove `robot` if the world is for your own robot
+  error: wrong.toml:1:9: there is no robot `crate`; the robots are pioneer, scout, create, ros; remove `robot` if the world is for your own robot
   [2]

@@ -110,6 +110,6 @@ Wrong options are reported before anything moves.
   $ see 1 pictures --set camera.width=4000 --set camera.height=4000; cat messages
   error: camera `camera`: frames can have at most 1920 x 1200 pixels, not 4000 x 4000
   $ frobc run sees.frob --robot pioneer --camera pictures
-  error: --camera only works on a robot: use it with --device
+  error: --camera only works on a robot: use it with --device or --ros2
   [2]
   $ end $robot

@@ -62,7 +62,7 @@ Mistakes in a plan are reported before the first run, with their places.
     |              -------- the signature of `gap` requires `Distance` (m)
     |
     = hint: write `0.2[m]` if you meant that unit
-    = hint: if this is the right result, write `Float[s]` in the signature
+    = hint: if this is the right result, write the signature as `gap :: Float[s]`
   
   1 error
   [2]
@@ -117,7 +117,7 @@ Mistakes in a plan are reported before the first run, with their places.
   1 error
   [1]
   $ printf 'program = "follow.frob"\nrobots = ["rover"]\n' | try
-  error: plan.toml:2:11: there is no robot `rover`; the robots are pioneer, scout, create; for your own robot, give the file of its module
+  error: plan.toml:2:11: there is no robot `rover`; the robots are pioneer, scout, create, ros; for your own robot, give the file of its module
   [2]
   $ printf 'program = "follow.frob"\nrobots = ["pioneer"]\n' | try --robot scout
   error: plan.toml:2:11: remove `robots` here, or the option --robot

@@ -132,10 +132,10 @@ An unknown robot, and a program without a robot:
 
   $ frobc check good.frob --robot pioneer
   $ frobc check good.frob --robot roomba
-  error: there is no robot `roomba`; the robots are pioneer, scout, create; for your own robot, give the file of its module
+  error: there is no robot `roomba`; the robots are pioneer, scout, create, ros; for your own robot, give the file of its module
   [2]
   $ frobc run good.frob --robot roomba
-  error: there is no robot `roomba`; the robots are pioneer, scout, create; for your own robot, give the file of its module
+  error: there is no robot `roomba`; the robots are pioneer, scout, create, ros; for your own robot, give the file of its module
   [2]
   $ frobc run good.frob
   error: good is not a robot program; use `reactimateRobot` to make one
@@ -167,10 +167,10 @@ picture that cannot be written prevents the run.
   > main = reactimateRobot (proc _ -> roMake (setVelTR 0 0))
   > FROB
   $ frobc run rest.frob --set max-speed=1
-  error: --set only works on a robot: use it with --device; to set a parameter of the program, use --param
+  error: --set only works on a robot: use it with --device or --ros2; to set a parameter of the program, use --param
   [2]
   $ frobc run rest.frob --priority 10
-  error: --priority only works on a robot: use it with --device
+  error: --priority only works on a robot: use it with --device or --ros2
   [2]
   $ frobc run rest.frob --device /dev/null --picture rest.png
   error: --picture only works in the simulator: remove it, or remove --device

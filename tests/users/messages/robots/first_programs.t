@@ -190,7 +190,7 @@ instead of mapSF, a name that several modules have:
   1 | stop = constant resting
     |                 ^^^^^^^
     |
-    = hint: `resting` is in the library: `import Create` or `import Pioneer` or `import Scout`
+    = hint: `resting` is in the library: `import Create` or `import Pioneer` or `import Ros` or `import Scout`
   
   1 error
   [1]

@@ -175,9 +175,9 @@ The same if the output is that of a task, or of a signature.
    2 | main = reactimateTask (do
      |        ^^^^^^^^^^^^^^ `reactimateTask` needs it
      |
-    ::: stdlib/Robot.frob:43:19
+    ::: stdlib/Robot.frob:44:19
      |
-  43 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
+  44 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
      |                   ------------------------------------------ `reactimateTask` requires `RobotOutput o` here
      |
      = hint: use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v omega)`
@@ -278,7 +278,7 @@ signature it is for a Pioneer, like a program.
   4 | logger = proc i -> integral (abs (velocity i))
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `pioneer`, `scout` and `create` have everything that it needs: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
+    = hint: `pioneer`, `scout`, `create` and `ros` have everything that it needs: compile it with `--robot pioneer`, `--robot scout`, `--robot create` or `--robot ros`
   
   1 error
   [1]

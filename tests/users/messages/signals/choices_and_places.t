@@ -423,9 +423,9 @@ Tasks side by side have two outputs, and a text is not an output:
    2 | main = reactimateTask (race forward (sleepT 3[s] (roMake id)))
      |        ^^^^^^^^^^^^^^ `reactimateTask` needs it
      |
-    ::: stdlib/Robot.frob:43:19
+    ::: stdlib/Robot.frob:44:19
      |
-  43 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
+  44 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
      |                   ------------------------------------------ `reactimateTask` requires `RobotOutput o` here
      |
      = hint: `both` returns a pair of outputs: combine them with `mapOutput`, or use `timeOut` or `abortWhen`, which keep only the output of the task

@@ -247,9 +247,9 @@ Numbers as an output:
    2 | main = reactimateTask (sleepT 1[s] (0.3[m/s], 0[rad/s]))
      |        ^^^^^^^^^^^^^^ `reactimateTask` needs it
      |
-    ::: stdlib/Robot.frob:43:19
+    ::: stdlib/Robot.frob:44:19
      |
-  43 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
+  44 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
      |                   ------------------------------------------ `reactimateTask` requires `RobotOutput o` here
      |
      = hint: a robot takes commands, not numbers: make an output of the speed and the turn rate with `roMake (setVelTR v omega)`

@@ -1,0 +1,107 @@
+#include "parts.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include <rcl/error_handling.h>
+#include <rcl/graph.h>
+
+#define CHECK_NS INT64_C(1000000000)
+
+/* For how long to wait for a publisher before its absence is reported. */
+#define SILENCE_NS INT64_C(2000000000)
+
+/* Reports nodes that use another type on the topic. DDS does not connect them, and says nothing.
+ * `their`: "publishes" or "subscribes to". */
+static void tell_type(struct topic *topic, const rcl_topic_endpoint_info_array_t *nodes,
+                      const char *their)
+{
+    for (size_t i = 0; i < nodes->size && !topic->told; i++) {
+        const rcl_topic_endpoint_info_t *other = &nodes->info_array[i];
+        if (strcmp(other->topic_type, topic->type) == 0)
+            continue;
+        topic->told = true;
+        fprintf(
+            stderr,
+            "warning: %s has two types, so no message gets through: the node %s %s %s, and this "
+            "program needs %s%s\n",
+            topic->name, other->node_name, their, other->topic_type, topic->type,
+            strcmp(other->topic_type, "geometry_msgs/msg/TwistStamped") == 0
+                ? "; add `--set stamped=1`"
+                : "");
+    }
+}
+
+static void look_at_odometry(struct graph *g, const rcl_node_t *node, bool heard)
+{
+    rcutils_allocator_t allocator = rcutils_get_default_allocator();
+    rcl_topic_endpoint_info_array_t nodes = rcl_get_zero_initialized_topic_endpoint_info_array();
+    if (rcl_get_publishers_info_by_topic(node, &allocator, g->odometry.name, false, &nodes) !=
+        RCL_RET_OK) {
+        rcl_reset_error();
+        return;
+    }
+    tell_type(&g->odometry, &nodes, "publishes");
+    if (nodes.size == 0 && !heard && !g->told_silence &&
+        node_now_ns() - g->started_ns > SILENCE_NS) {
+        g->told_silence = true;
+        fprintf(stderr,
+                "warning: waiting for odometry: no node publishes %s. Start the robot's nodes, or "
+                "remap the topic with `--ros-args -r odom:=NAME`\n",
+                g->odometry.name);
+    }
+    if (rcl_topic_endpoint_info_array_fini(&nodes, &allocator) != RCL_RET_OK)
+        rcl_reset_error();
+}
+
+static void look_at_velocity(struct graph *g, const rcl_node_t *node)
+{
+    rcutils_allocator_t allocator = rcutils_get_default_allocator();
+    rcl_topic_endpoint_info_array_t nodes = rcl_get_zero_initialized_topic_endpoint_info_array();
+    if (rcl_get_subscriptions_info_by_topic(node, &allocator, g->velocity.name, false, &nodes) !=
+        RCL_RET_OK) {
+        rcl_reset_error();
+        return;
+    }
+    tell_type(&g->velocity, &nodes, "subscribes to");
+    if (rcl_topic_endpoint_info_array_fini(&nodes, &allocator) != RCL_RET_OK)
+        rcl_reset_error();
+}
+
+static void look_at_names(struct graph *g, const rcl_node_t *node)
+{
+    const char *name = rcl_node_get_name(node), *space = rcl_node_get_namespace(node);
+    rcutils_string_array_t names = rcutils_get_zero_initialized_string_array();
+    rcutils_string_array_t spaces = rcutils_get_zero_initialized_string_array();
+    size_t same = 0;
+    if (g->told_name)
+        return;
+    if (rcl_get_node_names(node, rcl_get_default_allocator(), &names, &spaces) != RCL_RET_OK) {
+        rcl_reset_error();
+        return;
+    }
+    for (size_t i = 0; i < names.size; i++)
+        if (strcmp(names.data[i], name) == 0 && strcmp(spaces.data[i], space) == 0)
+            same++;
+    if (same > 1) {
+        g->told_name = true;
+        fprintf(stderr,
+                "warning: there is another node of the name %s; rename this one with `--ros-args "
+                "-r __node:=NAME`\n",
+                rcl_node_get_fully_qualified_name(node));
+    }
+    if (rcutils_string_array_fini(&names) != RCUTILS_RET_OK ||
+        rcutils_string_array_fini(&spaces) != RCUTILS_RET_OK)
+        rcutils_reset_error();
+}
+
+void graph_look(struct graph *g, const rcl_node_t *node, bool heard)
+{
+    const int64_t now = node_now_ns();
+    if (now - g->checked_ns < CHECK_NS)
+        return;
+    g->checked_ns = now;
+    look_at_odometry(g, node, heard);
+    look_at_velocity(g, node);
+    look_at_names(g, node);
+}

@@ -1,0 +1,300 @@
+#include "node.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <geometry_msgs/msg/twist.h>
+#include <geometry_msgs/msg/twist_stamped.h>
+#include <nav_msgs/msg/odometry.h>
+#include <rcl/error_handling.h>
+#include <rcl/rcl.h>
+#include <rmw/qos_profiles.h>
+#include <rosidl_runtime_c/string_functions.h>
+
+#include "messages.h"
+#include "parts.h"
+
+#define WAIT_NS INT64_C(500000000)
+
+/* For how long the node waits until its last velocity has arrived. */
+#define ACKNOWLEDGED_NS INT64_C(100000000)
+
+enum { DONE = 0, FAULT = 2 };
+
+struct node {
+    const struct node_options *options;
+    rcl_context_t context;
+    rcl_node_t node;
+    rcl_subscription_t odometry;
+    rcl_publisher_t velocity;
+    rcl_guard_condition_t over; /* triggered when the supervisor is gone */
+    bool is_over;               /* accessed atomically */
+    nav_msgs__msg__Odometry message;
+    geometry_msgs__msg__Twist twist;
+    geometry_msgs__msg__TwistStamped stamped;
+    struct graph graph;
+    bool heard;
+};
+
+int64_t node_now_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
+}
+
+/* ---- Joining the ROS 2 system */
+
+/* Tells the supervisor why the node cannot start. */
+static void refuse(const struct node *n, const char *what)
+{
+    struct ros_refused refused;
+    memset(&refused, 0, sizeof refused);
+    refused.head.size = (uint32_t)sizeof refused;
+    refused.head.kind = ROS_REFUSED;
+    snprintf(refused.reason, sizeof refused.reason, "%s: %s", what, rcl_get_error_string().str);
+    rcl_reset_error();
+    if (send(n->options->socket, &refused, sizeof refused, MSG_NOSIGNAL) < 0)
+        fprintf(stderr, "error: %s\n", refused.reason);
+}
+
+static bool join(struct node *n)
+{
+    rcl_allocator_t allocator = rcl_get_default_allocator();
+    rcl_init_options_t init = rcl_get_zero_initialized_init_options();
+    rcl_node_options_t options = rcl_node_get_default_options();
+    rcl_ret_t result;
+    if (rcl_init_options_init(&init, allocator) != RCL_RET_OK) {
+        refuse(n, "cannot initialize ROS 2");
+        return false;
+    }
+    n->context = rcl_get_zero_initialized_context();
+    result = rcl_init(n->options->argc, (char const *const *)n->options->argv, &init, &n->context);
+    if (rcl_init_options_fini(&init) != RCL_RET_OK)
+        rcl_reset_error();
+    if (result != RCL_RET_OK) {
+        refuse(n, result == RCL_RET_INVALID_ROS_ARGS ? "wrong argument after --ros-args"
+                                                     : "cannot initialize ROS 2");
+        return false;
+    }
+    n->node = rcl_get_zero_initialized_node();
+    if (rcl_node_init(&n->node, n->options->name, "", &n->context, &options) != RCL_RET_OK) {
+        refuse(n, "cannot create the node");
+        return false;
+    }
+    return true;
+}
+
+static bool subscribe(struct node *n)
+{
+    rcl_subscription_options_t options = rcl_subscription_get_default_options();
+    /* Best effort, because this matches every publisher. */
+    options.qos = rmw_qos_profile_sensor_data;
+    n->odometry = rcl_get_zero_initialized_subscription();
+    if (!nav_msgs__msg__Odometry__init(&n->message) ||
+        rcl_subscription_init(&n->odometry, &n->node,
+                              ROSIDL_GET_MSG_TYPE_SUPPORT(nav_msgs, msg, Odometry), "odom",
+                              &options) != RCL_RET_OK) {
+        refuse(n, "cannot subscribe to odom");
+        return false;
+    }
+    return true;
+}
+
+static bool advertise(struct node *n)
+{
+    rcl_publisher_options_t options = rcl_publisher_get_default_options();
+    const rosidl_message_type_support_t *type =
+        n->options->stamped ? ROSIDL_GET_MSG_TYPE_SUPPORT(geometry_msgs, msg, TwistStamped)
+                            : ROSIDL_GET_MSG_TYPE_SUPPORT(geometry_msgs, msg, Twist);
+    options.qos.depth = 1; /* an old velocity is of no use */
+    n->velocity = rcl_get_zero_initialized_publisher();
+    if (!geometry_msgs__msg__Twist__init(&n->twist) ||
+        !geometry_msgs__msg__TwistStamped__init(&n->stamped) ||
+        !rosidl_runtime_c__String__assign(&n->stamped.header.frame_id, "base_link") ||
+        rcl_publisher_init(&n->velocity, &n->node, type, "cmd_vel", &options) != RCL_RET_OK) {
+        refuse(n, "cannot publish cmd_vel");
+        return false;
+    }
+    n->over = rcl_get_zero_initialized_guard_condition();
+    if (rcl_guard_condition_init(&n->over, &n->context,
+                                 rcl_guard_condition_get_default_options()) != RCL_RET_OK) {
+        refuse(n, "cannot initialize ROS 2");
+        return false;
+    }
+    return true;
+}
+
+/* Tells the supervisor the names after remapping. */
+static bool report(struct node *n)
+{
+    struct ros_started started;
+    memset(&started, 0, sizeof started);
+    started.head.size = (uint32_t)sizeof started;
+    started.head.kind = ROS_STARTED;
+    n->graph.started_ns = node_now_ns();
+    n->graph.odometry.name = rcl_subscription_get_topic_name(&n->odometry);
+    n->graph.odometry.type = "nav_msgs/msg/Odometry";
+    n->graph.velocity.name = rcl_publisher_get_topic_name(&n->velocity);
+    n->graph.velocity.type =
+        n->options->stamped ? "geometry_msgs/msg/TwistStamped" : "geometry_msgs/msg/Twist";
+    snprintf(started.node, sizeof started.node, "%s", rcl_node_get_fully_qualified_name(&n->node));
+    snprintf(started.odometry, sizeof started.odometry, "%s", n->graph.odometry.name);
+    snprintf(started.velocity, sizeof started.velocity, "%s", n->graph.velocity.name);
+    return send(n->options->socket, &started, sizeof started, MSG_NOSIGNAL) >= 0;
+}
+
+/* ---- Velocities */
+
+static void publish(struct node *n, double speed_m_s, double turn_rad_s)
+{
+    const void *message = &n->twist;
+    n->twist.linear.x = speed_m_s;
+    n->twist.angular.z = turn_rad_s;
+    if (n->options->stamped) {
+        struct timespec now;
+        clock_gettime(CLOCK_REALTIME, &now);
+        n->stamped.header.stamp.sec = (int32_t)now.tv_sec;
+        n->stamped.header.stamp.nanosec = (uint32_t)now.tv_nsec;
+        n->stamped.twist = n->twist;
+        message = &n->stamped;
+    }
+    if (rcl_publish(&n->velocity, message, NULL) != RCL_RET_OK) {
+        fprintf(stderr, "error: cannot publish a velocity: %s\n", rcl_get_error_string().str);
+        rcl_reset_error();
+    }
+}
+
+/* The thread that publishes. It ends when nobody holds the other end of the socket. */
+static void *publish_all(void *of)
+{
+    struct node *n = (struct node *)of;
+    for (;;) {
+        struct ros_velocity velocity;
+        ssize_t got = recv(n->options->socket, &velocity, sizeof velocity, 0);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got != (ssize_t)sizeof velocity)
+            break;
+        publish(n, velocity.speed_m_s, velocity.turn_rad_s);
+    }
+    publish(n, 0.0, 0.0);
+    if (rcl_publisher_wait_for_all_acked(&n->velocity, ACKNOWLEDGED_NS) != RCL_RET_OK)
+        rcl_reset_error();
+    __atomic_store_n(&n->is_over, true, __ATOMIC_SEQ_CST);
+    if (rcl_trigger_guard_condition(&n->over) != RCL_RET_OK)
+        rcl_reset_error();
+    return NULL;
+}
+
+/* ---- Odometry */
+
+/* Passes the newest message on. If the supervisor does not keep up, the message is dropped: it
+ * would be old when the supervisor reads it. */
+static void take(struct node *n)
+{
+    const nav_msgs__msg__Odometry *m = &n->message;
+    struct ros_odometry o;
+    while (rcl_take(&n->odometry, &n->message, NULL, NULL) == RCL_RET_OK) {
+        n->heard = true;
+        memset(&o, 0, sizeof o);
+        o.head.size = (uint32_t)sizeof o;
+        o.head.kind = ROS_ODOMETRY;
+        o.arrived_ns = node_now_ns();
+        o.stamp_ns = (int64_t)m->header.stamp.sec * 1000000000 + (int64_t)m->header.stamp.nanosec;
+        o.x_m = m->pose.pose.position.x;
+        o.y_m = m->pose.pose.position.y;
+        o.rotation[0] = m->pose.pose.orientation.x;
+        o.rotation[1] = m->pose.pose.orientation.y;
+        o.rotation[2] = m->pose.pose.orientation.z;
+        o.rotation[3] = m->pose.pose.orientation.w;
+        o.speed_m_s = m->twist.twist.linear.x;
+        o.turning_rad_s = m->twist.twist.angular.z;
+        if (send(n->options->socket, &o, sizeof o, MSG_NOSIGNAL | MSG_DONTWAIT) < 0 &&
+            errno != EAGAIN && errno != EWOULDBLOCK)
+            return;
+    }
+    rcl_reset_error(); /* there are no more messages */
+}
+
+static int listen_until_over(struct node *n)
+{
+    rcl_wait_set_t set = rcl_get_zero_initialized_wait_set();
+    if (rcl_wait_set_init(&set, 1, 1, 0, 0, 0, 0, &n->context, rcl_get_default_allocator()) !=
+        RCL_RET_OK) {
+        fprintf(stderr, "error: %s\n", rcl_get_error_string().str);
+        return FAULT;
+    }
+    while (!__atomic_load_n(&n->is_over, __ATOMIC_SEQ_CST)) {
+        rcl_ret_t result;
+        if (rcl_wait_set_clear(&set) != RCL_RET_OK ||
+            rcl_wait_set_add_subscription(&set, &n->odometry, NULL) != RCL_RET_OK ||
+            rcl_wait_set_add_guard_condition(&set, &n->over, NULL) != RCL_RET_OK) {
+            fprintf(stderr, "error: %s\n", rcl_get_error_string().str);
+            return FAULT;
+        }
+        result = rcl_wait(&set, WAIT_NS);
+        if (result != RCL_RET_OK)
+            rcl_reset_error();
+        if (result == RCL_RET_OK && set.subscriptions[0] != NULL)
+            take(n);
+        graph_look(&n->graph, &n->node, n->heard);
+    }
+    if (rcl_wait_set_fini(&set) != RCL_RET_OK)
+        rcl_reset_error();
+    return DONE;
+}
+
+/* ---- The process */
+
+/* Leaves the terminal's session, so that a signal to the session does not keep the node from
+ * publishing zero. */
+static void leave_session(void)
+{
+    static const int ignored[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGPIPE };
+    sigset_t none;
+    setsid();
+    for (size_t i = 0; i < sizeof ignored / sizeof ignored[0]; i++)
+        signal(ignored[i], SIG_IGN);
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, NULL);
+}
+
+/* Leaves the ROS 2 system, so that other nodes do not wait for this one. */
+static void leave(struct node *n)
+{
+    bool ok = rcl_subscription_fini(&n->odometry, &n->node) == RCL_RET_OK;
+    ok = rcl_publisher_fini(&n->velocity, &n->node) == RCL_RET_OK && ok;
+    ok = rcl_guard_condition_fini(&n->over) == RCL_RET_OK && ok;
+    ok = rcl_node_fini(&n->node) == RCL_RET_OK && ok;
+    ok = rcl_shutdown(&n->context) == RCL_RET_OK && ok;
+    ok = rcl_context_fini(&n->context) == RCL_RET_OK && ok;
+    if (!ok)
+        rcl_reset_error();
+}
+
+int node_run(const struct node_options *options)
+{
+    static struct node n;
+    pthread_t publisher;
+    int status;
+    n.options = options;
+    leave_session();
+    if (!join(&n) || !subscribe(&n) || !advertise(&n) || !report(&n))
+        return FAULT;
+    if (pthread_create(&publisher, NULL, publish_all, &n) != 0) {
+        fprintf(stderr, "error: cannot start a thread\n");
+        return FAULT;
+    }
+    status = listen_until_over(&n);
+    if (status == DONE && pthread_join(publisher, NULL) == 0)
+        leave(&n);
+    return status;
+}

@@ -1,0 +1,27 @@
+/* node.h -- the ROS 2 node, in a process of its own: it receives the robot's messages, and publishes
+ * the velocities that the supervisor sends.
+ *
+ * rcl starts threads, and the supervisor forks. So they are separate processes, connected by a
+ * socket. When nobody holds the other end of the socket any more, the node publishes zero and ends;
+ * it ignores signals from the terminal until then. The guards (hosts/robot/guard.h) have the socket
+ * open, too, and stop the robot through the node.
+ *
+ * The process has two threads. One waits for messages, the other publishes velocities without
+ * waiting for the first one. */
+#ifndef FROB_HOST_ROS_NODE_H
+#define FROB_HOST_ROS_NODE_H
+
+#include <stdbool.h>
+
+struct node_options {
+    const char *name; /* of the node, unless an argument remaps it */
+    int socket;       /* leads to the supervisor */
+    bool stamped;     /* publish TwistStamped */
+    int argc;         /* the arguments for rcl, which begin with the name of the program */
+    char **argv;
+};
+
+/* Runs the node. Returns the exit status of the process. */
+int node_run(const struct node_options *options);
+
+#endif

@@ -1,0 +1,31 @@
+/* parts.h -- shared by the files of the node's process. */
+#ifndef FROB_HOST_ROS_PARTS_H
+#define FROB_HOST_ROS_PARTS_H
+
+#include <rcl/rcl.h>
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* A topic, and the type of its messages in this program. */
+struct topic {
+    const char *name; /* after remapping */
+    const char *type; /* "nav_msgs/msg/Odometry" */
+    bool told;        /* that another node uses another type */
+};
+
+/* What is reported of the other nodes. */
+struct graph {
+    struct topic odometry, velocity;
+    int64_t started_ns, checked_ns;
+    bool told_silence, told_name;
+};
+
+/* The monotonic clock. */
+int64_t node_now_ns(void);
+
+/* Looks at the other nodes once a second, and reports a topic without a publisher, messages of
+ * another type, and a second node of the same name, each once. `heard`: a message has arrived. */
+void graph_look(struct graph *graph, const rcl_node_t *node, bool heard);
+
+#endif

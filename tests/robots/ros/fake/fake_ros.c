@@ -1,0 +1,407 @@
+#include "fake_ros.h"
+
+#include <errno.h>
+#include <math.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+/* The robot publishes its odometry at this rate. */
+#define PERIOD_NS INT64_C(20000000)
+
+/* The faults that tests ask for by the variable FAKE_ROS, as in "silent=1 nan=0.5": each begins this
+ * number of seconds after the start. */
+static double fault_after(const char *name)
+{
+    const char *text = getenv("FAKE_ROS");
+    const size_t length = strlen(name);
+    while (text != NULL && *text != '\0') {
+        if (strncmp(text, name, length) == 0 && text[length] == '=')
+            return strtod(text + length + 1, NULL);
+        text = strchr(text, ' ');
+        text = text != NULL ? text + 1 : NULL;
+    }
+    return INFINITY;
+}
+
+static int64_t now_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
+}
+
+static double passed_s(void)
+{
+    static int64_t start_ns = 0;
+    if (start_ns == 0)
+        start_ns = now_ns();
+    return (double)(now_ns() - start_ns) * 1e-9;
+}
+
+static bool has(const char *fault)
+{
+    return passed_s() >= fault_after(fault);
+}
+
+/* ---- The robot */
+
+static struct {
+    double x, heading, v, turn;
+    int64_t next_ns;
+    bool stamped;
+} robot;
+
+/* Writes each velocity that differs from the previous one into the file that FAKE_ROS_LOG names. */
+static void drive(double v, double turn)
+{
+    static bool wrote = false;
+    const char *name = getenv("FAKE_ROS_LOG");
+    FILE *log =
+        name != NULL && (!wrote || v != robot.v || turn != robot.turn) ? fopen(name, "a") : NULL;
+    robot.v = v;
+    robot.turn = turn;
+    if (log == NULL)
+        return;
+    wrote = true;
+    fprintf(log, "%.3f %.3f%s\n", v, turn, robot.stamped ? " stamped" : "");
+    fclose(log);
+}
+
+rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, void *allocation)
+{
+    const geometry_msgs__msg__TwistStamped *stamped =
+        (const geometry_msgs__msg__TwistStamped *)message;
+    const geometry_msgs__msg__Twist *twist =
+        robot.stamped ? &stamped->twist : (const geometry_msgs__msg__Twist *)message;
+    (void)publisher;
+    (void)allocation;
+    drive(twist->linear.x, twist->angular.z);
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *into, void *information,
+                   void *allocation)
+{
+    nav_msgs__msg__Odometry *m = (nav_msgs__msg__Odometry *)into;
+    const double dt = (double)PERIOD_NS * 1e-9;
+    int64_t stamp_ns;
+    (void)subscription;
+    (void)information;
+    (void)allocation;
+    if (now_ns() < robot.next_ns)
+        return RCL_RET_ERROR;
+    stamp_ns = robot.next_ns;
+    robot.next_ns += PERIOD_NS;
+    robot.heading += robot.turn * dt;
+    robot.x += robot.v * dt;
+    if (has("silent"))
+        return RCL_RET_ERROR;
+    if (has("crash"))
+        abort();
+    memset(m, 0, sizeof *m);
+    if (has("back"))
+        stamp_ns -= 30 * INT64_C(1000000000);
+    if (has("old"))
+        stamp_ns -= 400 * INT64_C(1000000);
+    m->header.stamp.sec = (int32_t)(stamp_ns / 1000000000);
+    m->header.stamp.nanosec = (uint32_t)(stamp_ns % 1000000000);
+    m->pose.pose.position.x = has("nan") ? NAN : robot.x;
+    m->pose.pose.orientation.z = sin(robot.heading / 2);
+    m->pose.pose.orientation.w = cos(robot.heading / 2);
+    m->twist.twist.linear.x = robot.v;
+    m->twist.twist.angular.z = robot.turn;
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_wait(rcl_wait_set_t *set, int64_t timeout_ns)
+{
+    struct pollfd guard = { set->guard_conditions[0]->ends[0], POLLIN, 0 };
+    int64_t left_ns = robot.next_ns - now_ns();
+    if (left_ns > timeout_ns)
+        left_ns = timeout_ns;
+    poll(&guard, 1, left_ns > 0 ? (int)((left_ns + 999999) / 1000000) : 0);
+    if (now_ns() < robot.next_ns)
+        set->subscriptions[0] = NULL;
+    return RCL_RET_OK;
+}
+
+/* ---- Other nodes */
+
+static rcl_ret_t one(rcl_topic_endpoint_info_array_t *array, const char *type)
+{
+    array->size = 1;
+    array->info_array = (rcl_topic_endpoint_info_t *)calloc(1, sizeof *array->info_array);
+    array->info_array[0].node_name = "base";
+    array->info_array[0].topic_type = type;
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_get_publishers_info_by_topic(const rcl_node_t *node, rcutils_allocator_t *allocator,
+                                           const char *topic, bool no_mangle,
+                                           rcl_topic_endpoint_info_array_t *array)
+{
+    (void)node;
+    (void)allocator;
+    (void)topic;
+    (void)no_mangle;
+    if (has("alone"))
+        return RCL_RET_OK;
+    return one(array,
+               has("other_type") ? "geometry_msgs/msg/PoseStamped" : "nav_msgs/msg/Odometry");
+}
+
+rcl_ret_t rcl_get_subscriptions_info_by_topic(const rcl_node_t *node,
+                                              rcutils_allocator_t *allocator, const char *topic,
+                                              bool no_mangle,
+                                              rcl_topic_endpoint_info_array_t *array)
+{
+    (void)node;
+    (void)allocator;
+    (void)topic;
+    (void)no_mangle;
+    return one(array, has("wants_stamped") || robot.stamped ? "geometry_msgs/msg/TwistStamped"
+                                                            : "geometry_msgs/msg/Twist");
+}
+
+rcl_ret_t rcl_topic_endpoint_info_array_fini(rcl_topic_endpoint_info_array_t *array,
+                                             rcutils_allocator_t *allocator)
+{
+    (void)allocator;
+    free(array->info_array);
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_get_node_names(const rcl_node_t *node, rcl_allocator_t allocator,
+                             rcutils_string_array_t *names, rcutils_string_array_t *spaces)
+{
+    static char space[] = "/", base[] = "base";
+    (void)allocator;
+    names->size = spaces->size = 2;
+    names->data = (char **)calloc(2, sizeof *names->data);
+    spaces->data = (char **)calloc(2, sizeof *spaces->data);
+    names->data[0] = (char *)(uintptr_t)rcl_node_get_name(node);
+    names->data[1] = has("same_name") ? names->data[0] : base;
+    spaces->data[0] = spaces->data[1] = space;
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcutils_string_array_fini(rcutils_string_array_t *array)
+{
+    free(array->data);
+    return RCL_RET_OK;
+}
+
+/* ---- The node */
+
+static const char *error = "";
+static char remapped[3][2][64]; /* FROM:=TO */
+
+static const char *name_of(const char *name)
+{
+    for (size_t i = 0; i < 3; i++)
+        if (strcmp(remapped[i][0], name) == 0)
+            return remapped[i][1];
+    return name;
+}
+
+rcl_ret_t rcl_init(int argc, char const *const *argv, const rcl_init_options_t *options,
+                   rcl_context_t *context)
+{
+    size_t count = 0;
+    (void)options;
+    (void)context;
+    passed_s();
+    robot.next_ns = now_ns() + PERIOD_NS;
+    for (int i = 2; i < argc; i++) {
+        const char *assign = strstr(argv[i], ":=");
+        if (strcmp(argv[i - 1], "-r") != 0)
+            continue;
+        if (assign == NULL || count == 3) {
+            error = "Couldn't parse remap rule";
+            return RCL_RET_INVALID_ROS_ARGS;
+        }
+        snprintf(remapped[count][0], 64, "%.*s", (int)(assign - argv[i]), argv[i]);
+        snprintf(remapped[count++][1], 64, "%s", assign + 2);
+    }
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_node_init(rcl_node_t *node, const char *name, const char *space,
+                        rcl_context_t *context, const rcl_node_options_t *options)
+{
+    const char *new_name = name_of("__node");
+    (void)space;
+    (void)context;
+    (void)options;
+    snprintf(node->name, sizeof node->name, "/%s",
+             strcmp(new_name, "__node") == 0 ? name : new_name);
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_subscription_init(rcl_subscription_t *subscription, const rcl_node_t *node,
+                                const rosidl_message_type_support_t *type, const char *topic,
+                                const rcl_subscription_options_t *options)
+{
+    (void)node;
+    (void)type;
+    (void)options;
+    snprintf(subscription->topic, sizeof subscription->topic, "/%s", name_of(topic));
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_publisher_init(rcl_publisher_t *publisher, const rcl_node_t *node,
+                             const rosidl_message_type_support_t *type, const char *topic,
+                             const rcl_publisher_options_t *options)
+{
+    (void)node;
+    (void)options;
+    robot.stamped = type == &fake_geometry_msgs_TwistStamped;
+    snprintf(publisher->topic, sizeof publisher->topic, "/%s", name_of(topic));
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_guard_condition_init(rcl_guard_condition_t *condition, rcl_context_t *context,
+                                   rcl_guard_condition_options_t options)
+{
+    (void)context;
+    (void)options;
+    return pipe(condition->ends) == 0 ? RCL_RET_OK : RCL_RET_ERROR;
+}
+
+rcl_ret_t rcl_trigger_guard_condition(rcl_guard_condition_t *condition)
+{
+    return write(condition->ends[1], "", 1) == 1 ? RCL_RET_OK : RCL_RET_ERROR;
+}
+
+rcl_ret_t rcl_wait_set_add_subscription(rcl_wait_set_t *set, const rcl_subscription_t *subscription,
+                                        size_t *index)
+{
+    (void)index;
+    set->subscriptions[0] = subscription;
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_wait_set_add_guard_condition(rcl_wait_set_t *set,
+                                           const rcl_guard_condition_t *condition, size_t *index)
+{
+    (void)index;
+    set->guard_conditions[0] = condition;
+    return RCL_RET_OK;
+}
+
+const char *rcl_node_get_name(const rcl_node_t *node)
+{
+    return node->name + 1;
+}
+
+const char *rcl_node_get_namespace(const rcl_node_t *node)
+{
+    (void)node;
+    return "/";
+}
+
+const char *rcl_node_get_fully_qualified_name(const rcl_node_t *node)
+{
+    return node->name;
+}
+
+const char *rcl_subscription_get_topic_name(const rcl_subscription_t *subscription)
+{
+    return subscription->topic;
+}
+
+const char *rcl_publisher_get_topic_name(const rcl_publisher_t *publisher)
+{
+    return publisher->topic;
+}
+
+rcl_error_string_t rcl_get_error_string(void)
+{
+    rcl_error_string_t text;
+    memset(&text, 0, sizeof text);
+    snprintf(text.str, sizeof text.str, "%s", error);
+    return text;
+}
+
+bool rosidl_runtime_c__String__assign(rosidl_runtime_c__String *string, const char *text)
+{
+    snprintf(string->data, sizeof string->data, "%s", text);
+    return true;
+}
+
+/* ---- Functions that do nothing */
+
+#define ZERO(type, name)               \
+    type name(void)                    \
+    {                                  \
+        type zero;                     \
+        memset(&zero, 0, sizeof zero); \
+        return zero;                   \
+    }
+
+ZERO(rcl_allocator_t, rcl_get_default_allocator)
+ZERO(rcutils_allocator_t, rcutils_get_default_allocator)
+ZERO(rcl_init_options_t, rcl_get_zero_initialized_init_options)
+ZERO(rcl_context_t, rcl_get_zero_initialized_context)
+ZERO(rcl_node_options_t, rcl_node_get_default_options)
+ZERO(rcl_node_t, rcl_get_zero_initialized_node)
+ZERO(rcl_subscription_t, rcl_get_zero_initialized_subscription)
+ZERO(rcl_subscription_options_t, rcl_subscription_get_default_options)
+ZERO(rcl_publisher_t, rcl_get_zero_initialized_publisher)
+ZERO(rcl_publisher_options_t, rcl_publisher_get_default_options)
+ZERO(rcl_guard_condition_t, rcl_get_zero_initialized_guard_condition)
+ZERO(rcl_guard_condition_options_t, rcl_guard_condition_get_default_options)
+ZERO(rcl_wait_set_t, rcl_get_zero_initialized_wait_set)
+ZERO(rcl_topic_endpoint_info_array_t, rcl_get_zero_initialized_topic_endpoint_info_array)
+ZERO(rcutils_string_array_t, rcutils_get_zero_initialized_string_array)
+
+#define SUCCEEDS(name, ...)     \
+    rcl_ret_t name(__VA_ARGS__) \
+    {                           \
+        return RCL_RET_OK;      \
+    }
+
+SUCCEEDS(rcl_init_options_init, rcl_init_options_t *o, rcl_allocator_t a)
+SUCCEEDS(rcl_init_options_fini, rcl_init_options_t *o)
+SUCCEEDS(rcl_shutdown, rcl_context_t *c)
+SUCCEEDS(rcl_context_fini, rcl_context_t *c)
+SUCCEEDS(rcl_node_fini, rcl_node_t *n)
+SUCCEEDS(rcl_subscription_fini, rcl_subscription_t *s, rcl_node_t *n)
+SUCCEEDS(rcl_publisher_fini, rcl_publisher_t *p, rcl_node_t *n)
+SUCCEEDS(rcl_publisher_wait_for_all_acked, const rcl_publisher_t *p, int64_t ns)
+SUCCEEDS(rcl_guard_condition_fini, rcl_guard_condition_t *g)
+SUCCEEDS(rcl_wait_set_init, rcl_wait_set_t *s, size_t a, size_t b, size_t c, size_t d, size_t e,
+         size_t f, rcl_context_t *x, rcl_allocator_t y)
+SUCCEEDS(rcl_wait_set_fini, rcl_wait_set_t *s)
+SUCCEEDS(rcl_wait_set_clear, rcl_wait_set_t *s)
+
+void rcl_reset_error(void) {}
+void rcutils_reset_error(void) {}
+
+bool geometry_msgs__msg__Twist__init(geometry_msgs__msg__Twist *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
+bool geometry_msgs__msg__TwistStamped__init(geometry_msgs__msg__TwistStamped *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
+bool nav_msgs__msg__Odometry__init(nav_msgs__msg__Odometry *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
+const rosidl_message_type_support_t fake_geometry_msgs_Twist = { "geometry_msgs/msg/Twist" };
+const rosidl_message_type_support_t fake_geometry_msgs_TwistStamped = {
+    "geometry_msgs/msg/TwistStamped"
+};
+const rosidl_message_type_support_t fake_nav_msgs_Odometry = { "nav_msgs/msg/Odometry" };

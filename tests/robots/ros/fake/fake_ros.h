@@ -1,0 +1,219 @@
+/* fake_ros.h -- the part of rcl and of the message packages that the host uses, without ROS.
+ *
+ * There is one robot, in fake_ros.c: it publishes its odometry, and drives as the velocities say.
+ * Types have only the members that the host uses. build.sh installs this header under the names
+ * that the host includes. */
+#ifndef FAKE_ROS_H
+#define FAKE_ROS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* ---- rcl */
+
+typedef int rcl_ret_t;
+#define RCL_RET_OK 0
+#define RCL_RET_ERROR 1
+#define RCL_RET_TIMEOUT 2
+#define RCL_RET_INVALID_ROS_ARGS 1003
+#define RCUTILS_RET_OK 0
+
+typedef struct {
+    int unused;
+} rcutils_allocator_t;
+typedef rcutils_allocator_t rcl_allocator_t;
+typedef struct {
+    char str[256];
+} rcl_error_string_t;
+typedef struct {
+    int unused;
+} rcl_init_options_t;
+typedef struct {
+    int unused;
+} rcl_context_t;
+typedef struct {
+    int unused;
+} rcl_node_options_t;
+typedef struct {
+    char name[128];
+} rcl_node_t;
+typedef struct {
+    char topic[128];
+} rcl_subscription_t;
+typedef struct {
+    char topic[128];
+} rcl_publisher_t;
+typedef struct {
+    int ends[2];
+} rcl_guard_condition_t;
+typedef struct {
+    int unused;
+} rcl_guard_condition_options_t;
+typedef struct {
+    size_t depth;
+} rmw_qos_profile_t;
+typedef struct {
+    rmw_qos_profile_t qos;
+} rcl_subscription_options_t;
+typedef struct {
+    rmw_qos_profile_t qos;
+} rcl_publisher_options_t;
+typedef struct {
+    const char *name;
+} rosidl_message_type_support_t;
+
+typedef struct {
+    const rcl_subscription_t *subscriptions[1];
+    const rcl_guard_condition_t *guard_conditions[1];
+} rcl_wait_set_t;
+
+typedef struct {
+    const char *node_name;
+    const char *topic_type;
+} rcl_topic_endpoint_info_t;
+
+typedef struct {
+    size_t size;
+    rcl_topic_endpoint_info_t *info_array;
+} rcl_topic_endpoint_info_array_t;
+
+typedef struct {
+    size_t size;
+    char **data;
+} rcutils_string_array_t;
+
+static const rmw_qos_profile_t rmw_qos_profile_sensor_data = { 5 };
+
+rcl_allocator_t rcl_get_default_allocator(void);
+rcutils_allocator_t rcutils_get_default_allocator(void);
+rcl_error_string_t rcl_get_error_string(void);
+void rcl_reset_error(void);
+void rcutils_reset_error(void);
+
+rcl_init_options_t rcl_get_zero_initialized_init_options(void);
+rcl_ret_t rcl_init_options_init(rcl_init_options_t *options, rcl_allocator_t allocator);
+rcl_ret_t rcl_init_options_fini(rcl_init_options_t *options);
+rcl_context_t rcl_get_zero_initialized_context(void);
+rcl_ret_t rcl_init(int argc, char const *const *argv, const rcl_init_options_t *options,
+                   rcl_context_t *context);
+rcl_ret_t rcl_shutdown(rcl_context_t *context);
+rcl_ret_t rcl_context_fini(rcl_context_t *context);
+
+rcl_node_options_t rcl_node_get_default_options(void);
+rcl_node_t rcl_get_zero_initialized_node(void);
+rcl_ret_t rcl_node_init(rcl_node_t *node, const char *name, const char *space,
+                        rcl_context_t *context, const rcl_node_options_t *options);
+rcl_ret_t rcl_node_fini(rcl_node_t *node);
+const char *rcl_node_get_name(const rcl_node_t *node);
+const char *rcl_node_get_namespace(const rcl_node_t *node);
+const char *rcl_node_get_fully_qualified_name(const rcl_node_t *node);
+
+rcl_subscription_t rcl_get_zero_initialized_subscription(void);
+rcl_subscription_options_t rcl_subscription_get_default_options(void);
+rcl_ret_t rcl_subscription_init(rcl_subscription_t *subscription, const rcl_node_t *node,
+                                const rosidl_message_type_support_t *type, const char *topic,
+                                const rcl_subscription_options_t *options);
+rcl_ret_t rcl_subscription_fini(rcl_subscription_t *subscription, rcl_node_t *node);
+const char *rcl_subscription_get_topic_name(const rcl_subscription_t *subscription);
+rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *message, void *information,
+                   void *allocation);
+
+rcl_publisher_t rcl_get_zero_initialized_publisher(void);
+rcl_publisher_options_t rcl_publisher_get_default_options(void);
+rcl_ret_t rcl_publisher_init(rcl_publisher_t *publisher, const rcl_node_t *node,
+                             const rosidl_message_type_support_t *type, const char *topic,
+                             const rcl_publisher_options_t *options);
+rcl_ret_t rcl_publisher_fini(rcl_publisher_t *publisher, rcl_node_t *node);
+const char *rcl_publisher_get_topic_name(const rcl_publisher_t *publisher);
+rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, void *allocation);
+rcl_ret_t rcl_publisher_wait_for_all_acked(const rcl_publisher_t *publisher, int64_t timeout_ns);
+
+rcl_guard_condition_t rcl_get_zero_initialized_guard_condition(void);
+rcl_guard_condition_options_t rcl_guard_condition_get_default_options(void);
+rcl_ret_t rcl_guard_condition_init(rcl_guard_condition_t *condition, rcl_context_t *context,
+                                   rcl_guard_condition_options_t options);
+rcl_ret_t rcl_guard_condition_fini(rcl_guard_condition_t *condition);
+rcl_ret_t rcl_trigger_guard_condition(rcl_guard_condition_t *condition);
+
+rcl_wait_set_t rcl_get_zero_initialized_wait_set(void);
+rcl_ret_t rcl_wait_set_init(rcl_wait_set_t *set, size_t subscriptions, size_t guards, size_t timers,
+                            size_t clients, size_t services, size_t events, rcl_context_t *context,
+                            rcl_allocator_t allocator);
+rcl_ret_t rcl_wait_set_fini(rcl_wait_set_t *set);
+rcl_ret_t rcl_wait_set_clear(rcl_wait_set_t *set);
+rcl_ret_t rcl_wait_set_add_subscription(rcl_wait_set_t *set, const rcl_subscription_t *subscription,
+                                        size_t *index);
+rcl_ret_t rcl_wait_set_add_guard_condition(rcl_wait_set_t *set,
+                                           const rcl_guard_condition_t *condition, size_t *index);
+rcl_ret_t rcl_wait(rcl_wait_set_t *set, int64_t timeout_ns);
+
+rcl_topic_endpoint_info_array_t rcl_get_zero_initialized_topic_endpoint_info_array(void);
+rcl_ret_t rcl_topic_endpoint_info_array_fini(rcl_topic_endpoint_info_array_t *array,
+                                             rcutils_allocator_t *allocator);
+rcl_ret_t rcl_get_publishers_info_by_topic(const rcl_node_t *node, rcutils_allocator_t *allocator,
+                                           const char *topic, bool no_mangle,
+                                           rcl_topic_endpoint_info_array_t *array);
+rcl_ret_t rcl_get_subscriptions_info_by_topic(const rcl_node_t *node,
+                                              rcutils_allocator_t *allocator, const char *topic,
+                                              bool no_mangle,
+                                              rcl_topic_endpoint_info_array_t *array);
+rcutils_string_array_t rcutils_get_zero_initialized_string_array(void);
+rcl_ret_t rcutils_string_array_fini(rcutils_string_array_t *array);
+rcl_ret_t rcl_get_node_names(const rcl_node_t *node, rcl_allocator_t allocator,
+                             rcutils_string_array_t *names, rcutils_string_array_t *spaces);
+
+/* ---- Messages */
+
+typedef struct {
+    char data[64];
+} rosidl_runtime_c__String;
+bool rosidl_runtime_c__String__assign(rosidl_runtime_c__String *string, const char *text);
+
+typedef struct {
+    double x, y, z;
+} geometry_msgs__msg__Vector3;
+typedef struct {
+    double x, y, z;
+} geometry_msgs__msg__Point;
+typedef struct {
+    double x, y, z, w;
+} geometry_msgs__msg__Quaternion;
+typedef struct {
+    geometry_msgs__msg__Vector3 linear, angular;
+} geometry_msgs__msg__Twist;
+typedef struct {
+    geometry_msgs__msg__Point position;
+    geometry_msgs__msg__Quaternion orientation;
+} geometry_msgs__msg__Pose;
+typedef struct {
+    struct {
+        int32_t sec;
+        uint32_t nanosec;
+    } stamp;
+    rosidl_runtime_c__String frame_id;
+} std_msgs__msg__Header;
+typedef struct {
+    std_msgs__msg__Header header;
+    geometry_msgs__msg__Twist twist;
+} geometry_msgs__msg__TwistStamped;
+typedef struct {
+    std_msgs__msg__Header header;
+    struct {
+        geometry_msgs__msg__Pose pose;
+    } pose;
+    struct {
+        geometry_msgs__msg__Twist twist;
+    } twist;
+} nav_msgs__msg__Odometry;
+
+bool geometry_msgs__msg__Twist__init(geometry_msgs__msg__Twist *message);
+bool geometry_msgs__msg__TwistStamped__init(geometry_msgs__msg__TwistStamped *message);
+bool nav_msgs__msg__Odometry__init(nav_msgs__msg__Odometry *message);
+
+extern const rosidl_message_type_support_t fake_geometry_msgs_Twist;
+extern const rosidl_message_type_support_t fake_geometry_msgs_TwistStamped;
+extern const rosidl_message_type_support_t fake_nav_msgs_Odometry;
+#define ROSIDL_GET_MSG_TYPE_SUPPORT(package, kind, name) (&fake_##package##_##name)
+
+#endif

@@ -1,0 +1,251 @@
+/* Tests what the host for ROS 2 does with messages, without ROS: stamps, conversions, and the driver
+ * with core/robot.h on a line in memory, in virtual time. */
+#include "../drivers/check.h"
+
+#include "core/robot.h"
+#include "hal/fake/fake.h"
+#include "hosts/ros/device.h"
+#include "hosts/ros/odometry.h"
+#include "hosts/ros/stamps.h"
+
+#include <frob/ros.h>
+
+#include <string.h>
+
+#define MS INT64_C(1000000)
+#define S INT64_C(1000000000)
+#define PATIENCE (200 * MS)
+
+/* ---- Stamps */
+
+static enum stamps_verdict judge(struct stamps *s, int64_t stamp_ns, int64_t arrived_ns)
+{
+    int64_t by_ns;
+    return stamps_judge(s, stamp_ns, arrived_ns, PATIENCE, &by_ns);
+}
+
+/* Messages every 20 ms for some seconds, from a clock that is `ahead_ns` ahead of ours. Returns the
+ * last verdict. */
+static enum stamps_verdict regular(struct stamps *s, int64_t from_ns, double seconds,
+                                   int64_t ahead_ns)
+{
+    enum stamps_verdict verdict = STAMPS_GOOD;
+    for (int64_t t = from_ns; t <= from_ns + (int64_t)(seconds * 1e9); t += 20 * MS)
+        verdict = judge(s, t + ahead_ns, t);
+    return verdict;
+}
+
+static void test_stamps(void)
+{
+    struct stamps s;
+    int64_t by_ns;
+
+    memset(&s, 0, sizeof s);
+    check(regular(&s, 0, 10, 100 * S) == STAMPS_GOOD, "a sender's clock may differ by any amount");
+    check(stamps_judge(&s, 110 * S + 20 * MS, 10 * S + 120 * MS, PATIENCE, &by_ns) == STAMPS_GOOD,
+          "a message may be late by less than the patience");
+    check_near((double)by_ns * 1e-6, 100, 6, "its delay is known");
+    check(judge(&s, 110 * S + 40 * MS, 10 * S + 300 * MS) == STAMPS_OLD,
+          "a message that waited longer is old");
+    check(judge(&s, 110 * S + 320 * MS, 10 * S + 320 * MS) == STAMPS_GOOD,
+          "the next one may be good again");
+
+    memset(&s, 0, sizeof s);
+    regular(&s, 0, 10, 0);
+    for (int i = 0; i < 200; i++)
+        check_failures +=
+            judge(&s, 10 * S + (i + 1) * 20 * MS, 12 * S + (i + 1) * 20 * MS) != STAMPS_OLD;
+    check(check_failures == 0, "messages that are always late never count");
+
+    memset(&s, 0, sizeof s);
+    regular(&s, 0, 10, 0);
+    check(judge(&s, 5 * S, 10 * S + 20 * MS) == STAMPS_BACK, "a single stamp may jump back");
+    check(judge(&s, 10 * S + 40 * MS, 10 * S + 40 * MS) == STAMPS_GOOD, "it changes nothing");
+    check(judge(&s, 15 * S, 10 * S + 60 * MS) == STAMPS_AHEAD, "a single stamp may jump ahead");
+    check(judge(&s, 10 * S + 80 * MS, 10 * S + 80 * MS) == STAMPS_GOOD, "it changes nothing");
+
+    check(regular(&s, 10 * S + 100 * MS, 0.9, -3 * S) == STAMPS_BACK,
+          "a clock that was set back does not count at once");
+    check(regular(&s, 11 * S + 20 * MS, 0.1, -3 * S) == STAMPS_GOOD, "it counts after a second");
+    check(regular(&s, 11 * S + 140 * MS, 0.9, 3 * S) == STAMPS_AHEAD,
+          "a clock that was set ahead does not count at once");
+    check(regular(&s, 12 * S + 60 * MS, 0.2, 3 * S) == STAMPS_GOOD, "it counts after a second");
+
+    memset(&s, 0, sizeof s);
+    judge(&s, 0 + 1, 500 * MS);
+    check(judge(&s, 20 * MS, 500 * MS) == STAMPS_GOOD, "the first message may be the late one");
+    check(regular(&s, 520 * MS, 0.4, 0) == STAMPS_GOOD, "later ones have the shorter way");
+
+    memset(&s, 0, sizeof s);
+    for (int64_t t = 0; t < 3600 * S; t += 20 * MS)
+        if (judge(&s, S + t - t / 5000, t) != STAMPS_GOOD)
+            check_failures++;
+    check(check_failures == 0, "a clock that is slow by one part in 5000 counts for an hour");
+    check(judge(&s, 0, 3600 * S) == STAMPS_GOOD, "a message without a stamp is good");
+}
+
+/* ---- Odometry */
+
+static struct ros_odometry facing(double heading)
+{
+    struct ros_odometry o;
+    memset(&o, 0, sizeof o);
+    o.head.size = (uint32_t)sizeof o;
+    o.head.kind = ROS_ODOMETRY;
+    o.rotation[2] = sin(heading / 2);
+    o.rotation[3] = cos(heading / 2);
+    return o;
+}
+
+static void test_odometry(void)
+{
+    struct ros_odometry o = facing(2.0);
+    struct ros_motion motion;
+    o.x_m = 1.5;
+    o.y_m = -2.5;
+    o.speed_m_s = 0.3;
+    o.turning_rad_s = -0.4;
+    check(ros_motion_of(&o, &motion) == NULL, "odometry is converted");
+    check_near(motion.x_m, 1.5, 0, "x");
+    check_near(motion.y_m, -2.5, 0, "y");
+    check_near(motion.heading_rad, 2.0, 1e-12, "the heading is the yaw of the quaternion");
+    check_near(motion.speed_m_s, 0.3, 0, "speed");
+    check_near(motion.turning_rad_s, -0.4, 0, "turn rate, positive to the left");
+    o = facing(-3.0);
+    ros_motion_of(&o, &motion);
+    check_near(motion.heading_rad, -3.0, 1e-12, "the heading is from -pi to pi");
+    /* A roll by 0.2 and then a yaw by 1: the yaw does not change. */
+    o.rotation[0] = sin(0.1) * cos(0.5);
+    o.rotation[1] = sin(0.1) * sin(0.5);
+    o.rotation[2] = cos(0.1) * sin(0.5);
+    o.rotation[3] = cos(0.1) * cos(0.5);
+    ros_motion_of(&o, &motion);
+    check_near(motion.heading_rad, 1.0, 1e-12, "a robot on a slope keeps its heading");
+
+    o = facing(0);
+    o.x_m = NAN;
+    check(ros_motion_of(&o, &motion) != NULL, "a position that is not a number is rejected");
+    o = facing(0);
+    o.turning_rad_s = INFINITY;
+    check(ros_motion_of(&o, &motion) != NULL, "an infinite speed is rejected");
+    o = facing(0);
+    o.rotation[3] = 0;
+    check(ros_motion_of(&o, &motion) != NULL, "a quaternion of zeros is rejected");
+    o = facing(0);
+    o.rotation[0] = NAN;
+    check(ros_motion_of(&o, &motion) != NULL, "a quaternion of NaN is rejected");
+}
+
+/* ---- The driver, with the core that keeps the robot at rest */
+
+struct bench {
+    struct frob_fake_clock time;
+    struct frob_fake_line line;
+    struct ros_device device;
+    double settings[ROS_SETTINGS];
+    struct frob_robot robot;
+    double v, turn; /* the velocity that was received last */
+    int received;
+};
+
+static void start(struct bench *b)
+{
+    struct frob_serial serial;
+    struct frob_clock clock;
+    memset(b, 0, sizeof *b);
+    for (size_t i = 0; i < ROS_SETTINGS; i++)
+        b->settings[i] = frob_ros_driver.settings[i].initial;
+    b->time.now_ns = 5 * S;
+    frob_fake_line_open(&b->line, &b->time);
+    serial = frob_fake_serial(&b->line);
+    clock = frob_fake_time(&b->time);
+    frob_robot_start(&b->robot, &frob_ros_driver, &b->device, b->settings, &serial, &clock,
+                     PATIENCE);
+}
+
+static void receive(struct bench *b)
+{
+    struct ros_velocity velocity;
+    while (frob_fake_receive(&b->line, (uint8_t *)&velocity, sizeof velocity) == sizeof velocity) {
+        b->v = velocity.speed_m_s;
+        b->turn = velocity.turn_rad_s;
+        b->received++;
+    }
+}
+
+/* For some time: odometry every 20 ms if `sends`, and after each poll a command if `drives`. */
+static void run(struct bench *b, double seconds, bool sends, bool drives)
+{
+    const int64_t end_ns = b->time.now_ns + (int64_t)(seconds * 1e9);
+    for (; b->time.now_ns < end_ns; b->time.now_ns += 20 * MS) {
+        struct ros_odometry o = facing(0.5);
+        struct frob_ros_input input;
+        struct frob_ros_output output = { 0.4, -5.0 };
+        o.arrived_ns = o.stamp_ns = b->time.now_ns;
+        o.speed_m_s = 0.4;
+        if (sends)
+            frob_fake_send(&b->line, (const uint8_t *)&o, sizeof o, 0);
+        if (frob_robot_poll(&b->robot) == FROB_ROBOT_READY && drives) {
+            frob_robot_sense(&b->robot, &input);
+            frob_robot_command(&b->robot, &output);
+        }
+        receive(b);
+    }
+}
+
+static void test_driver(void)
+{
+    static struct bench b;
+    struct frob_ros_input input;
+    struct ros_odometry late = facing(0);
+    start(&b);
+    run(&b, 0.5, false, true);
+    check(b.robot.state == FROB_ROBOT_CONNECTING && b.received == 0,
+          "without odometry, the robot is not connected, and nothing is published");
+    run(&b, 0.5, true, true);
+    check(b.robot.state == FROB_ROBOT_READY, "it is connected by the first message");
+    frob_robot_sense(&b.robot, &input);
+    check_near(input.odometry.heading, 0.5, 1e-12, "the program reads the message");
+    check_near(input.speed, 0.4, 0, "and its speed");
+    check_near(b.v, 0.4, 0, "the program's speed is published");
+    check_near(b.turn, -3.0, 0, "turn rates are limited by a setting");
+    b.received = 0;
+    run(&b, 0.2, true, false);
+    check(b.received >= 1 && b.v == 0.4, "a velocity is repeated until there is another");
+    run(&b, 0.4, false, true);
+    check(b.robot.state == FROB_ROBOT_STALE, "without messages, readings are stale");
+    check(b.v == 0.0 && b.turn == 0.0, "then the robot is stopped");
+    run(&b, 0.1, true, true);
+    check(b.robot.state == FROB_ROBOT_READY && b.v == 0.4, "it continues with the next message");
+    for (int i = 0; i < 30; i++) {
+        late.arrived_ns = b.time.now_ns;
+        late.stamp_ns = b.time.now_ns - 500 * MS;
+        frob_fake_send(&b.line, (const uint8_t *)&late, sizeof late, 0);
+        run(&b, 0.02, false, true);
+    }
+    check(b.robot.state == FROB_ROBOT_STALE && b.v == 0.0, "late messages do not move the robot");
+
+    start(&b);
+    run(&b, 0.1, true, true);
+    for (size_t i = 0; i < sizeof late; i++) {
+        late = facing(0.7);
+        late.arrived_ns = late.stamp_ns = b.time.now_ns;
+        frob_fake_send(&b.line, (const uint8_t *)&late + i, 1, 0);
+        frob_robot_poll(&b.robot);
+    }
+    frob_robot_sense(&b.robot, &input);
+    check_near(input.odometry.heading, 0.7, 1e-12, "a message may arrive in pieces");
+    {
+        const struct ros_head wrong = { 1u << 30, ROS_ODOMETRY };
+        frob_fake_send(&b.line, (const uint8_t *)&wrong, sizeof wrong, 0);
+        check(frob_robot_poll(&b.robot) == FROB_ROBOT_FAILED, "a wrong size ends the session");
+    }
+}
+
+int main(void)
+{
+    test_stamps();
+    test_odometry();
+    test_driver();
+    return check_status();
+}
