@@ -1,7 +1,7 @@
 """usage: page_pictures.py FROBC ROOT TO
 
-Takes pictures of the page of `frobc view` for the documentation: runs programs with cameras, and writes
-what the page shows at some instants to TO/docs."""
+Takes pictures of the page of `frobc view` for the documentation: runs the wall follower and programs
+with cameras, and writes what the page shows at some instants to TO/docs."""
 
 import base64
 import os
@@ -42,7 +42,7 @@ return out.toDataURL("image/png").split(",")[1];"""
 class Run:
     """An example's run, and its page."""
 
-    def __init__(self, driver, folder, example, seconds):
+    def __init__(self, driver, folder, example, seconds, shown=""):
         program = os.path.join(root, f"examples/{example}/{example}.frob")
         recording = os.path.join(folder, f"{example}.csv")
         subprocess.run(
@@ -60,7 +60,7 @@ class Run:
             check=True,
             stdout=subprocess.DEVNULL,
         )
-        self.page = Page(driver, viewer.Viewer(frobc, recording, program).address)
+        self.page = Page(driver, viewer.Viewer(frobc, recording, program).address + shown)
         self.page.at(0)
 
     def go(self, instant):
@@ -109,6 +109,16 @@ def main():
 
         driver = start(1280, 1100)
         try:
+            driver.set_window_size(1280, 863)  # 1280×720 without the browser's own parts
+            plots = "&plots=out.forward;out.turn;probe.wallFollow.s"
+            follower = Run(driver, folder, "wall_follow", 60, plots)
+            follower.page.press("f", "out.forward < 0.2[m/s]", Keys.ENTER)
+            follower.page.wait(lambda: follower.page.text("#found") == "6 times")
+            driver.execute_script("document.activeElement.blur()")
+            follower.go(1010)
+            driver.save_screenshot(path("view"))
+            smaller([path("view")], "view.png")
+            driver.set_window_size(1280, 1100)
             poster = Run(driver, folder, "track_poster", 6)
             instants = {"seen": 100, "predicted": 200, "lost": 220}
             for name, instant in instants.items():

@@ -36,6 +36,7 @@ struct ring_shared {
     uint32_t speed; /* in thousandths */
     uint32_t sent;
     struct ring_event events[RING_EVENTS];
+    uint64_t seen; /* number of instants that the reader has read */
     unsigned char gap_after_reader[LINE];
 };
 
@@ -322,6 +323,18 @@ void ring_beat(struct ring *ring)
     store(&ring->shared->beats, load(&ring->shared->beats) + 1);
 }
 
+void ring_saw(struct ring *ring, uint64_t count)
+{
+    __atomic_store_n(&ring->shared->seen, count, __ATOMIC_RELEASE);
+}
+
+bool ring_is_half_unread(const struct ring *ring)
+{
+    const struct ring_shared *shared = ring->shared;
+    const uint64_t seen = __atomic_load_n(&shared->seen, __ATOMIC_ACQUIRE);
+    return ring_count(ring) > seen + shared->slots / 2;
+}
+
 void ring_pause(struct ring *ring, bool paused)
 {
     store(&ring->shared->paused, paused ? 1 : 0);
@@ -345,7 +358,7 @@ struct ring_pace ring_pace(const struct ring *ring)
     pace.beats = load(&shared->beats);
     pace.paused = load(&shared->paused) != 0;
     pace.steps = load(&shared->steps);
-    pace.speed = (double)(speed < 100 ? 100 : speed > 100000 ? 100000 : speed) / 1000.0;
+    pace.speed = (double)(speed < 100 ? 100 : speed > 4000000 ? 4000000 : speed) / 1000.0;
     return pace;
 }
 

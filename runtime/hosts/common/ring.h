@@ -96,9 +96,12 @@ struct ring_pace {
     uint32_t beats; /* changes as long as the reader is alive */
     bool paused;
     uint32_t steps; /* total number of instants to take while paused */
-    double speed;   /* relative to real time, 0.1 to 100 */
+    double speed;   /* relative to real time, 0.1 to 4000 */
 };
 struct ring_pace ring_pace(const struct ring *ring);
+
+/* Returns whether the reader has not read half of the ring yet. */
+bool ring_is_half_unread(const struct ring *ring);
 
 /* Takes the oldest pending event. Returns false if there is none. */
 bool ring_take(struct ring *ring, struct ring_event *event);
@@ -129,10 +132,13 @@ bool ring_permits(const struct ring *ring, enum ring_permission permission);
 /* Updates the reader's heartbeat. Call it several times a second. */
 void ring_beat(struct ring *ring);
 
+/* Reports how many instants the reader has read. */
+void ring_saw(struct ring *ring, uint64_t count);
+
 void ring_stop(struct ring *ring);
 void ring_pause(struct ring *ring, bool paused);
 void ring_step(struct ring *ring);
-void ring_set_speed(struct ring *ring, double speed); /* 0.1 to 100 */
+void ring_set_speed(struct ring *ring, double speed); /* 0.1 to 4000 */
 
 /* Reports that the host has dropped an event that it had taken before a freeze. */
 void ring_drop_late(struct ring *ring);

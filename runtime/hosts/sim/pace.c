@@ -4,7 +4,11 @@
 #include <string.h>
 #include <time.h>
 
-#define LOOK_NS INT64_C(5000000)   /* how often to check for requests while waiting */
+#define LOOK_NS INT64_C(5000000) /* how often to check for requests while waiting */
+/* At more than this speed, the simulator waits for a viewer that has not read half of the published
+ * instants, because it would miss the rest. */
+#define UNSEEN_SPEED 100.0
+#define UNSEEN_NS INT64_C(500000)
 #define LATE_NS INT64_C(100000000) /* longer delays are not made up for */
 
 static int64_t clock_now(void)
@@ -72,6 +76,11 @@ static bool wait_as_wanted(struct pace *pace, int64_t time_ns)
             begin_again(pace, pace->last_ns, wanted.speed);
         }
         due = pace->clock_ns + (int64_t)((double)(time_ns - pace->time_ns) / pace->speed);
+        if (now >= due && pace->speed > UNSEEN_SPEED &&
+            ring_is_half_unread(&pace->publisher->ring)) {
+            sleep_until(pace, now + UNSEEN_NS);
+            continue;
+        }
         if (now >= due) {
             if (now > due + LATE_NS)
                 begin_again(pace, time_ns, pace->speed);

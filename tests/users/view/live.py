@@ -216,6 +216,18 @@ async def values(frobc, program, robot):
     check("and is recorded as without", read("plain.csv") == read("looked.csv"))
 
 
+async def full_speed(frobc, program):
+    """A run at full speed has more instants than the shared memory; the viewer gets all of them."""
+    run = viewer.Run(frobc, ["--for", "600s", program])
+    async with Page(run) as page:
+        await page.until(lambda p: p.live and p.live["instants"] > 10)
+        check("a run can go at full speed", await page.insist("speed 4000") == [])
+        await page.to_end()
+        check("and none of its instants is missing", page.live["instants"] == 30001)
+        check("nor is anything to be told", page.live["notes"] == "")
+    run.process.wait()
+
+
 async def commands(frobc, program):
     run = viewer.Run(frobc, ["--record", path("commands.csv"), program])
     async with Page(run) as page, Page(run) as other:
@@ -239,7 +251,7 @@ async def commands(frobc, program):
         check("unless it takes over", other.state["operates"] and await other.insist("go") == [])
         await page.until(lambda p: p.live["instants"] > at + 10)
         check("and then it goes on", not page.state["paused"])
-        for speed in ("0", "0.05", "101", "nan", "-1", "1e9", "x"):
+        for speed in ("0", "0.05", "4001", "nan", "-1", "1e9", "x"):
             if await other.send(f"speed {speed}") == []:
                 check(f"speed {speed} is refused", False)
         check("speeds out of range are refused", page.state["speed"] == 1)
@@ -476,6 +488,7 @@ async def robot(frobc):
 async def main():
     frobc, _, program, name = sys.argv[1:]
     await values(frobc, program, name)
+    await full_speed(frobc, program)
     await commands(frobc, program)
     await events(frobc)
     await gaps(frobc, program, name, recorded=False)

@@ -211,6 +211,15 @@ function extend(extent: Program | Live): void {
   contact.extent(extent, (newest?.dt ?? 0) / (run?.speed ?? 1));
 }
 
+/** Speed of a run, relative to real time, from which the page pauses between pictures, in ms. */
+const fast = 20,
+  fastPause = 100;
+
+function more(): void {
+  connection.more();
+  contact.expectInstants();
+}
+
 function answered(answer: Answer, question: string): void {
   contact.heard();
   switch (answer.is) {
@@ -235,11 +244,9 @@ function answered(answer: Answer, question: string): void {
       store.askClaims();
       break;
     case "live":
-      // Request the next one when this one has been drawn.
-      requestAnimationFrame(() => {
-        connection.more();
-        contact.expectInstants();
-      });
+      // Request the next one when this one has been drawn; of a fast run less often, because drawing
+      // takes processor time from it.
+      requestAnimationFrame(() => setTimeout(more, (run?.speed ?? 1) > fast ? fastPause : 0));
       if (!store) break;
       store.grew(answer);
       extend(answer);

@@ -116,7 +116,7 @@ static void make_up(struct live *live, size_t most)
                                                   : "");
 }
 
-bool live_take(struct live *live, size_t most)
+static bool take(struct live *live, size_t most)
 {
     const size_t before = live->recording->count;
     const bool ended = ring_has_ended(live->ring) || (long)getppid() != live->host;
@@ -134,4 +134,11 @@ bool live_take(struct live *live, size_t most)
     }
     live->has_ended = live->full && ended;
     return live->recording->count > before;
+}
+
+bool live_take(struct live *live, size_t most)
+{
+    const bool has_more = take(live, most);
+    ring_saw(live->ring, live->left);
+    return has_more;
 }

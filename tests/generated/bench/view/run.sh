@@ -21,6 +21,8 @@ if test -x $python && test -x /usr/bin/chromedriver &&
     $python $here/latency.py "$frobc" "$1" $times
     $python $here/jitter.py "$frobc" "$1" $rounds
     $python $here/hour.py "$frobc" "$1" $lasts
+    $python $here/loading.py "$frobc"
+    if test -z "${SHORT:-}"; then $python $here/speed.py "$frobc"; fi
     $python $here/sees.py "$frobc" "$1"
     $python $here/what_if.py "$frobc" "$1" $tries
 fi

@@ -3,6 +3,8 @@ import { Stop } from "./stop";
 import type { Store } from "../store";
 
 const speeds = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
+/** Practically unlimited: the simulator runs as fast as it can. */
+const fullSpeed = 4000;
 
 /** The codes that a terminal sends for keys that are not characters. */
 const codes: Readonly<Record<string, number>> = {
@@ -48,6 +50,7 @@ export function startLive(store: Store): Stop {
   const isLive = store.program.live;
 
   for (const each of speeds) speed.append(new Option(`${each}×`, String(each)));
+  speed.append(new Option("full", String(fullSpeed)));
   follow.onclick = () => store.follow();
   hold.onclick = () => store.command(store.run?.paused ? "go" : "pause");
   single.onclick = () => store.command("step");

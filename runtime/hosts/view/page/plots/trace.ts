@@ -43,8 +43,11 @@ export class Trace {
   /** Requests the data that has arrived since, in a live run that is followed. */
   grow(width: number): void {
     if (this.store.awaits(this.user, this.number)) return;
-    // Data of the whole run grows without limit; load it again in the plot's resolution.
-    if (this.times.length > 8 * width) {
+    // Data of the whole run grows without limit; load it again in the plot's resolution. In a fast
+    // run, most of it is new.
+    const [start, end] = this.store.range;
+    const isNew = (this.times.at(-1) ?? start) < start + (end - start) / 2;
+    if (this.times.length > 8 * width || isNew) {
       this.load(width);
       return;
     }
