@@ -164,104 +164,144 @@ let lexed text =
   in
   go []
 
-let text text =
-  let tokens = lexed text and laid_out = layout_of text in
+type reader = {
+  text : string;
+  tokens : Lexer.token array;
+  laid_out : Layout.token array;
+  state : state;
+  place : place;
+  mutable from : int;  (** the offset after the previous word *)
+  mutable next : int;  (** index of the next layout token *)
+  partner : int array;  (** for a bracket, the index of its partner; -1 for other words *)
+  commas_first : bool array;  (** brackets with a comma at the start of a line *)
+}
+
+(* Collects the layout tokens before a word. Words do not include semicolons. *)
+let made_before r index (token : Lexer.token) =
+  let at = token.start.pos_cnum in
+  let made = { closes = 0; opens = false; item = index = 0 } in
+  let rec take () =
+    let token : Layout.token = r.laid_out.(r.next) in
+    if token.made || token.start.pos_cnum < at then (
+      r.next <- r.next + 1;
+      (match token.token with
+      | OPEN -> made.opens <- true
+      | CLOSE when made.opens -> made.opens <- false
+      | CLOSE -> made.closes <- made.closes + 1
+      | SEMICOLON | END -> made.item <- true
+      | _ -> ());
+      take ())
+    else if token.start.pos_cnum = at then r.next <- r.next + 1
+  in
+  (match token.token with SEMICOLON -> () | _ -> take ());
+  made
+
+(* Opens and closes the blocks before a word. *)
+let enter_blocks r index made =
+  let state = r.state in
+  let before = if index = 0 then END else r.tokens.(index - 1).token in
+  for _ = 1 to made.closes do
+    pop state
+  done;
+  if made.opens then
+    push state
+      ~cases:(match before with OF | LAMBDA_CASE -> true | _ -> false)
+      ~units:false ~opener:(-1);
+  if made.item || made.opens then (
+    state.unit_declaration <- false;
+    state.operand <- false;
+    (inside state).types <- false)
+
+let close_bracket r index =
+  let opener = (inside r.state).opener in
+  if opener >= 0 then (
+    r.partner.(opener) <- index;
+    r.partner.(index) <- opener);
+  pop r.state
+
+(* What a word changes for the words after it. *)
+let open_after r index (token : Lexer.token) frame =
+  let { number; units; opener; types; cases = _ } = frame in
+  match token.token with
+  | UNIT_BRACKET -> push r.state ~cases:false ~units:true ~opener:index
+  | LPAREN | LBRACKET | LBRACE -> push r.state ~cases:false ~units ~opener:index
+  | EQUAL when index >= 2 && r.tokens.(index - 2).token = UNIT && number = 0 ->
+      r.state.unit_declaration <- true
+  | DOUBLE_COLON -> frame.types <- true
+  | COMMA | EQUAL -> frame.types <- opener >= 0 && types && token.token = COMMA
+  | _ -> ()
+
+let word r index (token : Lexer.token) : Word.t =
+  let state = r.state and place = r.place in
+  let at = token.start.pos_cnum and stop = token.stop.pos_cnum in
+  let comments = comments place r.text r.from at in
+  let first = token.first and blank_before = place.fresh && place.blank_before in
+  r.from <- stop;
+  place.fresh <- false;
+  place.blank_before <- false;
+  let made = made_before r index token in
+  enter_blocks r index made;
+  if is_closer token.token then close_bracket r index;
+  let ({ number; cases; units; opener; types } as frame) = inside state in
+  if token.token = COMMA && first && opener >= 0 then r.commas_first.(opener) <- true;
+  let quoted = state.quoted in
+  if token.token = BACKTICK then state.quoted <- not quoted;
+  let prefix = token.token = MINUS && not state.operand in
+  state.operand <- (not quoted) && ends_operand token.token;
+  let in_unit = units || state.unit_declaration || token.token = UNIT_BRACKET in
+  open_after r index token frame;
+  let written = String.sub r.text at (stop - at) in
+  {
+    token;
+    text = written;
+    width = characters written 0 (String.length written);
+    line = place.line;
+    column = column place r.text at;
+    comments;
+    blank_before;
+    closes = made.closes;
+    opens = made.opens;
+    item = made.item || made.opens;
+    frame = number;
+    partner = -1;
+    of_cases = cases;
+    in_unit;
+    prefix;
+    in_quotes = quoted;
+    in_type = types;
+    commas_first = false;
+    starts = first;
+    gap = 0;
+  }
+
+let reader text =
+  let tokens = lexed text in
   let n = Array.length tokens in
-  let state =
-    { stack = [ top () ]; frames = 0; unit_declaration = false; quoted = false; operand = false }
-  in
+  {
+    text;
+    tokens;
+    laid_out = layout_of text;
+    state =
+      { stack = [ top () ]; frames = 0; unit_declaration = false; quoted = false; operand = false };
+    place = { line = 1; counted = 0; characters = 0; fresh = true; blank_before = false };
+    from = 0;
+    next = 0;
+    partner = Array.make n (-1);
+    commas_first = Array.make n false;
+  }
+
+let text text =
+  let r = reader text in
   let start = if String.starts_with ~prefix:"\xef\xbb\xbf" text then 3 else 0 in
-  let place = { line = 1; counted = start; characters = 0; fresh = true; blank_before = false } in
-  let from = ref start and next = ref 0 in
-  let partner = Array.make n (-1) and commas_first = Array.make n false in
-  let word index (token : Lexer.token) : Word.t =
-    let at = token.start.pos_cnum and stop = token.stop.pos_cnum in
-    let comments = comments place text !from at in
-    let first = token.first and blank_before = place.fresh && place.blank_before in
-    from := stop;
-    place.fresh <- false;
-    place.blank_before <- false;
-    (* collects the layout tokens before this word; words do not include semicolons *)
-    let made = { closes = 0; opens = false; item = index = 0 } in
-    let rec take () =
-      let token : Layout.token = laid_out.(!next) in
-      if token.made || token.start.pos_cnum < at then (
-        incr next;
-        (match token.token with
-        | OPEN -> made.opens <- true
-        | CLOSE when made.opens -> made.opens <- false
-        | CLOSE -> made.closes <- made.closes + 1
-        | SEMICOLON | END -> made.item <- true
-        | _ -> ());
-        take ())
-      else if token.start.pos_cnum = at then incr next
-    in
-    (match token.token with SEMICOLON -> () | _ -> take ());
-    let before = if index = 0 then END else tokens.(index - 1).token in
-    for _ = 1 to made.closes do
-      pop state
-    done;
-    if made.opens then
-      push state
-        ~cases:(match before with OF | LAMBDA_CASE -> true | _ -> false)
-        ~units:false ~opener:(-1);
-    if made.item || made.opens then (
-      state.unit_declaration <- false;
-      state.operand <- false;
-      (inside state).types <- false);
-    if is_closer token.token then (
-      let opener = (inside state).opener in
-      if opener >= 0 then (
-        partner.(opener) <- index;
-        partner.(index) <- opener);
-      pop state);
-    let ({ number; cases; units; opener; types } as frame) = inside state in
-    if token.token = COMMA && first && opener >= 0 then commas_first.(opener) <- true;
-    let quoted = state.quoted in
-    if token.token = BACKTICK then state.quoted <- not quoted;
-    let prefix = token.token = MINUS && not state.operand in
-    state.operand <- (not quoted) && ends_operand token.token;
-    let in_unit = units || state.unit_declaration || token.token = UNIT_BRACKET in
-    (match token.token with
-    | UNIT_BRACKET -> push state ~cases:false ~units:true ~opener:index
-    | LPAREN | LBRACKET | LBRACE -> push state ~cases:false ~units ~opener:index
-    | EQUAL when index >= 2 && tokens.(index - 2).token = UNIT && number = 0 ->
-        state.unit_declaration <- true
-    | DOUBLE_COLON -> frame.types <- true
-    | COMMA | EQUAL -> frame.types <- opener >= 0 && types && token.token = COMMA
-    | _ -> ());
-    let written = String.sub text at (stop - at) in
-    {
-      token;
-      text = written;
-      width = characters written 0 (String.length written);
-      line = place.line;
-      column = column place text at;
-      comments;
-      blank_before;
-      closes = made.closes;
-      opens = made.opens;
-      item = made.item || made.opens;
-      frame = number;
-      partner = -1;
-      of_cases = cases;
-      in_unit;
-      prefix;
-      in_quotes = quoted;
-      in_type = types;
-      commas_first = false;
-      starts = first;
-      gap = 0;
-    }
-  in
-  let words = if n = 0 then no_words else Array.mapi word tokens in
+  r.from <- start;
+  r.place.counted <- start;
+  let words = if r.tokens = [||] then no_words else Array.mapi (word r) r.tokens in
   Array.iteri
     (fun i (w : Word.t) ->
-      let other = partner.(i) in
+      let other = r.partner.(i) in
       if other >= 0 then (
         w.partner <- other;
-        w.commas_first <- commas_first.(min i other)))
+        w.commas_first <- r.commas_first.(min i other)))
     words;
-  let last = comments place text !from (String.length text) in
-  let layout = without_empty_items laid_out in
-  { words; last; layout }
+  let last = comments r.place text r.from (String.length text) in
+  { words; last; layout = without_empty_items r.laid_out }

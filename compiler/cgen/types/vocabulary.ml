@@ -17,6 +17,14 @@ type helper =
   | Projection of { sum : int; constructor : int; leaf : int }
   | On_arrays of Array_type.operation * M.ty
 
+(* The collected struct types of the program's interface. *)
+type structs = {
+  program : M.program;
+  units : Units.t;
+  own : Interface.types;
+  shared : Interface.types;  (** those of robots and foreign code *)
+}
+
 type t = {
   program : M.program;
   units : Units.t;
@@ -141,6 +149,43 @@ let foreign_names (program : M.program) =
   in
   List.concat_map names program.imports
 
+(* The struct of a value, part of which may be a robot's. [whole] is its shape, [part] that of the
+   robot's part. *)
+let interface (structs : structs) robot ~name ~units ~whole ~(part : F.shape) result =
+  let robots =
+    match (robot, part) with
+    | Some _, Product product ->
+        let name = "frob_" ^ Name.snake product.product_name in
+        Some (Interface.of_record structs.shared ~name product)
+    | _, _ -> None
+  in
+  match (structs.program.real, robots, result) with
+  | Double, Some robots, None -> robots
+  | Double, Some robots, Some result ->
+      Interface.with_others structs.own ~name ~first:"command" robots [ ("result", result) ]
+  | Double, None, _ | Single, _, _ -> Interface.of_shape structs.own ~units ~name whole
+
+let input_interface (structs : structs) ~name ~robot ~sensed ~(console : Robot.console option) =
+  let whole = structs.program.input in
+  let plain = interface structs robot ~name ~units:structs.units.input ~whole ~part:sensed None in
+  match (structs.program.real, robot, console) with
+  | Double, Some _, Some { part; at } ->
+      Interface.with_others structs.own ~name ~first:"robot" plain [ part ]
+      |> Interface.with_leaves ~at (List.length (Flow.Shape.leaves (snd part)))
+  | _, _, _ -> plain
+
+let output_interface (structs : structs) ~fresh ~name ~robot ~command ~result =
+  let output name =
+    let whole = structs.program.output in
+    interface structs robot ~name ~units:structs.units.output ~whole ~part:command result
+  in
+  match structs.program.probes with
+  | [] -> output name
+  | probes ->
+      let plain = output (fresh (Name.identifier structs.program.name ^ "_command")) in
+      let probes = [ ("probes", Interface.record_of probes) ] in
+      Interface.with_others structs.own ~name ~first:"command" plain probes
+
 let of_program ?own ?(units = Units.none) ?(named = Named_constants.none) (program : M.program) =
   let name = Name.identifier program.name in
   let scope = Name.scope Identifiers ~taken:(foreign_names program @ Helpers.names ()) in
@@ -183,40 +228,11 @@ let of_program ?own ?(units = Units.none) ?(named = Named_constants.none) (progr
   in
   let own = interface_types types ~real:program.real ~prefix:name in
   let shared = interface_types foreign_types ~real:Double ~prefix:"frob" in
-  let interface robot struct_name ~units ~whole ~robots:(shape : F.shape) result =
-    let robots =
-      match (robot, shape) with
-      | Some _, Product product ->
-          let name = "frob_" ^ Name.snake product.product_name in
-          Some (Interface.of_record shared ~name product)
-      | _, _ -> None
-    in
-    match (program.real, robots, result) with
-    | Double, Some robots, None -> robots
-    | Double, Some robots, Some result ->
-        Interface.with_others own ~name:struct_name ~first:"command" robots [ ("result", result) ]
-    | Double, None, _ | Single, _, _ -> Interface.of_shape own ~units ~name:struct_name whole
-  in
-  let input =
-    let plain =
-      interface input_robot input_name ~units:units.input ~whole:program.input ~robots:sensed None
-    in
-    match (program.real, input_robot, console) with
-    | Double, Some _, Some { part; at } ->
-        Interface.with_others own ~name:input_name ~first:"robot" plain [ part ]
-        |> Interface.with_leaves ~at (List.length (Flow.Shape.leaves (snd part)))
-    | _, _, _ -> plain
-  in
-  let output name =
-    interface output_robot name ~units:units.output ~whole:program.output ~robots:command result
-  in
+  let structs = { program; units; own; shared } in
+  let input = input_interface structs ~name:input_name ~robot:input_robot ~sensed ~console in
   let output =
-    match program.probes with
-    | [] -> output output_name
-    | probes ->
-        let plain = output (Name.fresh scope (name ^ "_command")) in
-        let probes = [ ("probes", Interface.record_of probes) ] in
-        Interface.with_others own ~name:output_name ~first:"command" plain probes
+    let fresh = Name.fresh scope in
+    output_interface structs ~fresh ~name:output_name ~robot:output_robot ~command ~result
   in
   let robot_records = Interface.definitions shared in
   let imports =

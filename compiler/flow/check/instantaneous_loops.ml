@@ -73,108 +73,119 @@ let note modes =
 
 (* The place for the message. For a cycle of the library's modes, it is the place where the program
    uses them. *)
-let place ~entry uses index (program : Ir.program) modes hops first_mode =
+let place ~entry uses index (program : Ir.program) modes transitions first_mode =
   let span = program.nodes.(first_mode).span in
   let own = Own_code.is_own ~entry in
-  let own_transition (_, _, (t : Ir.transition), _) = if own t.span then Some t.span else None in
+  let own_transition (t : Ir.transition) = if own t.span then Some t.span else None in
   if List.exists (fun mode -> own program.nodes.(mode).span) modes then span
   else
-    match (List.find_map own_transition hops, Own_code.use uses ~entry index) with
+    match (List.find_map own_transition transitions, Own_code.use uses ~entry index) with
     | Some at, _ | None, Some (_, at) -> at
     | None, None -> entry
 
+(* A transition of the cycle: the mode that it leaves, its target, and the signal function whose event
+   causes it, with its place. *)
+type hop = { from : int; target : int; by : Ir.transition; source : (string * Span.t) option }
+type cycle = { entry : Span.t; program : Ir.program; modes : int array }
+
+let mode_node cycle v = cycle.program.nodes.(cycle.modes.(v))
+let is_own cycle = Own_code.is_own ~entry:cycle.entry
+
+(* Whether a place is in the prelude, which is less helpful than the place in the program that uses
+   it. *)
+let in_prelude cycle (at : Span.t) =
+  String.equal (Filename.basename at.file) "Prelude.frob" && not (is_own cycle at)
+
+let is_task cycle origin (node : Ir.node) =
+  String.equal node.origin origin && Option.is_some node.machine && is_own cycle node.span
+
+(* The name of a mode in messages. If a definition of the program runs inside a combinator, it is
+   the definition that may end, so its name is used. *)
+let mode_name cycle hop =
+  let here = mode_node cycle hop.from in
+  let is_elsewhere origin (node : Ir.node) =
+    let is_within =
+      String.equal here.span.file node.span.file
+      && Span.compare (Span.merge here.span node.span) here.span = 0
+    in
+    is_task cycle origin node && not is_within
+  in
+  let is_combinator's =
+    Option.fold hop.source ~none:false ~some:(fun (_, at) -> in_prelude cycle at)
+  in
+  match (hop.by.by, hop.source) with
+  | Statement _, Some (origin, _) when Array.exists (is_elsewhere origin) cycle.program.nodes ->
+      origin
+  (* a task that ends inside a combinator is named after the statement that follows it *)
+  | Statement definition, _ when is_combinator's && is_own cycle hop.by.span -> definition
+  | (Statement _ | Continuation _), _ -> here.origin
+
+(* Tasks written inside a mode end when the mode ends, so the message names the mode rather than
+   such a task. *)
+let within_mode cycle name hop =
+  let of_task (origin, at) =
+    ((if Array.exists (is_task cycle origin) cycle.program.nodes then name hop.from else origin), at)
+  in
+  match hop.by.by with
+  | Statement _ -> { hop with source = Option.map of_task hop.source }
+  | Continuation _ -> hop
+
+let by_prelude cycle hop =
+  is_own cycle (mode_node cycle hop.from).span
+  && Option.fold hop.source ~none:false ~some:(fun (_, at) -> in_prelude cycle at)
+
+(* If several modes with the same name do the same, adds their label only once. *)
+let label ~at text (d : Diagnostic.t) =
+  let there (l : Diagnostic.label) = l.at = at && String.equal l.text text in
+  if List.exists there d.labels then d else Diagnostic.label ~at text d
+
+let label_hop cycle name d hop =
+  let from = name hop.from and target = name hop.target in
+  let d =
+    match hop.source with
+    | Some _ when by_prelude cycle hop -> d
+    | Some (origin, at) when origin = from ->
+        label ~at (Printf.sprintf "`%s` may end at its first instant" origin) d
+    | Some (origin, at) ->
+        label ~at (Printf.sprintf "`%s` may occur at the first instant of `%s`" origin from) d
+    | None -> d
+  in
+  label ~at:hop.by.span
+    (if from = target then
+       Printf.sprintf "`%s` may start itself again at its own first instant" from
+     else Printf.sprintf "`%s` may start `%s` at its own first instant" from target)
+    d
+
 let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) ~far hops =
-  let modes = Array.of_list m.modes in
-  let hop ({ from = v; by = t } : Chains.hop) =
-    let cannot_be_true = First_transitions.cannot_be_true first modes.(v) in
-    (v, t.target, t, source ~cannot_be_true program program.nodes.(modes.(v)) t)
+  let cycle = { entry; program; modes = Array.of_list m.modes } in
+  let hop ({ from; by } : Chains.hop) =
+    let cannot_be_true = First_transitions.cannot_be_true first cycle.modes.(from) in
+    {
+      from;
+      target = by.target;
+      by;
+      source = source ~cannot_be_true program (mode_node cycle from) by;
+    }
   in
-  let cycle = map (fun (h : Chains.hop) -> h.from) hops in
   let hops = map hop hops in
-  let task origin (node : Ir.node) =
-    String.equal node.origin origin && Option.is_some node.machine
-    && Own_code.is_own ~entry node.span
-  in
-  let tasks = Array.to_list program.nodes in
-  (* The name of a mode in messages. If a definition of the program runs inside a combinator, it is
-     the definition that may end, so its name is used. *)
-  let mode (v, _, (t : Ir.transition), source) =
-    let here = program.nodes.(modes.(v)) in
-    let is_elsewhere origin (node : Ir.node) =
-      let is_within =
-        String.equal here.span.file node.span.file
-        && Span.compare (Span.merge here.span node.span) here.span = 0
-      in
-      task origin node && not is_within
-    in
-    let is_combinator's =
-      let in_prelude (at : Span.t) = String.equal (Filename.basename at.file) "Prelude.frob" in
-      Option.fold source ~none:false ~some:(fun (_, at) ->
-          in_prelude at && not (Own_code.is_own ~entry at))
-    in
-    match (t.by, source) with
-    | Statement _, Some (origin, _) when List.exists (is_elsewhere origin) tasks -> (v, origin)
-    (* a task that ends inside a combinator is named after the statement that follows it *)
-    | Statement definition, _ when is_combinator's && Own_code.is_own ~entry t.span ->
-        (v, definition)
-    | (Statement _ | Continuation _), _ -> (v, here.origin)
-  in
-  let names = map mode hops in
+  let modes = map (fun hop -> cycle.modes.(hop.from)) hops in
+  let names = map (fun hop -> (hop.from, mode_name cycle hop)) hops in
   let name v = List.assoc v names in
-  (* Tasks written inside a mode end when the mode ends, so the message names the mode rather than
-     such a task. *)
-  let within_mode (v, w, (t : Ir.transition), source) =
-    let of_task (origin, at) = ((if List.exists (task origin) tasks then name v else origin), at) in
-    match t.by with
-    | Statement _ -> (v, w, t, Option.map of_task source)
-    | Continuation _ -> (v, w, t, source)
-  in
-  let hops = map within_mode hops in
-  let at =
-    place ~entry uses index program (map (fun k -> modes.(k)) cycle) hops modes.(List.hd cycle)
-  in
-  let round = circle (map (fun (v, w, (t : Ir.transition), _) -> (name v, name w, t.by)) hops) in
+  let hops = map (within_mode cycle name) hops in
+  let at = place ~entry uses index program modes (map (fun hop -> hop.by) hops) (List.hd modes) in
+  let round = circle (map (fun hop -> (name hop.from, name hop.target, hop.by.by)) hops) in
   let d = Diagnostic.error ~code:"E0402" ~at "%s may repeat endlessly within one instant" round in
-  (* A place in the prelude is less helpful than the place in the program that uses it. *)
-  let in_prelude (at : Span.t) =
-    String.equal (Filename.basename at.file) "Prelude.frob" && not (Own_code.is_own ~entry at)
-  in
-  let by_prelude (v, _, _, source) =
-    Own_code.is_own ~entry program.nodes.(modes.(v)).span
-    && Option.fold source ~none:false ~some:(fun (_, at) -> in_prelude at)
-  in
-  let here (d : Diagnostic.t) =
-    let starts_there (v, _, _, _) = Span.compare program.nodes.(modes.(v)).span at = 0 in
-    if List.exists (fun hop -> by_prelude hop && starts_there hop) hops then
+  let starts_there hop = Span.compare (mode_node cycle hop.from).span at = 0 in
+  let d =
+    if List.exists (fun hop -> by_prelude cycle hop && starts_there hop) hops then
       Diagnostic.here "this may end as soon as it starts" d
     else d
   in
-  (* If several modes with the same name do the same, adds their label only once. *)
-  let label ~at text (d : Diagnostic.t) =
-    let there (l : Diagnostic.label) = l.at = at && String.equal l.text text in
-    if List.exists there d.labels then d else Diagnostic.label ~at text d
-  in
-  let label d ((v, w, (t : Ir.transition), source) as hop) =
-    let d =
-      match source with
-      | Some _ when by_prelude hop -> d
-      | Some (origin, at) when origin = name v ->
-          label ~at (Printf.sprintf "`%s` may end at its first instant" origin) d
-      | Some (origin, at) ->
-          label ~at (Printf.sprintf "`%s` may occur at the first instant of `%s`" origin (name v)) d
-      | None -> d
-    in
-    label ~at:t.span
-      (if name v = name w then
-         Printf.sprintf "`%s` may start itself again at its own first instant" (name v)
-       else Printf.sprintf "`%s` may start `%s` at its own first instant" (name v) (name w))
-      d
-  in
-  let sources = List.filter_map (fun (_, _, _, source) -> source) hops in
-  let by = match hops with (_, _, t, _) :: _ -> t.Ir.by | [] -> Continuation "" in
-  let event ((_, _, _, source) as hop) = if by_prelude hop then None else Option.map fst source in
-  List.fold_left label (here d) hops
-  |> Diagnostic.note (note (map (fun ((v, _, _, _) as hop) -> (name v, event hop)) hops))
+  let sources = List.filter_map (fun hop -> hop.source) hops in
+  let by = match hops with hop :: _ -> hop.by.by | [] -> Continuation "" in
+  let event hop = if by_prelude cycle hop then None else Option.map fst hop.source in
+  List.fold_left (label_hop cycle name) d hops
+  |> Diagnostic.note (note (map (fun hop -> (name hop.from, event hop)) hops))
   |> far
   |> Diagnostic.hint (hint ~entry ~by sources)
   |> Diagnostic.emit sink

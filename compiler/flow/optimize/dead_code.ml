@@ -132,108 +132,133 @@ let select flags items =
 let filter is_needed items =
   if List.for_all is_needed items then items else List.filter is_needed items
 
-let sweep found (program : Ir.program) =
+type sweep = {
+  found : found;
+  numbers : int array;  (** new indices of the nodes *)
+  owners : int option array;  (** for a mode, the node with its machine *)
+  modes : int array array;  (** the modes of each node's machine *)
+  of_statics : bool list array;  (** the needed statics of each node *)
+  of_inputs : bool list array;
+  of_outputs : bool list array;
+}
+
+(* The needed inputs of each node. All modes of a machine must have the same inputs, and the root
+   keeps all of its own. *)
+let needed_inputs found (program : Ir.program) owners =
   let root = Array.length program.nodes - 1 in
-  let is_needed = is_needed found in
-  let flags = Long_list.map is_needed in
-  let count = ref (-1) in
-  let number runs =
-    if runs then incr count;
-    !count
-  in
-  let numbers = Array.map number found.runs in
-  let owners = Transitions.owners program in
+  let flags (node : Ir.node) = Long_list.map (is_needed found) node.inputs in
   let either a b = List.rev (List.rev_map2 ( || ) a b) in
-  let owner k = Option.bind owners.(k) (fun owner -> program.nodes.(owner).machine) in
-  (* All modes of a machine must have the same inputs and outputs. *)
   let of_machines = Int_table.create 16 in
   let of_machine owner (m : Ir.machine) own =
     match Int_table.find_opt of_machines owner with
     | Some all -> all
     | None ->
-        let add all mode = either all (flags program.nodes.(mode).inputs) in
-        let all = List.fold_left add own m.modes in
+        let all =
+          List.fold_left (fun all mode -> either all (flags program.nodes.(mode))) own m.modes
+        in
         Int_table.replace of_machines owner all;
         all
   in
-  let inputs k (node : Ir.node) =
-    let own = flags node.inputs in
-    match (owners.(k), owner k) with
-    | Some owner, Some m -> of_machine owner m own
-    | _, _ -> if k = root then List.map (fun _ -> true) own else own
+  let inputs k node =
+    let own = flags node in
+    match Option.map (fun owner -> (owner, program.nodes.(owner).machine)) owners.(k) with
+    | Some (owner, Some m) -> of_machine owner m own
+    | Some (_, None) | None -> if k = root then List.map (fun _ -> true) own else own
   in
-  let of_statics = Array.map (fun (node : Ir.node) -> flags node.statics) program.nodes in
-  let of_inputs = Array.mapi inputs program.nodes in
-  let of_outputs = Array.map Array.to_list found.outputs in
-  let trial (i : Ir.instance) (trial : Ir.trial) =
-    let given = select of_outputs.(i.node) i.outputs in
-    let is_given (s : Ir.signal) = List.exists (fun (g : Ir.signal) -> g.id = s.id) given in
-    match List.filter is_given trial.gives with
-    | [] -> None
-    | gives -> Some { Ir.gives; given = select of_inputs.(i.node) trial.given }
+  Array.mapi inputs program.nodes
+
+let start_sweep found (program : Ir.program) =
+  let count = ref (-1) in
+  let number runs =
+    if runs then incr count;
+    !count
   in
-  let instance (i : Ir.instance) =
-    let k = i.node in
-    let statics = select of_statics.(k) i.statics and inputs = select of_inputs.(k) i.inputs in
-    let outputs = select of_outputs.(k) i.outputs in
-    let is_whole = statics == i.statics && inputs == i.inputs && outputs == i.outputs in
-    if is_whole && numbers.(k) = k then i
-    else
-      let loop (l : Ir.loop) = { l with arguments = select of_inputs.(k) l.arguments } in
-      let trials = List.filter_map (trial i) i.trials and loop = Option.map loop i.loop in
-      { i with node = numbers.(k); statics; inputs; outputs; trials; loop }
+  let owners = Transitions.owners program in
+  let statics (node : Ir.node) = Long_list.map (is_needed found) node.statics in
+  let modes (node : Ir.node) =
+    Option.fold node.machine ~none:[||] ~some:(fun (m : Ir.machine) -> Array.of_list m.modes)
   in
-  (* The nodes of a machine's modes, by the modes' numbers. *)
-  let modes_of_machines = Int_table.create 16 in
-  let modes_of owner (m : Ir.machine) =
-    match Int_table.find_opt modes_of_machines owner with
-    | Some modes -> modes
-    | None ->
-        let modes = Array.of_list m.modes in
-        Int_table.replace modes_of_machines owner modes;
-        modes
-  in
-  let transitions owner (m : Ir.machine) =
-    let modes = modes_of owner m in
-    List.map (fun (t : Ir.transition) ->
-        { t with arguments = select of_statics.(modes.(t.target)) t.arguments })
-  in
-  let machine k (m : Ir.machine) =
-    let mode = List.hd m.modes in
-    if not found.runs.(mode) then None
-    else
-      Some
-        {
-          m with
-          modes = List.map (fun mode -> numbers.(mode)) m.modes;
-          start = transitions k m m.start;
-          controls = transitions k m m.controls;
-          inputs = select of_inputs.(mode) m.inputs;
-          outputs = select of_outputs.(mode) m.outputs;
-        }
-  in
-  let node k (node : Ir.node) =
-    let is_used (i : Ir.instance) = List.exists is_needed i.outputs in
-    let statics = select of_statics.(k) node.statics in
-    let inputs = select of_inputs.(k) node.inputs in
-    let outputs = select of_outputs.(k) node.outputs in
-    let equations = filter (fun (e : Ir.equation) -> is_needed e.defines) node.equations in
-    let instances = Long_list.map_sharing instance (filter is_used node.instances) in
-    if
-      node.machine = None && node.transitions = [] && statics == node.statics
-      && inputs == node.inputs && outputs == node.outputs && equations == node.equations
-      && instances == node.instances
-    then node
-    else
-      let machine = Option.bind node.machine (machine k) in
-      let transitions =
-        match (owners.(k), owner k) with
-        | Some owner, Some m -> transitions owner m node.transitions
-        | _, _ -> []
-      in
-      { node with statics; inputs; outputs; equations; instances; machine; transitions }
-  in
-  let nodes = Array.to_list (Array.mapi node program.nodes) in
+  {
+    found;
+    numbers = Array.map number found.runs;
+    owners;
+    modes = Array.map modes program.nodes;
+    of_statics = Array.map statics program.nodes;
+    of_inputs = needed_inputs found program owners;
+    of_outputs = Array.map Array.to_list found.outputs;
+  }
+
+let sweep_trial sweep (i : Ir.instance) (trial : Ir.trial) =
+  let given = select sweep.of_outputs.(i.node) i.outputs in
+  let is_given (s : Ir.signal) = List.exists (fun (g : Ir.signal) -> g.id = s.id) given in
+  match List.filter is_given trial.gives with
+  | [] -> None
+  | gives -> Some { Ir.gives; given = select sweep.of_inputs.(i.node) trial.given }
+
+let sweep_instance sweep (i : Ir.instance) =
+  let k = i.node in
+  let statics = select sweep.of_statics.(k) i.statics in
+  let inputs = select sweep.of_inputs.(k) i.inputs in
+  let outputs = select sweep.of_outputs.(k) i.outputs in
+  let is_whole = statics == i.statics && inputs == i.inputs && outputs == i.outputs in
+  if is_whole && sweep.numbers.(k) = k then i
+  else
+    let loop (l : Ir.loop) = { l with arguments = select sweep.of_inputs.(k) l.arguments } in
+    let trials = List.filter_map (sweep_trial sweep i) i.trials in
+    {
+      i with
+      node = sweep.numbers.(k);
+      statics;
+      inputs;
+      outputs;
+      trials;
+      loop = Option.map loop i.loop;
+    }
+
+(* [owner]: the node with the machine. *)
+let sweep_transitions sweep owner =
+  let modes = sweep.modes.(owner) in
+  List.map (fun (t : Ir.transition) ->
+      { t with arguments = select sweep.of_statics.(modes.(t.target)) t.arguments })
+
+let sweep_machine sweep k (m : Ir.machine) =
+  let mode = List.hd m.modes in
+  if not sweep.found.runs.(mode) then None
+  else
+    Some
+      {
+        m with
+        modes = List.map (fun mode -> sweep.numbers.(mode)) m.modes;
+        start = sweep_transitions sweep k m.start;
+        controls = sweep_transitions sweep k m.controls;
+        inputs = select sweep.of_inputs.(mode) m.inputs;
+        outputs = select sweep.of_outputs.(mode) m.outputs;
+      }
+
+let sweep_node sweep k (node : Ir.node) =
+  let is_needed = is_needed sweep.found in
+  let is_used (i : Ir.instance) = List.exists is_needed i.outputs in
+  let statics = select sweep.of_statics.(k) node.statics in
+  let inputs = select sweep.of_inputs.(k) node.inputs in
+  let outputs = select sweep.of_outputs.(k) node.outputs in
+  let equations = filter (fun (e : Ir.equation) -> is_needed e.defines) node.equations in
+  let instances = Long_list.map_sharing (sweep_instance sweep) (filter is_used node.instances) in
+  if
+    node.machine = None && node.transitions = [] && statics == node.statics && inputs == node.inputs
+    && outputs == node.outputs && equations == node.equations && instances == node.instances
+  then node
+  else
+    let machine = Option.bind node.machine (sweep_machine sweep k) in
+    let transitions =
+      match sweep.owners.(k) with
+      | Some owner -> sweep_transitions sweep owner node.transitions
+      | None -> []
+    in
+    { node with statics; inputs; outputs; equations; instances; machine; transitions }
+
+let sweep found (program : Ir.program) =
+  let sweep = start_sweep found program in
+  let nodes = Array.to_list (Array.mapi (sweep_node sweep) program.nodes) in
   { program with nodes = Array.of_list (List.filteri (fun k _ -> found.runs.(k)) nodes) }
 
 let program program = sweep (find program) program

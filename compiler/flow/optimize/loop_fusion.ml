@@ -91,69 +91,83 @@ let signal context ?(name = "") ty span : Ir.signal =
 (* An input of the joined loop, and the parameter of its node. *)
 type given = { argument : Ir.argument; atom : Ir.atom; parameter : Ir.signal }
 
+type joined = {
+  context : context;
+  callees : Ir.node array;
+  mutable statics : (Ir.atom * Ir.signal) list; (* arguments and parameters, last one first *)
+  mutable given : given list; (* last one first *)
+  mutable results : (bool * Ir.signal * Ir.signal) list;
+      (* whether it is an accumulator's final value, the signal outside, and the one inside; last
+         one first *)
+  mutable bodies : Ir.instance list; (* last one first *)
+  elements : Ir.signal Int_table.t;
+      (* the current element, within an iteration, of each array that a member defines *)
+}
+
+let parameter joined (like : Ir.signal) = signal joined.context ~name:like.name like.ty like.span
+
+(* The parameter for an input, which members share if they read the same array or value. *)
+let pass joined argument (atom : Ir.atom) (like : Ir.signal) : Ir.atom =
+  let same g =
+    g.argument = argument
+    &&
+    match argument with
+    | Ir.Element | Same -> (
+        match (g.atom, atom) with Ir.Signal a, Ir.Signal b -> a.id = b.id | _, _ -> false)
+    | Accumulator | Counter -> false
+  in
+  match List.find_opt same joined.given with
+  | Some g -> Signal g.parameter
+  | None ->
+      let parameter = parameter joined like in
+      joined.given <- { argument; atom; parameter } :: joined.given;
+      Signal parameter
+
+let add_member joined ((i : Ir.instance), (l : Ir.loop)) =
+  let callee = joined.callees.(i.node) in
+  let static atom like =
+    let parameter = parameter joined like in
+    joined.statics <- (atom, parameter) :: joined.statics;
+    Ir.Signal parameter
+  in
+  let input (argument, (atom : Ir.atom)) like =
+    match (argument, atom) with
+    | Ir.Element, Signal s when Int_table.mem joined.elements s.id ->
+        Ir.Signal (Int_table.find joined.elements s.id)
+    | _, _ -> pass joined argument atom like
+  in
+  let statics = List.map2 static i.statics callee.statics in
+  let inputs = List.map2 input (List.combine l.arguments i.inputs) callee.inputs in
+  let accumulated = accumulators l in
+  let output k (s : Ir.signal) (_, atom) =
+    let inside = signal joined.context ~name:s.name (Operands.ty atom) s.span in
+    if k >= accumulated then Int_table.replace joined.elements s.id inside;
+    joined.results <- (k < accumulated, s, inside) :: joined.results;
+    inside
+  in
+  let outputs = List.mapi (fun k (s, o) -> output k s o) (List.combine i.outputs callee.outputs) in
+  let node = joined.context.numbers.(i.node) in
+  joined.bodies <- { i with node; statics; inputs; outputs; loop = None } :: joined.bodies
+
 let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
   let members = List.rev group.members in
-  let statics = ref [] and given = ref [] and results = ref [] and bodies = ref [] in
-  (* The current element, within an iteration, of each array that a member defines. *)
-  let elements = Hashtbl.create 16 in
-  let pass argument (atom : Ir.atom) (like : Ir.signal) : Ir.atom =
-    let same g =
-      g.argument = argument
-      &&
-      match argument with
-      | Ir.Element | Same -> (
-          match (g.atom, atom) with Ir.Signal a, Ir.Signal b -> a.id = b.id | _, _ -> false)
-      | Accumulator | Counter -> false
-    in
-    match List.find_opt same !given with
-    | Some g -> Signal g.parameter
-    | None ->
-        let parameter = signal context ~name:like.name like.ty like.span in
-        given := { argument; atom; parameter } :: !given;
-        Signal parameter
+  let joined =
+    {
+      context;
+      callees = program.nodes;
+      statics = [];
+      given = [];
+      results = [];
+      bodies = [];
+      elements = Int_table.create 16;
+    }
   in
-  let add ((i : Ir.instance), (l : Ir.loop)) =
-    let callee = program.nodes.(i.node) in
-    let static atom (like : Ir.signal) =
-      let parameter = signal context ~name:like.name like.ty like.span in
-      statics := (atom, parameter) :: !statics;
-      Ir.Signal parameter
-    in
-    let input (argument, (atom : Ir.atom)) like =
-      match (argument, atom) with
-      | Ir.Element, Signal s when Hashtbl.mem elements s.id ->
-          Ir.Signal (Hashtbl.find elements s.id)
-      | _, _ -> pass argument atom like
-    in
-    let own_statics = List.map2 static i.statics callee.statics in
-    let own_inputs = List.map2 input (List.combine l.arguments i.inputs) callee.inputs in
-    let accumulated = accumulators l in
-    let output k (s : Ir.signal) (_, atom) =
-      let inside = signal context ~name:s.name (Operands.ty atom) s.span in
-      if k >= accumulated then Hashtbl.replace elements s.id inside;
-      results := (k < accumulated, s, inside) :: !results;
-      inside
-    in
-    let outputs =
-      List.mapi (fun k (s, o) -> output k s o) (List.combine i.outputs callee.outputs)
-    in
-    bodies :=
-      {
-        i with
-        node = context.numbers.(i.node);
-        statics = own_statics;
-        inputs = own_inputs;
-        outputs;
-        loop = None;
-      }
-      :: !bodies
-  in
-  List.iter add members;
+  List.iter (add_member joined) members;
   let accumulators, others =
-    List.partition (fun g -> g.argument = Ir.Accumulator) (List.rev !given)
+    List.partition (fun g -> g.argument = Ir.Accumulator) (List.rev joined.given)
   in
   let given = accumulators @ others in
-  let at_end, arrays = List.partition (fun (last, _, _) -> last) (List.rev !results) in
+  let at_end, arrays = List.partition (fun (last, _, _) -> last) (List.rev joined.results) in
   let results = at_end @ arrays in
   let is_stateful ((i : Ir.instance), _) = program.nodes.(i.node).kind = Signal_function in
   let first, _ = List.hd members in
@@ -164,11 +178,11 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
       name = Names.unique context.names (caller.name ^ ".loop");
       origin = caller.origin;
       kind = (if List.exists is_stateful members then Signal_function else Function);
-      statics = List.rev_map snd !statics;
+      statics = List.rev_map snd joined.statics;
       inputs = List.map (fun g -> g.parameter) given;
       outputs = List.mapi output results;
       equations = [];
-      instances = List.rev !bodies;
+      instances = List.rev joined.bodies;
       machine = None;
       foreign = None;
       transitions = [];
@@ -178,7 +192,7 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
   {
     node = context.done_ - 1;
     name = named.name;
-    statics = List.rev_map fst !statics;
+    statics = List.rev_map fst joined.statics;
     inputs = List.map (fun g -> g.atom) given;
     outputs = List.map (fun (_, s, _) -> s) results;
     loop = Some { count = group.count; arguments = List.map (fun g -> g.argument) given };

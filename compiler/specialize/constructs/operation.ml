@@ -3,6 +3,24 @@ module Ir = Flow.Ir
 
 type position = Evaluator.position
 
+(* [x ^ k] by squaring. The intermediate powers are unnamed, because the program names only the
+   result. *)
+let power (p : position) target leaf x k =
+  let one : Ir.atom = match (leaf : Ir.ty) with Int -> Int 1l | _ -> Float 1. in
+  let define target operator operands =
+    Node.define p.node target ~span:p.span leaf (Op (operator, operands))
+  in
+  let rec power target k : Ir.atom =
+    if k = 0 then one
+    else if k < 0 then define target Divide [ one; power Node.Unnamed (-k) ]
+    else if k = 1 then x
+    else if k mod 2 = 0 then
+      let half = power Node.Unnamed (k / 2) in
+      define target Multiply [ half; half ]
+    else define target Multiply [ x; power Node.Unnamed (k - 1) ]
+  in
+  power target k
+
 let apply (p : position) target (primitive : Core.Primitive.t) ~result
     (arguments : Value.argument list) : Value.t =
   let bug () =
@@ -21,18 +39,6 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
     match Flow.Fold.operation p.context.real operator arguments with
     | Some known -> Value.Atom known
     | None -> Atom (define target (Op (operator, arguments)))
-  in
-  let one : Ir.atom = if leaf = Int then Int 1l else Float 1. in
-  let times target a b = define target (Op (Multiply, [ a; b ])) in
-  (* the intermediate powers are unnamed, because the program names only the result *)
-  let rec power target x k : Ir.atom =
-    if k = 0 then one
-    else if k < 0 then define target (Op (Divide, [ one; power Node.Unnamed x (-k) ]))
-    else if k = 1 then x
-    else if k mod 2 = 0 then
-      let half = power Node.Unnamed x (k / 2) in
-      times target half half
-    else times target x (power Node.Unnamed x (k - 1))
   in
   let compare comparison = function
     | [ (a : Value.argument); (b : Value.argument) ] ->
@@ -61,7 +67,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   | Divide -> operate Divide
   | Power -> operate Pow
   | Power_literal k -> (
-      match arguments with [ x ] -> Atom (power target (atom x) k) | _ -> bug ())
+      match arguments with [ x ] -> Atom (power p target leaf (atom x) k) | _ -> bug ())
   | Elementary e -> operate (Elementary e)
   | Div -> operate Div
   | Mod -> operate Mod

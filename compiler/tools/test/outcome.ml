@@ -194,9 +194,12 @@ let fate_name = function
   | Unasked -> "unasked"
   | Void -> "void"
 
-let json t =
-  let open Basis.Json in
-  let collision c =
+(* {1 JSON} *)
+
+open struct
+  open Basis.Json
+
+  let collision_json c =
     Object
       [
         ("time", Float c.time);
@@ -205,40 +208,40 @@ let json t =
         ("y", Float c.y);
         ("clearance", Float c.clearance);
       ]
-  in
-  let run r =
+
+  let truth_json r =
+    match r.truth with
+    | [ x; y; heading; clearance; touches; driven; lost ] ->
+        [
+          ("x", Float x);
+          ("y", Float y);
+          ("heading", Float heading);
+          ("clearance", Float clearance);
+          ("touches", Bool (touches <> 0.));
+          ("driven", Float driven);
+          ("odometry_error", Float lost);
+          ("collisions", Int r.collisions);
+        ]
+        @ Option.fold ~none:[] ~some:(fun c -> [ ("first_collision", collision_json c) ]) r.first
+    | _ -> []
+
+  let measured_json t r =
+    let value (m : Measures.t) =
+      let x = of_measure m r in
+      if Float.is_finite x then Some (m.name, Float x) else None
+    in
+    match List.filter_map value t.measures with
+    | [] -> []
+    | values -> [ ("measured", Object values) ]
+
+  let run_json t r =
     let seed = match r.seed with Some seed -> [ ("seed", Int seed) ] | None -> [] in
-    let truth =
-      match r.truth with
-      | [ x; y; heading; clearance; touches; driven; lost ] ->
-          [
-            ("x", Float x);
-            ("y", Float y);
-            ("heading", Float heading);
-            ("clearance", Float clearance);
-            ("touches", Bool (touches <> 0.));
-            ("driven", Float driven);
-            ("odometry_error", Float lost);
-            ("collisions", Int r.collisions);
-          ]
-          @ Option.fold ~none:[] ~some:(fun c -> [ ("first_collision", collision c) ]) r.first
-      | _ -> []
-    in
-    let measured =
-      let value (m : Measures.t) =
-        let x = of_measure m r in
-        if Float.is_finite x then Some (m.name, Float x) else None
-      in
-      match List.filter_map value t.measures with
-      | [] -> []
-      | values -> [ ("measured", Object values) ]
-    in
     Object
       (seed
       @ [ ("fate", String (fate_name r.fate)); ("at", Float r.at); ("by", String r.by) ]
-      @ truth @ measured)
-  in
-  let evidence =
+      @ truth_json r @ measured_json t r)
+
+  let evidence_json t =
     let look { picture; view; around = _ } =
       [ ("picture", String picture); ("view", String view) ]
     in
@@ -247,7 +250,7 @@ let json t =
         ([
            ("needs", List (List.map (fun name -> String name) needs));
            ("world", String world);
-           ("run", run again);
+           ("run", run_json t again);
          ]
         @ look seen)
     in
@@ -257,42 +260,41 @@ let json t =
         @ Option.fold ~none:[] ~some:(fun s -> [ ("simpler", simpler s) ]) e.simpler
         @ if e.note = "" then [] else [ ("note", String e.note) ]
     | None -> []
-  in
-  let chance =
-    match t.chance with
-    | None -> []
-    | Some chance ->
-        let total = List.length (counted t) in
-        let held = total - List.length (failures t) in
-        let least, most = Chance.bounds ~confidence:chance.confidence ~held (max 1 total) in
-        let decision =
-          match fst (decision t chance) with Holds -> "holds" | Fails -> "fails" | Open -> "open"
-        in
-        let fields =
-          [
-            ("share", Float chance.share);
-            ("confidence", Float chance.confidence);
-            ("decision", String decision);
-            ("least", Float least);
-            ("most", Float most);
-          ]
-        in
-        [ ("chance", Object fields) ]
-  in
-  let result =
-    match t.result with
-    | Ok runs -> [ ("runs", List (List.map run runs)) ]
-    | Error reason -> [ ("error", String reason) ]
-  in
-  to_string
-    (Object
-       ([
-          ("file", String t.file);
-          ("label", String t.label);
-          ("ok", Bool (not (has_failed t)));
-          ("lasts", Float t.lasts);
-        ]
-       @ chance @ result @ evidence))
+
+  let chance_json t (chance : Chance.t) =
+    let total = List.length (counted t) in
+    let held = total - List.length (failures t) in
+    let least, most = Chance.bounds ~confidence:chance.confidence ~held (max 1 total) in
+    let decision =
+      match fst (decision t chance) with Holds -> "holds" | Fails -> "fails" | Open -> "open"
+    in
+    Object
+      [
+        ("share", Float chance.share);
+        ("confidence", Float chance.confidence);
+        ("decision", String decision);
+        ("least", Float least);
+        ("most", Float most);
+      ]
+
+  let outcome_json t =
+    let chance = Option.fold t.chance ~none:[] ~some:(fun c -> [ ("chance", chance_json t c) ]) in
+    let result =
+      match t.result with
+      | Ok runs -> ("runs", List (List.map (run_json t) runs))
+      | Error reason -> ("error", String reason)
+    in
+    Object
+      ([
+         ("file", String t.file);
+         ("label", String t.label);
+         ("ok", Bool (not (has_failed t)));
+         ("lasts", Float t.lasts);
+       ]
+      @ chance @ (result :: evidence_json t))
+end
+
+let json t = Basis.Json.to_string (outcome_json t)
 
 let skipped_json { path; name; what; command } =
   let open Basis.Json in
