@@ -196,103 +196,102 @@ let fate_name = function
 
 (* {1 JSON} *)
 
-open struct
-  open Basis.Json
+let collision_json c =
+  let open Basis.Json in
+  Object
+    [
+      ("time", Float c.time);
+      ("with", String c.with_);
+      ("x", Float c.x);
+      ("y", Float c.y);
+      ("clearance", Float c.clearance);
+    ]
 
-  let collision_json c =
-    Object
+let truth_json r =
+  let open Basis.Json in
+  match r.truth with
+  | [ x; y; heading; clearance; touches; driven; lost ] ->
       [
-        ("time", Float c.time);
-        ("with", String c.with_);
-        ("x", Float c.x);
-        ("y", Float c.y);
-        ("clearance", Float c.clearance);
+        ("x", Float x);
+        ("y", Float y);
+        ("heading", Float heading);
+        ("clearance", Float clearance);
+        ("touches", Bool (touches <> 0.));
+        ("driven", Float driven);
+        ("odometry_error", Float lost);
+        ("collisions", Int r.collisions);
       ]
+      @ Option.fold ~none:[] ~some:(fun c -> [ ("first_collision", collision_json c) ]) r.first
+  | _ -> []
 
-  let truth_json r =
-    match r.truth with
-    | [ x; y; heading; clearance; touches; driven; lost ] ->
-        [
-          ("x", Float x);
-          ("y", Float y);
-          ("heading", Float heading);
-          ("clearance", Float clearance);
-          ("touches", Bool (touches <> 0.));
-          ("driven", Float driven);
-          ("odometry_error", Float lost);
-          ("collisions", Int r.collisions);
-        ]
-        @ Option.fold ~none:[] ~some:(fun c -> [ ("first_collision", collision_json c) ]) r.first
-    | _ -> []
+let measured_json t r =
+  let open Basis.Json in
+  let value (m : Measures.t) =
+    let x = of_measure m r in
+    if Float.is_finite x then Some (m.name, Float x) else None
+  in
+  match List.filter_map value t.measures with [] -> [] | values -> [ ("measured", Object values) ]
 
-  let measured_json t r =
-    let value (m : Measures.t) =
-      let x = of_measure m r in
-      if Float.is_finite x then Some (m.name, Float x) else None
-    in
-    match List.filter_map value t.measures with
-    | [] -> []
-    | values -> [ ("measured", Object values) ]
+let run_json t r =
+  let open Basis.Json in
+  let seed = match r.seed with Some seed -> [ ("seed", Int seed) ] | None -> [] in
+  Object
+    (seed
+    @ [ ("fate", String (fate_name r.fate)); ("at", Float r.at); ("by", String r.by) ]
+    @ truth_json r @ measured_json t r)
 
-  let run_json t r =
-    let seed = match r.seed with Some seed -> [ ("seed", Int seed) ] | None -> [] in
-    Object
-      (seed
-      @ [ ("fate", String (fate_name r.fate)); ("at", Float r.at); ("by", String r.by) ]
-      @ truth_json r @ measured_json t r)
-
-  let evidence_json t =
-    let look { picture; view; around = _ } =
-      [ ("picture", String picture); ("view", String view) ]
-    in
-    let simpler { needs; world; again; seen } =
-      Object
-        ([
-           ("needs", List (List.map (fun name -> String name) needs));
-           ("world", String world);
-           ("run", run_json t again);
-         ]
-        @ look seen)
-    in
-    match t.evidence with
-    | Some e ->
-        look e.look
-        @ Option.fold ~none:[] ~some:(fun s -> [ ("simpler", simpler s) ]) e.simpler
-        @ if e.note = "" then [] else [ ("note", String e.note) ]
-    | None -> []
-
-  let chance_json t (chance : Chance.t) =
-    let total = List.length (counted t) in
-    let held = total - List.length (failures t) in
-    let least, most = Chance.bounds ~confidence:chance.confidence ~held (max 1 total) in
-    let decision =
-      match fst (decision t chance) with Holds -> "holds" | Fails -> "fails" | Open -> "open"
-    in
-    Object
-      [
-        ("share", Float chance.share);
-        ("confidence", Float chance.confidence);
-        ("decision", String decision);
-        ("least", Float least);
-        ("most", Float most);
-      ]
-
-  let outcome_json t =
-    let chance = Option.fold t.chance ~none:[] ~some:(fun c -> [ ("chance", chance_json t c) ]) in
-    let result =
-      match t.result with
-      | Ok runs -> ("runs", List (List.map (run_json t) runs))
-      | Error reason -> ("error", String reason)
-    in
+let evidence_json t =
+  let open Basis.Json in
+  let look { picture; view; around = _ } = [ ("picture", String picture); ("view", String view) ] in
+  let simpler { needs; world; again; seen } =
     Object
       ([
-         ("file", String t.file);
-         ("label", String t.label);
-         ("ok", Bool (not (has_failed t)));
-         ("lasts", Float t.lasts);
+         ("needs", List (List.map (fun name -> String name) needs));
+         ("world", String world);
+         ("run", run_json t again);
        ]
-      @ chance @ (result :: evidence_json t))
-end
+      @ look seen)
+  in
+  match t.evidence with
+  | Some e ->
+      look e.look
+      @ Option.fold ~none:[] ~some:(fun s -> [ ("simpler", simpler s) ]) e.simpler
+      @ if e.note = "" then [] else [ ("note", String e.note) ]
+  | None -> []
+
+let chance_json t (chance : Chance.t) =
+  let open Basis.Json in
+  let total = List.length (counted t) in
+  let held = total - List.length (failures t) in
+  let least, most = Chance.bounds ~confidence:chance.confidence ~held (max 1 total) in
+  let decision =
+    match fst (decision t chance) with Holds -> "holds" | Fails -> "fails" | Open -> "open"
+  in
+  Object
+    [
+      ("share", Float chance.share);
+      ("confidence", Float chance.confidence);
+      ("decision", String decision);
+      ("least", Float least);
+      ("most", Float most);
+    ]
+
+let outcome_json t =
+  let open Basis.Json in
+  let chance = Option.fold t.chance ~none:[] ~some:(fun c -> [ ("chance", chance_json t c) ]) in
+  let result =
+    match t.result with
+    | Ok runs -> ("runs", List (List.map (run_json t) runs))
+    | Error reason -> ("error", String reason)
+  in
+  Object
+    ([
+       ("file", String t.file);
+       ("label", String t.label);
+       ("ok", Bool (not (has_failed t)));
+       ("lasts", Float t.lasts);
+     ]
+    @ chance @ (result :: evidence_json t))
 
 let json t = Basis.Json.to_string (outcome_json t)
 
