@@ -110,6 +110,45 @@ def zooms(page):
     press(page, "Zoom in")
 
 
+def edits(page):
+    """Edits the program, and undoes that."""
+    lines = """
+        const root = document.querySelector("#source > div").shadowRoot;
+        return [...root.querySelectorAll(".cm-line")].slice(0, 3).map((line) => line.textContent)"""
+
+    def first(*wanted):
+        shown = page.driver.execute_script(lines)
+        return all(line == part for line, part in zip(shown, wanted))
+
+    def control(key):
+        ActionChains(page.driver).key_down(Keys.CONTROL).send_keys(key).key_up(
+            Keys.CONTROL
+        ).perform()
+
+    page.press("e")
+    page.wait(lambda: page.all(".what-if button")[0].is_displayed())
+    before = page.driver.execute_script(lines)
+    page.press("  x = 1", Keys.ENTER, "y", Keys.ENTER)
+    page.wait(lambda: first("  x = 1", "  y", "  " + before[0]))
+    check("a new line is indented", True)
+    page.press(*[Keys.BACKSPACE] * 4)
+    page.press(Keys.ARROW_UP, Keys.HOME, Keys.DELETE)
+    page.wait(lambda: first(" x = 1", "  " + before[0]))
+    check("text is deleted, also across lines", True)
+    control("a")
+    page.press("z")
+    page.wait(lambda: first("z"))
+    for _ in range(20):
+        control("z")
+    page.wait(lambda: first(before[0]))
+    check("all of it is undone", True)
+    control("y")
+    page.wait(lambda: not first(before[0]))
+    check("and done again", True)
+    page.press(Keys.ESCAPE)
+    page.wait(lambda: first(before[0]))
+
+
 def shape(page):
     """What a page shows: theme, plots, sizes and the map's view."""
     return page.driver.execute_script("""
@@ -128,6 +167,7 @@ def main():
         page.at(0)
         plots(page, rows)
         zooms(page)
+        edits(page)
         page.press("t")
         bar = page.all("[data-split=source]")[0]
         width = page.all("#source")[0].size["width"]

@@ -1,5 +1,4 @@
 // The program's source, read-only, with the values at the current instant at the ends of its lines.
-import { HighlightStyle, syntaxHighlighting } from "@codemirror/language";
 import {
   Compartment,
   EditorState,
@@ -15,30 +14,26 @@ import {
   WidgetType,
   type DecorationSet,
 } from "@codemirror/view";
-import { tags } from "@lezer/highlight";
-import { history, historyKeymap, standardKeymap } from "@codemirror/commands";
-import { frob } from "./frob_language";
+import { highlight } from "./highlight";
 import { canBeDragged } from "../plots/drag";
+import { input } from "./input";
 import { Lines, shownSources, type Chip, type LineValues } from "./lines";
 import type { Source } from "../protocol";
 import type { Store } from "../store";
+import { undoing } from "./undo";
 import { WhatIfBar } from "./what_if";
 import { WhyPanel } from "./why";
-
-const colours = HighlightStyle.define([
-  { tag: tags.keyword, color: "var(--keyword)", fontWeight: "600" },
-  { tag: tags.comment, color: "var(--dim)", fontStyle: "italic" },
-  { tag: tags.number, color: "var(--number)" },
-  { tag: tags.string, color: "var(--number)" },
-  { tag: tags.typeName, color: "var(--type)" },
-  { tag: tags.operator, color: "var(--operator)" },
-]);
 
 const look = EditorView.theme({
   "&": { height: "100%", color: "var(--text)", backgroundColor: "transparent", fontSize: "13px" },
   ".cm-scroller": { fontFamily: "var(--mono)", lineHeight: "1.55", overflowX: "hidden" },
   ".cm-gutters": { backgroundColor: "transparent", color: "var(--dim)", border: "none" },
   "&.cm-focused": { outline: "none" },
+  ".token-keyword": { color: "var(--keyword)", fontWeight: "600" },
+  ".token-comment": { color: "var(--dim)", fontStyle: "italic" },
+  ".token-number": { color: "var(--number)" },
+  ".token-type": { color: "var(--type)" },
+  ".token-operator": { color: "var(--operator)" },
   ".idle, .idle span": { color: "var(--dim) !important", fontWeight: "400 !important" },
   ".asked": { backgroundColor: "var(--picked)" },
   // The values never make a line wrap: they take no space. If there is no room for them after the
@@ -187,8 +182,7 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     EditorView.lineWrapping,
     writing.of(EditorState.readOnly.of(true)),
     EditorView.contentAttributes.of({ "aria-label": "Source" }),
-    frob,
-    syntaxHighlighting(colours),
+    highlight,
     look,
     shown,
     EditorView.updateListener.of(({ docChanged, viewportChanged }) => {
@@ -279,6 +273,7 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
   const bar = new WhatIfBar(store, {
     begin: (text) => {
       select(sources[0]);
+      const undo = undoing();
       const keys = keymap.of([
         {
           key: "Mod-Enter",
@@ -301,12 +296,11 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
             return true;
           },
         },
-        ...standardKeymap,
-        ...historyKeymap,
+        ...undo.keys,
       ]);
       const { length } = view.state.doc;
       view.dispatch({
-        effects: writing.reconfigure([keys, history(), tinted]),
+        effects: writing.reconfigure([keys, undo.extension, input, tinted]),
         ...(text === null ? {} : { changes: { from: 0, to: length, insert: text } }),
       });
       view.focus();
