@@ -397,6 +397,8 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
         answer_refusal(answer, "there is no instant yet");
     else if (take_word(&at, "instant") && take_number(&at, count, &k) && *at == '\0')
         answer_instant(view, k, answer);
+    else if (take_word(&at, "cells") && take_number(&at, count, &k) && *at == '\0')
+        answer_instant(view, k, answer);
     else if (take_word(&at, "time") && take_seconds(&at, &seconds) && *at == '\0')
         answer_instant(view, view_instant_at(view, seconds), answer);
     else if (take_word(&at, "series") && take_number(&at, view->signals.count, &signal) &&

@@ -5,6 +5,7 @@
  *
  *   program                    the signals, the sources and the notes
  *   instant K                  all signals at instant K
+ *   cells K                    the same, but a newer request for an instant does not replace it
  *   time SECONDS               all signals at the last instant not after that time
  *   series SIGNAL FROM TO WIDTH
  *                              points for a plot of signal number SIGNAL from time FROM

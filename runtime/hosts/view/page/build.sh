@@ -7,7 +7,7 @@ sources=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1" "$2"
 out=$(cd "$2" && pwd)
 rm -f "$1"/*.ts
-for folder in camera map operate plots signals source time; do
+for folder in camera map operate plots save signals source time; do
     rm -rf "$1/$folder"
     cp -r "$sources/$folder" "$1"
 done

@@ -21,6 +21,7 @@ function readPicture(message: ArrayBuffer): Picture {
 /** Maps the first word of a question to the name of its answer, if the names differ. */
 const answerOf: Readonly<Record<string, string>> = {
   time: "instant",
+  cells: "instant",
   find: "found",
   drive: "what-if",
   with: "what-if",
@@ -47,7 +48,15 @@ export interface Listener {
   closed(why: string, final: boolean): void;
 }
 
-export class Connection {
+/** Answers questions: a viewer, or the data of a saved page. */
+export interface Link {
+  readonly isOpen: boolean;
+  ask(text: string): void;
+  more(): void;
+  command(text: string): boolean;
+}
+
+export class Connection implements Link {
   private socket: WebSocket | null = null;
   /** Unanswered questions, the oldest first; the first `sent` were sent on this connection. */
   private readonly questions: Question[] = [];

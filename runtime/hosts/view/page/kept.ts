@@ -1,6 +1,6 @@
 // What the page keeps of a program: its plots, the sizes of the panels, the theme, the edited text.
 // A tab keeps it over a reload; the viewer keeps it for the next run of the program.
-import type { Connection } from "./connection";
+import type { Link } from "./connection";
 
 /** Time from a change until it is kept, in ms. */
 const soon = 500;
@@ -35,10 +35,18 @@ export class Kept {
     program: string,
     /** What the viewer has kept, as JSON. */
     before: string,
-    private readonly connection: Connection,
+    private readonly connection: Link,
   ) {
     this.key = `frob ${program}`;
-    this.all = parsed(sessionStorage.getItem(this.key)) ?? parsed(before) ?? {};
+    this.all = parsed(this.stored()) ?? parsed(before) ?? {};
+  }
+
+  private stored(): string | null {
+    try {
+      return sessionStorage.getItem(this.key);
+    } catch {
+      return null; // not available to a file
+    }
   }
 
   get(name: string): Json | undefined {

@@ -1,7 +1,7 @@
 // The page: connects to the viewer, and starts the panels.
 import { token } from "./address";
 import { startCamera } from "./camera/camera";
-import { Connection } from "./connection";
+import { Connection, type Link, type Listener } from "./connection";
 import { startComparison } from "./compare";
 import { Contact } from "./contact";
 import { startClaims } from "./signals/claims";
@@ -18,6 +18,8 @@ import { startSearch } from "./time/search";
 import { startSignals } from "./signals/signals";
 import { startSource } from "./source/source";
 import { restore, restorePlots } from "./restore";
+import { startSaving } from "./save/save";
+import { Saved } from "./save/saved";
 import { Store } from "./store";
 import { startTheme, toggleTheme } from "./theme";
 import { startTimeline } from "./time/timeline";
@@ -189,6 +191,7 @@ function start(program: Program): Store {
   );
   startConsole(store, element("console"));
   showAlignment = startComparison(store, element("compare"));
+  startSaving(store, element<HTMLButtonElement>("save"), element<HTMLDialogElement>("saving"));
   element("help").onclick = () => help.showModal();
   choose(view ? "map" : "plots");
   restore(store, kept, new Layout(), view);
@@ -267,7 +270,7 @@ function answered(answer: Answer, question: string): void {
       store?.pictureReceived(answer);
       break;
     case "instant":
-      store?.arrived(answer);
+      store?.arrived(answer, question);
       break;
     case "series":
       store?.received(answer);
@@ -333,7 +336,7 @@ startTheme();
 element("theme").onclick = toggleTheme;
 startPanels();
 const contact = new Contact(element("contact"), contactChanged);
-const connection = new Connection({
+const listener: Listener = {
   answered,
   closed: (why, isFinal) => {
     if (isFinal) refusal = why || "the viewer does not answer this page";
@@ -342,4 +345,7 @@ const connection = new Connection({
     if (!store) sayRefusal(why);
     showProgress();
   },
-});
+};
+const saved = document.getElementById("saved")?.textContent;
+document.body.classList.toggle("saved", saved !== undefined);
+const connection: Link = saved ? new Saved(saved, listener) : new Connection(listener);

@@ -1,5 +1,5 @@
 // The state of the page, and the listeners for its changes.
-import type { Connection } from "./connection";
+import type { Link } from "./connection";
 import type { Contact } from "./contact";
 import { axesOf, mostAxes, newPlot, type Plot } from "./plots/model";
 import type {
@@ -136,11 +136,12 @@ export class Store {
   private outstanding = false;
   private wanted: string | null = null;
   private readonly arrivals: Listener[] = [];
+  private readonly savings = new Map<number, (instant: Instant) => void>();
   private readonly colours = new Map<number, number>();
 
   constructor(
     readonly program: Program,
-    private readonly connection: Connection,
+    private readonly connection: Link,
     readonly contact: Contact,
     /** Tells the user which command was not executed, and why. */
     private readonly complain: (what: string) => void,
@@ -269,7 +270,26 @@ export class Store {
     this.connection.ask(request);
   }
 
-  arrived(instant: Instant): void {
+  /** Requests instants that are not shown, for saving. */
+  instants(from: number, to: number): Promise<Instant[]> {
+    return new Promise((resolve) => {
+      const all: Instant[] = [];
+      for (let k = from; k < to; k++) {
+        this.savings.set(k, (instant) => {
+          all.push(instant);
+          if (all.length === to - from) resolve(all.sort((a, b) => a.k - b.k));
+        });
+        this.connection.ask(`cells ${k}`);
+      }
+    });
+  }
+
+  arrived(instant: Instant, question: string): void {
+    if (question.startsWith("cells ")) {
+      this.savings.get(instant.k)?.(instant);
+      this.savings.delete(instant.k);
+      return;
+    }
     // Another page may have an edited program where this one has none.
     if (!this.following) this.instant = this.hasOthers ? instant : withoutOthers(instant);
     this.outstanding = false;

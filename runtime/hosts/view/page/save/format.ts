@@ -1,0 +1,36 @@
+// The data of a run in a saved page.
+import type { Claims, Instant, Program } from "../protocol";
+
+export interface SavedRun {
+  readonly program: Program;
+  readonly claims: Claims;
+  readonly times: readonly number[];
+  readonly dts: readonly number[];
+  /** For each signal: the instants at which its cell changes, each followed by the cell. */
+  readonly cells: readonly (readonly (number | string)[])[];
+  /** For a simulated run: the true state of the robots at each instant. */
+  readonly truth: readonly Instant["truth"][];
+}
+
+/** Maximum number of instants of a saved page. */
+export const mostInstants = 20_000;
+
+async function through(bytes: BlobPart, stream: GenericTransformStream): Promise<ArrayBuffer> {
+  return new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer();
+}
+
+/** Compresses a run to text. */
+export async function pack(run: SavedRun): Promise<string> {
+  const packed = new Uint8Array(await through(JSON.stringify(run), new CompressionStream("gzip")));
+  let text = "";
+  const piece = 0x8000;
+  for (let at = 0; at < packed.length; at += piece)
+    text += String.fromCharCode(...packed.subarray(at, at + piece));
+  return btoa(text);
+}
+
+export async function unpack(text: string): Promise<SavedRun> {
+  const packed = Uint8Array.from(atob(text.trim()), (character) => character.charCodeAt(0));
+  const bytes = await through(packed, new DecompressionStream("gzip"));
+  return JSON.parse(new TextDecoder().decode(bytes)) as SavedRun;
+}

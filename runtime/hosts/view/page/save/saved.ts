@@ -1,0 +1,170 @@
+// Answers the page's questions from the data in a saved page, in the place of a viewer.
+import type { Link, Listener } from "../connection";
+import type { Answer, Instant, Path, Series, Signal, Way } from "../protocol";
+import { unpack, type SavedRun } from "./format";
+
+/** For how long an event of the input stays visible, in seconds: see instant.c. */
+const recentlySeconds = 0.4;
+
+/** Returns the number that represents a cell in a plot. */
+function numberOf({ names, kind }: Signal, cell: string): number | null {
+  if (cell === "") return null;
+  if (kind === "bool") return cell === "true" ? 1 : 0;
+  const name = names.indexOf(cell.split(" ", 1)[0] ?? "");
+  if (name >= 0) return name;
+  const number = Number(cell);
+  return Number.isFinite(number) ? number : kind === "event" ? 1 : null;
+}
+
+export class Saved implements Link {
+  readonly isOpen = true;
+  private run: SavedRun | null = null;
+
+  constructor(
+    text: string,
+    private readonly listener: Listener,
+  ) {
+    void unpack(text).then((run) => {
+      this.run = run;
+      this.answer(run.program, "");
+      this.answer(run.claims, "");
+    });
+    // There is nobody to lose contact with.
+    setInterval(() => this.answer({ is: "beat", time: 0 }, ""), 100);
+  }
+
+  more(): void {
+    // A saved run does not grow.
+  }
+
+  command(): boolean {
+    return false;
+  }
+
+  private answer(answer: Answer, question: string): void {
+    this.listener.answered(answer, question);
+  }
+
+  ask(question: string): void {
+    // Like a viewer, never before the caller has finished.
+    queueMicrotask(() => this.answer(this.answerTo(question), question));
+  }
+
+  private answerTo(question: string): Answer {
+    const [word = "", ...rest] = question.split(" ");
+    const [a = 0, b = 0, c = 0, d = 0] = rest.map(Number);
+    const { run } = this;
+    if (word === "keep") return { is: "keep" };
+    if (!run) return { is: "refused", why: "the run is not loaded yet" };
+    if (word === "instant") return this.instant(run, a);
+    if (word === "time") return this.instant(run, this.at(run, a));
+    if (word === "series") return this.series(run, a, b, c);
+    if (word === "path") return this.path(run, a, b, d);
+    if (word === "way") return this.way(run, a, c);
+    if (word === "claims") return run.claims;
+    const why = "a saved page cannot do this: use frobc view with the recording";
+    return word === "find" ? { is: "found", why } : { is: "refused", why };
+  }
+
+  /** Returns the last instant that is not after a time. */
+  private at({ times }: SavedRun, seconds: number): number {
+    let low = 0,
+      high = times.length;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if ((times[middle] ?? 0) <= seconds) low = middle;
+      else high = middle;
+    }
+    return low;
+  }
+
+  private cell({ cells }: SavedRun, signal: number, k: number): string {
+    const changes = cells[signal] ?? [];
+    let low = 0,
+      high = changes.length / 2;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (Number(changes[2 * middle]) <= k) low = middle;
+      else high = middle;
+    }
+    return String(changes[2 * low + 1] ?? "");
+  }
+
+  private instant(run: SavedRun, k: number): Instant {
+    const truth = run.truth[k];
+    return {
+      is: "instant",
+      k,
+      time: run.times[k] ?? 0,
+      dt: run.dts[k] ?? 0,
+      cells: run.cells.map((_, signal) => this.cell(run, signal, k)),
+      recent: this.recent(run, k),
+      ...(truth ? { truth } : {}),
+    };
+  }
+
+  private recent(run: SavedRun, k: number): Instant["recent"] {
+    const { signals } = run.program;
+    const pose = ["position.x", "position.y", "heading"].map((name) =>
+      signals.findIndex((signal) => signal.name === `in.odometry.${name}`),
+    );
+    const since = (run.times[k] ?? 0) - recentlySeconds;
+    return signals.flatMap((signal, number) => {
+      if (signal.side !== "input" || signal.kind !== "event") return [];
+      for (let i = k; i >= 0 && (run.times[i] ?? 0) > since; i--) {
+        const value = numberOf(signal, this.cell(run, number, i));
+        if (value === null) continue;
+        const [x, y, heading] =
+          run.truth[i]?.[0] ?? pose.map((each) => Number(this.cell(run, each, i) || NaN));
+        return [[number, value, x ?? null, y ?? null, heading ?? null] as const];
+      }
+      return [];
+    });
+  }
+
+  private series(run: SavedRun, signal: number, from: number, to: number): Series {
+    const first = this.at(run, from),
+      end = Math.min(run.times.length, this.at(run, to) + 2);
+    const of = run.program.signals[signal];
+    return {
+      is: "series",
+      signal,
+      from,
+      to,
+      times: run.times.slice(first, end),
+      values: Array.from({ length: end - first }, (_, i) =>
+        of ? numberOf(of, this.cell(run, signal, first + i)) : null,
+      ),
+    };
+  }
+
+  private path(run: SavedRun, x: number, y: number, from: number): Path {
+    const place = (signal: number, k: number) => Number(this.cell(run, signal, k) || NaN);
+    return {
+      is: "path",
+      x,
+      y,
+      from,
+      next: run.times.length - 1,
+      points: run.times
+        .slice(from)
+        .map((time, i) => [time, place(x, from + i), place(y, from + i)]),
+    };
+  }
+
+  private way(run: SavedRun, robot: number, from: number): Way {
+    return {
+      is: "way",
+      robot,
+      from,
+      next: run.times.length - 1,
+      points: run.times
+        .slice(from)
+        .map((time, i) => [
+          time,
+          run.truth[from + i]?.[robot]?.[0] ?? NaN,
+          run.truth[from + i]?.[robot]?.[1] ?? NaN,
+        ]),
+    };
+  }
+}
