@@ -94,6 +94,8 @@ def visit(page, rows):
         lambda: all(page.cells().get(name, cell) == cell for name, cell in rows[last - 1].items())
     )
     check("the list shows what is traced", True)
+    turn = next(r for r in page.all("#list button") if r.get_attribute("title") == "out.turn")
+    check("a turn rate is in radians", turn.text.endswith("[rad/s]"))
 
     away = float(rows[last - 1]["probe.draw[2]"].split('"')[2])
     page.wait(lambda: page.text("#readings dd").endswith("[m]"))

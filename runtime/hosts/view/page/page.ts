@@ -16,6 +16,7 @@ import { startPlots } from "./plots/plots";
 import type { Align, Answer, Live, Program, Progress, Run } from "./protocol";
 import { startSearch } from "./time/search";
 import { startSignals } from "./signals/signals";
+import { withRadians } from "./source/angles";
 import { startSource } from "./source/source";
 import { restore, restorePlots } from "./restore";
 import { startSaving } from "./save/save";
@@ -234,7 +235,7 @@ function answered(answer: Answer, question: string): void {
       // The panels need their sizes.
       if (answer.instants > 0) document.body.classList.remove("opening");
       if (store) reconnected(store, answer);
-      else store = start(answer);
+      else store = start(withRadians(answer));
       extend(answer);
       if (run) store.runsOn(run);
       showOpening();

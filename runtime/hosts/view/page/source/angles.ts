@@ -1,0 +1,123 @@
+// Finds the signals whose types say that they are angles or turn rates. Radians have no dimension, so
+// that units do not show it: the types are read from the text of the program.
+import type { Program, Signal, Source } from "../protocol";
+
+const units: Readonly<Record<string, string>> = { Angle: "rad", AngularVelocity: "rad/s" };
+/** The unit of such a signal as the compiler knows it. */
+const plain: Readonly<Record<string, string>> = { rad: "", "rad/s": "1/s" };
+
+/** A name with its unit, on some lines of a file. */
+interface Named {
+  readonly file: string;
+  readonly first: number;
+  readonly last: number;
+  readonly name: string;
+  readonly unit: string;
+}
+
+/** Splits at commas or arrows that are not within brackets. */
+function split(text: string, at: "," | "->"): string[] {
+  const parts = [""];
+  let depth = 0;
+  for (let i = 0; i < text.length; i++) {
+    const character = text[i] ?? "";
+    if (character === "(" || character === "[") depth++;
+    if (character === ")" || character === "]") depth--;
+    if (depth === 0 && text.startsWith(at, i)) {
+      parts.push("");
+      i += at.length - 1;
+    } else parts[parts.length - 1] += character;
+  }
+  return parts.map((part) => part.trim());
+}
+
+const withoutBrackets = (text: string) =>
+  text.startsWith("(") && text.endsWith(")") ? text.slice(1, -1) : text;
+
+/** Pairs the variables of a pattern with the parts of a type. */
+function pairs(pattern: string, type: string): [string, string][] {
+  const names = split(withoutBrackets(pattern), ","),
+    types = split(withoutBrackets(type), ",");
+  return names.length === types.length ? names.map((name, i) => [name, types[i] ?? ""]) : [];
+}
+
+/** Returns the two arguments of `SF a b`. */
+function ofSignalFunction(type: string): [string, string] | null {
+  const found =
+    /^SF\s+(\([^()]*\)|[\w.]+(?:\[[^\]]*\])?)\s+(\([^()]*\)|[\w.]+(?:\[[^\]]*\])?)$/.exec(type);
+  return found ? [found[1] ?? "", found[2] ?? ""] : null;
+}
+
+/** Pairs the variables of a definition with the types in its signature. */
+function ofDefinition(signature: string, definition: string): [string, string][] {
+  const types = split(signature.replace(/^.*=>/s, ""), "->");
+  const head =
+    /^[\w']+((?:\s+[\w']+)*)\s*=\s*(?:proc\s+(\([^()]*\)|[\w']+)\s*->\s*(\([^()]*\)|[\w']+))?/.exec(
+      definition,
+    );
+  if (!head) return [];
+  const parameters = (head[1] ?? "").trim().split(/\s+/).filter(Boolean);
+  const result = ofSignalFunction(types.at(-1) ?? "");
+  return [
+    ...parameters.map((name, i): [string, string] => [name, types[i] ?? ""]),
+    ...(result && head[2] && head[3]
+      ? [...pairs(head[2], result[0]), ...pairs(head[3], result[1])]
+      : []),
+  ];
+}
+
+/** Returns the names in a file whose types are angles or turn rates. */
+function namesIn({ name: file, text }: Source): Named[] {
+  const found: Named[] = [];
+  const lines = text.split("\n");
+  const add = (name: string, type: string, first: number, last: number) => {
+    const unit = units[type.trim()];
+    if (unit !== undefined) found.push({ file, first, last, name, unit });
+  };
+  // The parts of the file that begin at the left margin: signatures and definitions.
+  const starts = lines.flatMap((line, i) => (/^[\w(]/.test(line) ? [i] : []));
+  let signature: { readonly name: string; readonly type: string } | null = null;
+  starts.forEach((start, i) => {
+    const end = starts[i + 1] ?? lines.length;
+    const part = lines
+      .slice(start, end)
+      .map((line) => line.replace(/--.*$/, ""))
+      .join(" ");
+    const signed = /^([\w']+)\s*::\s*(.*)$/s.exec(part);
+    if (signed) signature = { name: signed[1] ?? "", type: (signed[2] ?? "").trim() };
+    else if (signature && part.startsWith(`${signature.name} `))
+      for (const [name, type] of ofDefinition(signature.type, part))
+        add(name, type, start + 1, end);
+    // Fields of records, and variables with a signature of their own.
+    for (const [, name = "", type = ""] of part.matchAll(
+      /(?:^|[{,]|\s)([a-z]\w*)\s*::\s*(\w+)(?=\s*[,}]|\s{2,}|\s*$)/g,
+    ))
+      add(name, type, start + 1, end);
+  });
+  return found;
+}
+
+/** Shows radians in the units of signals. */
+export function withRadians(program: Program): Program {
+  const names = program.sources.flatMap(namesIn);
+  /** The unit of a field, if all records agree on it. */
+  const fields = new Map<string, string | null>();
+  for (const { name, unit } of names)
+    fields.set(name, (fields.get(name) ?? unit) === unit ? unit : null);
+  const unitOf = (signal: Signal): string | null | undefined => {
+    const own = signal.own.split(".").at(-1) ?? "";
+    if (signal.side === "probe")
+      return names.find(
+        ({ file, first, last, name }) =>
+          file === signal.file && signal.line >= first && signal.line <= last && name === own,
+      )?.unit;
+    return signal.side === "mode" ? null : fields.get(signal.name.split(".").at(-1) ?? "");
+  };
+  const signals = program.signals.map((signal) => {
+    const unit = unitOf(signal);
+    const isPlain =
+      unit && plain[unit] === signal.unit && (signal.kind === "float" || signal.kind === "event");
+    return isPlain ? { ...signal, unit } : signal;
+  });
+  return { ...program, signals };
+}
